@@ -1,0 +1,217 @@
+//! Every way a call can be refused or fail, with the offending number.
+
+use crate::report::Report;
+
+/// The result of a call that can be refused.
+pub type Result<T> = std::result::Result<T, Error>;
+
+/// What was wrong: one variant per rule broken, with the offending number.
+///
+/// Arguments are checked before any work, and the caller's state is then as it was. Only
+/// [`Error::NotConverged`] comes after work.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A grid needs at least one cell along each axis and a number of cells that memory can index.
+    #[error("a grid of {nx} x {ny} cells is empty or larger than memory can index")]
+    GridSize {
+        /// Cells along x.
+        nx: usize,
+        /// Cells along y.
+        ny: usize,
+    },
+    /// A quantity that must be positive and finite is not.
+    #[error("{quantity} must be positive and finite, got {value}")]
+    NotPositive {
+        /// The quantity, in words.
+        quantity: &'static str,
+        /// The value given.
+        value: f64,
+    },
+    /// A quantity that must be zero or positive, and finite, is not.
+    #[error("{quantity} must be non-negative and finite, got {value}")]
+    Negative {
+        /// The quantity, in words.
+        quantity: &'static str,
+        /// The value given.
+        value: f64,
+    },
+    /// A quantity that must be finite is not.
+    #[error("{quantity} must be finite, got {value}")]
+    NotFinite {
+        /// The quantity, in words.
+        quantity: &'static str,
+        /// The value given.
+        value: f64,
+    },
+    /// One sample of a field breaks the rule its field must keep.
+    #[error("{quantity} at index {index} is {value}: {rule}")]
+    Sample {
+        /// The field, in words.
+        quantity: &'static str,
+        /// Index into the row-major samples.
+        index: usize,
+        /// The value found there.
+        value: f64,
+        /// The rule, in words.
+        rule: &'static str,
+    },
+    /// Poisson's ratio lies outside `(-1, 1/2]`, where an isotropic body is stable.
+    #[error("Poisson's ratio must lie in (-1, 0.5], got {0}")]
+    PoissonRatio(f64),
+    /// Two rigid bodies do not deform: there is nothing to solve.
+    #[error("both bodies are rigid")]
+    BothRigid,
+    /// Normal and tangential tractions of the two materials are coupled, and the model neglects that.
+    #[error(
+        "the pair couples pressure and shear (Dundurs beta = {beta:e}): call neglect_coupling() to accept an error of that order"
+    )]
+    CoupledMaterials {
+        /// Dundurs' second parameter of the pair.
+        beta: f64,
+    },
+    /// A slice or field has the wrong number of samples.
+    #[error("{quantity} has {found} samples, expected {expected}")]
+    Length {
+        /// The slice, in words.
+        quantity: &'static str,
+        /// Samples needed.
+        expected: usize,
+        /// Samples given.
+        found: usize,
+    },
+    /// Two fields or bodies live on different grids.
+    #[error("{quantity} lives on another grid than the bodies")]
+    GridMismatch {
+        /// The field, in words.
+        quantity: &'static str,
+    },
+    /// A tolerance outside `(0, 1)` certifies nothing.
+    #[error("the tolerance must lie strictly between 0 and 1, got {0}")]
+    Tolerance(f64),
+    /// A limit of zero iterations leaves nothing to report.
+    #[error("the iteration limit must be at least 1")]
+    IterationLimit,
+    /// The bounds of one entry leave it no value.
+    #[error("the bounds [{lower}, {upper}] of entry {index} hold no finite value")]
+    Bounds {
+        /// The entry.
+        index: usize,
+        /// Its lower bound.
+        lower: f64,
+        /// Its upper bound.
+        upper: f64,
+    },
+    /// No point within the bounds has the prescribed total.
+    #[error("the total {total:e} is outside what the bounds allow, [{lower:e}, {upper:e}]")]
+    Total {
+        /// The total prescribed.
+        total: f64,
+        /// The least total within the bounds.
+        lower: f64,
+        /// The greatest total within the bounds.
+        upper: f64,
+    },
+    /// The bodies do not touch: there is no contact to shear.
+    #[error("the contact is empty: no cell carries pressure")]
+    EmptyContact,
+    /// More tangential force than friction can hold: no equilibrium exists.
+    #[error("a tangential force of {force:e} exceeds the friction limit {limit:e}")]
+    BeyondSliding {
+        /// Magnitude of the force asked for.
+        force: f64,
+        /// Largest force friction holds, the area integral of the shear limit.
+        limit: f64,
+    },
+    /// The load has components along both axes, which the scalar tangential model cannot carry.
+    #[error(
+        "the tangential load [{x:e}, {y:e}] is along neither axis; the scalar model needs one of them to be zero"
+    )]
+    ObliqueLoad {
+        /// Component along x.
+        x: f64,
+        /// Component along y.
+        y: f64,
+    },
+    /// An explicit matrix of this size is refused.
+    #[error("an explicit matrix of {cells} cells is larger than the limit of {limit} cells")]
+    TooManyCells {
+        /// Cells asked for.
+        cells: usize,
+        /// Cells allowed.
+        limit: usize,
+    },
+    /// A matrix is not symmetric positive definite.
+    #[error("the matrix is not symmetric positive definite (row {row})")]
+    NotPositiveDefinite {
+        /// The first row where that shows.
+        row: usize,
+    },
+    /// The iteration ended before the tolerance was reached. The caller's solution holds the
+    /// last feasible iterate.
+    #[error("not converged: {0}")]
+    NotConverged(Box<Report>),
+}
+
+/// `Ok` if `value` is positive and finite.
+pub(crate) fn positive(quantity: &'static str, value: f64) -> Result<f64> {
+    if value > 0.0 && value.is_finite() {
+        Ok(value)
+    } else {
+        Err(Error::NotPositive { quantity, value })
+    }
+}
+
+/// `Ok` if `value` is zero or positive, and finite.
+pub(crate) fn non_negative(quantity: &'static str, value: f64) -> Result<f64> {
+    if value >= 0.0 && value.is_finite() {
+        Ok(value)
+    } else {
+        Err(Error::Negative { quantity, value })
+    }
+}
+
+/// `Ok` if `value` is finite.
+pub(crate) fn finite(quantity: &'static str, value: f64) -> Result<f64> {
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(Error::NotFinite { quantity, value })
+    }
+}
+
+/// `Ok` if every sample is finite.
+pub(crate) fn all_finite(quantity: &'static str, samples: &[f64]) -> Result<()> {
+    samples_obey(quantity, samples, "must be finite", f64::is_finite)
+}
+
+/// `Ok` if every sample obeys the rule, else the first that does not.
+pub(crate) fn samples_obey(
+    quantity: &'static str,
+    samples: &[f64],
+    rule: &'static str,
+    obeys: impl Fn(f64) -> bool,
+) -> Result<()> {
+    match samples.iter().position(|&value| !obeys(value)) {
+        None => Ok(()),
+        Some(index) => Err(Error::Sample {
+            quantity,
+            index,
+            value: samples[index],
+            rule,
+        }),
+    }
+}
+
+/// `Ok` if a slice has the length expected of it.
+pub(crate) fn length(quantity: &'static str, expected: usize, found: usize) -> Result<()> {
+    if expected == found {
+        Ok(())
+    } else {
+        Err(Error::Length {
+            quantity,
+            expected,
+            found,
+        })
+    }
+}

@@ -1,0 +1,120 @@
+//! Samples on a grid.
+
+use crate::error::{Result, length};
+use crate::grid::Grid;
+
+/// One number per cell of a [`Grid`], row-major with x fastest.
+///
+/// The memory is that of a C-ordered `NumPy` array of shape `(ny, nx)`: sample `(ix, iy)` stands
+/// at index `iy * nx + ix`. The unit is that of the quantity sampled.
+///
+/// ```
+/// use stickslip::{Field, Grid};
+/// let grid = Grid::new(3, 2, 1.0, 1.0)?;
+/// let field = Field::from_fn(grid, |x, y| x + 10.0 * y);
+/// assert_eq!(field.get(2, 1), Some(6.0));
+/// assert_eq!(field.as_slice()[5], 6.0);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Field {
+    grid: Grid,
+    samples: Vec<f64>,
+}
+
+impl Field {
+    /// Zero in every cell.
+    #[must_use]
+    pub fn zeros(grid: Grid) -> Self {
+        Self::constant(grid, 0.0)
+    }
+
+    /// The same value in every cell.
+    #[must_use]
+    pub fn constant(grid: Grid, value: f64) -> Self {
+        Self {
+            grid,
+            samples: vec![value; grid.cells()],
+        }
+    }
+
+    /// A function of the cell centres, `f(x, y)`.
+    #[must_use]
+    pub fn from_fn(grid: Grid, mut f: impl FnMut(f64, f64) -> f64) -> Self {
+        let mut samples = Vec::with_capacity(grid.cells());
+        for iy in 0..grid.ny() {
+            let y = grid.y(iy);
+            samples.extend((0..grid.nx()).map(|ix| f(grid.x(ix), y)));
+        }
+        Self { grid, samples }
+    }
+
+    /// Samples in row-major order, x fastest.
+    ///
+    /// # Errors
+    /// [`Error::Length`](crate::Error::Length) if there are not `nx * ny` samples.
+    pub fn from_vec(grid: Grid, samples: Vec<f64>) -> Result<Self> {
+        length("field", grid.cells(), samples.len())?;
+        Ok(Self { grid, samples })
+    }
+
+    /// The grid.
+    #[must_use]
+    pub fn grid(&self) -> Grid {
+        self.grid
+    }
+
+    /// The sample of cell `(ix, iy)`, `None` outside the grid.
+    #[must_use]
+    pub fn get(&self, ix: usize, iy: usize) -> Option<f64> {
+        if ix < self.grid.nx() {
+            self.samples.get(iy * self.grid.nx() + ix).copied()
+        } else {
+            None
+        }
+    }
+
+    /// All samples, row-major with x fastest.
+    #[must_use]
+    pub fn as_slice(&self) -> &[f64] {
+        &self.samples
+    }
+
+    /// All samples, mutable.
+    #[must_use]
+    pub fn as_mut_slice(&mut self) -> &mut [f64] {
+        &mut self.samples
+    }
+
+    /// The samples, without the grid.
+    #[must_use]
+    pub fn into_vec(self) -> Vec<f64> {
+        self.samples
+    }
+
+    /// The rows, from the lowest y up; each runs along x.
+    pub fn rows(&self) -> impl ExactSizeIterator<Item = &[f64]> {
+        self.samples.chunks_exact(self.grid.nx())
+    }
+
+    /// Largest sample; NaN samples are passed over.
+    #[must_use]
+    pub fn max(&self) -> f64 {
+        self.samples
+            .iter()
+            .copied()
+            .fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// Smallest sample; NaN samples are passed over.
+    #[must_use]
+    pub fn min(&self) -> f64 {
+        self.samples.iter().copied().fold(f64::INFINITY, f64::min)
+    }
+
+    /// Integral over the grid, cell area times the sum of the samples.
+    #[must_use]
+    pub fn integral(&self) -> f64 {
+        self.grid.cell_area() * self.samples.iter().sum::<f64>()
+    }
+}

@@ -1,0 +1,121 @@
+//! The rectangular grid of cells every field lives on.
+
+use crate::error::{Error, Result, positive};
+
+/// A rectangle of `nx` x `ny` cells of sides `dx` x `dy`, centred on the origin.
+///
+/// The centre of cell `(ix, iy)` is `x = (ix - (nx - 1)/2) dx`, `y = (iy - (ny - 1)/2) dy`.
+/// The paper writes the sides as 2a and 2b. Lengths are in any consistent unit.
+///
+/// ```
+/// let grid = stickslip::Grid::new(4, 2, 0.5, 1.0)?;
+/// assert_eq!(grid.position(0, 0), [-0.75, -0.5]);
+/// assert_eq!(grid.area(), 4.0);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Grid {
+    nx: usize,
+    ny: usize,
+    dx: f64,
+    dy: f64,
+}
+
+impl Grid {
+    /// A grid of `nx` x `ny` cells of sides `dx` x `dy` (lengths).
+    ///
+    /// # Errors
+    /// [`Error::GridSize`] if a number of cells is zero or the padded grid exceeds memory's
+    /// index; [`Error::NotPositive`] if a side is not positive and finite.
+    pub fn new(nx: usize, ny: usize, dx: f64, dy: f64) -> Result<Self> {
+        // The padded transform of a grid holds up to 4 nx ny complex numbers.
+        let bytes = nx.checked_mul(ny).and_then(|cells| cells.checked_mul(128));
+        if nx == 0 || ny == 0 || bytes.is_none_or(|bytes| isize::try_from(bytes).is_err()) {
+            return Err(Error::GridSize { nx, ny });
+        }
+        let grid = Self {
+            nx,
+            ny,
+            dx: positive("cell side dx", dx)?,
+            dy: positive("cell side dy", dy)?,
+        };
+        positive("cell area", grid.cell_area())?;
+        positive("grid area", grid.area())?;
+        Ok(grid)
+    }
+
+    /// A square grid of `n` x `n` cells and the given side (a length).
+    ///
+    /// # Errors
+    /// As [`Grid::new`].
+    pub fn square(n: usize, side: f64) -> Result<Self> {
+        positive("grid side", side)?;
+        let cell = side / n.max(1) as f64;
+        Self::new(n, n, cell, cell)
+    }
+
+    /// Cells along x.
+    #[must_use]
+    pub fn nx(&self) -> usize {
+        self.nx
+    }
+
+    /// Cells along y.
+    #[must_use]
+    pub fn ny(&self) -> usize {
+        self.ny
+    }
+
+    /// Side of a cell along x, 2a in the paper (a length).
+    #[must_use]
+    pub fn dx(&self) -> f64 {
+        self.dx
+    }
+
+    /// Side of a cell along y, 2b in the paper (a length).
+    #[must_use]
+    pub fn dy(&self) -> f64 {
+        self.dy
+    }
+
+    /// Number of cells, `nx * ny`.
+    #[must_use]
+    pub fn cells(&self) -> usize {
+        self.nx * self.ny
+    }
+
+    /// Area of one cell (a length squared).
+    #[must_use]
+    pub fn cell_area(&self) -> f64 {
+        self.dx * self.dy
+    }
+
+    /// Area of the whole grid (a length squared).
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        self.cell_area() * self.cells() as f64
+    }
+
+    /// x of the centre of column `ix` (a length); `ix` may lie outside the grid.
+    #[must_use]
+    pub fn x(&self, ix: usize) -> f64 {
+        centre(ix, self.nx, self.dx)
+    }
+
+    /// y of the centre of row `iy` (a length); `iy` may lie outside the grid.
+    #[must_use]
+    pub fn y(&self, iy: usize) -> f64 {
+        centre(iy, self.ny, self.dy)
+    }
+
+    /// Centre of cell `(ix, iy)`, `[x, y]` (lengths).
+    #[must_use]
+    pub fn position(&self, ix: usize, iy: usize) -> [f64; 2] {
+        [self.x(ix), self.y(iy)]
+    }
+}
+
+/// `(i - (n - 1)/2) d`, exactly antisymmetric about the middle of the grid.
+fn centre(i: usize, n: usize, d: f64) -> f64 {
+    (i as f64 - 0.5 * (n - 1) as f64) * d
+}

@@ -1,0 +1,16 @@
+//! Normal and stick-slip contact of elastic half-spaces.
+
+mod error;
+mod field;
+mod grid;
+mod material;
+mod operator;
+mod parallel;
+mod report;
+
+pub use error::{Error, Result};
+pub use field::Field;
+pub use grid::Grid;
+pub use material::{ElasticPair, Material};
+pub use operator::{Identity, Operator};
+pub use report::{Iteration, Report, Status};

@@ -1,0 +1,175 @@
+//! Elastic constants of one body and of a pair.
+
+use crate::error::{Error, Result, positive};
+
+/// A linear elastic, isotropic, homogeneous half-space.
+///
+/// Moduli have the unit of a pressure; Poisson's ratio lies in `(-1, 1/2]`.
+///
+/// ```
+/// let steel = stickslip::Material::new(210e9, 0.3)?;
+/// assert!((steel.shear_modulus() - 80.769e9).abs() < 1e6);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Material {
+    /// `1/G`; zero for a rigid body.
+    compliance: f64,
+    poisson_ratio: f64,
+}
+
+impl Material {
+    /// A body of Young's modulus `youngs_modulus` (a pressure) and Poisson's ratio `poisson_ratio`.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for the modulus, [`Error::PoissonRatio`] for the ratio.
+    pub fn new(youngs_modulus: f64, poisson_ratio: f64) -> Result<Self> {
+        positive("Young's modulus", youngs_modulus)?;
+        if !(poisson_ratio > -1.0 && poisson_ratio <= 0.5) {
+            return Err(Error::PoissonRatio(poisson_ratio));
+        }
+        let compliance = 2.0 * (1.0 + poisson_ratio) / youngs_modulus;
+        if compliance.is_normal() {
+            Ok(Self {
+                compliance,
+                poisson_ratio,
+            })
+        } else {
+            Err(Error::NotPositive {
+                quantity: "Young's modulus, so that its reciprocal is a normal number,",
+                value: youngs_modulus,
+            })
+        }
+    }
+
+    /// A body that does not deform.
+    #[must_use]
+    pub fn rigid() -> Self {
+        Self {
+            compliance: 0.0,
+            poisson_ratio: 0.0,
+        }
+    }
+
+    /// Whether the body does not deform.
+    #[must_use]
+    pub fn is_rigid(&self) -> bool {
+        self.compliance <= 0.0
+    }
+
+    /// Young's modulus `E` (a pressure); infinite for a rigid body.
+    #[must_use]
+    pub fn youngs_modulus(&self) -> f64 {
+        2.0 * (1.0 + self.poisson_ratio) / self.compliance
+    }
+
+    /// Shear modulus `G = E / (2 (1 + nu))` (a pressure); infinite for a rigid body.
+    #[must_use]
+    pub fn shear_modulus(&self) -> f64 {
+        1.0 / self.compliance
+    }
+
+    /// Poisson's ratio; zero, and without effect, for a rigid body.
+    #[must_use]
+    pub fn poisson_ratio(&self) -> f64 {
+        self.poisson_ratio
+    }
+
+    /// The three numbers the influence coefficients need.
+    pub(crate) fn compliances(&self) -> Compliances {
+        Compliances {
+            normal: (1.0 - self.poisson_ratio) * self.compliance,
+            lateral: self.poisson_ratio * self.compliance,
+            coupling: (1.0 - 2.0 * self.poisson_ratio) * self.compliance,
+        }
+    }
+}
+
+/// Two half-spaces in contact; the relative displacement `u_1 - u_2` is what they share.
+///
+/// Body 1 takes the tractions, body 2 the opposite shear, so that compliances of like components
+/// add and the normal-shear coupling subtracts.
+///
+/// ```
+/// use stickslip::{ElasticPair, Material};
+/// let steel = Material::new(213e9, 0.29)?;
+/// let pair = ElasticPair::new(steel, steel)?;
+/// assert!((pair.contact_modulus() / 116.27906977e9 - 1.0).abs() < 1e-9);
+/// assert_eq!(pair.dundurs_beta(), 0.0);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ElasticPair {
+    bodies: [Material; 2],
+    compliances: Compliances,
+}
+
+impl ElasticPair {
+    /// The pair of `body_1` (into which z points) and `body_2`.
+    ///
+    /// # Errors
+    /// [`Error::BothRigid`] if neither body deforms.
+    pub fn new(body_1: Material, body_2: Material) -> Result<Self> {
+        if body_1.is_rigid() && body_2.is_rigid() {
+            return Err(Error::BothRigid);
+        }
+        let (one, two) = (body_1.compliances(), body_2.compliances());
+        Ok(Self {
+            bodies: [body_1, body_2],
+            compliances: Compliances {
+                normal: one.normal + two.normal,
+                lateral: one.lateral + two.lateral,
+                coupling: one.coupling - two.coupling,
+            },
+        })
+    }
+
+    /// The two bodies.
+    #[must_use]
+    pub fn bodies(&self) -> [Material; 2] {
+        self.bodies
+    }
+
+    /// Contact modulus `E*`, `1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2` (a pressure).
+    #[must_use]
+    pub fn contact_modulus(&self) -> f64 {
+        2.0 / self.compliances.normal
+    }
+
+    /// Shear modulus of the equivalent single body, `1/G = 1/G_1 + 1/G_2` (a pressure).
+    #[must_use]
+    pub fn shear_modulus(&self) -> f64 {
+        1.0 / (self.compliances.normal + self.compliances.lateral)
+    }
+
+    /// Poisson's ratio of the equivalent single body, `nu = G (nu_1/G_1 + nu_2/G_2)`.
+    #[must_use]
+    pub fn poisson_ratio(&self) -> f64 {
+        self.compliances.lateral * self.shear_modulus()
+    }
+
+    /// Dundurs' second parameter `beta`: the strength of the coupling between pressure and shear.
+    ///
+    /// `beta = ((1-2 nu_1)/G_1 - (1-2 nu_2)/G_2) / (2 ((1-nu_1)/G_1 + (1-nu_2)/G_2))`. It vanishes
+    /// for identical bodies and for two incompressible ones.
+    #[must_use]
+    pub fn dundurs_beta(&self) -> f64 {
+        0.5 * self.compliances.coupling / self.compliances.normal
+    }
+
+    /// The sums the influence coefficients of the pair need.
+    pub(crate) fn compliances(&self) -> Compliances {
+        self.compliances
+    }
+}
+
+/// What the influence coefficients know of the materials, each one over a pressure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Compliances {
+    /// `(1 - nu)/G`, summed over the bodies.
+    pub(crate) normal: f64,
+    /// `nu/G`, summed over the bodies.
+    pub(crate) lateral: f64,
+    /// `(1 - 2 nu)/G`, body 1 minus body 2.
+    pub(crate) coupling: f64,
+}

@@ -1,0 +1,124 @@
+//! The one place that knows about threads.
+//!
+//! Work is cut into tasks by index, never by thread count where a sum is formed, so that the bits
+//! of a result do not depend on the number of threads. Only `rayon::join` is used: it runs in the
+//! caller's pool and allocates nothing.
+
+use std::ops::Range;
+
+/// Samples per task of vector work; the tree of sums follows these chunks.
+pub(crate) const CHUNK: usize = 4096;
+
+#[cfg(feature = "parallel")]
+fn join<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + Send) -> (A, B) {
+    rayon::join(a, b)
+}
+
+#[cfg(not(feature = "parallel"))]
+fn join<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + Send) -> (A, B) {
+    (a(), b())
+}
+
+/// Tasks worth having at once; only for work whose result does not depend on how it is cut.
+pub(crate) fn lanes() -> usize {
+    #[cfg(feature = "parallel")]
+    {
+        4 * rayon::current_num_threads()
+    }
+    #[cfg(not(feature = "parallel"))]
+    {
+        1
+    }
+}
+
+/// Data that can be cut at a task boundary.
+pub(crate) trait Split: Send + Sized {
+    /// The first `tasks` tasks, and the rest.
+    fn split(self, tasks: usize) -> (Self, Self);
+}
+
+impl Split for () {
+    fn split(self, _: usize) -> (Self, Self) {
+        ((), ())
+    }
+}
+
+/// A mutable slice of which each task owns `width` consecutive items (the last task may own fewer).
+#[derive(Debug)]
+pub(crate) struct Blocks<'a, T> {
+    pub(crate) items: &'a mut [T],
+    pub(crate) width: usize,
+}
+
+impl<T: Send> Split for Blocks<'_, T> {
+    fn split(self, tasks: usize) -> (Self, Self) {
+        let middle = (tasks * self.width).min(self.items.len());
+        let (low, high) = self.items.split_at_mut(middle);
+        let width = self.width;
+        (Self { items: low, width }, Self { items: high, width })
+    }
+}
+
+impl<A: Split, B: Split> Split for (A, B) {
+    fn split(self, tasks: usize) -> (Self, Self) {
+        let ((a, c), (b, d)) = (self.0.split(tasks), self.1.split(tasks));
+        ((a, b), (c, d))
+    }
+}
+
+impl<A: Split, B: Split, C: Split> Split for (A, B, C) {
+    fn split(self, tasks: usize) -> (Self, Self) {
+        let ((a, b), c) = (self.0.split(tasks), (self.1, self.2).split(tasks));
+        ((a, c.0.0, c.0.1), (b, c.1.0, c.1.1))
+    }
+}
+
+/// Runs `work(task, its part of data)` for every task and combines the results pairwise in a
+/// fixed tree: the same bits on any number of threads.
+pub(crate) fn sweep<D: Split, T: Send>(
+    tasks: Range<usize>,
+    data: D,
+    work: &(impl Fn(usize, D) -> T + Sync),
+    combine: &(impl Fn(T, T) -> T + Sync),
+) -> T {
+    if tasks.len() <= 1 {
+        return work(tasks.start, data);
+    }
+    let half = tasks.len() / 2;
+    let middle = tasks.start + half;
+    let (low, high) = data.split(half);
+    let (low, high) = join(
+        || sweep(tasks.start..middle, low, work, combine),
+        || sweep(middle..tasks.end, high, work, combine),
+    );
+    combine(low, high)
+}
+
+/// [`sweep`] over chunks of `0..len` that only reads: `fold(index range) -> T`.
+pub(crate) fn fold<T: Send>(
+    len: usize,
+    leaf: impl Fn(Range<usize>) -> T + Sync,
+    combine: impl Fn(T, T) -> T + Sync,
+) -> T {
+    sweep(
+        0..len.div_ceil(CHUNK),
+        (),
+        &|task, ()| leaf(task * CHUNK..((task + 1) * CHUNK).min(len)),
+        &combine,
+    )
+}
+
+/// Runs `update(first index, chunk)` on chunks of one slice.
+pub(crate) fn update<T: Send>(items: &mut [T], update: impl Fn(usize, &mut [T]) + Sync) {
+    let tasks = items.len().div_ceil(CHUNK);
+    let data = Blocks {
+        items,
+        width: CHUNK,
+    };
+    sweep(
+        0..tasks,
+        data,
+        &|task, block| update(task * CHUNK, block.items),
+        &|(), ()| (),
+    );
+}

@@ -1,0 +1,122 @@
+//! What a solver says about its own work: status, residual, certified gap.
+//!
+//! These types stand beside [`Error`](crate::Error) because an error of
+//! non-convergence carries the whole [`Report`].
+
+use std::fmt;
+use std::time::Duration;
+
+/// Why an iteration ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Status {
+    /// The residual of a fresh product is at or below the tolerance.
+    Converged,
+    /// The limit of iterations was reached first.
+    IterationLimit,
+    /// The time limit was reached first.
+    TimeLimit,
+    /// The residual no longer falls: round-off, or a tolerance below it.
+    Stalled,
+    /// The observer asked to stop.
+    Cancelled,
+}
+
+impl fmt::Display for Status {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Self::Converged => "converged",
+            Self::IterationLimit => "stopped at the iteration limit",
+            Self::TimeLimit => "stopped at the time limit",
+            Self::Stalled => "stalled",
+            Self::Cancelled => "cancelled",
+        })
+    }
+}
+
+/// One step of an iteration, as an observer sees it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Iteration {
+    /// Steps done so far: outer steps of the active-set method, single steps of Polonsky-Keer.
+    pub iteration: usize,
+    /// Products with the operator so far.
+    pub convolutions: usize,
+    /// Largest complementarity residual, relative to the largest displacement (see [`Report::residual`]).
+    pub residual: f64,
+    /// Entries strictly between their bounds.
+    pub free: usize,
+}
+
+/// How a solve ended, what it cost and how large its error can be.
+///
+/// Every number is recomputed from a fresh product with the returned iterate,
+/// whatever the status.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Report {
+    /// Why the iteration ended.
+    pub status: Status,
+    /// Outer steps (active set) or steps (Polonsky-Keer).
+    pub iterations: usize,
+    /// Products with the operator, the final check included.
+    pub convolutions: usize,
+    /// Largest complementarity residual: `|g_i|` on free entries, the wrong-signed part of
+    /// `g_i` on entries at a bound, divided by the largest `|(Cx)_i|` over the entries that can
+    /// move. Dimensionless.
+    pub residual: f64,
+    /// Certified bound on the squared relative error in the energy norm:
+    /// `(x - x*)' C (x - x*) <= certified_gap * x' C x`. Dimensionless.
+    pub certified_gap: f64,
+    /// Relative error of the prescribed total, `|sum x - total| / sum |x|`; zero when no total
+    /// is prescribed.
+    pub load_error: f64,
+    /// Wall time of the solve.
+    pub time: Duration,
+    /// Every step, in order.
+    pub history: Vec<Iteration>,
+}
+
+impl Report {
+    /// A report of no work: the answer was known without a product.
+    pub(crate) fn exact() -> Self {
+        Self {
+            status: Status::Converged,
+            iterations: 0,
+            convolutions: 0,
+            residual: 0.0,
+            certified_gap: 0.0,
+            load_error: 0.0,
+            time: Duration::ZERO,
+            history: Vec::new(),
+        }
+    }
+
+    /// Whether the tolerance was reached.
+    #[must_use]
+    pub fn is_converged(&self) -> bool {
+        self.status == Status::Converged
+    }
+
+    /// Certified bound on the relative error in the energy norm, `sqrt(certified_gap)`.
+    #[must_use]
+    pub fn energy_error_bound(&self) -> f64 {
+        self.certified_gap.sqrt()
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            formatter,
+            "{} in {} iterations, {} convolutions, {:.3} s: residual {:.1e}, energy error <= {:.1e}, load error {:.1e}",
+            self.status,
+            self.iterations,
+            self.convolutions,
+            self.time.as_secs_f64(),
+            self.residual,
+            self.energy_error_bound(),
+            self.load_error,
+        )
+    }
+}
