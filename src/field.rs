@@ -93,6 +93,7 @@ impl Field {
     }
 
     /// The rows, from the lowest y up; each runs along x.
+    #[must_use]
     pub fn rows(&self) -> impl ExactSizeIterator<Item = &[f64]> {
         self.samples.chunks_exact(self.grid.nx())
     }

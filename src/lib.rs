@@ -3,6 +3,7 @@
 mod error;
 mod field;
 mod grid;
+pub mod influence;
 mod material;
 mod operator;
 mod parallel;

@@ -25,10 +25,23 @@ impl Material {
     /// [`Error::NotPositive`] for the modulus, [`Error::PoissonRatio`] for the ratio.
     pub fn new(youngs_modulus: f64, poisson_ratio: f64) -> Result<Self> {
         positive("Young's modulus", youngs_modulus)?;
-        if !(poisson_ratio > -1.0 && poisson_ratio <= 0.5) {
-            return Err(Error::PoissonRatio(poisson_ratio));
-        }
+        check_poisson_ratio(poisson_ratio)?;
         let compliance = 2.0 * (1.0 + poisson_ratio) / youngs_modulus;
+        Self::from_compliance(compliance, poisson_ratio, youngs_modulus)
+    }
+
+    /// A body of shear modulus `shear_modulus` (a pressure) and Poisson's ratio `poisson_ratio`.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for the modulus, [`Error::PoissonRatio`] for the ratio.
+    pub fn from_shear_modulus(shear_modulus: f64, poisson_ratio: f64) -> Result<Self> {
+        positive("shear modulus", shear_modulus)?;
+        check_poisson_ratio(poisson_ratio)?;
+        Self::from_compliance(1.0 / shear_modulus, poisson_ratio, shear_modulus)
+    }
+
+    /// Refuses a modulus whose reciprocal over- or underflows.
+    fn from_compliance(compliance: f64, poisson_ratio: f64, modulus: f64) -> Result<Self> {
         if compliance.is_normal() {
             Ok(Self {
                 compliance,
@@ -36,8 +49,8 @@ impl Material {
             })
         } else {
             Err(Error::NotPositive {
-                quantity: "Young's modulus, so that its reciprocal is a normal number,",
-                value: youngs_modulus,
+                quantity: "the modulus, and its reciprocal,",
+                value: modulus,
             })
         }
     }
@@ -82,6 +95,14 @@ impl Material {
             lateral: self.poisson_ratio * self.compliance,
             coupling: (1.0 - 2.0 * self.poisson_ratio) * self.compliance,
         }
+    }
+}
+
+fn check_poisson_ratio(poisson_ratio: f64) -> Result<()> {
+    if poisson_ratio > -1.0 && poisson_ratio <= 0.5 {
+        Ok(())
+    } else {
+        Err(Error::PoissonRatio(poisson_ratio))
     }
 }
 

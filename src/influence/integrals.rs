@@ -1,0 +1,215 @@
+//! Integrals of the Boussinesq and Cerruti kernels over a cell, to the last digits.
+
+/// A cell of half sides `a` and `b`, lengths in any unit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Cell {
+    pub(super) a: f64,
+    pub(super) b: f64,
+}
+
+impl Cell {
+    /// The cell with its axes exchanged.
+    pub(super) fn swapped(self) -> Self {
+        Self {
+            a: self.b,
+            b: self.a,
+        }
+    }
+
+    /// `S_X + S_Y`, the integral of `1/R`.
+    pub(super) fn potential(self, x: f64, y: f64) -> f64 {
+        self.integrate([x, y], [false, false], &potential_near, &|_, _, r2| {
+            1.0 / r2.sqrt()
+        })
+    }
+
+    /// `S_Y`, the integral of `X^2/R^3`.
+    pub(super) fn along_x(self, x: f64, y: f64) -> f64 {
+        self.integrate([x, y], [false, false], &along_x_near, &|x, _, r2| {
+            x * x / (r2 * r2.sqrt())
+        })
+    }
+
+    /// `S_XY`, the integral of `X Y/R^3`.
+    pub(super) fn diagonal(self, x: f64, y: f64) -> f64 {
+        self.integrate([x, y], [true, true], &diagonal_near, &|x, y, r2| {
+            x * y / (r2 * r2.sqrt())
+        })
+    }
+
+    /// `D_X`, the integral of `X/R^2`.
+    pub(super) fn radial_x(self, x: f64, y: f64) -> f64 {
+        self.integrate([x, y], [true, false], &radial_x_near, &|x, _, r2| x / r2)
+    }
+
+    /// Integrates a kernel of known parity: the closed form near the cell, Gauss-Legendre
+    /// quadrature beyond, where the closed form loses `2 eps (r/h)^2` to cancellation and the
+    /// quadrature loses nothing.
+    fn integrate(
+        self,
+        point: [f64; 2],
+        is_odd: [bool; 2],
+        near: &impl Fn(Self, f64, f64) -> f64,
+        kernel: &impl Fn(f64, f64, f64) -> f64,
+    ) -> f64 {
+        // Working in one quadrant makes the parity exact; so does the zero on an axis.
+        if (is_odd[0] && point[0] == 0.0) || (is_odd[1] && point[1] == 0.0) {
+            return 0.0;
+        }
+        let flips = [0, 1].map(|axis| is_odd[axis] && point[axis].is_sign_negative());
+        let sign = if flips[0] == flips[1] { 1.0 } else { -1.0 };
+        let [x, y] = point.map(f64::abs);
+
+        let distance = x.hypot(y) / (2.0 * self.a.max(self.b));
+        if distance >= 3.0 {
+            return sign * self.quadrature(rule(distance), x, y, kernel);
+        }
+        // A slender cell seen from beside is far away in units of its short side, where the
+        // closed form cancels: halve it until the pieces are compact or far.
+        let (half, [step_x, step_y]) = if self.a > 4.0 * self.b {
+            (
+                Self {
+                    a: 0.5 * self.a,
+                    ..self
+                },
+                [0.5 * self.a, 0.0],
+            )
+        } else if self.b > 4.0 * self.a {
+            (
+                Self {
+                    b: 0.5 * self.b,
+                    ..self
+                },
+                [0.0, 0.5 * self.b],
+            )
+        } else {
+            return sign * near(self, x, y);
+        };
+        let low = half.integrate([x + step_x, y + step_y], is_odd, near, kernel);
+        let high = half.integrate([x - step_x, y - step_y], is_odd, near, kernel);
+        sign * (low + high)
+    }
+
+    fn quadrature(
+        self,
+        rule: &[[f64; 2]],
+        x: f64,
+        y: f64,
+        kernel: &impl Fn(f64, f64, f64) -> f64,
+    ) -> f64 {
+        let mut sum = 0.0;
+        for &[node_y, weight_y] in rule {
+            let y = y + self.b * node_y;
+            for &[node_x, weight_x] in rule {
+                let x = x + self.a * node_x;
+                sum += weight_x * weight_y * kernel(x, y, x * x + y * y);
+            }
+        }
+        sum * (self.a * self.b)
+    }
+
+    /// The corners `(X, Y, sign)` of the antiderivative's double difference.
+    fn corners(self, x: f64, y: f64) -> [(f64, f64, f64); 4] {
+        [
+            (x + self.a, y + self.b, 1.0),
+            (x - self.a, y + self.b, -1.0),
+            (x + self.a, y - self.b, -1.0),
+            (x - self.a, y - self.b, 1.0),
+        ]
+    }
+}
+
+/// `X asinh(Y/|X|)`, zero in the limit of vanishing `X`.
+fn scaled_asinh(x: f64, y: f64) -> f64 {
+    let ratio = y / x.abs();
+    if ratio.is_finite() {
+        x * ratio.asinh()
+    } else {
+        0.0
+    }
+}
+
+fn potential_near(cell: Cell, x: f64, y: f64) -> f64 {
+    let corner = |(x, y, sign)| sign * (scaled_asinh(x, y) + scaled_asinh(y, x));
+    cell.corners(x, y).map(corner).iter().sum()
+}
+
+fn along_x_near(cell: Cell, x: f64, y: f64) -> f64 {
+    let corner = |(x, y, sign)| sign * scaled_asinh(y, x);
+    cell.corners(x, y).map(corner).iter().sum()
+}
+
+fn diagonal_near(cell: Cell, x: f64, y: f64) -> f64 {
+    let corner = |(x, y, sign): (f64, f64, f64)| -sign * x.hypot(y);
+    cell.corners(x, y).map(corner).iter().sum()
+}
+
+/// Differences across `x` are formed first, in closed form, so that the value keeps its relative
+/// accuracy near `x = 0`, where it vanishes. Needs `x >= 0`.
+fn radial_x_near(cell: Cell, x: f64, y: f64) -> f64 {
+    let edge = |y: f64| {
+        if y == 0.0 {
+            return 0.0;
+        }
+        let (left, right) = (cell.a + x, cell.a - x);
+        // Y ln R at x + a, less that at x - a.
+        let ratio = 4.0 * cell.a * x / (right * right + y * y);
+        let logarithms = 0.5 * y * ratio.ln_1p();
+        // X arctan(Y/X) likewise: left * atan(y/left) - right * atan(y/right).
+        let arcs = if right > 0.0 {
+            let (at_left, at_right) = ((y / left).atan(), (y / right).atan());
+            let difference = (-2.0 * x * y).atan2(left * right + y * y);
+            cell.a * difference + x * (at_left + at_right)
+        } else if right < 0.0 {
+            left * (y / left).atan() - right * (y / right).atan()
+        } else {
+            left * (y / left).atan()
+        };
+        logarithms + arcs
+    };
+    edge(y + cell.b) - edge(y - cell.b)
+}
+
+/// The cheapest rule whose relative error stays below 1e-15 at this distance (in longer sides),
+/// measured against 40 digits.
+fn rule(distance: f64) -> &'static [[f64; 2]] {
+    match distance {
+        d if d < 6.0 => &GAUSS_8,
+        d if d < 20.0 => &GAUSS_6,
+        d if d < 200.0 => &GAUSS_4,
+        d if d < 1e4 => &GAUSS_3,
+        _ => &GAUSS_2,
+    }
+}
+
+// Gauss-Legendre nodes and weights on [-1, 1].
+const GAUSS_2: [[f64; 2]; 2] = [[-0.5773502691896257, 1.0], [0.5773502691896257, 1.0]];
+const GAUSS_3: [[f64; 2]; 3] = [
+    [-0.7745966692414834, 0.5555555555555556],
+    [0.0, 0.8888888888888888],
+    [0.7745966692414834, 0.5555555555555556],
+];
+const GAUSS_4: [[f64; 2]; 4] = [
+    [-0.8611363115940526, 0.34785484513745385],
+    [-0.33998104358485626, 0.6521451548625461],
+    [0.33998104358485626, 0.6521451548625461],
+    [0.8611363115940526, 0.34785484513745385],
+];
+const GAUSS_6: [[f64; 2]; 6] = [
+    [-0.932469514203152, 0.17132449237917036],
+    [-0.6612093864662645, 0.3607615730481386],
+    [-0.2386191860831969, 0.46791393457269104],
+    [0.2386191860831969, 0.46791393457269104],
+    [0.6612093864662645, 0.3607615730481386],
+    [0.932469514203152, 0.17132449237917036],
+];
+const GAUSS_8: [[f64; 2]; 8] = [
+    [-0.9602898564975363, 0.10122853629037626],
+    [-0.7966664774136267, 0.22238103445337448],
+    [-0.525532409916329, 0.31370664587788727],
+    [-0.1834346424956498, 0.362683783378362],
+    [0.1834346424956498, 0.362683783378362],
+    [0.525532409916329, 0.31370664587788727],
+    [0.7966664774136267, 0.22238103445337448],
+    [0.9602898564975363, 0.10122853629037626],
+];

@@ -1,0 +1,100 @@
+//! Influence coefficients: displacements of a half-space under a uniformly loaded rectangle.
+//!
+//! A cell of sides `2a x 2b` centred on the origin carries a uniform traction; the coefficient
+//! `C_ij(x, y)` is the displacement component `i` it causes at `(x, y)` on the surface, per unit
+//! traction component `j` (a length over a pressure). Traction and displacement are those of body
+//! 1, with z into the body, pressure positive when it pushes into the body.
+//!
+//! With the corners `(X, Y, s) = (x+a, y+b, +), (x-a, y+b, -), (x+a, y-b, -), (x-a, y-b, +)` and
+//! `R = hypot(X, Y)`, the five integrals of the Boussinesq and Cerruti kernels over the cell are
+//!
+//! ```math
+//! S_X = \sum s\,X \operatorname{asinh}(Y/|X|), \quad
+//! S_Y = \sum s\,Y \operatorname{asinh}(X/|Y|), \quad
+//! S_{XY} = -\sum s\,R,
+//! ```
+//! ```math
+//! D_X = \sum s\,[Y \ln R + X \arctan(Y/X)], \quad
+//! D_Y = \sum s\,[X \ln R + Y \arctan(X/Y)],
+//! ```
+//!
+//! and one body of shear modulus `G` and Poisson's ratio `nu` has
+//!
+//! ```math
+//! C_{xx} = \frac{(1-\nu) S_X + S_Y}{2 \pi G}, \quad
+//! C_{yy} = \frac{S_X + (1-\nu) S_Y}{2 \pi G}, \quad
+//! C_{zz} = \frac{(1-\nu)(S_X + S_Y)}{2 \pi G}, \quad
+//! C_{xy} = C_{yx} = \frac{\nu\,S_{XY}}{2 \pi G},
+//! ```
+//! ```math
+//! C_{zx} = -C_{xz} = \frac{(1-2\nu) D_X}{4 \pi G}, \quad
+//! C_{zy} = -C_{yz} = \frac{(1-2\nu) D_Y}{4 \pi G}.
+//! ```
+//!
+//! Source: Appendix A of Wang, De Boer, Neville & Ghanbarzadeh, Tribology International 159
+//! (2021) 106947, with the printed slips mended: in `C_xx`, `C_yy` and `C_zz` the numerator of the
+//! second logarithm is `(x+a) + hypot(x+a, y+b)`, the stray terms before the third are dropped,
+//! and the third term of `C_xx` carries `(1 - nu)(x - a)`.
+
+mod integrals;
+mod rectangle;
+mod table;
+
+pub use rectangle::{Rectangle, Tensor};
+pub use table::Table;
+
+/// One of the nine influence coefficients: displacement component, then traction component.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Component {
+    /// Displacement along x from traction along x.
+    XX,
+    /// Displacement along x from traction along y.
+    XY,
+    /// Displacement along x from pressure.
+    XZ,
+    /// Displacement along y from traction along x.
+    YX,
+    /// Displacement along y from traction along y.
+    YY,
+    /// Displacement along y from pressure.
+    YZ,
+    /// Displacement along z from traction along x.
+    ZX,
+    /// Displacement along z from traction along y.
+    ZY,
+    /// Displacement along z from pressure.
+    ZZ,
+}
+
+impl Component {
+    /// All nine, row by row.
+    pub const ALL: [Self; 9] = [
+        Self::XX,
+        Self::XY,
+        Self::XZ,
+        Self::YX,
+        Self::YY,
+        Self::YZ,
+        Self::ZX,
+        Self::ZY,
+        Self::ZZ,
+    ];
+
+    /// Whether the coefficient is odd in x and odd in y; otherwise it is even.
+    ///
+    /// ```
+    /// use stickslip::influence::Component;
+    /// assert_eq!(Component::ZZ.is_odd(), [false, false]);
+    /// assert_eq!(Component::ZX.is_odd(), [true, false]);
+    /// assert_eq!(Component::XY.is_odd(), [true, true]);
+    /// ```
+    #[must_use]
+    pub const fn is_odd(self) -> [bool; 2] {
+        match self {
+            Self::XX | Self::YY | Self::ZZ => [false, false],
+            Self::XY | Self::YX => [true, true],
+            Self::XZ | Self::ZX => [true, false],
+            Self::YZ | Self::ZY => [false, true],
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! The nine influence coefficients of one rectangular cell, near and far.
+
+use crate::error::{Result, positive};
+use crate::influence::Component;
+use crate::influence::integrals::Cell;
+use crate::material::{Compliances, ElasticPair, Material};
+
+/// A cell of half sides `a` along x and `b` along y, centred on the origin.
+///
+/// ```
+/// use stickslip::{Material, influence::Rectangle};
+/// let steel = Material::new(210e9, 0.3)?;
+/// let cell = Rectangle::new(1e-6, 1e-6)?;
+/// let own = cell.tensor(&steel, 0.0, 0.0);
+/// // Under the centre of a square of side h: u_z = 1.122200 h p (1 - nu^2)/E.
+/// let plane_modulus = 210e9 / (1.0 - 0.09);
+/// assert!((own.zz * plane_modulus / 2e-6 - 1.122200).abs() < 1e-6);
+/// assert_eq!(own.zx, 0.0);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rectangle {
+    /// The cell in units of its longer side, so that no power of a length overflows.
+    cell: Cell,
+    /// The longer side.
+    unit: f64,
+}
+
+/// The nine influence coefficients at one point (lengths over pressures): displacement component
+/// first, traction component second.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[expect(missing_docs, reason = "the type says what the two letters mean")]
+pub struct Tensor {
+    pub xx: f64,
+    pub xy: f64,
+    pub xz: f64,
+    pub yx: f64,
+    pub yy: f64,
+    pub yz: f64,
+    pub zx: f64,
+    pub zy: f64,
+    pub zz: f64,
+}
+
+impl Rectangle {
+    /// A cell of half sides `a` and `b` (lengths).
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`](crate::Error::NotPositive) if one is not positive and finite, or so
+    /// small beside the other that their ratio vanishes.
+    pub fn new(a: f64, b: f64) -> Result<Self> {
+        positive("half side a of the cell", a)?;
+        positive("half side b of the cell", b)?;
+        let unit = positive("longer side of the cell", 2.0 * a.max(b))?;
+        Ok(Self {
+            cell: Cell {
+                a: positive("half side a over the longer side", a / unit)?,
+                b: positive("half side b over the longer side", b / unit)?,
+            },
+            unit,
+        })
+    }
+
+    /// The coefficients of one body at `(x, y)` from the centre of the loaded cell (lengths).
+    ///
+    /// The error is about 1e-15 of `C_zz` at any distance.
+    #[must_use]
+    pub fn tensor(&self, material: &Material, x: f64, y: f64) -> Tensor {
+        self.assemble(material.compliances(), x, y)
+    }
+
+    /// The coefficients of the relative displacement `u_1 - u_2` of two bodies.
+    ///
+    /// The tractions act on body 1 and their opposites on body 2: `xx`, `yy`, `zz`, `xy`, `yx`
+    /// add, the normal-shear terms `xz`, `yz`, `zx`, `zy` subtract.
+    #[must_use]
+    pub fn pair_tensor(&self, pair: &ElasticPair, x: f64, y: f64) -> Tensor {
+        self.assemble(pair.compliances(), x, y)
+    }
+
+    fn assemble(&self, compliances: Compliances, x: f64, y: f64) -> Tensor {
+        let of = |component| self.coefficient(component, compliances, x, y);
+        let (xy, zx, zy) = (of(Component::XY), of(Component::ZX), of(Component::ZY));
+        Tensor {
+            xx: of(Component::XX),
+            xy,
+            xz: -zx,
+            yx: xy,
+            yy: of(Component::YY),
+            yz: -zy,
+            zx,
+            zy,
+            zz: of(Component::ZZ),
+        }
+    }
+
+    /// One coefficient at `(x, y)`; of the integrals only those it needs.
+    pub(super) fn coefficient(&self, component: Component, c: Compliances, x: f64, y: f64) -> f64 {
+        let (x, y) = (x / self.unit, y / self.unit);
+        let (cell, swapped) = (self.cell, self.cell.swapped());
+        let value = match component {
+            // (1 - nu) (S_X + S_Y) + nu S_Y: the sum is the potential.
+            Component::XX => c.normal * cell.potential(x, y) + c.lateral * cell.along_x(x, y),
+            Component::YY => c.normal * cell.potential(x, y) + c.lateral * swapped.along_x(y, x),
+            Component::ZZ => c.normal * cell.potential(x, y),
+            Component::XY | Component::YX => c.lateral * cell.diagonal(x, y),
+            Component::XZ => -0.5 * c.coupling * cell.radial_x(x, y),
+            Component::ZX => 0.5 * c.coupling * cell.radial_x(x, y),
+            Component::YZ => -0.5 * c.coupling * swapped.radial_x(y, x),
+            Component::ZY => 0.5 * c.coupling * swapped.radial_x(y, x),
+        };
+        value * (self.unit / (2.0 * std::f64::consts::PI))
+    }
+}
