@@ -1,17 +1,30 @@
 //! Normal and stick-slip contact of elastic half-spaces.
 
+pub mod cgm;
+mod contact_map;
 mod error;
+pub mod fft;
 mod field;
 mod grid;
+mod half_space;
 pub mod influence;
 mod material;
+pub mod normal;
 mod operator;
 mod parallel;
 mod report;
+pub mod surface;
+pub mod tangential;
 
+pub use contact_map::Warning;
 pub use error::{Error, Result};
 pub use field::Field;
 pub use grid::Grid;
+pub use half_space::HalfSpace;
 pub use material::{ElasticPair, Material};
+pub use normal::{NormalLoad, NormalProblem, NormalSolution, NormalSolver};
 pub use operator::{Identity, Operator};
 pub use report::{Iteration, Report, Status};
+pub use tangential::{
+    Axis, Friction, TangentialLoad, TangentialProblem, TangentialSolution, TangentialSolver, Zone,
+};

@@ -54,6 +54,26 @@ pub trait Operator: Sync {
     }
 }
 
+impl<T: Operator + Send> Operator for std::sync::Arc<T> {
+    type Workspace = T::Workspace;
+
+    fn len(&self) -> usize {
+        (**self).len()
+    }
+
+    fn workspace(&self) -> T::Workspace {
+        (**self).workspace()
+    }
+
+    fn apply(&self, x: &[f64], out: &mut [f64], workspace: &mut T::Workspace) {
+        (**self).apply(x, out, workspace);
+    }
+
+    fn lower_bound(&self) -> f64 {
+        (**self).lower_bound()
+    }
+}
+
 /// The identity: as a preconditioner it changes nothing.
 #[derive(Debug, Clone, Copy)]
 pub struct Identity {

@@ -94,6 +94,14 @@ pub(crate) fn sweep<D: Split, T: Send>(
     combine(low, high)
 }
 
+/// A slice of vector work: a chunk per task.
+pub(crate) fn blocks<T>(items: &mut [T]) -> Blocks<'_, T> {
+    Blocks {
+        items,
+        width: CHUNK,
+    }
+}
+
 /// [`sweep`] over chunks of `0..len` that only reads: `fold(index range) -> T`.
 pub(crate) fn fold<T: Send>(
     len: usize,
@@ -111,14 +119,10 @@ pub(crate) fn fold<T: Send>(
 /// Runs `update(first index, chunk)` on chunks of one slice.
 pub(crate) fn update<T: Send>(items: &mut [T], update: impl Fn(usize, &mut [T]) + Sync) {
     let tasks = items.len().div_ceil(CHUNK);
-    let data = Blocks {
-        items,
-        width: CHUNK,
-    };
     sweep(
         0..tasks,
-        data,
-        &|task, block| update(task * CHUNK, block.items),
+        blocks(items),
+        &|task, block: Blocks<'_, T>| update(task * CHUNK, block.items),
         &|(), ()| (),
     );
 }

@@ -1,0 +1,98 @@
+//! The prescribed total.
+
+use crate::cgm::constraint::Constraint;
+use crate::cgm::reduce;
+use crate::error::{Error, Result};
+use crate::parallel;
+
+/// Where a prescribed total lies between the least and the greatest the bounds allow.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Reach {
+    /// Strictly between: a minimum with a multiplier exists.
+    Inside,
+    /// All entries at their lower bounds.
+    AtLower,
+    /// All entries at their upper bounds.
+    AtUpper,
+}
+
+/// Relative distance from an extreme total that still counts as the extreme.
+const EDGE: f64 = 1e-12;
+
+/// Finds where the total lies, or refuses it.
+pub(super) fn reach(len: usize, constraint: &impl Constraint, total: f64) -> Result<Reach> {
+    let [lower, upper] = reduce::sums(len, |i| constraint.bounds(i));
+    let finite = |bound: f64| if bound.is_finite() { bound.abs() } else { 0.0 };
+    let edge = EDGE * finite(lower).max(finite(upper)).max(total.abs());
+    if !total.is_finite() || total < lower - edge || total > upper + edge {
+        Err(Error::Total {
+            total,
+            lower,
+            upper,
+        })
+    } else if total <= lower + edge {
+        Ok(Reach::AtLower)
+    } else if total >= upper - edge {
+        Ok(Reach::AtUpper)
+    } else {
+        Ok(Reach::Inside)
+    }
+}
+
+/// Moves the selected entries to the nearest point within their bounds that gives the total:
+/// `x_i = P_i(x_i + t)`, with one `t` for all. Returns whether the total was reached.
+///
+/// The sum grows with `t` piecewise linearly, so Newton's method between brackets ends in a few
+/// passes.
+pub(super) fn restore(
+    x: &mut [f64],
+    constraint: &impl Constraint,
+    selected: impl Fn(usize) -> bool + Sync,
+    total: f64,
+) -> bool {
+    let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+    let mut shift = 0.0;
+    for _ in 0..200 {
+        let [sum, moving, magnitude] = reduce::sums(x.len(), |i| {
+            if !selected(i) {
+                return [x[i], 0.0, x[i].abs()];
+            }
+            let value = constraint.project(i, x[i] + shift);
+            let [lower, upper] = constraint.bounds(i);
+            let is_moving = value > lower && value < upper;
+            [value, f64::from(u8::from(is_moving)), value.abs()]
+        });
+        let missing = total - sum;
+        if missing.abs() <= 4.0 * f64::EPSILON * magnitude {
+            break;
+        }
+        if missing > 0.0 {
+            low = shift;
+        } else {
+            high = shift;
+        }
+        let newton = shift + missing / moving;
+        let next = if newton > low && newton < high {
+            newton
+        } else if low.is_finite() && high.is_finite() {
+            0.5 * (low + high)
+        } else {
+            // Nothing moves and one side is open: step out until something does.
+            let step = magnitude.max(missing.abs()).max(shift.abs());
+            shift + step.copysign(missing)
+        };
+        if !next.is_finite() || (next - shift).abs() <= f64::EPSILON * shift.abs() {
+            break;
+        }
+        shift = next;
+    }
+    parallel::update(x, |first, chunk| {
+        for (i, value) in (first..).zip(chunk) {
+            if selected(i) {
+                *value = constraint.project(i, *value + shift);
+            }
+        }
+    });
+    let [sum, magnitude] = reduce::sums(x.len(), |i| [x[i], x[i].abs()]);
+    (total - sum).abs() <= 1e-12 * magnitude
+}

@@ -1,0 +1,240 @@
+//! The constrained minimum every contact problem is: the engine, which knows no physics.
+//!
+//! ```math
+//! \min_x \; \tfrac12 x' C x + b' x
+//! \quad\text{over}\quad x_i \in K_i,
+//! \quad\text{optionally}\quad \textstyle\sum_i x_i = S .
+//! ```
+//!
+//! `C` is an [`Operator`], symmetric and positive definite; `K_i` a [`Constraint`]; the multiplier
+//! of the total is returned. For a normal contact `x` is the pressure, `b` the gap, `S` the load
+//! over the cell area and the multiplier the approach; for a tangential one `x` is the traction
+//! between its friction limits, and the multiplier the shift.
+//!
+//! Two methods stand behind one setting, see [`Method`]. Whatever the method and the outcome, the
+//! iterate returned is feasible and the [`Report`] is computed from a fresh product with it; its
+//! certified gap bounds the error in the energy norm (see [`Report::certified_gap`]).
+//!
+//! ```
+//! use stickslip::cgm::{self, NonNegative, Problem, Settings};
+//! use stickslip::{Identity, Operator};
+//!
+//! // The point of the first quadrant nearest to (2, -1): C = 1, b = -(2, -1).
+//! let problem = Problem::new(Identity::new(2), &[-2.0, 1.0], NonNegative);
+//! let mut x = [0.0; 2];
+//! let minimum = cgm::minimise(&problem, &Settings::default(), &mut x)?;
+//! assert!((x[0] - 2.0).abs() < 1e-8 && x[1] == 0.0);
+//! assert!(minimum.report.certified_gap < 1e-16);
+//! # Ok::<(), stickslip::Error>(())
+//! ```
+
+mod active_set;
+mod balance;
+mod certificate;
+mod constraint;
+mod polonsky_keer;
+mod reduce;
+mod run;
+mod settings;
+
+pub use constraint::{Constraint, Interval, Magnitude, NonNegative};
+pub use settings::{Method, Settings};
+
+pub use crate::report::{Iteration, Report, Status};
+
+use std::ops::ControlFlow;
+
+use crate::error::{Error, Result, all_finite, length};
+use crate::operator::{Identity, Operator};
+use run::Run;
+
+/// What to minimise: `1/2 x'Cx + b'x` over `x_i` in `K_i`, optionally with `sum x = S`.
+#[derive(Debug, Clone)]
+pub struct Problem<'a, C, K, P = Identity> {
+    operator: C,
+    preconditioner: P,
+    linear: &'a [f64],
+    constraint: K,
+    total: Option<f64>,
+}
+
+impl<'a, C: Operator, K: Constraint> Problem<'a, C, K> {
+    /// Operator `C`, linear term `b` and constraint `K`; no total prescribed, no preconditioner.
+    pub fn new(operator: C, linear: &'a [f64], constraint: K) -> Self {
+        let preconditioner = Identity::new(operator.len());
+        Self {
+            operator,
+            preconditioner,
+            linear,
+            constraint,
+            total: None,
+        }
+    }
+}
+
+impl<'a, C: Operator, K: Constraint, P: Operator> Problem<'a, C, K, P> {
+    /// With a prescribed total, `sum x = total`.
+    #[must_use]
+    pub fn total(mut self, total: f64) -> Self {
+        self.total = Some(total);
+        self
+    }
+
+    /// With an approximate inverse of `C`, symmetric and positive definite; only
+    /// [`Method::ActiveSet`] uses it.
+    #[must_use]
+    pub fn preconditioner<Q: Operator>(self, preconditioner: Q) -> Problem<'a, C, K, Q> {
+        Problem {
+            operator: self.operator,
+            preconditioner,
+            linear: self.linear,
+            constraint: self.constraint,
+            total: self.total,
+        }
+    }
+
+    fn check(&self, x: &[f64]) -> Result<()> {
+        let len = self.operator.len();
+        length("preconditioner", len, self.preconditioner.len())?;
+        length("linear term", len, self.linear.len())?;
+        length("start", len, x.len())?;
+        all_finite("linear term", self.linear)?;
+        all_finite("start", x)?;
+        self.constraint.check(len)
+    }
+}
+
+/// The answer beside `x` itself.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Minimum {
+    /// Multiplier of the total, so that `C x + b - multiplier` vanishes on free entries; zero when
+    /// no total is prescribed.
+    pub multiplier: f64,
+    /// Status, cost and certified error.
+    pub report: Report,
+}
+
+/// Everything an iteration writes to besides `x`; made once, reused by every solve of one size.
+#[derive(Debug)]
+pub struct Workspace<C: Operator, P: Operator = Identity> {
+    operator: C::Workspace,
+    preconditioner: P::Workspace,
+    product: Vec<f64>,
+    gradient: Vec<f64>,
+    direction: Vec<f64>,
+    image: Vec<f64>,
+    residual: Vec<f64>,
+    correction: Vec<f64>,
+    spread: Vec<f64>,
+    state: Vec<State>,
+    report: Report,
+    multiplier: f64,
+}
+
+/// Where an entry stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum State {
+    Free,
+    Lower,
+    Upper,
+    /// Equal bounds: it never moves.
+    Fixed,
+}
+
+impl<C: Operator, P: Operator> Workspace<C, P> {
+    /// Buffers for an operator and its preconditioner: seven numbers per entry besides their own.
+    #[must_use]
+    pub fn new(operator: &C, preconditioner: &P) -> Self {
+        let len = operator.len();
+        let zeros = || vec![0.0; len];
+        Self {
+            operator: operator.workspace(),
+            preconditioner: preconditioner.workspace(),
+            product: zeros(),
+            gradient: zeros(),
+            direction: zeros(),
+            image: zeros(),
+            residual: zeros(),
+            correction: zeros(),
+            spread: zeros(),
+            state: vec![State::Fixed; len],
+            report: Report::exact(),
+            multiplier: 0.0,
+        }
+    }
+
+    /// The product `C x` with the iterate last returned.
+    #[must_use]
+    pub fn product(&self) -> &[f64] {
+        &self.product
+    }
+
+    /// The report of the last solve, converged or not.
+    #[must_use]
+    pub fn report(&self) -> &Report {
+        &self.report
+    }
+
+    /// The multiplier of the last solve, converged or not.
+    #[must_use]
+    pub fn multiplier(&self) -> f64 {
+        self.multiplier
+    }
+}
+
+/// Finds the minimum from the start `x` and leaves it in `x`.
+///
+/// # Errors
+/// [`Error::Length`], [`Error::Sample`], [`Error::Bounds`], [`Error::Total`],
+/// [`Error::Tolerance`] or [`Error::IterationLimit`] before any work, with `x` as it was;
+/// [`Error::NotConverged`] with the last feasible iterate in `x`.
+pub fn minimise<C: Operator, K: Constraint, P: Operator>(
+    problem: &Problem<'_, C, K, P>,
+    settings: &Settings,
+    x: &mut [f64],
+) -> Result<Minimum> {
+    let mut workspace = Workspace::new(&problem.operator, &problem.preconditioner);
+    minimise_with(problem, settings, x, &mut workspace, &mut |_| {
+        ControlFlow::Continue(())
+    })?;
+    Ok(Minimum {
+        multiplier: workspace.multiplier,
+        report: workspace.report,
+    })
+}
+
+/// [`minimise`] with the caller's workspace, which also keeps the product, the multiplier and the
+/// report, and with an observer: it sees every step and may cancel. Allocates nothing once the
+/// workspace has seen a solve as long as this one.
+///
+/// # Errors
+/// As [`minimise`].
+pub fn minimise_with<C: Operator, K: Constraint, P: Operator>(
+    problem: &Problem<'_, C, K, P>,
+    settings: &Settings,
+    x: &mut [f64],
+    workspace: &mut Workspace<C, P>,
+    observer: &mut dyn FnMut(&Iteration) -> ControlFlow<()>,
+) -> Result<()> {
+    settings.check()?;
+    problem.check(x)?;
+    length("workspace", x.len(), workspace.product.len())?;
+    let reach = match problem.total {
+        Some(total) => Some(balance::reach(x.len(), &problem.constraint, total)?),
+        None => None,
+    };
+    let mut run = Run::new(problem, settings, x, workspace, observer);
+    let status = match (reach, settings.method) {
+        (Some(balance::Reach::AtLower), _) => run.at_extreme(State::Lower),
+        (Some(balance::Reach::AtUpper), _) => run.at_extreme(State::Upper),
+        (_, Method::ActiveSet) => active_set::iterate(&mut run),
+        (_, Method::PolonskyKeer) => polonsky_keer::iterate(&mut run),
+    };
+    run.finish(status);
+    if status == Status::Converged {
+        Ok(())
+    } else {
+        Err(Error::NotConverged(Box::new(workspace.report.clone())))
+    }
+}

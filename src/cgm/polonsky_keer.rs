@@ -1,0 +1,258 @@
+//! The single loop of Polonsky & Keer, for bounds on both sides.
+//!
+//! With bounds `|q| <= mu p` it is the tangential loop of Wang et al. (2021), eqs 17-26, with the
+//! slips of the paper mended: entries inside the bounds are clipped too (eq 21), a re-entering
+//! entry is clipped on either side (eq 22), and conjugation adds (eq 24).
+
+use std::ops::ControlFlow;
+
+use crate::cgm::run::Run;
+use crate::cgm::{Constraint, State, Workspace, balance, reduce};
+use crate::operator::Operator;
+use crate::parallel::{self, Blocks, CHUNK, blocks};
+use crate::report::Status;
+
+/// Steps between fresh products when nothing forces one.
+const REFRESH: usize = 25;
+/// Examinations without halving the residual after which the loop counts as stalled.
+const PATIENCE: usize = 400;
+
+pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
+    run: &mut Run<'_, '_, C, K, P>,
+) -> Status {
+    run.mark_start();
+    restore_total(run);
+    let (mut previous, mut conjugate) = (0.0, false);
+    let mut since_refresh = REFRESH;
+    loop {
+        if since_refresh >= REFRESH {
+            run.refresh();
+            since_refresh = 0;
+        }
+        let free = set_multiplier(run);
+        let findings = run.examine();
+        let merit = findings.residual.max(findings.load_error);
+        if merit <= run.settings.tolerance && !run.is_fresh {
+            since_refresh = REFRESH;
+            continue;
+        }
+        if let ControlFlow::Break(status) = run.judge(merit, free, PATIENCE) {
+            return status;
+        }
+
+        // d = r + theta (R / R_old) d (eq 24), without a mean so that it keeps the total.
+        let squares = residual_squares(run);
+        let conjugation = if conjugate { squares / previous } else { 0.0 };
+        previous = squares;
+        set_direction(run, conjugation, free);
+        run.apply_to_direction();
+        run.count_step();
+        let Workspace {
+            state,
+            gradient,
+            direction,
+            image,
+            ..
+        } = &*run.workspace;
+        let multiplier = run.workspace.multiplier;
+        let [along, curvature] = reduce::sums(run.len(), |i| {
+            let r = if state[i] == State::Free {
+                gradient[i] - multiplier
+            } else {
+                0.0
+            };
+            [r * direction[i], direction[i] * image[i]]
+        });
+        let length = if curvature > 0.0 {
+            along / curvature
+        } else {
+            0.0
+        };
+
+        let moves = step(run, length);
+        conjugate = moves.entered == 0 && squares > 0.0;
+        if moves.clipped + moves.entered > 0 {
+            restore_total(run);
+            since_refresh = REFRESH;
+        } else {
+            follow(run, length);
+            since_refresh += 1;
+        }
+    }
+}
+
+/// The mean gradient on the free entries (eq 18), which a prescribed total makes the multiplier.
+/// Returns the number of free entries.
+fn set_multiplier<C: Operator, K: Constraint, P: Operator>(
+    run: &mut Run<'_, '_, C, K, P>,
+) -> usize {
+    let Workspace {
+        state, gradient, ..
+    } = &*run.workspace;
+    let (count, sum) = parallel::fold(
+        run.len(),
+        |range| {
+            let free = range.filter(|&i| state[i] == State::Free);
+            free.fold((0_usize, 0.0), |(count, sum), i| {
+                (count + 1, sum + gradient[i])
+            })
+        },
+        |a, b| (a.0 + b.0, a.1 + b.1),
+    );
+    if run.problem.total.is_some() && count > 0 {
+        run.workspace.multiplier = sum / count as f64;
+    }
+    count
+}
+
+/// `R = sum r^2` on the free entries (eq 20).
+fn residual_squares<C: Operator, K: Constraint, P: Operator>(run: &Run<'_, '_, C, K, P>) -> f64 {
+    let Workspace {
+        state,
+        gradient,
+        multiplier,
+        ..
+    } = &*run.workspace;
+    reduce::sum(run.len(), |i| {
+        if state[i] == State::Free {
+            (gradient[i] - multiplier).powi(2)
+        } else {
+            0.0
+        }
+    })
+}
+
+fn set_direction<C: Operator, K: Constraint, P: Operator>(
+    run: &mut Run<'_, '_, C, K, P>,
+    conjugation: f64,
+    free: usize,
+) {
+    let Workspace {
+        state,
+        gradient,
+        direction,
+        multiplier,
+        ..
+    } = &mut *run.workspace;
+    let (state, gradient, multiplier) = (&*state, &*gradient, *multiplier);
+    parallel::update(direction, |first, chunk| {
+        for (i, d) in (first..).zip(chunk) {
+            *d = if state[i] == State::Free {
+                gradient[i] - multiplier + conjugation * *d
+            } else {
+                0.0
+            };
+        }
+    });
+    if run.problem.total.is_some() && free > 0 {
+        let mean = reduce::sum(state.len(), |i| direction[i]) / free as f64;
+        parallel::update(direction, |first, chunk| {
+            for (i, d) in (first..).zip(chunk) {
+                if state[i] == State::Free {
+                    *d -= mean;
+                }
+            }
+        });
+    }
+}
+
+/// Entries that changed sets in a step.
+struct Moves {
+    clipped: usize,
+    entered: usize,
+}
+
+/// `x -= tau d` on the free entries, clipped (eq 21'); entries at a bound whose residual points
+/// inward follow theirs and become free (eqs 22, 23).
+fn step<C: Operator, K: Constraint, P: Operator>(
+    run: &mut Run<'_, '_, C, K, P>,
+    length: f64,
+) -> Moves {
+    let constraint = &run.problem.constraint;
+    let Workspace {
+        state,
+        gradient,
+        direction,
+        multiplier,
+        ..
+    } = &mut *run.workspace;
+    let (gradient, direction, multiplier) = (&*gradient, &*direction, *multiplier);
+    let len = run.x.len();
+    let work = |task: usize, (x, state): (Blocks<'_, f64>, Blocks<'_, State>)| {
+        let mut moves = Moves {
+            clipped: 0,
+            entered: 0,
+        };
+        for ((i, x), state) in (task * CHUNK..).zip(x.items).zip(state.items) {
+            let r = gradient[i] - multiplier;
+            let [lower, upper] = constraint.bounds(i);
+            match *state {
+                State::Free => {
+                    *x -= length * direction[i];
+                    if *x <= lower || *x >= upper {
+                        *state = if *x <= lower {
+                            State::Lower
+                        } else {
+                            State::Upper
+                        };
+                        *x = constraint.project(i, *x);
+                        moves.clipped += 1;
+                    }
+                }
+                State::Lower if r < 0.0 => {
+                    *x = constraint.project(i, *x - length * r);
+                    *state = State::Free;
+                    moves.entered += 1;
+                }
+                State::Upper if r > 0.0 => {
+                    *x = constraint.project(i, *x - length * r);
+                    *state = State::Free;
+                    moves.entered += 1;
+                }
+                _ => {}
+            }
+        }
+        moves
+    };
+    let data = (blocks(run.x), blocks(state));
+    run.is_fresh = false;
+    parallel::sweep(0..len.div_ceil(CHUNK), data, &work, &|a, b| Moves {
+        clipped: a.clipped + b.clipped,
+        entered: a.entered + b.entered,
+    })
+}
+
+/// The product after a step that clipped nothing, without a new one.
+fn follow<C: Operator, K: Constraint, P: Operator>(run: &mut Run<'_, '_, C, K, P>, length: f64) {
+    let Workspace {
+        product,
+        gradient,
+        image,
+        ..
+    } = &mut *run.workspace;
+    let (len, image) = (product.len(), &*image);
+    let work = |task: usize, (product, gradient): (Blocks<'_, f64>, Blocks<'_, f64>)| {
+        let images = &image[task * CHUNK..];
+        for ((u, g), z) in product.items.iter_mut().zip(gradient.items).zip(images) {
+            *u -= length * z;
+            *g -= length * z;
+        }
+    };
+    let data = (blocks(product), blocks(gradient));
+    parallel::sweep(0..len.div_ceil(CHUNK), data, &work, &|(), ()| ());
+}
+
+/// Moves the free entries to the total (eqs 25, 26) without leaving the bounds; all entries if
+/// the free ones cannot reach it.
+fn restore_total<C: Operator, K: Constraint, P: Operator>(run: &mut Run<'_, '_, C, K, P>) {
+    let Some(total) = run.problem.total else {
+        return;
+    };
+    let state = &run.workspace.state;
+    let constraint = &run.problem.constraint;
+    let reached = balance::restore(run.x, constraint, |i| state[i] == State::Free, total);
+    if !reached {
+        balance::restore(run.x, constraint, |_| true, total);
+        run.mark_start();
+    }
+}

@@ -1,0 +1,51 @@
+//! Every global sum and maximum of the engine: the one place a distributed grid would change.
+//!
+//! Sums follow a fixed tree of chunks, so that their bits do not depend on the number of threads.
+
+use crate::parallel;
+
+/// `sum f(i)` over `0..len`.
+pub(super) fn sum(len: usize, f: impl Fn(usize) -> f64 + Sync) -> f64 {
+    parallel::fold(len, |range| range.map(&f).sum::<f64>(), |a, b| a + b)
+}
+
+/// `sum [f(i)]` of several quantities at once.
+pub(super) fn sums<const K: usize>(len: usize, f: impl Fn(usize) -> [f64; K] + Sync) -> [f64; K] {
+    let add = |mut a: [f64; K], b: [f64; K]| {
+        for (a, b) in a.iter_mut().zip(b) {
+            *a += b;
+        }
+        a
+    };
+    parallel::fold(len, |range| range.map(&f).fold([0.0; K], add), add)
+}
+
+/// `max f(i)` over `0..len` of non-negative quantities; NaN wins, so that it is seen.
+pub(super) fn max<const K: usize>(len: usize, f: impl Fn(usize) -> [f64; K] + Sync) -> [f64; K] {
+    let larger = |mut a: [f64; K], b: [f64; K]| {
+        for (a, b) in a.iter_mut().zip(b) {
+            if b > *a || b.is_nan() {
+                *a = b;
+            }
+        }
+        a
+    };
+    parallel::fold(len, |range| range.map(&f).fold([0.0; K], larger), larger)
+}
+
+/// Index of the least `f(i)` among the entries where it is given, the first of equals.
+pub(super) fn least(len: usize, f: impl Fn(usize) -> Option<f64> + Sync) -> Option<(usize, f64)> {
+    let lesser = |a: Option<(usize, f64)>, b: Option<(usize, f64)>| match (a, b) {
+        (Some(a), Some(b)) => Some(if b.1 < a.1 { b } else { a }),
+        (a, b) => a.or(b),
+    };
+    parallel::fold(
+        len,
+        |range| {
+            range
+                .map(|i| f(i).map(|value| (i, value)))
+                .fold(None, lesser)
+        },
+        lesser,
+    )
+}

@@ -1,0 +1,245 @@
+//! What the two methods share: products, limits, the examination of an iterate, the end.
+
+use std::ops::ControlFlow;
+use std::time::Instant;
+
+use crate::cgm::certificate::{self, Certificate};
+use crate::cgm::{Constraint, Problem, Settings, State, Workspace, balance, reduce};
+use crate::operator::Operator;
+use crate::parallel::{self, Blocks, CHUNK, blocks};
+use crate::report::{Iteration, Status};
+
+/// One solve under way.
+pub(super) struct Run<'a, 'b, C: Operator, K, P: Operator> {
+    pub(super) problem: &'a Problem<'b, C, K, P>,
+    pub(super) settings: &'a Settings,
+    pub(super) x: &'a mut [f64],
+    pub(super) workspace: &'a mut Workspace<C, P>,
+    observer: &'a mut dyn FnMut(&Iteration) -> ControlFlow<()>,
+    start: Instant,
+    /// Conjugate-gradient steps so far.
+    steps: usize,
+    /// Whether `workspace.product` belongs to `x`.
+    pub(super) is_fresh: bool,
+    best: f64,
+    since_best: usize,
+}
+
+impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
+    pub(super) fn new(
+        problem: &'a Problem<'b, C, K, P>,
+        settings: &'a Settings,
+        x: &'a mut [f64],
+        workspace: &'a mut Workspace<C, P>,
+        observer: &'a mut dyn FnMut(&Iteration) -> ControlFlow<()>,
+    ) -> Self {
+        workspace.multiplier = 0.0;
+        let report = &mut workspace.report;
+        report.iterations = 0;
+        report.convolutions = 0;
+        report.residual = f64::INFINITY;
+        report.history.clear();
+        Self {
+            problem,
+            settings,
+            x,
+            workspace,
+            observer,
+            start: Instant::now(),
+            steps: 0,
+            is_fresh: false,
+            best: f64::INFINITY,
+            since_best: 0,
+        }
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.x.len()
+    }
+
+    /// Brings the start within its bounds and marks every entry.
+    pub(super) fn mark_start(&mut self) {
+        let constraint = &self.problem.constraint;
+        let work = |task: usize, (values, marks): (Blocks<'_, f64>, Blocks<'_, State>)| {
+            for ((i, value), state) in (task * CHUNK..).zip(values.items).zip(marks.items) {
+                let [lower, upper] = constraint.bounds(i);
+                *value = constraint.project(i, *value);
+                *state = if lower >= upper {
+                    State::Fixed
+                } else if *value <= lower {
+                    State::Lower
+                } else if *value >= upper {
+                    State::Upper
+                } else {
+                    State::Free
+                };
+            }
+        };
+        let tasks = self.x.len().div_ceil(CHUNK);
+        let data = (blocks(self.x), blocks(&mut self.workspace.state));
+        parallel::sweep(0..tasks, data, &work, &|(), ()| ());
+        self.is_fresh = false;
+    }
+
+    /// `image = C direction`.
+    pub(super) fn apply_to_direction(&mut self) {
+        let Workspace {
+            operator,
+            direction,
+            image,
+            report,
+            ..
+        } = &mut *self.workspace;
+        self.problem.operator.apply(direction, image, operator);
+        report.convolutions += 1;
+    }
+
+    /// `product = C x`, `gradient = C x + b`.
+    pub(super) fn refresh(&mut self) {
+        let Workspace {
+            operator,
+            product,
+            gradient,
+            report,
+            ..
+        } = &mut *self.workspace;
+        self.problem.operator.apply(self.x, product, operator);
+        report.convolutions += 1;
+        let (product, linear) = (&*product, self.problem.linear);
+        parallel::update(gradient, |first, chunk| {
+            for (i, value) in (first..).zip(chunk) {
+                *value = product[i] + linear[i];
+            }
+        });
+        self.is_fresh = true;
+    }
+
+    /// Examines the iterate, whose product must be fresh, and writes the findings to the report.
+    pub(super) fn examine(&mut self) -> Certificate {
+        let findings = certificate::examine(
+            self.x,
+            &self.workspace.product,
+            self.problem.linear,
+            &self.problem.constraint,
+            self.problem.total,
+            self.workspace.multiplier,
+            self.problem.operator.lower_bound(),
+        );
+        let report = &mut self.workspace.report;
+        report.residual = findings.residual;
+        report.certified_gap = findings.gap;
+        report.load_error = findings.load_error;
+        findings
+    }
+
+    /// Records an examined step, and says if it is the last: converged, stalled (`patience` steps
+    /// without halving the residual) or stopped.
+    pub(super) fn judge(
+        &mut self,
+        merit: f64,
+        free: usize,
+        patience: usize,
+    ) -> ControlFlow<Status> {
+        let entry = self.entry(free);
+        self.workspace.report.history.push(entry);
+        if merit <= self.settings.tolerance {
+            return ControlFlow::Break(Status::Converged);
+        }
+        if merit <= 0.5 * self.best {
+            self.best = merit;
+            self.since_best = 0;
+        } else {
+            self.since_best += 1;
+        }
+        if self.since_best >= patience || merit.is_nan() {
+            return ControlFlow::Break(Status::Stalled);
+        }
+        self.proceed(free)
+    }
+
+    /// Counts a step.
+    pub(super) fn count_step(&mut self) {
+        self.steps += 1;
+        self.workspace.report.iterations = self.steps;
+    }
+
+    /// Asks limits and observer whether to go on; called before every product.
+    pub(super) fn proceed(&mut self, free: usize) -> ControlFlow<Status> {
+        let entry = self.entry(free);
+        if (self.observer)(&entry).is_break() {
+            return ControlFlow::Break(Status::Cancelled);
+        }
+        if self.steps >= self.settings.max_iterations {
+            return ControlFlow::Break(Status::IterationLimit);
+        }
+        let limit = self.settings.time_limit;
+        if limit.is_some_and(|limit| self.start.elapsed() >= limit) {
+            return ControlFlow::Break(Status::TimeLimit);
+        }
+        ControlFlow::Continue(())
+    }
+
+    fn entry(&self, free: usize) -> Iteration {
+        Iteration {
+            iteration: self.steps,
+            convolutions: self.workspace.report.convolutions,
+            residual: self.workspace.report.residual,
+            free,
+        }
+    }
+
+    /// The only feasible point when the total is the least or the greatest the bounds allow; the
+    /// multiplier is the one at which the first entry would move.
+    pub(super) fn at_extreme(&mut self, side: State) -> Status {
+        let constraint = &self.problem.constraint;
+        parallel::update(self.x, |first, chunk| {
+            for (i, value) in (first..).zip(chunk) {
+                let [lower, upper] = constraint.bounds(i);
+                *value = if side == State::Lower { lower } else { upper };
+            }
+        });
+        self.refresh();
+        let sign = if side == State::Lower { 1.0 } else { -1.0 };
+        let gradient = &self.workspace.gradient;
+        let onset = reduce::least(self.x.len(), |i| {
+            let [lower, upper] = constraint.bounds(i);
+            (lower < upper).then(|| sign * gradient[i])
+        });
+        self.workspace.multiplier = onset.map_or(0.0, |(_, value)| sign * value);
+        Status::Converged
+    }
+
+    /// Leaves a feasible iterate and a report computed from it.
+    pub(super) fn finish(&mut self, status: Status) {
+        let constraint = &self.problem.constraint;
+        let x = &*self.x;
+        let [outside] = reduce::max(x.len(), |i| [(constraint.project(i, x[i]) - x[i]).abs()]);
+        if outside > 0.0 {
+            parallel::update(self.x, |first, chunk| {
+                for (i, value) in (first..).zip(chunk) {
+                    *value = constraint.project(i, *value);
+                }
+            });
+            self.is_fresh = false;
+        }
+        if let Some(total) = self.problem.total {
+            let x = &*self.x;
+            let [sum, magnitude] = reduce::sums(x.len(), |i| [x[i], x[i].abs()]);
+            if (total - sum).abs() > 1e-13 * magnitude {
+                let state = &self.workspace.state;
+                let reached =
+                    balance::restore(self.x, constraint, |i| state[i] == State::Free, total)
+                        || balance::restore(self.x, constraint, |_| true, total);
+                debug_assert!(reached, "the total was checked against the bounds");
+                self.is_fresh = false;
+            }
+        }
+        if !self.is_fresh {
+            self.refresh();
+        }
+        self.examine();
+        let report = &mut self.workspace.report;
+        report.status = status;
+        report.time = self.start.elapsed();
+    }
+}

@@ -1,0 +1,95 @@
+//! What a user may choose about an iteration.
+
+use std::time::Duration;
+
+use crate::error::{Error, Result};
+
+/// The iteration that finds the constrained minimum.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[non_exhaustive]
+pub enum Method {
+    /// Active sets outside, preconditioned conjugate gradients without clipping inside, an exact
+    /// residual at every outer step. The default: 3 to 10 times fewer products.
+    #[default]
+    ActiveSet,
+    /// One loop that clips at every step: Polonsky & Keer, Wear 231 (1999) 206,
+    /// <https://doi.org/10.1016/S0043-1648(99)00113-1>, and eqs 17-26 of Wang et al. (2021) with
+    /// their signs mended. Two products a step unless nothing was clipped.
+    PolonskyKeer,
+}
+
+/// Method, tolerance and limits of an iteration.
+///
+/// ```
+/// use stickslip::cgm::{Method, Settings};
+/// let settings = Settings::default().tolerance(1e-6).method(Method::PolonskyKeer);
+/// assert_eq!(settings.max_iterations, 10_000);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Settings {
+    /// Which iteration (default [`Method::ActiveSet`]).
+    pub method: Method,
+    /// The largest complementarity residual accepted, relative to the largest displacement
+    /// (default 1e-8). Tractions away from the edge of the contact are then about as accurate.
+    pub tolerance: f64,
+    /// Conjugate-gradient steps allowed (default 10 000).
+    pub max_iterations: usize,
+    /// Wall time allowed (default: any).
+    pub time_limit: Option<Duration>,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            method: Method::default(),
+            tolerance: 1e-8,
+            max_iterations: 10_000,
+            time_limit: None,
+        }
+    }
+}
+
+impl Settings {
+    /// With another method.
+    #[must_use]
+    pub fn method(mut self, method: Method) -> Self {
+        self.method = method;
+        self
+    }
+
+    /// With another tolerance, strictly between 0 and 1.
+    #[must_use]
+    pub fn tolerance(mut self, tolerance: f64) -> Self {
+        self.tolerance = tolerance;
+        self
+    }
+
+    /// With another limit of conjugate-gradient steps, at least 1.
+    #[must_use]
+    pub fn max_iterations(mut self, max_iterations: usize) -> Self {
+        self.max_iterations = max_iterations;
+        self
+    }
+
+    /// With a limit of wall time.
+    #[must_use]
+    pub fn time_limit(mut self, time_limit: Duration) -> Self {
+        self.time_limit = Some(time_limit);
+        self
+    }
+
+    /// `Ok` if the settings make sense.
+    ///
+    /// # Errors
+    /// [`Error::Tolerance`] outside `(0, 1)`, [`Error::IterationLimit`] at zero.
+    pub fn check(&self) -> Result<()> {
+        if !(self.tolerance > 0.0 && self.tolerance < 1.0) {
+            return Err(Error::Tolerance(self.tolerance));
+        }
+        if self.max_iterations == 0 {
+            return Err(Error::IterationLimit);
+        }
+        Ok(())
+    }
+}

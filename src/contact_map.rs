@@ -1,0 +1,183 @@
+//! Questions to a map of contact: area, edge, spots.
+
+use crate::grid::Grid;
+
+/// A remark on a solution that is right as computed but may not mean what it seems to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Warning {
+    /// Nothing touches: no cell carries pressure.
+    NoContact,
+    /// Contact reaches the outermost ring of cells: the bodies may touch beyond the grid too.
+    ContactAtEdge {
+        /// Cells of the ring that touch.
+        cells: usize,
+    },
+    /// Some contact spots are smaller than five cells: their area reads high and their stick
+    /// fraction means little.
+    UnresolvedSpots {
+        /// Spots of fewer than five cells.
+        unresolved: usize,
+        /// All spots.
+        spots: usize,
+    },
+}
+
+impl std::fmt::Display for Warning {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::NoContact => write!(formatter, "no cell carries pressure"),
+            Self::ContactAtEdge { cells } => {
+                write!(
+                    formatter,
+                    "{cells} contact cells lie on the edge of the grid"
+                )
+            }
+            Self::UnresolvedSpots { unresolved, spots } => write!(
+                formatter,
+                "{unresolved} of {spots} contact spots are smaller than {RESOLVED} cells"
+            ),
+        }
+    }
+}
+
+/// Cells a spot needs to be told from a point.
+const RESOLVED: usize = 5;
+
+/// A map of cells that are in or out of a set.
+pub(crate) struct ContactMap<F> {
+    pub(crate) grid: Grid,
+    pub(crate) contains: F,
+}
+
+impl<F: Fn(usize) -> bool> ContactMap<F> {
+    /// Cells in the set.
+    pub(crate) fn cells(&self) -> usize {
+        (0..self.grid.cells())
+            .filter(|&i| (self.contains)(i))
+            .count()
+    }
+
+    /// Area by counting cells.
+    pub(crate) fn area(&self) -> f64 {
+        self.cells() as f64 * self.grid.cell_area()
+    }
+
+    /// Area less what counting adds along the perimeter: `(pi - 1 + ln 2)/24` of a cell for each
+    /// pair of neighbours of which one is in the set (Yastrebov, Anciaux & Molinari, Tribology
+    /// International 114 (2017) 161, <https://doi.org/10.1016/j.triboint.2017.04.023>).
+    pub(crate) fn corrected_area(&self) -> f64 {
+        let share = (std::f64::consts::PI - 1.0 + std::f64::consts::LN_2) / 24.0;
+        let cells = self.cells() as f64 - share * self.switches() as f64;
+        cells.max(0.0) * self.grid.cell_area()
+    }
+
+    /// Pairs of neighbours, along x or y, of which exactly one is in the set.
+    fn switches(&self) -> usize {
+        let (nx, contains) = (self.grid.nx(), &self.contains);
+        let differ = |i: usize, j: usize| usize::from(contains(i) != contains(j));
+        (0..self.grid.cells())
+            .map(|i| {
+                let left = if i % nx > 0 { differ(i, i - 1) } else { 0 };
+                let below = if i >= nx { differ(i, i - nx) } else { 0 };
+                left + below
+            })
+            .sum()
+    }
+
+    /// Everything worth a remark.
+    pub(crate) fn warnings(&self) -> Vec<Warning> {
+        if self.cells() == 0 {
+            return vec![Warning::NoContact];
+        }
+        let mut warnings = Vec::new();
+        let cells = self.cells_on_edge();
+        if cells > 0 {
+            warnings.push(Warning::ContactAtEdge { cells });
+        }
+        let sizes = self.spot_sizes();
+        let unresolved = sizes.iter().filter(|&&size| size < RESOLVED).count();
+        if unresolved > 0 {
+            warnings.push(Warning::UnresolvedSpots {
+                unresolved,
+                spots: sizes.len(),
+            });
+        }
+        warnings
+    }
+
+    fn cells_on_edge(&self) -> usize {
+        let (nx, ny) = (self.grid.nx(), self.grid.ny());
+        (0..self.grid.cells())
+            .filter(|&i| {
+                let (ix, iy) = (i % nx, i / nx);
+                let on_edge = ix == 0 || iy == 0 || ix + 1 == nx || iy + 1 == ny;
+                on_edge && (self.contains)(i)
+            })
+            .count()
+    }
+
+    /// Sizes of the spots: sets of cells connected through their sides.
+    fn spot_sizes(&self) -> Vec<usize> {
+        let nx = self.grid.nx();
+        let mut visited = vec![false; self.grid.cells()];
+        let mut sizes = Vec::new();
+        let mut stack = Vec::new();
+        for seed in 0..visited.len() {
+            if visited[seed] || !(self.contains)(seed) {
+                continue;
+            }
+            visited[seed] = true;
+            stack.push(seed);
+            let mut size = 0;
+            while let Some(i) = stack.pop() {
+                size += 1;
+                let neighbours = [
+                    (i % nx > 0).then(|| i - 1),
+                    (i % nx + 1 < nx).then(|| i + 1),
+                    (i >= nx).then(|| i - nx),
+                    (i + nx < visited.len()).then(|| i + nx),
+                ];
+                for j in neighbours.into_iter().flatten() {
+                    if !visited[j] && (self.contains)(j) {
+                        visited[j] = true;
+                        stack.push(j);
+                    }
+                }
+            }
+            sizes.push(size);
+        }
+        sizes
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn spots_edges_and_switches_of_a_drawn_map() {
+        let drawing = "..##....\
+                       ..#...#.\
+                       ......#.\
+                       ####....";
+        let cells: Vec<bool> = drawing.chars().map(|c| c == '#').collect();
+        let map = ContactMap {
+            grid: Grid::new(8, 4, 0.5, 0.5).unwrap(),
+            contains: |i: usize| cells[i],
+        };
+        assert_eq!(map.cells(), 9);
+        assert_eq!(map.spot_sizes(), [3, 2, 4]);
+        assert_eq!(map.cells_on_edge(), 2 + 4);
+        // 3 + 2 around the L within the grid, 6 around the bar, 5 beside the row at the bottom.
+        assert_eq!(map.switches(), 6 + 6 + 5);
+        let unresolved = Warning::UnresolvedSpots {
+            unresolved: 3,
+            spots: 3,
+        };
+        assert_eq!(
+            map.warnings(),
+            [Warning::ContactAtEdge { cells: 6 }, unresolved]
+        );
+    }
+}

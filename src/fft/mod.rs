@@ -1,0 +1,18 @@
+//! Fast convolution of a traction field with an influence coefficient.
+//!
+//! The displacement of a cell is the sum of the tractions of all cells, each times the coefficient
+//! at their distance: a discrete convolution, done by real Fourier transforms on a grid padded with
+//! zeros to at least `2 n - 1` cells an axis, so that no image of the contact wraps around (Liu,
+//! Wang & Liu, Wear 243 (2000) 101, <https://doi.org/10.1016/S0043-1648(00)00427-0>).
+//!
+//! - [`Convolution`] is the operator of a free half-space, exact up to round-off.
+//! - [`CirculantInverse`] is its approximate inverse on the unpadded grid: a preconditioner.
+
+mod circulant;
+mod convolution;
+mod plan;
+mod spectrum;
+
+pub use circulant::CirculantInverse;
+pub use convolution::Convolution;
+pub use plan::TransformWorkspace;

@@ -1,0 +1,129 @@
+//! The transform of an influence coefficient: one real quarter plane.
+
+use num_complex::Complex64;
+use realfft::RealFftPlanner;
+
+use crate::influence::Table;
+use crate::parallel::{self, Blocks};
+
+/// The two-dimensional transform of a kernel of known parity, wrapped around an `mx` x `my` torus.
+///
+/// A kernel even in both axes has a real spectrum, one odd in one axis an imaginary one, one odd in
+/// both a real one again; the other three quarters follow from the parity. So one real number per
+/// wave number of one quarter is all there is to keep: 8 bytes per cell of the unpadded grid.
+#[derive(Debug, Clone)]
+pub(super) struct Spectrum {
+    /// `my / 2 + 1` values for each column `0..=mx/2`.
+    values: Vec<f64>,
+    height: usize,
+    is_odd_y: bool,
+    is_imaginary: bool,
+}
+
+impl Spectrum {
+    /// Transforms a table that reaches at least half around the torus.
+    ///
+    /// `extend` along an axis: sample `d` of the torus is the table's at distance `min(d, m - d)`,
+    /// with the sign of its parity; an odd kernel vanishes half way around.
+    pub(super) fn of_table(table: &Table, [mx, my]: [usize; 2]) -> Self {
+        let [is_odd_x, is_odd_y] = table.component().is_odd();
+        let (width, height) = (mx / 2 + 1, my / 2 + 1);
+
+        // Along x, one row per distance in y; then along y, one column per wave number in x.
+        let mut rows = vec![0.0; width * height];
+        half_transforms(mx, is_odd_x, &mut rows, |j, i| table.row(j)[i]);
+        let mut values = vec![0.0; width * height];
+        half_transforms(my, is_odd_y, &mut values, |i, j| rows[j * width + i]);
+
+        // An odd axis contributes -i: one makes the spectrum imaginary, two turn its sign.
+        if is_odd_x || is_odd_y {
+            for value in &mut values {
+                *value = -*value;
+            }
+        }
+        Self {
+            values,
+            height,
+            is_odd_y,
+            is_imaginary: is_odd_x != is_odd_y,
+        }
+    }
+
+    /// Smallest and largest value; for an even kernel the eigenvalues of the torus.
+    pub(super) fn extremes(&self) -> [f64; 2] {
+        self.values
+            .iter()
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &value| {
+                [low.min(value), high.max(value)]
+            })
+    }
+
+    /// The spectrum with every value replaced.
+    pub(super) fn map(mut self, f: impl Fn(f64) -> f64) -> Self {
+        for value in &mut self.values {
+            *value = f(*value);
+        }
+        self
+    }
+
+    /// Multiplies the transformed column of wave number `kx` in place.
+    pub(super) fn multiply(&self, kx: usize, column: &mut [Complex64]) {
+        let quarter = &self.values[kx * self.height..(kx + 1) * self.height];
+        let mirrored = if self.is_odd_y { -1.0 } else { 1.0 };
+        let (low, high) = column.split_at_mut(self.height);
+        if self.is_imaginary {
+            for (z, &value) in low.iter_mut().zip(quarter) {
+                *z = Complex64::new(-value * z.im, value * z.re);
+            }
+            for (z, &value) in high.iter_mut().rev().zip(&quarter[1..]) {
+                *z = Complex64::new(-value * z.im, value * z.re) * mirrored;
+            }
+        } else {
+            for (z, &value) in low.iter_mut().zip(quarter) {
+                *z *= value;
+            }
+            for (z, &value) in high.iter_mut().rev().zip(&quarter[1..]) {
+                *z *= value * mirrored;
+            }
+        }
+    }
+}
+
+/// For each line of `out`, the cosine (even) or sine (odd) sums `sum_d f(line, d) e^(2 pi i k d/m)`
+/// of the samples wrapped around a circle of `m`, for `k = 0..=m/2`.
+fn half_transforms(
+    m: usize,
+    is_odd: bool,
+    out: &mut [f64],
+    sample: impl Fn(usize, usize) -> f64 + Sync,
+) {
+    let half = m / 2 + 1;
+    let transform = RealFftPlanner::<f64>::new().plan_fft_forward(m);
+    let lines = out.len() / half;
+    let per_task = lines.div_ceil(parallel::lanes());
+    let data = Blocks {
+        items: out,
+        width: per_task * half,
+    };
+    let work = |task: usize, block: Blocks<'_, f64>| {
+        let mut wrapped = transform.make_input_vec();
+        let mut complex = transform.make_output_vec();
+        let mut scratch = transform.make_scratch_vec();
+        for (index, out) in block.items.chunks_exact_mut(half).enumerate() {
+            let line = task * per_task + index;
+            for d in 0..half {
+                let value = sample(line, d);
+                let is_own_image = d == 0 || 2 * d == m;
+                wrapped[(m - d) % m] = if is_odd { -value } else { value };
+                wrapped[d] = if is_odd && is_own_image { 0.0 } else { value };
+            }
+            transform
+                .process_with_scratch(&mut wrapped, &mut complex, &mut scratch)
+                .expect("the transform made its own buffers");
+            for (out, z) in out.iter_mut().zip(&complex) {
+                *out = if is_odd { -z.im } else { z.re };
+            }
+        }
+    };
+    parallel::sweep(0..lines.div_ceil(per_task), data, &work, &|(), ()| ());
+}

@@ -1,0 +1,21 @@
+//! Normal contact: pressure and contact area under a force or an approach.
+//!
+//! ```math
+//! g = h + C_{zz}\,p - \delta \ge 0, \qquad p \ge 0, \qquad p\,g = 0,
+//! \qquad W = \Delta \textstyle\sum p
+//! ```
+//!
+//! (eqs 10-12 of Wang et al. 2021): `h` is the initial gap, `p` the pressure, `delta` the approach
+//! of the bodies, `g` the gap under load, `Delta` the area of a cell. It is the minimum of
+//! `1/2 p'Cp + h'p` over non-negative pressures, which the engine of [`crate::cgm`] finds.
+//!
+//! [`NormalProblem`] checks and holds a scene; [`NormalSolver`] owns the buffers and starts from
+//! its last answer; [`NormalSolution`] is the answer.
+
+mod problem;
+mod solution;
+mod solver;
+
+pub use problem::{NormalLoad, NormalProblem, NormalProblemBuilder};
+pub use solution::NormalSolution;
+pub use solver::NormalSolver;

@@ -1,0 +1,153 @@
+//! The scene of a normal contact, checked once.
+
+use std::time::Duration;
+
+use crate::cgm::{Method, Settings};
+use crate::error::{Error, Result, all_finite, finite, non_negative};
+use crate::field::Field;
+use crate::half_space::HalfSpace;
+use crate::normal::{NormalSolution, NormalSolver};
+
+/// What presses the bodies together.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum NormalLoad {
+    /// The normal force W >= 0; the approach follows. Zero force is first touch.
+    Force(f64),
+    /// The approach delta of the bodies from the datum of the gap (a length, positive when they
+    /// come together); the force follows. At or below the least gap nothing touches.
+    Approach(f64),
+}
+
+impl NormalLoad {
+    pub(super) fn check(self) -> Result<()> {
+        match self {
+            Self::Force(force) => non_negative("normal force", force),
+            Self::Approach(approach) => finite("approach", approach),
+        }
+        .map(|_| ())
+    }
+}
+
+/// Bodies, gap and load of a normal contact.
+///
+/// ```
+/// use stickslip::analytical::HertzSphere;
+/// use stickslip::{ElasticPair, Grid, HalfSpace, Material, NormalLoad, NormalProblem, surface};
+///
+/// let grid = Grid::square(64, 0.40e-3)?;
+/// let steel = Material::new(213e9, 0.29)?;
+/// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
+/// let ball = surface::sphere(grid, 3.5e-3)?;
+/// let contact = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(100.0)).build()?.solve()?;
+///
+/// let hertz = HertzSphere::new(bodies.pair(), 3.5e-3, 100.0)?;
+/// assert!((contact.pressure().max() / hertz.max_pressure() - 1.0).abs() < 2e-3);
+/// assert!((contact.approach() / hertz.approach() - 1.0).abs() < 2e-4);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct NormalProblem {
+    pub(super) bodies: HalfSpace,
+    pub(super) gap: Field,
+    pub(super) load: NormalLoad,
+    pub(super) settings: Settings,
+}
+
+/// Options of a [`NormalProblem`]; each has a default.
+#[derive(Debug, Clone)]
+#[must_use = "a builder does nothing until build() is called"]
+pub struct NormalProblemBuilder<'a> {
+    bodies: &'a HalfSpace,
+    gap: &'a Field,
+    load: NormalLoad,
+    settings: Settings,
+}
+
+impl NormalProblem {
+    /// Starts from what is required: bodies, initial gap (lengths, on the grid of the bodies) and
+    /// load.
+    pub fn builder<'a>(
+        bodies: &'a HalfSpace,
+        gap: &'a Field,
+        load: NormalLoad,
+    ) -> NormalProblemBuilder<'a> {
+        NormalProblemBuilder {
+            bodies,
+            gap,
+            load,
+            settings: Settings::default(),
+        }
+    }
+
+    /// Solves once, with buffers of its own.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] with the report; use [`NormalSolver::solve_into`] to keep the last
+    /// iterate.
+    pub fn solve(&self) -> Result<NormalSolution> {
+        let mut solver = NormalSolver::new(self.clone())?;
+        let mut solution = solver.new_solution();
+        solver.solve_into(&mut solution)?;
+        Ok(solution)
+    }
+
+    /// The reusable form: a solver that owns its buffers and lets load and gap change.
+    ///
+    /// # Errors
+    /// As [`HalfSpace::operator`].
+    pub fn into_solver(self) -> Result<NormalSolver> {
+        NormalSolver::new(self)
+    }
+}
+
+impl NormalProblemBuilder<'_> {
+    /// Largest complementarity residual accepted, relative to the largest displacement (default
+    /// 1e-8; see [`Settings::tolerance`]).
+    pub fn tolerance(mut self, tolerance: f64) -> Self {
+        self.settings.tolerance = tolerance;
+        self
+    }
+
+    /// The iteration (default [`Method::ActiveSet`]).
+    pub fn method(mut self, method: Method) -> Self {
+        self.settings.method = method;
+        self
+    }
+
+    /// Conjugate-gradient steps allowed (default 10 000).
+    pub fn max_iterations(mut self, max_iterations: usize) -> Self {
+        self.settings.max_iterations = max_iterations;
+        self
+    }
+
+    /// Wall time allowed per solve (default: any).
+    pub fn time_limit(mut self, time_limit: Duration) -> Self {
+        self.settings.time_limit = Some(time_limit);
+        self
+    }
+
+    /// Checks everything and copies the gap.
+    ///
+    /// # Errors
+    /// [`Error::GridMismatch`] if the gap lives on another grid, [`Error::Sample`] if it is not
+    /// finite, [`Error::Negative`] or [`Error::NotFinite`] for the load, [`Error::Tolerance`],
+    /// [`Error::IterationLimit`].
+    pub fn build(self) -> Result<NormalProblem> {
+        check_gap(self.bodies, self.gap)?;
+        self.load.check()?;
+        self.settings.check()?;
+        Ok(NormalProblem {
+            bodies: self.bodies.clone(),
+            gap: self.gap.clone(),
+            load: self.load,
+            settings: self.settings,
+        })
+    }
+}
+
+pub(super) fn check_gap(bodies: &HalfSpace, gap: &Field) -> Result<()> {
+    if gap.grid() != bodies.grid() {
+        return Err(Error::GridMismatch { quantity: "gap" });
+    }
+    all_finite("gap", gap.as_slice())
+}

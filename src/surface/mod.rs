@@ -1,0 +1,8 @@
+//! Initial gaps: the shape of the bodies before they deform.
+//!
+//! A gap is the distance `h(x, y)` between the two undeformed surfaces at first touch of the
+//! highest point, a length; its datum is free, since it only shifts the approach.
+
+mod shape;
+
+pub use shape::{ellipsoid, sphere};

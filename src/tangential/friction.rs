@@ -1,0 +1,92 @@
+//! How much shear a cell in contact can carry.
+
+use crate::error::{Error, Result, non_negative, positive, samples_obey};
+use crate::field::Field;
+use crate::grid::Grid;
+
+/// Coulomb friction, uniform or one coefficient per cell, optionally capped.
+///
+/// The friction limit of a cell is `m = min(mu p, tau_max)`, a pressure.
+///
+/// ```
+/// use stickslip::Friction;
+/// let capped = Friction::coulomb(0.5)?.shear_cap(300e6)?;
+/// assert_eq!(capped.limit(0, 400e6), 200e6);
+/// assert_eq!(capped.limit(0, 900e6), 300e6);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Friction {
+    coefficient: Coefficient,
+    shear_cap: f64,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+enum Coefficient {
+    Uniform(f64),
+    PerCell(Field),
+}
+
+impl Friction {
+    /// One coefficient of friction mu >= 0 for all cells (dimensionless).
+    ///
+    /// # Errors
+    /// [`Error::Negative`].
+    pub fn coulomb(coefficient: f64) -> Result<Self> {
+        Ok(Self {
+            coefficient: Coefficient::Uniform(non_negative(
+                "coefficient of friction",
+                coefficient,
+            )?),
+            shear_cap: f64::INFINITY,
+        })
+    }
+
+    /// One coefficient of friction mu >= 0 per cell.
+    ///
+    /// # Errors
+    /// [`Error::Sample`] at the first coefficient that is negative or not finite.
+    pub fn per_cell(coefficients: Field) -> Result<Self> {
+        let rule = "must be non-negative and finite";
+        samples_obey(
+            "coefficient of friction",
+            coefficients.as_slice(),
+            rule,
+            |mu| mu >= 0.0 && mu.is_finite(),
+        )?;
+        Ok(Self {
+            coefficient: Coefficient::PerCell(coefficients),
+            shear_cap: f64::INFINITY,
+        })
+    }
+
+    /// With the limit capped at `tau_max` (a pressure), the shear strength of the weaker body.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`].
+    pub fn shear_cap(mut self, tau_max: f64) -> Result<Self> {
+        self.shear_cap = positive("shear cap", tau_max)?;
+        Ok(self)
+    }
+
+    /// The friction limit of cell `index` (row-major) under pressure `pressure`; NaN for a cell
+    /// beyond the field of coefficients.
+    #[must_use]
+    pub fn limit(&self, index: usize, pressure: f64) -> f64 {
+        let coefficient = match &self.coefficient {
+            Coefficient::Uniform(coefficient) => *coefficient,
+            Coefficient::PerCell(field) => field.as_slice().get(index).copied().unwrap_or(f64::NAN),
+        };
+        (coefficient * pressure).min(self.shear_cap)
+    }
+
+    /// `Ok` if the coefficients fit the grid.
+    pub(super) fn check(&self, grid: Grid) -> Result<()> {
+        match &self.coefficient {
+            Coefficient::PerCell(field) if field.grid() != grid => Err(Error::GridMismatch {
+                quantity: "coefficient of friction",
+            }),
+            _ => Ok(()),
+        }
+    }
+}

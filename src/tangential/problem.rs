@@ -1,0 +1,257 @@
+//! The scene of a tangential contact, checked once.
+
+use std::time::Duration;
+
+use crate::cgm::{Method, Settings};
+use crate::error::{Error, Result, finite};
+use crate::half_space::HalfSpace;
+use crate::normal::NormalSolution;
+use crate::tangential::window::Window;
+use crate::tangential::{Axis, Friction, TangentialSolution, TangentialSolver};
+
+/// What shears the contact, as `[x, y]`; one component must be zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum TangentialLoad {
+    /// The tangential force on body 1 (a force, either sign); the shift follows.
+    Force([f64; 2]),
+    /// The shift of body 1 against body 2 (a length, either sign); the force follows.
+    Shift([f64; 2]),
+}
+
+impl TangentialLoad {
+    /// The axis of the load and its value there. No load at all is along x.
+    pub(super) fn along(self) -> Result<(Axis, f64)> {
+        let (Self::Force([x, y]) | Self::Shift([x, y])) = self;
+        finite("tangential load along x", x)?;
+        finite("tangential load along y", y)?;
+        if y == 0.0 {
+            Ok((Axis::X, x))
+        } else if x == 0.0 {
+            Ok((Axis::Y, y))
+        } else {
+            Err(Error::ObliqueLoad { x, y })
+        }
+    }
+}
+
+/// Coupling between pressure and shear below which the pair counts as uncoupled.
+const UNCOUPLED: f64 = 1e-12;
+/// Relative distance from the friction limit within which the force slides the contact.
+const SLIDING: f64 = 1e-12;
+
+/// Bodies, pressure, friction and tangential load.
+///
+/// ```
+/// use stickslip::analytical::{CattaneoMindlin, HertzSphere};
+/// use stickslip::{
+///     ElasticPair, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem, TangentialLoad,
+///     TangentialProblem, surface,
+/// };
+///
+/// let grid = Grid::square(64, 0.30e-3)?;
+/// let steel = Material::new(213e9, 0.29)?;
+/// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
+/// let ball = surface::sphere(grid, 3.5e-3)?;
+/// let normal = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(100.0)).build()?.solve()?;
+///
+/// let friction = Friction::coulomb(0.5)?;
+/// let load = TangentialLoad::Force([20.0, 0.0]);
+/// let shear = TangentialProblem::builder(&bodies, &normal, friction, load).build()?.solve()?;
+///
+/// let hertz = HertzSphere::new(bodies.pair(), 3.5e-3, 100.0)?;
+/// let exact = CattaneoMindlin::new(bodies.pair(), hertz, 0.5, 20.0)?;
+/// assert!((shear.stick_ratio() - exact.stick_ratio()).abs() < 0.02);
+/// assert!((shear.shift()[0] / exact.shift() - 1.0).abs() < 1e-3);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct TangentialProblem {
+    pub(super) bodies: HalfSpace,
+    pub(super) window: Window,
+    /// Pressure of the cells of the window.
+    pub(super) pressure: Vec<f64>,
+    pub(super) limits: Limits,
+    pub(super) load: TangentialLoad,
+    pub(super) settings: Settings,
+}
+
+/// Options of a [`TangentialProblem`]; each has a default.
+#[derive(Debug, Clone)]
+#[must_use = "a builder does nothing until build() is called"]
+pub struct TangentialProblemBuilder<'a> {
+    bodies: &'a HalfSpace,
+    normal: &'a NormalSolution,
+    friction: Friction,
+    load: TangentialLoad,
+    settings: Settings,
+    neglect_coupling: bool,
+}
+
+impl TangentialProblem {
+    /// Starts from what is required: bodies, a solved normal contact on them, friction, load.
+    pub fn builder<'a>(
+        bodies: &'a HalfSpace,
+        normal: &'a NormalSolution,
+        friction: Friction,
+        load: TangentialLoad,
+    ) -> TangentialProblemBuilder<'a> {
+        TangentialProblemBuilder {
+            bodies,
+            normal,
+            friction,
+            load,
+            settings: Settings::default(),
+            neglect_coupling: false,
+        }
+    }
+
+    /// Solves once, with buffers of its own.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] with the report; use [`TangentialSolver::solve_into`] to keep the
+    /// last iterate.
+    pub fn solve(&self) -> Result<TangentialSolution> {
+        let mut solver = TangentialSolver::new(self.clone())?;
+        let mut solution = solver.new_solution();
+        solver.solve_into(&mut solution)?;
+        Ok(solution)
+    }
+
+    /// The reusable form: a solver that owns its buffers and lets load and friction change.
+    ///
+    /// # Errors
+    /// As [`HalfSpace::operator`].
+    pub fn into_solver(self) -> Result<TangentialSolver> {
+        TangentialSolver::new(self)
+    }
+
+    /// Largest tangential force friction holds: the integral of the friction limit.
+    #[must_use]
+    pub fn sliding_force(&self) -> f64 {
+        self.limits.sum * self.bodies.grid().cell_area()
+    }
+}
+
+impl TangentialProblemBuilder<'_> {
+    /// Largest slip accepted in stick cells, relative to the largest displacement (default 1e-8;
+    /// see [`Settings::tolerance`]). No use in being tighter than the normal solution was.
+    pub fn tolerance(mut self, tolerance: f64) -> Self {
+        self.settings.tolerance = tolerance;
+        self
+    }
+
+    /// The iteration (default [`Method::ActiveSet`]).
+    pub fn method(mut self, method: Method) -> Self {
+        self.settings.method = method;
+        self
+    }
+
+    /// Conjugate-gradient steps allowed (default 10 000).
+    pub fn max_iterations(mut self, max_iterations: usize) -> Self {
+        self.settings.max_iterations = max_iterations;
+        self
+    }
+
+    /// Wall time allowed per solve (default: any).
+    pub fn time_limit(mut self, time_limit: Duration) -> Self {
+        self.settings.time_limit = Some(time_limit);
+        self
+    }
+
+    /// Accepts a pair of materials whose pressure and shear are coupled, and neglects that: an
+    /// error of order beta and mu beta in the tractions (default: such a pair is refused).
+    pub fn neglect_coupling(mut self) -> Self {
+        self.neglect_coupling = true;
+        self
+    }
+
+    /// Checks everything and cuts out the contact.
+    ///
+    /// # Errors
+    /// [`Error::GridMismatch`], [`Error::CoupledMaterials`], [`Error::ObliqueLoad`],
+    /// [`Error::NotFinite`], [`Error::EmptyContact`], [`Error::BeyondSliding`],
+    /// [`Error::Tolerance`], [`Error::IterationLimit`].
+    pub fn build(self) -> Result<TangentialProblem> {
+        let grid = self.bodies.grid();
+        if self.normal.pressure().grid() != grid {
+            return Err(Error::GridMismatch {
+                quantity: "normal solution",
+            });
+        }
+        self.friction.check(grid)?;
+        self.load.along()?;
+        self.settings.check()?;
+        let beta = self.bodies.pair().dundurs_beta();
+        if beta.abs() > UNCOUPLED && !self.neglect_coupling {
+            return Err(Error::CoupledMaterials { beta });
+        }
+        let samples = self.normal.pressure().as_slice();
+        let window = Window::around(grid, samples)?;
+        let pressure: Vec<f64> = window.indices().map(|i| samples[i]).collect();
+        let mut limits = Limits::new(pressure.len());
+        limits.set(&self.friction, window, &pressure);
+        limits.check(self.load, grid.cell_area())?;
+        Ok(TangentialProblem {
+            bodies: self.bodies.clone(),
+            window,
+            pressure,
+            limits,
+            load: self.load,
+            settings: self.settings,
+        })
+    }
+}
+
+/// The friction limit of every cell of a window, and their sum.
+#[derive(Debug, Clone)]
+pub(super) struct Limits {
+    pub(super) cells: Vec<f64>,
+    pub(super) sum: f64,
+}
+
+impl Limits {
+    fn new(cells: usize) -> Self {
+        Self {
+            cells: vec![0.0; cells],
+            sum: 0.0,
+        }
+    }
+
+    pub(super) fn set(&mut self, friction: &Friction, window: Window, pressure: &[f64]) {
+        let limits = self.cells.iter_mut().zip(window.indices());
+        for ((limit, index), &pressure) in limits.zip(pressure) {
+            *limit = if pressure > 0.0 {
+                friction.limit(index, pressure)
+            } else {
+                0.0
+            };
+        }
+        self.sum = self.cells.iter().sum();
+    }
+
+    /// Refuses a force that friction cannot hold.
+    pub(super) fn check(&self, load: TangentialLoad, cell_area: f64) -> Result<()> {
+        let (_, value) = load.along()?;
+        let limit = self.sum * cell_area;
+        match load {
+            TangentialLoad::Force(_) if value.abs() > limit * (1.0 + SLIDING) => {
+                Err(Error::BeyondSliding {
+                    force: value.abs(),
+                    limit,
+                })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The sum of tractions a force asks for; exactly the limit when the force is within
+    /// round-off of it.
+    pub(super) fn total(&self, force: f64, cell_area: f64) -> f64 {
+        let total = force / cell_area;
+        if total.abs() >= self.sum * (1.0 - SLIDING) {
+            self.sum.copysign(total)
+        } else {
+            total
+        }
+    }
+}

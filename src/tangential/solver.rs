@@ -1,0 +1,205 @@
+//! The reusable solver of a tangential contact.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use crate::cgm::{self, Iteration, Magnitude, Problem, Workspace};
+use crate::error::{Error, Result};
+use crate::fft::{CirculantInverse, Convolution};
+use crate::half_space::Compliance;
+use crate::influence::Component;
+use crate::tangential::problem::Limits;
+use crate::tangential::solution::Answer;
+use crate::tangential::{Axis, Friction, TangentialLoad, TangentialProblem, TangentialSolution};
+
+/// Solves tangential contacts under one pressure again and again, each time from the last answer.
+///
+/// Owns plans, buffers and the last traction, all of the size of the contact's bounding box; the
+/// load and the friction may change between calls. Each solve is one monotonic step from the
+/// unsheared state: it does not remember slip.
+///
+/// ```
+/// use stickslip::*;
+/// let grid = Grid::square(32, 8.0)?;
+/// let rubber = Material::new(1.0, 0.5)?;
+/// let bodies = HalfSpace::new(grid, ElasticPair::new(rubber, Material::rigid())?)?;
+/// let ball = surface::sphere(grid, 10.0)?;
+/// let normal = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(0.5)).build()?.solve()?;
+/// let friction = Friction::coulomb(0.3)?;
+/// let mut solver =
+///     TangentialProblem::builder(&bodies, &normal, friction, TangentialLoad::Force([0.0, 0.0]))
+///         .build()?
+///         .into_solver()?;
+/// let mut shear = solver.new_solution();
+/// let mut stick = Vec::new();
+/// for force in [0.0, 0.05, 0.10, 0.149] {
+///     solver.set_load(TangentialLoad::Force([0.0, force]))?;
+///     solver.solve_into(&mut shear)?;
+///     stick.push(shear.stick_ratio());
+/// }
+/// assert!(stick[0] == 1.0 && stick.is_sorted_by(|a, b| a > b));
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Debug)]
+pub struct TangentialSolver {
+    problem: TangentialProblem,
+    axis: Axis,
+    compliance: Compliance,
+    workspace: Workspace<Arc<Convolution>, Arc<CirculantInverse>>,
+    /// The last traction, the start of the next solve.
+    traction: Vec<f64>,
+    is_warm: bool,
+    /// Limits under examination, not yet in force.
+    spare: Limits,
+    /// Minus the shift where that is prescribed, else zero.
+    linear: Vec<f64>,
+}
+
+impl TangentialSolver {
+    pub(super) fn new(problem: TangentialProblem) -> Result<Self> {
+        let (axis, _) = problem.load.along()?;
+        let compliance = compliance(&problem, axis)?;
+        let workspace = Workspace::new(&compliance.operator, &compliance.inverse);
+        let cells = problem.window.cells();
+        let spare = problem.limits.clone();
+        Ok(Self {
+            problem,
+            axis,
+            compliance,
+            workspace,
+            traction: vec![0.0; cells],
+            is_warm: false,
+            spare,
+            linear: vec![0.0; cells],
+        })
+    }
+
+    /// Changes the load of the next solve. A load along the other axis brings in that axis's
+    /// operator, the one change that allocates.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::ObliqueLoad`] or [`Error::BeyondSliding`]; the load is then
+    /// as it was.
+    pub fn set_load(&mut self, load: TangentialLoad) -> Result<()> {
+        let (axis, value) = load.along()?;
+        let cell_area = self.problem.bodies.grid().cell_area();
+        self.problem.limits.check(load, cell_area)?;
+        if axis != self.axis && value != 0.0 {
+            self.compliance = compliance(&self.problem, axis)?;
+            self.axis = axis;
+            self.is_warm = false;
+        }
+        self.problem.load = load;
+        Ok(())
+    }
+
+    /// Changes the friction of the next solve.
+    ///
+    /// # Errors
+    /// [`Error::GridMismatch`], or [`Error::BeyondSliding`] if the present load is more than the
+    /// new friction holds; the friction is then as it was.
+    pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
+        let grid = self.problem.bodies.grid();
+        friction.check(grid)?;
+        self.spare.set(friction, self.problem.window, &self.problem.pressure);
+        self.spare.check(self.problem.load, grid.cell_area())?;
+        std::mem::swap(&mut self.spare, &mut self.problem.limits);
+        Ok(())
+    }
+
+    /// Forgets the last answer: the next solve starts as the first did.
+    pub fn reset(&mut self) {
+        self.is_warm = false;
+    }
+
+    /// An empty solution of the right size for [`TangentialSolver::solve_into`].
+    #[must_use]
+    pub fn new_solution(&self) -> TangentialSolution {
+        TangentialSolution::empty(self.problem.bodies.grid())
+    }
+
+    /// Solves into `solution`, whose last content does not matter.
+    ///
+    /// # Errors
+    /// [`Error::GridMismatch`] if the solution is of another grid, nothing changed;
+    /// [`Error::NotConverged`] with the last feasible iterate in `solution`.
+    pub fn solve_into(&mut self, solution: &mut TangentialSolution) -> Result<()> {
+        self.solve_observed(solution, |_| ControlFlow::Continue(()))
+    }
+
+    /// [`TangentialSolver::solve_into`] with an observer that sees every step and may cancel.
+    ///
+    /// # Errors
+    /// As [`TangentialSolver::solve_into`].
+    pub fn solve_observed(
+        &mut self,
+        solution: &mut TangentialSolution,
+        mut observer: impl FnMut(&Iteration) -> ControlFlow<()>,
+    ) -> Result<()> {
+        let grid = self.problem.bodies.grid();
+        if solution.grid() != grid {
+            return Err(Error::GridMismatch {
+                quantity: "solution",
+            });
+        }
+        let limits = &self.problem.limits;
+        let (_, value) = self.problem.load.along()?;
+        let (prescribed_shift, total) = match self.problem.load {
+            TangentialLoad::Force(_) => (0.0, Some(limits.total(value, grid.cell_area()))),
+            TangentialLoad::Shift(_) => (value, None),
+        };
+        self.linear.fill(-prescribed_shift);
+        if !self.is_warm {
+            // In proportion to the limits: feasible, and close near sliding.
+            let fraction = total.map_or(0.0, |total| {
+                if total == 0.0 {
+                    0.0
+                } else {
+                    total / limits.sum
+                }
+            });
+            for (traction, limit) in self.traction.iter_mut().zip(&limits.cells) {
+                *traction = fraction * limit;
+            }
+        }
+        self.is_warm = true;
+
+        let operator = Arc::clone(&self.compliance.operator);
+        let mut problem = Problem::new(operator, &self.linear, Magnitude(&limits.cells))
+            .preconditioner(Arc::clone(&self.compliance.inverse));
+        if let Some(total) = total {
+            problem = problem.total(total);
+        }
+        let outcome = cgm::minimise_with(
+            &problem,
+            &self.problem.settings,
+            &mut self.traction,
+            &mut self.workspace,
+            &mut observer,
+        );
+        if matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
+            solution.fill(&Answer {
+                window: self.problem.window,
+                axis: self.axis,
+                pressure: &self.problem.pressure,
+                limits: &limits.cells,
+                traction: &self.traction,
+                displacement: self.workspace.product(),
+                shift: prescribed_shift + self.workspace.multiplier(),
+                report: self.workspace.report(),
+            });
+        }
+        outcome
+    }
+}
+
+/// The operator of one axis on the window of the contact.
+fn compliance(problem: &TangentialProblem, axis: Axis) -> Result<Compliance> {
+    let component = match axis {
+        Axis::X => Component::XX,
+        Axis::Y => Component::YY,
+    };
+    problem
+        .bodies
+        .compliance_of_window(component, problem.window.size)
+}

@@ -1,0 +1,104 @@
+//! Jaeger's superposition: partial slip as the difference of two normal contacts.
+
+use crate::error::{Error, Result, non_negative};
+use crate::field::Field;
+use crate::material::ElasticPair;
+use crate::normal::NormalSolution;
+use crate::tangential::Zone;
+
+/// The tangential contact under `F = mu (W - W_stick)`, from the normal contacts under `W` and
+/// `W_stick`.
+///
+/// ```math
+/// q = \mu\,[p(W) - p(W_{stick})], \qquad
+/// \delta_x = \mu\,\kappa\,[\delta(W) - \delta(W_{stick})], \qquad
+/// \kappa = \frac{2 - \nu}{2 (1 - \nu)}
+/// ```
+///
+/// Stick is where the lighter contact still touches. Exact where the tangential compliance is
+/// proportional to the normal one: on any surface for Poisson's ratio zero, on spheres and
+/// ellipsoids-on-their-axes up to the ratio of compliances for any; on rough surfaces the traction
+/// is off by 4 to 6 % for 0.29 and the shift by 0.7 %. Jaeger, J. Tribology 120 (1998) 677,
+/// <https://doi.org/10.1115/1.2833765>; Ciavarella, Int. J. Solids Struct. 35 (1998) 2349,
+/// <https://doi.org/10.1016/S0020-7683(97)00154-6>.
+#[derive(Debug, Clone, PartialEq)]
+pub struct JaegerSuperposition {
+    traction: Field,
+    zones: Vec<Zone>,
+    shift: f64,
+    force: f64,
+}
+
+impl JaegerSuperposition {
+    /// From the contact `full` under the load W, the contact `stick` under the load
+    /// `W - F/mu`, the pair and the coefficient of friction.
+    ///
+    /// # Errors
+    /// [`Error::Negative`] for the coefficient, [`Error::GridMismatch`] if the two contacts differ
+    /// in grid, [`Error::EmptyContact`] if `full` carries no pressure.
+    pub fn new(
+        full: &NormalSolution,
+        stick: &NormalSolution,
+        pair: &ElasticPair,
+        friction: f64,
+    ) -> Result<Self> {
+        non_negative("coefficient of friction", friction)?;
+        let grid = full.pressure().grid();
+        if stick.pressure().grid() != grid {
+            return Err(Error::GridMismatch {
+                quantity: "lighter contact",
+            });
+        }
+        if full.contact_cells() == 0 {
+            return Err(Error::EmptyContact);
+        }
+        let pressures = full
+            .pressure()
+            .as_slice()
+            .iter()
+            .zip(stick.pressure().as_slice());
+        let traction = pressures
+            .clone()
+            .map(|(full, stick)| friction * (full - stick))
+            .collect();
+        let zones = pressures
+            .map(|(&full, &stick)| match (full > 0.0, stick > 0.0) {
+                (false, _) => Zone::Separate,
+                (true, true) => Zone::Stick,
+                (true, false) => Zone::Slip,
+            })
+            .collect();
+        let nu = pair.poisson_ratio();
+        let ratio = (2.0 - nu) / (2.0 * (1.0 - nu));
+        Ok(Self {
+            traction: Field::from_vec(grid, traction)?,
+            zones,
+            shift: friction * ratio * (full.approach() - stick.approach()),
+            force: friction * (full.force() - stick.force()),
+        })
+    }
+
+    /// Shear traction q on body 1 along the load (a pressure).
+    #[must_use]
+    pub fn traction(&self) -> &Field {
+        &self.traction
+    }
+
+    /// The zone of every cell, row-major with x fastest.
+    #[must_use]
+    pub fn zones(&self) -> &[Zone] {
+        &self.zones
+    }
+
+    /// Shift of body 1 against body 2 (a length).
+    #[must_use]
+    pub fn shift(&self) -> f64 {
+        self.shift
+    }
+
+    /// Tangential force `mu (W - W_stick)`.
+    #[must_use]
+    pub fn force(&self) -> f64 {
+        self.force
+    }
+}
