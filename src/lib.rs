@@ -2,6 +2,8 @@
 
 pub mod cgm;
 mod contact_map;
+#[cfg(feature = "dense")]
+pub mod dense;
 mod error;
 pub mod fft;
 mod field;

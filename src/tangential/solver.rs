@@ -101,7 +101,8 @@ impl TangentialSolver {
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
         let grid = self.problem.bodies.grid();
         friction.check(grid)?;
-        self.spare.set(friction, self.problem.window, &self.problem.pressure);
+        self.spare
+            .set(friction, self.problem.window, &self.problem.pressure);
         self.spare.check(self.problem.load, grid.cell_area())?;
         std::mem::swap(&mut self.spare, &mut self.problem.limits);
         Ok(())

@@ -1,0 +1,266 @@
+//! The exact minimum on a small grid: pivoting between active sets, each solved by Cholesky.
+//!
+//! For a given multiplier, block principal pivoting with Murty's single pivots as a fallback
+//! (Judice & Pires, Computers & Operations Research 21 (1994) 587,
+//! <https://doi.org/10.1016/0305-0548(94)90106-6>), which ends for every symmetric positive definite
+//! matrix. A prescribed total is then one equation in the multiplier, increasing and piecewise
+//! linear: Newton's method between brackets.
+
+use faer::linalg::cholesky::llt::factor::LltError;
+use faer::linalg::solvers::{Llt, Solve};
+use faer::{Mat, MatRef, Side};
+
+use crate::cgm::Constraint;
+use crate::dense::DenseOperator;
+use crate::error::{Error, Result, all_finite, length};
+use crate::report::{Report, Status};
+
+/// The minimum and its multiplier, exact up to round-off.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct DenseMinimum {
+    /// The unknowns.
+    pub x: Vec<f64>,
+    /// Multiplier of the total, zero when none is prescribed.
+    pub multiplier: f64,
+}
+
+/// Which bound an entry stands at, if any.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Mark {
+    Lower,
+    Upper,
+    Free,
+}
+
+/// Set changes tried all at once, without fewer wrong entries, before single pivots begin.
+const BLOCK_TRIALS: usize = 10;
+
+impl DenseOperator {
+    /// Minimises `1/2 x'Cx + b'x` over the constraint, with `sum x = total` if given, as
+    /// [`cgm::minimise`](crate::cgm::minimise) does, but directly.
+    ///
+    /// # Errors
+    /// [`Error::Length`], [`Error::Sample`], [`Error::Bounds`], [`Error::Total`] if the bounds
+    /// cannot hold the total, [`Error::NotPositiveDefinite`]; [`Error::NotConverged`] if round-off
+    /// keeps the sets from settling.
+    pub fn minimise(
+        &self,
+        linear: &[f64],
+        constraint: &impl Constraint,
+        total: Option<f64>,
+    ) -> Result<DenseMinimum> {
+        length("linear term", self.len, linear.len())?;
+        all_finite("linear term", linear)?;
+        constraint.check(self.len)?;
+        let mut search = Search {
+            operator: self,
+            linear,
+            bounds: (0..self.len).map(|i| constraint.bounds(i)).collect(),
+            marks: vec![Mark::Free; self.len],
+        };
+        for (mark, [lower, upper]) in search.marks.iter_mut().zip(&search.bounds) {
+            if lower >= upper {
+                *mark = Mark::Lower;
+            }
+        }
+        match total {
+            None => Ok(DenseMinimum {
+                x: search.settle(0.0)?,
+                multiplier: 0.0,
+            }),
+            Some(total) => search.balance(total),
+        }
+    }
+}
+
+struct Search<'a> {
+    operator: &'a DenseOperator,
+    linear: &'a [f64],
+    bounds: Vec<[f64; 2]>,
+    marks: Vec<Mark>,
+}
+
+impl Search<'_> {
+    /// The minimum for a given multiplier; leaves its active sets in the marks.
+    fn settle(&mut self, multiplier: f64) -> Result<Vec<f64>> {
+        let (mut fewest, mut trials) = (usize::MAX, BLOCK_TRIALS);
+        for _ in 0..100 * (self.marks.len() + 10) {
+            let x = self.solve_free(multiplier)?;
+            let wrong = self.wrong_marks(&x, multiplier);
+            if wrong.is_empty() {
+                return Ok(self.clip(x));
+            }
+            if wrong.len() < fewest {
+                (fewest, trials) = (wrong.len(), BLOCK_TRIALS);
+            } else {
+                trials = trials.saturating_sub(1);
+            }
+            let first = if trials > 0 { 0 } else { wrong.len() - 1 };
+            for &(i, mark) in &wrong[first..] {
+                self.marks[i] = mark;
+            }
+        }
+        Err(unsettled())
+    }
+
+    /// The minimum with the given total.
+    fn balance(&mut self, total: f64) -> Result<DenseMinimum> {
+        let [lower, upper] = self
+            .bounds
+            .iter()
+            .fold([0.0, 0.0], |sum: [f64; 2], bounds| {
+                [sum[0] + bounds[0], sum[1] + bounds[1]]
+            });
+        if !(total > lower && total < upper) {
+            return Err(Error::Total {
+                total,
+                lower,
+                upper,
+            });
+        }
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+        let x = self.solve_free(0.0)?;
+        let mut multiplier = (total - x.iter().sum::<f64>()) / self.stiffness()?;
+        for _ in 0..200 {
+            let x = self.settle(multiplier)?;
+            let magnitude: f64 = x.iter().map(|x| x.abs()).sum();
+            let missing = total - x.iter().sum::<f64>();
+            if missing.abs() <= 1e-14 * magnitude.max(total.abs()) {
+                return Ok(DenseMinimum { x, multiplier });
+            }
+            if missing > 0.0 {
+                low = multiplier;
+            } else {
+                high = multiplier;
+            }
+            let (from, stiffness) = if self.marks.contains(&Mark::Free) {
+                (multiplier, self.stiffness()?)
+            } else {
+                self.next_to_move(&x, missing > 0.0)
+            };
+            let newton = from + missing / stiffness;
+            let next = if newton > low && newton < high {
+                newton
+            } else {
+                0.5 * (low + high)
+            };
+            if (next - multiplier).abs() <= f64::EPSILON * multiplier.abs() || !next.is_finite() {
+                return Ok(DenseMinimum { x, multiplier });
+            }
+            multiplier = next;
+        }
+        Err(unsettled())
+    }
+
+    /// With no free entry: the multiplier at which the first would move, and its own stiffness.
+    fn next_to_move(&self, x: &[f64], upward: bool) -> (f64, f64) {
+        let from = if upward { Mark::Lower } else { Mark::Upper };
+        let sign = if upward { 1.0 } else { -1.0 };
+        let movable = (0..x.len()).filter(|&i| {
+            let [lower, upper] = self.bounds[i];
+            lower < upper && self.marks[i] == from
+        });
+        let (least, row) = movable
+            .map(|i| (sign * self.gradient(i, x), i))
+            .fold((f64::INFINITY, 0), |a, b| if b.0 < a.0 { b } else { a });
+        (sign * least, 1.0 / self.operator.row(row)[row])
+    }
+
+    /// `e' C_FF^-1 e`: how the total grows with the multiplier.
+    fn stiffness(&self) -> Result<f64> {
+        let free = self.free();
+        let ones = Mat::from_fn(free.len(), 1, |_, _| 1.0);
+        Ok(self.factorise(&free)?.solve(&ones).col(0).iter().sum())
+    }
+
+    fn free(&self) -> Vec<usize> {
+        (0..self.marks.len())
+            .filter(|&i| self.marks[i] == Mark::Free)
+            .collect()
+    }
+
+    /// Free entries from their equations, the others at their bounds.
+    fn solve_free(&self, multiplier: f64) -> Result<Vec<f64>> {
+        let mut x: Vec<f64> = (self.marks.iter().zip(&self.bounds))
+            .map(|(mark, [lower, upper])| match mark {
+                Mark::Free => 0.0,
+                Mark::Lower => *lower,
+                Mark::Upper => *upper,
+            })
+            .collect();
+        let free = self.free();
+        if !free.is_empty() {
+            let right = Mat::from_fn(free.len(), 1, |k, _| {
+                multiplier - self.gradient(free[k], &x)
+            });
+            let solution = self.factorise(&free)?.solve(&right);
+            for (&i, value) in free.iter().zip(solution.col(0).iter()) {
+                x[i] = *value;
+            }
+        }
+        Ok(x)
+    }
+
+    /// `(C x + b)_i`.
+    fn gradient(&self, i: usize, x: &[f64]) -> f64 {
+        let product: f64 = self.operator.row(i).iter().zip(x).map(|(c, x)| c * x).sum();
+        product + self.linear[i]
+    }
+
+    fn factorise(&self, free: &[usize]) -> Result<Llt<f64>> {
+        let block: Vec<f64> = free
+            .iter()
+            .flat_map(|&i| free.iter().map(move |&j| self.operator.row(i)[j]))
+            .collect();
+        let matrix = MatRef::from_row_major_slice(&block, free.len(), free.len());
+        matrix
+            .llt(Side::Lower)
+            .map_err(
+                |LltError::NonPositivePivot { index }| Error::NotPositiveDefinite {
+                    row: free[index],
+                },
+            )
+    }
+
+    /// The entries on the wrong side, in order, each with the mark it should have.
+    fn wrong_marks(&self, x: &[f64], multiplier: f64) -> Vec<(usize, Mark)> {
+        let largest = x.iter().fold(0.0, |a: f64, x| a.max(x.abs()));
+        let gradients: Vec<f64> = (0..x.len())
+            .map(|i| self.gradient(i, x) - multiplier)
+            .collect();
+        let steepest = (gradients.iter().zip(self.linear))
+            .fold(multiplier.abs(), |a, (g, b)| a.max(g.abs()).max(b.abs()));
+        let (value_noise, gradient_noise) = (1e-15 * largest, 1e-15 * steepest);
+        let correction = |i: usize| {
+            let [lower, upper] = self.bounds[i];
+            match self.marks[i] {
+                _ if lower >= upper => None,
+                Mark::Free if x[i] < lower - value_noise => Some(Mark::Lower),
+                Mark::Free if x[i] > upper + value_noise => Some(Mark::Upper),
+                Mark::Lower if gradients[i] < -gradient_noise => Some(Mark::Free),
+                Mark::Upper if gradients[i] > gradient_noise => Some(Mark::Free),
+                _ => None,
+            }
+        };
+        (0..x.len())
+            .filter_map(|i| correction(i).map(|mark| (i, mark)))
+            .collect()
+    }
+
+    fn clip(&self, mut x: Vec<f64>) -> Vec<f64> {
+        for (x, [lower, upper]) in x.iter_mut().zip(&self.bounds) {
+            *x = x.max(*lower).min(*upper);
+        }
+        x
+    }
+}
+
+fn unsettled() -> Error {
+    Error::NotConverged(Box::new(Report {
+        status: Status::Stalled,
+        residual: f64::NAN,
+        certified_gap: f64::INFINITY,
+        ..Report::exact()
+    }))
+}

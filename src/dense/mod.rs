@@ -1,0 +1,154 @@
+//! The naive twin: every operator as an explicit matrix, and small scenes solved exactly.
+//!
+//! [`DenseOperator`] applies what [`Convolution`](crate::fft::Convolution) applies, in `n^2` steps
+//! and without a transform, and [`DenseOperator::minimise`] finds what [`crate::cgm`] finds, by
+//! Cholesky factorisation on active sets, up to round-off and without a tolerance. Both are there
+//! to check the fast paths, and to answer scenes of some hundred cells once and for all.
+
+mod active_set;
+
+pub use active_set::DenseMinimum;
+
+use std::sync::OnceLock;
+
+use faer::{MatRef, Side};
+
+use crate::error::{Error, Result, all_finite, length};
+use crate::half_space::HalfSpace;
+use crate::influence::{Component, Table};
+use crate::operator::Operator;
+
+/// Largest number of unknowns accepted: a matrix of 128 MiB.
+const LIMIT: usize = 4096;
+
+/// A square matrix as an [`Operator`].
+///
+/// ```
+/// use stickslip::dense::DenseOperator;
+/// use stickslip::{ElasticPair, Grid, HalfSpace, Material, Operator, influence::Component};
+/// let grid = Grid::new(5, 3, 1.0, 1.0)?;
+/// let bodies = HalfSpace::new(grid, ElasticPair::new(Material::new(1.0, 0.3)?, Material::rigid())?)?;
+/// let twin = DenseOperator::of_half_space(&bodies, Component::ZZ)?;
+/// let fast = bodies.operator(Component::ZZ)?;
+/// let traction: Vec<f64> = (0..15).map(f64::from).collect();
+/// let (mut slow_u, mut fast_u) = (vec![0.0; 15], vec![0.0; 15]);
+/// twin.apply(&traction, &mut slow_u, &mut ());
+/// fast.apply(&traction, &mut fast_u, &mut fast.workspace());
+/// assert!(slow_u.iter().zip(&fast_u).all(|(a, b)| (a - b).abs() < 1e-12));
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct DenseOperator {
+    len: usize,
+    /// Row-major.
+    entries: Vec<f64>,
+    lower_bound: OnceLock<f64>,
+}
+
+impl DenseOperator {
+    /// A matrix of `len` x `len` entries, row-major.
+    ///
+    /// # Errors
+    /// [`Error::TooManyCells`] above 4096 unknowns, [`Error::Length`] if there are not `len * len`
+    /// entries, [`Error::Sample`] if one is not finite.
+    pub fn from_rows(len: usize, entries: Vec<f64>) -> Result<Self> {
+        check_size(len)?;
+        length("matrix", len * len, entries.len())?;
+        all_finite("matrix", &entries)?;
+        Ok(Self {
+            len,
+            entries,
+            lower_bound: OnceLock::new(),
+        })
+    }
+
+    /// One influence coefficient between all cells of a half-space (lengths over pressures).
+    ///
+    /// # Errors
+    /// [`Error::TooManyCells`] above 4096 cells.
+    pub fn of_half_space(bodies: &HalfSpace, component: Component) -> Result<Self> {
+        let grid = bodies.grid();
+        check_size(grid.cells())?;
+        let table = Table::sample(grid, bodies.pair(), component)?;
+        let [odd_x, odd_y] = component.is_odd();
+        let (nx, cells) = (grid.nx(), grid.cells());
+        let entry = |field: usize, source: usize| {
+            let ((i, k), (j, l)) = ((field % nx, source % nx), (field / nx, source / nx));
+            let value = table.row(j.abs_diff(l))[i.abs_diff(k)];
+            if (odd_x && i < k) == (odd_y && j < l) {
+                value
+            } else {
+                -value
+            }
+        };
+        let entries = (0..cells * cells)
+            .map(|n| entry(n / cells, n % cells))
+            .collect();
+        Self::from_rows(cells, entries)
+    }
+
+    /// The entry of a row and a column, `None` outside the matrix.
+    #[must_use]
+    pub fn get(&self, row: usize, column: usize) -> Option<f64> {
+        (column < self.len).then(|| self.entries.get(row * self.len + column).copied())?
+    }
+
+    fn row(&self, row: usize) -> &[f64] {
+        &self.entries[row * self.len..(row + 1) * self.len]
+    }
+
+    fn is_symmetric(&self) -> bool {
+        let scale = self.entries.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+        (0..self.len)
+            .all(|i| (0..i).all(|j| (self.row(i)[j] - self.row(j)[i]).abs() <= 1e-13 * scale))
+    }
+
+    /// Smallest eigenvalue less round-off; zero if the matrix is not symmetric positive definite.
+    fn smallest_eigenvalue(&self) -> f64 {
+        if !self.is_symmetric() {
+            return 0.0;
+        }
+        let matrix = MatRef::from_row_major_slice(&self.entries, self.len, self.len);
+        match matrix.self_adjoint_eigenvalues(Side::Lower) {
+            Ok(values) => {
+                let largest = values.last().copied().unwrap_or(0.0);
+                let smallest = values.first().copied().unwrap_or(0.0);
+                (smallest - 1e-14 * largest).max(0.0)
+            }
+            Err(_) => 0.0,
+        }
+    }
+}
+
+fn check_size(cells: usize) -> Result<()> {
+    if cells > LIMIT {
+        Err(Error::TooManyCells {
+            cells,
+            limit: LIMIT,
+        })
+    } else {
+        Ok(())
+    }
+}
+
+impl Operator for DenseOperator {
+    type Workspace = ();
+
+    fn len(&self) -> usize {
+        self.len
+    }
+
+    fn workspace(&self) {}
+
+    fn apply(&self, x: &[f64], out: &mut [f64], (): &mut ()) {
+        for (row, out) in out.iter_mut().enumerate() {
+            *out = self.row(row).iter().zip(x).map(|(c, x)| c * x).sum();
+        }
+    }
+
+    /// The smallest eigenvalue, computed at the first call; zero if the matrix is not symmetric
+    /// positive definite.
+    fn lower_bound(&self) -> f64 {
+        *self.lower_bound.get_or_init(|| self.smallest_eigenvalue())
+    }
+}
