@@ -1,5 +1,6 @@
 //! Normal and stick-slip contact of elastic half-spaces.
 
+pub mod analytical;
 pub mod cgm;
 mod contact_map;
 #[cfg(feature = "dense")]

@@ -59,7 +59,7 @@ const SLIDING: f64 = 1e-12;
 /// let shear = TangentialProblem::builder(&bodies, &normal, friction, load).build()?.solve()?;
 ///
 /// let hertz = HertzSphere::new(bodies.pair(), 3.5e-3, 100.0)?;
-/// let exact = CattaneoMindlin::new(bodies.pair(), hertz, 0.5, 20.0)?;
+/// let exact = CattaneoMindlin::new(hertz, 0.5, 20.0)?;
 /// assert!((shear.stick_ratio() - exact.stick_ratio()).abs() < 0.02);
 /// assert!((shear.shift()[0] / exact.shift() - 1.0).abs() < 1e-3);
 /// # Ok::<(), stickslip::Error>(())

@@ -1,0 +1,72 @@
+//! Differences of sines that vanish like the cube of their angle.
+//!
+//! The displacement outside a circle under Hertz pressure or shear is built of these two; written
+//! as plain differences they would lose every digit far from the circle and at its edge.
+
+/// $`\sin t - t\cos t = t^3/3 - \dots`$, for $`0 \le t \le 2\pi`$.
+pub(crate) fn sine_minus_arc_cosine(t: f64) -> f64 {
+    if t < SERIES_BELOW {
+        series(t, |k| 2.0 * k)
+    } else {
+        t.sin() - t * t.cos()
+    }
+}
+
+/// $`t - \sin t = t^3/6 - \dots`$, for $`0 \le t \le 2\pi`$.
+pub(crate) fn arc_minus_sine(t: f64) -> f64 {
+    if t < SERIES_BELOW {
+        series(t, |_| 1.0)
+    } else {
+        t - t.sin()
+    }
+}
+
+/// Below this angle the series has its last digit within [`TERMS`], above it less than a digit cancels.
+const SERIES_BELOW: f64 = 1.0;
+const TERMS: u32 = 8;
+
+/// $`\sum_{k \ge 1} (-1)^{k+1} w_k\, t^{2k+1}/(2k+1)!`$.
+fn series(t: f64, weight: impl Fn(f64) -> f64) -> f64 {
+    let square = t * t;
+    let mut term = t;
+    let mut sum = 0.0;
+    for k in (1..=TERMS).map(f64::from) {
+        term *= -square / (2.0 * k * (2.0 * k + 1.0));
+        sum -= weight(k) * term;
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    #[test]
+    fn series_meets_closed_form() {
+        for t in [0.9, 0.99, 0.999_999_f64] {
+            let (sine, cosine) = t.sin_cos();
+            let expected = sine - t * cosine;
+            assert_relative_eq!(sine_minus_arc_cosine(t), expected, max_relative = 2e-15);
+            assert_relative_eq!(arc_minus_sine(t), t - sine, max_relative = 2e-15);
+        }
+    }
+
+    #[test]
+    fn small_angles_keep_their_digits() {
+        let t = 1e-5_f64;
+        let cube = t * t * t;
+        assert_relative_eq!(
+            sine_minus_arc_cosine(t),
+            cube / 3.0 * (1.0 - t * t / 10.0),
+            max_relative = 1e-15,
+            epsilon = 0.0
+        );
+        assert_relative_eq!(
+            arc_minus_sine(t),
+            cube / 6.0 * (1.0 - t * t / 20.0),
+            max_relative = 1e-15,
+            epsilon = 0.0
+        );
+    }
+}

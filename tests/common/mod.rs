@@ -1,0 +1,125 @@
+//! Scenes and comparisons the tests share.
+#![allow(dead_code, reason = "each test file uses its own part")]
+
+use stickslip::{ElasticPair, Field, Grid, HalfSpace, Material};
+
+/// A small deterministic generator (splitmix64): the same scenes on every machine.
+pub(crate) struct Random(pub(crate) u64);
+
+impl Random {
+    pub(crate) fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// Uniform in `[low, high)`.
+    pub(crate) fn uniform(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// Uniform in `low..=high`.
+    pub(crate) fn integer(&mut self, low: usize, high: usize) -> usize {
+        low + (self.bits() % (high - low + 1) as u64) as usize
+    }
+}
+
+/// A rough gap: waves of all directions down to eight cells, amplitudes falling as for a Hurst
+/// exponent of 0.8, root-mean-square height one, least value zero.
+pub(crate) fn rough(grid: Grid, seed: u64) -> Field {
+    let mut random = Random(seed);
+    let side = grid.dx() * grid.nx() as f64;
+    let shortest = grid.nx() / 8;
+    let mut heights = Field::zeros(grid);
+    for kx in 0..=shortest {
+        for ky in -(shortest as i64)..=shortest as i64 {
+            let k = (kx as f64).hypot(ky as f64);
+            let is_half_plane = kx > 0 || ky > 0;
+            if !is_half_plane || k > shortest as f64 {
+                continue;
+            }
+            let amplitude = k.max(2.0).powf(-1.8);
+            let phase = random.uniform(0.0, std::f64::consts::TAU);
+            add_wave(
+                &mut heights,
+                [kx as f64, ky as f64].map(|k| k * std::f64::consts::TAU / side),
+                amplitude,
+                phase,
+            );
+        }
+    }
+    let n = grid.cells() as f64;
+    let square: f64 = heights.as_slice().iter().map(|h| h * h).sum();
+    let rms = (square / n).sqrt();
+    let least = heights.min();
+    for height in heights.as_mut_slice() {
+        *height = (*height - least) / rms;
+    }
+    heights
+}
+
+/// Adds `amplitude cos(k . r + phase)`, with one cosine and sine per row and column.
+fn add_wave(heights: &mut Field, [kx, ky]: [f64; 2], amplitude: f64, phase: f64) {
+    let grid = heights.grid();
+    let columns: Vec<(f64, f64)> = (0..grid.nx())
+        .map(|ix| (kx * grid.x(ix)).sin_cos())
+        .collect();
+    for (iy, row) in heights
+        .as_mut_slice()
+        .chunks_exact_mut(grid.nx())
+        .enumerate()
+    {
+        let (sin_y, cos_y) = (ky * grid.y(iy) + phase).sin_cos();
+        for (height, (sin_x, cos_x)) in row.iter_mut().zip(&columns) {
+            *height += amplitude * (cos_x * cos_y - sin_x * sin_y);
+        }
+    }
+}
+
+/// An elastic body of unit contact modulus on a rigid one, its coupling neglected where it matters.
+pub(crate) fn unit_pair(poisson_ratio: f64) -> ElasticPair {
+    // Two equal bodies, each twice as stiff: E* = 1, and no coupling.
+    let each = Material::new(2.0 * (1.0 - poisson_ratio * poisson_ratio), poisson_ratio).unwrap();
+    ElasticPair::new(each, each).unwrap()
+}
+
+pub(crate) fn unit_bodies(grid: Grid, poisson_ratio: f64) -> HalfSpace {
+    HalfSpace::new(grid, unit_pair(poisson_ratio)).unwrap()
+}
+
+/// The paper's Table 2: a steel sphere on steel, in metres, newtons and pascals.
+pub(crate) struct Table2;
+
+impl Table2 {
+    pub(crate) const RADIUS: f64 = 3.5e-3;
+    pub(crate) const FORCE: f64 = 100.0;
+    pub(crate) const FRICTION: f64 = 0.5;
+    pub(crate) const CONTACT_RADIUS: f64 = 1.3118250497932507438e-4;
+    pub(crate) const MAX_PRESSURE: f64 = 2.7745307793537220908e9;
+    pub(crate) const APPROACH: f64 = 4.9168141750430422666e-6;
+
+    pub(crate) fn pair() -> ElasticPair {
+        let steel = Material::new(213e9, 0.29).unwrap();
+        ElasticPair::new(steel, steel).unwrap()
+    }
+}
+
+pub(crate) fn max_abs(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |a, b| a.max(b.abs()))
+}
+
+/// `max |a - b|`.
+pub(crate) fn max_difference(a: &[f64], b: &[f64]) -> f64 {
+    assert_eq!(a.len(), b.len());
+    a.iter().zip(b).fold(0.0, |m, (a, b)| m.max((a - b).abs()))
+}
+
+/// `|a - b|_2 / |b|_2`.
+pub(crate) fn l2_difference(a: &[f64], b: &[f64]) -> f64 {
+    assert_eq!(a.len(), b.len());
+    let square: f64 = a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum();
+    let norm: f64 = b.iter().map(|b| b * b).sum();
+    (square / norm).sqrt()
+}
