@@ -66,8 +66,8 @@ fn energy_error(matrix: &DenseOperator, x: &[f64], exact: &[f64]) -> f64 {
 }
 
 fn assert_certified(found: &Minimum, error: f64, scene: u64) {
-    // Round-off of the matrix twin itself, about 1e-15 a product.
-    let bound = found.report.energy_error_bound() + 1e-13;
+    // Round-off of the matrix twin itself, amplified by the condition number.
+    let bound = found.report.energy_error_bound() + 1e-12;
     assert!(
         error <= bound,
         "scene {scene}: error {error:e}, certified {bound:e}"
@@ -225,14 +225,14 @@ fn the_certificate_bounds_the_error_of_unfinished_iterates() {
             let found = stopped(cgm::minimise(&fast, &settings, &mut x));
             let error = energy_error(&matrix, &x, &exact.x);
             assert!(
-                error <= found.energy_error_bound() + 1e-13,
+                error <= found.energy_error_bound() + 1e-12,
                 "scene {seed}: {error:e}, {found}"
             );
             tightness.push((found.energy_error_bound() + 1e-15) / (error + 1e-15));
             let found = stopped(cgm::minimise(&unbounded, &settings, &mut y));
             let error = energy_error(&matrix, &y, &exact.x);
             assert!(
-                error <= found.energy_error_bound() + 1e-13,
+                error <= found.energy_error_bound() + 1e-12,
                 "scene {seed}: {error:e}, {found}"
             );
             for x in [&x, &y] {

@@ -20,16 +20,18 @@ const INNER_REDUCTION: f64 = 0.1;
 /// Inner steps before the sets are looked at again.
 const INNER_LIMIT: usize = 60;
 
-/// Outer steps without halving the residual after which the method counts as stalled: while the
-/// sets still change, and once they stand.
-const PATIENCE_CHANGING: usize = 40;
-const PATIENCE_SETTLED: usize = 4;
+/// Outer steps in which neither the residual halves nor fewer entries change sets than ever before
+/// after which the method is stuck: while the sets change, and once they stand.
+const CYCLE: usize = 12;
+const PATIENCE: usize = 4;
 
+/// Ends with the status of the run; `None` if the sets cycle.
 pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
     run: &mut Run<'_, '_, C, K, P>,
-) -> Status {
+) -> Option<Status> {
     run.mark_start();
-    let mut changed = true;
+    let (mut changes, mut fewest) = (usize::MAX, usize::MAX);
+    let (mut best, mut without_progress) = (f64::INFINITY, 0);
     loop {
         open_empty_set(run);
         spread_total(run);
@@ -40,23 +42,27 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
             .residual
             .max(findings.load_error)
             .max(bound_violation(run));
-        let patience = if changed {
-            PATIENCE_CHANGING
-        } else {
-            PATIENCE_SETTLED
-        };
-        if let ControlFlow::Break(status) = run.judge(merit, findings.free, patience) {
-            return status;
+        if let ControlFlow::Break(status) = run.judge(merit, findings.free) {
+            return Some(status);
         }
-        let reduction = if changed {
+        if merit <= 0.5 * best || changes < fewest {
+            (best, fewest) = (best.min(merit), fewest.min(changes));
+            without_progress = 0;
+        } else {
+            without_progress += 1;
+            if without_progress >= if changes == 0 { PATIENCE } else { CYCLE } {
+                return run.stuck();
+            }
+        }
+        let reduction = if changes > 0 {
             INNER_REDUCTION
         } else {
             (0.3 * run.settings.tolerance / merit).clamp(1e-4, INNER_REDUCTION)
         };
         if let ControlFlow::Break(status) = solve_free(run, reduction, findings.free) {
-            return status;
+            return Some(status);
         }
-        changed = reclassify(run);
+        changes = reclassify(run);
     }
 }
 
@@ -247,8 +253,8 @@ fn solve_free<C: Operator, K: Constraint, P: Operator>(
 }
 
 /// Moves entries between the sets at the equilibrated state, all at once, and clips. Returns
-/// whether any moved.
-fn reclassify<C: Operator, K: Constraint, P: Operator>(run: &mut Run<'_, '_, C, K, P>) -> bool {
+/// how many moved.
+fn reclassify<C: Operator, K: Constraint, P: Operator>(run: &mut Run<'_, '_, C, K, P>) -> usize {
     let constraint = &run.problem.constraint;
     let multiplier = run.workspace.multiplier;
     let Workspace {
@@ -281,7 +287,7 @@ fn reclassify<C: Operator, K: Constraint, P: Operator>(run: &mut Run<'_, '_, C, 
         }
         moved
     };
-    parallel::sweep(0..len.div_ceil(CHUNK), data, &work, &|a, b| a + b) > 0
+    parallel::sweep(0..len.div_ceil(CHUNK), data, &work, &|a, b| a + b)
 }
 
 /// Zeroes the entries that are not free.

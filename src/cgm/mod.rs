@@ -33,6 +33,7 @@ mod balance;
 mod certificate;
 mod constraint;
 mod polonsky_keer;
+mod projected_gradient;
 mod reduce;
 mod run;
 mod settings;
@@ -225,16 +226,37 @@ pub fn minimise_with<C: Operator, K: Constraint, P: Operator>(
         None => None,
     };
     let mut run = Run::new(problem, settings, x, workspace, observer);
-    let status = match (reach, settings.method) {
-        (Some(balance::Reach::AtLower), _) => run.at_extreme(State::Lower),
-        (Some(balance::Reach::AtUpper), _) => run.at_extreme(State::Upper),
-        (_, Method::ActiveSet) => active_set::iterate(&mut run),
-        (_, Method::PolonskyKeer) => polonsky_keer::iterate(&mut run),
+    let status = match reach {
+        Some(balance::Reach::AtLower) => run.at_extreme(State::Lower),
+        Some(balance::Reach::AtUpper) => run.at_extreme(State::Upper),
+        Some(balance::Reach::Inside) | None => iterate(&mut run),
     };
     run.finish(status);
     if status == Status::Converged {
         Ok(())
     } else {
         Err(Error::NotConverged(Box::new(workspace.report.clone())))
+    }
+}
+
+/// The chosen method; each time its sets cycle, twice as many steps of a method that has none.
+fn iterate<C: Operator, K: Constraint, P: Operator>(run: &mut Run<'_, '_, C, K, P>) -> Status {
+    let (mut detour, mut is_stationary) = (32, false);
+    loop {
+        let ended = match run.settings.method {
+            Method::ActiveSet => active_set::iterate(run),
+            Method::PolonskyKeer => polonsky_keer::iterate(run),
+        };
+        if let Some(status) = ended {
+            return status;
+        }
+        if is_stationary {
+            return Status::Stalled;
+        }
+        match projected_gradient::iterate(run, detour) {
+            ControlFlow::Break(status) => return status,
+            ControlFlow::Continue(found) => is_stationary = found,
+        }
+        detour = (2 * detour).min(run.settings.max_iterations);
     }
 }

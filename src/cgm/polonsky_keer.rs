@@ -14,15 +14,17 @@ use crate::report::Status;
 
 /// Steps between fresh products when nothing forces one.
 const REFRESH: usize = 25;
-/// Examinations without halving the residual after which the loop counts as stalled.
-const PATIENCE: usize = 400;
+/// Steps without halving the residual after which the loop is stuck.
+const PATIENCE: usize = 200;
 
+/// Ends with the status of the run; `None` if the sets cycle.
 pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
     run: &mut Run<'_, '_, C, K, P>,
-) -> Status {
+) -> Option<Status> {
     run.mark_start();
     restore_total(run);
     let (mut previous, mut conjugate) = (0.0, false);
+    let (mut best, mut without_progress) = (f64::INFINITY, 0);
     let mut since_refresh = REFRESH;
     loop {
         if since_refresh >= REFRESH {
@@ -36,8 +38,16 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
             since_refresh = REFRESH;
             continue;
         }
-        if let ControlFlow::Break(status) = run.judge(merit, free, PATIENCE) {
-            return status;
+        if let ControlFlow::Break(status) = run.judge(merit, free) {
+            return Some(status);
+        }
+        if merit <= 0.5 * best {
+            (best, without_progress) = (merit, 0);
+        } else {
+            without_progress += 1;
+            if without_progress >= PATIENCE {
+                return run.stuck();
+            }
         }
 
         // d = r + theta (R / R_old) d (eq 24), without a mean so that it keeps the total.

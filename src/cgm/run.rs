@@ -9,6 +9,9 @@ use crate::operator::Operator;
 use crate::parallel::{self, Blocks, CHUNK, blocks};
 use crate::report::{Iteration, Status};
 
+/// A residual at which sets change by round-off alone.
+const ROUND_OFF: f64 = 1e-12;
+
 /// One solve under way.
 pub(super) struct Run<'a, 'b, C: Operator, K, P: Operator> {
     pub(super) problem: &'a Problem<'b, C, K, P>,
@@ -21,8 +24,8 @@ pub(super) struct Run<'a, 'b, C: Operator, K, P: Operator> {
     steps: usize,
     /// Whether `workspace.product` belongs to `x`.
     pub(super) is_fresh: bool,
+    /// Least merit so far.
     best: f64,
-    since_best: usize,
 }
 
 impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
@@ -49,7 +52,6 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
             steps: 0,
             is_fresh: false,
             best: f64::INFINITY,
-            since_best: 0,
         }
     }
 
@@ -132,29 +134,20 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
         findings
     }
 
-    /// Records an examined step, and says if it is the last: converged, stalled (`patience` steps
-    /// without halving the residual) or stopped.
-    pub(super) fn judge(
-        &mut self,
-        merit: f64,
-        free: usize,
-        patience: usize,
-    ) -> ControlFlow<Status> {
+    /// Records an examined step, and says if it is the last: converged or stopped.
+    pub(super) fn judge(&mut self, merit: f64, free: usize) -> ControlFlow<Status> {
         let entry = self.entry(free);
         self.workspace.report.history.push(entry);
+        self.best = self.best.min(merit);
         if merit <= self.settings.tolerance {
             return ControlFlow::Break(Status::Converged);
         }
-        if merit <= 0.5 * self.best {
-            self.best = merit;
-            self.since_best = 0;
-        } else {
-            self.since_best += 1;
-        }
-        if self.since_best >= patience || merit.is_nan() {
-            return ControlFlow::Break(Status::Stalled);
-        }
         self.proceed(free)
+    }
+
+    /// What to do when the residual no longer falls: stop if it is round-off, else `None`.
+    pub(super) fn stuck(&self) -> Option<Status> {
+        (self.best <= ROUND_OFF || self.best.is_nan()).then_some(Status::Stalled)
     }
 
     /// Counts a step.

@@ -5,11 +5,13 @@ use std::time::Duration;
 use crate::error::{Error, Result};
 
 /// The iteration that finds the constrained minimum.
+///
+/// Should the sets of either ever cycle, projected gradients lead past that place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[non_exhaustive]
 pub enum Method {
     /// Active sets outside, preconditioned conjugate gradients without clipping inside, an exact
-    /// residual at every outer step. The default: 3 to 10 times fewer products.
+    /// residual at every outer step. The default: 2 to 5 times fewer products.
     #[default]
     ActiveSet,
     /// One loop that clips at every step: Polonsky & Keer, Wear 231 (1999) 206,
