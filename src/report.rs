@@ -10,7 +10,7 @@ use std::time::Duration;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Status {
-    /// The residual of a fresh product is at or below the tolerance.
+    /// A fresh product shows residual and certified error at or below the tolerance.
     Converged,
     /// The limit of iterations was reached first.
     IterationLimit,

@@ -38,10 +38,7 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
         run.refresh();
         set_multiplier(run);
         let findings = run.examine();
-        let merit = findings
-            .residual
-            .max(findings.load_error)
-            .max(bound_violation(run));
+        let merit = run.merit(&findings).max(bound_violation(run));
         if let ControlFlow::Break(status) = run.judge(merit, findings.free) {
             return Some(status);
         }
@@ -265,7 +262,8 @@ fn reclassify<C: Operator, K: Constraint, P: Operator>(run: &mut Run<'_, '_, C, 
     } = &mut *run.workspace;
     let (gradient, product) = (&*gradient, &*product);
     let [largest] = reduce::max(gradient.len(), |i| [product[i].abs()]);
-    let threshold = 0.1 * run.settings.tolerance * largest;
+    // Below this a wrong sign is noise of the inner solution, and would come and go.
+    let threshold = (0.01 * run.settings.tolerance).max(f64::EPSILON) * largest;
 
     let len = run.x.len();
     let data = (blocks(run.x), blocks(state));

@@ -33,7 +33,7 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
         }
         let free = set_multiplier(run);
         let findings = run.examine();
-        let merit = findings.residual.max(findings.load_error);
+        let merit = run.merit(&findings);
         if merit <= run.settings.tolerance && !run.is_fresh {
             since_refresh = REFRESH;
             continue;

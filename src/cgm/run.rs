@@ -134,6 +134,18 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
         findings
     }
 
+    /// What has to fall to the tolerance: residual, load error and, where the operator knows its
+    /// smallest eigenvalue, the certified error. Without that the duality gap alone is left, whose
+    /// root falls only with the root of the residual.
+    pub(super) fn merit(&self, findings: &Certificate) -> f64 {
+        let error = if self.problem.operator.lower_bound() > 0.0 {
+            findings.gap.sqrt()
+        } else {
+            0.0
+        };
+        findings.residual.max(findings.load_error).max(error)
+    }
+
     /// Records an examined step, and says if it is the last: converged or stopped.
     pub(super) fn judge(&mut self, merit: f64, free: usize) -> ControlFlow<Status> {
         let entry = self.entry(free);

@@ -32,8 +32,11 @@ pub enum Method {
 pub struct Settings {
     /// Which iteration (default [`Method::ActiveSet`]).
     pub method: Method,
-    /// The largest complementarity residual accepted, relative to the largest displacement
-    /// (default 1e-8). Tractions away from the edge of the contact are then about as accurate.
+    /// The error accepted (default 1e-8): bounds the certified error in the energy norm, relative
+    /// to the norm of the answer, and the largest complementarity residual, relative to the largest
+    /// displacement. For an operator without a [`lower_bound`](crate::Operator::lower_bound) the
+    /// residual alone. The sum of all traction errors is about as small; single cells at the edge
+    /// of a smooth contact may be off by ten to a hundred times more.
     pub tolerance: f64,
     /// Conjugate-gradient steps allowed (default 10 000).
     pub max_iterations: usize,

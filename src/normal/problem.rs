@@ -101,8 +101,8 @@ impl NormalProblem {
 }
 
 impl NormalProblemBuilder<'_> {
-    /// Largest complementarity residual accepted, relative to the largest displacement (default
-    /// 1e-8; see [`Settings::tolerance`]).
+    /// Error accepted: certified in the energy norm, and as a residual relative to the largest
+    /// displacement (default 1e-8; see [`Settings::tolerance`]).
     pub fn tolerance(mut self, tolerance: f64) -> Self {
         self.settings.tolerance = tolerance;
         self

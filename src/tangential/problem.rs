@@ -133,8 +133,9 @@ impl TangentialProblem {
 }
 
 impl TangentialProblemBuilder<'_> {
-    /// Largest slip accepted in stick cells, relative to the largest displacement (default 1e-8;
-    /// see [`Settings::tolerance`]). No use in being tighter than the normal solution was.
+    /// Error accepted: certified in the energy norm, and as a residual relative to the largest
+    /// displacement (default 1e-8; see [`Settings::tolerance`]). No use in being tighter
+    /// than the normal solution was.
     pub fn tolerance(mut self, tolerance: f64) -> Self {
         self.settings.tolerance = tolerance;
         self

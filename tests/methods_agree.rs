@@ -1,0 +1,115 @@
+//! The two methods find the same answer, within the tolerance asked, on smooth and rough bodies.
+
+mod common;
+
+use common::{Table2, rough, unit_bodies};
+use stickslip::cgm::Method;
+use stickslip::influence::Component;
+use stickslip::{
+    Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution, Operator,
+    TangentialLoad, TangentialProblem, TangentialSolution, surface,
+};
+
+const TOLERANCE: f64 = 1e-6;
+
+fn press(bodies: &HalfSpace, gap: &Field, force: f64, method: Method) -> NormalSolution {
+    let builder = NormalProblem::builder(bodies, gap, NormalLoad::Force(force));
+    builder
+        .tolerance(TOLERANCE)
+        .method(method)
+        .build()
+        .unwrap()
+        .solve()
+        .unwrap()
+}
+
+fn shear(
+    bodies: &HalfSpace,
+    normal: &NormalSolution,
+    f: f64,
+    method: Method,
+) -> TangentialSolution {
+    let load = TangentialLoad::Force([f * 0.5 * normal.force(), 0.0]);
+    let friction = Friction::coulomb(0.5).unwrap();
+    let builder = TangentialProblem::builder(bodies, normal, friction, load);
+    builder
+        .tolerance(TOLERANCE)
+        .method(method)
+        .build()
+        .unwrap()
+        .solve()
+        .unwrap()
+}
+
+/// `|a - b|_C / |b|_C` by the operator of a component.
+fn energy_difference(bodies: &HalfSpace, component: Component, a: &Field, b: &Field) -> f64 {
+    let operator = bodies.operator(component).unwrap();
+    let mut workspace = operator.workspace();
+    let mut norm = |v: &[f64]| {
+        let mut product = vec![0.0; v.len()];
+        operator.apply(v, &mut product, &mut workspace);
+        v.iter()
+            .zip(&product)
+            .map(|(v, u)| v * u)
+            .sum::<f64>()
+            .sqrt()
+    };
+    let difference: Vec<f64> = a
+        .as_slice()
+        .iter()
+        .zip(b.as_slice())
+        .map(|(a, b)| a - b)
+        .collect();
+    norm(&difference) / norm(b.as_slice())
+}
+
+fn assert_agreement(bodies: &HalfSpace, gap: &Field, force: f64) {
+    let [normal, single] =
+        [Method::ActiveSet, Method::PolonskyKeer].map(|method| press(bodies, gap, force, method));
+    let difference = energy_difference(bodies, Component::ZZ, single.pressure(), normal.pressure());
+    assert!(difference <= TOLERANCE, "pressure: {difference:e}");
+    assert!((single.approach() / normal.approach() - 1.0).abs() <= TOLERANCE);
+    for f in [0.1, 0.4, 0.9] {
+        let [sets, single] = [Method::ActiveSet, Method::PolonskyKeer]
+            .map(|method| shear(bodies, &normal, f, method));
+        let (a, b) = (single.traction()[0], sets.traction()[0]);
+        let difference = energy_difference(bodies, Component::XX, a, b);
+        assert!(difference <= TOLERANCE, "traction at {f}: {difference:e}");
+        assert!((single.shift()[0] / sets.shift()[0] - 1.0).abs() <= TOLERANCE);
+    }
+}
+
+#[test]
+fn on_the_sphere_of_table_2_within_their_cost() {
+    let grid = Grid::square(512, 3.0 * Table2::CONTACT_RADIUS).unwrap();
+    let bodies = HalfSpace::new(grid, Table2::pair()).unwrap();
+    let ball = surface::sphere(grid, Table2::RADIUS).unwrap();
+    assert_agreement(&bodies, &ball, Table2::FORCE);
+    let normal = press(&bodies, &ball, Table2::FORCE, Method::ActiveSet);
+    let costs = |method| {
+        [
+            press(&bodies, &ball, Table2::FORCE, method)
+                .report()
+                .convolutions,
+            shear(&bodies, &normal, 0.4, method).report().convolutions,
+        ]
+    };
+    let [sets, single] = [costs(Method::ActiveSet), costs(Method::PolonskyKeer)];
+    assert!(
+        sets.iter().all(|&count| count <= 40),
+        "active sets: {sets:?} products"
+    );
+    assert!(
+        single.iter().all(|&count| count <= 250),
+        "single loop: {single:?} products"
+    );
+}
+
+#[test]
+fn on_rough_surfaces_from_few_spots_to_nearly_closed() {
+    let grid = Grid::square(128, 100.0).unwrap();
+    let bodies = unit_bodies(grid, 0.4);
+    for (seed, force) in [(1, 0.5), (2, 20.0), (3, 300.0)] {
+        assert_agreement(&bodies, &rough(grid, seed), force);
+    }
+}

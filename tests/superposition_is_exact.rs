@@ -1,0 +1,89 @@
+//! With proportional compliances, partial slip is the difference of two normal contacts: on any
+//! surface, cell by cell.
+
+mod common;
+
+use common::{max_abs, max_difference, rough, unit_bodies};
+use stickslip::tangential::JaegerSuperposition;
+use stickslip::{
+    Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution, TangentialLoad,
+    TangentialProblem, TangentialSolution,
+};
+
+const FRICTION: f64 = 0.4;
+const TOLERANCE: f64 = 1e-13;
+
+fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
+    NormalProblem::builder(bodies, gap, NormalLoad::Force(force))
+        .tolerance(TOLERANCE)
+        .build()
+        .unwrap()
+        .solve()
+        .unwrap()
+}
+
+fn shear(bodies: &HalfSpace, normal: &NormalSolution, force: [f64; 2]) -> TangentialSolution {
+    let friction = Friction::coulomb(FRICTION).unwrap();
+    TangentialProblem::builder(bodies, normal, friction, TangentialLoad::Force(force))
+        .tolerance(TOLERANCE)
+        .build()
+        .unwrap()
+        .solve()
+        .unwrap()
+}
+
+#[test]
+fn at_poisson_ratio_zero_on_a_rough_surface() {
+    let grid = Grid::square(128, 100.0).unwrap();
+    let gap = rough(grid, 11);
+    let bodies = unit_bodies(grid, 0.0);
+    let load = 20.0;
+    let full = press(&bodies, &gap, load);
+    // A contact of many spots, neither a few cells nor closed.
+    let fraction = full.contact_cells() as f64 / grid.cells() as f64;
+    assert!((0.02..0.2).contains(&fraction), "{fraction}");
+    for f in [0.1, 0.5, 0.9, 0.999] {
+        let stick = press(&bodies, &gap, load * (1.0 - f));
+        let exact = JaegerSuperposition::new(&full, &stick, bodies.pair(), FRICTION).unwrap();
+        for (axis, force) in [[1.0, 0.0], [0.0, -1.0]].into_iter().enumerate() {
+            let sign = force[axis];
+            let found = shear(&bodies, &full, force.map(|unit| unit * FRICTION * load * f));
+            let expected: Vec<f64> = exact
+                .traction()
+                .as_slice()
+                .iter()
+                .map(|q| sign * q)
+                .collect();
+            let traction = found.traction()[axis].as_slice();
+            let error = max_difference(traction, &expected) / max_abs(&expected);
+            assert!(error <= 1e-9, "F/(mu W) = {f}, axis {axis}: {error:e}");
+            assert_eq!(found.zones(), exact.zones(), "F/(mu W) = {f}, axis {axis}");
+            let shift_error = (sign * found.shift()[axis] / exact.shift() - 1.0).abs();
+            assert!(
+                shift_error < 1e-10,
+                "F/(mu W) = {f}, axis {axis}: {shift_error:e}"
+            );
+            assert_eq!(max_abs(found.traction()[1 - axis].as_slice()), 0.0);
+        }
+    }
+}
+
+/// For other ratios it is an approximation, of the size theory says: it must be near, and it must
+/// not be exact, or the tangential compliance would be the normal one.
+#[test]
+fn at_other_poisson_ratios_it_is_near() {
+    let grid = Grid::square(96, 100.0).unwrap();
+    let gap = rough(grid, 12);
+    let (load, f) = (20.0, 0.4);
+    for (nu, least, most) in [(0.29, 5e-3, 0.07), (0.5, 1e-2, 0.14)] {
+        let bodies = unit_bodies(grid, nu);
+        let full = press(&bodies, &gap, load);
+        let stick = press(&bodies, &gap, load * (1.0 - f));
+        let near = JaegerSuperposition::new(&full, &stick, bodies.pair(), FRICTION).unwrap();
+        let found = shear(&bodies, &full, [FRICTION * load * f, 0.0]);
+        let error =
+            common::l2_difference(near.traction().as_slice(), found.traction()[0].as_slice());
+        assert!((least..most).contains(&error), "nu = {nu}: {error}");
+        assert!((near.shift() / found.shift()[0] - 1.0).abs() < 0.03);
+    }
+}
