@@ -1,4 +1,5 @@
-//! Normal and stick-slip contact of elastic half-spaces.
+#![doc = include_str!("../README.md")]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 pub mod analytical;
 pub mod cgm;

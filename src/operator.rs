@@ -54,25 +54,33 @@ pub trait Operator: Sync {
     }
 }
 
-impl<T: Operator + Send> Operator for std::sync::Arc<T> {
-    type Workspace = T::Workspace;
+/// A pointer to an operator is one.
+macro_rules! operator_behind {
+    ($pointer:ty, $($bound:tt)+) => {
+        impl<T: $($bound)+> Operator for $pointer {
+            type Workspace = T::Workspace;
 
-    fn len(&self) -> usize {
-        (**self).len()
-    }
+            fn len(&self) -> usize {
+                (**self).len()
+            }
 
-    fn workspace(&self) -> T::Workspace {
-        (**self).workspace()
-    }
+            fn workspace(&self) -> T::Workspace {
+                (**self).workspace()
+            }
 
-    fn apply(&self, x: &[f64], out: &mut [f64], workspace: &mut T::Workspace) {
-        (**self).apply(x, out, workspace);
-    }
+            fn apply(&self, x: &[f64], out: &mut [f64], workspace: &mut T::Workspace) {
+                (**self).apply(x, out, workspace);
+            }
 
-    fn lower_bound(&self) -> f64 {
-        (**self).lower_bound()
-    }
+            fn lower_bound(&self) -> f64 {
+                (**self).lower_bound()
+            }
+        }
+    };
 }
+
+operator_behind!(&T, Operator);
+operator_behind!(std::sync::Arc<T>, Operator + Send);
 
 /// The identity: as a preconditioner it changes nothing.
 #[derive(Debug, Clone, Copy)]

@@ -34,11 +34,11 @@ impl fmt::Display for Status {
     }
 }
 
-/// One step of an iteration, as an observer sees it.
+/// One step of an iteration, as an observer sees it: first the start, then every step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Iteration {
-    /// Steps done so far: outer steps of the active-set method, single steps of Polonsky-Keer.
+    /// Conjugate-gradient steps done so far; zero before the first.
     pub iteration: usize,
     /// Products with the operator so far.
     pub convolutions: usize,
@@ -52,12 +52,12 @@ pub struct Iteration {
 ///
 /// Every number is recomputed from a fresh product with the returned iterate,
 /// whatever the status.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Report {
     /// Why the iteration ended.
     pub status: Status,
-    /// Outer steps (active set) or steps (Polonsky-Keer).
+    /// Conjugate-gradient steps.
     pub iterations: usize,
     /// Products with the operator, the final check included.
     pub convolutions: usize,
@@ -73,7 +73,8 @@ pub struct Report {
     pub load_error: f64,
     /// Wall time of the solve.
     pub time: Duration,
-    /// Every step, in order.
+    /// Every iterate whose residual was measured, in order: the start, then one entry per outer step
+    /// (active set) or per step (Polonsky-Keer).
     pub history: Vec<Iteration>,
 }
 
@@ -102,6 +103,13 @@ impl Report {
     #[must_use]
     pub fn energy_error_bound(&self) -> f64 {
         self.certified_gap.sqrt()
+    }
+}
+
+/// One line, without the history: an error that carries a report prints this.
+impl fmt::Debug for Report {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "Report({self})")
     }
 }
 

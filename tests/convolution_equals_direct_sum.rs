@@ -1,4 +1,5 @@
 //! The fast product equals the direct sum, for all nine components on any grid.
+#![cfg(feature = "dense")]
 
 mod common;
 

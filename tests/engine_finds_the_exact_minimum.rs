@@ -1,4 +1,5 @@
 //! Both methods find the exact minimum of small scenes, and the certificate never lies about it.
+#![cfg(feature = "dense")]
 
 mod common;
 

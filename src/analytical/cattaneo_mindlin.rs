@@ -107,6 +107,13 @@ impl CattaneoMindlin {
         self.gross_shift * self.slip.shift_fraction()
     }
 
+    /// Shift at which the whole contact begins to slide, $`\delta_0`$ (a length, positive): the
+    /// [`shift`](Self::shift) under $`\mu W`$.
+    #[must_use]
+    pub fn sliding_shift(&self) -> f64 {
+        self.gross_shift
+    }
+
     /// Traction $`q`$ on body 1 along x (a pressure, of the sign of the force) at the distance
     /// $`r`$ from the centre; zero outside the contact. The paper's equation 31.
     ///
@@ -288,6 +295,13 @@ impl CattaneoMindlinEllipse {
     #[must_use]
     pub fn shift(&self) -> f64 {
         self.gross_shift * self.slip.shift_fraction()
+    }
+
+    /// Shift at which the whole contact begins to slide, $`\delta_0`$ (a length, positive): the
+    /// [`shift`](Self::shift) under $`\mu W`$.
+    #[must_use]
+    pub fn sliding_shift(&self) -> f64 {
+        self.gross_shift
     }
 
     /// Traction $`q`$ on body 1 along x (a pressure, of the sign of the force); zero outside the

@@ -82,6 +82,12 @@ impl HertzSphere {
         self.contact_radius
     }
 
+    /// Area of the contact circle $`\pi a^2`$ (a length squared).
+    #[must_use]
+    pub fn contact_area(&self) -> f64 {
+        PI * self.contact_radius * self.contact_radius
+    }
+
     /// Pressure at the centre $`p_0 = 3W/2\pi a^2`$. Johnson (1985), 4.24.
     #[must_use]
     pub fn max_pressure(&self) -> f64 {

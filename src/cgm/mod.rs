@@ -94,6 +94,12 @@ impl<'a, C: Operator, K: Constraint, P: Operator> Problem<'a, C, K, P> {
         }
     }
 
+    /// Buffers for solving this problem and all of its size.
+    #[must_use]
+    pub fn workspace(&self) -> Workspace<C, P> {
+        Workspace::new(&self.operator, &self.preconditioner)
+    }
+
     fn check(&self, x: &[f64]) -> Result<()> {
         let len = self.operator.len();
         length("preconditioner", len, self.preconditioner.len())?;
@@ -195,7 +201,7 @@ pub fn minimise<C: Operator, K: Constraint, P: Operator>(
     settings: &Settings,
     x: &mut [f64],
 ) -> Result<Minimum> {
-    let mut workspace = Workspace::new(&problem.operator, &problem.preconditioner);
+    let mut workspace = problem.workspace();
     minimise_with(problem, settings, x, &mut workspace, &mut |_| {
         ControlFlow::Continue(())
     })?;
@@ -227,6 +233,7 @@ pub fn minimise_with<C: Operator, K: Constraint, P: Operator>(
     };
     let mut run = Run::new(problem, settings, x, workspace, observer);
     let status = match reach {
+        _ if run.is_zero_the_minimum() => run.at_zero(),
         Some(balance::Reach::AtLower) => run.at_extreme(State::Lower),
         Some(balance::Reach::AtUpper) => run.at_extreme(State::Upper),
         Some(balance::Reach::Inside) | None => iterate(&mut run),

@@ -193,6 +193,21 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
         }
     }
 
+    /// Whether nothing drives the unknowns from an allowed zero. An iteration towards zero would
+    /// have no size left to measure its residual by.
+    pub(super) fn is_zero_the_minimum(&self) -> bool {
+        let (linear, constraint) = (self.problem.linear, &self.problem.constraint);
+        let allows_zero = |i| constraint.project(i, 0.0) == 0.0;
+        self.problem.total.is_none_or(|total| total == 0.0)
+            && (0..self.len()).all(|i| linear[i] == 0.0 && allows_zero(i))
+    }
+
+    pub(super) fn at_zero(&mut self) -> Status {
+        self.x.fill(0.0);
+        self.refresh();
+        Status::Converged
+    }
+
     /// The only feasible point when the total is the least or the greatest the bounds allow; the
     /// multiplier is the one at which the first entry would move.
     pub(super) fn at_extreme(&mut self, side: State) -> Status {

@@ -2,6 +2,7 @@
 
 use crate::contact_map::{ContactMap, Warning};
 use crate::field::Field;
+use crate::grid::Grid;
 use crate::report::Report;
 
 /// Pressure, gap and approach of a normal contact.
@@ -39,6 +40,12 @@ impl NormalSolution {
         }
         self.approach = approach;
         self.report.clone_from(report);
+    }
+
+    /// The grid of all its fields.
+    #[must_use]
+    pub fn grid(&self) -> Grid {
+        self.pressure.grid()
     }
 
     /// Pressure p >= 0, positive pushing into the bodies; exactly zero outside the contact.

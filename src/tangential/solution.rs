@@ -70,7 +70,9 @@ impl TangentialSolution {
         }
     }
 
-    pub(super) fn grid(&self) -> Grid {
+    /// The grid of all its fields.
+    #[must_use]
+    pub fn grid(&self) -> Grid {
         self.traction[0].grid()
     }
 
@@ -153,7 +155,8 @@ impl TangentialSolution {
             .zip(slip.as_slice())
             .map(|(q, s)| q * s)
             .sum();
-        -work * self.grid().cell_area()
+        // Not the negative of it: full stick dissipates 0, not -0.
+        0.0 - work * self.grid().cell_area()
     }
 
     /// How the solve ended, what it cost, how large its error can be.

@@ -108,6 +108,12 @@ impl TangentialSolver {
         Ok(())
     }
 
+    /// Largest tangential force friction holds: the integral of the friction limit.
+    #[must_use]
+    pub fn sliding_force(&self) -> f64 {
+        self.problem.sliding_force()
+    }
+
     /// Forgets the last answer: the next solve starts as the first did.
     pub fn reset(&mut self) {
         self.is_warm = false;

@@ -1,0 +1,100 @@
+//! The engine on a matrix of one's own: a rounded stamp on nine coupled springs.
+
+#![allow(clippy::print_stdout, reason = "an example shows its numbers")]
+
+use std::error::Error;
+use std::ops::ControlFlow;
+
+use stickslip::cgm::{self, Method, NonNegative, Problem, Settings};
+use stickslip::{Operator, Status};
+
+const SPRINGS: usize = 9;
+
+/// A row of springs: each yields by `own` under its own unit force and by `neighbour` under a unit
+/// force on the spring beside it. The matrix is tridiagonal.
+#[derive(Debug, Clone, Copy)]
+struct SpringRow {
+    own: f64,
+    neighbour: f64,
+}
+
+impl Operator for SpringRow {
+    type Workspace = ();
+
+    fn len(&self) -> usize {
+        SPRINGS
+    }
+
+    fn workspace(&self) {}
+
+    fn apply(&self, force: &[f64], yielding: &mut [f64], (): &mut ()) {
+        for i in 0..SPRINGS {
+            let left = if i > 0 { force[i - 1] } else { 0.0 };
+            let right = force.get(i + 1).copied().unwrap_or(0.0);
+            yielding[i] = self.own * force[i] + self.neighbour * (left + right);
+        }
+    }
+
+    /// Gershgorin: no eigenvalue is farther from the diagonal than the rest of its row adds up to.
+    /// With this bound a small residual becomes a small certified error.
+    fn lower_bound(&self) -> f64 {
+        self.own - 2.0 * self.neighbour.abs()
+    }
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let springs = SpringRow {
+        own: 1.0,
+        neighbour: 0.3,
+    };
+    // The gap below the stamp before it is pressed: a parabola about the middle spring.
+    let gap: Vec<f64> = (0..SPRINGS)
+        .map(|i| 0.25 * (i as f64 - 4.0).powi(2))
+        .collect();
+    let load = 5.0;
+    let problem = Problem::new(springs, &gap, NonNegative).total(load);
+
+    for method in [Method::ActiveSet, Method::PolonskyKeer] {
+        let settings = Settings::default().tolerance(1e-12).method(method);
+        let mut force = [load / SPRINGS as f64; SPRINGS];
+        let minimum = cgm::minimise(&problem, &settings, &mut force)?;
+        println!("{method:?}: {}", minimum.report);
+        println!("  approach of the stamp {:.9}", minimum.multiplier);
+        println!("  spring   force        gap under load");
+
+        // Contact by hand: nothing pulls, nothing overlaps, and where there is force the gap is closed.
+        let mut yielding = [0.0; SPRINGS];
+        springs.apply(&force, &mut yielding, &mut ());
+        for i in 0..SPRINGS {
+            let open = yielding[i] + gap[i] - minimum.multiplier;
+            println!("  {i:>6}   {:.9}  {open:>12.2e}", force[i]);
+            assert!(force[i] >= 0.0 && open > -1e-11 && (force[i] * open).abs() < 1e-11);
+        }
+        assert!((force.iter().sum::<f64>() - load).abs() < 1e-12);
+    }
+
+    // An observer sees the start and every step, and may stop the work: here at the third step.
+    let mut force = [load / SPRINGS as f64; SPRINGS];
+    let mut workspace = problem.workspace();
+    let settings = Settings::default().method(Method::PolonskyKeer);
+    let mut watch = |step: &stickslip::Iteration| {
+        println!(
+            "step {}: residual {:.1e}, {} springs with force",
+            step.iteration, step.residual, step.free
+        );
+        if step.iteration < 3 {
+            ControlFlow::Continue(())
+        } else {
+            ControlFlow::Break(())
+        }
+    };
+    let outcome = cgm::minimise_with(&problem, &settings, &mut force, &mut workspace, &mut watch);
+    match outcome {
+        Err(stickslip::Error::NotConverged(report)) if report.status == Status::Cancelled => {
+            println!("{report}");
+            println!("forces so far, which already carry the load: {force:.3?}");
+        }
+        other => other?,
+    }
+    Ok(())
+}

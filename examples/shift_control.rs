@@ -1,0 +1,117 @@
+//! The ball under prescribed approach and shift: the forces that come out, up to gross sliding.
+
+#![allow(clippy::print_stdout, reason = "an example shows its numbers")]
+
+mod support;
+
+use std::error::Error;
+
+use plotters::prelude::SeriesLabelPosition;
+use stickslip::analytical::{CattaneoMindlin, HertzSphere};
+use stickslip::{
+    ElasticPair, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem, TangentialLoad,
+    TangentialProblem, surface,
+};
+
+// SI units: metres, newtons, pascals.
+const BALL_RADIUS: f64 = 3.5e-3;
+const NORMAL_FORCE: f64 = 100.0;
+const TANGENTIAL_FORCE: f64 = 20.0;
+const FRICTION: f64 = 0.5;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let steel = Material::new(213e9, 0.29)?;
+    let pair = ElasticPair::new(steel, steel)?;
+    let hertz = HertzSphere::new(&pair, BALL_RADIUS, NORMAL_FORCE)?;
+    let sliding_force = FRICTION * NORMAL_FORCE;
+    let sliding_shift = CattaneoMindlin::new(hertz, FRICTION, sliding_force)?.sliding_shift();
+
+    // Press to the approach that Hertz gives for 100 N.
+    let grid = Grid::square(256, 3.0 * hertz.contact_radius())?;
+    let bodies = HalfSpace::new(grid, pair)?;
+    let ball = surface::sphere(grid, BALL_RADIUS)?;
+    let load = NormalLoad::Approach(hertz.approach());
+    let normal = NormalProblem::builder(&bodies, &ball, load)
+        .build()?
+        .solve()?;
+    println!(
+        "approach {:.4} um: normal force {:.4} N, closed form {NORMAL_FORCE} N\n",
+        normal.approach() * 1e6,
+        normal.force(),
+    );
+
+    // The solver keeps its buffers and its last answer, the start of the next.
+    let friction = Friction::coulomb(FRICTION)?;
+    let load = TangentialLoad::Shift([0.0, 0.0]);
+    let mut solver = TangentialProblem::builder(&bodies, &normal, friction, load)
+        .build()?
+        .into_solver()?;
+    let mut shear = solver.new_solution();
+
+    // In fractions of the shift and the force at which the whole contact slides, the closed forms
+    // are F = 1 - (1 - shift)^(3/2) and stick ratio = 1 - shift, until nothing sticks.
+    let exact_force = |shift: f64| 1.0 - (1.0 - shift).max(0.0).powf(1.5);
+    let exact_stick = |shift: f64| (1.0 - shift).max(0.0);
+    println!("           |         force / (mu W)  |            stick ratio");
+    println!("shift, rel |  computed | closed form |  computed | closed form | iterations");
+    let mut forces = Vec::new();
+    let mut stick_ratios = Vec::new();
+    for step in 0..=13 {
+        let fraction = f64::from(step) / 10.0;
+        solver.set_load(TangentialLoad::Shift([fraction * sliding_shift, 0.0]))?;
+        solver.solve_into(&mut shear)?;
+        let force = shear.force()[0] / sliding_force;
+        println!(
+            "{fraction:>10.1} | {force:>9.6} | {:>11.6} | {:>9.5} | {:>11.5} | {:>10}{}",
+            exact_force(fraction),
+            shear.stick_ratio(),
+            exact_stick(fraction),
+            shear.report().iterations,
+            if shear.is_gross_sliding() {
+                "  gross sliding"
+            } else {
+                ""
+            },
+        );
+        forces.push((fraction, force));
+        stick_ratios.push((fraction, shear.stick_ratio()));
+    }
+
+    // Back to the shift that Cattaneo and Mindlin give for 20 N; each solve is a first loading.
+    let exact = CattaneoMindlin::new(hertz, FRICTION, TANGENTIAL_FORCE)?;
+    solver.set_load(TangentialLoad::Shift([exact.shift(), 0.0]))?;
+    solver.solve_into(&mut shear)?;
+    println!(
+        "\nshift {:.4} um: tangential force {:.4} N, closed form {TANGENTIAL_FORCE} N",
+        shear.shift()[0] * 1e6,
+        shear.force()[0],
+    );
+
+    let path = support::gallery("shift_control.svg")?;
+    let title = "Steel ball on steel under a prescribed shift";
+    let figure = support::figure(&path, (1240, 960), title)?;
+    let mut chart = support::axes(
+        &figure,
+        (0.0..1.35, "shift / shift at gross sliding"),
+        (0.0..1.1, "F / μW  and  stick ratio"),
+    )?;
+    let line = |f: &dyn Fn(f64) -> f64| -> Vec<(f64, f64)> {
+        (0..=27)
+            .map(|i| f64::from(i) / 20.0)
+            .map(|shift| (shift, f(shift)))
+            .collect()
+    };
+    let (blue, orange) = (support::BLUE, support::ORANGE);
+    support::compare(&mut chart, "force", blue, line(&exact_force), forces)?;
+    support::compare(
+        &mut chart,
+        "stick ratio",
+        orange,
+        line(&exact_stick),
+        stick_ratios,
+    )?;
+    support::legend(&mut chart, SeriesLabelPosition::MiddleRight)?;
+    figure.present()?;
+    println!("\nfigure: {}", path.display());
+    Ok(())
+}
