@@ -5,7 +5,7 @@
 mod support;
 
 use std::error::Error;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};

@@ -5,7 +5,7 @@ use crate::grid::Grid;
 
 /// One number per cell of a [`Grid`], row-major with x fastest.
 ///
-/// The memory is that of a C-ordered `NumPy` array of shape `(ny, nx)`: sample `(ix, iy)` stands
+/// The memory is that of a C-ordered NumPy array of shape `(ny, nx)`: sample `(ix, iy)` stands
 /// at index `iy * nx + ix`. The unit is that of the quantity sampled.
 ///
 /// ```

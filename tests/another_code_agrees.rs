@@ -1,5 +1,13 @@
 //! The discrete answers of CONTACT, a code of other authors on the same elements.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::float_cmp,
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    reason = "a test fails loudly, compares exact results, and counts small things"
+)]
+
 mod common;
 
 use stickslip::{ElasticPair, Field, Grid, HalfSpace, Material, NormalLoad, NormalProblem};

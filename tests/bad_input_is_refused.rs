@@ -1,5 +1,13 @@
 //! Every error is a value that names what was wrong, before any work; nothing panics.
+
 #![cfg(feature = "dense")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::float_cmp,
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    reason = "a test fails loudly, compares exact results, and counts small things"
+)]
 
 mod common;
 
@@ -211,9 +219,8 @@ fn a_refused_change_leaves_the_solver_as_it_was() {
 }
 
 #[test]
-fn friction_and_tangential_problems() {
+fn friction() {
     let bodies = bodies();
-    let normal = pressed(&bodies);
     for value in NEGATIVE {
         assert!(
             matches!(Friction::coulomb(value), Err(Error::Negative { value: v, .. }) if same(v, value))
@@ -228,6 +235,13 @@ fn friction_and_tangential_problems() {
         let error = friction.clone().shear_cap(value).err();
         assert!(matches!(error, Some(Error::NotPositive { value: v, .. }) if same(v, value)));
     }
+}
+
+#[test]
+fn tangential_loads() {
+    let bodies = bodies();
+    let normal = pressed(&bodies);
+    let friction = Friction::coulomb(0.5).unwrap();
     let build = |load| {
         TangentialProblem::builder(&bodies, &normal, friction.clone(), load)
             .build()
@@ -262,7 +276,13 @@ fn friction_and_tangential_problems() {
     .build()
     .err();
     assert_eq!(error, Some(Error::Tolerance(2.0)));
+}
 
+#[test]
+fn what_a_tangential_problem_stands_on() {
+    let bodies = bodies();
+    let normal = pressed(&bodies);
+    let friction = Friction::coulomb(0.5).unwrap();
     let other = unit_bodies(Grid::new(8, 6, 1.0, 1.1).unwrap(), 0.3);
     let error = TangentialProblem::builder(
         &other,
@@ -333,7 +353,7 @@ fn friction_and_tangential_problems() {
 }
 
 #[test]
-fn engine_and_matrices() {
+fn engine() {
     let solve = |linear: &[f64], x: &mut [f64]| {
         cgm::minimise(
             &Problem::new(Identity::new(2), linear, NonNegative),
@@ -412,7 +432,10 @@ fn engine_and_matrices() {
         Err(Error::Length { .. })
     ));
     assert_eq!(x, [1.0, 2.0], "refused before any work");
+}
 
+#[test]
+fn matrices() {
     assert!(matches!(
         DenseOperator::from_rows(2, vec![0.0; 3]),
         Err(Error::Length { .. })

@@ -1,5 +1,13 @@
 //! The fast product equals the direct sum, for all nine components on any grid.
+
 #![cfg(feature = "dense")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::float_cmp,
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    reason = "a test fails loudly, compares exact results, and counts small things"
+)]
 
 mod common;
 

@@ -1,5 +1,13 @@
 //! Prescribing the displacement that a force caused gives the force back, and the same fields.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::float_cmp,
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    reason = "a test fails loudly, compares exact results, and counts small things"
+)]
+
 mod common;
 
 use common::{l2_difference, rough, unit_bodies};

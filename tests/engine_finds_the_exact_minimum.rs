@@ -1,5 +1,13 @@
 //! Both methods find the exact minimum of small scenes, and the certificate never lies about it.
+
 #![cfg(feature = "dense")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::float_cmp,
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    reason = "a test fails loudly, compares exact results, and counts small things"
+)]
 
 mod common;
 

@@ -1,5 +1,13 @@
 //! The nine influence coefficients equal their 40-digit values, near and far.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::float_cmp,
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    reason = "a test fails loudly, compares exact results, and counts small things"
+)]
+
 use approx::assert_relative_eq;
 use proptest::prelude::*;
 use stickslip::influence::{Component, Rectangle, Table, Tensor};

@@ -1,5 +1,13 @@
 //! Laws every contact keeps, on random small scenes.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::float_cmp,
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    reason = "a test fails loudly, compares exact results, and counts small things"
+)]
+
 mod common;
 
 use common::{Random, l2_difference, max_abs, max_difference};

@@ -1,5 +1,13 @@
 //! The two methods find the same answer, within the tolerance asked, on smooth and rough bodies.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::float_cmp,
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    reason = "a test fails loudly, compares exact results, and counts small things"
+)]
+
 mod common;
 
 use common::{Table2, rough, unit_bodies};

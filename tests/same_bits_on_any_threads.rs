@@ -1,5 +1,13 @@
 //! The same bits on any number of threads.
+
 #![cfg(feature = "parallel")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::float_cmp,
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    reason = "a test fails loudly, compares exact results, and counts small things"
+)]
 
 mod common;
 

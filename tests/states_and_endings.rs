@@ -1,5 +1,13 @@
 //! Special states of a contact, and the ways a solve can end.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::float_cmp,
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    reason = "a test fails loudly, compares exact results, and counts small things"
+)]
+
 mod common;
 
 use std::ops::ControlFlow;

@@ -1,6 +1,14 @@
 //! With proportional compliances, partial slip is the difference of two normal contacts: on any
 //! surface, cell by cell.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::float_cmp,
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    reason = "a test fails loudly, compares exact results, and counts small things"
+)]
+
 mod common;
 
 use common::{max_abs, max_difference, rough, unit_bodies};

@@ -96,9 +96,9 @@ impl Table2 {
     pub(crate) const RADIUS: f64 = 3.5e-3;
     pub(crate) const FORCE: f64 = 100.0;
     pub(crate) const FRICTION: f64 = 0.5;
-    pub(crate) const CONTACT_RADIUS: f64 = 1.3118250497932507438e-4;
-    pub(crate) const MAX_PRESSURE: f64 = 2.7745307793537220908e9;
-    pub(crate) const APPROACH: f64 = 4.9168141750430422666e-6;
+    pub(crate) const CONTACT_RADIUS: f64 = 1.311825049793251e-4;
+    pub(crate) const MAX_PRESSURE: f64 = 2.774530779353722e9;
+    pub(crate) const APPROACH: f64 = 4.916814175043042e-6;
 
     pub(crate) fn pair() -> ElasticPair {
         let steel = Material::new(213e9, 0.29).unwrap();
