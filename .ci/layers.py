@@ -19,17 +19,21 @@ ALLOWED = {
     # L1: operators, kernels, transforms, closed forms, shapes; no physics of contact
     "operator": set(),
     "contact_map": {"grid"},
+    "window": {"error", "grid"},
     "influence": FOUNDATION,
     "fft": FOUNDATION | {"operator", "influence"},
     "analytical": {"error", "material", "grid", "field"},
     "surface": {"error", "grid", "field"},
     # L2: the engine, and what it works on
-    "half_space": FOUNDATION | {"operator", "influence", "fft"},
+    "half_space": FOUNDATION | {"operator", "influence", "fft", "window"},
     "cgm": {"error", "report", "parallel", "operator"},
+    "stage": FOUNDATION | {"operator", "influence", "fft", "half_space", "cgm", "window"},
     "dense": FOUNDATION | {"operator", "influence", "half_space", "cgm"},
     # L3: the two problems
-    "normal": FOUNDATION | {"influence", "fft", "half_space", "cgm", "contact_map"},
-    "tangential": FOUNDATION | {"influence", "fft", "half_space", "cgm", "contact_map", "normal"},
+    "normal": FOUNDATION
+    | {"operator", "influence", "fft", "half_space", "cgm", "contact_map", "window", "stage"},
+    "tangential": FOUNDATION
+    | {"influence", "half_space", "cgm", "contact_map", "window", "stage", "normal"},
 }
 # The tangential problem reads the normal solution, never how it was found.
 ITEMS = {("tangential", "normal"): {"NormalSolution"}}

@@ -8,6 +8,7 @@ use crate::grid::Grid;
 use crate::influence::{Component, Table};
 use crate::material::ElasticPair;
 use crate::operator::Operator;
+use crate::window::halved;
 
 /// A pair of half-spaces on a grid, with the operators of the components in use.
 ///
@@ -31,6 +32,8 @@ struct Shared {
     grid: Grid,
     pair: ElasticPair,
     kernels: [OnceLock<Kernel>; Component::ALL.len()],
+    /// The same bodies on cells twice as large.
+    coarser: OnceLock<HalfSpace>,
 }
 
 /// One component: its samples, and what was made of them for the whole grid.
@@ -66,6 +69,7 @@ impl HalfSpace {
                 grid,
                 pair,
                 kernels: Default::default(),
+                coarser: OnceLock::new(),
             }),
         })
     }
@@ -140,6 +144,20 @@ impl HalfSpace {
         })
     }
 
+    /// The same bodies on cells of twice the sides, the grid as large or a fine cell larger.
+    pub(crate) fn coarser(&self) -> Result<&Self> {
+        let Shared {
+            grid,
+            pair,
+            coarser,
+            ..
+        } = &*self.shared;
+        get_or_make(coarser, || {
+            let [nx, ny] = halved(self.size());
+            Self::new(Grid::new(nx, ny, 2.0 * grid.dx(), 2.0 * grid.dy())?, *pair)
+        })
+    }
+
     fn size(&self) -> [usize; 2] {
         [self.shared.grid.nx(), self.shared.grid.ny()]
     }
@@ -149,6 +167,7 @@ impl HalfSpace {
             grid,
             pair,
             kernels,
+            ..
         } = &*self.shared;
         get_or_make(&kernels[component as usize], || {
             Ok(Kernel {

@@ -17,8 +17,10 @@ pub mod normal;
 mod operator;
 mod parallel;
 mod report;
+mod stage;
 pub mod surface;
 pub mod tangential;
+mod window;
 
 pub use contact_map::Warning;
 pub use error::{Error, Result};

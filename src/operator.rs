@@ -45,6 +45,12 @@ pub trait Operator: Sync {
     /// Writes `C x` to `out`. Both slices have [`Operator::len`] entries.
     fn apply(&self, x: &[f64], out: &mut [f64], workspace: &mut Self::Workspace);
 
+    /// Writes about `C x` to `out`, with an error of at most some 1e-6 of the largest result: what
+    /// an iteration needs between exact products. The default is [`Operator::apply`].
+    fn apply_roughly(&self, x: &[f64], out: &mut [f64], workspace: &mut Self::Workspace) {
+        self.apply(x, out, workspace);
+    }
+
     /// A known lower bound of the smallest eigenvalue, `x' C x >= bound * x' x`.
     ///
     /// It turns a residual into a certified error. The default, zero, says that nothing is
@@ -70,6 +76,10 @@ macro_rules! operator_behind {
 
             fn apply(&self, x: &[f64], out: &mut [f64], workspace: &mut T::Workspace) {
                 (**self).apply(x, out, workspace);
+            }
+
+            fn apply_roughly(&self, x: &[f64], out: &mut [f64], workspace: &mut T::Workspace) {
+                (**self).apply_roughly(x, out, workspace);
             }
 
             fn lower_bound(&self) -> f64 {

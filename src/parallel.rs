@@ -19,6 +19,12 @@ fn join<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + 
     (a(), b())
 }
 
+/// Runs work inside the caller's pool, where cutting it further costs next to nothing; from outside
+/// each cut would wake a thread and wait for it.
+pub(crate) fn enter<T: Send>(work: impl FnOnce() -> T + Send) -> T {
+    join(work, || ()).0
+}
+
 /// Tasks worth having at once; only for work whose result does not depend on how it is cut.
 pub(crate) fn lanes() -> usize {
     #[cfg(feature = "parallel")]
@@ -56,6 +62,29 @@ impl<T: Send> Split for Blocks<'_, T> {
         let (low, high) = self.items.split_at_mut(middle);
         let width = self.width;
         (Self { items: low, width }, Self { items: high, width })
+    }
+}
+
+/// A mutable slice of which task `t` owns the items `starts[t]..starts[t + 1]`.
+#[derive(Debug)]
+pub(crate) struct Ragged<'a, T> {
+    pub(crate) items: &'a mut [T],
+    pub(crate) starts: &'a [usize],
+}
+
+impl<T: Send> Split for Ragged<'_, T> {
+    fn split(self, tasks: usize) -> (Self, Self) {
+        let (low, high) = self.items.split_at_mut(self.starts[tasks] - self.starts[0]);
+        (
+            Self {
+                items: low,
+                starts: &self.starts[..=tasks],
+            },
+            Self {
+                items: high,
+                starts: &self.starts[tasks..],
+            },
+        )
     }
 }
 

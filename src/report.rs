@@ -40,7 +40,7 @@ impl fmt::Display for Status {
 pub struct Iteration {
     /// Conjugate-gradient steps done so far; zero before the first.
     pub iteration: usize,
-    /// Products with the operator so far.
+    /// Products with the operator in double precision so far.
     pub convolutions: usize,
     /// Largest complementarity residual, relative to the largest displacement (see [`Report::residual`]).
     pub residual: f64,
@@ -59,8 +59,10 @@ pub struct Report {
     pub status: Status,
     /// Conjugate-gradient steps.
     pub iterations: usize,
-    /// Products with the operator, the final check included.
+    /// Products with the operator in double precision, the final check included.
     pub convolutions: usize,
+    /// Products in single precision, within the iteration only.
+    pub rough_convolutions: usize,
     /// Largest complementarity residual: `|g_i|` on free entries, the wrong-signed part of
     /// `g_i` on entries at a bound, divided by the largest `|(Cx)_i|` over the entries that can
     /// move. Dimensionless.
@@ -85,6 +87,7 @@ impl Report {
             status: Status::Converged,
             iterations: 0,
             convolutions: 0,
+            rough_convolutions: 0,
             residual: 0.0,
             certified_gap: 0.0,
             load_error: 0.0,
@@ -117,10 +120,11 @@ impl fmt::Display for Report {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             formatter,
-            "{} in {} iterations, {} convolutions, {:.3} s: residual {:.1e}, energy error <= {:.1e}, load error {:.1e}",
+            "{} in {} iterations, {} + {} convolutions (double + single), {:.3} s: residual {:.1e}, energy error <= {:.1e}, load error {:.1e}",
             self.status,
             self.iterations,
             self.convolutions,
+            self.rough_convolutions,
             self.time.as_secs_f64(),
             self.residual,
             self.energy_error_bound(),

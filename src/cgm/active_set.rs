@@ -10,7 +10,7 @@
 use std::ops::ControlFlow;
 
 use crate::cgm::run::Run;
-use crate::cgm::{Constraint, State, Workspace, reduce};
+use crate::cgm::{Constraint, Inner, State, Workspace, reduce};
 use crate::operator::Operator;
 use crate::parallel::{self, Blocks, CHUNK, blocks};
 use crate::report::Status;
@@ -56,7 +56,7 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
         } else {
             (0.3 * run.settings.tolerance / merit).clamp(1e-4, INNER_REDUCTION)
         };
-        if let ControlFlow::Break(status) = solve_free(run, reduction, findings.free) {
+        if let ControlFlow::Break(status) = solve_free(run, reduction) {
             return Some(status);
         }
         changes = reclassify(run);
@@ -91,35 +91,42 @@ fn open_empty_set<C: Operator, K: Constraint, P: Operator>(run: &mut Run<'_, '_,
 
 /// `w = M e` on the free entries, and the missing total spread along it.
 fn spread_total<C: Operator, K: Constraint, P: Operator>(run: &mut Run<'_, '_, C, K, P>) {
+    run.workspace.free_set.update(&run.workspace.state);
     let Some(total) = run.problem.total else {
         return;
     };
+    precondition(run, |_| 1.0);
     let Workspace {
-        preconditioner,
-        residual,
-        spread,
-        state,
+        image,
+        inner,
+        free_set,
         ..
     } = &mut *run.workspace;
-    let state = &*state;
-    parallel::update(residual, |first, chunk| {
-        for (i, value) in (first..).zip(chunk) {
-            *value = f64::from(u8::from(state[i] == State::Free));
-        }
-    });
+    let image = &*image;
+    let [weight] = free_set.update_sums(&mut inner.spread, |_, i, _| (image[i], [image[i]]));
+    let sum = reduce::total(run.x);
+    inner.weight = weight;
+    let scale = (total - sum) / weight;
+    free_set.add(|k| scale * inner.spread[k], run.x);
+}
+
+/// `image = M v` for a vector given on the free entries.
+fn precondition<C: Operator, K: Constraint, P: Operator>(
+    run: &mut Run<'_, '_, C, K, P>,
+    vector: impl Fn(usize) -> f64 + Sync,
+) {
+    let Workspace {
+        preconditioner,
+        direction,
+        image,
+        free_set,
+        ..
+    } = &mut *run.workspace;
+    direction.fill(0.0);
+    free_set.scatter(vector, direction);
     run.problem
         .preconditioner
-        .apply(residual, spread, preconditioner);
-    mask(spread, state);
-    let x = &*run.x;
-    let [weight, sum] = reduce::sums(x.len(), |i| [spread[i], x[i]]);
-    let scale = (total - sum) / weight;
-    let spread = &*spread;
-    parallel::update(run.x, |first, chunk| {
-        for (i, value) in (first..).zip(chunk) {
-            *value += scale * spread[i];
-        }
-    });
+        .apply_roughly(direction, image, preconditioner);
 }
 
 /// The multiplier that leaves the free entries no mean residual, weighted as the total spreads.
@@ -128,10 +135,13 @@ fn set_multiplier<C: Operator, K: Constraint, P: Operator>(run: &mut Run<'_, '_,
         return;
     }
     let Workspace {
-        spread, gradient, ..
+        inner,
+        gradient,
+        free_set,
+        ..
     } = &*run.workspace;
-    let [weighted, weight] = reduce::sums(spread.len(), |i| [spread[i] * gradient[i], spread[i]]);
-    run.workspace.multiplier = weighted / weight;
+    let [weighted] = free_set.sums(|k, i| [inner.spread[k] * gradient[i]]);
+    run.workspace.multiplier = weighted / inner.weight;
 }
 
 /// Largest distance outside the bounds, relative to the largest entry.
@@ -147,60 +157,53 @@ fn bound_violation<C: Operator, K: Constraint, P: Operator>(run: &Run<'_, '_, C,
     }
 }
 
-/// Conjugate gradients on the free entries, from `r = delta - (C x + b)`.
+/// Conjugate gradients on the free entries, from `r = delta - (C x + b)`, with approximate
+/// products: what they miss the next outer step sees.
 fn solve_free<C: Operator, K: Constraint, P: Operator>(
     run: &mut Run<'_, '_, C, K, P>,
     reduction: f64,
-    free: usize,
 ) -> ControlFlow<Status> {
     let has_total = run.problem.total.is_some();
     let (mut first, mut previous) = (0.0, 0.0);
     for step in 0..INNER_LIMIT {
         let Workspace {
-            preconditioner,
-            residual,
-            correction,
-            spread,
-            state,
+            inner,
             gradient,
-            direction,
+            free_set,
             multiplier,
             ..
         } = &mut *run.workspace;
-        let (state, spread) = (&*state, &*spread);
-
         let (gradient, current) = (&*gradient, *multiplier);
-        parallel::update(residual, |first, chunk| {
-            for (i, value) in (first..).zip(chunk) {
-                *value = if state[i] == State::Free {
-                    current - gradient[i]
-                } else {
-                    0.0
-                };
-            }
-        });
-        run.problem
-            .preconditioner
-            .apply(residual, correction, preconditioner);
-        mask(correction, state);
+        std::mem::swap(&mut inner.residual, &mut inner.last_residual);
+        free_set.update_sums(&mut inner.residual, |_, i, _| (current - gradient[i], []));
+        let residual = std::mem::take(&mut inner.residual);
+        precondition(run, |k| residual[k]);
+
+        let Workspace {
+            inner,
+            image,
+            direction,
+            free_set,
+            multiplier,
+            ..
+        } = &mut *run.workspace;
+        inner.residual = residual;
+        let image = &*image;
+        let [sum] = free_set.update_sums(&mut inner.correction, |_, i, _| (image[i], [image[i]]));
         // The change of the multiplier that keeps the total.
-        let residual = &*residual;
-        let len = residual.len();
-        let change = if has_total {
-            let [sum, weight] = reduce::sums(len, |i| [correction[i], spread[i]]);
-            -sum / weight
-        } else {
-            0.0
-        };
+        let change = if has_total { -sum / inner.weight } else { 0.0 };
         *multiplier += change;
-        let correction = &*correction;
-        let z = |i: usize| correction[i] + change * if has_total { spread[i] } else { 0.0 };
-        let [product] = reduce::sums(len, |i| {
-            [if state[i] == State::Free {
-                (residual[i] + change) * z(i)
-            } else {
-                0.0
-            }]
+        let Inner {
+            residual,
+            last_residual,
+            correction,
+            direction: directions,
+            spread,
+            ..
+        } = &mut *inner;
+        let [product, overlap] = free_set.update_sums(correction, |k, _, z| {
+            let z = if has_total { z + change * spread[k] } else { z };
+            (z, [z * (residual[k] + change), z * last_residual[k]])
         });
         if step == 0 {
             first = product;
@@ -208,42 +211,47 @@ fn solve_free<C: Operator, K: Constraint, P: Operator>(
         if product <= reduction * reduction * first && step > 0 || product <= 0.0 {
             break;
         }
-        let conjugation = if step == 0 { 0.0 } else { product / previous };
+        // Polak-Ribiere forgives the noise of single precision.
+        let conjugation = if step == 0 {
+            0.0
+        } else {
+            ((product - overlap) / previous).max(0.0)
+        };
         previous = product;
-        parallel::update(direction, |first, chunk| {
-            for (i, value) in (first..).zip(chunk) {
-                *value = if state[i] == State::Free {
-                    z(i) + conjugation * *value
-                } else {
-                    0.0
-                };
-            }
+        free_set.update_sums(directions, |k, _, d| {
+            (
+                correction[k] + if step == 0 { 0.0 } else { conjugation * d },
+                [],
+            )
         });
+        free_set.scatter(|k| directions[k], direction);
+        let free = free_set.len();
 
         run.proceed(free)?;
-        run.apply_to_direction();
+        run.apply_roughly_to_direction();
         run.count_step();
         let Workspace {
-            direction,
+            inner,
             image,
             gradient,
+            free_set,
             ..
         } = &mut *run.workspace;
-        let (direction, image) = (&*direction, &*image);
-        let [curvature] = reduce::sums(len, |i| [direction[i] * image[i]]);
+        let image = &*image;
+        let [along, curvature] = free_set.sums(|k, i| {
+            let d = inner.direction[k];
+            [d * (inner.residual[k] + change), d * image[i]]
+        });
         if curvature <= 0.0 {
             break;
         }
-        let length = product / curvature;
-        let data = (blocks(run.x), blocks(gradient));
-        let advance = |task: usize, (x, gradient): (Blocks<'_, f64>, Blocks<'_, f64>)| {
-            let indices = task * CHUNK..;
-            for ((i, x), gradient) in indices.zip(x.items).zip(gradient.items) {
-                *x += length * direction[i];
-                *gradient += length * image[i];
+        let length = along / curvature;
+        free_set.add(|k| length * inner.direction[k], run.x);
+        parallel::update(gradient, |first, chunk| {
+            for (g, u) in chunk.iter_mut().zip(&image[first..]) {
+                *g += length * u;
             }
-        };
-        parallel::sweep(0..len.div_ceil(CHUNK), data, &advance, &|(), ()| ());
+        });
         run.is_fresh = false;
     }
     ControlFlow::Continue(())
@@ -286,15 +294,4 @@ fn reclassify<C: Operator, K: Constraint, P: Operator>(run: &mut Run<'_, '_, C, 
         moved
     };
     parallel::sweep(0..len.div_ceil(CHUNK), data, &work, &|a, b| a + b)
-}
-
-/// Zeroes the entries that are not free.
-fn mask(values: &mut [f64], state: &[State]) {
-    parallel::update(values, |first, chunk| {
-        for (value, state) in chunk.iter_mut().zip(&state[first..]) {
-            if *state != State::Free {
-                *value = 0.0;
-            }
-        }
-    });
 }

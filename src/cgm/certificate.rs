@@ -26,10 +26,11 @@
 
 use crate::cgm::constraint::Constraint;
 use crate::cgm::reduce;
+use crate::report::Report;
 
 /// What one fresh product says about an iterate.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Certificate {
+pub(crate) struct Certificate {
     /// Largest complementarity residual over the largest displacement.
     pub(super) residual: f64,
     /// Bound on `E^2 / (x' C x)`.
@@ -38,6 +39,14 @@ pub(super) struct Certificate {
     pub(super) load_error: f64,
     /// Entries strictly between their bounds.
     pub(super) free: usize,
+}
+
+impl Certificate {
+    pub(crate) fn write_to(&self, report: &mut Report) {
+        report.residual = self.residual;
+        report.certified_gap = self.gap;
+        report.load_error = self.load_error;
+    }
 }
 
 /// The part of a gradient that complementarity forbids at this value.
@@ -54,7 +63,7 @@ pub(super) fn violation(value: f64, [lower, upper]: [f64; 2], gradient: f64) -> 
 }
 
 /// Examines a feasible `x` with its fresh product `C x`.
-pub(super) fn examine(
+pub(crate) fn examine(
     x: &[f64],
     product: &[f64],
     linear: &[f64],

@@ -32,12 +32,14 @@ mod active_set;
 mod balance;
 mod certificate;
 mod constraint;
+mod free_set;
 mod polonsky_keer;
 mod projected_gradient;
 mod reduce;
 mod run;
 mod settings;
 
+pub(crate) use certificate::examine;
 pub use constraint::{Constraint, Interval, Magnitude, NonNegative};
 pub use settings::{Method, Settings};
 
@@ -47,6 +49,8 @@ use std::ops::ControlFlow;
 
 use crate::error::{Error, Result, all_finite, length};
 use crate::operator::{Identity, Operator};
+use crate::parallel;
+use free_set::FreeSet;
 use run::Run;
 
 /// What to minimise: `1/2 x'Cx + b'x` over `x_i` in `K_i`, optionally with `sum x = S`.
@@ -131,12 +135,24 @@ pub struct Workspace<C: Operator, P: Operator = Identity> {
     gradient: Vec<f64>,
     direction: Vec<f64>,
     image: Vec<f64>,
-    residual: Vec<f64>,
-    correction: Vec<f64>,
-    spread: Vec<f64>,
+    inner: Inner,
+    free_set: FreeSet,
     state: Vec<State>,
     report: Report,
     multiplier: f64,
+}
+
+/// Vectors of the inner iteration, compressed to the free entries.
+#[derive(Debug)]
+struct Inner {
+    residual: Vec<f64>,
+    last_residual: Vec<f64>,
+    correction: Vec<f64>,
+    direction: Vec<f64>,
+    /// How a change of the total spreads, `w = M e`.
+    spread: Vec<f64>,
+    /// Its sum.
+    weight: f64,
 }
 
 /// Where an entry stands.
@@ -150,7 +166,7 @@ enum State {
 }
 
 impl<C: Operator, P: Operator> Workspace<C, P> {
-    /// Buffers for an operator and its preconditioner: seven numbers per entry besides their own.
+    /// Buffers for an operator and its preconditioner: nine numbers per entry besides their own.
     #[must_use]
     pub fn new(operator: &C, preconditioner: &P) -> Self {
         let len = operator.len();
@@ -162,9 +178,15 @@ impl<C: Operator, P: Operator> Workspace<C, P> {
             gradient: zeros(),
             direction: zeros(),
             image: zeros(),
-            residual: zeros(),
-            correction: zeros(),
-            spread: zeros(),
+            inner: Inner {
+                residual: zeros(),
+                last_residual: zeros(),
+                correction: zeros(),
+                direction: zeros(),
+                spread: zeros(),
+                weight: 1.0,
+            },
+            free_set: FreeSet::with_capacity(len),
             state: vec![State::Fixed; len],
             report: Report::exact(),
             multiplier: 0.0,
@@ -222,23 +244,27 @@ pub fn minimise_with<C: Operator, K: Constraint, P: Operator>(
     settings: &Settings,
     x: &mut [f64],
     workspace: &mut Workspace<C, P>,
-    observer: &mut dyn FnMut(&Iteration) -> ControlFlow<()>,
+    observer: &mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
 ) -> Result<()> {
     settings.check()?;
     problem.check(x)?;
     length("workspace", x.len(), workspace.product.len())?;
-    let reach = match problem.total {
-        Some(total) => Some(balance::reach(x.len(), &problem.constraint, total)?),
-        None => None,
+    let solve = || -> Result<Status> {
+        let reach = match problem.total {
+            Some(total) => Some(balance::reach(x.len(), &problem.constraint, total)?),
+            None => None,
+        };
+        let mut run = Run::new(problem, settings, x, workspace, observer);
+        let status = match reach {
+            _ if run.is_zero_the_minimum() => run.at_zero(),
+            Some(balance::Reach::AtLower) => run.at_extreme(State::Lower),
+            Some(balance::Reach::AtUpper) => run.at_extreme(State::Upper),
+            Some(balance::Reach::Inside) | None => iterate(&mut run),
+        };
+        run.finish(status);
+        Ok(status)
     };
-    let mut run = Run::new(problem, settings, x, workspace, observer);
-    let status = match reach {
-        _ if run.is_zero_the_minimum() => run.at_zero(),
-        Some(balance::Reach::AtLower) => run.at_extreme(State::Lower),
-        Some(balance::Reach::AtUpper) => run.at_extreme(State::Upper),
-        Some(balance::Reach::Inside) | None => iterate(&mut run),
-    };
-    run.finish(status);
+    let status = parallel::enter(solve)?;
     if status == Status::Converged {
         Ok(())
     } else {

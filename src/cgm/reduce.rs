@@ -4,6 +4,22 @@
 
 use crate::parallel;
 
+/// The sum of a slice, in lanes so that additions overlap.
+pub(super) fn total(values: &[f64]) -> f64 {
+    let leaf = |range: std::ops::Range<usize>| {
+        let mut lanes = [0.0; 8];
+        let groups = values[range].chunks_exact(8);
+        let rest: f64 = groups.remainder().iter().sum();
+        for group in groups {
+            for (lane, value) in lanes.iter_mut().zip(group) {
+                *lane += value;
+            }
+        }
+        lanes.iter().sum::<f64>() + rest
+    };
+    parallel::fold(values.len(), leaf, |a, b| a + b)
+}
+
 /// `sum f(i)` over `0..len`.
 pub(super) fn sum(len: usize, f: impl Fn(usize) -> f64 + Sync) -> f64 {
     parallel::fold(len, |range| range.map(&f).sum::<f64>(), |a, b| a + b)

@@ -18,7 +18,7 @@ pub(super) struct Run<'a, 'b, C: Operator, K, P: Operator> {
     pub(super) settings: &'a Settings,
     pub(super) x: &'a mut [f64],
     pub(super) workspace: &'a mut Workspace<C, P>,
-    observer: &'a mut dyn FnMut(&Iteration) -> ControlFlow<()>,
+    observer: &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
     start: Instant,
     /// Conjugate-gradient steps so far.
     steps: usize,
@@ -34,12 +34,13 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
         settings: &'a Settings,
         x: &'a mut [f64],
         workspace: &'a mut Workspace<C, P>,
-        observer: &'a mut dyn FnMut(&Iteration) -> ControlFlow<()>,
+        observer: &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
     ) -> Self {
         workspace.multiplier = 0.0;
         let report = &mut workspace.report;
         report.iterations = 0;
         report.convolutions = 0;
+        report.rough_convolutions = 0;
         report.residual = f64::INFINITY;
         report.history.clear();
         Self {
@@ -96,6 +97,21 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
         report.convolutions += 1;
     }
 
+    /// `image = C direction`, to single precision.
+    pub(super) fn apply_roughly_to_direction(&mut self) {
+        let Workspace {
+            operator,
+            direction,
+            image,
+            report,
+            ..
+        } = &mut *self.workspace;
+        self.problem
+            .operator
+            .apply_roughly(direction, image, operator);
+        report.rough_convolutions += 1;
+    }
+
     /// `product = C x`, `gradient = C x + b`.
     pub(super) fn refresh(&mut self) {
         let Workspace {
@@ -127,10 +143,7 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
             self.workspace.multiplier,
             self.problem.operator.lower_bound(),
         );
-        let report = &mut self.workspace.report;
-        report.residual = findings.residual;
-        report.certified_gap = findings.gap;
-        report.load_error = findings.load_error;
+        findings.write_to(&mut self.workspace.report);
         findings
     }
 

@@ -1,7 +1,8 @@
 //! The free half-space as an operator: zero-padded convolution with one influence coefficient.
 
 use crate::error::Result;
-use crate::fft::plan::{Plan, TransformWorkspace, smooth_length};
+use crate::fft::plan::{Buffers, Plan, smooth_length};
+use crate::fft::single::{SingleProduct, SingleWorkspace};
 use crate::fft::spectrum::Spectrum;
 use crate::grid::Grid;
 use crate::influence::{Component, Table};
@@ -12,8 +13,8 @@ use crate::operator::Operator;
 /// of all cells, by fast transforms and without periodic images.
 ///
 /// Tractions are pressures, displacements lengths. Equal to the direct sum up to round-off
-/// (1e-15 of the largest displacement, typically). Immutable and shared; memory 8 bytes per cell,
-/// and 32 per cell in each workspace.
+/// (1e-15 of the largest displacement, typically). Immutable and shared; memory 12 bytes per cell,
+/// and 48 per cell in each workspace.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Grid, Material, Operator, fft::Convolution, influence::Component};
@@ -31,8 +32,9 @@ use crate::operator::Operator;
 /// ```
 #[derive(Debug, Clone)]
 pub struct Convolution {
-    plan: Plan,
-    spectrum: Spectrum,
+    plan: Plan<f64>,
+    spectrum: Spectrum<f64>,
+    single: SingleProduct,
     component: Component,
     lower_bound: f64,
 }
@@ -71,6 +73,7 @@ impl Convolution {
         let normalisation = 1.0 / (torus[0] * torus[1]) as f64;
         Self {
             plan: Plan::new(size, torus),
+            single: SingleProduct::new(size, torus, &spectrum, |value| value),
             spectrum: spectrum.map(|value| value * normalisation),
             component,
             lower_bound,
@@ -89,19 +92,36 @@ fn padded(size: [usize; 2]) -> [usize; 2] {
     size.map(|n| smooth_length(2 * n - 1))
 }
 
+/// Buffers of products: 48 bytes per cell for both precisions, and a little for each task.
+#[derive(Debug)]
+pub struct ConvolutionWorkspace {
+    double: Buffers<f64>,
+    single: SingleWorkspace,
+}
+
 impl Operator for Convolution {
-    type Workspace = TransformWorkspace;
+    type Workspace = ConvolutionWorkspace;
 
     fn len(&self) -> usize {
         self.plan.nx * self.plan.ny
     }
 
-    fn workspace(&self) -> TransformWorkspace {
-        self.plan.workspace()
+    fn workspace(&self) -> ConvolutionWorkspace {
+        ConvolutionWorkspace {
+            double: self.plan.workspace(),
+            single: self.single.workspace(),
+        }
     }
 
-    fn apply(&self, x: &[f64], out: &mut [f64], workspace: &mut TransformWorkspace) {
-        self.plan.convolve(&self.spectrum, x, out, workspace);
+    fn apply(&self, x: &[f64], out: &mut [f64], workspace: &mut ConvolutionWorkspace) {
+        let buffers = &mut workspace.double;
+        self.plan
+            .convolve(&self.spectrum, x, out, [1.0; 2], buffers);
+    }
+
+    /// In single precision: about 3e-7 of the largest displacement, at 0.6 of the cost.
+    fn apply_roughly(&self, x: &[f64], out: &mut [f64], workspace: &mut ConvolutionWorkspace) {
+        self.single.apply(x, out, &mut workspace.single);
     }
 
     /// The smallest eigenvalue of the periodic continuation, a bound for the cells cut out of it;

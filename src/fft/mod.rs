@@ -11,8 +11,11 @@
 mod circulant;
 mod convolution;
 mod plan;
+mod real;
+mod single;
 mod spectrum;
 
 pub use circulant::CirculantInverse;
 pub use convolution::Convolution;
-pub use plan::TransformWorkspace;
+pub use convolution::ConvolutionWorkspace;
+pub use single::SingleWorkspace;

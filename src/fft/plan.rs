@@ -6,10 +6,11 @@
 use std::fmt;
 use std::sync::Arc;
 
-use num_complex::Complex64;
+use num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use rustfft::{Fft, FftPlanner};
 
+use crate::fft::real::Real;
 use crate::fft::spectrum::Spectrum;
 use crate::parallel::{self, Blocks};
 
@@ -36,18 +37,18 @@ pub(super) fn smooth_length(least: usize) -> usize {
 
 /// Transforms of an `nx` x `ny` field padded to `mx` x `my`. Immutable and shared.
 #[derive(Clone)]
-pub(super) struct Plan {
+pub(super) struct Plan<T: Real> {
     pub(super) nx: usize,
     pub(super) ny: usize,
     pub(super) mx: usize,
     pub(super) my: usize,
-    row_forward: Arc<dyn RealToComplex<f64>>,
-    row_inverse: Arc<dyn ComplexToReal<f64>>,
-    column_forward: Arc<dyn Fft<f64>>,
-    column_inverse: Arc<dyn Fft<f64>>,
+    row_forward: Arc<dyn RealToComplex<T>>,
+    row_inverse: Arc<dyn ComplexToReal<T>>,
+    column_forward: Arc<dyn Fft<T>>,
+    column_inverse: Arc<dyn Fft<T>>,
 }
 
-impl fmt::Debug for Plan {
+impl<T: Real> fmt::Debug for Plan<T> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             formatter,
@@ -57,33 +58,33 @@ impl fmt::Debug for Plan {
     }
 }
 
-/// Buffers of one transform: 32 bytes per cell of a padded grid, and a little for each task.
+/// Buffers of one transform: four numbers per cell, and a little for each task.
 #[derive(Debug)]
-pub struct TransformWorkspace {
+pub(super) struct Buffers<T> {
     /// Rows after the first stage, row-major.
-    rows: Vec<Complex64>,
+    rows: Vec<Complex<T>>,
     /// Which rows hold anything.
     occupied: Vec<bool>,
     /// Columns after the second stage: blocks of [`COLUMNS`], row-major within each.
-    columns: Vec<Complex64>,
-    row_scratch: Vec<RowScratch>,
-    column_scratch: Vec<ColumnScratch>,
+    columns: Vec<Complex<T>>,
+    row_scratch: Vec<RowScratch<T>>,
+    column_scratch: Vec<ColumnScratch<T>>,
 }
 
 #[derive(Debug, Clone)]
-struct RowScratch {
-    real: Vec<f64>,
-    complex: Vec<Complex64>,
-    transform: Vec<Complex64>,
+struct RowScratch<T> {
+    real: Vec<T>,
+    complex: Vec<Complex<T>>,
+    transform: Vec<Complex<T>>,
 }
 
 #[derive(Debug, Clone)]
-struct ColumnScratch {
-    columns: Vec<Complex64>,
-    transform: Vec<Complex64>,
+struct ColumnScratch<T> {
+    columns: Vec<Complex<T>>,
+    transform: Vec<Complex<T>>,
 }
 
-impl Plan {
+impl<T: Real> Plan<T> {
     pub(super) fn new([nx, ny]: [usize; 2], [mx, my]: [usize; 2]) -> Self {
         let mut real = RealFftPlanner::new();
         let mut complex = FftPlanner::new();
@@ -108,12 +109,12 @@ impl Plan {
         self.width().div_ceil(COLUMNS)
     }
 
-    pub(super) fn workspace(&self) -> TransformWorkspace {
-        let zero = Complex64::ZERO;
+    pub(super) fn workspace(&self) -> Buffers<T> {
+        let zero = zero::<T>();
         let row_tasks = parallel::lanes().min(self.ny);
         let column_tasks = parallel::lanes().min(self.column_blocks());
         let row_scratch = RowScratch {
-            real: vec![0.0; self.mx],
+            real: vec![T::zero(); self.mx],
             complex: vec![zero; self.width()],
             transform: vec![
                 zero;
@@ -131,7 +132,7 @@ impl Plan {
                     .max(self.column_inverse.get_inplace_scratch_len())
             ],
         };
-        TransformWorkspace {
+        Buffers {
             rows: vec![zero; self.ny * self.width()],
             occupied: vec![false; self.ny],
             columns: vec![zero; self.column_blocks() * COLUMNS * self.ny],
@@ -140,32 +141,35 @@ impl Plan {
         }
     }
 
-    /// `out = inverse(spectrum * forward(x))`, both fields `nx` x `ny`.
+    /// `out = inverse(spectrum * forward(x))`, both fields `nx` x `ny`; `scales` multiply what goes
+    /// in and what comes out.
     pub(super) fn convolve(
         &self,
-        spectrum: &Spectrum,
+        spectrum: &Spectrum<T>,
         x: &[f64],
         out: &mut [f64],
-        workspace: &mut TransformWorkspace,
+        scales: [f64; 2],
+        workspace: &mut Buffers<T>,
     ) {
-        let TransformWorkspace {
+        let Buffers {
             rows,
             occupied,
             columns,
             row_scratch,
             column_scratch,
         } = workspace;
-        self.forward_rows(x, rows, occupied, row_scratch);
+        self.forward_rows(x, scales[0], rows, occupied, row_scratch);
         self.columns(spectrum, rows, occupied, columns, column_scratch);
-        self.inverse_rows(columns, out, row_scratch);
+        self.inverse_rows(columns, out, scales[1], row_scratch);
     }
 
     fn forward_rows(
         &self,
         x: &[f64],
-        rows: &mut [Complex64],
+        scale: f64,
+        rows: &mut [Complex<T>],
         occupied: &mut [bool],
-        scratch: &mut [RowScratch],
+        scratch: &mut [RowScratch<T>],
     ) {
         let (width, tasks) = (self.width(), scratch.len());
         let per_task = self.ny.div_ceil(tasks);
@@ -174,15 +178,18 @@ impl Plan {
             blocks(occupied, per_task),
             blocks(scratch, 1),
         );
-        let work = |task: usize, (rows, occupied, scratch): RowTask<'_>| {
+        let work = |task: usize, (rows, occupied, scratch): RowTask<'_, T>| {
             let scratch = &mut scratch.items[0];
             let input = x[(task * per_task * self.nx).min(x.len())..].chunks_exact(self.nx);
             let output = rows.items.chunks_exact_mut(width);
             for ((input, output), occupied) in input.zip(output).zip(occupied.items) {
                 *occupied = input.iter().any(|&value| value != 0.0);
                 if *occupied {
-                    scratch.real[..self.nx].copy_from_slice(input);
-                    scratch.real[self.nx..].fill(0.0);
+                    for (value, x) in scratch.real.iter_mut().zip(input) {
+                        let scaled: f64 = x * scale;
+                        *value = T::of(scaled);
+                    }
+                    scratch.real[self.nx..].fill(T::zero());
                     self.row_forward
                         .process_with_scratch(&mut scratch.real, output, &mut scratch.transform)
                         .expect("the plan sized every buffer");
@@ -194,69 +201,72 @@ impl Plan {
 
     fn columns(
         &self,
-        spectrum: &Spectrum,
-        rows: &[Complex64],
+        spectrum: &Spectrum<T>,
+        rows: &[Complex<T>],
         occupied: &[bool],
-        columns: &mut [Complex64],
-        scratch: &mut [ColumnScratch],
+        columns: &mut [Complex<T>],
+        scratch: &mut [ColumnScratch<T>],
     ) {
         let (width, tasks) = (self.width(), scratch.len());
         let block_len = COLUMNS * self.ny;
         let per_task = self.column_blocks().div_ceil(tasks);
         let data = (blocks(columns, per_task * block_len), blocks(scratch, 1));
-        let work = |task: usize, (columns, scratch): (Blocks<'_, _>, Blocks<'_, ColumnScratch>)| {
-            let ColumnScratch {
-                columns: padded,
-                transform,
-            } = &mut scratch.items[0];
-            for (index, block) in columns.items.chunks_exact_mut(block_len).enumerate() {
-                let first = (task * per_task + index) * COLUMNS;
-                let count = COLUMNS.min(width - first);
-                self.gather(rows, occupied, first, count, padded);
-                for (c, column) in padded.chunks_exact_mut(self.my).take(count).enumerate() {
-                    self.column_forward.process_with_scratch(column, transform);
-                    spectrum.multiply(first + c, column);
-                    self.column_inverse.process_with_scratch(column, transform);
-                }
-                for (row, values) in block.chunks_exact_mut(COLUMNS).enumerate() {
-                    for (c, value) in values.iter_mut().take(count).enumerate() {
-                        *value = padded[c * self.my + row];
+        let work =
+            |task: usize, (columns, scratch): (Blocks<'_, _>, Blocks<'_, ColumnScratch<T>>)| {
+                let ColumnScratch {
+                    columns: padded,
+                    transform,
+                } = &mut scratch.items[0];
+                for (index, block) in columns.items.chunks_exact_mut(block_len).enumerate() {
+                    let first = (task * per_task + index) * COLUMNS;
+                    let count = COLUMNS.min(width - first);
+                    self.gather(rows, occupied, first, count, padded);
+                    for (c, column) in padded.chunks_exact_mut(self.my).take(count).enumerate() {
+                        self.column_forward.process_with_scratch(column, transform);
+                        spectrum.multiply(first + c, column);
+                        self.column_inverse.process_with_scratch(column, transform);
+                    }
+                    for (row, values) in block.chunks_exact_mut(COLUMNS).enumerate() {
+                        for (c, value) in values.iter_mut().take(count).enumerate() {
+                            *value = padded[c * self.my + row];
+                        }
                     }
                 }
-            }
-        };
+            };
         parallel::sweep(0..tasks, data, &work, &|(), ()| ());
     }
 
     /// Copies `count` columns from `first` on, one behind the other, padded with zeros.
     fn gather(
         &self,
-        rows: &[Complex64],
+        rows: &[Complex<T>],
         occupied: &[bool],
         first: usize,
         count: usize,
-        padded: &mut [Complex64],
+        padded: &mut [Complex<T>],
     ) {
         for column in padded.chunks_exact_mut(self.my).take(count) {
-            column[self.ny..].fill(Complex64::ZERO);
+            column[self.ny..].fill(zero());
         }
         let rows = rows.chunks_exact(self.width());
         for (index, (row, &occupied)) in rows.zip(occupied).enumerate() {
             for c in 0..count {
-                padded[c * self.my + index] = if occupied {
-                    row[first + c]
-                } else {
-                    Complex64::ZERO
-                };
+                padded[c * self.my + index] = if occupied { row[first + c] } else { zero() };
             }
         }
     }
 
-    fn inverse_rows(&self, columns: &[Complex64], out: &mut [f64], scratch: &mut [RowScratch]) {
+    fn inverse_rows(
+        &self,
+        columns: &[Complex<T>],
+        out: &mut [f64],
+        scale: f64,
+        scratch: &mut [RowScratch<T>],
+    ) {
         let (width, tasks) = (self.width(), scratch.len());
         let per_task = self.ny.div_ceil(tasks);
         let data = (blocks(out, per_task * self.nx), blocks(scratch, 1));
-        let work = |task: usize, (out, scratch): (Blocks<'_, f64>, Blocks<'_, RowScratch>)| {
+        let work = |task: usize, (out, scratch): (Blocks<'_, f64>, Blocks<'_, RowScratch<T>>)| {
             let scratch = &mut scratch.items[0];
             for (index, output) in out.items.chunks_exact_mut(self.nx).enumerate() {
                 let row = task * per_task + index;
@@ -265,9 +275,9 @@ impl Plan {
                     values.copy_from_slice(&block[row * COLUMNS..][..values.len()]);
                 }
                 // A real row has real ends; round-off must not tell the transform otherwise.
-                scratch.complex[0].im = 0.0;
+                scratch.complex[0].im = T::zero();
                 if self.mx % 2 == 0 {
-                    scratch.complex[width - 1].im = 0.0;
+                    scratch.complex[width - 1].im = T::zero();
                 }
                 self.row_inverse
                     .process_with_scratch(
@@ -276,19 +286,25 @@ impl Plan {
                         &mut scratch.transform,
                     )
                     .expect("the plan sized every buffer and the ends of the row are real");
-                output.copy_from_slice(&scratch.real[..self.nx]);
+                for (out, value) in output.iter_mut().zip(&scratch.real) {
+                    *out = value.double() * scale;
+                }
             }
         };
         parallel::sweep(0..tasks, data, &work, &|(), ()| ());
     }
 }
 
-type RowTask<'a> = (
-    Blocks<'a, Complex64>,
+type RowTask<'a, T> = (
+    Blocks<'a, Complex<T>>,
     Blocks<'a, bool>,
-    Blocks<'a, RowScratch>,
+    Blocks<'a, RowScratch<T>>,
 );
 
 fn blocks<T>(items: &mut [T], width: usize) -> Blocks<'_, T> {
     Blocks { items, width }
+}
+
+fn zero<T: Real>() -> Complex<T> {
+    Complex::new(T::zero(), T::zero())
 }

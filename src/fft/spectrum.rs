@@ -1,8 +1,9 @@
 //! The transform of an influence coefficient: one real quarter plane.
 
-use num_complex::Complex64;
+use num_complex::Complex;
 use realfft::RealFftPlanner;
 
+use crate::fft::real::Real;
 use crate::influence::Table;
 use crate::parallel::{self, Blocks};
 
@@ -12,15 +13,15 @@ use crate::parallel::{self, Blocks};
 /// both a real one again; the other three quarters follow from the parity. So one real number per
 /// wave number of one quarter is all there is to keep: 8 bytes per cell of the unpadded grid.
 #[derive(Debug, Clone)]
-pub(super) struct Spectrum {
+pub(super) struct Spectrum<T> {
     /// `my / 2 + 1` values for each column `0..=mx/2`.
-    values: Vec<f64>,
+    values: Vec<T>,
     height: usize,
     is_odd_y: bool,
     is_imaginary: bool,
 }
 
-impl Spectrum {
+impl Spectrum<f64> {
     /// Transforms a table that reaches at least half around the torus.
     ///
     /// `extend` along an axis: sample `d` of the torus is the table's at distance `min(d, m - d)`,
@@ -59,31 +60,35 @@ impl Spectrum {
     }
 
     /// The spectrum with every value replaced.
-    pub(super) fn map(mut self, f: impl Fn(f64) -> f64) -> Self {
-        for value in &mut self.values {
-            *value = f(*value);
+    pub(super) fn map<T: Real>(&self, f: impl Fn(f64) -> f64) -> Spectrum<T> {
+        Spectrum {
+            values: self.values.iter().map(|&value| T::of(f(value))).collect(),
+            height: self.height,
+            is_odd_y: self.is_odd_y,
+            is_imaginary: self.is_imaginary,
         }
-        self
     }
+}
 
+impl<T: Real> Spectrum<T> {
     /// Multiplies the transformed column of wave number `kx` in place.
-    pub(super) fn multiply(&self, kx: usize, column: &mut [Complex64]) {
+    pub(super) fn multiply(&self, kx: usize, column: &mut [Complex<T>]) {
         let quarter = &self.values[kx * self.height..(kx + 1) * self.height];
-        let mirrored = if self.is_odd_y { -1.0 } else { 1.0 };
+        let mirrored = if self.is_odd_y { -T::one() } else { T::one() };
         let (low, high) = column.split_at_mut(self.height);
         if self.is_imaginary {
             for (z, &value) in low.iter_mut().zip(quarter) {
-                *z = Complex64::new(-value * z.im, value * z.re);
+                *z = Complex::new(-value * z.im, value * z.re);
             }
             for (z, &value) in high.iter_mut().rev().zip(&quarter[1..]) {
-                *z = Complex64::new(-value * z.im, value * z.re) * mirrored;
+                *z = Complex::new(-value * z.im, value * z.re) * mirrored;
             }
         } else {
             for (z, &value) in low.iter_mut().zip(quarter) {
-                *z *= value;
+                *z = *z * value;
             }
             for (z, &value) in high.iter_mut().rev().zip(&quarter[1..]) {
-                *z *= value * mirrored;
+                *z = *z * (value * mirrored);
             }
         }
     }

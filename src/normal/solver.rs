@@ -2,16 +2,21 @@
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
+use std::time::Instant;
 
-use crate::cgm::{self, Iteration, NonNegative, Problem, Workspace};
+use crate::cgm::{self, Iteration, Method, NonNegative};
 use crate::error::{Error, Result};
-use crate::fft::{CirculantInverse, Convolution};
+use crate::fft::{Convolution, ConvolutionWorkspace};
 use crate::field::Field;
-use crate::half_space::Compliance;
 use crate::influence::Component;
+use crate::normal::nested::PressureScene;
 use crate::normal::problem::check_gap;
 use crate::normal::{NormalLoad, NormalProblem, NormalSolution};
+use crate::operator::Operator;
 use crate::parallel;
+use crate::report::Report;
+use crate::stage::{Nested, Observer, Stage, nested_start, with_memory, with_time_left};
+use crate::window::Window;
 
 /// Solves normal contacts on one grid again and again, each time from the last answer.
 ///
@@ -34,27 +39,39 @@ use crate::parallel;
 #[derive(Debug)]
 pub struct NormalSolver {
     problem: NormalProblem,
-    compliance: Compliance,
-    workspace: Workspace<Arc<Convolution>, Arc<CirculantInverse>>,
-    /// The last pressure, the start of the next solve.
+    /// Where the engine works: around the contact, if that is much smaller than the grid.
+    window: Window,
+    stage: Stage,
+    whole: Option<Whole>,
+    /// The last pressure on the whole grid, the start of the next solve.
     pressure: Vec<f64>,
     is_warm: bool,
     /// The gap from its least value, or from the approach where that is prescribed.
     linear: Vec<f64>,
+    report: Report,
+}
+
+/// What it takes to see the whole grid when the engine works on a part of it.
+#[derive(Debug)]
+struct Whole {
+    operator: Arc<Convolution>,
+    workspace: ConvolutionWorkspace,
+    displacement: Vec<f64>,
 }
 
 impl NormalSolver {
     pub(super) fn new(problem: NormalProblem) -> Result<Self> {
-        let compliance = problem.bodies.compliance(Component::ZZ)?;
-        let workspace = Workspace::new(&compliance.operator, &compliance.inverse);
-        let cells = problem.gap.grid().cells();
+        let grid = problem.gap.grid();
+        let window = Window::whole(grid);
         Ok(Self {
+            stage: Stage::new(&problem.bodies, Component::ZZ, window.size)?,
             problem,
-            compliance,
-            workspace,
-            pressure: vec![0.0; cells],
+            window,
+            whole: None,
+            pressure: vec![0.0; grid.cells()],
             is_warm: false,
-            linear: vec![0.0; cells],
+            linear: vec![0.0; grid.cells()],
+            report: Report::exact(),
         })
     }
 
@@ -108,19 +125,20 @@ impl NormalSolver {
     pub fn solve_observed(
         &mut self,
         solution: &mut NormalSolution,
-        mut observer: impl FnMut(&Iteration) -> ControlFlow<()>,
+        mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<()> {
         let gap = &self.problem.gap;
-        if solution.pressure().grid() != gap.grid() {
+        if solution.grid() != gap.grid() {
             return Err(Error::GridMismatch {
                 quantity: "solution",
             });
         }
-        let area = gap.grid().cell_area();
+        let start = Instant::now();
+        let mut observer = with_memory(&mut observer);
         // Without a datum far from the contact the sums keep their last digits.
-        let datum = match self.problem.load {
-            NormalLoad::Force(_) => gap.min(),
-            NormalLoad::Approach(approach) => approach,
+        let (datum, total) = match self.problem.load {
+            NormalLoad::Force(force) => (gap.min(), Some(force / gap.grid().cell_area())),
+            NormalLoad::Approach(approach) => (approach, None),
         };
         let samples = gap.as_slice();
         parallel::update(&mut self.linear, |first, chunk| {
@@ -128,41 +146,156 @@ impl NormalSolver {
                 *linear = gap - datum;
             }
         });
-
-        let problem = Problem::new(
-            Arc::clone(&self.compliance.operator),
-            &self.linear,
-            NonNegative,
-        )
-        .preconditioner(Arc::clone(&self.compliance.inverse));
-        let problem = match self.problem.load {
-            NormalLoad::Force(force) => problem.total(force / area),
-            NormalLoad::Approach(_) => problem,
-        };
         if !self.is_warm {
-            let start = match self.problem.load {
-                NormalLoad::Force(force) => force / gap.grid().area(),
-                NormalLoad::Approach(_) => 0.0,
-            };
-            self.pressure.fill(start);
+            self.start_cold(total, start, &mut observer)?;
         }
         self.is_warm = true;
-        let outcome = cgm::minimise_with(
-            &problem,
-            &self.problem.settings,
-            &mut self.pressure,
-            &mut self.workspace,
-            &mut observer,
-        );
+        let outcome = self.solve_on_window(total, start, &mut observer);
         if matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
+            self.report.time = start.elapsed();
+            let displacement = match &self.whole {
+                Some(whole) => &whole.displacement,
+                None => self.stage.product(),
+            };
+            let approach = datum + self.stage.multiplier();
             solution.fill(
-                gap,
+                &self.problem.gap,
                 &self.pressure,
-                self.workspace.product(),
-                datum + self.workspace.multiplier(),
-                self.workspace.report(),
+                displacement,
+                approach,
+                &self.report,
             );
         }
-        outcome
+        match outcome {
+            Err(Error::NotConverged(_)) => Err(Error::NotConverged(Box::new(self.report.clone()))),
+            other => other,
+        }
+    }
+
+    /// From nothing: the answer on coarser cells, and the engine set up around its contact.
+    fn start_cold(
+        &mut self,
+        total: Option<f64>,
+        start: Instant,
+        observer: Observer<'_>,
+    ) -> Result<()> {
+        let whole = Window::whole(self.problem.gap.grid());
+        let scene = PressureScene {
+            linear: self.linear.clone(),
+        };
+        if self.problem.settings.method == Method::PolonskyKeer {
+            self.pressure = scene.plain_start(total);
+            return self.work_on(whole);
+        }
+        let settings = with_time_left(&self.problem.settings, start);
+        let bodies = &self.problem.bodies;
+        self.pressure = nested_start(
+            bodies,
+            Component::ZZ,
+            whole.size,
+            &scene,
+            total,
+            &settings,
+            observer,
+        )?;
+        let touches = |i: usize| self.pressure[i] > 0.0;
+        match Window::around(bodies.grid(), touches) {
+            Ok(contact) => self.work_on(contact.widened(bodies.grid())),
+            Err(_) => self.work_on(whole),
+        }
+    }
+
+    /// Sets the engine up on a window, or on the whole grid if the window saves too little.
+    fn work_on(&mut self, window: Window) -> Result<()> {
+        let bodies = &self.problem.bodies;
+        let whole = Window::whole(bodies.grid());
+        let window = if 5 * window.cells() > 4 * whole.cells() {
+            whole
+        } else {
+            window
+        };
+        if window != self.window {
+            if window.size != self.stage.size {
+                self.stage = Stage::new(bodies, Component::ZZ, window.size)?;
+            }
+            self.window = window;
+        }
+        if window == whole {
+            self.whole = None;
+        } else if self.whole.is_none() {
+            let operator = bodies.operator(Component::ZZ)?;
+            self.whole = Some(Whole {
+                workspace: operator.workspace(),
+                displacement: vec![0.0; operator.len()],
+                operator,
+            });
+        }
+        Ok(())
+    }
+
+    /// Solves on the window and looks at the whole grid; where bodies overlap beyond the window it
+    /// was too small, and the work goes on in a larger one.
+    fn solve_on_window(
+        &mut self,
+        total: Option<f64>,
+        start: Instant,
+        observer: Observer<'_>,
+    ) -> Result<()> {
+        let mut earlier = [0; 3];
+        loop {
+            self.window.gather(&self.linear, &mut self.stage.linear);
+            self.window.gather(&self.pressure, &mut self.stage.x);
+            let settings = with_time_left(&self.problem.settings, start);
+            let outcome = self.stage.minimise(NonNegative, total, &settings, observer);
+            if !matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
+                return outcome;
+            }
+            self.pressure.fill(0.0);
+            self.window.scatter(&self.stage.x, &mut self.pressure);
+            self.report.clone_from(self.stage.report());
+            self.report.iterations += earlier[0];
+            self.report.convolutions += earlier[1];
+            self.report.rough_convolutions += earlier[2];
+            let Some(whole) = &mut self.whole else {
+                return outcome;
+            };
+            let Whole {
+                operator,
+                workspace,
+                displacement,
+            } = whole;
+            operator.apply(&self.pressure, displacement, workspace);
+            self.report.convolutions += 1;
+            let multiplier = self.stage.multiplier();
+            cgm::examine(
+                &self.pressure,
+                displacement,
+                &self.linear,
+                &NonNegative,
+                total,
+                multiplier,
+                operator.lower_bound(),
+            )
+            .write_to(&mut self.report);
+            outcome?;
+
+            let largest = displacement.iter().fold(0.0, |a: f64, u| a.max(u.abs()));
+            let depth = 0.01 * self.problem.settings.tolerance * largest;
+            let grid = self.problem.gap.grid();
+            let overlaps = |i: usize| {
+                displacement[i] + self.linear[i] - multiplier < -depth && !self.window.contains(i)
+            };
+            match Window::around(grid, overlaps) {
+                Err(_) => return Ok(()),
+                Ok(missed) => {
+                    earlier = [
+                        self.report.iterations,
+                        self.report.convolutions,
+                        self.report.rough_convolutions,
+                    ];
+                    self.work_on(self.window.union(missed).widened(grid))?;
+                }
+            }
+        }
     }
 }

@@ -19,11 +19,11 @@
 //! [`JaegerSuperposition`] is the exact answer where the two compliances are proportional.
 
 mod friction;
+mod nested;
 mod problem;
 mod solution;
 mod solver;
 mod superposition;
-mod window;
 mod zone;
 
 pub use friction::Friction;

@@ -6,8 +6,8 @@ use crate::cgm::{Method, Settings};
 use crate::error::{Error, Result, finite};
 use crate::half_space::HalfSpace;
 use crate::normal::NormalSolution;
-use crate::tangential::window::Window;
 use crate::tangential::{Axis, Friction, TangentialSolution, TangentialSolver};
+use crate::window::Window;
 
 /// What shears the contact, as `[x, y]`; one component must be zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -187,7 +187,7 @@ impl TangentialProblemBuilder<'_> {
             return Err(Error::CoupledMaterials { beta });
         }
         let samples = self.normal.pressure().as_slice();
-        let window = Window::around(grid, samples)?;
+        let window = Window::around(grid, |i| samples[i] > 0.0)?;
         let pressure: Vec<f64> = window.indices().map(|i| samples[i]).collect();
         let mut limits = Limits::new(pressure.len());
         limits.set(&self.friction, window, &pressure);

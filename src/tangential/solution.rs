@@ -4,8 +4,8 @@ use crate::contact_map::{ContactMap, Warning};
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::report::Report;
-use crate::tangential::window::Window;
 use crate::tangential::{Axis, Zone};
+use crate::window::Window;
 
 /// Traction, slip, zones and shift of a tangential contact.
 ///

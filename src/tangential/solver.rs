@@ -1,13 +1,14 @@
 //! The reusable solver of a tangential contact.
 
 use std::ops::ControlFlow;
-use std::sync::Arc;
+use std::time::Instant;
 
-use crate::cgm::{self, Iteration, Magnitude, Problem, Workspace};
+use crate::cgm::{Iteration, Magnitude, Method};
 use crate::error::{Error, Result};
-use crate::fft::{CirculantInverse, Convolution};
-use crate::half_space::Compliance;
 use crate::influence::Component;
+use crate::report::Report;
+use crate::stage::{Nested, Observer, Stage, nested_start, with_memory, with_time_left};
+use crate::tangential::nested::FrictionScene;
 use crate::tangential::problem::Limits;
 use crate::tangential::solution::Answer;
 use crate::tangential::{Axis, Friction, TangentialLoad, TangentialProblem, TangentialSolution};
@@ -44,33 +45,24 @@ use crate::tangential::{Axis, Friction, TangentialLoad, TangentialProblem, Tange
 pub struct TangentialSolver {
     problem: TangentialProblem,
     axis: Axis,
-    compliance: Compliance,
-    workspace: Workspace<Arc<Convolution>, Arc<CirculantInverse>>,
-    /// The last traction, the start of the next solve.
-    traction: Vec<f64>,
+    /// The engine on the contact's bounding box, with the last traction, the start of the next.
+    stage: Stage,
     is_warm: bool,
+    report: Report,
     /// Limits under examination, not yet in force.
     spare: Limits,
-    /// Minus the shift where that is prescribed, else zero.
-    linear: Vec<f64>,
 }
 
 impl TangentialSolver {
     pub(super) fn new(problem: TangentialProblem) -> Result<Self> {
         let (axis, _) = problem.load.along()?;
-        let compliance = compliance(&problem, axis)?;
-        let workspace = Workspace::new(&compliance.operator, &compliance.inverse);
-        let cells = problem.window.cells();
-        let spare = problem.limits.clone();
         Ok(Self {
-            problem,
+            stage: stage(&problem, axis)?,
             axis,
-            compliance,
-            workspace,
-            traction: vec![0.0; cells],
             is_warm: false,
-            spare,
-            linear: vec![0.0; cells],
+            report: Report::exact(),
+            spare: problem.limits.clone(),
+            problem,
         })
     }
 
@@ -85,7 +77,7 @@ impl TangentialSolver {
         let cell_area = self.problem.bodies.grid().cell_area();
         self.problem.limits.check(load, cell_area)?;
         if axis != self.axis && value != 0.0 {
-            self.compliance = compliance(&self.problem, axis)?;
+            self.stage = stage(&self.problem, axis)?;
             self.axis = axis;
             self.is_warm = false;
         }
@@ -141,7 +133,7 @@ impl TangentialSolver {
     pub fn solve_observed(
         &mut self,
         solution: &mut TangentialSolution,
-        mut observer: impl FnMut(&Iteration) -> ControlFlow<()>,
+        mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<()> {
         let grid = self.problem.bodies.grid();
         if solution.grid() != grid {
@@ -149,64 +141,95 @@ impl TangentialSolver {
                 quantity: "solution",
             });
         }
+        let start = Instant::now();
+        let mut observer = with_memory(&mut observer);
         let limits = &self.problem.limits;
         let (_, value) = self.problem.load.along()?;
         let (prescribed_shift, total) = match self.problem.load {
             TangentialLoad::Force(_) => (0.0, Some(limits.total(value, grid.cell_area()))),
             TangentialLoad::Shift(_) => (value, None),
         };
-        self.linear.fill(-prescribed_shift);
+        self.stage.linear.fill(-prescribed_shift);
         if !self.is_warm {
-            // In proportion to the limits: feasible, and close near sliding.
-            let fraction = total.map_or(0.0, |total| {
-                if total == 0.0 {
-                    0.0
-                } else {
-                    total / limits.sum
-                }
-            });
-            for (traction, limit) in self.traction.iter_mut().zip(&limits.cells) {
-                *traction = fraction * limit;
-            }
+            self.start_cold(value, total, start, &mut observer)?;
         }
         self.is_warm = true;
 
-        let operator = Arc::clone(&self.compliance.operator);
-        let mut problem = Problem::new(operator, &self.linear, Magnitude(&limits.cells))
-            .preconditioner(Arc::clone(&self.compliance.inverse));
-        if let Some(total) = total {
-            problem = problem.total(total);
+        let limits = &self.problem.limits;
+        let settings = with_time_left(&self.problem.settings, start);
+        let constraint = Magnitude(&limits.cells);
+        let outcome = self
+            .stage
+            .minimise(constraint, total, &settings, &mut observer);
+        if !matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
+            return outcome;
         }
-        let outcome = cgm::minimise_with(
-            &problem,
-            &self.problem.settings,
-            &mut self.traction,
-            &mut self.workspace,
-            &mut observer,
-        );
-        if matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
-            solution.fill(&Answer {
-                window: self.problem.window,
-                axis: self.axis,
-                pressure: &self.problem.pressure,
-                limits: &limits.cells,
-                traction: &self.traction,
-                displacement: self.workspace.product(),
-                shift: prescribed_shift + self.workspace.multiplier(),
-                report: self.workspace.report(),
-            });
+        self.report.clone_from(self.stage.report());
+        self.report.time = start.elapsed();
+        solution.fill(&Answer {
+            window: self.problem.window,
+            axis: self.axis,
+            pressure: &self.problem.pressure,
+            limits: &limits.cells,
+            traction: &self.stage.x,
+            displacement: self.stage.product(),
+            shift: prescribed_shift + self.stage.multiplier(),
+            report: &self.report,
+        });
+        outcome.map_err(|_| Error::NotConverged(Box::new(self.report.clone())))
+    }
+
+    /// From nothing: the answer on coarser cells, unless it is known or another method is asked for.
+    fn start_cold(
+        &mut self,
+        value: f64,
+        total: Option<f64>,
+        start: Instant,
+        observer: Observer<'_>,
+    ) -> Result<()> {
+        let TangentialProblem {
+            bodies,
+            window,
+            limits,
+            settings,
+            ..
+        } = &self.problem;
+        if value == 0.0 || limits.sum <= 0.0 {
+            self.stage.x.fill(0.0);
+            return Ok(());
         }
-        outcome
+        let scene = FrictionScene {
+            limits: limits.cells.clone(),
+            linear: self.stage.linear.clone(),
+        };
+        let is_sliding = total.is_some_and(|total| total.abs() >= limits.sum);
+        self.stage.x = if settings.method == Method::PolonskyKeer || is_sliding {
+            scene.plain_start(total)
+        } else {
+            let settings = with_time_left(settings, start);
+            let component = component(self.axis);
+            nested_start(
+                bodies,
+                component,
+                window.size,
+                &scene,
+                total,
+                &settings,
+                observer,
+            )?
+        };
+        Ok(())
     }
 }
 
-/// The operator of one axis on the window of the contact.
-fn compliance(problem: &TangentialProblem, axis: Axis) -> Result<Compliance> {
-    let component = match axis {
+fn component(axis: Axis) -> Component {
+    match axis {
         Axis::X => Component::XX,
         Axis::Y => Component::YY,
-    };
-    problem
-        .bodies
-        .compliance_of_window(component, problem.window.size)
+    }
+}
+
+/// The engine for one axis on the window of the contact.
+fn stage(problem: &TangentialProblem, axis: Axis) -> Result<Stage> {
+    Stage::new(&problem.bodies, component(axis), problem.window.size)
 }

@@ -1,0 +1,171 @@
+//! The engine set up on a rectangle of cells: one scene of one size, solved again and again.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use std::time::Instant;
+
+use crate::cgm::{self, Constraint, Iteration, Problem, Settings, Workspace};
+use crate::error::{Error, Result};
+use crate::fft::{CirculantInverse, Convolution};
+use crate::half_space::{Compliance, HalfSpace};
+use crate::influence::Component;
+use crate::report::Report;
+use crate::window::halved;
+
+/// Who watches a solve and may cancel it.
+pub(crate) type Observer<'a> = &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send);
+
+/// Operator, buffers, linear term and unknowns on `size` cells.
+#[derive(Debug)]
+pub(crate) struct Stage {
+    pub(crate) size: [usize; 2],
+    compliance: Compliance,
+    workspace: Workspace<Arc<Convolution>, Arc<CirculantInverse>>,
+    /// The start of the next solve, and the answer of the last.
+    pub(crate) x: Vec<f64>,
+    pub(crate) linear: Vec<f64>,
+}
+
+impl Stage {
+    pub(crate) fn new(bodies: &HalfSpace, component: Component, size: [usize; 2]) -> Result<Self> {
+        let compliance = bodies.compliance_of_window(component, size)?;
+        let workspace = Workspace::new(&compliance.operator, &compliance.inverse);
+        let cells = size[0] * size[1];
+        Ok(Self {
+            size,
+            compliance,
+            workspace,
+            x: vec![0.0; cells],
+            linear: vec![0.0; cells],
+        })
+    }
+
+    /// Minimises from `x` into `x`; the rest is in the accessors, converged or not.
+    pub(crate) fn minimise(
+        &mut self,
+        constraint: impl Constraint,
+        total: Option<f64>,
+        settings: &Settings,
+        observer: Observer<'_>,
+    ) -> Result<()> {
+        let operator = Arc::clone(&self.compliance.operator);
+        let mut problem = Problem::new(operator, &self.linear, constraint)
+            .preconditioner(Arc::clone(&self.compliance.inverse));
+        if let Some(total) = total {
+            problem = problem.total(total);
+        }
+        cgm::minimise_with(
+            &problem,
+            settings,
+            &mut self.x,
+            &mut self.workspace,
+            observer,
+        )
+    }
+
+    /// `C x` of the answer.
+    pub(crate) fn product(&self) -> &[f64] {
+        self.workspace.product()
+    }
+
+    pub(crate) fn multiplier(&self) -> f64 {
+        self.workspace.multiplier()
+    }
+
+    pub(crate) fn report(&self) -> &Report {
+        self.workspace.report()
+    }
+}
+
+/// Relative accuracy of a coarse answer: its own discretisation error is not smaller.
+const COARSE_TOLERANCE: f64 = 1e-2;
+/// Cells at or below which a grid is solved from a plain start.
+const COARSEST: usize = 40 * 40;
+
+/// A scene that can be posed on cells twice as large, whose answer is a start for its own.
+pub(crate) trait Nested: Sized {
+    /// The scene on coarser cells.
+    fn coarse_scene(&self, size: [usize; 2]) -> Self;
+
+    /// The total that asks of the coarser scene what `total` asks of this one.
+    fn coarse_total(&self, coarse: &Self, total: f64) -> f64;
+
+    fn linear(&self) -> &[f64];
+
+    /// A start from nothing.
+    fn plain_start(&self, total: Option<f64>) -> Vec<f64>;
+
+    /// A start from the coarser scene's answer.
+    fn refined_start(&self, size: [usize; 2], coarse: &Self, answer: &[f64]) -> Vec<f64>;
+
+    fn minimise(
+        &self,
+        stage: &mut Stage,
+        total: Option<f64>,
+        settings: &Settings,
+        observer: Observer<'_>,
+    ) -> Result<()>;
+}
+
+/// A start from the answer on cells twice as large, itself found so: far fewer steps are then left
+/// to do on the finest cells (Bornemann & Deuflhard's cascade, Numer. Math. 75 (1996) 135,
+/// <https://doi.org/10.1007/s002110050234>).
+pub(crate) fn nested_start<N: Nested>(
+    bodies: &HalfSpace,
+    component: Component,
+    size: [usize; 2],
+    scene: &N,
+    total: Option<f64>,
+    settings: &Settings,
+    observer: Observer<'_>,
+) -> Result<Vec<f64>> {
+    if size[0] * size[1] <= COARSEST || size[0].min(size[1]) < 8 {
+        return Ok(scene.plain_start(total));
+    }
+    let coarse = scene.coarse_scene(size);
+    let coarse_total = total.map(|total| scene.coarse_total(&coarse, total));
+    let (bodies, coarse_size) = (bodies.coarser()?, halved(size));
+    let start = nested_start(
+        bodies,
+        component,
+        coarse_size,
+        &coarse,
+        coarse_total,
+        settings,
+        observer,
+    )?;
+
+    let mut stage = Stage::new(bodies, component, coarse_size)?;
+    stage.x = start;
+    stage.linear.copy_from_slice(coarse.linear());
+    let rough = settings.tolerance(settings.tolerance.max(COARSE_TOLERANCE));
+    match coarse.minimise(&mut stage, coarse_total, &rough, observer) {
+        // As a start an unfinished answer serves too.
+        Ok(()) | Err(Error::NotConverged(_)) => Ok(scene.refined_start(size, &coarse, &stage.x)),
+        Err(error) => Err(error),
+    }
+}
+
+/// An observer that goes on refusing once it has refused, and the time a nested start has left.
+pub(crate) fn with_memory<'a>(
+    observer: Observer<'a>,
+) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send + 'a {
+    let mut cancelled = false;
+    move |iteration| {
+        if cancelled || observer(iteration).is_break() {
+            cancelled = true;
+            return ControlFlow::Break(());
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+/// The settings with what is left of their time limit.
+pub(crate) fn with_time_left(settings: &Settings, start: Instant) -> Settings {
+    Settings {
+        time_limit: settings
+            .time_limit
+            .map(|limit| limit.saturating_sub(start.elapsed())),
+        ..*settings
+    }
+}

@@ -1,0 +1,155 @@
+//! A rectangle of cells around a contact.
+
+use crate::error::{Error, Result};
+use crate::grid::Grid;
+
+/// A rectangle of cells of a grid.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Window {
+    columns: usize,
+    corner: [usize; 2],
+    pub(crate) size: [usize; 2],
+}
+
+impl Window {
+    /// The whole grid.
+    pub(crate) fn whole(grid: Grid) -> Self {
+        Self {
+            columns: grid.nx(),
+            corner: [0, 0],
+            size: [grid.nx(), grid.ny()],
+        }
+    }
+
+    /// Around all cells of a grid that are in a set.
+    ///
+    /// # Errors
+    /// [`Error::EmptyContact`] if none is.
+    pub(crate) fn around(grid: Grid, contains: impl Fn(usize) -> bool) -> Result<Self> {
+        let nx = grid.nx();
+        let (mut low, mut high) = ([usize::MAX; 2], [0; 2]);
+        for iy in 0..grid.ny() {
+            let mut columns = 0..nx;
+            let contains = |ix: &usize| contains(iy * nx + ix);
+            if let Some(first) = columns.find(contains) {
+                let last = columns.rev().find(contains).unwrap_or(first);
+                low = [low[0].min(first), low[1].min(iy)];
+                high = [high[0].max(last), iy];
+            }
+        }
+        if low[0] == usize::MAX {
+            return Err(Error::EmptyContact);
+        }
+        Ok(Self {
+            columns: nx,
+            corner: low,
+            size: [high[0] - low[0] + 1, high[1] - low[1] + 1],
+        })
+    }
+
+    /// The smallest window around two.
+    pub(crate) fn union(self, other: Self) -> Self {
+        let mut both = self;
+        for axis in [0, 1] {
+            let end = |window: Self| window.corner[axis] + window.size[axis];
+            both.corner[axis] = self.corner[axis].min(other.corner[axis]);
+            both.size[axis] = end(self).max(end(other)) - both.corner[axis];
+        }
+        both
+    }
+
+    /// Whether a cell of the whole grid lies inside.
+    pub(crate) fn contains(&self, index: usize) -> bool {
+        let cell = [index % self.columns, index / self.columns];
+        (0..2).all(|axis| {
+            (self.corner[axis]..self.corner[axis] + self.size[axis]).contains(&cell[axis])
+        })
+    }
+
+    /// Wider by a sixteenth and four cells on each side, as far as the grid goes.
+    pub(crate) fn widened(self, grid: Grid) -> Self {
+        let mut wide = self;
+        for (axis, cells) in [grid.nx(), grid.ny()].into_iter().enumerate() {
+            let margin = 4 + self.size[axis] / 16;
+            let end = (self.corner[axis] + self.size[axis] + margin).min(cells);
+            wide.corner[axis] = self.corner[axis].saturating_sub(margin);
+            wide.size[axis] = end - wide.corner[axis];
+        }
+        wide
+    }
+
+    pub(crate) fn cells(&self) -> usize {
+        self.size[0] * self.size[1]
+    }
+
+    /// Index in the whole grid of the first cell of a row of the window.
+    fn row_start(&self, row: usize) -> usize {
+        (self.corner[1] + row) * self.columns + self.corner[0]
+    }
+
+    /// Indices in the whole grid, in the order of the window.
+    pub(crate) fn indices(&self) -> impl Iterator<Item = usize> + use<> {
+        let window = *self;
+        (0..window.size[1]).flat_map(move |row| {
+            let start = window.row_start(row);
+            start..start + window.size[0]
+        })
+    }
+
+    /// Copies the window out of a field of the whole grid.
+    pub(crate) fn gather(&self, whole: &[f64], part: &mut [f64]) {
+        for (row, part) in part.chunks_exact_mut(self.size[0]).enumerate() {
+            part.copy_from_slice(&whole[self.row_start(row)..][..self.size[0]]);
+        }
+    }
+
+    /// Copies the window into a field of the whole grid.
+    pub(crate) fn scatter(&self, part: &[f64], whole: &mut [f64]) {
+        for (row, part) in part.chunks_exact(self.size[0]).enumerate() {
+            whole[self.row_start(row)..][..self.size[0]].copy_from_slice(part);
+        }
+    }
+}
+
+/// Half the cells along each axis, the last one alone where their number is odd.
+pub(crate) fn halved(size: [usize; 2]) -> [usize; 2] {
+    size.map(|n| n.div_ceil(2))
+}
+
+/// The mean of each two by two cells (of those there are, at an odd edge).
+pub(crate) fn coarsened([nx, ny]: [usize; 2], fine: &[f64]) -> Vec<f64> {
+    let [width, height] = halved([nx, ny]);
+    let mean = |i: usize, j: usize| {
+        let (columns, rows) = (2 * i..(2 * i + 2).min(nx), 2 * j..(2 * j + 2).min(ny));
+        let cells = (columns.len() * rows.len()) as f64;
+        let sum: f64 = rows
+            .map(|row| fine[row * nx..][columns.clone()].iter().sum::<f64>())
+            .sum();
+        sum / cells
+    };
+    (0..width * height)
+        .map(|cell| mean(cell % width, cell / width))
+        .collect()
+}
+
+/// Bilinear interpolation of coarse cell centres at the fine ones, constant beyond the outermost.
+pub(crate) fn refined([nx, ny]: [usize; 2], coarse: &[f64]) -> Vec<f64> {
+    let [width, height] = halved([nx, ny]);
+    // The nearer coarse cell weighs 3/4 along each axis, the one beyond 1/4.
+    let neighbours = |i: usize, cells: usize| {
+        let near = i / 2;
+        let far = if i % 2 == 0 {
+            near.saturating_sub(1)
+        } else {
+            (near + 1).min(cells - 1)
+        };
+        [near, far]
+    };
+    let value = |cell: usize| {
+        let ([x, beyond_x], [y, beyond_y]) =
+            (neighbours(cell % nx, width), neighbours(cell / nx, height));
+        let at = |i: usize, j: usize| coarse[j * width + i];
+        (9.0 * at(x, y) + 3.0 * (at(beyond_x, y) + at(x, beyond_y)) + at(beyond_x, beyond_y)) / 16.0
+    };
+    (0..nx * ny).map(value).collect()
+}
