@@ -67,7 +67,7 @@ impl Field {
     /// The sample of cell `(ix, iy)`, `None` outside the grid.
     #[must_use]
     pub fn get(&self, ix: usize, iy: usize) -> Option<f64> {
-        if ix < self.grid.nx() {
+        if ix < self.grid.nx() && iy < self.grid.ny() {
             self.samples.get(iy * self.grid.nx() + ix).copied()
         } else {
             None

@@ -43,6 +43,10 @@ pub trait Operator: Sync {
     fn workspace(&self) -> Self::Workspace;
 
     /// Writes `C x` to `out`. Both slices have [`Operator::len`] entries.
+    ///
+    /// # Panics
+    /// The operators of this crate panic on slices of another length and on the workspace of an
+    /// operator of another size.
     fn apply(&self, x: &[f64], out: &mut [f64], workspace: &mut Self::Workspace);
 
     /// Writes about `C x` to `out`, with an error of at most some 1e-6 of the largest result: what
@@ -54,7 +58,8 @@ pub trait Operator: Sync {
     /// A known lower bound of the smallest eigenvalue, `x' C x >= bound * x' x`.
     ///
     /// It turns a residual into a certified error. The default, zero, says that nothing is
-    /// known beyond positive semi-definiteness, and leaves only the duality gap.
+    /// known beyond positive semi-definiteness, and leaves only the duality gap; so does a negative
+    /// number or NaN.
     fn lower_bound(&self) -> f64 {
         0.0
     }

@@ -2,7 +2,7 @@
 //!
 //! Work is cut into tasks by index, never by thread count where a sum is formed, so that the bits
 //! of a result do not depend on the number of threads. Only `rayon::join` is used: it runs in the
-//! caller's pool and allocates nothing.
+//! caller's pool and allocates nothing there ([`enter`] goes there once).
 
 use std::ops::Range;
 

@@ -10,13 +10,15 @@ use std::time::Duration;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Status {
+    /// Nothing was solved yet.
+    Unsolved,
     /// A fresh product shows residual and certified error at or below the tolerance.
     Converged,
     /// The limit of iterations was reached first.
     IterationLimit,
     /// The time limit was reached first.
     TimeLimit,
-    /// The residual no longer falls: round-off, or a tolerance below it.
+    /// The residual no longer falls: a tolerance below round-off, or an operator that returns NaN.
     Stalled,
     /// The observer asked to stop.
     Cancelled,
@@ -25,6 +27,7 @@ pub enum Status {
 impl fmt::Display for Status {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(match self {
+            Self::Unsolved => "not solved",
             Self::Converged => "converged",
             Self::IterationLimit => "stopped at the iteration limit",
             Self::TimeLimit => "stopped at the time limit",
@@ -34,7 +37,8 @@ impl fmt::Display for Status {
     }
 }
 
-/// One step of an iteration, as an observer sees it: first the start, then every step.
+/// One step of an iteration, as an observer sees it: the start, then at least once for every step,
+/// also of the coarser grids of a nested start.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Iteration {
@@ -52,7 +56,7 @@ pub struct Iteration {
 ///
 /// Every number is recomputed from a fresh product with the returned iterate,
 /// whatever the status.
-#[derive(Clone, PartialEq)]
+#[derive(PartialEq)]
 #[non_exhaustive]
 pub struct Report {
     /// Why the iteration ended.
@@ -81,15 +85,15 @@ pub struct Report {
 }
 
 impl Report {
-    /// A report of no work: the answer was known without a product.
-    pub(crate) fn exact() -> Self {
+    /// Before any solve.
+    pub(crate) fn unsolved() -> Self {
         Self {
-            status: Status::Converged,
+            status: Status::Unsolved,
             iterations: 0,
             convolutions: 0,
             rough_convolutions: 0,
-            residual: 0.0,
-            certified_gap: 0.0,
+            residual: f64::INFINITY,
+            certified_gap: f64::INFINITY,
             load_error: 0.0,
             time: Duration::ZERO,
             history: Vec::new(),
@@ -106,6 +110,21 @@ impl Report {
     #[must_use]
     pub fn energy_error_bound(&self) -> f64 {
         self.certified_gap.sqrt()
+    }
+}
+
+impl Clone for Report {
+    fn clone(&self) -> Self {
+        let mut copy = Self::unsolved();
+        copy.clone_from(self);
+        copy
+    }
+
+    /// Keeps the memory of the history: a solver fills the same report again and again.
+    fn clone_from(&mut self, source: &Self) {
+        let mut history = std::mem::take(&mut self.history);
+        history.clone_from(&source.history);
+        *self = Self { history, ..*source };
     }
 }
 

@@ -299,3 +299,66 @@ fn the_direct_solution_of_three_unknowns() {
     assert!(common::max_difference(&held.x, &[1.5, 0.0, 1.5]) < 1e-15);
     assert!((held.multiplier - 2.0).abs() < 1e-15);
 }
+
+/// An operator that breaks, at the first product or later.
+struct Broken {
+    matrix: DenseOperator,
+    sound_products: usize,
+    products: std::sync::atomic::AtomicUsize,
+}
+
+impl Operator for Broken {
+    type Workspace = ();
+
+    fn len(&self) -> usize {
+        self.matrix.len()
+    }
+
+    fn workspace(&self) {}
+
+    fn apply(&self, x: &[f64], out: &mut [f64], (): &mut ()) {
+        self.matrix.apply(x, out, &mut ());
+        let count = self
+            .products
+            .fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+        if count >= self.sound_products {
+            out[out.len() / 2] = f64::NAN;
+        }
+    }
+}
+
+#[test]
+fn a_broken_operator_never_converges() {
+    let mut scene = Scene::new(5);
+    let linear = scene.gap.as_slice().to_vec();
+    let total = scene.random.uniform(0.1, 1.0);
+    for method in [Method::ActiveSet, Method::PolonskyKeer] {
+        for sound_products in 0..6 {
+            for total in [None, Some(total)] {
+                let operator = Broken {
+                    matrix: DenseOperator::of_half_space(&scene.bodies, Component::ZZ).unwrap(),
+                    sound_products,
+                    products: 0.into(),
+                };
+                let depth = if total.is_none() {
+                    scene.gap.max()
+                } else {
+                    0.0
+                };
+                let linear: Vec<f64> = linear.iter().map(|h| h - depth).collect();
+                let mut problem = Problem::new(operator, &linear, NonNegative);
+                if let Some(total) = total {
+                    problem = problem.total(total);
+                }
+                let mut x = vec![0.01; linear.len()];
+                let settings = Settings::default().tolerance(1e-13).method(method);
+                let outcome = cgm::minimise(&problem, &settings, &mut x);
+                let Err(Error::NotConverged(report)) = outcome else {
+                    panic!("{method:?} after {sound_products} products: {outcome:?}");
+                };
+                assert_eq!(report.status, cgm::Status::Stalled);
+                assert!(x.iter().all(|x| x.is_finite() && *x >= 0.0));
+            }
+        }
+    }
+}

@@ -94,7 +94,8 @@ impl CattaneoMindlin {
         self.slip.stick * self.slip.stick
     }
 
-    /// Shift $`\delta_x`$ of body 1 relative to body 2 (a length), of the sign of the force.
+    /// Shift $`\delta_x`$ (a length): the rigid motion of body 2 relative to body 1, of the sign
+    /// of the force.
     ///
     /// ```math
     /// \delta_x = \frac{3\mu W}{8a}\left[\frac{(2-\nu_1)(1+\nu_1)}{E_1} +
@@ -290,7 +291,8 @@ impl CattaneoMindlinEllipse {
         self.slip.stick * self.slip.stick
     }
 
-    /// Shift $`\delta_x`$ of body 1 relative to body 2 (a length), of the sign of the force.
+    /// Shift $`\delta_x`$ (a length): the rigid motion of body 2 relative to body 1, of the sign
+    /// of the force.
     /// Formula on the [type](Self); Mindlin (1949).
     #[must_use]
     pub fn shift(&self) -> f64 {

@@ -38,7 +38,13 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
         run.refresh();
         set_multiplier(run);
         let findings = run.examine();
-        let merit = run.merit(&findings).max(bound_violation(run));
+        let mut merit = run.merit(&findings).max(bound_violation(run));
+        if merit <= run.settings.tolerance {
+            // Judge what will be returned.
+            run.make_feasible();
+            let feasible = run.examine();
+            merit = run.merit(&feasible);
+        }
         if let ControlFlow::Break(status) = run.judge(merit, findings.free) {
             return Some(status);
         }
@@ -242,7 +248,7 @@ fn solve_free<C: Operator, K: Constraint, P: Operator>(
             let d = inner.direction[k];
             [d * (inner.residual[k] + change), d * image[i]]
         });
-        if curvature <= 0.0 {
+        if !(curvature > 0.0 && along.is_finite()) {
             break;
         }
         let length = along / curvature;

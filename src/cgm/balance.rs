@@ -21,18 +21,22 @@ const EDGE: f64 = 1e-12;
 
 /// Finds where the total lies, or refuses it.
 pub(super) fn reach(len: usize, constraint: &impl Constraint, total: f64) -> Result<Reach> {
-    let [lower, upper] = reduce::sums(len, |i| constraint.bounds(i));
-    let finite = |bound: f64| if bound.is_finite() { bound.abs() } else { 0.0 };
-    let edge = EDGE * finite(lower).max(finite(upper)).max(total.abs());
-    if !total.is_finite() || total < lower - edge || total > upper + edge {
+    let [lower, upper, lower_size, upper_size] = reduce::sums(len, |i| {
+        let [lower, upper] = constraint.bounds(i);
+        [lower, upper, lower.abs(), upper.abs()]
+    });
+    // Round-off of either sum; an infinite side is never reached.
+    let edge = |size: f64| if size.is_finite() { EDGE * size } else { 0.0 };
+    let (low_edge, high_edge) = (edge(lower_size), edge(upper_size));
+    if !total.is_finite() || total < lower - low_edge || total > upper + high_edge {
         Err(Error::Total {
             total,
             lower,
             upper,
         })
-    } else if total <= lower + edge {
+    } else if total <= lower + low_edge {
         Ok(Reach::AtLower)
-    } else if total >= upper - edge {
+    } else if total >= upper - high_edge {
         Ok(Reach::AtUpper)
     } else {
         Ok(Reach::Inside)
@@ -53,17 +57,20 @@ pub(super) fn restore(
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     let mut shift = 0.0;
     for _ in 0..200 {
-        let [sum, moving, magnitude] = reduce::sums(x.len(), |i| {
+        let [sum, moving, magnitude, may_rise, may_fall] = reduce::sums(x.len(), |i| {
             if !selected(i) {
-                return [x[i], 0.0, x[i].abs()];
+                return [x[i], 0.0, x[i].abs(), 0.0, 0.0];
             }
             let value = constraint.project(i, x[i] + shift);
             let [lower, upper] = constraint.bounds(i);
+            let one_if = |condition: bool| f64::from(u8::from(condition));
             let is_moving = value > lower && value < upper;
-            [value, f64::from(u8::from(is_moving)), value.abs()]
+            let (rises, falls) = (one_if(value < upper), one_if(value > lower));
+            [value, one_if(is_moving), value.abs(), rises, falls]
         });
         let missing = total - sum;
-        if missing.abs() <= 4.0 * f64::EPSILON * magnitude {
+        let has_room = if missing > 0.0 { may_rise } else { may_fall };
+        if missing.abs() <= 1e-14 * magnitude || has_room == 0.0 {
             break;
         }
         if missing > 0.0 {

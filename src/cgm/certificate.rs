@@ -1,28 +1,6 @@
 //! How far an iterate can be from the minimum, from one product.
 //!
-//! Let `x` be feasible with gradient `g = C x + b - delta` (the multiplier may be any number when a
-//! total is prescribed), `x*` the minimum and `E^2 = (x - x*)' C (x - x*)`. Because the gradient at
-//! the minimum has a non-negative product with `x - x*`, and the two gradients differ by
-//! `C (x - x*)`,
-//!
-//! ```math
-//! E^2 \le g' (x - x^*) .
-//! ```
-//!
-//! Each entry's share of the right side is bounded in one of two ways: by its duality gap
-//! `a_i = g_i x_i - min over y_i of g_i y_i`, or, with a lower bound `lambda` of the eigenvalues of
-//! `C`, through `sum r_i (x - x*)_i <= |r| E / sqrt(lambda)`, where `r_i` is the part of `g_i` that
-//! complementarity does not allow. With `A` the sum of the first and `B = |r| / sqrt(lambda)`,
-//! `E^2 <= A + B E`, hence
-//!
-//! ```math
-//! E \le B/2 + \sqrt{B^2/4 + A} .
-//! ```
-//!
-//! A total missed by round-off is reported by itself: `x*` is the minimum of the total `x` has.
-//!
-//! The first is the Frank-Wolfe gap (<https://doi.org/10.1002/nav.3800030109>), of first order in
-//! the residual; the second is of second order.
+//! The page of the module [`cgm`](crate::cgm) derives the bound.
 
 use crate::cgm::constraint::Constraint;
 use crate::cgm::reduce;
@@ -78,7 +56,13 @@ pub(crate) fn examine(
         if bounds[0] >= bounds[1] {
             return [0.0, 0.0];
         }
-        let violated = violation(x[i], bounds, gradient(i));
+        let g = gradient(i);
+        // The minimum or maximum of a NaN and a number is the number: pass it on by hand.
+        let violated = if g.is_nan() {
+            g
+        } else {
+            violation(x[i], bounds, g)
+        };
         [product[i].abs(), violated.abs()]
     });
     let [energy, sum, magnitude, free, linear_share, squares] = reduce::sums(x.len(), |i| {
@@ -122,7 +106,13 @@ fn count(sum_of_ones: f64) -> usize {
     sum_of_ones as usize
 }
 
-/// `a / b`, zero when `a` is.
+/// `a / b`, zero when `a` is; NaN if either is, so that a broken product is seen.
 fn ratio(a: f64, b: f64) -> f64 {
-    if a == 0.0 { 0.0 } else { a / b.max(0.0) }
+    if a == 0.0 && !b.is_nan() {
+        0.0
+    } else if b < 0.0 {
+        f64::INFINITY
+    } else {
+        a / b
+    }
 }

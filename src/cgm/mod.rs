@@ -15,6 +15,37 @@
 //! iterate returned is feasible and the [`Report`] is computed from a fresh product with it; its
 //! certified gap bounds the error in the energy norm (see [`Report::certified_gap`]).
 //!
+//! # The certified error
+//!
+//! Let `x` be feasible with gradient `g = C x + b - delta` (the multiplier may be any number when a
+//! total is prescribed), `x*` the minimum and `E^2 = (x - x*)' C (x - x*)`. Because the gradient at
+//! the minimum has a non-negative product with `x - x*`, and the two gradients differ by
+//! `C (x - x*)`,
+//!
+//! ```math
+//! E^2 \le g' (x - x^*) .
+//! ```
+//!
+//! Each entry's share of the right side is bounded in one of two ways: by its duality gap
+//! `a_i = g_i x_i - min over y_i of g_i y_i`, or, with a lower bound `lambda` of the eigenvalues of
+//! `C`, through `sum r_i (x - x*)_i <= |r| E / sqrt(lambda)`, where `r_i` is the part of `g_i` that
+//! complementarity does not allow. With `A` the sum of the first and `B = |r| / sqrt(lambda)`,
+//! `E^2 <= A + B E`, hence
+//!
+//! ```math
+//! E \le B/2 + \sqrt{B^2/4 + A} .
+//! ```
+//!
+//! A total missed by round-off is reported by itself: `x*` is the minimum of the total `x` has.
+//!
+//! The first is the Frank-Wolfe gap (<https://doi.org/10.1002/nav.3800030109>), of first order in
+//! the residual; the second is of second order.
+//!
+//! For an operator that does not know such a `lambda` the first is all there is, and an iteration then
+//! stops on the residual alone. All of this holds up to the round-off of the product.
+//!
+//! # Example
+//!
 //! ```
 //! use stickslip::cgm::{self, NonNegative, Problem, Settings};
 //! use stickslip::{Identity, Operator};
@@ -188,7 +219,7 @@ impl<C: Operator, P: Operator> Workspace<C, P> {
             },
             free_set: FreeSet::with_capacity(len),
             state: vec![State::Fixed; len],
-            report: Report::exact(),
+            report: Report::unsolved(),
             multiplier: 0.0,
         }
     }
@@ -261,8 +292,7 @@ pub fn minimise_with<C: Operator, K: Constraint, P: Operator>(
             Some(balance::Reach::AtUpper) => run.at_extreme(State::Upper),
             Some(balance::Reach::Inside) | None => iterate(&mut run),
         };
-        run.finish(status);
-        Ok(status)
+        Ok(run.finish(status))
     };
     let status = parallel::enter(solve)?;
     if status == Status::Converged {
@@ -272,10 +302,12 @@ pub fn minimise_with<C: Operator, K: Constraint, P: Operator>(
     }
 }
 
-/// The chosen method; each time its sets cycle, twice as many steps of a method that has none.
+/// The chosen method; each time its sets cycle, twice as many steps of a method that has none, until
+/// that does not help any more.
 fn iterate<C: Operator, K: Constraint, P: Operator>(run: &mut Run<'_, '_, C, K, P>) -> Status {
-    let (mut detour, mut is_stationary) = (32, false);
+    let (mut detour, mut in_vain) = (32, 0);
     loop {
+        let before = run.best;
         let ended = match run.settings.method {
             Method::ActiveSet => active_set::iterate(run),
             Method::PolonskyKeer => polonsky_keer::iterate(run),
@@ -283,13 +315,23 @@ fn iterate<C: Operator, K: Constraint, P: Operator>(run: &mut Run<'_, '_, C, K, 
         if let Some(status) = ended {
             return status;
         }
-        if is_stationary {
+        in_vain = if run.best <= 0.5 * before {
+            0
+        } else {
+            in_vain + 1
+        };
+        if in_vain > DETOURS_IN_VAIN {
             return Status::Stalled;
         }
         match projected_gradient::iterate(run, detour) {
             ControlFlow::Break(status) => return status,
-            ControlFlow::Continue(found) => is_stationary = found,
+            // The objective no longer falls: one look by the method, and that is all.
+            ControlFlow::Continue(true) => in_vain = DETOURS_IN_VAIN,
+            ControlFlow::Continue(false) => {}
         }
         detour = (2 * detour).min(run.settings.max_iterations);
     }
 }
+
+/// Detours after which the residual was not halved before the iteration counts as stalled.
+const DETOURS_IN_VAIN: usize = 6;

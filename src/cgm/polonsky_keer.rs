@@ -73,7 +73,7 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
             };
             [r * direction[i], direction[i] * image[i]]
         });
-        let length = if curvature > 0.0 {
+        let length = if curvature > 0.0 && along.is_finite() {
             along / curvature
         } else {
             0.0

@@ -31,7 +31,7 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
     };
     for _ in 0..steps {
         let [descent, square] = set_direction(run, length);
-        if descent >= 0.0 {
+        if descent.is_nan() || descent >= 0.0 {
             return ControlFlow::Continue(true);
         }
         run.proceed(0)?;
@@ -45,7 +45,7 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
         } = &mut *run.workspace;
         let (direction, image) = (&*direction, &*image);
         let [curvature] = reduce::sums(direction.len(), |i| [direction[i] * image[i]]);
-        if curvature <= 0.0 {
+        if curvature.is_nan() || curvature <= 0.0 {
             return ControlFlow::Continue(true);
         }
         let step = (-descent / curvature).min(1.0);
@@ -100,7 +100,8 @@ fn first_length<C: Operator, K: Constraint, P: Operator>(
     (curvature > 0.0).then(|| square / curvature)
 }
 
-/// `d = P(x - a g) - x`; returns `[g'd, d'd]`.
+/// `d = P(x - a g) - x`; returns `[g'd, d'd]`. With a total the mean of `g` changes nothing, and goes:
+/// beside it the products would drown in round-off.
 fn set_direction<C: Operator, K: Constraint, P: Operator>(
     run: &mut Run<'_, '_, C, K, P>,
     length: f64,
@@ -112,28 +113,35 @@ fn set_direction<C: Operator, K: Constraint, P: Operator>(
         ..
     } = &mut *run.workspace;
     let (x, gradient) = (&*run.x, &*gradient);
+    let mean = match run.problem.total {
+        Some(_) => {
+            let [sum, count] = reduce::sums(x.len(), |i| {
+                let [lower, upper] = constraint.bounds(i);
+                if lower < upper {
+                    [gradient[i], 1.0]
+                } else {
+                    [0.0, 0.0]
+                }
+            });
+            sum / count
+        }
+        None => 0.0,
+    };
     parallel::update(direction, |first, chunk| {
         for (i, d) in (first..).zip(chunk) {
-            *d = x[i] - length * gradient[i];
+            *d = x[i] - length * (gradient[i] - mean);
         }
     });
-    match run.problem.total {
-        Some(total) => {
-            balance::restore(direction, constraint, |_| true, total);
-        }
-        None => parallel::update(direction, |first, chunk| {
-            for (i, d) in (first..).zip(chunk) {
-                *d = constraint.project(i, *d);
-            }
-        }),
+    if let Some(total) = run.problem.total {
+        balance::restore(direction, constraint, |_| true, total);
     }
     parallel::update(direction, |first, chunk| {
         for (i, d) in (first..).zip(chunk) {
-            *d -= x[i];
+            *d = constraint.project(i, *d) - x[i];
         }
     });
     let direction = &*direction;
     reduce::sums(x.len(), |i| {
-        [gradient[i] * direction[i], direction[i].powi(2)]
+        [(gradient[i] - mean) * direction[i], direction[i].powi(2)]
     })
 }

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::time::Instant;
 
-use crate::cgm::certificate::{self, Certificate};
+use crate::cgm::certificate::{self, Certificate, violation};
 use crate::cgm::{Constraint, Problem, Settings, State, Workspace, balance, reduce};
 use crate::operator::Operator;
 use crate::parallel::{self, Blocks, CHUNK, blocks};
@@ -25,7 +25,11 @@ pub(super) struct Run<'a, 'b, C: Operator, K, P: Operator> {
     /// Whether `workspace.product` belongs to `x`.
     pub(super) is_fresh: bool,
     /// Least merit so far.
-    best: f64,
+    pub(super) best: f64,
+    /// Of the eigenvalues; zero if none is known.
+    lower_bound: f64,
+    /// Whether the total leaves no choice: the unknowns stand at their bounds.
+    is_extreme: bool,
 }
 
 impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
@@ -53,6 +57,9 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
             steps: 0,
             is_fresh: false,
             best: f64::INFINITY,
+            // A bound that is no number, or negative, is none.
+            lower_bound: problem.operator.lower_bound().max(0.0),
+            is_extreme: false,
         }
     }
 
@@ -141,7 +148,7 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
             &self.problem.constraint,
             self.problem.total,
             self.workspace.multiplier,
-            self.problem.operator.lower_bound(),
+            self.lower_bound,
         );
         findings.write_to(&mut self.workspace.report);
         findings
@@ -151,18 +158,25 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
     /// smallest eigenvalue, the certified error. Without that the duality gap alone is left, whose
     /// root falls only with the root of the residual.
     pub(super) fn merit(&self, findings: &Certificate) -> f64 {
-        let error = if self.problem.operator.lower_bound() > 0.0 {
+        let error = if self.lower_bound > 0.0 {
             findings.gap.sqrt()
         } else {
             0.0
         };
-        findings.residual.max(findings.load_error).max(error)
+        let parts = [findings.residual, findings.load_error, error];
+        if parts.iter().any(|part| part.is_nan()) {
+            return f64::NAN;
+        }
+        parts.into_iter().fold(0.0, f64::max)
     }
 
     /// Records an examined step, and says if it is the last: converged or stopped.
     pub(super) fn judge(&mut self, merit: f64, free: usize) -> ControlFlow<Status> {
         let entry = self.entry(free);
         self.workspace.report.history.push(entry);
+        if merit.is_nan() {
+            return ControlFlow::Break(Status::Stalled);
+        }
         self.best = self.best.min(merit);
         if merit <= self.settings.tolerance {
             return ControlFlow::Break(Status::Converged);
@@ -172,7 +186,7 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
 
     /// What to do when the residual no longer falls: stop if it is round-off, else `None`.
     pub(super) fn stuck(&self) -> Option<Status> {
-        (self.best <= ROUND_OFF || self.best.is_nan()).then_some(Status::Stalled)
+        (self.best <= ROUND_OFF).then_some(Status::Stalled)
     }
 
     /// Counts a step.
@@ -181,7 +195,7 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
         self.workspace.report.iterations = self.steps;
     }
 
-    /// Asks limits and observer whether to go on; called before every product.
+    /// Asks limits and observer whether to go on; called at least once for every two products.
     pub(super) fn proceed(&mut self, free: usize) -> ControlFlow<Status> {
         let entry = self.entry(free);
         if (self.observer)(&entry).is_break() {
@@ -209,10 +223,19 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
     /// Whether nothing drives the unknowns from an allowed zero. An iteration towards zero would
     /// have no size left to measure its residual by.
     pub(super) fn is_zero_the_minimum(&self) -> bool {
-        let (linear, constraint) = (self.problem.linear, &self.problem.constraint);
-        let allows_zero = |i| constraint.project(i, 0.0) == 0.0;
-        self.problem.total.is_none_or(|total| total == 0.0)
-            && (0..self.len()).all(|i| linear[i] == 0.0 && allows_zero(i))
+        let Problem {
+            linear,
+            constraint,
+            total,
+            ..
+        } = self.problem;
+        (0..self.len()).all(|i| {
+            let is_at_rest = match total {
+                None => violation(0.0, constraint.bounds(i), linear[i]) == 0.0,
+                Some(total) => *total == 0.0 && linear[i] == 0.0,
+            };
+            is_at_rest && constraint.project(i, 0.0) == 0.0
+        })
     }
 
     pub(super) fn at_zero(&mut self) -> Status {
@@ -231,6 +254,7 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
                 *value = if side == State::Lower { lower } else { upper };
             }
         });
+        self.is_extreme = true;
         self.refresh();
         let sign = if side == State::Lower { 1.0 } else { -1.0 };
         let gradient = &self.workspace.gradient;
@@ -242,8 +266,9 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
         Status::Converged
     }
 
-    /// Leaves a feasible iterate and a report computed from it.
-    pub(super) fn finish(&mut self, status: Status) {
+    /// Moves the iterate within its bounds and to its total, if it is not there but for round-off;
+    /// its product is then fresh.
+    pub(super) fn make_feasible(&mut self) {
         let constraint = &self.problem.constraint;
         let x = &*self.x;
         let [outside] = reduce::max(x.len(), |i| [(constraint.project(i, x[i]) - x[i]).abs()]);
@@ -255,24 +280,38 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
             });
             self.is_fresh = false;
         }
-        if let Some(total) = self.problem.total {
+        // At an extreme the bounds themselves are the total.
+        if let (Some(total), false) = (self.problem.total, self.is_extreme) {
             let x = &*self.x;
             let [sum, magnitude] = reduce::sums(x.len(), |i| [x[i], x[i].abs()]);
             if (total - sum).abs() > 1e-13 * magnitude {
                 let state = &self.workspace.state;
-                let reached =
-                    balance::restore(self.x, constraint, |i| state[i] == State::Free, total)
-                        || balance::restore(self.x, constraint, |_| true, total);
-                debug_assert!(reached, "the total was checked against the bounds");
+                let is_free = |i: usize| state[i] == State::Free;
+                if !balance::restore(self.x, constraint, is_free, total) {
+                    balance::restore(self.x, constraint, |_| true, total);
+                }
                 self.is_fresh = false;
             }
         }
         if !self.is_fresh {
             self.refresh();
         }
-        self.examine();
+    }
+
+    /// Leaves a feasible iterate, and a report computed from it: what that shows is the last word.
+    pub(super) fn finish(&mut self, status: Status) -> Status {
+        self.make_feasible();
+        let findings = self.examine();
+        let merit = self.merit(&findings);
+        let is_proven = merit <= self.settings.tolerance;
+        let status = if status == Status::Converged && !is_proven {
+            Status::Stalled
+        } else {
+            status
+        };
         let report = &mut self.workspace.report;
         report.status = status;
         report.time = self.start.elapsed();
+        status
     }
 }

@@ -37,8 +37,8 @@ enum Mark {
 const BLOCK_TRIALS: usize = 10;
 
 impl DenseOperator {
-    /// Minimises `1/2 x'Cx + b'x` over the constraint, with `sum x = total` if given, as
-    /// [`cgm::minimise`](crate::cgm::minimise) does, but directly.
+    /// Minimises `1/2 x'Cx + b'x` over the constraint, with `sum x = total` if given, strictly
+    /// between what the bounds allow: what [`cgm::minimise`](crate::cgm::minimise) finds, directly.
     ///
     /// # Errors
     /// [`Error::Length`], [`Error::Sample`], [`Error::Bounds`], [`Error::Total`] if the bounds
@@ -53,6 +53,9 @@ impl DenseOperator {
         length("linear term", self.len, linear.len())?;
         all_finite("linear term", linear)?;
         constraint.check(self.len)?;
+        if let Some(row) = self.first_asymmetric_row() {
+            return Err(Error::NotPositiveDefinite { row });
+        }
         let mut search = Search {
             operator: self,
             linear,
@@ -145,8 +148,17 @@ impl Search<'_> {
             } else {
                 0.5 * (low + high)
             };
-            if (next - multiplier).abs() <= f64::EPSILON * multiplier.abs() || !next.is_finite() {
+            if (next - multiplier).abs() <= f64::EPSILON * multiplier.abs() {
                 return Ok(DenseMinimum { x, multiplier });
+            }
+            if !next.is_finite() {
+                // One side open and Newton's step outside the other: round-off, or nothing moves.
+                let is_round_off = missing.abs() <= 1e-12 * magnitude.max(total.abs());
+                return if is_round_off {
+                    Ok(DenseMinimum { x, multiplier })
+                } else {
+                    Err(unsettled())
+                };
             }
             multiplier = next;
         }
@@ -261,6 +273,6 @@ fn unsettled() -> Error {
         status: Status::Stalled,
         residual: f64::NAN,
         certified_gap: f64::INFINITY,
-        ..Report::exact()
+        ..Report::unsolved()
     }))
 }

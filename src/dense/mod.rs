@@ -90,22 +90,22 @@ impl DenseOperator {
     /// The entry of a row and a column, `None` outside the matrix.
     #[must_use]
     pub fn get(&self, row: usize, column: usize) -> Option<f64> {
-        (column < self.len).then(|| self.entries.get(row * self.len + column).copied())?
+        (row < self.len && column < self.len).then(|| self.row(row)[column])
     }
 
     fn row(&self, row: usize) -> &[f64] {
         &self.entries[row * self.len..(row + 1) * self.len]
     }
 
-    fn is_symmetric(&self) -> bool {
+    fn first_asymmetric_row(&self) -> Option<usize> {
         let scale = self.entries.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
-        (0..self.len)
-            .all(|i| (0..i).all(|j| (self.row(i)[j] - self.row(j)[i]).abs() <= 1e-13 * scale))
+        let differ = |i: usize, j: usize| (self.row(i)[j] - self.row(j)[i]).abs() > 1e-13 * scale;
+        (0..self.len).find(|&i| (0..i).any(|j| differ(i, j)))
     }
 
     /// Smallest eigenvalue less round-off; zero if the matrix is not symmetric positive definite.
     fn smallest_eigenvalue(&self) -> f64 {
-        if !self.is_symmetric() {
+        if self.first_asymmetric_row().is_some() {
             return 0.0;
         }
         let matrix = MatRef::from_row_major_slice(&self.entries, self.len, self.len);

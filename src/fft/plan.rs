@@ -58,7 +58,7 @@ impl<T: Real> fmt::Debug for Plan<T> {
     }
 }
 
-/// Buffers of one transform: four numbers per cell, and a little for each task.
+/// Buffers of one transform: four numbers per cell of the field, and a little for each task.
 #[derive(Debug)]
 pub(super) struct Buffers<T> {
     /// Rows after the first stage, row-major.
@@ -151,6 +151,15 @@ impl<T: Real> Plan<T> {
         scales: [f64; 2],
         workspace: &mut Buffers<T>,
     ) {
+        let cells = self.nx * self.ny;
+        assert!(
+            x.len() == cells
+                && out.len() == cells
+                && workspace.rows.len() == self.ny * self.width(),
+            "fields and workspace must be those of the {} x {} cells of the operator",
+            self.nx,
+            self.ny
+        );
         let Buffers {
             rows,
             occupied,

@@ -47,15 +47,21 @@ impl SingleProduct {
     pub(super) fn apply(&self, x: &[f64], out: &mut [f64], workspace: &mut SingleWorkspace) {
         let largest = parallel::fold(
             x.len(),
-            |range| x[range].iter().fold(0.0, |a: f64, b| a.max(b.abs())),
-            f64::max,
+            |range| x[range].iter().map(|x| x.abs()).fold(0.0, larger),
+            larger,
         );
-        if largest > 0.0 && largest.is_finite() {
+        if largest.is_normal() {
             let scales = [1.0 / largest, largest * self.scale];
             self.plan
                 .convolve(&self.spectrum, x, out, scales, &mut workspace.0);
         } else {
-            out.fill(0.0);
+            // Nothing, or nothing that could be scaled; a broken input stays broken.
+            out.fill(if largest < 1.0 { 0.0 } else { f64::NAN });
         }
     }
+}
+
+/// The larger of two numbers; NaN if either is.
+fn larger(a: f64, b: f64) -> f64 {
+    if b > a || b.is_nan() { b } else { a }
 }

@@ -71,7 +71,7 @@ impl Table {
     #[must_use]
     pub fn get(&self, i: isize, j: isize) -> Option<f64> {
         let (column, row) = (i.unsigned_abs(), j.unsigned_abs());
-        if column >= self.nx {
+        if column >= self.nx || row >= self.ny {
             return None;
         }
         let value = *self.samples.get(row * self.nx + column)?;

@@ -5,6 +5,7 @@ use std::time::Duration;
 use crate::cgm::{Method, Settings};
 use crate::error::{Error, Result, all_finite, finite, non_negative};
 use crate::field::Field;
+use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::normal::{NormalSolution, NormalSolver};
 
@@ -19,9 +20,15 @@ pub enum NormalLoad {
 }
 
 impl NormalLoad {
-    pub(super) fn check(self) -> Result<()> {
+    pub(super) fn check(self, grid: Grid) -> Result<()> {
         match self {
-            Self::Force(force) => non_negative("normal force", force),
+            Self::Force(force) => {
+                non_negative("normal force", force)?;
+                finite(
+                    "normal force over the area of a cell",
+                    force / grid.cell_area(),
+                )
+            }
             Self::Approach(approach) => finite("approach", approach),
         }
         .map(|_| ())
@@ -134,7 +141,7 @@ impl NormalProblemBuilder<'_> {
     /// [`Error::IterationLimit`].
     pub fn build(self) -> Result<NormalProblem> {
         check_gap(self.bodies, self.gap)?;
-        self.load.check()?;
+        self.load.check(self.bodies.grid())?;
         self.settings.check()?;
         Ok(NormalProblem {
             bodies: self.bodies.clone(),

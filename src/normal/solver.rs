@@ -71,7 +71,7 @@ impl NormalSolver {
             pressure: vec![0.0; grid.cells()],
             is_warm: false,
             linear: vec![0.0; grid.cells()],
-            report: Report::exact(),
+            report: Report::unsolved(),
         })
     }
 
@@ -80,7 +80,7 @@ impl NormalSolver {
     /// # Errors
     /// [`Error::Negative`] or [`Error::NotFinite`]; the load is then as it was.
     pub fn set_load(&mut self, load: NormalLoad) -> Result<()> {
-        load.check()?;
+        load.check(self.problem.gap.grid())?;
         self.problem.load = load;
         Ok(())
     }
@@ -149,9 +149,9 @@ impl NormalSolver {
         if !self.is_warm {
             self.start_cold(total, start, &mut observer)?;
         }
-        self.is_warm = true;
         let outcome = self.solve_on_window(total, start, &mut observer);
-        if matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
+        self.is_warm = matches!(outcome, Ok(()) | Err(Error::NotConverged(_)));
+        if self.is_warm {
             self.report.time = start.elapsed();
             let displacement = match &self.whole {
                 Some(whole) => &whole.displacement,

@@ -12,9 +12,10 @@ use crate::window::Window;
 /// What shears the contact, as `[x, y]`; one component must be zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum TangentialLoad {
-    /// The tangential force on body 1 (a force, either sign); the shift follows.
+    /// The tangential force that body 2 exerts on body 1 (a force, either sign); the shift follows.
     Force([f64; 2]),
-    /// The shift of body 1 against body 2 (a length, either sign); the force follows.
+    /// The shift: the rigid motion of body 2 relative to body 1, far from the contact (a length,
+    /// either sign); the force follows, of the same sign.
     Shift([f64; 2]),
 }
 
@@ -70,6 +71,7 @@ pub struct TangentialProblem {
     pub(super) window: Window,
     /// Pressure of the cells of the window.
     pub(super) pressure: Vec<f64>,
+    pub(super) friction: Friction,
     pub(super) limits: Limits,
     pub(super) load: TangentialLoad,
     pub(super) settings: Settings,
@@ -117,7 +119,7 @@ impl TangentialProblem {
         Ok(solution)
     }
 
-    /// The reusable form: a solver that owns its buffers and lets load and friction change.
+    /// The reusable form: a solver that owns its buffers and lets load, friction and pressure change.
     ///
     /// # Errors
     /// As [`HalfSpace::operator`].
@@ -169,16 +171,12 @@ impl TangentialProblemBuilder<'_> {
     /// Checks everything and cuts out the contact.
     ///
     /// # Errors
+    /// [`Error::NotConverged`] if the normal contact is not, with its report;
     /// [`Error::GridMismatch`], [`Error::CoupledMaterials`], [`Error::ObliqueLoad`],
     /// [`Error::NotFinite`], [`Error::EmptyContact`], [`Error::BeyondSliding`],
     /// [`Error::Tolerance`], [`Error::IterationLimit`].
     pub fn build(self) -> Result<TangentialProblem> {
         let grid = self.bodies.grid();
-        if self.normal.pressure().grid() != grid {
-            return Err(Error::GridMismatch {
-                quantity: "normal solution",
-            });
-        }
         self.friction.check(grid)?;
         self.load.along()?;
         self.settings.check()?;
@@ -186,9 +184,9 @@ impl TangentialProblemBuilder<'_> {
         if beta.abs() > UNCOUPLED && !self.neglect_coupling {
             return Err(Error::CoupledMaterials { beta });
         }
-        let samples = self.normal.pressure().as_slice();
-        let window = Window::around(grid, |i| samples[i] > 0.0)?;
-        let pressure: Vec<f64> = window.indices().map(|i| samples[i]).collect();
+        let window = contact_window(self.bodies, self.normal)?;
+        let mut pressure = vec![0.0; window.cells()];
+        window.gather(self.normal.pressure().as_slice(), &mut pressure);
         let mut limits = Limits::new(pressure.len());
         limits.set(&self.friction, window, &pressure);
         limits.check(self.load, grid.cell_area())?;
@@ -196,11 +194,26 @@ impl TangentialProblemBuilder<'_> {
             bodies: self.bodies.clone(),
             window,
             pressure,
+            friction: self.friction,
             limits,
             load: self.load,
             settings: self.settings,
         })
     }
+}
+
+/// The smallest window around the contact of a converged normal solution on the same grid.
+pub(super) fn contact_window(bodies: &HalfSpace, normal: &NormalSolution) -> Result<Window> {
+    if normal.grid() != bodies.grid() {
+        return Err(Error::GridMismatch {
+            quantity: "normal solution",
+        });
+    }
+    if !normal.report().is_converged() {
+        return Err(Error::NotConverged(Box::new(normal.report().clone())));
+    }
+    let samples = normal.pressure().as_slice();
+    Window::around(normal.grid(), |i| samples[i] > 0.0)
 }
 
 /// The friction limit of every cell of a window, and their sum.
@@ -211,7 +224,7 @@ pub(super) struct Limits {
 }
 
 impl Limits {
-    fn new(cells: usize) -> Self {
+    pub(super) fn new(cells: usize) -> Self {
         Self {
             cells: vec![0.0; cells],
             sum: 0.0,
@@ -233,6 +246,7 @@ impl Limits {
     /// Refuses a force that friction cannot hold.
     pub(super) fn check(&self, load: TangentialLoad, cell_area: f64) -> Result<()> {
         let (_, value) = load.along()?;
+        finite("sum of the friction limits", self.sum)?;
         let limit = self.sum * cell_area;
         match load {
             TangentialLoad::Force(_) if value.abs() > limit * (1.0 + SLIDING) => {

@@ -42,7 +42,7 @@ impl TangentialSolution {
             zones: vec![Zone::Separate; grid.cells()],
             axis: Axis::X,
             shift: 0.0,
-            report: Report::exact(),
+            report: Report::unsolved(),
         }
     }
 
@@ -83,7 +83,7 @@ impl TangentialSolution {
         self.traction.each_ref()
     }
 
-    /// Slip `s = u - delta` of body 1 over body 2 along x and y (lengths): against the traction in
+    /// Slip `s = u - delta` of the surface of body 1 over that of body 2 (lengths): against the traction in
     /// slip cells, exactly zero in stick cells and outside the contact.
     #[must_use]
     pub fn slip(&self) -> [&Field; 2] {
@@ -102,14 +102,15 @@ impl TangentialSolution {
         self.axis
     }
 
-    /// Shift delta of body 1 against body 2 (lengths): prescribed, or the multiplier of the force.
+    /// Shift delta, the rigid motion of body 2 relative to body 1 (lengths, of the sign of the force):
+    /// prescribed, or the multiplier of the force.
     /// Under a force that slides the whole contact, the shift at which the last cell lets go.
     #[must_use]
     pub fn shift(&self) -> [f64; 2] {
         self.vector(self.shift)
     }
 
-    /// Tangential force on body 1, the integral of the traction.
+    /// Tangential force that body 2 exerts on body 1, the integral of the traction.
     #[must_use]
     pub fn force(&self) -> [f64; 2] {
         self.vector(self.traction[self.axis.index()].integral())
@@ -118,7 +119,7 @@ impl TangentialSolution {
     /// Whether the whole contact slips.
     #[must_use]
     pub fn is_gross_sliding(&self) -> bool {
-        self.cells(Zone::Stick) == 0
+        self.cells(Zone::Stick) == 0 && self.cells(Zone::Slip) > 0
     }
 
     /// Stick area over contact area, by counting cells; zero for an empty solution.

@@ -6,17 +6,18 @@ use std::time::Instant;
 use crate::cgm::{Iteration, Magnitude, Method};
 use crate::error::{Error, Result};
 use crate::influence::Component;
+use crate::normal::NormalSolution;
 use crate::report::Report;
 use crate::stage::{Nested, Observer, Stage, nested_start, with_memory, with_time_left};
 use crate::tangential::nested::FrictionScene;
-use crate::tangential::problem::Limits;
+use crate::tangential::problem::{Limits, contact_window};
 use crate::tangential::solution::Answer;
 use crate::tangential::{Axis, Friction, TangentialLoad, TangentialProblem, TangentialSolution};
 
-/// Solves tangential contacts under one pressure again and again, each time from the last answer.
+/// Solves tangential contacts again and again, each time from the last answer.
 ///
-/// Owns plans, buffers and the last traction, all of the size of the contact's bounding box; the
-/// load and the friction may change between calls. Each solve is one monotonic step from the
+/// Owns plans, buffers and the last traction, all of the size of the contact's bounding box; load,
+/// friction and pressure may change between calls. Each solve is one monotonic step from the
 /// unsheared state: it does not remember slip.
 ///
 /// ```
@@ -51,6 +52,7 @@ pub struct TangentialSolver {
     report: Report,
     /// Limits under examination, not yet in force.
     spare: Limits,
+    spare_pressure: Vec<f64>,
 }
 
 impl TangentialSolver {
@@ -60,8 +62,9 @@ impl TangentialSolver {
             stage: stage(&problem, axis)?,
             axis,
             is_warm: false,
-            report: Report::exact(),
+            report: Report::unsolved(),
             spare: problem.limits.clone(),
+            spare_pressure: problem.pressure.clone(),
             problem,
         })
     }
@@ -97,6 +100,46 @@ impl TangentialSolver {
             .set(friction, self.problem.window, &self.problem.pressure);
         self.spare.check(self.problem.load, grid.cell_area())?;
         std::mem::swap(&mut self.spare, &mut self.problem.limits);
+        self.problem.friction.clone_from(friction);
+        Ok(())
+    }
+
+    /// Changes the pressure of the next solve, as wear or another normal load does. Allocates only if
+    /// the contact has left the bounding box it had.
+    ///
+    /// # Errors
+    /// [`Error::GridMismatch`], [`Error::NotConverged`], [`Error::EmptyContact`], or
+    /// [`Error::BeyondSliding`] if the present load is more than friction now holds; the pressure is
+    /// then as it was.
+    pub fn set_normal(&mut self, normal: &NormalSolution) -> Result<()> {
+        let contact = contact_window(&self.problem.bodies, normal)?;
+        let cell_area = self.problem.bodies.grid().cell_area();
+        let samples = normal.pressure().as_slice();
+        let problem = &mut self.problem;
+        if problem.window.union(contact) == problem.window {
+            self.spare_pressure.resize(problem.window.cells(), 0.0);
+            problem.window.gather(samples, &mut self.spare_pressure);
+            self.spare
+                .set(&problem.friction, problem.window, &self.spare_pressure);
+            self.spare.check(problem.load, cell_area)?;
+            std::mem::swap(&mut self.spare, &mut problem.limits);
+            std::mem::swap(&mut self.spare_pressure, &mut problem.pressure);
+            return Ok(());
+        }
+        // A little wider than the contact, so that it may grow some more.
+        let window = contact.widened(problem.bodies.grid());
+        let mut pressure = vec![0.0; window.cells()];
+        window.gather(samples, &mut pressure);
+        let mut limits = Limits::new(window.cells());
+        limits.set(&problem.friction, window, &pressure);
+        limits.check(problem.load, cell_area)?;
+        let mut stage = Stage::new(&problem.bodies, component(self.axis), window.size)?;
+        let mut traction = vec![0.0; problem.bodies.grid().cells()];
+        problem.window.scatter(&self.stage.x, &mut traction);
+        window.gather(&traction, &mut stage.x);
+        self.stage = stage;
+        self.spare = limits.clone();
+        (problem.window, problem.pressure, problem.limits) = (window, pressure, limits);
         Ok(())
     }
 
@@ -153,7 +196,6 @@ impl TangentialSolver {
         if !self.is_warm {
             self.start_cold(value, total, start, &mut observer)?;
         }
-        self.is_warm = true;
 
         let limits = &self.problem.limits;
         let settings = with_time_left(&self.problem.settings, start);
@@ -161,7 +203,8 @@ impl TangentialSolver {
         let outcome = self
             .stage
             .minimise(constraint, total, &settings, &mut observer);
-        if !matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
+        self.is_warm = matches!(outcome, Ok(()) | Err(Error::NotConverged(_)));
+        if !self.is_warm {
             return outcome;
         }
         self.report.clone_from(self.stage.report());

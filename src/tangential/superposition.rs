@@ -16,9 +16,9 @@ use crate::tangential::Zone;
 /// ```
 ///
 /// Stick is where the lighter contact still touches. Exact where the tangential compliance is
-/// proportional to the normal one: on any surface for Poisson's ratio zero, on spheres and
-/// ellipsoids-on-their-axes up to the ratio of compliances for any; on rough surfaces the traction
-/// is off by 4 to 6 % for 0.29 and the shift by 0.7 %. Jaeger, J. Tribology 120 (1998) 677,
+/// proportional to the normal one: on any surface for Poisson's ratio zero, on spheres for any. On
+/// ellipsoids the traction is exact and the ratio of the shift is not `kappa`; on rough surfaces the
+/// traction is off by 4 to 6 % for a ratio of 0.29 and the shift by 0.7 %. Jaeger, J. Tribology 120 (1998) 677,
 /// <https://doi.org/10.1115/1.2833765>; Ciavarella, Int. J. Solids Struct. 35 (1998) 2349,
 /// <https://doi.org/10.1016/S0020-7683(97)00154-6>.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,10 +31,10 @@ pub struct JaegerSuperposition {
 
 impl JaegerSuperposition {
     /// From the contact `full` under the load W, the contact `stick` under the load
-    /// `W - F/mu`, the pair and the coefficient of friction.
+    /// `W - F/mu` (a prescribed force, zero at sliding), the pair and the coefficient of friction.
     ///
     /// # Errors
-    /// [`Error::Negative`] for the coefficient, [`Error::GridMismatch`] if the two contacts differ
+    /// [`Error::Negative`] for the coefficient or if `stick` carries more load than `full`, [`Error::GridMismatch`] if the two contacts differ
     /// in grid, [`Error::EmptyContact`] if `full` carries no pressure.
     pub fn new(
         full: &NormalSolution,
@@ -51,6 +51,14 @@ impl JaegerSuperposition {
         }
         if full.contact_cells() == 0 {
             return Err(Error::EmptyContact);
+        }
+        // Two contacts under the same load may differ by round-off.
+        let force = friction * (full.force() - stick.force());
+        if force < -1e-12 * friction * full.force() {
+            return Err(Error::Negative {
+                quantity: "tangential force of the superposition",
+                value: force,
+            });
         }
         let pressures = full
             .pressure()
@@ -74,7 +82,7 @@ impl JaegerSuperposition {
             traction: Field::from_vec(grid, traction)?,
             zones,
             shift: friction * ratio * (full.approach() - stick.approach()),
-            force: friction * (full.force() - stick.force()),
+            force,
         })
     }
 
@@ -90,7 +98,7 @@ impl JaegerSuperposition {
         &self.zones
     }
 
-    /// Shift of body 1 against body 2 (a length).
+    /// Shift: the rigid motion of body 2 relative to body 1 (a length).
     #[must_use]
     pub fn shift(&self) -> f64 {
         self.shift

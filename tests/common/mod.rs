@@ -78,9 +78,8 @@ fn add_wave(heights: &mut Field, [kx, ky]: [f64; 2], amplitude: f64, phase: f64)
     }
 }
 
-/// An elastic body of unit contact modulus on a rigid one, its coupling neglected where it matters.
+/// Two equal bodies of unit contact modulus: no coupling between pressure and shear.
 pub(crate) fn unit_pair(poisson_ratio: f64) -> ElasticPair {
-    // Two equal bodies, each twice as stiff: E* = 1, and no coupling.
     let each = Material::new(2.0 * (1.0 - poisson_ratio * poisson_ratio), poisson_ratio).unwrap();
     ElasticPair::new(each, each).unwrap()
 }
