@@ -146,10 +146,10 @@ pub(crate) fn nested_start<N: Nested>(
     }
 }
 
-/// An observer that goes on refusing once it has refused, and the time a nested start has left.
-pub(crate) fn with_memory<'a>(
-    observer: Observer<'a>,
-) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send + 'a {
+/// An observer that goes on refusing once it has refused.
+pub(crate) fn with_memory(
+    observer: Observer<'_>,
+) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send {
     let mut cancelled = false;
     move |iteration| {
         if cancelled || observer(iteration).is_break() {

@@ -33,12 +33,16 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
     let (mut changes, mut fewest) = (usize::MAX, usize::MAX);
     let (mut best, mut without_progress) = (f64::INFINITY, 0);
     loop {
-        open_empty_set(run);
+        if changes > 0 {
+            list_free(run);
+        }
         spread_total(run);
-        run.refresh();
+        if !run.is_fresh {
+            run.refresh();
+        }
         set_multiplier(run);
         let findings = run.examine();
-        let mut merit = run.merit(&findings).max(bound_violation(run));
+        let mut merit = run.merit(&findings);
         if merit <= run.settings.tolerance {
             // Judge what will be returned.
             run.make_feasible();
@@ -69,18 +73,33 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
     }
 }
 
+/// Lists the free entries, and how a change of the total spreads over them: `w = M e`.
+fn list_free<C: Operator, K: Constraint, P: Operator>(run: &mut Run<'_, '_, C, K, P>) {
+    run.workspace.free_set.update(&run.workspace.state);
+    if run.workspace.free_set.len() == 0 {
+        open_empty_set(run);
+        run.workspace.free_set.update(&run.workspace.state);
+    }
+    run.workspace.direction.fill(0.0);
+    if run.problem.total.is_some() {
+        precondition(run, |_| 1.0);
+        let Workspace {
+            image,
+            inner,
+            free_set,
+            ..
+        } = &mut *run.workspace;
+        let image = &*image;
+        let [weight] = free_set.update_sums(&mut inner.spread, |_, i, _| (image[i], [image[i]]));
+        inner.weight = weight;
+    }
+}
+
 /// With no free entry nothing can move: frees the entries that want to, or all if the total asks
 /// for a change.
 fn open_empty_set<C: Operator, K: Constraint, P: Operator>(run: &mut Run<'_, '_, C, K, P>) {
-    let state = &run.workspace.state;
-    let [free] = reduce::sums(run.len(), |i| {
-        [f64::from(u8::from(state[i] == State::Free))]
-    });
-    if free > 0.0 {
-        return;
-    }
     let has_total = run.problem.total.is_some();
-    if !has_total {
+    if !has_total && !run.is_fresh {
         run.refresh();
     }
     let gradient = &run.workspace.gradient;
@@ -95,28 +114,19 @@ fn open_empty_set<C: Operator, K: Constraint, P: Operator>(run: &mut Run<'_, '_,
     });
 }
 
-/// `w = M e` on the free entries, and the missing total spread along it.
+/// Spreads what is missing of the total over the free entries, as a flat punch would.
 fn spread_total<C: Operator, K: Constraint, P: Operator>(run: &mut Run<'_, '_, C, K, P>) {
-    run.workspace.free_set.update(&run.workspace.state);
-    let Some(total) = run.problem.total else {
-        return;
-    };
-    precondition(run, |_| 1.0);
-    let Workspace {
-        image,
-        inner,
-        free_set,
-        ..
-    } = &mut *run.workspace;
-    let image = &*image;
-    let [weight] = free_set.update_sums(&mut inner.spread, |_, i, _| (image[i], [image[i]]));
-    let sum = reduce::total(run.x);
-    inner.weight = weight;
-    let scale = (total - sum) / weight;
-    free_set.add(|k| scale * inner.spread[k], run.x);
+    if let Some(total) = run.problem.total {
+        let Workspace {
+            inner, free_set, ..
+        } = &*run.workspace;
+        let scale = (total - reduce::total(run.x)) / inner.weight;
+        free_set.add(|k| scale * inner.spread[k], run.x);
+        run.is_fresh = false;
+    }
 }
 
-/// `image = M v` for a vector given on the free entries.
+/// `image = M v` for a vector given on the free entries; `direction` is zero elsewhere.
 fn precondition<C: Operator, K: Constraint, P: Operator>(
     run: &mut Run<'_, '_, C, K, P>,
     vector: impl Fn(usize) -> f64 + Sync,
@@ -128,7 +138,6 @@ fn precondition<C: Operator, K: Constraint, P: Operator>(
         free_set,
         ..
     } = &mut *run.workspace;
-    direction.fill(0.0);
     free_set.scatter(vector, direction);
     run.problem
         .preconditioner
@@ -148,19 +157,6 @@ fn set_multiplier<C: Operator, K: Constraint, P: Operator>(run: &mut Run<'_, '_,
     } = &*run.workspace;
     let [weighted] = free_set.sums(|k, i| [inner.spread[k] * gradient[i]]);
     run.workspace.multiplier = weighted / inner.weight;
-}
-
-/// Largest distance outside the bounds, relative to the largest entry.
-fn bound_violation<C: Operator, K: Constraint, P: Operator>(run: &Run<'_, '_, C, K, P>) -> f64 {
-    let (x, constraint) = (&*run.x, &run.problem.constraint);
-    let [outside, largest] = reduce::max(x.len(), |i| {
-        [(constraint.project(i, x[i]) - x[i]).abs(), x[i].abs()]
-    });
-    if outside > 0.0 {
-        outside / largest
-    } else {
-        0.0
-    }
 }
 
 /// Conjugate gradients on the free entries, from `r = delta - (C x + b)`, with approximate
@@ -279,6 +275,7 @@ fn reclassify<C: Operator, K: Constraint, P: Operator>(run: &mut Run<'_, '_, C, 
     // Below this a wrong sign is noise of the inner solution, and would come and go.
     let threshold = (0.01 * run.settings.tolerance).max(f64::EPSILON) * largest;
 
+    run.is_fresh = false;
     let len = run.x.len();
     let data = (blocks(run.x), blocks(state));
     let work = |task: usize, (x, state): (Blocks<'_, f64>, Blocks<'_, State>)| {

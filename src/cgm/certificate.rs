@@ -3,7 +3,7 @@
 //! The page of the module [`cgm`](crate::cgm) derives the bound.
 
 use crate::cgm::constraint::Constraint;
-use crate::cgm::reduce;
+use crate::parallel;
 use crate::report::Report;
 
 /// What one fresh product says about an iterate.
@@ -50,60 +50,102 @@ pub(crate) fn examine(
     multiplier: f64,
     lower_bound: f64,
 ) -> Certificate {
-    let gradient = |i: usize| product[i] + linear[i] - multiplier;
-    let [displacement, violated] = reduce::max(x.len(), |i| {
-        let bounds = constraint.bounds(i);
-        if bounds[0] >= bounds[1] {
-            return [0.0, 0.0];
-        }
-        let g = gradient(i);
-        // The minimum or maximum of a NaN and a number is the number: pass it on by hand.
-        let violated = if g.is_nan() {
-            g
-        } else {
-            violation(x[i], bounds, g)
-        };
-        [product[i].abs(), violated.abs()]
-    });
-    let [energy, sum, magnitude, free, linear_share, squares] = reduce::sums(x.len(), |i| {
-        let bounds = constraint.bounds(i);
-        let g = gradient(i);
-        let dual = g * x[i] - constraint.least_product(i, g);
-        let violated = violation(x[i], bounds, g);
-        let square = violated * violated / lower_bound;
-        // Either share is valid; alone, `dual` costs itself and `square` costs itself.
-        let (dual, square) = if dual <= square || violated == 0.0 {
-            (dual.max(0.0), 0.0)
-        } else {
-            (0.0, square)
-        };
-        let is_free = x[i] > bounds[0] && x[i] < bounds[1];
-        [
-            x[i] * product[i],
-            x[i],
-            x[i].abs(),
-            f64::from(u8::from(is_free)),
-            dual,
-            square,
-        ]
-    });
-    let load = total.map_or(0.0, |total| (sum - total).abs());
-    let bound = 0.5 * squares.sqrt() + (0.25 * squares + linear_share).sqrt();
+    let found = parallel::fold(
+        x.len(),
+        |range| {
+            let first = range.start;
+            let cells = x[range.clone()]
+                .iter()
+                .zip(&product[range.clone()])
+                .zip(&linear[range]);
+            let mut found = Findings::default();
+            for (i, ((&x, &u), &b)) in (first..).zip(cells) {
+                found.add(i, x, u, u + b - multiplier, constraint, lower_bound);
+            }
+            found
+        },
+        Findings::merge,
+    );
+    let load = total.map_or(0.0, |total| (found.sum - total).abs());
+    let bound = 0.5 * found.squares.sqrt() + (0.25 * found.squares + found.dual).sqrt();
     Certificate {
-        residual: ratio(violated, displacement),
-        gap: ratio(bound * bound, energy),
-        load_error: ratio(load, magnitude),
-        free: count(free),
+        residual: ratio(found.violated, found.displacement),
+        gap: ratio(bound * bound, found.energy),
+        load_error: ratio(load, found.magnitude),
+        free: found.free,
     }
 }
 
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "a sum of ones is a whole number that fits"
-)]
-fn count(sum_of_ones: f64) -> usize {
-    sum_of_ones as usize
+/// What the entries add up to.
+#[derive(Clone, Copy, Default)]
+struct Findings {
+    /// Largest displacement and largest violation among the entries that can move.
+    displacement: f64,
+    violated: f64,
+    /// `x' C x`.
+    energy: f64,
+    sum: f64,
+    magnitude: f64,
+    free: usize,
+    /// The two shares of the bound, `A` and `B^2`.
+    dual: f64,
+    squares: f64,
+}
+
+impl Findings {
+    fn add(
+        &mut self,
+        i: usize,
+        x: f64,
+        u: f64,
+        g: f64,
+        constraint: &impl Constraint,
+        lower_bound: f64,
+    ) {
+        let bounds = constraint.bounds(i);
+        self.energy += x * u;
+        self.sum += x;
+        self.magnitude += x.abs();
+        if bounds[0] < bounds[1] {
+            // The minimum or maximum of a NaN and a number is the number: pass it on by hand.
+            let violated = if g.is_nan() {
+                g
+            } else {
+                violation(x, bounds, g)
+            };
+            self.displacement = larger(self.displacement, u.abs());
+            self.violated = larger(self.violated, violated.abs());
+            self.free += usize::from(x > bounds[0] && x < bounds[1]);
+            if violated != 0.0 {
+                // Either share is valid; each is taken where it is the smaller.
+                let dual = g * x - constraint.least_product(i, g);
+                let square = violated * violated / lower_bound;
+                if dual <= square {
+                    self.dual += dual.max(0.0);
+                } else {
+                    self.squares += square;
+                }
+            }
+        }
+    }
+
+    fn merge(self, other: Self) -> Self {
+        Self {
+            displacement: larger(self.displacement, other.displacement),
+            violated: larger(self.violated, other.violated),
+            energy: self.energy + other.energy,
+            sum: self.sum + other.sum,
+            magnitude: self.magnitude + other.magnitude,
+            free: self.free + other.free,
+            dual: self.dual + other.dual,
+            squares: self.squares + other.squares,
+        }
+    }
+}
+
+/// The larger of two numbers; NaN if either is.
+fn larger(a: f64, b: f64) -> f64 {
+    if b > a || b.is_nan() { b } else { a }
 }
 
 /// `a / b`, zero when `a` is; NaN if either is, so that a broken product is seen.

@@ -1,5 +1,7 @@
 //! A product in single precision, safe in any unit system.
 
+use std::ops::Range;
+
 use crate::fft::plan::{Buffers, Plan};
 use crate::fft::spectrum::Spectrum;
 use crate::parallel;
@@ -45,11 +47,7 @@ impl SingleProduct {
     /// Scales the input to values about one: in some unit systems its squares, or the results,
     /// would not fit single precision.
     pub(super) fn apply(&self, x: &[f64], out: &mut [f64], workspace: &mut SingleWorkspace) {
-        let largest = parallel::fold(
-            x.len(),
-            |range| x[range].iter().map(|x| x.abs()).fold(0.0, larger),
-            larger,
-        );
+        let largest = largest_magnitude(x);
         if largest.is_normal() {
             let scales = [1.0 / largest, largest * self.scale];
             self.plan
@@ -61,7 +59,14 @@ impl SingleProduct {
     }
 }
 
-/// The larger of two numbers; NaN if either is.
-fn larger(a: f64, b: f64) -> f64 {
-    if b > a || b.is_nan() { b } else { a }
+/// `max |x|`; NaN if any entry is. Magnitudes order as their bits do, with NaN above all, and
+/// whole numbers compare many at a time.
+fn largest_magnitude(x: &[f64]) -> f64 {
+    let leaf = |range: Range<usize>| {
+        x[range]
+            .iter()
+            .map(|x: &f64| x.abs().to_bits())
+            .fold(0, u64::max)
+    };
+    f64::from_bits(parallel::fold(x.len(), leaf, u64::max))
 }

@@ -1,5 +1,10 @@
 //! Scenes and comparisons the tests share.
 #![allow(dead_code, reason = "each test file uses its own part")]
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    reason = "it counts small things"
+)]
 
 use stickslip::{ElasticPair, Field, Grid, HalfSpace, Material};
 
