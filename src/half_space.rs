@@ -12,7 +12,9 @@ use crate::window::halved;
 
 /// A pair of half-spaces on a grid, with the operators of the components in use.
 ///
-/// A component is sampled and transformed when a problem first asks for it, once; clones share it.
+/// A component is sampled and transformed when a problem first asks for it, once; clones share it. Each
+/// takes 8 bytes per cell for its samples, 12 for its operator and 4 for its preconditioner; the coarser
+/// grids of nested starts add a third.
 /// `Send + Sync`: many solvers may run over one `HalfSpace` on many threads.
 ///
 /// ```
