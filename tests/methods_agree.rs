@@ -11,7 +11,7 @@
 mod common;
 
 use common::{Table2, rough, unit_bodies};
-use stickslip::cgm::Method;
+use stickslip::cgm::{self, Magnitude, Method, NonNegative, Problem, Settings};
 use stickslip::influence::Component;
 use stickslip::{
     Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution, Operator,
@@ -119,5 +119,43 @@ fn on_rough_surfaces_from_few_spots_to_nearly_closed() {
     let bodies = unit_bodies(grid, 0.4);
     for (seed, force) in [(1, 0.5), (2, 20.0), (3, 300.0)] {
         assert_agreement(&bodies, &rough(grid, seed), force);
+    }
+}
+
+/// The bare engine on the whole grid, from a uniform start and with the circulant preconditioner alone.
+#[test]
+fn active_sets_alone_solve_the_sphere_of_table_2_within_their_cost() {
+    let grid = Grid::square(512, 3.0 * Table2::CONTACT_RADIUS).unwrap();
+    let bodies = HalfSpace::new(grid, Table2::pair()).unwrap();
+    let ball = surface::sphere(grid, Table2::RADIUS).unwrap();
+    let settings = Settings::default().tolerance(TOLERANCE);
+    let total = Table2::FORCE / grid.cell_area();
+    let engine = |component| {
+        let inverse = bodies.preconditioner(component).unwrap().unwrap();
+        (bodies.operator(component).unwrap(), inverse)
+    };
+
+    let (operator, inverse) = engine(Component::ZZ);
+    let problem = Problem::new(operator, ball.as_slice(), NonNegative);
+    let problem = problem.preconditioner(inverse).total(total);
+    let mut pressure = vec![total / grid.cells() as f64; grid.cells()];
+    let normal = cgm::minimise(&problem, &settings, &mut pressure)
+        .unwrap()
+        .report;
+
+    let limits: Vec<f64> = pressure.iter().map(|p| Table2::FRICTION * p).collect();
+    let (operator, inverse) = engine(Component::XX);
+    let none = vec![0.0; grid.cells()];
+    let problem = Problem::new(operator, &none, Magnitude(&limits));
+    let problem = problem
+        .preconditioner(inverse)
+        .total(0.4 * Table2::FRICTION * total);
+    let mut traction: Vec<f64> = limits.iter().map(|m| 0.4 * m).collect();
+    let tangential = cgm::minimise(&problem, &settings, &mut traction)
+        .unwrap()
+        .report;
+    for report in [normal, tangential] {
+        let products = report.convolutions + report.rough_convolutions;
+        assert!(products <= 40, "{products} products: {report}");
     }
 }

@@ -72,6 +72,7 @@ mod settings;
 
 pub(crate) use certificate::examine;
 pub use constraint::{Constraint, Interval, Magnitude, NonNegative};
+pub(crate) use settings::settings_methods;
 pub use settings::{Method, Settings};
 
 pub use crate::report::{Iteration, Report, Status};

@@ -98,3 +98,36 @@ impl Settings {
         Ok(())
     }
 }
+
+/// The settings a problem's builder offers, word for word the same on each; the builder keeps them in a
+/// field `settings`.
+macro_rules! settings_methods {
+    () => {
+        /// Error accepted: certified in the energy norm, and as a residual relative to the largest
+        /// displacement (default 1e-8; see [`Settings::tolerance`](crate::cgm::Settings::tolerance)).
+        pub fn tolerance(mut self, tolerance: f64) -> Self {
+            self.settings.tolerance = tolerance;
+            self
+        }
+
+        /// The iteration (default [`Method::ActiveSet`](crate::cgm::Method::ActiveSet)).
+        pub fn method(mut self, method: crate::cgm::Method) -> Self {
+            self.settings.method = method;
+            self
+        }
+
+        /// Conjugate-gradient steps allowed (default 10 000).
+        pub fn max_iterations(mut self, max_iterations: usize) -> Self {
+            self.settings.max_iterations = max_iterations;
+            self
+        }
+
+        /// Wall time allowed per solve (default: any).
+        pub fn time_limit(mut self, time_limit: std::time::Duration) -> Self {
+            self.settings.time_limit = Some(time_limit);
+            self
+        }
+    };
+}
+
+pub(crate) use settings_methods;

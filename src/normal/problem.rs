@@ -1,8 +1,6 @@
 //! The scene of a normal contact, checked once.
 
-use std::time::Duration;
-
-use crate::cgm::{Method, Settings};
+use crate::cgm::{Settings, settings_methods};
 use crate::error::{Error, Result, all_finite, finite, non_negative};
 use crate::field::Field;
 use crate::grid::Grid;
@@ -108,30 +106,7 @@ impl NormalProblem {
 }
 
 impl NormalProblemBuilder<'_> {
-    /// Error accepted: certified in the energy norm, and as a residual relative to the largest
-    /// displacement (default 1e-8; see [`Settings::tolerance`]).
-    pub fn tolerance(mut self, tolerance: f64) -> Self {
-        self.settings.tolerance = tolerance;
-        self
-    }
-
-    /// The iteration (default [`Method::ActiveSet`]).
-    pub fn method(mut self, method: Method) -> Self {
-        self.settings.method = method;
-        self
-    }
-
-    /// Conjugate-gradient steps allowed (default 10 000).
-    pub fn max_iterations(mut self, max_iterations: usize) -> Self {
-        self.settings.max_iterations = max_iterations;
-        self
-    }
-
-    /// Wall time allowed per solve (default: any).
-    pub fn time_limit(mut self, time_limit: Duration) -> Self {
-        self.settings.time_limit = Some(time_limit);
-        self
-    }
+    settings_methods!();
 
     /// Checks everything and copies the gap.
     ///

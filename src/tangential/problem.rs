@@ -1,8 +1,6 @@
 //! The scene of a tangential contact, checked once.
 
-use std::time::Duration;
-
-use crate::cgm::{Method, Settings};
+use crate::cgm::{Settings, settings_methods};
 use crate::error::{Error, Result, finite};
 use crate::half_space::HalfSpace;
 use crate::normal::NormalSolution;
@@ -135,31 +133,7 @@ impl TangentialProblem {
 }
 
 impl TangentialProblemBuilder<'_> {
-    /// Error accepted: certified in the energy norm, and as a residual relative to the largest
-    /// displacement (default 1e-8; see [`Settings::tolerance`]). No use in being tighter
-    /// than the normal solution was.
-    pub fn tolerance(mut self, tolerance: f64) -> Self {
-        self.settings.tolerance = tolerance;
-        self
-    }
-
-    /// The iteration (default [`Method::ActiveSet`]).
-    pub fn method(mut self, method: Method) -> Self {
-        self.settings.method = method;
-        self
-    }
-
-    /// Conjugate-gradient steps allowed (default 10 000).
-    pub fn max_iterations(mut self, max_iterations: usize) -> Self {
-        self.settings.max_iterations = max_iterations;
-        self
-    }
-
-    /// Wall time allowed per solve (default: any).
-    pub fn time_limit(mut self, time_limit: Duration) -> Self {
-        self.settings.time_limit = Some(time_limit);
-        self
-    }
+    settings_methods!();
 
     /// Accepts a pair of materials whose pressure and shear are coupled, and neglects that: an
     /// error of order beta and mu beta in the tractions (default: such a pair is refused).
