@@ -106,6 +106,13 @@ impl Report {
         self.status == Status::Converged
     }
 
+    /// Whether residual, load error and certified error are all at or below a tolerance.
+    pub(crate) fn is_within(&self, tolerance: f64) -> bool {
+        self.residual <= tolerance
+            && self.load_error <= tolerance
+            && self.energy_error_bound() <= tolerance
+    }
+
     /// Certified bound on the relative error in the energy norm, `sqrt(certified_gap)`.
     #[must_use]
     pub fn energy_error_bound(&self) -> f64 {

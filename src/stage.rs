@@ -18,7 +18,6 @@ pub(crate) type Observer<'a> = &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()>
 /// Operator, buffers, linear term and unknowns on `size` cells.
 #[derive(Debug)]
 pub(crate) struct Stage {
-    pub(crate) size: [usize; 2],
     compliance: Compliance,
     workspace: Workspace<Arc<Convolution>, Arc<CirculantInverse>>,
     /// The start of the next solve, and the answer of the last.
@@ -32,7 +31,6 @@ impl Stage {
         let workspace = Workspace::new(&compliance.operator, &compliance.inverse);
         let cells = size[0] * size[1];
         Ok(Self {
-            size,
             compliance,
             workspace,
             x: vec![0.0; cells],

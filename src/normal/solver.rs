@@ -8,13 +8,14 @@ use crate::cgm::{self, Iteration, Method, NonNegative};
 use crate::error::{Error, Result};
 use crate::fft::{Convolution, ConvolutionWorkspace};
 use crate::field::Field;
+use crate::half_space::HalfSpace;
 use crate::influence::Component;
 use crate::normal::nested::PressureScene;
 use crate::normal::problem::check_gap;
 use crate::normal::{NormalLoad, NormalProblem, NormalSolution};
 use crate::operator::Operator;
 use crate::parallel;
-use crate::report::Report;
+use crate::report::{Report, Status};
 use crate::stage::{Nested, Observer, Stage, nested_start, with_memory, with_time_left};
 use crate::window::Window;
 
@@ -39,19 +40,24 @@ use crate::window::Window;
 #[derive(Debug)]
 pub struct NormalSolver {
     problem: NormalProblem,
-    /// Where the engine works: around the contact, if that is much smaller than the grid.
-    window: Window,
-    stage: Stage,
-    whole: Option<Whole>,
+    /// What the last solve worked with; `None` before the first.
+    engine: Option<Engine>,
     /// The last pressure on the whole grid, the start of the next solve.
     pressure: Vec<f64>,
-    is_warm: bool,
     /// The gap from its least value, or from the approach where that is prescribed.
     linear: Vec<f64>,
     report: Report,
 }
 
-/// What it takes to see the whole grid when the engine works on a part of it.
+/// The engine, set up where it works: around the contact, if that is much smaller than the grid.
+#[derive(Debug)]
+struct Engine {
+    window: Window,
+    stage: Stage,
+    /// What it takes to see the rest of the grid, if there is a rest.
+    whole: Option<Whole>,
+}
+
 #[derive(Debug)]
 struct Whole {
     operator: Arc<Convolution>,
@@ -59,18 +65,48 @@ struct Whole {
     displacement: Vec<f64>,
 }
 
+impl Engine {
+    /// On a window, or on the whole grid if the window saves too little.
+    fn new(bodies: &HalfSpace, window: Window) -> Result<Self> {
+        let whole = Window::whole(bodies.grid());
+        let is_whole = 5 * window.cells() > 4 * whole.cells();
+        let window = if is_whole { whole } else { window };
+        let whole = if is_whole {
+            None
+        } else {
+            let operator = bodies.operator(Component::ZZ)?;
+            Some(Whole {
+                workspace: operator.workspace(),
+                displacement: vec![0.0; operator.len()],
+                operator,
+            })
+        };
+        Ok(Self {
+            window,
+            stage: Stage::new(bodies, Component::ZZ, window.size)?,
+            whole,
+        })
+    }
+
+    /// The displacement of the whole grid.
+    fn displacement(&self) -> &[f64] {
+        match &self.whole {
+            Some(whole) => &whole.displacement,
+            None => self.stage.product(),
+        }
+    }
+}
+
 impl NormalSolver {
     pub(super) fn new(problem: NormalProblem) -> Result<Self> {
-        let grid = problem.gap.grid();
-        let window = Window::whole(grid);
+        let cells = problem.gap.grid().cells();
+        // A kernel that cannot be had is better known now.
+        problem.bodies.operator(Component::ZZ)?;
         Ok(Self {
-            stage: Stage::new(&problem.bodies, Component::ZZ, window.size)?,
             problem,
-            window,
-            whole: None,
-            pressure: vec![0.0; grid.cells()],
-            is_warm: false,
-            linear: vec![0.0; grid.cells()],
+            engine: None,
+            pressure: vec![0.0; cells],
+            linear: vec![0.0; cells],
             report: Report::unsolved(),
         })
     }
@@ -100,7 +136,7 @@ impl NormalSolver {
 
     /// Forgets the last answer: the next solve starts as the first did.
     pub fn reset(&mut self) {
-        self.is_warm = false;
+        self.engine = None;
     }
 
     /// An empty solution of the right size for [`NormalSolver::solve_into`].
@@ -146,30 +182,26 @@ impl NormalSolver {
                 *linear = gap - datum;
             }
         });
-        if !self.is_warm {
-            self.start_cold(total, start, &mut observer)?;
+        let mut engine = match self.engine.take() {
+            Some(engine) => engine,
+            None => self.start_cold(total, start, &mut observer)?,
+        };
+        let outcome = self.solve_on_window(&mut engine, total, start, &mut observer);
+        if !matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
+            return outcome;
         }
-        let outcome = self.solve_on_window(total, start, &mut observer);
-        self.is_warm = matches!(outcome, Ok(()) | Err(Error::NotConverged(_)));
-        if self.is_warm {
-            self.report.time = start.elapsed();
-            let displacement = match &self.whole {
-                Some(whole) => &whole.displacement,
-                None => self.stage.product(),
-            };
-            let approach = datum + self.stage.multiplier();
-            solution.fill(
-                &self.problem.gap,
-                &self.pressure,
-                displacement,
-                approach,
-                &self.report,
-            );
-        }
-        match outcome {
-            Err(Error::NotConverged(_)) => Err(Error::NotConverged(Box::new(self.report.clone()))),
-            other => other,
-        }
+        self.report.time = start.elapsed();
+        let approach = datum + engine.stage.multiplier();
+        let displacement = engine.displacement();
+        solution.fill(
+            &self.problem.gap,
+            &self.pressure,
+            displacement,
+            approach,
+            &self.report,
+        );
+        self.engine = Some(engine);
+        outcome.map_err(|_| Error::NotConverged(Box::new(self.report.clone())))
     }
 
     /// From nothing: the answer on coarser cells, and the engine set up around its contact.
@@ -178,17 +210,19 @@ impl NormalSolver {
         total: Option<f64>,
         start: Instant,
         observer: Observer<'_>,
-    ) -> Result<()> {
-        let whole = Window::whole(self.problem.gap.grid());
+    ) -> Result<Engine> {
+        let NormalProblem {
+            bodies, settings, ..
+        } = &self.problem;
+        let (grid, whole) = (bodies.grid(), Window::whole(bodies.grid()));
         let scene = PressureScene {
             linear: self.linear.clone(),
         };
-        if self.problem.settings.method == Method::PolonskyKeer {
+        if settings.method == Method::PolonskyKeer {
             self.pressure = scene.plain_start(total);
-            return self.work_on(whole);
+            return Engine::new(bodies, whole);
         }
-        let settings = with_time_left(&self.problem.settings, start);
-        let bodies = &self.problem.bodies;
+        let settings = with_time_left(settings, start);
         self.pressure = nested_start(
             bodies,
             Component::ZZ,
@@ -198,76 +232,57 @@ impl NormalSolver {
             &settings,
             observer,
         )?;
-        let touches = |i: usize| self.pressure[i] > 0.0;
-        match Window::around(bodies.grid(), touches) {
-            Ok(contact) => self.work_on(contact.widened(bodies.grid())),
-            Err(_) => self.work_on(whole),
+        match Window::around(grid, |i| self.pressure[i] > 0.0) {
+            Ok(contact) => Engine::new(bodies, contact.widened(grid)),
+            Err(_) => Engine::new(bodies, whole),
         }
-    }
-
-    /// Sets the engine up on a window, or on the whole grid if the window saves too little.
-    fn work_on(&mut self, window: Window) -> Result<()> {
-        let bodies = &self.problem.bodies;
-        let whole = Window::whole(bodies.grid());
-        let window = if 5 * window.cells() > 4 * whole.cells() {
-            whole
-        } else {
-            window
-        };
-        if window != self.window {
-            if window.size != self.stage.size {
-                self.stage = Stage::new(bodies, Component::ZZ, window.size)?;
-            }
-            self.window = window;
-        }
-        if window == whole {
-            self.whole = None;
-        } else if self.whole.is_none() {
-            let operator = bodies.operator(Component::ZZ)?;
-            self.whole = Some(Whole {
-                workspace: operator.workspace(),
-                displacement: vec![0.0; operator.len()],
-                operator,
-            });
-        }
-        Ok(())
     }
 
     /// Solves on the window and looks at the whole grid; where bodies overlap beyond the window it
     /// was too small, and the work goes on in a larger one.
     fn solve_on_window(
         &mut self,
+        engine: &mut Engine,
         total: Option<f64>,
         start: Instant,
         observer: Observer<'_>,
     ) -> Result<()> {
-        let mut earlier = [0; 3];
+        let NormalProblem {
+            bodies, settings, ..
+        } = &self.problem;
+        let (mut aim, mut earlier) = (settings.tolerance, [0; 3]);
         loop {
-            self.window.gather(&self.linear, &mut self.stage.linear);
-            self.window.gather(&self.pressure, &mut self.stage.x);
-            let settings = with_time_left(&self.problem.settings, start);
-            let outcome = self.stage.minimise(NonNegative, total, &settings, observer);
+            let Engine {
+                window,
+                stage,
+                whole,
+            } = &mut *engine;
+            window.gather(&self.linear, &mut stage.linear);
+            window.gather(&self.pressure, &mut stage.x);
+            let left = with_time_left(settings, start).tolerance(aim);
+            let outcome = stage.minimise(NonNegative, total, &left, observer);
             if !matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
                 return outcome;
             }
             self.pressure.fill(0.0);
-            self.window.scatter(&self.stage.x, &mut self.pressure);
-            self.report.clone_from(self.stage.report());
+            window.scatter(&stage.x, &mut self.pressure);
+            self.report.clone_from(stage.report());
             self.report.iterations += earlier[0];
             self.report.convolutions += earlier[1];
             self.report.rough_convolutions += earlier[2];
-            let Some(whole) = &mut self.whole else {
-                return outcome;
-            };
-            let Whole {
+            let Some(Whole {
                 operator,
                 workspace,
                 displacement,
-            } = whole;
+            }) = whole
+            else {
+                return outcome;
+            };
+
             operator.apply(&self.pressure, displacement, workspace);
             self.report.convolutions += 1;
-            let multiplier = self.stage.multiplier();
-            cgm::examine(
+            let multiplier = stage.multiplier();
+            let findings = cgm::examine(
                 &self.pressure,
                 displacement,
                 &self.linear,
@@ -275,27 +290,37 @@ impl NormalSolver {
                 total,
                 multiplier,
                 operator.lower_bound(),
-            )
-            .write_to(&mut self.report);
+            );
+            findings.write_to(&mut self.report);
             outcome?;
 
             let largest = displacement.iter().fold(0.0, |a: f64, u| a.max(u.abs()));
-            let depth = 0.01 * self.problem.settings.tolerance * largest;
-            let grid = self.problem.gap.grid();
             let overlaps = |i: usize| {
-                displacement[i] + self.linear[i] - multiplier < -depth && !self.window.contains(i)
+                displacement[i] + self.linear[i] - multiplier < -ROUND_OFF * largest
+                    && !window.contains(i)
             };
-            match Window::around(grid, overlaps) {
-                Err(_) => return Ok(()),
-                Ok(missed) => {
-                    earlier = [
-                        self.report.iterations,
-                        self.report.convolutions,
-                        self.report.rough_convolutions,
-                    ];
-                    self.work_on(self.window.union(missed).widened(grid))?;
-                }
+            if let Ok(missed) = Window::around(bodies.grid(), overlaps) {
+                let wider = window.union(missed).widened(bodies.grid());
+                *engine = Engine::new(bodies, wider)?;
+            } else if self.report.is_within(settings.tolerance) {
+                return Ok(());
+            } else if aim < 0.1 * settings.tolerance {
+                self.report.status = Status::Stalled;
+                return Err(Error::NotConverged(Box::new(self.report.clone())));
+            } else {
+                // The bound for the whole grid is a little wider than that for the window.
+                aim *= 0.5;
             }
+            let Report {
+                iterations,
+                convolutions,
+                rough_convolutions,
+                ..
+            } = self.report;
+            earlier = [iterations, convolutions, rough_convolutions];
         }
     }
 }
+
+/// Overlap beyond the window, relative to the largest displacement, that a product may show by itself.
+const ROUND_OFF: f64 = 1e-13;
