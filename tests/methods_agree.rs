@@ -21,14 +21,7 @@ use stickslip::{
 const TOLERANCE: f64 = 1e-6;
 
 fn press(bodies: &HalfSpace, gap: &Field, force: f64, method: Method) -> NormalSolution {
-    let builder = NormalProblem::builder(bodies, gap, NormalLoad::Force(force));
-    builder
-        .tolerance(TOLERANCE)
-        .method(method)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap()
+    common::press(bodies, gap, NormalLoad::Force(force), TOLERANCE, method)
 }
 
 fn shear(
@@ -38,15 +31,14 @@ fn shear(
     method: Method,
 ) -> TangentialSolution {
     let load = TangentialLoad::Force([f * 0.5 * normal.force(), 0.0]);
-    let friction = Friction::coulomb(0.5).unwrap();
-    let builder = TangentialProblem::builder(bodies, normal, friction, load);
-    builder
-        .tolerance(TOLERANCE)
-        .method(method)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap()
+    common::shear(
+        bodies,
+        normal,
+        &Friction::coulomb(0.5).unwrap(),
+        load,
+        TOLERANCE,
+        method,
+    )
 }
 
 /// `|a - b|_C / |b|_C` by the operator of a component.

@@ -7,43 +7,19 @@ mod common;
 use std::ops::ControlFlow;
 use std::time::Duration;
 
-use common::{Random, l2_difference, rough, unit_bodies};
+use common::{Random, l2_difference, press, rough, shear, unit_bodies};
 use stickslip::cgm::{Method, Status};
 use stickslip::{
-    Error, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution,
-    TangentialLoad, TangentialProblem, TangentialSolution,
+    Error, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, TangentialLoad,
+    TangentialProblem,
 };
 
 const TOLERANCE: f64 = 1e-9;
 
-fn press(bodies: &HalfSpace, gap: &Field, load: NormalLoad, method: Method) -> NormalSolution {
-    let builder = NormalProblem::builder(bodies, gap, load)
-        .tolerance(TOLERANCE)
-        .method(method);
-    builder.build().unwrap().solve().unwrap()
-}
-
-fn shear(
-    bodies: &HalfSpace,
-    normal: &NormalSolution,
-    friction: &Friction,
-    load: TangentialLoad,
-    method: Method,
-) -> TangentialSolution {
-    let builder = TangentialProblem::builder(bodies, normal, friction.clone(), load);
-    builder
-        .tolerance(TOLERANCE)
-        .method(method)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap()
-}
-
 /// Solves by both methods and compares; the single loop starts plainly and sees the whole grid.
 fn assert_same(bodies: &HalfSpace, gap: &Field, load: NormalLoad, friction: &Friction, f: f64) {
-    let normal = press(bodies, gap, load, Method::ActiveSet);
-    let plain = press(bodies, gap, load, Method::PolonskyKeer);
+    let normal = press(bodies, gap, load, TOLERANCE, Method::ActiveSet);
+    let plain = press(bodies, gap, load, TOLERANCE, Method::PolonskyKeer);
     let pressures = [&normal, &plain].map(|solution| solution.pressure().as_slice());
     let error = l2_difference(pressures[0], pressures[1]);
     assert!(
@@ -69,7 +45,7 @@ fn assert_same(bodies: &HalfSpace, gap: &Field, load: NormalLoad, friction: &Fri
         TangentialLoad::Force([0.0, -f * limit]),
     ] {
         let [sets, plain] = [Method::ActiveSet, Method::PolonskyKeer]
-            .map(|method| shear(bodies, &normal, friction, load, method));
+            .map(|method| shear(bodies, &normal, friction, load, TOLERANCE, method));
         let axis = sets.axis().index();
         let (a, b) = (sets.traction()[axis], plain.traction()[axis]);
         let error = l2_difference(a.as_slice(), b.as_slice());
@@ -84,6 +60,7 @@ fn assert_same(bodies: &HalfSpace, gap: &Field, load: NormalLoad, friction: &Fri
             &normal,
             friction,
             TangentialLoad::Shift(sets.shift()),
+            TOLERANCE,
             Method::ActiveSet,
         );
         assert!((by_shift.force()[axis] / sets.force()[axis] - 1.0).abs() < 1e-6);
@@ -110,7 +87,7 @@ fn a_tip_that_the_coarse_cells_miss_is_found() {
         NormalLoad::Approach(-0.1),
     ] {
         assert_same(&bodies, &gap, load, &friction, 0.5);
-        let solution = press(&bodies, &gap, load, Method::ActiveSet);
+        let solution = press(&bodies, &gap, load, TOLERANCE, Method::ActiveSet);
         let tip = grid.nx() * (grid.ny() - 4) + 3;
         assert!(solution.pressure().as_slice()[tip] > 0.0);
     }
@@ -166,6 +143,7 @@ fn rough_scenes_and_a_load_that_grows_beyond_the_window() {
             &bodies,
             &gap,
             NormalLoad::Force(force),
+            TOLERANCE,
             Method::PolonskyKeer,
         );
         let error = l2_difference(solution.pressure().as_slice(), plain.pressure().as_slice());
@@ -179,7 +157,13 @@ fn stopping_in_a_nested_start() {
     let grid = Grid::square(120, 100.0).unwrap();
     let bodies = unit_bodies(grid, 0.3);
     let gap = rough(grid, 9);
-    let normal = press(&bodies, &gap, NormalLoad::Force(20.0), Method::ActiveSet);
+    let normal = press(
+        &bodies,
+        &gap,
+        NormalLoad::Force(20.0),
+        TOLERANCE,
+        Method::ActiveSet,
+    );
     let friction = Friction::coulomb(0.4).unwrap();
     let load = TangentialLoad::Force([4.0, 0.0]);
     for calls in [0, 1, 5, 12, 30] {

@@ -12,32 +12,39 @@
 mod common;
 
 use common::{max_abs, max_difference, rough, unit_bodies};
+use stickslip::cgm::Method;
 use stickslip::tangential::JaegerSuperposition;
 use stickslip::{
-    Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution, TangentialLoad,
-    TangentialProblem, TangentialSolution,
+    Field, Friction, Grid, HalfSpace, NormalLoad, NormalSolution, TangentialLoad,
+    TangentialSolution,
 };
 
 const FRICTION: f64 = 0.4;
 const TOLERANCE: f64 = 1e-13;
 
 fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
-    NormalProblem::builder(bodies, gap, NormalLoad::Force(force))
-        .tolerance(TOLERANCE)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap()
+    common::press(
+        bodies,
+        gap,
+        NormalLoad::Force(force),
+        TOLERANCE,
+        Method::ActiveSet,
+    )
 }
 
 fn shear(bodies: &HalfSpace, normal: &NormalSolution, force: [f64; 2]) -> TangentialSolution {
-    let friction = Friction::coulomb(FRICTION).unwrap();
-    TangentialProblem::builder(bodies, normal, friction, TangentialLoad::Force(force))
-        .tolerance(TOLERANCE)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap()
+    let (friction, load) = (
+        Friction::coulomb(FRICTION).unwrap(),
+        TangentialLoad::Force(force),
+    );
+    common::shear(
+        bodies,
+        normal,
+        &friction,
+        load,
+        TOLERANCE,
+        Method::ActiveSet,
+    )
 }
 
 #[test]

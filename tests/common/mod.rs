@@ -6,7 +6,11 @@
     reason = "it counts small things"
 )]
 
-use stickslip::{ElasticPair, Field, Grid, HalfSpace, Material};
+use stickslip::cgm::Method;
+use stickslip::{
+    ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
+    NormalSolution, TangentialLoad, TangentialProblem, TangentialSolution,
+};
 
 /// A small deterministic generator (splitmix64): the same scenes on every machine.
 pub(crate) struct Random(pub(crate) u64);
@@ -108,6 +112,37 @@ impl Table2 {
         let steel = Material::new(213e9, 0.29).unwrap();
         ElasticPair::new(steel, steel).unwrap()
     }
+}
+
+pub(crate) fn press(
+    bodies: &HalfSpace,
+    gap: &Field,
+    load: NormalLoad,
+    tolerance: f64,
+    method: Method,
+) -> NormalSolution {
+    let builder = NormalProblem::builder(bodies, gap, load)
+        .tolerance(tolerance)
+        .method(method);
+    builder.build().unwrap().solve().unwrap()
+}
+
+pub(crate) fn shear(
+    bodies: &HalfSpace,
+    normal: &NormalSolution,
+    friction: &Friction,
+    load: TangentialLoad,
+    tolerance: f64,
+    method: Method,
+) -> TangentialSolution {
+    let builder = TangentialProblem::builder(bodies, normal, friction.clone(), load);
+    builder
+        .tolerance(tolerance)
+        .method(method)
+        .build()
+        .unwrap()
+        .solve()
+        .unwrap()
 }
 
 pub(crate) fn max_abs(values: &[f64]) -> f64 {
