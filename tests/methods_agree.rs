@@ -14,8 +14,8 @@ use common::{Table2, rough, unit_bodies};
 use stickslip::cgm::{self, Magnitude, Method, NonNegative, Problem, Settings};
 use stickslip::influence::Component;
 use stickslip::{
-    Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution, Operator,
-    TangentialLoad, TangentialProblem, TangentialSolution, surface,
+    Field, Friction, Grid, HalfSpace, NormalLoad, NormalSolution, Operator, TangentialLoad,
+    TangentialSolution, surface,
 };
 
 const TOLERANCE: f64 = 1e-6;

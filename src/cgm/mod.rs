@@ -36,13 +36,13 @@
 //! E \le B/2 + \sqrt{B^2/4 + A} .
 //! ```
 //!
-//! A total missed by round-off is reported by itself: `x*` is the minimum of the total `x` has.
-//!
 //! The first is the Frank-Wolfe gap (<https://doi.org/10.1002/nav.3800030109>), of first order in
-//! the residual; the second is of second order.
+//! the residual; the second is of second order. For an operator that does not know such a `lambda` the
+//! first is all there is (infinite while an entry without an upper bound wants to grow), and an
+//! iteration then stops on the residual alone.
 //!
-//! For an operator that does not know such a `lambda` the first is all there is, and an iteration then
-//! stops on the residual alone. All of this holds up to the round-off of the product.
+//! A total missed by round-off is reported by itself: `x*` is the minimum of the total `x` has. All of
+//! this holds up to the round-off of the product.
 //!
 //! # Example
 //!
