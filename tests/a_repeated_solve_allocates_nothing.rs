@@ -31,7 +31,8 @@ fn check(gap: &Field, load: f64) {
     for (i, h) in worn.as_mut_slice().iter_mut().enumerate() {
         *h += 1e-4 * load.sqrt() * (i % 7) as f64;
     }
-    let friction = [0.4, 0.5].map(|mu| Friction::coulomb(mu).unwrap());
+    let friction =
+        [0.4, 0.5].map(|mu| Friction::per_cell(Field::constant(gap.grid(), mu)).unwrap());
     let shear = TangentialProblem::builder(
         &bodies,
         &normal,

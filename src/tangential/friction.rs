@@ -80,6 +80,19 @@ impl Friction {
         (coefficient * pressure).min(self.shear_cap)
     }
 
+    /// Becomes a copy of another friction, in the memory it has where that fits.
+    pub(super) fn copy_from(&mut self, other: &Self) {
+        self.shear_cap = other.shear_cap;
+        match (&mut self.coefficient, &other.coefficient) {
+            (Coefficient::PerCell(own), Coefficient::PerCell(field))
+                if own.grid() == field.grid() =>
+            {
+                own.as_mut_slice().copy_from_slice(field.as_slice());
+            }
+            (own, coefficient) => *own = coefficient.clone(),
+        }
+    }
+
     /// `Ok` if the coefficients fit the grid.
     pub(super) fn check(&self, grid: Grid) -> Result<()> {
         match &self.coefficient {
