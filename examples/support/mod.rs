@@ -1,4 +1,10 @@
-//! What the figures of the examples share: one style of axes, lines, points and legend.
+//! What the examples share: scenes, measures, and one style of axes, lines, points and legend.
+
+#![allow(dead_code, reason = "no example needs all of it")]
+
+pub(crate) mod measure;
+pub(crate) mod rough;
+pub(crate) mod scene;
 
 use std::error::Error;
 use std::ops::Range;
@@ -45,6 +51,57 @@ pub(crate) fn axes<'a>(
     x: (Range<f64>, &str),
     y: (Range<f64>, &str),
 ) -> Result<Chart<'a>, Box<dyn Error>> {
+    labelled_axes(area, x, y, [7, 7], &|value| format!("{value:.1}"))
+}
+
+/// Axes for decimal logarithms, with labels at powers of ten; the ranges are of exponents.
+pub(crate) fn decades<'a>(
+    area: &Area<'a>,
+    x: (Range<f64>, &str),
+    y: (Range<f64>, &str),
+) -> Result<Chart<'a>, Box<dyn Error>> {
+    let (width, height) = (x.0.clone(), y.0.clone());
+    let integers = || (-30..=30).map(f64::from);
+    // More labels than whole exponents would stand between them; more than eight would touch.
+    let labels = [&width, &height].map(|range| {
+        let inside = integers().filter(|exponent| range.contains(exponent));
+        inside.count().clamp(1, 8)
+    });
+    let mut chart = labelled_axes(area, x, y, labels, &|&exponent| power_of_ten(exponent))?;
+    let lines = integers()
+        .flat_map(|exponent| (2..10).map(move |digit| exponent + f64::from(digit).log10()))
+        .filter(|y| height.contains(y))
+        .map(|y| PathElement::new([(width.start, y), (width.end, y)], BLACK.mix(0.05)));
+    chart.draw_series(lines)?;
+    Ok(chart)
+}
+
+/// `10⁻⁶` for -6.
+fn power_of_ten(exponent: f64) -> String {
+    let superscript = |digit| match digit {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        digit => {
+            char::from_u32(u32::from('⁰') + u32::from(digit) - u32::from('0')).unwrap_or(digit)
+        }
+    };
+    // Adding zero turns a negative zero into a positive one.
+    let digits: String = format!("{:.0}", exponent.round() + 0.0)
+        .chars()
+        .map(superscript)
+        .collect();
+    format!("10{digits}")
+}
+
+fn labelled_axes<'a>(
+    area: &Area<'a>,
+    x: (Range<f64>, &str),
+    y: (Range<f64>, &str),
+    labels: [usize; 2],
+    formatter: &dyn Fn(&f64) -> String,
+) -> Result<Chart<'a>, Box<dyn Error>> {
     let mut chart = ChartBuilder::on(area)
         .margin(20)
         .margin_right(40)
@@ -57,10 +114,10 @@ pub(crate) fn axes<'a>(
         .bold_line_style(BLACK.mix(0.1))
         .x_desc(x.1)
         .y_desc(y.1)
-        .x_labels(7)
-        .y_labels(7)
-        .x_label_formatter(&|x| format!("{x:.1}"))
-        .y_label_formatter(&|y| format!("{y:.1}"))
+        .x_labels(labels[0])
+        .y_labels(labels[1])
+        .x_label_formatter(&formatter)
+        .y_label_formatter(&formatter)
         .label_style(("sans-serif", LETTERS - 2))
         .axis_desc_style(("sans-serif", LETTERS))
         .draw()?;
@@ -85,6 +142,50 @@ pub(crate) fn compare(
         .draw_series(computed.into_iter().map(point))?
         .label(format!("{name}, computed"))
         .legend(move |(x, y)| Circle::new((x + 20, y), 6, colour.filled()));
+    Ok(())
+}
+
+/// Full points on a line, or hollow points on a dashed line.
+pub(crate) fn curve(
+    chart: &mut Chart<'_>,
+    name: &str,
+    (colour, is_full): (RGBColor, bool),
+    points: &[(f64, f64)],
+) -> Result<(), Box<dyn Error>> {
+    let line = colour.stroke_width(3);
+    let inside = if is_full { colour } else { WHITE };
+    let points = points.iter().copied();
+    if is_full {
+        chart.draw_series(LineSeries::new(points.clone(), line))?;
+    } else {
+        chart.draw_series(DashedLineSeries::new(points.clone(), 8, 6, line))?;
+    }
+    let filled = move |at| Circle::new(at, 7, inside.filled());
+    let outlined = move |at| Circle::new(at, 7, line);
+    chart.draw_series(points.clone().map(filled))?;
+    chart
+        .draw_series(points.map(outlined))?
+        .label(name)
+        .legend(move |at| {
+            EmptyElement::at(at)
+                + PathElement::new([(0, 0), (40, 0)], line)
+                + Circle::new((20, 0), 7, inside.filled())
+                + Circle::new((20, 0), 7, line)
+        });
+    Ok(())
+}
+
+/// A wide grey line behind or across the others.
+pub(crate) fn mark(
+    chart: &mut Chart<'_>,
+    name: &str,
+    ends: [(f64, f64); 2],
+) -> Result<(), Box<dyn Error>> {
+    let line = BLACK.mix(0.3).stroke_width(8);
+    chart
+        .draw_series([PathElement::new(ends, line)])?
+        .label(name)
+        .legend(move |(x, y)| PathElement::new([(x, y), (x + 40, y)], line));
     Ok(())
 }
 
