@@ -63,7 +63,8 @@ pub struct Report {
     pub status: Status,
     /// Conjugate-gradient steps.
     pub iterations: usize,
-    /// Products with the operator in double precision, the final check included.
+    /// Products with the operator in double precision, the final check included. Like all counts here
+    /// they are those of the grid asked for; what a nested start did on coarser ones is in the time.
     pub convolutions: usize,
     /// Products in single precision, within the iteration only.
     pub rough_convolutions: usize,
