@@ -61,7 +61,7 @@ fn two_different_bodies_touch_stick_and_slip() {
     // Body 2 is dragged by `shift` along +x, body 1 is held: friction pulls body 1 along.
     let load = TangentialLoad::Shift([0.05, 0.0]);
     let friction = Friction::coulomb(0.4).unwrap();
-    let shear = TangentialProblem::builder(&bodies, &normal, friction, load).neglect_coupling();
+    let shear = TangentialProblem::builder(&bodies, &normal, friction, load);
     let shear = shear.tolerance(1e-12).build().unwrap().solve().unwrap();
     assert!(shear.force()[0] > 0.0 && shear.stick_ratio() > 0.1 && shear.stick_ratio() < 0.9);
     let on_one = shear.traction()[0].clone();

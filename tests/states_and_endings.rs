@@ -425,3 +425,30 @@ fn a_used_solver_returns_to_no_load() {
         }
     }
 }
+
+/// A solution that nothing was solved into says so, and nothing is built on it.
+#[test]
+fn an_empty_solution_claims_nothing() {
+    let (bodies, normal) = table_2(32);
+    let ball = surface::sphere(bodies.grid(), Table2::RADIUS).unwrap();
+    let press = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(1.0));
+    let empty = press.build().unwrap().into_solver().unwrap().new_solution();
+    assert_eq!(empty.report().status, Status::Unsolved);
+    assert!(empty.report().energy_error_bound().is_infinite());
+    let load = TangentialLoad::Force([0.1, 0.0]);
+    let build = |normal| {
+        let friction = Friction::coulomb(0.5).unwrap();
+        TangentialProblem::builder(&bodies, normal, friction, load).build()
+    };
+    let refused = build(&empty).map(|_| ());
+    assert!(
+        matches!(refused, Err(Error::NotConverged(report)) if report.status == Status::Unsolved)
+    );
+    let empty = build(&normal)
+        .unwrap()
+        .into_solver()
+        .unwrap()
+        .new_solution();
+    assert_eq!(empty.report().status, Status::Unsolved);
+    assert!(!empty.is_gross_sliding());
+}

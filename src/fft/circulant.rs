@@ -9,7 +9,7 @@ use crate::operator::Operator;
 /// Approximate inverse of a [`Convolution`](super::Convolution): the coefficient wrapped around
 /// the unpadded grid (Strang's circulant), inverted in Fourier space.
 ///
-/// In single precision throughout; a product costs about a sixth of the operator's. Obtained from
+/// In single precision throughout; a product costs about a third of the operator's. Obtained from
 /// [`HalfSpace::preconditioner`](crate::HalfSpace::preconditioner).
 #[derive(Debug, Clone)]
 pub struct CirculantInverse {

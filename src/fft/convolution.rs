@@ -121,7 +121,7 @@ impl Operator for Convolution {
             .convolve(&self.spectrum, x, out, [1.0; 2], buffers);
     }
 
-    /// In single precision: about 3e-7 of the largest displacement, at 0.6 of the cost.
+    /// In single precision: about 3e-7 of the largest displacement, at two thirds of the cost.
     fn apply_roughly(&self, x: &[f64], out: &mut [f64], workspace: &mut ConvolutionWorkspace) {
         let buffers = workspace
             .single
