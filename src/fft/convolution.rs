@@ -14,7 +14,7 @@ use crate::operator::Operator;
 ///
 /// Tractions are pressures, displacements lengths. Equal to the direct sum up to round-off
 /// (1e-15 of the largest displacement, typically). Immutable and shared; memory 12 bytes per cell,
-/// and 48 per cell in each workspace.
+/// and 24 per cell in each workspace.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Grid, Material, Operator, fft::Convolution, influence::Component};
@@ -92,7 +92,7 @@ fn padded(size: [usize; 2]) -> [usize; 2] {
     size.map(|n| smooth_length(2 * n - 1))
 }
 
-/// Buffers of products: 32 bytes per cell, 16 more from the first product in single precision on, and
+/// Buffers of products: 16 bytes per cell, 8 more from the first product in single precision on, and
 /// a little for each task.
 #[derive(Debug)]
 pub struct ConvolutionWorkspace {
