@@ -9,7 +9,9 @@ use crate::report::Report;
 /// What one fresh product says about an iterate.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Certificate {
-    /// Largest complementarity residual over the largest displacement.
+    /// Largest displacement among the entries that can move.
+    pub(super) displacement: f64,
+    /// Largest complementarity residual over that.
     pub(super) residual: f64,
     /// Bound on `E^2 / (x' C x)`.
     pub(super) gap: f64,
@@ -69,6 +71,7 @@ pub(crate) fn examine(
     let load = total.map_or(0.0, |total| (found.sum - total).abs());
     let bound = 0.5 * found.squares.sqrt() + (0.25 * found.squares + found.dual).sqrt();
     Certificate {
+        displacement: found.displacement,
         residual: ratio(found.violated, found.displacement),
         gap: ratio(bound * bound, found.energy),
         load_error: ratio(load, found.magnitude),
