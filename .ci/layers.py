@@ -12,7 +12,7 @@ ALLOWED = {
     # L0: words every layer speaks
     "report": {"error"},
     "error": {"report"},
-    "parallel": set(),
+    "parallel": {"error"},
     "grid": {"error"},
     "field": {"error", "grid"},
     "material": {"error"},

@@ -5,6 +5,9 @@
 //! caller's pool and allocates nothing there ([`enter`] goes there once).
 
 use std::ops::Range;
+use std::sync::OnceLock;
+
+use crate::error::Result;
 
 /// Samples per task of vector work; the tree of sums follows these chunks.
 pub(crate) const CHUNK: usize = 4096;
@@ -154,4 +157,15 @@ pub(crate) fn update<T: Send>(items: &mut [T], update: impl Fn(usize, &mut [T]) 
         &|task, block: Blocks<'_, T>| update(task * CHUNK, block.items),
         &|(), ()| (),
     );
+}
+
+/// The value in the cell, made outside its lock: a thread of the caller's pool that waits on a lock
+/// while the maker's tasks wait for the thread would never wake. Two threads that come first
+/// together both make it, and one result is kept.
+pub(crate) fn get_or_make<T>(cell: &OnceLock<T>, make: impl FnOnce() -> Result<T>) -> Result<&T> {
+    if let Some(value) = cell.get() {
+        return Ok(value);
+    }
+    let value = make()?;
+    Ok(cell.get_or_init(|| value))
 }

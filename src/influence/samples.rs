@@ -1,0 +1,82 @@
+//! The integrals sampled at every cell distance, once for all coefficients and all coarser grids.
+
+use std::sync::{Arc, OnceLock};
+
+use crate::error::Result;
+use crate::grid::Grid;
+use crate::influence::integrals::{Cell, Integral};
+use crate::influence::{Component, Rectangle, Table};
+use crate::material::ElasticPair;
+use crate::parallel::{self, Blocks, get_or_make};
+
+/// The integrals over one cell at the distances `(i, j)` of a grid, `0 <= i < nx`, `0 <= j < ny`, in
+/// units of its longer side: of a cell twice as large they are the same. Each is sampled when it is
+/// first asked for, 8 bytes per distance.
+#[derive(Debug)]
+pub(crate) struct Samples {
+    cell: Cell,
+    step: [f64; 2],
+    size: [usize; 2],
+    values: [OnceLock<Arc<[f64]>>; Integral::COUNT],
+}
+
+impl Samples {
+    /// For the cells of `grid`, up to `size` distances along each axis.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`](crate::Error::NotPositive) if the sides of a cell cannot be halved or
+    /// compared.
+    pub(crate) fn new(grid: Grid, size: [usize; 2]) -> Result<Self> {
+        let rectangle = Rectangle::new(0.5 * grid.dx(), 0.5 * grid.dy())?;
+        Ok(Self {
+            cell: rectangle.cell,
+            step: [grid.dx(), grid.dy()].map(|side| side / rectangle.unit),
+            size,
+            values: Default::default(),
+        })
+    }
+
+    /// A coefficient of the pair on a grid whose cells are those sampled or a multiple of them.
+    ///
+    /// # Errors
+    /// As [`Samples::new`].
+    pub(crate) fn table(
+        &self,
+        grid: Grid,
+        pair: &ElasticPair,
+        component: Component,
+    ) -> Result<Table> {
+        let scale = Rectangle::new(0.5 * grid.dx(), 0.5 * grid.dy())?.scale();
+        let parts = component.parts(pair.compliances());
+        let parts = parts.map(|(weight, integral)| {
+            let make = || Ok(self.sample(integral));
+            let values = get_or_make(&self.values[integral as usize], make)?;
+            Ok((weight * scale, Arc::clone(values)))
+        });
+        Ok(Table::new(
+            component,
+            self.size,
+            parts.collect::<Result<_>>()?,
+        ))
+    }
+
+    fn sample(&self, integral: Integral) -> Arc<[f64]> {
+        let [nx, ny] = self.size;
+        let [step_x, step_y] = self.step;
+        let xs: Vec<f64> = (0..nx).map(|i| i as f64 * step_x).collect();
+        let mut values = vec![0.0; nx * ny];
+        let per_task = ny.div_ceil(parallel::lanes());
+        let rows = Blocks {
+            items: &mut values,
+            width: per_task * nx,
+        };
+        let work = |task: usize, rows: Blocks<'_, f64>| {
+            for (row, out) in (task * per_task..).zip(rows.items.chunks_exact_mut(nx)) {
+                let y = row as f64 * step_y;
+                self.cell.along_row(integral, &xs, y, out);
+            }
+        };
+        parallel::sweep(0..ny.div_ceil(per_task), rows, &work, &|(), ()| ());
+        values.into()
+    }
+}
