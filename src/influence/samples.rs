@@ -4,7 +4,7 @@ use std::sync::{Arc, OnceLock};
 
 use crate::error::Result;
 use crate::grid::Grid;
-use crate::influence::integrals::{Cell, Integral};
+use crate::influence::integrals::Integral;
 use crate::influence::{Component, Rectangle, Table};
 use crate::material::ElasticPair;
 use crate::parallel::{self, Blocks, get_or_make};
@@ -14,8 +14,8 @@ use crate::parallel::{self, Blocks, get_or_make};
 /// first asked for, 8 bytes per distance.
 #[derive(Debug)]
 pub(crate) struct Samples {
-    cell: Cell,
-    step: [f64; 2],
+    rectangle: Rectangle,
+    sides: [f64; 2],
     size: [usize; 2],
     values: [OnceLock<Arc<[f64]>>; Integral::COUNT],
 }
@@ -27,10 +27,9 @@ impl Samples {
     /// [`Error::NotPositive`](crate::Error::NotPositive) if the sides of a cell cannot be halved or
     /// compared.
     pub(crate) fn new(grid: Grid, size: [usize; 2]) -> Result<Self> {
-        let rectangle = Rectangle::new(0.5 * grid.dx(), 0.5 * grid.dy())?;
         Ok(Self {
-            cell: rectangle.cell,
-            step: [grid.dx(), grid.dy()].map(|side| side / rectangle.unit),
+            rectangle: Rectangle::new(0.5 * grid.dx(), 0.5 * grid.dy())?,
+            sides: [grid.dx(), grid.dy()],
             size,
             values: Default::default(),
         })
@@ -51,19 +50,21 @@ impl Samples {
         let parts = parts.map(|(weight, integral)| {
             let make = || Ok(self.sample(integral));
             let values = get_or_make(&self.values[integral as usize], make)?;
-            Ok((weight * scale, Arc::clone(values)))
+            Ok((weight, Arc::clone(values)))
         });
         Ok(Table::new(
             component,
             self.size,
+            scale,
             parts.collect::<Result<_>>()?,
         ))
     }
 
     fn sample(&self, integral: Integral) -> Arc<[f64]> {
         let [nx, ny] = self.size;
-        let [step_x, step_y] = self.step;
-        let xs: Vec<f64> = (0..nx).map(|i| i as f64 * step_x).collect();
+        let Rectangle { cell, unit } = self.rectangle;
+        let distance = |steps: usize, axis: usize| steps as f64 * self.sides[axis] / unit;
+        let xs: Vec<f64> = (0..nx).map(|i| distance(i, 0)).collect();
         let mut values = vec![0.0; nx * ny];
         let per_task = ny.div_ceil(parallel::lanes());
         let rows = Blocks {
@@ -72,8 +73,7 @@ impl Samples {
         };
         let work = |task: usize, rows: Blocks<'_, f64>| {
             for (row, out) in (task * per_task..).zip(rows.items.chunks_exact_mut(nx)) {
-                let y = row as f64 * step_y;
-                self.cell.along_row(integral, &xs, y, out);
+                cell.along_row(integral, &xs, distance(row, 1), out);
             }
         };
         parallel::sweep(0..ny.div_ceil(per_task), rows, &work, &|(), ()| ());

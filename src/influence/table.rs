@@ -29,6 +29,8 @@ pub struct Table {
     ny: usize,
     /// Weights and the integrals they multiply, row by row.
     parts: Vec<(f64, Arc<[f64]>)>,
+    /// Of the sum of the parts.
+    scale: f64,
 }
 
 impl Table {
@@ -43,6 +45,7 @@ impl Table {
     pub(super) fn new(
         component: Component,
         [nx, ny]: [usize; 2],
+        scale: f64,
         parts: Vec<(f64, Arc<[f64]>)>,
     ) -> Self {
         Self {
@@ -50,6 +53,7 @@ impl Table {
             nx,
             ny,
             parts,
+            scale,
         }
     }
 
@@ -82,9 +86,8 @@ impl Table {
     /// The coefficient `column` columns and `row` rows further, within the distances sampled.
     pub(crate) fn at(&self, column: usize, row: usize) -> f64 {
         let index = row * self.nx + column;
-        self.parts
-            .iter()
-            .map(|(weight, values)| weight * values[index])
-            .sum()
+        let parts = self.parts.iter();
+        let sum: f64 = parts.map(|(weight, values)| weight * values[index]).sum();
+        sum * self.scale
     }
 }
