@@ -66,11 +66,11 @@ impl Window {
         })
     }
 
-    /// Wider by a sixteenth and four cells on each side, as far as the grid goes.
+    /// Wider by a thirty-second and four cells on each side, as far as the grid goes.
     pub(crate) fn widened(self, grid: Grid) -> Self {
         let mut wide = self;
         for (axis, cells) in [grid.nx(), grid.ny()].into_iter().enumerate() {
-            let margin = 4 + self.size[axis] / 16;
+            let margin = 4 + self.size[axis] / 32;
             let end = (self.corner[axis] + self.size[axis] + margin).min(cells);
             wide.corner[axis] = self.corner[axis].saturating_sub(margin);
             wide.size[axis] = end - wide.corner[axis];
