@@ -1,6 +1,6 @@
 //! Active sets outside, unclipped preconditioned conjugate gradients inside.
 //!
-//! Each outer step measures the exact residual, solves the linear problem on the free entries to a
+//! Each outer step measures the residual (to single precision while it is large), solves the linear problem on the free entries to a
 //! moderate accuracy, letting them violate their bounds, and then moves all entries between the
 //! sets at once, at that equilibrated state: a primal-dual active-set method (Hintermueller, Ito &
 //! Kunisch, SIAM J. Optim. 13 (2002) 865, <https://doi.org/10.1137/S1052623401383558>). A
@@ -18,6 +18,9 @@ use crate::report::Status;
 
 /// Reduction of the inner residual per outer step.
 const INNER_REDUCTION: f64 = 0.1;
+
+/// Residual above which single precision tells the sets as well as double does.
+const EARLY: f64 = 1e-3;
 
 /// Outer steps in which neither the residual halves nor fewer entries change sets than ever before
 /// after which the method is stuck: while the sets change, and once they stand.
@@ -38,7 +41,11 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
         }
         spread_total(run, sum);
         if !run.is_fresh {
-            run.refresh();
+            if best > EARLY && without_progress == 0 {
+                run.refresh_roughly();
+            } else {
+                run.refresh();
+            }
         }
         set_multiplier(run);
         let findings = run.examine();
