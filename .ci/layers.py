@@ -19,7 +19,7 @@ ALLOWED = {
     # L1: operators, kernels, transforms, closed forms, shapes; no physics of contact
     "operator": set(),
     "contact_map": {"grid"},
-    "window": {"error", "grid"},
+    "window": {"error", "grid", "parallel"},
     "influence": FOUNDATION,
     "fft": FOUNDATION | {"operator", "influence"},
     "analytical": {"error", "material", "grid", "field"},

@@ -159,6 +159,26 @@ pub(crate) fn update<T: Send>(items: &mut [T], update: impl Fn(usize, &mut [T]) 
     );
 }
 
+/// Runs `update(row, its items)` on the rows of a field of `width` columns.
+pub(crate) fn rows<T: Send>(
+    items: &mut [T],
+    width: usize,
+    update: impl Fn(usize, &mut [T]) + Sync,
+) {
+    let per_task = (CHUNK / width).max(1);
+    let tasks = (items.len() / width).div_ceil(per_task);
+    let data = Blocks {
+        items,
+        width: per_task * width,
+    };
+    let work = |task: usize, block: Blocks<'_, T>| {
+        for (row, items) in (task * per_task..).zip(block.items.chunks_exact_mut(width)) {
+            update(row, items);
+        }
+    };
+    sweep(0..tasks, data, &work, &|(), ()| ());
+}
+
 /// The value in the cell, made outside its lock: a thread of the caller's pool that waits on a lock
 /// while the maker's tasks wait for the thread would never wake. Two threads that come first
 /// together both make it, and one result is kept.

@@ -197,7 +197,7 @@ fn reclassify<C: Operator, K: Constraint, P: Operator>(
     let len = run.x.len();
     let data = (blocks(run.x), blocks(state));
     let work = |task: usize, (x, state): (Blocks<'_, f64>, Blocks<'_, State>)| {
-        let (mut moved, mut sum) = (0_usize, 0.0);
+        let mut moved = 0_usize;
         let gradient = &gradient[task * CHUNK..];
         let cells = x.items.iter_mut().zip(state.items).zip(gradient);
         for (i, ((x, state), g)) in (task * CHUNK..).zip(cells) {
@@ -213,9 +213,8 @@ fn reclassify<C: Operator, K: Constraint, P: Operator>(
             moved += usize::from(next != *state);
             *state = next;
             *x = constraint.project(i, *x);
-            sum += *x;
         }
-        (moved, sum)
+        (moved, reduce::in_lanes(x.items))
     };
     let merge = |a: (usize, f64), b: (usize, f64)| (a.0 + b.0, a.1 + b.1);
     parallel::sweep(0..len.div_ceil(CHUNK), data, &work, &merge)

@@ -12,7 +12,7 @@ use crate::report::Report;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Certificate {
     /// Largest displacement among the entries that can move.
-    pub(super) displacement: f64,
+    pub(crate) displacement: f64,
     /// Largest complementarity residual over that.
     pub(super) residual: f64,
     /// Bound on `E^2 / (x' C x)`.

@@ -7,7 +7,7 @@ use crate::grid::Grid;
 use crate::influence::integrals::Integral;
 use crate::influence::{Component, Rectangle, Table};
 use crate::material::ElasticPair;
-use crate::parallel::{self, Blocks, get_or_make};
+use crate::parallel::{self, get_or_make};
 
 /// The integrals over one cell at the distances `(i, j)` of a grid, `0 <= i < nx`, `0 <= j < ny`, in
 /// units of its longer side: of a cell twice as large they are the same. Each is sampled when it is
@@ -66,17 +66,9 @@ impl Samples {
         let distance = |steps: usize, axis: usize| steps as f64 * self.sides[axis] / unit;
         let xs: Vec<f64> = (0..nx).map(|i| distance(i, 0)).collect();
         let mut values = vec![0.0; nx * ny];
-        let per_task = ny.div_ceil(parallel::lanes());
-        let rows = Blocks {
-            items: &mut values,
-            width: per_task * nx,
-        };
-        let work = |task: usize, rows: Blocks<'_, f64>| {
-            for (row, out) in (task * per_task..).zip(rows.items.chunks_exact_mut(nx)) {
-                cell.along_row(integral, &xs, distance(row, 1), out);
-            }
-        };
-        parallel::sweep(0..ny.div_ceil(per_task), rows, &work, &|(), ()| ());
+        parallel::rows(&mut values, nx, |row, out| {
+            cell.along_row(integral, &xs, distance(row, 1), out);
+        });
         values.into()
     }
 }
