@@ -25,7 +25,7 @@ const ROUGH_LOADS: [(&str, f64); 3] = [
 pub(crate) struct Scene {
     pub(crate) name: &'static str,
     pub(crate) bodies: HalfSpace,
-    gap: Field,
+    pub(crate) gap: Field,
     force: f64,
     exact: Option<CattaneoMindlin>,
 }
