@@ -19,8 +19,8 @@ pub(super) fn solve_free<C: Operator, K: Constraint, P: Operator>(
     reduction: f64,
 ) -> ControlFlow<Status> {
     let free = run.workspace.free_set.len();
-    let (mut first, mut previous) = (0.0, 0.0);
-    advance(run, None);
+    let first = advance(run, None);
+    let mut previous = 0.0;
     for step in 0..INNER_LIMIT {
         precondition(run);
         let Correction {
@@ -29,10 +29,7 @@ pub(super) fn solve_free<C: Operator, K: Constraint, P: Operator>(
             overlap,
         } = correct(run);
         run.workspace.multiplier += change;
-        if step == 0 {
-            first = product;
-        }
-        if product <= reduction * reduction * first && step > 0 || product <= 0.0 {
+        if product <= 0.0 {
             break;
         }
         // Polak-Ribiere forgives the noise of single precision.
@@ -47,9 +44,21 @@ pub(super) fn solve_free<C: Operator, K: Constraint, P: Operator>(
         if !(curvature > 0.0 && along.is_finite()) {
             break;
         }
-        advance(run, Some(along / curvature));
+        let residual = advance(run, Some(along / curvature));
+        if residual.square <= reduction * reduction * first.square {
+            run.workspace.multiplier += residual.change;
+            break;
+        }
     }
     ControlFlow::Continue(())
+}
+
+/// What is left to solve, measured without the preconditioner.
+struct Residual {
+    /// The change of the multiplier that leaves no weighted mean: `w' (r + change) = 0`.
+    change: f64,
+    /// `|r + change|^2`.
+    square: f64,
 }
 
 /// Moves by a length along the direction, if one is given, and takes the residual there: compressed,
@@ -57,7 +66,8 @@ pub(super) fn solve_free<C: Operator, K: Constraint, P: Operator>(
 fn advance<C: Operator, K: Constraint, P: Operator>(
     run: &mut Run<'_, '_, C, K, P>,
     length: Option<f64>,
-) {
+) -> Residual {
+    let has_total = run.problem.total.is_some();
     let Workspace {
         inner,
         gradient,
@@ -74,7 +84,8 @@ fn advance<C: Operator, K: Constraint, P: Operator>(
         (blocks(run.x), blocks(gradient)),
         (blocks(direction), residual),
     );
-    free_set.sweep(data, |entries, ((x, gradient), (full, residual))| {
+    let spread = &inner.spread;
+    let sums = free_set.sweep(data, |entries, ((x, gradient), (full, residual))| {
         if let Some(length) = length {
             let images = &image[entries.chunk.clone()];
             for (g, u) in gradient.items.iter_mut().zip(images) {
@@ -85,13 +96,26 @@ fn advance<C: Operator, K: Constraint, P: Operator>(
                 x.items[place] += length * d;
             }
         }
-        for (place, r) in entries.places().zip(residual.items) {
-            *r = multiplier - gradient.items[place];
-            full.items[place] = *r;
-        }
-        []
+        let spread = &spread[entries.range.clone()];
+        entries.sums(|k, place| {
+            let r = multiplier - gradient.items[place];
+            residual.items[k] = r;
+            full.items[place] = r;
+            [r, r * r, spread[k] * r]
+        })
     });
     run.is_fresh &= length.is_none();
+    let [sum, square, weighted] = sums;
+    let change = if has_total {
+        -weighted / inner.weight
+    } else {
+        0.0
+    };
+    let free = free_set.len() as f64;
+    Residual {
+        change,
+        square: square + change * (2.0 * sum + change * free),
+    }
 }
 
 /// The preconditioned residual `z = M r + change w`, of which `M r` is kept.
