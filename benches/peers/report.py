@@ -1,6 +1,5 @@
 """The tables of a run, as plain text."""
 
-import datetime
 import pathlib
 import platform
 import subprocess
@@ -8,25 +7,38 @@ import subprocess
 import codes
 
 
-def report(results, versions, chosen, seconds):
+def report(record):
+    results = record["results"]
     tables = []
     for problem, title in (("press", "Pressure"), ("shear", "Shear traction, Poisson's ratio 0")):
-        for threads in chosen.threads:
+        for threads in sorted({row["threads"] for row in results}, reverse=True):
             rows = [r for r in results if r["problem"] == problem and r["threads"] == threads]
             if rows:
                 noun = "thread" if threads == 1 else "threads"
                 tables += [f"{title}, {threads} {noun}", "", *table(rows), ""]
-    lines = ["```text", *header(versions, chosen, seconds), "", *tables, *verdicts(results), "```", ""]
+    lines = ["```text", *header(record), "", *tables, *verdicts(results), "```", ""]
     return "\n".join(lines)
 
 
-def header(versions, chosen, seconds):
+def machine():
+    """What the numbers depend on beside the peers."""
+    return {
+        "processor": processor(),
+        "stickslip": commit(),
+        "rustc": output("rustc", "--version"),
+        "python": platform.python_version(),
+    }
+
+
+def header(record):
+    machine, versions = record["machine"], record["versions"]
     missing = [code for code in codes.PACKAGES if code not in versions]
-    listed = ", ".join(package for packages in versions.values() for package in packages)
+    listed = [package for packages in versions.values() for package in packages]
     lines = [
-        f"{datetime.date.today()}, {processor()}, {seconds / 60:.0f} minutes",
-        f"stickslip {commit()}, {output('rustc', '--version')}",
-        f"{listed}, {', '.join(codes.COMMON)}, Python {platform.python_version()}",
+        f"{record['date']}, {machine['processor']}, {record['minutes']:.0f} minutes",
+        f"stickslip {machine['stickslip']}, {machine['rustc']}, Python {machine['python']}",
+        ", ".join(listed),
+        ", ".join(codes.COMMON),
     ]
     if missing:
         lines.append(f"left out or not to be installed: {', '.join(missing)}")

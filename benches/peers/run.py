@@ -9,6 +9,7 @@ writes target/peers/report.md. benches/README.md says what is measured.
 """
 
 import argparse
+import datetime
 import json
 import os
 import pathlib
@@ -30,16 +31,17 @@ def arguments():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--quick", action="store_true", help="256 x 256 cells, three rounds")
     parser.add_argument("--sizes", type=int, nargs="+", default=[512, 1024])
+    parser.add_argument("--shear-sizes", type=int, nargs="*", default=codes.SHEAR_SIZES)
     parser.add_argument("--threads", type=int, nargs="+", default=[2, 1])
     parser.add_argument("--repeats", type=int, default=5, help="rounds, of which least and median")
     parser.add_argument("--skip", nargs="*", default=[], help="peers to leave out")
     parser.add_argument("--scenes", nargs="*", help="only these")
     parser.add_argument("--patience", type=float, default=120, help="seconds that a solve may take")
-    parser.add_argument("--slow", type=float, default=8, help="seconds from which one solve must do")
+    parser.add_argument("--budget", type=float, default=8, help="seconds for all rounds of one race")
     parser.add_argument("--folder", type=pathlib.Path, default=ROOT / "target" / "peers")
     chosen = parser.parse_args()
     if chosen.quick:
-        chosen.sizes, chosen.repeats = [256], 3
+        chosen.sizes, chosen.shear_sizes, chosen.repeats = [256], [256], 3
     chosen.folder = chosen.folder.resolve()
     return chosen
 
@@ -84,8 +86,8 @@ def reached(answer, target):
 class Scan:
     """Looks for the fastest way of every code to every error."""
 
-    def __init__(self, ours, peers, slow):
-        self.ours, self.peers, self.slow = ours, peers, slow
+    def __init__(self, ours, peers):
+        self.ours, self.peers = ours, peers
         self.known = {}
         # Where the last smaller grid found its tolerance: the search starts there.
         self.first = {}
@@ -119,7 +121,7 @@ class Scan:
         if key not in self.known:
             worker = self.peers[codes.VARIANTS[code][-1]]
             answer = worker.measured(problem, scene, options, tolerance, self.ours)
-            if answer.get("whole", self.slow) < self.slow:
+            if answer.get("whole", 1) < 1:
                 # The first call may have paid for loading the library.
                 again = worker.solve(problem, scene, options, tolerance)
                 answer["whole"] = min(answer["whole"], again.get("whole", answer["whole"]))
@@ -147,12 +149,12 @@ def show(*words):
     print(words[0], place, *words[2:], answer["status"], numbers, flush=True)
 
 
-def races(scan, problem, scene, available):
+def races(scan, problem, scene, available, budget):
     """Every peer's best way to every target, with this library's match."""
     found = []
     for target in codes.TARGETS:
         for code in available:
-            if (code, problem) not in codes.SETTINGS:
+            if not codes.is_tried(code, problem, scene, target):
                 continue
             best = scan.peer(code, problem, scene, target)
             if isinstance(best, str):
@@ -161,6 +163,9 @@ def races(scan, problem, scene, available):
             name, options, tolerance, answer = best
             own_tolerance, own = scan.own(problem, scene, answer["energy"])
             for variant in codes.VARIANTS[code]:
+                # The scan was the whole race of what is slow, in the way it was scanned.
+                if answer["whole"] >= budget and variant != codes.VARIANTS[code][-1]:
+                    continue
                 found.append(
                     {
                         "code": variant,
@@ -176,27 +181,49 @@ def races(scan, problem, scene, available):
     return [{**race, "problem": problem, "scene": scene} for race in found]
 
 
-def run_rounds(found, ours, peers, repeats, slow):
-    """A, B, C, .. then A, B, C, .. again; this library after every peer, at the tolerance of that race."""
-    times = [{key: [] for key in ("peer_whole", "peer_solve", "own_whole", "own_solve")} for _ in found]
+def run_rounds(found, ours, peers, repeats, budget):
+    """A, B, C, .. then A, B, C, .. again; this library after every peer, at the tolerance of that race.
+    A race is over when its peer has used up its budget; of a peer that did so in the scan, that counts."""
+    parts = [f"{who}_{part}" for who in ("peer", "own") for part in ("whole", "solve")]
+    times = [{part: [] for part in parts} for _ in found]
+    for race, kept in zip(found, times):
+        if "peer" in race and race["peer"]["whole"] >= budget:
+            for part in ("whole", "solve"):
+                kept[f"peer_{part}"].append(race["peer"][part])
     for number in range(repeats):
         for race, kept in zip(found, times):
-            if "trouble" in race or (number > 0 and race["peer"]["whole"] >= slow):
+            if "trouble" in race:
                 continue
-            problem, scene = race["problem"], race["scene"]
-            # Where a spinning code was caught by other work once, it is not waited for again and again.
-            if not kept["peer_whole"] or min(kept["peer_whole"]) < slow:
-                answer = peers[race["code"]].solve(problem, scene, race["options"], race["tolerance"])
-                for key in ("whole", "solve"):
-                    if key in answer:
-                        kept[f"peer_{key}"].append(answer[key])
-            answer = ours.solve(problem, scene, race["own_tolerance"])
-            for key in ("whole", "solve"):
-                kept[f"own_{key}"].append(answer[key])
+            problem, scene, peer = race["problem"], race["scene"], race["code"]
+            if sum(kept["peer_whole"]) < budget:
+                answer = peers[peer].solve(problem, scene, race["options"], race["tolerance"])
+                keep(kept, "peer", answer)
+            elif number >= 3:
+                continue
+            keep(kept, "own", ours.solve(problem, scene, race["own_tolerance"]))
+        print(f"round {number + 1} done", flush=True)
     for race, kept in zip(found, times):
-        for key, values in kept.items():
+        for part, values in kept.items():
             if values:
-                race[key] = {"least": min(values), "median": statistics.median(values), "rounds": len(values)}
+                least, median = min(values), statistics.median(values)
+                race[part] = {"least": least, "median": median, "rounds": len(values)}
+
+
+def is_timed_again(race, budget):
+    """With another number of threads: the same setting, but nothing slow or large twice, and not the two
+    ways of waiting where there is nothing to wait for."""
+    return (
+        "peer" in race
+        and race["peer"]["whole"] < budget
+        and race["scene"]["cells"] <= codes.SECOND_PASS_TO
+        and race["code"] != codes.CALM
+    )
+
+
+def keep(kept, who, answer):
+    for part in ("whole", "solve"):
+        if part in answer:
+            kept[f"{who}_{part}"].append(answer[part])
 
 
 def main():
@@ -209,8 +236,9 @@ def main():
     for path in fields.glob("*.f64"):
         path.unlink()
     start = time.monotonic()
-    sizes = [str(size) for size in sorted(chosen.sizes)]
-    written = subprocess.run([binary, "write", str(fields), *sizes], check=True, capture_output=True, text=True)
+    sizes = {"press": chosen.sizes, "shear": chosen.shear_sizes}
+    command = [binary, "write", str(fields), *map(str, sorted({*chosen.sizes, *chosen.shear_sizes}))]
+    written = subprocess.run(command, check=True, capture_output=True, text=True)
     scenes = [json.loads(line) for line in written.stdout.splitlines()]
     scenes = [scene for scene in scenes if not chosen.scenes or scene["scene"] in chosen.scenes]
 
@@ -223,27 +251,29 @@ def main():
             for variant in codes.VARIANTS[code]
         }
         if choice is None:
-            scan = Scan(ours, peers, chosen.slow)
+            scan = Scan(ours, peers)
             choice = [
                 race
                 for problem in ("press", "shear")
                 for scene in scenes
-                if problem == "press" or scene["cells"] <= codes.LARGEST_SHEAR
-                for race in races(scan, problem, scene, versions)
+                if scene["cells"] in sizes[problem]
+                for race in races(scan, problem, scene, versions, chosen.budget)
             ]
-        # With fewer threads the same settings are timed again, but nothing slow twice.
-        again = [
-            dict(race)
-            for race in choice
-            if not results or ("peer" in race and race["peer"]["whole"] < chosen.slow)
-        ]
-        run_rounds(again, ours, peers, chosen.repeats, chosen.slow)
+        again = [dict(race) for race in choice if not results or is_timed_again(race, chosen.budget)]
+        run_rounds(again, ours, peers, chosen.repeats, chosen.budget)
         results += [{**race, "threads": threads} for race in again]
         for worker in [ours, *peers.values()]:
             worker.worker.close()
-        text = report.report(results, versions, chosen, time.monotonic() - start)
+        record = {
+            "date": str(datetime.date.today()),
+            "minutes": (time.monotonic() - start) / 60,
+            "machine": report.machine(),
+            "versions": versions,
+            "results": results,
+        }
+        (chosen.folder / "report.json").write_text(json.dumps(record, indent=1))
+        text = report.report(record)
         (chosen.folder / "report.md").write_text(text)
-        (chosen.folder / "report.json").write_text(json.dumps(results, indent=1))
     print(text)
 
 
