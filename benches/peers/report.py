@@ -1,8 +1,11 @@
 """The tables of a run, as plain text."""
 
+import itertools
+import json
 import pathlib
 import platform
 import subprocess
+import sys
 
 import codes
 
@@ -16,7 +19,7 @@ def report(record):
             if rows:
                 noun = "thread" if threads == 1 else "threads"
                 tables += [f"{title}, {threads} {noun}", "", *table(rows), ""]
-    lines = ["```text", *header(record), "", *tables, *verdicts(results), "```", ""]
+    lines = ["```text", *header(record), "", *legend(), "", *tables, *verdicts(results), "```", ""]
     return "\n".join(lines)
 
 
@@ -46,52 +49,63 @@ def header(record):
 
 
 def table(rows):
-    head = ["scene", "N", "code: setting", "tol", "energy", "L1", "whole, s", "solve, s"]
-    head += ["stickslip tol", "energy", "L1", "whole, s", "solve, s", "ratio whole", "ratio solve", "rounds"]
-    lines = [head]
+    lines = [["", "", "", "peer", *[""] * 4, "stickslip", *[""] * 4, "ratio", "", ""]]
+    run = ["tol", "energy", "L1", "whole, ms", "solve, ms"]
+    lines.append(["scene", "N", "code", *run, *run, "whole", "solve", "n"])
     for row in rows:
         scene = row["scene"]
-        start = [scene["scene"], str(scene["cells"])]
+        start = [scene["scene"], str(scene["cells"]), name(row)]
         if "trouble" in row:
-            reason = f"{row['code']}: not to {row['target']:.0e}: {row['trouble']}"
-            lines.append([*start, reason, *[""] * (len(head) - 3)])
+            lines.append([*start, f"not to {row['target']:.0e}: {row['trouble']}"])
             continue
-        peer, own = row["peer"], row["own"]
-        lines.append(
-            [
-                *start,
-                f"{row['code']}: {row['setting']}",
-                f"{row['tolerance']:.0e}",
-                f"{peer['energy']:.1e}",
-                f"{peer['l1']:.1e}",
-                span(row.get("peer_whole")),
-                span(row.get("peer_solve")),
-                f"{row['own_tolerance']:.0e}",
-                f"{own['energy']:.1e}",
-                f"{own['l1']:.1e}",
-                span(row.get("own_whole")),
-                span(row.get("own_solve")),
-                ratio(row, "whole"),
-                ratio(row, "solve"),
-                str(row.get("peer_whole", {}).get("rounds", 0)),
-            ]
-        )
-    widths = [max(len(line[k]) for line in lines) for k in range(len(head))]
-    left = 3
+        peer = run_cells(row["tolerance"], row["peer"], row.get("peer_whole"), row.get("peer_solve"))
+        own = run_cells(row["own_tolerance"], row["own"], row.get("own_whole"), row.get("own_solve"))
+        rounds = str(row.get("peer_whole", {}).get("rounds", 0))
+        lines.append([*start, *peer, *own, ratio(row, "whole"), ratio(row, "solve"), rounds])
+    full = [line for line in lines if len(line) == len(lines[1])]
+    widths = [max(len(line[k]) for line in full) for k in range(len(lines[1]))]
     return [
-        "  ".join(
-            cell.ljust(width) if k < left else cell.rjust(width)
+        " ".join(
+            # The names stand left, numbers right, and the headings of groups over their first column.
+            cell.ljust(width) if k < 3 or line is lines[0] or len(line) < len(widths) else cell.rjust(width)
             for k, (cell, width) in enumerate(zip(line, widths))
         ).rstrip()
         for line in lines
     ]
 
 
+def run_cells(tolerance, answer, whole, solve):
+    errors = [f"{answer[key]:.1e}" for key in ("energy", "l1")]
+    return [f"{tolerance:.0e}", *errors, span(whole), span(solve)]
+
+
+def letter(code, problem, setting):
+    """The letter of a setting, or nothing where there is but one."""
+    names = [listed for listed, _ in codes.SETTINGS[code, problem]]
+    return f" {chr(ord('A') + names.index(setting))}" if len(names) > 1 else ""
+
+
+def name(row):
+    if "setting" not in row:
+        return row["code"]
+    code = row["code"].split(",")[0]
+    return code + letter(code, row["problem"], row["setting"]) + row["code"].removeprefix(code)
+
+
+def legend():
+    lines = []
+    for (code, problem), settings in codes.SETTINGS.items():
+        for setting, _ in settings:
+            lines.append(f"{code + letter(code, problem, setting)}, {problem}: {setting}")
+    return lines
+
+
 def span(times):
-    """Least and median."""
+    """Least and median, in milliseconds."""
     if times is None:
         return "-"
-    return f"{times['least']:.3g} {times['median']:.3g}"
+    milliseconds = [1e3 * times[key] for key in ("least", "median")]
+    return " ".join(f"{time:.1f}" if time < 100 else f"{time:.0f}" for time in milliseconds)
 
 
 def quotients(row, part):
@@ -108,33 +122,43 @@ def ratio(row, part):
 
 
 def verdicts(results):
-    """Each aim against the least ratio of the least times: for a code that was timed in two ways, the
-    ratio to its faster one."""
-    lines = ["Aims, by the least times (whole, solve alone):"]
+    """Every aim beside the ratios of the least times: for a code that was timed in two ways, those to
+    the faster way."""
+    lines = ["Aims beside the ratios of the least times (least and largest over scenes and errors):"]
+    sizes = sorted({row["scene"]["cells"] for row in results})
+    threads = sorted({row["threads"] for row in results}, reverse=True)
     for problem, code, scene, aim in codes.AIMS:
-        for size in sorted({row["scene"]["cells"] for row in results}):
-            for threads in sorted({row["threads"] for row in results}, reverse=True):
-                pairs = {}
-                for row in results:
-                    place = row["scene"]
-                    if (row["problem"], place["cells"], row["threads"]) != (problem, size, threads):
-                        continue
-                    if row["code"] not in codes.VARIANTS[code] or not place["scene"].startswith(scene):
-                        continue
-                    found = [quotients(row, part) for part in ("whole", "solve")]
-                    if None not in found:
-                        key = (place["scene"], row["target"])
-                        pairs.setdefault(key, []).append([pair[0] for pair in found])
-                fastest = [[min(part) for part in zip(*several)] for several in pairs.values()]
-                if fastest:
-                    whole, solve = ([pair[k] for pair in fastest] for k in (0, 1))
-                    met = "met" if min(*whole, *solve) >= aim else "missed" if max(*whole, *solve) < aim else "met in part"
-                    name = f"{problem} {scene or 'all scenes'}".strip()
-                    lines.append(
-                        f"{name} {size}, {threads} thr., against {code}: aim {aim}, "
-                        f"whole {min(whole):.1f} to {max(whole):.1f}, solve {min(solve):.1f} to {max(solve):.1f}: {met}"
-                    )
+        for size, number in itertools.product(sizes, threads):
+            pairs = {}
+            for row in results:
+                place = row["scene"]
+                is_meant = (
+                    (row["problem"], place["cells"], row["threads"]) == (problem, size, number)
+                    and row["code"] in codes.VARIANTS[code]
+                    and place["scene"].startswith(scene)
+                )
+                found = [quotients(row, part) for part in ("whole", "solve")]
+                if is_meant and None not in found:
+                    key = (place["scene"], row["target"])
+                    pairs.setdefault(key, []).append([pair[0] for pair in found])
+            fastest = [[min(part) for part in zip(*several)] for several in pairs.values()]
+            if fastest:
+                whole, solve = ([pair[k] for pair in fastest] for k in (0, 1))
+                lines.append(
+                    f"{problem} {scene or 'all scenes':10} {size:4}, {number} thr., {code:16} aim {aim:3}: "
+                    f"whole {verdict(whole, aim)}; solve alone {verdict(solve, aim)}"
+                )
     return lines
+
+
+def verdict(ratios, aim):
+    word = "met" if min(ratios) >= aim else "missed" if max(ratios) < aim else "met in part"
+    return f"{min(ratios):.1f} to {max(ratios):.1f}, {word}"
+
+
+def main():
+    """Writes the report anew from the numbers of a run."""
+    print(report(json.loads(pathlib.Path(sys.argv[1]).read_text())), end="")
 
 
 def output(*command):
@@ -157,4 +181,9 @@ def processor():
     lines = [line.split(":", 1) for line in text.splitlines() if ":" in line]
     values = {key.strip(): value.strip() for key, value in lines}
     cores = sum(key.strip() == "processor" for key, _ in lines)
-    return f"{cores} cores of {values.get('model name')} (family {values.get('cpu family')}, model {values.get('model')})"
+    family = f"family {values.get('cpu family')}, model {values.get('model')}"
+    return f"{cores} cores of {values.get('model name')} ({family})"
+
+
+if __name__ == "__main__":
+    main()
