@@ -68,6 +68,8 @@ TOLERANCES = {
 
 # Relative errors in the energy norm to be reached.
 TARGETS = [1e-4, 1e-6]
+# How close all codes come on a small grid: other influence coefficients would show as an error that stays.
+FLOOR_SIZE, FLOOR_TOLERANCE = 128, 1e-12
 SHEAR_SIZES = [256, 512]
 # Beyond these sizes the slow ones would take the day.
 LARGEST = {

@@ -19,7 +19,8 @@ def report(record):
             if rows:
                 noun = "thread" if threads == 1 else "threads"
                 tables += [f"{title}, {threads} {noun}", "", *table(rows), ""]
-    lines = ["```text", *header(record), "", *legend(), "", *tables, *verdicts(results), "```", ""]
+    opening = [*header(record), "", *legend(), "", *floors(record["floors"]), ""]
+    lines = ["```text", *opening, *tables, *verdicts(results), "```", ""]
     return "\n".join(lines)
 
 
@@ -45,6 +46,15 @@ def header(record):
     ]
     if missing:
         lines.append(f"left out or not to be installed: {', '.join(missing)}")
+    return lines
+
+
+def floors(found):
+    size, tolerance = codes.FLOOR_SIZE, codes.FLOOR_TOLERANCE
+    lines = [f"Energy error at tolerance {tolerance:.0e} on {size} x {size} cells:"]
+    for code, errors in found.items():
+        listed = [f"{scene} {'-' if error is None else f'{error:.1e}'}" for scene, error in errors.items()]
+        lines.append(f"{code}: {', '.join(listed)}")
     return lines
 
 

@@ -19,6 +19,8 @@ import sys
 import time
 import venv
 
+sys.dont_write_bytecode = True  # nothing is left in the source tree
+
 import codes
 import report
 from workers import Ours, Peer
@@ -129,6 +131,16 @@ class Scan:
             self.known[key] = answer
         return self.known[key]
 
+    def floors(self, scenes, available):
+        """Energy errors at the tightest tolerance, on a small grid."""
+        found = {}
+        for code in available:
+            name, options = codes.SETTINGS[code, "press"][0]
+            for scene in scenes:
+                answer = self.measured(code, "press", scene, name, options, codes.FLOOR_TOLERANCE)
+                found.setdefault(code, {})[scene["scene"]] = answer.get("energy")
+        return found
+
     def own(self, problem, scene, error):
         """The largest tolerance at which this library's own error is not above the peer's."""
         for tolerance in codes.HALF_DECADES:
@@ -237,12 +249,13 @@ def main():
         path.unlink()
     start = time.monotonic()
     sizes = {"press": chosen.sizes, "shear": chosen.shear_sizes}
-    command = [binary, "write", str(fields), *map(str, sorted({*chosen.sizes, *chosen.shear_sizes}))]
+    needed = sorted({codes.FLOOR_SIZE, *chosen.sizes, *chosen.shear_sizes})
+    command = [binary, "write", str(fields), *map(str, needed)]
     written = subprocess.run(command, check=True, capture_output=True, text=True)
     scenes = [json.loads(line) for line in written.stdout.splitlines()]
     scenes = [scene for scene in scenes if not chosen.scenes or scene["scene"] in chosen.scenes]
 
-    results, choice = [], None
+    results, choice, floors = [], None, {}
     for threads in chosen.threads:
         ours = Ours(binary, threads, chosen.patience, fields)
         peers = {
@@ -252,6 +265,7 @@ def main():
         }
         if choice is None:
             scan = Scan(ours, peers)
+            floors = scan.floors([s for s in scenes if s["cells"] == codes.FLOOR_SIZE], versions)
             choice = [
                 race
                 for problem in ("press", "shear")
@@ -269,6 +283,7 @@ def main():
             "minutes": (time.monotonic() - start) / 60,
             "machine": report.machine(),
             "versions": versions,
+            "floors": floors,
             "results": results,
         }
         (chosen.folder / "report.json").write_text(json.dumps(record, indent=1))

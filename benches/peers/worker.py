@@ -37,7 +37,7 @@ def aspher_press(request, gap):
 
 
 def aspher_shear(request, gap):
-    """Poisson's ratio is zero: from 0.01 on its tangential solver stalls."""
+    """Poisson's ratio is zero: above it the tangential solver does not always converge."""
     import aspher
 
     friction, pressure = request["friction"], request["pressure"]

@@ -31,7 +31,16 @@ fn answer(words: &[&str]) -> Result<String> {
             let press = Press::read(gap, cells, pressure)?;
             press.answer(tolerance.parse()?, output)
         }
-        ["shear", gap, cells, pressure, friction, loading, tolerance, output] => Shear {
+        [
+            "shear",
+            gap,
+            cells,
+            pressure,
+            friction,
+            loading,
+            tolerance,
+            output,
+        ] => Shear {
             press: Press::read(gap, cells, pressure)?,
             friction: Friction::coulomb(friction.parse()?)?,
             loading: friction.parse::<f64>()? * loading.parse::<f64>()?,
@@ -150,7 +159,12 @@ impl Shear {
         let solve = start.elapsed().as_secs_f64();
         let [traction, _] = solution.traction();
         write_field(output, traction)?;
-        Ok(line(whole, solve, solution.stick_ratio(), solution.report()))
+        Ok(line(
+            whole,
+            solve,
+            solution.stick_ratio(),
+            solution.report(),
+        ))
     }
 }
 
