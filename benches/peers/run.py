@@ -93,6 +93,8 @@ class Scan:
         self.known = {}
         # Where the last smaller grid found its tolerance: the search starts there.
         self.first = {}
+        # Settings that were too slow there, which the larger grid is spared.
+        self.lost = set()
 
     def peer(self, code, problem, scene, target):
         """`(name, options, tolerance, answer)`, or a line that says why there is none."""
@@ -100,6 +102,8 @@ class Scan:
         tolerances = codes.TOLERANCES[code, problem]
         for name, options in codes.SETTINGS[code, problem]:
             key = (code, problem, name, scene["scene"], target)
+            if key in self.lost:
+                continue
             for index in range(self.first.get(key, 0), len(tolerances)):
                 answer = self.measured(code, problem, scene, name, options, tolerances[index])
                 if "whole" not in answer:
@@ -107,6 +111,7 @@ class Scan:
                     break
                 # A little slower may be noise; the rounds will tell only what the scan lets through.
                 if best and answer["whole"] > 1.3 * best[3]["whole"]:
+                    self.lost.add(key)
                     break
                 if reached(answer, target):
                     self.first[key] = index
