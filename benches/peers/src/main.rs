@@ -7,6 +7,13 @@
 //! Lengths are in units of the side of the grid, pressures in units of the contact modulus: no code then
 //! meets a system of units that it was not tuned for.
 
+#![allow(
+    clippy::cast_precision_loss,
+    clippy::similar_names,
+    clippy::unreadable_literal,
+    reason = "as in the library, whose examples lend two files"
+)]
+
 mod judge;
 #[path = "../../../examples/support/rough.rs"]
 mod rough;
