@@ -32,8 +32,8 @@ ASPHER_TOLERANCES = [1e-4, 1e-5, 2e-6, 1e-6, 1e-7, 1e-8, 1e-9]
 DECADES = [10.0**-k for k in range(2, 11)]
 HALF_DECADES = [x for k in range(2, 10) for x in (10.0**-k, 3.16 * 10.0 ** -(k + 1))] + [1e-10]
 
-# (name, options) of each setting; the first ones are expected to be the fastest, and a setting is dropped,
-# on larger grids too, once it takes 1.3 times as long as the best one took to reach the same error.
+# (name, options) of each setting; the first ones are expected to be the fastest. A setting is dropped once it
+# takes 1.3 times as long as the best one took to reach the same error, on larger grids too if it takes twice as long.
 SETTINGS = {
     ("aspher", "press"): [
         ("nested fft, fft preconditioner", {"backend": "fft", "precond_engine": "fft"}),

@@ -96,35 +96,47 @@ class Scan:
         # Settings that were too slow there, which the larger grid is spared.
         self.lost = set()
 
-    def peer(self, code, problem, scene, target):
-        """`(name, options, tolerance, answer)`, or a line that says why there is none."""
+    def look(self, code, problem, scene, target):
+        """Tries settings and tolerances, the loosest first, until each setting reaches the target or has
+        lost. Returns a line that says why one did not."""
         best, trouble = None, "no tolerance reached it"
         tolerances = codes.TOLERANCES[code, problem]
         for name, options in codes.SETTINGS[code, problem]:
             key = (code, problem, name, scene["scene"], target)
             if key in self.lost:
                 continue
-            for index in range(self.first.get(key, 0), len(tolerances)):
+            for index in range(max(self.first.get(key, 0) - 1, 0), len(tolerances)):
                 answer = self.measured(code, problem, scene, name, options, tolerances[index])
                 if "whole" not in answer:
                     trouble = answer["status"]
                     break
-                # A little slower may be noise; the rounds will tell only what the scan lets through.
-                if best and answer["whole"] > 1.3 * best[3]["whole"]:
-                    self.lost.add(key)
+                # One that is a little slower may be so by noise.
+                if best and answer["whole"] > 1.3 * best:
+                    if answer["whole"] > 2 * best:
+                        self.lost.add(key)
                     break
                 if reached(answer, target):
                     self.first[key] = index
-                    if not best or answer["whole"] < best[3]["whole"]:
-                        best = (name, options, tolerances[index], answer)
+                    best = min(best or answer["whole"], answer["whole"])
                     break
                 if answer["status"] != "converged":
                     trouble = answer["status"]
                     break
-        return best or trouble
+        return trouble
+
+    def peer(self, code, problem, scene, target):
+        """The fastest `(name, options, tolerance, answer)` of all that were tried, or nothing."""
+        options = dict(codes.SETTINGS[code, problem])
+        place = (code, problem, scene["scene"], scene["cells"])
+        found = [
+            (name, options[name], tolerance, answer)
+            for (*where, name, tolerance), answer in self.known.items()
+            if tuple(where) == place and reached(answer, target)
+        ]
+        return min(found, key=lambda way: way[3]["whole"], default=None)
 
     def measured(self, code, problem, scene, name, options, tolerance):
-        key = (code, problem, name, scene["scene"], scene["cells"], tolerance)
+        key = (code, problem, scene["scene"], scene["cells"], name, tolerance)
         if key not in self.known:
             worker = self.peers[codes.VARIANTS[code][-1]]
             answer = worker.measured(problem, scene, options, tolerance, self.ours)
@@ -149,7 +161,7 @@ class Scan:
     def own(self, problem, scene, error):
         """The largest tolerance at which this library's own error is not above the peer's."""
         for tolerance in codes.HALF_DECADES:
-            key = (problem, scene["scene"], scene["cells"], tolerance)
+            key = ("stickslip", problem, scene["scene"], scene["cells"], "", tolerance)
             if key not in self.known:
                 self.known[key] = self.ours.measured(problem, scene, tolerance)
                 show("scan", scene, problem, "stickslip", "", tolerance, self.known[key])
@@ -168,33 +180,37 @@ def show(*words):
 
 def races(scan, problem, scene, available, budget):
     """Every peer's best way to every target, with this library's match."""
+    tried = [
+        (target, code)
+        for target in codes.TARGETS
+        for code in available
+        if codes.is_tried(code, problem, scene, target)
+    ]
+    troubles = {(target, code): scan.look(code, problem, scene, target) for target, code in tried}
     found = []
-    for target in codes.TARGETS:
-        for code in available:
-            if not codes.is_tried(code, problem, scene, target):
+    for target, code in tried:
+        best = scan.peer(code, problem, scene, target)
+        if best is None:
+            found.append({"code": code, "target": target, "trouble": troubles[target, code]})
+            continue
+        name, options, tolerance, answer = best
+        own_tolerance, own = scan.own(problem, scene, answer["energy"])
+        for variant in codes.VARIANTS[code]:
+            # The scan was the whole race of what is slow, in the way it was scanned.
+            if answer["whole"] >= budget and variant != codes.VARIANTS[code][-1]:
                 continue
-            best = scan.peer(code, problem, scene, target)
-            if isinstance(best, str):
-                found.append({"code": code, "target": target, "trouble": best})
-                continue
-            name, options, tolerance, answer = best
-            own_tolerance, own = scan.own(problem, scene, answer["energy"])
-            for variant in codes.VARIANTS[code]:
-                # The scan was the whole race of what is slow, in the way it was scanned.
-                if answer["whole"] >= budget and variant != codes.VARIANTS[code][-1]:
-                    continue
-                found.append(
-                    {
-                        "code": variant,
-                        "target": target,
-                        "setting": name,
-                        "options": options,
-                        "tolerance": tolerance,
-                        "peer": answer,
-                        "own_tolerance": own_tolerance,
-                        "own": own,
-                    }
-                )
+            found.append(
+                {
+                    "code": variant,
+                    "target": target,
+                    "setting": name,
+                    "options": options,
+                    "tolerance": tolerance,
+                    "peer": answer,
+                    "own_tolerance": own_tolerance,
+                    "own": own,
+                }
+            )
     return [{**race, "problem": problem, "scene": scene} for race in found]
 
 
