@@ -38,7 +38,7 @@ def arguments():
     parser.add_argument("--repeats", type=int, default=5, help="rounds, of which least and median")
     parser.add_argument("--skip", nargs="*", default=[], help="peers to leave out")
     parser.add_argument("--scenes", nargs="*", help="only these")
-    parser.add_argument("--patience", type=float, default=120, help="seconds that a solve may take")
+    parser.add_argument("--patience", type=float, default=180, help="seconds that a solve may take")
     parser.add_argument("--budget", type=float, default=8, help="seconds for all rounds of one race")
     parser.add_argument("--folder", type=pathlib.Path, default=ROOT / "target" / "peers")
     chosen = parser.parse_args()
@@ -178,7 +178,7 @@ def show(*words):
     print(words[0], place, *words[2:], answer["status"], numbers, flush=True)
 
 
-def races(scan, problem, scene, available, budget):
+def races(scan, problem, scene, available):
     """Every peer's best way to every target, with this library's match."""
     tried = [
         (target, code)
@@ -196,12 +196,10 @@ def races(scan, problem, scene, available, budget):
         name, options, tolerance, answer = best
         own_tolerance, own = scan.own(problem, scene, answer["energy"])
         for variant in codes.VARIANTS[code]:
-            # The scan was the whole race of what is slow, in the way it was scanned.
-            if answer["whole"] >= budget and variant != codes.VARIANTS[code][-1]:
-                continue
             found.append(
                 {
                     "code": variant,
+                    "is_as_scanned": variant == codes.VARIANTS[code][-1],
                     "target": target,
                     "setting": name,
                     "options": options,
@@ -220,7 +218,7 @@ def run_rounds(found, ours, peers, repeats, budget):
     parts = [f"{who}_{part}" for who in ("peer", "own") for part in ("whole", "solve")]
     times = [{part: [] for part in parts} for _ in found]
     for race, kept in zip(found, times):
-        if "peer" in race and race["peer"]["whole"] >= budget:
+        if race.get("is_as_scanned") and race["peer"]["whole"] >= budget:
             for part in ("whole", "solve"):
                 kept[f"peer_{part}"].append(race["peer"][part])
     for number in range(repeats):
@@ -243,11 +241,11 @@ def run_rounds(found, ours, peers, repeats, budget):
 
 
 def is_timed_again(race, budget):
-    """With another number of threads: the same setting, but nothing slow or large twice, and not the two
-    ways of waiting where there is nothing to wait for."""
+    """With another number of threads: the same setting, but nothing large or slow twice (the times of a
+    peer without threads hold for any number), and one way of waiting."""
     return (
         "peer" in race
-        and race["peer"]["whole"] < budget
+        and (race["peer"]["whole"] < budget or race["code"] in codes.SINGLE_THREADED)
         and race["scene"]["cells"] <= codes.SECOND_PASS_TO
         and race["code"] != codes.CALM
     )
@@ -292,7 +290,7 @@ def main():
                 for problem in ("press", "shear")
                 for scene in scenes
                 if scene["cells"] in sizes[problem]
-                for race in races(scan, problem, scene, versions, chosen.budget)
+                for race in races(scan, problem, scene, versions)
             ]
         again = [dict(race) for race in choice if not results or is_timed_again(race, chosen.budget)]
         run_rounds(again, ours, peers, chosen.repeats, chosen.budget)
