@@ -40,6 +40,7 @@ def arguments():
     parser.add_argument("--scenes", nargs="*", help="only these")
     parser.add_argument("--patience", type=float, default=180, help="seconds that a solve may take")
     parser.add_argument("--budget", type=float, default=8, help="seconds for all rounds of one race")
+    parser.add_argument("--readme", action="store_true", help="put the output into benches/README.md")
     parser.add_argument("--folder", type=pathlib.Path, default=ROOT / "target" / "peers")
     chosen = parser.parse_args()
     if chosen.quick:
@@ -309,6 +310,10 @@ def main():
         text = report.report(record)
         (chosen.folder / "report.md").write_text(text)
     print(text)
+    if chosen.readme:
+        readme = HERE.parent / "README.md"
+        before, heading, _ = readme.read_text().partition("### Output of the day\n")
+        readme.write_text(f"{before}{heading}\n{text}")
 
 
 if __name__ == "__main__":
