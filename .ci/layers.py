@@ -12,14 +12,14 @@ ALLOWED = {
     # L0: words every layer speaks
     "report": {"error"},
     "error": {"report"},
-    "parallel": set(),
+    "parallel": {"error"},
     "grid": {"error"},
     "field": {"error", "grid"},
     "material": {"error"},
     # L1: operators, kernels, transforms, closed forms, shapes; no physics of contact
     "operator": set(),
     "contact_map": {"grid"},
-    "window": {"error", "grid"},
+    "window": {"error", "grid", "parallel"},
     "influence": FOUNDATION,
     "fft": FOUNDATION | {"operator", "influence"},
     "analytical": {"error", "material", "grid", "field"},

@@ -1,4 +1,4 @@
-//! What one product with the normal compliance costs, and what setting it up costs.
+//! What one product with the normal compliance costs, in either precision, and what setting it up costs.
 
 #![allow(
     missing_docs,
@@ -7,11 +7,14 @@
 
 use std::hint::black_box;
 
-use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use stickslip::influence::Component;
+use criterion::measurement::WallTime;
+use criterion::{
+    BenchmarkGroup, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main,
+};
+use stickslip::influence::{Component, Table};
 use stickslip::{ElasticPair, Field, Grid, HalfSpace, Material, Operator, Result};
 
-const SIDES: [usize; 3] = [128, 256, 512];
+const SIDES: [usize; 3] = [256, 512, 1024];
 
 fn bodies(cells_along_side: usize) -> Result<HalfSpace> {
     let steel = Material::new(213e9, 0.29)?;
@@ -19,42 +22,59 @@ fn bodies(cells_along_side: usize) -> Result<HalfSpace> {
     HalfSpace::new(grid, ElasticPair::new(steel, steel)?)
 }
 
-/// Displacements from pressures, with everything set up.
-fn product(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group("product");
+/// A group whose throughput counts cells.
+fn group<'a>(
+    criterion: &'a mut Criterion,
+    name: &str,
+    side: usize,
+) -> BenchmarkGroup<'a, WallTime> {
+    let mut group = criterion.benchmark_group(name);
     group.sample_size(10);
+    group.throughput(Throughput::Elements((side * side) as u64));
+    group
+}
+
+/// Displacements from pressures in either precision, and pressures from displacements by the
+/// preconditioner, with everything set up.
+fn product(criterion: &mut Criterion) {
     for side in SIDES {
         let bodies = bodies(side).expect("valid bodies");
         let operator = bodies.operator(Component::ZZ).expect("valid grid");
+        let inverse = bodies.preconditioner(Component::ZZ).expect("valid grid");
+        let inverse = inverse.expect("a compliance has one");
         let pressure = Field::from_fn(bodies.grid(), |x, y| (1e4 * x).sin() + (2e4 * y).cos());
-        let mut displacement = vec![0.0; operator.len()];
+        let pressure = pressure.as_slice();
+        let mut out = vec![0.0; operator.len()];
         let mut workspace = operator.workspace();
-        group.throughput(Throughput::Elements(operator.len() as u64));
-        group.bench_function(BenchmarkId::from_parameter(side), |bencher| {
-            bencher.iter(|| {
-                operator.apply(
-                    black_box(pressure.as_slice()),
-                    &mut displacement,
-                    &mut workspace,
-                );
-            });
+        let mut group = group(criterion, "convolution", side);
+        group.bench_function(BenchmarkId::new("double", side), |bencher| {
+            bencher.iter(|| operator.apply(black_box(pressure), &mut out, &mut workspace));
         });
+        group.bench_function(BenchmarkId::new("single", side), |bencher| {
+            bencher.iter(|| operator.apply_roughly(black_box(pressure), &mut out, &mut workspace));
+        });
+        let mut workspace = inverse.workspace();
+        group.bench_function(BenchmarkId::new("preconditioner", side), |bencher| {
+            bencher.iter(|| inverse.apply(black_box(pressure), &mut out, &mut workspace));
+        });
+        group.finish();
     }
-    group.finish();
 }
 
-/// Influence coefficients, their spectrum and the plans of the transforms.
+/// Influence coefficients alone, and with their spectrum and the plans of the transforms.
 fn set_up(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group("set-up");
-    group.sample_size(10);
     for side in SIDES {
-        group.throughput(Throughput::Elements((side * side) as u64));
-        group.bench_function(BenchmarkId::from_parameter(side), |bencher| {
+        let mut group = group(criterion, "set-up", side);
+        group.bench_function(BenchmarkId::new("kernel table", side), |bencher| {
+            let bodies = bodies(side).expect("valid bodies");
+            bencher.iter(|| Table::sample(bodies.grid(), bodies.pair(), Component::ZZ));
+        });
+        group.bench_function(BenchmarkId::new("operator", side), |bencher| {
             bencher
                 .iter(|| bodies(black_box(side)).and_then(|bodies| bodies.operator(Component::ZZ)));
         });
+        group.finish();
     }
-    group.finish();
 }
 
 criterion_group!(benches, product, set_up);

@@ -185,6 +185,9 @@ pub(crate) fn all_finite(quantity: &'static str, samples: &[f64]) -> Result<()> 
     samples_obey(quantity, samples, "must be finite", f64::is_finite)
 }
 
+/// Samples looked at together.
+const SCANNED: usize = 512;
+
 /// `Ok` if every sample obeys the rule, else the first that does not.
 pub(crate) fn samples_obey(
     quantity: &'static str,
@@ -192,7 +195,15 @@ pub(crate) fn samples_obey(
     rule: &'static str,
     obeys: impl Fn(f64) -> bool,
 ) -> Result<()> {
-    match samples.iter().position(|&value| !obeys(value)) {
+    // A chunk at a time without a way out in the middle, so that many are looked at at once.
+    let is_broken = |chunk: &[f64]| !chunk.iter().fold(true, |all, &value| all & obeys(value));
+    let broken = samples.chunks(SCANNED).position(is_broken);
+    let found = broken.and_then(|chunk| {
+        let first = chunk * SCANNED;
+        let position = samples[first..].iter().position(|&value| !obeys(value));
+        position.map(|position| first + position)
+    });
+    match found {
         None => Ok(()),
         Some(index) => Err(Error::Sample {
             quantity,

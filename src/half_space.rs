@@ -5,16 +5,17 @@ use std::sync::{Arc, OnceLock};
 use crate::error::Result;
 use crate::fft::{CirculantInverse, Convolution};
 use crate::grid::Grid;
-use crate::influence::{Component, Table};
+use crate::influence::{Component, Samples, Table};
 use crate::material::ElasticPair;
 use crate::operator::Operator;
+use crate::parallel::get_or_make;
 use crate::window::halved;
 
 /// A pair of half-spaces on a grid, with the operators of the components in use.
 ///
-/// A component is sampled and transformed when a problem first asks for it, once; clones share it. Each
-/// takes 8 bytes per cell for its samples, 12 for its operator and 4 for its preconditioner; the coarser
-/// grids of nested starts add a third.
+/// A component is sampled and transformed when a problem first asks for it, once; clones share it. The
+/// samples behind `XX`, `YY` and `ZZ` take 16 bytes per cell together, and serve the coarser grids of
+/// nested starts too; each operator takes 12 and its preconditioner 3, the coarser ones a third more.
 /// `Send + Sync`: many solvers may run over one `HalfSpace` on many threads.
 ///
 /// ```
@@ -33,6 +34,8 @@ pub struct HalfSpace {
 struct Shared {
     grid: Grid,
     pair: ElasticPair,
+    /// What the coefficients of this grid and of all coarser ones are made of.
+    samples: Arc<Samples>,
     kernels: [OnceLock<Kernel>; Component::ALL.len()],
     /// The same bodies on cells twice as large.
     coarser: OnceLock<HalfSpace>,
@@ -65,15 +68,20 @@ impl HalfSpace {
     /// [`Error::NotPositive`](crate::Error::NotPositive) if the sides of a cell are too far apart
     /// to compare.
     pub fn new(grid: Grid, pair: ElasticPair) -> Result<Self> {
-        crate::influence::Rectangle::new(0.5 * grid.dx(), 0.5 * grid.dy())?;
-        Ok(Self {
+        let samples = Convolution::samples(grid)?;
+        Ok(Self::with_samples(grid, pair, Arc::new(samples)))
+    }
+
+    fn with_samples(grid: Grid, pair: ElasticPair, samples: Arc<Samples>) -> Self {
+        Self {
             shared: Arc::new(Shared {
                 grid,
                 pair,
+                samples,
                 kernels: Default::default(),
                 coarser: OnceLock::new(),
             }),
-        })
+        }
     }
 
     /// The grid.
@@ -151,12 +159,14 @@ impl HalfSpace {
         let Shared {
             grid,
             pair,
+            samples,
             coarser,
             ..
         } = &*self.shared;
         get_or_make(coarser, || {
             let [nx, ny] = halved(self.size());
-            Self::new(Grid::new(nx, ny, 2.0 * grid.dx(), 2.0 * grid.dy())?, *pair)
+            let grid = Grid::new(nx, ny, 2.0 * grid.dx(), 2.0 * grid.dy())?;
+            Ok(Self::with_samples(grid, *pair, Arc::clone(samples)))
         })
     }
 
@@ -168,26 +178,16 @@ impl HalfSpace {
         let Shared {
             grid,
             pair,
+            samples,
             kernels,
             ..
         } = &*self.shared;
         get_or_make(&kernels[component as usize], || {
             Ok(Kernel {
-                table: Convolution::sample(*grid, pair, component)?,
+                table: samples.table(*grid, pair, component)?,
                 operator: OnceLock::new(),
                 inverse: OnceLock::new(),
             })
         })
     }
-}
-
-/// The value in the cell, made outside its lock: a thread of the caller's pool that waits on a lock
-/// while the maker's tasks wait for the thread would never wake. Two threads that come first
-/// together both make it, and one result is kept.
-fn get_or_make<T>(cell: &OnceLock<T>, make: impl FnOnce() -> Result<T>) -> Result<&T> {
-    if let Some(value) = cell.get() {
-        return Ok(value);
-    }
-    let value = make()?;
-    Ok(cell.get_or_init(|| value))
 }

@@ -5,6 +5,9 @@
 //! caller's pool and allocates nothing there ([`enter`] goes there once).
 
 use std::ops::Range;
+use std::sync::OnceLock;
+
+use crate::error::Result;
 
 /// Samples per task of vector work; the tree of sums follows these chunks.
 pub(crate) const CHUNK: usize = 4096;
@@ -154,4 +157,35 @@ pub(crate) fn update<T: Send>(items: &mut [T], update: impl Fn(usize, &mut [T]) 
         &|task, block: Blocks<'_, T>| update(task * CHUNK, block.items),
         &|(), ()| (),
     );
+}
+
+/// Runs `update(row, its items)` on the rows of a field of `width` columns.
+pub(crate) fn rows<T: Send>(
+    items: &mut [T],
+    width: usize,
+    update: impl Fn(usize, &mut [T]) + Sync,
+) {
+    let per_task = (CHUNK / width).max(1);
+    let tasks = (items.len() / width).div_ceil(per_task);
+    let data = Blocks {
+        items,
+        width: per_task * width,
+    };
+    let work = |task: usize, block: Blocks<'_, T>| {
+        for (row, items) in (task * per_task..).zip(block.items.chunks_exact_mut(width)) {
+            update(row, items);
+        }
+    };
+    sweep(0..tasks, data, &work, &|(), ()| ());
+}
+
+/// The value in the cell, made outside its lock: a thread of the caller's pool that waits on a lock
+/// while the maker's tasks wait for the thread would never wake. Two threads that come first
+/// together both make it, and one result is kept.
+pub(crate) fn get_or_make<T>(cell: &OnceLock<T>, make: impl FnOnce() -> Result<T>) -> Result<&T> {
+    if let Some(value) = cell.get() {
+        return Ok(value);
+    }
+    let value = make()?;
+    Ok(cell.get_or_init(|| value))
 }

@@ -2,6 +2,7 @@
 
 use crate::error::{Error, Result};
 use crate::grid::Grid;
+use crate::parallel;
 
 /// A rectangle of cells of a grid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -66,11 +67,11 @@ impl Window {
         })
     }
 
-    /// Wider by a sixteenth and four cells on each side, as far as the grid goes.
+    /// Wider by a thirty-second and four cells on each side, as far as the grid goes.
     pub(crate) fn widened(self, grid: Grid) -> Self {
         let mut wide = self;
         for (axis, cells) in [grid.nx(), grid.ny()].into_iter().enumerate() {
-            let margin = 4 + self.size[axis] / 16;
+            let margin = 4 + self.size[axis] / 32;
             let end = (self.corner[axis] + self.size[axis] + margin).min(cells);
             wide.corner[axis] = self.corner[axis].saturating_sub(margin);
             wide.size[axis] = end - wide.corner[axis];
@@ -119,17 +120,19 @@ pub(crate) fn halved(size: [usize; 2]) -> [usize; 2] {
 /// The mean of each two by two cells (of those there are, at an odd edge).
 pub(crate) fn coarsened([nx, ny]: [usize; 2], fine: &[f64]) -> Vec<f64> {
     let [width, height] = halved([nx, ny]);
-    let mean = |i: usize, j: usize| {
-        let (columns, rows) = (2 * i..(2 * i + 2).min(nx), 2 * j..(2 * j + 2).min(ny));
-        let cells = (columns.len() * rows.len()) as f64;
-        let sum: f64 = rows
-            .map(|row| fine[row * nx..][columns.clone()].iter().sum::<f64>())
-            .sum();
-        sum / cells
-    };
-    (0..width * height)
-        .map(|cell| mean(cell % width, cell / width))
-        .collect()
+    let mut coarse = vec![0.0; width * height];
+    parallel::rows(&mut coarse, width, |j, row| {
+        let rows = &fine[2 * j * nx..(2 * j + 2).min(ny) * nx];
+        for (i, mean) in row.iter_mut().enumerate() {
+            let columns = 2 * i..(2 * i + 2).min(nx);
+            let cells = columns.len() * (rows.len() / nx);
+            let sums = rows
+                .chunks_exact(nx)
+                .map(|row| row[columns.clone()].iter().sum::<f64>());
+            *mean = sums.sum::<f64>() / cells as f64;
+        }
+    });
+    coarse
 }
 
 /// Bilinear interpolation of coarse cell centres at the fine ones, constant beyond the outermost.
@@ -145,11 +148,14 @@ pub(crate) fn refined([nx, ny]: [usize; 2], coarse: &[f64]) -> Vec<f64> {
         };
         [near, far]
     };
-    let value = |cell: usize| {
-        let ([x, beyond_x], [y, beyond_y]) =
-            (neighbours(cell % nx, width), neighbours(cell / nx, height));
-        let at = |i: usize, j: usize| coarse[j * width + i];
-        (9.0 * at(x, y) + 3.0 * (at(beyond_x, y) + at(x, beyond_y)) + at(beyond_x, beyond_y)) / 16.0
-    };
-    (0..nx * ny).map(value).collect()
+    let mut fine = vec![0.0; nx * ny];
+    parallel::rows(&mut fine, nx, |j, row| {
+        let [near, beyond] = neighbours(j, height).map(|row| &coarse[row * width..][..width]);
+        for (i, value) in row.iter_mut().enumerate() {
+            let [x, beyond_x] = neighbours(i, width);
+            let corners = [near[x], near[beyond_x] + beyond[x], beyond[beyond_x]];
+            *value = (9.0 * corners[0] + 3.0 * corners[1] + corners[2]) / 16.0;
+        }
+    });
+    fine
 }

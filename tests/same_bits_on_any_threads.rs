@@ -1,6 +1,5 @@
-//! The same bits on any number of threads.
+//! The same bits on any number of threads, and without.
 
-#![cfg(feature = "parallel")]
 #![allow(
     clippy::unwrap_used,
     clippy::float_cmp,
@@ -29,6 +28,32 @@ fn solve() -> (NormalSolution, TangentialSolution) {
     (normal.clone(), shear.build().unwrap().solve().unwrap())
 }
 
+/// Leaves the bits of a solve behind, in a file for each way to build the crate: `.ci/run` compares them.
+#[test]
+fn with_threads_and_without() {
+    let (normal, shear) = solve();
+    let [along_x, along_y] = shear.traction();
+    let fields = [normal.pressure(), normal.gap(), along_x, along_y];
+    let samples = fields.iter().flat_map(|field| field.as_slice());
+    let scalars = [normal.approach(), shear.shift()[0]];
+    let bits: Vec<u8> = samples
+        .chain(&scalars)
+        .flat_map(|value| value.to_bits().to_le_bytes())
+        .collect();
+    let way = if cfg!(feature = "parallel") {
+        "bits_with_threads"
+    } else {
+        "bits_without_threads"
+    };
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR"));
+    std::fs::write(folder.join(way), &bits).unwrap();
+
+    // Here at least: again the same.
+    let (again, _) = solve();
+    assert_eq!(normal.pressure(), again.pressure());
+}
+
+#[cfg(feature = "parallel")]
 #[test]
 fn on_one_two_four_and_seven_threads() {
     let solve_on = |threads| {

@@ -2,6 +2,8 @@
 //!
 //! The page of the module [`cgm`](crate::cgm) derives the bound.
 
+use std::ops::Range;
+
 use crate::cgm::constraint::Constraint;
 use crate::parallel;
 use crate::report::Report;
@@ -9,7 +11,9 @@ use crate::report::Report;
 /// What one fresh product says about an iterate.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Certificate {
-    /// Largest complementarity residual over the largest displacement.
+    /// Largest displacement among the entries that can move.
+    pub(crate) displacement: f64,
+    /// Largest complementarity residual over that.
     pub(super) residual: f64,
     /// Bound on `E^2 / (x' C x)`.
     pub(super) gap: f64,
@@ -50,42 +54,73 @@ pub(crate) fn examine(
     multiplier: f64,
     lower_bound: f64,
 ) -> Certificate {
-    let found = parallel::fold(
-        x.len(),
-        |range| {
-            let first = range.start;
-            let cells = x[range.clone()]
-                .iter()
-                .zip(&product[range.clone()])
-                .zip(&linear[range]);
-            let mut found = Findings::default();
-            for (i, ((&x, &u), &b)) in (first..).zip(cells) {
-                found.add(i, x, u, u + b - multiplier, constraint, lower_bound);
-            }
-            found
-        },
-        Findings::merge,
-    );
-    let load = total.map_or(0.0, |total| (found.sum - total).abs());
+    let leaf = |range: Range<usize>| {
+        let sums = Sums::of(&x[range.clone()], &product[range.clone()]);
+        let cells = x[range.clone()]
+            .iter()
+            .zip(&product[range.clone()])
+            .zip(&linear[range.clone()]);
+        let mut found = Findings::default();
+        for (i, ((&x, &u), &b)) in range.zip(cells) {
+            found.add(i, x, u, u + b - multiplier, constraint, lower_bound);
+        }
+        (sums, found)
+    };
+    let (sums, found) = parallel::fold(x.len(), leaf, |a, b| (a.0.merge(b.0), a.1.merge(b.1)));
+    let load = total.map_or(0.0, |total| (sums.sum - total).abs());
     let bound = 0.5 * found.squares.sqrt() + (0.25 * found.squares + found.dual).sqrt();
     Certificate {
+        displacement: found.displacement,
         residual: ratio(found.violated, found.displacement),
-        gap: ratio(bound * bound, found.energy),
-        load_error: ratio(load, found.magnitude),
+        gap: ratio(bound * bound, sums.energy),
+        load_error: ratio(load, sums.magnitude),
         free: found.free,
     }
 }
 
-/// What the entries add up to.
-#[derive(Clone, Copy, Default)]
-struct Findings {
-    /// Largest displacement and largest violation among the entries that can move.
-    displacement: f64,
-    violated: f64,
+/// What all entries add up to.
+#[derive(Clone, Copy)]
+struct Sums {
     /// `x' C x`.
     energy: f64,
     sum: f64,
     magnitude: f64,
+}
+
+impl Sums {
+    /// In lanes, so that many are added at a time.
+    fn of(x: &[f64], product: &[f64]) -> Self {
+        const LANES: usize = 4;
+        let (mut energy, mut sum, mut magnitude) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+        for (xs, us) in x.chunks(LANES).zip(product.chunks(LANES)) {
+            for (lane, (x, u)) in xs.iter().zip(us).enumerate() {
+                energy[lane] += x * u;
+                sum[lane] += x;
+                magnitude[lane] += x.abs();
+            }
+        }
+        Self {
+            energy: energy.iter().sum(),
+            sum: sum.iter().sum(),
+            magnitude: magnitude.iter().sum(),
+        }
+    }
+
+    fn merge(self, other: Self) -> Self {
+        Self {
+            energy: self.energy + other.energy,
+            sum: self.sum + other.sum,
+            magnitude: self.magnitude + other.magnitude,
+        }
+    }
+}
+
+/// What the entries that can move show.
+#[derive(Clone, Copy, Default)]
+struct Findings {
+    /// Largest displacement and largest violation.
+    displacement: f64,
+    violated: f64,
     free: usize,
     /// The two shares of the bound, `A` and `B^2`.
     dual: f64,
@@ -103,9 +138,6 @@ impl Findings {
         lower_bound: f64,
     ) {
         let bounds = constraint.bounds(i);
-        self.energy += x * u;
-        self.sum += x;
-        self.magnitude += x.abs();
         if bounds[0] < bounds[1] {
             // The minimum or maximum of a NaN and a number is the number: pass it on by hand.
             let violated = if g.is_nan() {
@@ -133,9 +165,6 @@ impl Findings {
         Self {
             displacement: larger(self.displacement, other.displacement),
             violated: larger(self.violated, other.violated),
-            energy: self.energy + other.energy,
-            sum: self.sum + other.sum,
-            magnitude: self.magnitude + other.magnitude,
             free: self.free + other.free,
             dual: self.dual + other.dual,
             squares: self.squares + other.squares,

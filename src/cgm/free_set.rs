@@ -1,136 +1,136 @@
 //! The free entries as a list, so that vector work costs what they are and not what the grid is.
 
+use std::ops::Range;
+
 use crate::cgm::State;
-use crate::parallel::{self, Blocks, CHUNK, Ragged, blocks};
+use crate::parallel::{self, Blocks, CHUNK, Ragged, Split, blocks};
 
 /// Where the free entries stand, chunk by chunk of the grid.
 ///
 /// A compressed vector holds their values in order; chunk `t` of the grid owns the range
-/// `starts[t]..starts[t + 1]` of it, and the entries there lie `offsets` from the chunk's first.
+/// `starts[t]..starts[t + 1]` of it.
 #[derive(Debug)]
 pub(super) struct FreeSet {
+    /// How far from the chunk's first entry the free ones lie; chunk `t` keeps its list at `t * CHUNK`.
     offsets: Vec<u16>,
+    counts: Vec<usize>,
     starts: Vec<usize>,
 }
 
-/// One chunk: its index and the offsets of its free entries.
-type Chunk<'a> = (usize, &'a [u16]);
+/// The free entries of one chunk.
+pub(super) struct Entries<'a> {
+    /// Where they stand in a compressed vector.
+    pub(super) range: Range<usize>,
+    /// The chunk's entries in a full vector.
+    pub(super) chunk: Range<usize>,
+    offsets: &'a [u16],
+}
+
+impl Entries<'_> {
+    /// Their places in the chunk of a full vector.
+    pub(super) fn places(&self) -> impl Iterator<Item = usize> {
+        self.offsets.iter().map(|&offset| usize::from(offset))
+    }
+
+    /// Sums of `f(place in the compressed part, place in the chunk)`, in lanes so that additions
+    /// overlap.
+    pub(super) fn sums<const K: usize>(
+        &self,
+        mut f: impl FnMut(usize, usize) -> [f64; K],
+    ) -> [f64; K] {
+        let mut lanes = [[0.0; K]; 4];
+        let groups = self.offsets.chunks_exact(lanes.len());
+        let rest = groups.remainder();
+        let mut k = 0;
+        for group in groups {
+            for (lane, &offset) in lanes.iter_mut().zip(group) {
+                *lane = merge(*lane, f(k, usize::from(offset)));
+                k += 1;
+            }
+        }
+        for (lane, &offset) in lanes.iter_mut().zip(rest) {
+            *lane = merge(*lane, f(k, usize::from(offset)));
+            k += 1;
+        }
+        lanes.into_iter().fold([0.0; K], merge)
+    }
+}
 
 impl FreeSet {
     pub(super) fn with_capacity(len: usize) -> Self {
+        let chunks = len.div_ceil(CHUNK);
         Self {
-            offsets: Vec::with_capacity(len),
-            starts: Vec::with_capacity(len.div_ceil(CHUNK) + 1),
+            offsets: vec![0; len],
+            counts: vec![0; chunks],
+            starts: vec![0; chunks + 1],
         }
     }
 
     /// Lists the entries now free.
     pub(super) fn update(&mut self, state: &[State]) {
-        self.offsets.clear();
-        self.starts.clear();
-        self.starts.push(0);
-        for chunk in state.chunks(CHUNK) {
+        let data = (
+            blocks(&mut self.offsets),
+            Blocks {
+                items: &mut self.counts,
+                width: 1,
+            },
+        );
+        let work = |task: usize, (list, counts): (Blocks<'_, u16>, Blocks<'_, usize>)| {
+            let mut count = 0;
+            let states = &state[chunk(task, state.len())];
             // A chunk has fewer entries than a u16 has values.
-            for (offset, state) in (0_u16..).zip(chunk) {
-                if *state == State::Free {
-                    self.offsets.push(offset);
-                }
+            for (offset, state) in (0_u16..).zip(states) {
+                list.items[count] = offset;
+                count += usize::from(*state == State::Free);
             }
-            self.starts.push(self.offsets.len());
+            counts.items[0] = count;
+        };
+        parallel::sweep(0..state.len().div_ceil(CHUNK), data, &work, &|(), ()| ());
+        let mut start = 0;
+        for (next, count) in self.starts[1..].iter_mut().zip(&self.counts) {
+            start += count;
+            *next = start;
         }
     }
 
     /// Free entries.
     pub(super) fn len(&self) -> usize {
-        self.offsets.len()
+        self.starts[self.counts.len()]
     }
 
-    fn chunks(&self) -> usize {
-        self.starts.len() - 1
-    }
-
-    fn chunk(&self, index: usize) -> Chunk<'_> {
-        (
-            index * CHUNK,
-            &self.offsets[self.starts[index]..self.starts[index + 1]],
-        )
-    }
-
-    fn range(&self, index: usize) -> std::ops::Range<usize> {
-        self.starts[index]..self.starts[index + 1]
-    }
-
-    fn ragged<'a>(&'a self, items: &'a mut [f64]) -> Ragged<'a, f64> {
+    /// A compressed vector, of which each chunk owns its part.
+    pub(super) fn compressed<'a>(&'a self, items: &'a mut [f64]) -> Ragged<'a, f64> {
         Ragged {
-            items: &mut items[..self.offsets.len()],
+            items: &mut items[..self.len()],
             starts: &self.starts,
         }
     }
 
-    /// Writes a compressed vector to its places in a full one.
-    pub(super) fn scatter(&self, value: impl Fn(usize) -> f64 + Sync, full: &mut [f64]) {
-        self.visit(|k, item| *item = value(k), full);
-    }
-
-    /// Adds a compressed vector to its places in a full one.
-    pub(super) fn add(&self, value: impl Fn(usize) -> f64 + Sync, full: &mut [f64]) {
-        self.visit(|k, item| *item += value(k), full);
-    }
-
-    fn visit(&self, f: impl Fn(usize, &mut f64) + Sync, full: &mut [f64]) {
-        let work = |task: usize, full: Blocks<'_, f64>| {
-            let (_, offsets) = self.chunk(task);
-            for (k, &offset) in self.range(task).zip(offsets) {
-                f(k, &mut full.items[usize::from(offset)]);
-            }
-        };
-        parallel::sweep(0..self.chunks(), blocks(full), &work, &|(), ()| ());
-    }
-
-    /// `sums of f(k, i)` over the free entries: `k` in the compressed vectors, `i` in the full ones.
-    pub(super) fn sums<const K: usize>(
+    /// Runs `work(free entries, its part of data)` for every chunk and sums what it returns.
+    pub(super) fn sweep<D: Split, const K: usize>(
         &self,
-        f: impl Fn(usize, usize) -> [f64; K] + Sync,
+        data: D,
+        work: impl Fn(Entries<'_>, D) -> [f64; K] + Sync,
     ) -> [f64; K] {
-        let work = |task: usize, ()| {
-            let (first, offsets) = self.chunk(task);
-            let mut sum = [0.0; K];
-            for (k, &offset) in self.range(task).zip(offsets) {
-                add(&mut sum, f(k, first + usize::from(offset)));
-            }
-            sum
+        let work = |task: usize, data: D| {
+            let entries = Entries {
+                range: self.starts[task]..self.starts[task + 1],
+                chunk: chunk(task, self.offsets.len()),
+                offsets: &self.offsets[task * CHUNK..][..self.counts[task]],
+            };
+            work(entries, data)
         };
-        parallel::sweep(0..self.chunks(), (), &work, &merge)
-    }
-
-    /// Replaces each item of a compressed vector by the first of what `f(k, i, item)` returns, and
-    /// sums the rest.
-    pub(super) fn update_sums<const K: usize>(
-        &self,
-        compressed: &mut [f64],
-        f: impl Fn(usize, usize, f64) -> (f64, [f64; K]) + Sync,
-    ) -> [f64; K] {
-        let work = |task: usize, part: Ragged<'_, f64>| {
-            let (first, offsets) = self.chunk(task);
-            let mut sum = [0.0; K];
-            for ((k, &offset), item) in self.range(task).zip(offsets).zip(part.items) {
-                let (value, terms) = f(k, first + usize::from(offset), *item);
-                *item = value;
-                add(&mut sum, terms);
-            }
-            sum
-        };
-        parallel::sweep(0..self.chunks(), self.ragged(compressed), &work, &merge)
+        parallel::sweep(0..self.counts.len(), data, &work, &merge)
     }
 }
 
-fn add<const K: usize>(sum: &mut [f64; K], terms: [f64; K]) {
-    for (sum, term) in sum.iter_mut().zip(terms) {
-        *sum += term;
-    }
+fn chunk(task: usize, len: usize) -> Range<usize> {
+    task * CHUNK..((task + 1) * CHUNK).min(len)
 }
 
 fn merge<const K: usize>(mut a: [f64; K], b: [f64; K]) -> [f64; K] {
-    add(&mut a, b);
+    for (a, b) in a.iter_mut().zip(b) {
+        *a += b;
+    }
     a
 }

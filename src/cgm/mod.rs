@@ -64,6 +64,7 @@ mod balance;
 mod certificate;
 mod constraint;
 mod free_set;
+mod inner;
 mod polonsky_keer;
 mod projected_gradient;
 mod reduce;

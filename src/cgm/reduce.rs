@@ -4,20 +4,22 @@
 
 use crate::parallel;
 
-/// The sum of a slice, in lanes so that additions overlap.
+/// The sum of a slice.
 pub(super) fn total(values: &[f64]) -> f64 {
-    let leaf = |range: std::ops::Range<usize>| {
-        let mut lanes = [0.0; 8];
-        let groups = values[range].chunks_exact(8);
-        let rest: f64 = groups.remainder().iter().sum();
-        for group in groups {
-            for (lane, value) in lanes.iter_mut().zip(group) {
-                *lane += value;
-            }
+    parallel::fold(values.len(), |range| in_lanes(&values[range]), |a, b| a + b)
+}
+
+/// The sum of a chunk, in lanes so that additions overlap.
+pub(super) fn in_lanes(values: &[f64]) -> f64 {
+    let mut lanes = [0.0; 8];
+    let groups = values.chunks_exact(8);
+    let rest: f64 = groups.remainder().iter().sum();
+    for group in groups {
+        for (lane, value) in lanes.iter_mut().zip(group) {
+            *lane += value;
         }
-        lanes.iter().sum::<f64>() + rest
-    };
-    parallel::fold(values.len(), leaf, |a, b| a + b)
+    }
+    lanes.iter().sum::<f64>() + rest
 }
 
 /// `sum f(i)` over `0..len`.

@@ -124,19 +124,41 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
         let Workspace {
             operator,
             product,
-            gradient,
             report,
             ..
         } = &mut *self.workspace;
         self.problem.operator.apply(self.x, product, operator);
         report.convolutions += 1;
+        self.form_gradient();
+        self.is_fresh = true;
+    }
+
+    /// The same to single precision: enough to go on by, not to end by.
+    pub(super) fn refresh_roughly(&mut self) {
+        let Workspace {
+            operator,
+            product,
+            report,
+            ..
+        } = &mut *self.workspace;
+        self.problem
+            .operator
+            .apply_roughly(self.x, product, operator);
+        report.rough_convolutions += 1;
+        self.form_gradient();
+    }
+
+    fn form_gradient(&mut self) {
+        let Workspace {
+            product, gradient, ..
+        } = &mut *self.workspace;
         let (product, linear) = (&*product, self.problem.linear);
         parallel::update(gradient, |first, chunk| {
-            for (i, value) in (first..).zip(chunk) {
-                *value = product[i] + linear[i];
+            let terms = product[first..].iter().zip(&linear[first..]);
+            for (value, (u, b)) in chunk.iter_mut().zip(terms) {
+                *value = u + b;
             }
         });
-        self.is_fresh = true;
     }
 
     /// Examines the iterate, whose product must be fresh, and writes the findings to the report.

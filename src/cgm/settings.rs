@@ -10,8 +10,8 @@ use crate::error::{Error, Result};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[non_exhaustive]
 pub enum Method {
-    /// Active sets outside, preconditioned conjugate gradients without clipping inside, an exact
-    /// residual at every outer step. The default: 2 to 5 times fewer products.
+    /// Active sets outside, preconditioned conjugate gradients without clipping inside, a fresh
+    /// residual at every outer step, exact once it is small. The default: 2 to 5 times fewer products.
     #[default]
     ActiveSet,
     /// One loop that clips at every step: Polonsky & Keer, Wear 231 (1999) 206,

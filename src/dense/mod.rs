@@ -74,7 +74,7 @@ impl DenseOperator {
         let (nx, cells) = (grid.nx(), grid.cells());
         let entry = |field: usize, source: usize| {
             let ((i, k), (j, l)) = ((field % nx, source % nx), (field / nx, source / nx));
-            let value = table.row(j.abs_diff(l))[i.abs_diff(k)];
+            let value = table.at(i.abs_diff(k), j.abs_diff(l));
             if (odd_x && i < k) == (odd_y && j < l) {
                 value
             } else {

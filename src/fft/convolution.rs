@@ -5,7 +5,7 @@ use crate::fft::plan::{Buffers, Plan, smooth_length};
 use crate::fft::single::{SingleProduct, SingleWorkspace};
 use crate::fft::spectrum::Spectrum;
 use crate::grid::Grid;
-use crate::influence::{Component, Table};
+use crate::influence::{Component, Samples, Table};
 use crate::material::ElasticPair;
 use crate::operator::Operator;
 
@@ -14,7 +14,7 @@ use crate::operator::Operator;
 ///
 /// Tractions are pressures, displacements lengths. Equal to the direct sum up to round-off
 /// (1e-15 of the largest displacement, typically). Immutable and shared; memory 12 bytes per cell,
-/// and 48 per cell in each workspace.
+/// and 24 per cell in each workspace.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Grid, Material, Operator, fft::Convolution, influence::Component};
@@ -45,18 +45,17 @@ impl Convolution {
     /// # Errors
     /// As [`Table::sample`].
     pub fn new(grid: Grid, pair: &ElasticPair, component: Component) -> Result<Self> {
-        let table = Self::sample(grid, pair, component)?;
+        let table = Self::samples(grid)?.table(grid, pair, component)?;
         Ok(Self::of_table([grid.nx(), grid.ny()], &table))
     }
 
-    /// The coefficient at every distance the padded transform of `grid` reaches.
-    pub(crate) fn sample(grid: Grid, pair: &ElasticPair, component: Component) -> Result<Table> {
-        let [mx, my] = padded([grid.nx(), grid.ny()]);
-        let reach = Grid::new(mx / 2 + 1, my / 2 + 1, grid.dx(), grid.dy())?;
-        Table::sample(reach, pair, component)
+    /// The integrals of all coefficients at every distance the padded transform of `grid` reaches.
+    pub(crate) fn samples(grid: Grid) -> Result<Samples> {
+        let reach = padded([grid.nx(), grid.ny()]).map(|m| m / 2 + 1);
+        Samples::new(grid, reach)
     }
 
-    /// On `[nx, ny]` cells, from a table sampled for these or more cells by [`Self::sample`].
+    /// On `[nx, ny]` cells, from a table of the [`Self::samples`] of these or more cells.
     pub(crate) fn of_table(size: [usize; 2], table: &Table) -> Self {
         let torus = padded(size);
         let component = table.component();
@@ -92,7 +91,7 @@ fn padded(size: [usize; 2]) -> [usize; 2] {
     size.map(|n| smooth_length(2 * n - 1))
 }
 
-/// Buffers of products: 32 bytes per cell, 16 more from the first product in single precision on, and
+/// Buffers of products: 16 bytes per cell, 8 more from the first product in single precision on, and
 /// a little for each task.
 #[derive(Debug)]
 pub struct ConvolutionWorkspace {

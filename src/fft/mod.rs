@@ -8,12 +8,14 @@
 //! - [`Convolution`] is the operator of a free half-space, exact up to round-off.
 //! - [`CirculantInverse`] is its approximate inverse on the unpadded grid: a preconditioner.
 
+mod aligned;
 mod circulant;
 mod convolution;
 mod plan;
 mod real;
 mod single;
 mod spectrum;
+mod tiles;
 
 pub use circulant::CirculantInverse;
 pub use convolution::Convolution;

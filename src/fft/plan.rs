@@ -2,6 +2,7 @@
 //!
 //! Rows: real to complex, only those that are not zero. Columns, eight at a time: gather, pad,
 //! transform, multiply by the kernel, transform back, keep what is wanted. Rows: complex to real.
+//! Between the stages the field lies in tiles; from stage to stage their owners change, not their places.
 
 use std::fmt;
 use std::sync::Arc;
@@ -10,12 +11,11 @@ use num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use rustfft::{Fft, FftPlanner};
 
+use crate::fft::aligned::Aligned;
 use crate::fft::real::Real;
 use crate::fft::spectrum::Spectrum;
+use crate::fft::tiles::{self, TILE_COLUMNS, TILE_ROWS, Tile, exchange};
 use crate::parallel::{self, Blocks};
-
-/// Columns transformed together: two cache lines of complex numbers a row.
-const COLUMNS: usize = 8;
 
 /// Smallest even `2^a 3^b 5^c >= least` (1 for `least <= 1`): lengths whose transform is fast.
 pub(super) fn smooth_length(least: usize) -> usize {
@@ -58,30 +58,31 @@ impl<T: Real> fmt::Debug for Plan<T> {
     }
 }
 
-/// Buffers of one transform: four numbers per cell of the field, and a little for each task.
+/// Buffers of one transform: two numbers per cell of the field, and a little for each task.
 #[derive(Debug)]
 pub(super) struct Buffers<T> {
-    /// Rows after the first stage, row-major.
-    rows: Vec<Complex<T>>,
-    /// Which rows hold anything.
+    /// All tiles of a band of rows, then of the next band; a task owns bands of rows.
+    by_rows: Vec<Tile<T>>,
+    /// Which bands of rows hold anything.
     occupied: Vec<bool>,
-    /// Columns after the second stage: blocks of [`COLUMNS`], row-major within each.
-    columns: Vec<Complex<T>>,
+    /// The same tiles while a task owns bands of columns.
+    by_columns: Vec<Tile<T>>,
     row_scratch: Vec<RowScratch<T>>,
     column_scratch: Vec<ColumnScratch<T>>,
 }
 
 #[derive(Debug, Clone)]
 struct RowScratch<T> {
-    real: Vec<T>,
-    complex: Vec<Complex<T>>,
-    transform: Vec<Complex<T>>,
+    real: Aligned<T>,
+    /// Transforms of the rows of a band.
+    complex: Aligned<Complex<T>>,
+    transform: Aligned<Complex<T>>,
 }
 
 #[derive(Debug, Clone)]
 struct ColumnScratch<T> {
-    columns: Vec<Complex<T>>,
-    transform: Vec<Complex<T>>,
+    columns: Aligned<Complex<T>>,
+    transform: Aligned<Complex<T>>,
 }
 
 impl<T: Real> Plan<T> {
@@ -105,37 +106,58 @@ impl<T: Real> Plan<T> {
         self.mx / 2 + 1
     }
 
-    fn column_blocks(&self) -> usize {
-        self.width().div_ceil(COLUMNS)
+    /// Tiles along x.
+    fn tiles_across(&self) -> usize {
+        self.width().div_ceil(TILE_COLUMNS)
+    }
+
+    /// Tiles along y.
+    fn tiles_down(&self) -> usize {
+        self.ny.div_ceil(TILE_ROWS)
+    }
+
+    /// From one transformed row to the next in scratch memory.
+    fn row_stride(&self) -> usize {
+        self.tiles_across() * TILE_COLUMNS
+    }
+
+    /// From one padded column to the next in scratch memory: room for whole tiles, and off the powers
+    /// of two, at which all columns would share one corner of the cache.
+    fn column_stride(&self) -> usize {
+        self.my
+            .max(self.tiles_down() * TILE_ROWS)
+            .next_multiple_of(TILE_COLUMNS)
+            + TILE_COLUMNS
     }
 
     pub(super) fn workspace(&self) -> Buffers<T> {
         let zero = zero::<T>();
-        let row_tasks = parallel::lanes().min(self.ny);
-        let column_tasks = parallel::lanes().min(self.column_blocks());
+        let row_tasks = parallel::lanes().min(self.tiles_down());
+        let column_tasks = parallel::lanes().min(self.tiles_across());
         let row_scratch = RowScratch {
-            real: vec![T::zero(); self.mx],
-            complex: vec![zero; self.width()],
-            transform: vec![
-                zero;
+            real: Aligned::new(T::zero(), self.mx),
+            complex: Aligned::new(zero, TILE_ROWS * self.row_stride()),
+            transform: Aligned::new(
+                zero,
                 self.row_forward
                     .get_scratch_len()
-                    .max(self.row_inverse.get_scratch_len())
-            ],
+                    .max(self.row_inverse.get_scratch_len()),
+            ),
         };
         let column_scratch = ColumnScratch {
-            columns: vec![zero; COLUMNS * self.my],
-            transform: vec![
-                zero;
+            columns: Aligned::new(zero, TILE_COLUMNS * self.column_stride()),
+            transform: Aligned::new(
+                zero,
                 self.column_forward
                     .get_inplace_scratch_len()
-                    .max(self.column_inverse.get_inplace_scratch_len())
-            ],
+                    .max(self.column_inverse.get_inplace_scratch_len()),
+            ),
         };
+        let tiles = self.tiles_down() * self.tiles_across();
         Buffers {
-            rows: vec![zero; self.ny * self.width()],
-            occupied: vec![false; self.ny],
-            columns: vec![zero; self.column_blocks() * COLUMNS * self.ny],
+            by_rows: vec![tiles::zero(); tiles],
+            occupied: vec![false; self.tiles_down()],
+            by_columns: vec![Tile::default(); tiles],
             row_scratch: vec![row_scratch; row_tasks],
             column_scratch: vec![column_scratch; column_tasks],
         }
@@ -152,163 +174,180 @@ impl<T: Real> Plan<T> {
         workspace: &mut Buffers<T>,
     ) {
         let cells = self.nx * self.ny;
+        let tiles = self.tiles_down() * self.tiles_across();
         assert!(
-            x.len() == cells
-                && out.len() == cells
-                && workspace.rows.len() == self.ny * self.width(),
+            x.len() == cells && out.len() == cells && workspace.by_rows.len() == tiles,
             "fields and workspace must be those of the {} x {} cells of the operator",
             self.nx,
             self.ny
         );
         let Buffers {
-            rows,
+            by_rows,
             occupied,
-            columns,
+            by_columns,
             row_scratch,
             column_scratch,
         } = workspace;
-        self.forward_rows(x, scales[0], rows, occupied, row_scratch);
-        self.columns(spectrum, rows, occupied, columns, column_scratch);
-        self.inverse_rows(columns, out, scales[1], row_scratch);
+        self.forward_rows(x, scales[0], by_rows, occupied, row_scratch);
+        exchange(by_rows, by_columns, self.tiles_across());
+        self.columns(spectrum, by_columns, occupied, column_scratch);
+        exchange(by_columns, by_rows, self.tiles_down());
+        self.inverse_rows(by_rows, out, scales[1], row_scratch);
     }
 
     fn forward_rows(
         &self,
         x: &[f64],
         scale: f64,
-        rows: &mut [Complex<T>],
+        by_rows: &mut [Tile<T>],
         occupied: &mut [bool],
         scratch: &mut [RowScratch<T>],
     ) {
-        let (width, tasks) = (self.width(), scratch.len());
-        let per_task = self.ny.div_ceil(tasks);
+        let (band, tasks) = (self.tiles_across(), scratch.len());
+        let per_task = self.tiles_down().div_ceil(tasks);
         let data = (
-            blocks(rows, per_task * width),
+            blocks(by_rows, per_task * band),
             blocks(occupied, per_task),
             blocks(scratch, 1),
         );
-        let work = |task: usize, (rows, occupied, scratch): RowTask<'_, T>| {
+        let work = |task: usize, (bands, occupied, scratch): RowTask<'_, T>| {
             let scratch = &mut scratch.items[0];
-            let input = x[(task * per_task * self.nx).min(x.len())..].chunks_exact(self.nx);
-            let output = rows.items.chunks_exact_mut(width);
-            for ((input, output), occupied) in input.zip(output).zip(occupied.items) {
-                *occupied = input.iter().any(|&value| value != 0.0);
+            let first = (task * per_task * TILE_ROWS * self.nx).min(x.len());
+            let inputs = x[first..].chunks(TILE_ROWS * self.nx);
+            let outputs = bands.items.chunks_exact_mut(band);
+            for ((input, output), occupied) in inputs.zip(outputs).zip(occupied.items) {
+                *occupied = is_occupied(input);
                 if *occupied {
-                    for (value, x) in scratch.real.iter_mut().zip(input) {
-                        let scaled: f64 = x * scale;
-                        *value = T::of(scaled);
-                    }
-                    scratch.real[self.nx..].fill(T::zero());
-                    self.row_forward
-                        .process_with_scratch(&mut scratch.real, output, &mut scratch.transform)
-                        .expect("the plan sized every buffer");
+                    self.forward_band(input, scale, output, scratch);
                 }
             }
         };
         parallel::sweep(0..tasks, data, &work, &|(), ()| ());
+    }
+
+    /// Transforms the rows of a band into its tiles.
+    fn forward_band(
+        &self,
+        input: &[f64],
+        scale: f64,
+        band: &mut [Tile<T>],
+        scratch: &mut RowScratch<T>,
+    ) {
+        let rows = scratch.complex.chunks_exact_mut(self.row_stride());
+        for (input, output) in input.chunks_exact(self.nx).zip(rows) {
+            let output = &mut output[..self.width()];
+            if is_occupied(input) {
+                for (value, x) in scratch.real.iter_mut().zip(input) {
+                    let scaled: f64 = x * scale;
+                    *value = T::of(scaled);
+                }
+                scratch.real[self.nx..].fill(T::zero());
+                self.row_forward
+                    .process_with_scratch(&mut scratch.real, output, &mut scratch.transform)
+                    .expect("the plan sized every buffer");
+            } else {
+                output.fill(zero());
+            }
+        }
+        for (column, tile) in (0..).step_by(TILE_COLUMNS).zip(band) {
+            for (row, values) in tile.chunks_exact_mut(TILE_COLUMNS).enumerate() {
+                values.copy_from_slice(
+                    &scratch.complex[row * self.row_stride() + column..][..TILE_COLUMNS],
+                );
+            }
+        }
     }
 
     fn columns(
         &self,
         spectrum: &Spectrum<T>,
-        rows: &[Complex<T>],
+        by_columns: &mut [Tile<T>],
         occupied: &[bool],
-        columns: &mut [Complex<T>],
         scratch: &mut [ColumnScratch<T>],
     ) {
-        let (width, tasks) = (self.width(), scratch.len());
-        let block_len = COLUMNS * self.ny;
-        let per_task = self.column_blocks().div_ceil(tasks);
-        let data = (blocks(columns, per_task * block_len), blocks(scratch, 1));
-        let work =
-            |task: usize, (columns, scratch): (Blocks<'_, _>, Blocks<'_, ColumnScratch<T>>)| {
-                let ColumnScratch {
-                    columns: padded,
-                    transform,
-                } = &mut scratch.items[0];
-                for (index, block) in columns.items.chunks_exact_mut(block_len).enumerate() {
-                    let first = (task * per_task + index) * COLUMNS;
-                    let count = COLUMNS.min(width - first);
-                    self.gather(rows, occupied, first, count, padded);
-                    for (c, column) in padded.chunks_exact_mut(self.my).take(count).enumerate() {
-                        self.column_forward.process_with_scratch(column, transform);
-                        spectrum.multiply(first + c, column);
-                        self.column_inverse.process_with_scratch(column, transform);
-                    }
-                    for (row, values) in block.chunks_exact_mut(COLUMNS).enumerate() {
-                        for (c, value) in values.iter_mut().take(count).enumerate() {
-                            *value = padded[c * self.my + row];
-                        }
-                    }
+        let (stride, tasks) = (self.column_stride(), scratch.len());
+        let (band, per_task) = (self.tiles_down(), self.tiles_across().div_ceil(tasks));
+        let data = (blocks(by_columns, per_task * band), blocks(scratch, 1));
+        let work = |task: usize, (bands, scratch): ColumnTask<'_, T>| {
+            let ColumnScratch { columns, transform } = &mut scratch.items[0];
+            for (index, tiles) in bands.items.chunks_exact_mut(band).enumerate() {
+                let first = (task * per_task + index) * TILE_COLUMNS;
+                tiles::gather(tiles, occupied, columns, stride);
+                let used = columns.chunks_exact_mut(stride).take(self.width() - first);
+                for (c, column) in used.enumerate() {
+                    let column = &mut column[..self.my];
+                    column[self.ny..].fill(zero());
+                    self.column_forward.process_with_scratch(column, transform);
+                    spectrum.multiply(first + c, column);
+                    self.column_inverse.process_with_scratch(column, transform);
                 }
-            };
-        parallel::sweep(0..tasks, data, &work, &|(), ()| ());
-    }
-
-    /// Copies `count` columns from `first` on, one behind the other, padded with zeros.
-    fn gather(
-        &self,
-        rows: &[Complex<T>],
-        occupied: &[bool],
-        first: usize,
-        count: usize,
-        padded: &mut [Complex<T>],
-    ) {
-        for column in padded.chunks_exact_mut(self.my).take(count) {
-            column[self.ny..].fill(zero());
-        }
-        let rows = rows.chunks_exact(self.width());
-        for (index, (row, &occupied)) in rows.zip(occupied).enumerate() {
-            for c in 0..count {
-                padded[c * self.my + index] = if occupied { row[first + c] } else { zero() };
-            }
-        }
-    }
-
-    fn inverse_rows(
-        &self,
-        columns: &[Complex<T>],
-        out: &mut [f64],
-        scale: f64,
-        scratch: &mut [RowScratch<T>],
-    ) {
-        let (width, tasks) = (self.width(), scratch.len());
-        let per_task = self.ny.div_ceil(tasks);
-        let data = (blocks(out, per_task * self.nx), blocks(scratch, 1));
-        let work = |task: usize, (out, scratch): (Blocks<'_, f64>, Blocks<'_, RowScratch<T>>)| {
-            let scratch = &mut scratch.items[0];
-            for (index, output) in out.items.chunks_exact_mut(self.nx).enumerate() {
-                let row = task * per_task + index;
-                let blocks = columns.chunks_exact(COLUMNS * self.ny);
-                for (values, block) in scratch.complex.chunks_mut(COLUMNS).zip(blocks) {
-                    values.copy_from_slice(&block[row * COLUMNS..][..values.len()]);
-                }
-                // A real row has real ends; round-off must not tell the transform otherwise.
-                scratch.complex[0].im = T::zero();
-                if self.mx % 2 == 0 {
-                    scratch.complex[width - 1].im = T::zero();
-                }
-                self.row_inverse
-                    .process_with_scratch(
-                        &mut scratch.complex,
-                        &mut scratch.real,
-                        &mut scratch.transform,
-                    )
-                    .expect("the plan sized every buffer and the ends of the row are real");
-                for (out, value) in output.iter_mut().zip(&scratch.real) {
-                    *out = value.double() * scale;
-                }
+                tiles::scatter(columns, stride, tiles);
             }
         };
         parallel::sweep(0..tasks, data, &work, &|(), ()| ());
     }
+
+    fn inverse_rows(
+        &self,
+        by_rows: &mut [Tile<T>],
+        out: &mut [f64],
+        scale: f64,
+        scratch: &mut [RowScratch<T>],
+    ) {
+        let (across, tasks) = (self.tiles_across(), scratch.len());
+        let per_task = self.tiles_down().div_ceil(tasks);
+        let data = (
+            blocks(out, per_task * TILE_ROWS * self.nx),
+            blocks(scratch, 1),
+        );
+        let work = |task: usize, (out, scratch): (Blocks<'_, f64>, Blocks<'_, RowScratch<T>>)| {
+            let scratch = &mut scratch.items[0];
+            let bands = by_rows.chunks_exact(across).skip(task * per_task);
+            for (output, band) in out.items.chunks_mut(TILE_ROWS * self.nx).zip(bands) {
+                for (column, tile) in (0..).step_by(TILE_COLUMNS).zip(band) {
+                    for (row, values) in tile.chunks_exact(TILE_COLUMNS).enumerate() {
+                        scratch.complex[row * self.row_stride() + column..][..TILE_COLUMNS]
+                            .copy_from_slice(values);
+                    }
+                }
+                self.inverse_band(output, scale, scratch);
+            }
+        };
+        parallel::sweep(0..tasks, data, &work, &|(), ()| ());
+    }
+
+    /// Transforms the rows of a band back from scratch memory.
+    fn inverse_band(&self, output: &mut [f64], scale: f64, scratch: &mut RowScratch<T>) {
+        let rows = scratch.complex.chunks_exact_mut(self.row_stride());
+        for (row, output) in rows.zip(output.chunks_exact_mut(self.nx)) {
+            let row = &mut row[..self.width()];
+            // A real row has real ends; round-off must not tell the transform otherwise.
+            row[0].im = T::zero();
+            if self.mx % 2 == 0 {
+                row[self.width() - 1].im = T::zero();
+            }
+            self.row_inverse
+                .process_with_scratch(row, &mut scratch.real, &mut scratch.transform)
+                .expect("the plan sized every buffer and the ends of the row are real");
+            for (out, value) in output.iter_mut().zip(scratch.real.iter()) {
+                *out = value.double() * scale;
+            }
+        }
+    }
+}
+
+/// Whether anything is not zero.
+fn is_occupied(values: &[f64]) -> bool {
+    values.iter().any(|&value| value != 0.0)
 }
 
 type RowTask<'a, T> = (
-    Blocks<'a, Complex<T>>,
+    Blocks<'a, Tile<T>>,
     Blocks<'a, bool>,
     Blocks<'a, RowScratch<T>>,
 );
+
+type ColumnTask<'a, T> = (Blocks<'a, Tile<T>>, Blocks<'a, ColumnScratch<T>>);
 
 fn blocks<T>(items: &mut [T], width: usize) -> Blocks<'_, T> {
     Blocks { items, width }

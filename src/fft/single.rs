@@ -14,7 +14,7 @@ pub(super) struct SingleProduct {
     scale: f64,
 }
 
-/// Buffers of products in single precision: 16 bytes per cell.
+/// Buffers of products in single precision: 8 bytes per cell of the torus's quarter.
 #[derive(Debug)]
 pub struct SingleWorkspace(Buffers<f32>);
 
@@ -54,19 +54,26 @@ impl SingleProduct {
                 .convolve(&self.spectrum, x, out, scales, &mut workspace.0);
         } else {
             // Nothing, or nothing that could be scaled; a broken input stays broken.
-            out.fill(if largest < 1.0 { 0.0 } else { f64::NAN });
+            let is_nothing = x.iter().all(|x| x.abs() < f64::MIN_POSITIVE);
+            out.fill(if is_nothing { 0.0 } else { f64::NAN });
         }
     }
 }
 
-/// `max |x|`; NaN if any entry is. Magnitudes order as their bits do, with NaN above all, and
-/// whole numbers compare many at a time.
+/// `max |x|` of the entries that are numbers; in lanes, so that many compare at a time.
 fn largest_magnitude(x: &[f64]) -> f64 {
+    let larger = |a: f64, b: f64| if b > a { b } else { a };
     let leaf = |range: Range<usize>| {
-        x[range]
-            .iter()
-            .map(|x: &f64| x.abs().to_bits())
-            .fold(0, u64::max)
+        let mut lanes = [0.0; 8];
+        let groups = x[range].chunks_exact(8);
+        let rest = groups.remainder().iter().map(|x| x.abs());
+        let rest = rest.fold(0.0, larger);
+        for group in groups {
+            for (lane, x) in lanes.iter_mut().zip(group) {
+                *lane = larger(*lane, x.abs());
+            }
+        }
+        lanes.into_iter().fold(rest, larger)
     };
-    f64::from_bits(parallel::fold(x.len(), leaf, u64::max))
+    parallel::fold(x.len(), leaf, larger)
 }

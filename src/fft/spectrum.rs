@@ -32,7 +32,7 @@ impl Spectrum<f64> {
 
         // Along x, one row per distance in y; then along y, one column per wave number in x.
         let mut rows = vec![0.0; width * height];
-        half_transforms(mx, is_odd_x, &mut rows, |j, i| table.row(j)[i]);
+        half_transforms(mx, is_odd_x, &mut rows, |j, i| table.at(i, j));
         let mut values = vec![0.0; width * height];
         half_transforms(my, is_odd_y, &mut values, |i, j| rows[j * width + i]);
 

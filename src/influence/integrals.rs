@@ -7,50 +7,120 @@ pub(super) struct Cell {
     pub(super) b: f64,
 }
 
+/// The integrals all coefficients are made of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Integral {
+    /// `S_X + S_Y`, the integral of `1/R`.
+    Potential,
+    /// `S_Y`, the integral of `X^2/R^3`.
+    AlongX,
+    /// `S_XY`, the integral of `X Y/R^3`.
+    Diagonal,
+    /// `D_X`, the integral of `X/R^2`.
+    RadialX,
+    /// `D_Y`, the integral of `Y/R^2`.
+    RadialY,
+}
+
+impl Integral {
+    pub(super) const COUNT: usize = 5;
+
+    /// Whether it is odd in x and odd in y; otherwise it is even.
+    const fn is_odd(self) -> [bool; 2] {
+        match self {
+            Self::Potential | Self::AlongX => [false, false],
+            Self::Diagonal => [true, true],
+            Self::RadialX => [true, false],
+            Self::RadialY => [false, true],
+        }
+    }
+}
+
+/// Beyond this distance, in longer sides, the closed form gives way to quadrature.
+const NEAR: f64 = 3.0;
+
 impl Cell {
-    /// The cell with its axes exchanged.
-    pub(super) fn swapped(self) -> Self {
+    /// The integral at a point.
+    pub(super) fn at(self, integral: Integral, x: f64, y: f64) -> f64 {
+        let [odd_x, odd_y] = integral.is_odd();
+        let is_negative = (odd_x && x < 0.0) != (odd_y && y < 0.0);
+        let mut value = [0.0];
+        self.along_row(integral, &[x.abs()], y.abs(), &mut value);
+        if is_negative { -value[0] } else { value[0] }
+    }
+
+    /// The integral at the points `(x, y)` of a row, `x` rising from zero or more, `y >= 0`.
+    pub(super) fn along_row(self, integral: Integral, xs: &[f64], y: f64, out: &mut [f64]) {
+        let odd = integral.is_odd();
+        match integral {
+            Integral::Potential => {
+                self.integrate(
+                    xs,
+                    y,
+                    odd,
+                    &potential_near,
+                    &|_, _, r2| 1.0 / r2.sqrt(),
+                    out,
+                );
+            }
+            Integral::AlongX => {
+                let far = |x, _, r2: f64| x * x / (r2 * r2.sqrt());
+                self.integrate(xs, y, odd, &along_x_near, &far, out);
+            }
+            Integral::Diagonal => {
+                let far = |x, y, r2: f64| x * y / (r2 * r2.sqrt());
+                self.integrate(xs, y, odd, &diagonal_near, &far, out);
+            }
+            Integral::RadialX => {
+                self.integrate(xs, y, odd, &radial_x_near, &|x, _, r2| x / r2, out);
+            }
+            Integral::RadialY => {
+                let near = |cell: Self, x, y| radial_x_near(cell.swapped(), y, x);
+                self.integrate(xs, y, odd, &near, &|_, y, r2| y / r2, out);
+            }
+        }
+    }
+
+    fn swapped(self) -> Self {
         Self {
             a: self.b,
             b: self.a,
         }
     }
 
-    /// `S_X + S_Y`, the integral of `1/R`.
-    pub(super) fn potential(self, x: f64, y: f64) -> f64 {
-        self.integrate([x, y], [false, false], &potential_near, &|_, _, r2| {
-            1.0 / r2.sqrt()
-        })
-    }
-
-    /// `S_Y`, the integral of `X^2/R^3`.
-    pub(super) fn along_x(self, x: f64, y: f64) -> f64 {
-        self.integrate([x, y], [false, false], &along_x_near, &|x, _, r2| {
-            x * x / (r2 * r2.sqrt())
-        })
-    }
-
-    /// `S_XY`, the integral of `X Y/R^3`.
-    pub(super) fn diagonal(self, x: f64, y: f64) -> f64 {
-        self.integrate([x, y], [true, true], &diagonal_near, &|x, y, r2| {
-            x * y / (r2 * r2.sqrt())
-        })
-    }
-
-    /// `D_X`, the integral of `X/R^2`.
-    pub(super) fn radial_x(self, x: f64, y: f64) -> f64 {
-        self.integrate([x, y], [true, false], &radial_x_near, &|x, _, r2| x / r2)
-    }
-
     /// Integrates a kernel of known parity: the closed form near the cell, Gauss-Legendre
     /// quadrature beyond, where the closed form loses `2 eps (r/h)^2` to cancellation and the
-    /// quadrature loses nothing.
+    /// quadrature loses nothing. Points that share a rule are integrated together.
     fn integrate(
+        self,
+        xs: &[f64],
+        y: f64,
+        is_odd: [bool; 2],
+        near: &impl Fn(Self, f64, f64) -> f64,
+        far: &impl Fn(f64, f64, f64) -> f64,
+        out: &mut [f64],
+    ) {
+        let mut done = 0;
+        while let Some(&x) = xs.get(done) {
+            let is_on_axis = (is_odd[0] && x == 0.0) || (is_odd[1] && y == 0.0);
+            if let (Some((rule, reach)), false) = (self.rule(x, y), is_on_axis) {
+                let rest = &xs[done + 1..];
+                let end = done + 1 + rest.partition_point(|x| x.hypot(y) < reach);
+                self.quadrature(rule, &xs[done..end], y, far, &mut out[done..end]);
+                done = end;
+            } else {
+                out[done] = self.at_point([x, y], is_odd, near, far);
+                done += 1;
+            }
+        }
+    }
+
+    fn at_point(
         self,
         point: [f64; 2],
         is_odd: [bool; 2],
         near: &impl Fn(Self, f64, f64) -> f64,
-        kernel: &impl Fn(f64, f64, f64) -> f64,
+        far: &impl Fn(f64, f64, f64) -> f64,
     ) -> f64 {
         // Working in one quadrant makes the parity exact; so does the zero on an axis.
         if (is_odd[0] && point[0] == 0.0) || (is_odd[1] && point[1] == 0.0) {
@@ -59,53 +129,64 @@ impl Cell {
         let flips = [0, 1].map(|axis| is_odd[axis] && point[axis].is_sign_negative());
         let sign = if flips[0] == flips[1] { 1.0 } else { -1.0 };
         let [x, y] = point.map(f64::abs);
-
-        let distance = x.hypot(y) / (2.0 * self.a.max(self.b));
-        if distance >= 3.0 {
-            return sign * self.quadrature(rule(distance), x, y, kernel);
+        if let Some((rule, _)) = self.rule(x, y) {
+            let mut value = [0.0];
+            self.quadrature(rule, &[x], y, far, &mut value);
+            return sign * value[0];
         }
         // A slender cell seen from beside is far away in units of its short side, where the
         // closed form cancels: halve it until the pieces are compact or far.
-        let (half, [step_x, step_y]) = if self.a > 4.0 * self.b {
-            (
-                Self {
-                    a: 0.5 * self.a,
-                    ..self
-                },
-                [0.5 * self.a, 0.0],
-            )
-        } else if self.b > 4.0 * self.a {
-            (
-                Self {
-                    b: 0.5 * self.b,
-                    ..self
-                },
-                [0.0, 0.5 * self.b],
-            )
+        let Self { a, b } = self;
+        let (half, [step_x, step_y]) = if a > 4.0 * b {
+            (Self { a: 0.5 * a, b }, [0.5 * a, 0.0])
+        } else if b > 4.0 * a {
+            (Self { a, b: 0.5 * b }, [0.0, 0.5 * b])
         } else {
             return sign * near(self, x, y);
         };
-        let low = half.integrate([x + step_x, y + step_y], is_odd, near, kernel);
-        let high = half.integrate([x - step_x, y - step_y], is_odd, near, kernel);
-        sign * (low + high)
+        let high = half.at_point([x + step_x, y + step_y], is_odd, near, far);
+        let low = half.at_point([x - step_x, y - step_y], is_odd, near, far);
+        sign * (high + low)
     }
 
     fn quadrature(
         self,
         rule: &[[f64; 2]],
-        x: f64,
+        xs: &[f64],
         y: f64,
         kernel: &impl Fn(f64, f64, f64) -> f64,
-    ) -> f64 {
-        let mut sum = 0.0;
+        out: &mut [f64],
+    ) {
+        out.fill(0.0);
         for &[node_y, weight_y] in rule {
             let y = y + self.b * node_y;
             for &[node_x, weight_x] in rule {
-                let x = x + self.a * node_x;
-                sum += weight_x * weight_y * kernel(x, y, x * x + y * y);
+                let (shift, weight) = (self.a * node_x, weight_x * weight_y);
+                for (sum, x) in out.iter_mut().zip(xs) {
+                    let x = x + shift;
+                    *sum += weight * kernel(x, y, x * x + y * y);
+                }
             }
         }
-        sum * (self.a * self.b)
+        for sum in out {
+            *sum *= self.a * self.b;
+        }
+    }
+
+    /// The cheapest rule whose relative error stays below 1e-15 at this distance, measured against 40
+    /// digits, and the distance up to which it will do; `None` near the cell.
+    fn rule(self, x: f64, y: f64) -> Option<(&'static [[f64; 2]], f64)> {
+        let side = 2.0 * self.a.max(self.b);
+        let distance = x.hypot(y) / side;
+        let (rule, reach): (&[_], f64) = match distance {
+            d if d < NEAR => return None,
+            d if d < 6.0 => (&GAUSS_8, 6.0),
+            d if d < 20.0 => (&GAUSS_6, 20.0),
+            d if d < 200.0 => (&GAUSS_4, 200.0),
+            d if d < 1e4 => (&GAUSS_3, 1e4),
+            _ => (&GAUSS_2, f64::INFINITY),
+        };
+        Some((rule, reach * side))
     }
 
     /// The corners `(X, Y, sign)` of the antiderivative's double difference.
@@ -168,18 +249,6 @@ fn radial_x_near(cell: Cell, x: f64, y: f64) -> f64 {
         logarithms + arcs
     };
     edge(y + cell.b) - edge(y - cell.b)
-}
-
-/// The cheapest rule whose relative error stays below 1e-15 at this distance (in longer sides),
-/// measured against 40 digits.
-fn rule(distance: f64) -> &'static [[f64; 2]] {
-    match distance {
-        d if d < 6.0 => &GAUSS_8,
-        d if d < 20.0 => &GAUSS_6,
-        d if d < 200.0 => &GAUSS_4,
-        d if d < 1e4 => &GAUSS_3,
-        _ => &GAUSS_2,
-    }
 }
 
 // Gauss-Legendre nodes and weights on [-1, 1].

@@ -38,10 +38,15 @@
 
 mod integrals;
 mod rectangle;
+mod samples;
 mod table;
 
 pub use rectangle::{Rectangle, Tensor};
+pub(crate) use samples::Samples;
 pub use table::Table;
+
+use crate::material::Compliances;
+use integrals::Integral;
 
 /// One of the nine influence coefficients: displacement component, then traction component.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -96,5 +101,28 @@ impl Component {
             Self::XZ | Self::ZX => [true, false],
             Self::YZ | Self::ZY => [false, true],
         }
+    }
+
+    /// The coefficient as a sum of integrals, each with its weight, over `2 pi`.
+    fn parts(self, c: Compliances) -> impl Iterator<Item = (f64, Integral)> {
+        let alone = |weight, integral| [Some((weight, integral)), None];
+        let parts = match self {
+            // (1 - nu) (S_X + S_Y) + nu S_Y: the sum is the potential.
+            Self::XX => [
+                Some((c.normal, Integral::Potential)),
+                Some((c.lateral, Integral::AlongX)),
+            ],
+            Self::YY => [
+                Some((c.normal + c.lateral, Integral::Potential)),
+                Some((-c.lateral, Integral::AlongX)),
+            ],
+            Self::ZZ => alone(c.normal, Integral::Potential),
+            Self::XY | Self::YX => alone(c.lateral, Integral::Diagonal),
+            Self::XZ => alone(-0.5 * c.coupling, Integral::RadialX),
+            Self::ZX => alone(0.5 * c.coupling, Integral::RadialX),
+            Self::YZ => alone(-0.5 * c.coupling, Integral::RadialY),
+            Self::ZY => alone(0.5 * c.coupling, Integral::RadialY),
+        };
+        parts.into_iter().flatten()
     }
 }

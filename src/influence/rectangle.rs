@@ -21,9 +21,9 @@ use crate::material::{Compliances, ElasticPair, Material};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rectangle {
     /// The cell in units of its longer side, so that no power of a length overflows.
-    cell: Cell,
+    pub(super) cell: Cell,
     /// The longer side.
-    unit: f64,
+    pub(super) unit: f64,
 }
 
 /// The nine influence coefficients at one point (lengths over pressures): displacement component
@@ -95,20 +95,17 @@ impl Rectangle {
     }
 
     /// One coefficient at `(x, y)`; of the integrals only those it needs.
-    pub(super) fn coefficient(&self, component: Component, c: Compliances, x: f64, y: f64) -> f64 {
+    fn coefficient(&self, component: Component, compliances: Compliances, x: f64, y: f64) -> f64 {
         let (x, y) = (x / self.unit, y / self.unit);
-        let (cell, swapped) = (self.cell, self.cell.swapped());
-        let value = match component {
-            // (1 - nu) (S_X + S_Y) + nu S_Y: the sum is the potential.
-            Component::XX => c.normal * cell.potential(x, y) + c.lateral * cell.along_x(x, y),
-            Component::YY => c.normal * cell.potential(x, y) + c.lateral * swapped.along_x(y, x),
-            Component::ZZ => c.normal * cell.potential(x, y),
-            Component::XY | Component::YX => c.lateral * cell.diagonal(x, y),
-            Component::XZ => -0.5 * c.coupling * cell.radial_x(x, y),
-            Component::ZX => 0.5 * c.coupling * cell.radial_x(x, y),
-            Component::YZ => -0.5 * c.coupling * swapped.radial_x(y, x),
-            Component::ZY => 0.5 * c.coupling * swapped.radial_x(y, x),
-        };
-        value * (self.unit / (2.0 * std::f64::consts::PI))
+        let parts = component.parts(compliances);
+        let sum: f64 = parts
+            .map(|(weight, integral)| weight * self.cell.at(integral, x, y))
+            .sum();
+        sum * self.scale()
+    }
+
+    /// What turns an integral in units of the longer side into a coefficient.
+    pub(super) fn scale(&self) -> f64 {
+        self.unit / (2.0 * std::f64::consts::PI)
     }
 }

@@ -1,15 +1,16 @@
 //! One influence coefficient sampled at every distance of a grid.
 
+use std::sync::Arc;
+
 use crate::error::Result;
 use crate::grid::Grid;
-use crate::influence::{Component, Rectangle};
+use crate::influence::{Component, Samples};
 use crate::material::ElasticPair;
-use crate::parallel;
 
 /// One influence coefficient at the cell distances `(i dx, j dy)`, `0 <= i < nx`, `0 <= j < ny`.
 ///
 /// Distances of the other sign follow from the parity of the component, so that only a quarter of
-/// what a convolution needs is evaluated and kept: 8 bytes per sample.
+/// what a convolution needs is evaluated and kept: 8 bytes per sample, 16 for `XX` and `YY`.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Grid, Material, influence::{Component, Table}};
@@ -26,7 +27,10 @@ pub struct Table {
     component: Component,
     nx: usize,
     ny: usize,
-    samples: Vec<f64>,
+    /// Weights and the integrals they multiply, row by row.
+    parts: Vec<(f64, Arc<[f64]>)>,
+    /// Of the sum of the parts.
+    scale: f64,
 }
 
 impl Table {
@@ -35,23 +39,22 @@ impl Table {
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) if the sides of a cell cannot be halved or compared.
     pub fn sample(grid: Grid, pair: &ElasticPair, component: Component) -> Result<Self> {
-        let rectangle = Rectangle::new(0.5 * grid.dx(), 0.5 * grid.dy())?;
-        let compliances = pair.compliances();
-        let (nx, ny) = (grid.nx(), grid.ny());
-        let mut samples = vec![0.0; grid.cells()];
-        parallel::update(&mut samples, |first, chunk| {
-            for (offset, sample) in chunk.iter_mut().enumerate() {
-                let (i, j) = ((first + offset) % nx, (first + offset) / nx);
-                let (x, y) = (i as f64 * grid.dx(), j as f64 * grid.dy());
-                *sample = rectangle.coefficient(component, compliances, x, y);
-            }
-        });
-        Ok(Self {
+        Samples::new(grid, [grid.nx(), grid.ny()])?.table(grid, pair, component)
+    }
+
+    pub(super) fn new(
+        component: Component,
+        [nx, ny]: [usize; 2],
+        scale: f64,
+        parts: Vec<(f64, Arc<[f64]>)>,
+    ) -> Self {
+        Self {
             component,
             nx,
             ny,
-            samples,
-        })
+            parts,
+            scale,
+        }
     }
 
     /// Which coefficient was sampled.
@@ -74,14 +77,17 @@ impl Table {
         if column >= self.nx || row >= self.ny {
             return None;
         }
-        let value = *self.samples.get(row * self.nx + column)?;
+        let value = self.at(column, row);
         let [odd_x, odd_y] = self.component.is_odd();
         let negative = (odd_x && i < 0) != (odd_y && j < 0);
         Some(if negative { -value } else { value })
     }
 
-    /// The samples at row distance `j`, from column distance zero up.
-    pub(crate) fn row(&self, j: usize) -> &[f64] {
-        &self.samples[j * self.nx..(j + 1) * self.nx]
+    /// The coefficient `column` columns and `row` rows further, within the distances sampled.
+    pub(crate) fn at(&self, column: usize, row: usize) -> f64 {
+        let index = row * self.nx + column;
+        let parts = self.parts.iter();
+        let sum: f64 = parts.map(|(weight, values)| weight * values[index]).sum();
+        sum * self.scale
     }
 }

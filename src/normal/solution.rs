@@ -3,6 +3,7 @@
 use crate::contact_map::{ContactMap, Warning};
 use crate::field::Field;
 use crate::grid::Grid;
+use crate::parallel;
 use crate::report::Report;
 
 /// Pressure, gap and approach of a normal contact.
@@ -34,10 +35,13 @@ impl NormalSolution {
         report: &Report,
     ) {
         self.pressure.as_mut_slice().copy_from_slice(pressure);
-        let samples = initial_gap.as_slice().iter().zip(displacement);
-        for (gap, (initial, displacement)) in self.gap.as_mut_slice().iter_mut().zip(samples) {
-            *gap = displacement + (initial - approach);
-        }
+        let initial = initial_gap.as_slice();
+        parallel::update(self.gap.as_mut_slice(), |first, chunk| {
+            let samples = initial[first..].iter().zip(&displacement[first..]);
+            for (gap, (initial, displacement)) in chunk.iter_mut().zip(samples) {
+                *gap = displacement + (initial - approach);
+            }
+        });
         self.approach = approach;
         self.report.clone_from(report);
     }

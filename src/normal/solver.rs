@@ -294,10 +294,9 @@ impl NormalSolver {
             findings.write_to(&mut self.report);
             outcome?;
 
-            let largest = displacement.iter().fold(0.0, |a: f64, u| a.max(u.abs()));
+            let round_off = ROUND_OFF * findings.displacement;
             let overlaps = |i: usize| {
-                displacement[i] + self.linear[i] - multiplier < -ROUND_OFF * largest
-                    && !window.contains(i)
+                displacement[i] + self.linear[i] - multiplier < -round_off && !window.contains(i)
             };
             if let Ok(missed) = Window::around(bodies.grid(), overlaps) {
                 let wider = window.union(missed).widened(bodies.grid());

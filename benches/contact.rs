@@ -1,0 +1,125 @@
+//! What a contact costs from a cold start on ready operators, pressed and sheared, smooth and rough, and
+//! what a step of a fretting loop costs from the last one.
+
+#![allow(
+    missing_docs,
+    reason = "the macros of criterion write functions without"
+)]
+
+#[path = "../examples/support/rough.rs"]
+mod rough;
+#[path = "../examples/support/scene.rs"]
+#[expect(dead_code, reason = "the scenes serve an example that asks for more")]
+mod scene;
+
+use criterion::measurement::WallTime;
+use criterion::{
+    BenchmarkGroup, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main,
+};
+use scene::Scene;
+use stickslip::cgm::Method;
+use stickslip::{Field, Result, TangentialLoad};
+
+const SIDES: [u16; 2] = [256, 512];
+const TOLERANCE: f64 = 1e-6;
+
+fn scenes(side: u16) -> Result<Vec<Scene>> {
+    let mut scenes = vec![scene::ball(side)?];
+    scenes.extend(scene::rough(side)?);
+    Ok(scenes)
+}
+
+/// A group whose throughput counts cells.
+fn group<'a>(criterion: &'a mut Criterion, name: &str, side: u16) -> BenchmarkGroup<'a, WallTime> {
+    let mut group = criterion.benchmark_group(name);
+    group.sample_size(10);
+    group.throughput(Throughput::Elements(u64::from(side).pow(2)));
+    group
+}
+
+fn normal(criterion: &mut Criterion) {
+    for side in SIDES {
+        for scene in scenes(side).expect("valid scenes") {
+            let problem = scene.normal(Method::ActiveSet, TOLERANCE);
+            let problem = problem.expect("valid problem");
+            let mut solver = problem.into_solver().expect("valid grid");
+            let mut solution = solver.new_solution();
+            let mut group = group(criterion, "normal", side);
+            group.bench_function(BenchmarkId::new(scene.name, side), |bencher| {
+                bencher.iter(|| {
+                    solver.reset();
+                    solver.solve_into(&mut solution).expect("converged");
+                });
+            });
+            group.finish();
+        }
+    }
+}
+
+fn tangential(criterion: &mut Criterion) {
+    for side in SIDES {
+        for scene in scenes(side).expect("valid scenes") {
+            let pressed = scene
+                .normal(Method::ActiveSet, TOLERANCE)
+                .and_then(|problem| problem.solve())
+                .expect("converged");
+            let problem = scene.tangential(&pressed, Method::ActiveSet, TOLERANCE);
+            let mut solver = problem.expect("valid problem").into_solver().expect("grid");
+            let mut solution = solver.new_solution();
+            let mut group = group(criterion, "tangential", side);
+            group.bench_function(BenchmarkId::new(scene.name, side), |bencher| {
+                bencher.iter(|| {
+                    solver.reset();
+                    solver.solve_into(&mut solution).expect("converged");
+                });
+            });
+            group.finish();
+        }
+    }
+}
+
+/// The gap worn a little, the load turned a little, both halves solved from their last answers.
+fn fretting_step(criterion: &mut Criterion) {
+    for side in SIDES {
+        let scene = scene::ball(side).expect("valid scene");
+        let problem = scene.normal(Method::ActiveSet, TOLERANCE);
+        let mut press = problem.expect("valid problem").into_solver().expect("grid");
+        let mut pressed = press.new_solution();
+        press.solve_into(&mut pressed).expect("converged");
+        let problem = scene.tangential(&pressed, Method::ActiveSet, TOLERANCE);
+        let mut shear = problem.expect("valid problem").into_solver().expect("grid");
+        let mut sheared = shear.new_solution();
+        shear.solve_into(&mut sheared).expect("converged");
+
+        let force = pressed.force();
+        let depth = 1e-4 * pressed.approach() / pressed.pressure().max();
+        let worn: Vec<Field> = (1..=8)
+            .map(|step| {
+                let mut gap = scene.gap.clone();
+                let cells = gap.as_mut_slice().iter_mut();
+                for (gap, pressure) in cells.zip(pressed.pressure().as_slice()) {
+                    *gap += f64::from(step) * depth * pressure;
+                }
+                gap
+            })
+            .collect();
+        let mut step = 0;
+        let mut group = group(criterion, "fretting step", side);
+        group.bench_function(BenchmarkId::from_parameter(side), |bencher| {
+            bencher.iter(|| {
+                step += 1;
+                press.set_gap(&worn[step % worn.len()]).expect("gap");
+                press.solve_into(&mut pressed).expect("converged");
+                shear.set_normal(&pressed).expect("contact");
+                let fraction = 0.2 * (0.3 * step as f64).sin();
+                let load = TangentialLoad::Force([fraction * force, 0.0]);
+                shear.set_load(load).expect("below sliding");
+                shear.solve_into(&mut sheared).expect("converged");
+            });
+        });
+        group.finish();
+    }
+}
+
+criterion_group!(benches, normal, tangential, fretting_step);
+criterion_main!(benches);

@@ -1,0 +1,46 @@
+//! Scratch memory that starts on a cache line.
+
+use std::ops::{Deref, DerefMut};
+
+/// Bytes of a cache line, and of the widest vector register.
+const LINE: usize = 64;
+
+/// A buffer whose first item starts a cache line: a vector load across two lines costs as much as two.
+#[derive(Debug)]
+pub(super) struct Aligned<T> {
+    items: Vec<T>,
+    first: usize,
+    len: usize,
+}
+
+impl<T: Clone> Aligned<T> {
+    pub(super) fn new(value: T, len: usize) -> Self {
+        let spare = LINE.div_ceil(size_of::<T>());
+        let items = vec![value; len + spare];
+        // Where the offset cannot be had the buffer is as good, if slower.
+        let first = items.as_ptr().align_offset(LINE).min(spare);
+        Self { items, first, len }
+    }
+}
+
+impl<T: Clone> Clone for Aligned<T> {
+    fn clone(&self) -> Self {
+        let mut copy = Self::new(self.items[0].clone(), self.len);
+        copy.clone_from_slice(self);
+        copy
+    }
+}
+
+impl<T> Deref for Aligned<T> {
+    type Target = [T];
+
+    fn deref(&self) -> &[T] {
+        &self.items[self.first..self.first + self.len]
+    }
+}
+
+impl<T> DerefMut for Aligned<T> {
+    fn deref_mut(&mut self) -> &mut [T] {
+        &mut self.items[self.first..self.first + self.len]
+    }
+}
