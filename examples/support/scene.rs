@@ -9,9 +9,9 @@ use stickslip::{
 
 use super::rough::self_affine;
 
-const FRICTION: f64 = 0.5;
+pub(crate) const FRICTION: f64 = 0.5;
 /// Tangential force over the force at which the contact slides.
-const LOADING: f64 = 0.4;
+pub(crate) const LOADING: f64 = 0.4;
 
 /// Mean pressures over the contact modulus: tried on 256 x 256 cells until about 2, 10 and 40 % of the
 /// cells touched. The surface is as steep on every grid, so nearly as many touch there.
@@ -26,7 +26,7 @@ pub(crate) struct Scene {
     pub(crate) name: &'static str,
     pub(crate) bodies: HalfSpace,
     pub(crate) gap: Field,
-    force: f64,
+    pub(crate) force: f64,
     exact: Option<CattaneoMindlin>,
 }
 

@@ -1,0 +1,41 @@
+//! How far an answer is from the truth, whoever found it.
+
+use stickslip::influence::Component;
+use stickslip::{HalfSpace, Operator};
+
+use crate::Result;
+
+/// Compares `[found, truth]`: the energy norm of the difference over that of the truth, the sum of the
+/// differences over the sum of the truth, and the error of the total force.
+///
+/// The truth is an answer of this crate to 1e-11. An answer of another code on other influence
+/// coefficients would show them here as an error that no tolerance removes.
+pub(crate) fn judge(
+    bodies: &HalfSpace,
+    component: Component,
+    [found, truth]: [&[f64]; 2],
+    total: f64,
+) -> Result<String> {
+    let cells = bodies.grid().cells();
+    if found.len() != cells || truth.len() != cells {
+        return Err(format!("fields of {} and {} cells", found.len(), truth.len()).into());
+    }
+    let operator = bodies.operator(component)?;
+    let mut workspace = operator.workspace();
+    let mut product = vec![0.0; cells];
+    let mut energy = |x: &[f64]| -> f64 {
+        operator.apply(x, &mut product, &mut workspace);
+        x.iter().zip(&product).map(|(x, u)| x * u).sum()
+    };
+    let pairs = found.iter().zip(truth);
+    let difference: Vec<f64> = pairs.map(|(found, truth)| found - truth).collect();
+    // Round-off may make the energy of a tiny difference negative.
+    let in_energy = (energy(&difference).max(0.0) / energy(truth)).sqrt();
+    let sum = |x: &[f64]| x.iter().map(|x| x.abs()).sum::<f64>();
+    let in_sum = sum(&difference) / sum(truth);
+    let force: f64 = found.iter().sum::<f64>() * bodies.grid().cell_area();
+    let load = (force - total).abs() / total.abs();
+    Ok(format!(
+        r#"{{"energy": {in_energy:e}, "l1": {in_sum:e}, "load": {load:e}}}"#
+    ))
+}
