@@ -54,29 +54,34 @@ impl Cell {
         let odd = integral.is_odd();
         match integral {
             Integral::Potential => {
-                self.integrate(
-                    xs,
-                    y,
-                    odd,
-                    &potential_near,
-                    &|_, _, r2| 1.0 / r2.sqrt(),
-                    out,
-                );
+                let far = |_, _, r2: f64| 1.0 / r2.sqrt();
+                let at = |x, y| self.at_point([x, y], odd, &potential_near, &far);
+                self.integrate(xs, y, at, &far, out);
             }
             Integral::AlongX => {
                 let far = |x, _, r2: f64| x * x / (r2 * r2.sqrt());
-                self.integrate(xs, y, odd, &along_x_near, &far, out);
+                let at = |x, y| self.at_point([x, y], odd, &along_x_near, &far);
+                self.integrate(xs, y, at, &far, out);
             }
             Integral::Diagonal => {
                 let far = |x, y, r2: f64| x * y / (r2 * r2.sqrt());
-                self.integrate(xs, y, odd, &diagonal_near, &far, out);
+                let at = |x, y| self.at_point([x, y], odd, &diagonal_near, &far);
+                self.integrate(xs, y, at, &far, out);
             }
             Integral::RadialX => {
-                self.integrate(xs, y, odd, &radial_x_near, &|x, _, r2| x / r2, out);
+                let far = |x, _, r2| x / r2;
+                let at = |x, y| self.at_point([x, y], odd, &radial_x_near, &far);
+                self.integrate(xs, y, at, &far, out);
             }
             Integral::RadialY => {
-                let near = |cell: Self, x, y| radial_x_near(cell.swapped(), y, x);
-                self.integrate(xs, y, odd, &near, &|_, y, r2| y / r2, out);
+                // To the last bit the other with its axes exchanged, where pieces cancel.
+                let swapped = |y, _, r2| y / r2;
+                let at = |x, y| {
+                    let odd = Integral::RadialX.is_odd();
+                    self.swapped()
+                        .at_point([y, x], odd, &radial_x_near, &swapped)
+                };
+                self.integrate(xs, y, at, &|_, y, r2| y / r2, out);
             }
         }
     }
@@ -88,33 +93,35 @@ impl Cell {
         }
     }
 
-    /// Integrates a kernel of known parity: the closed form near the cell, Gauss-Legendre
-    /// quadrature beyond, where the closed form loses `2 eps (r/h)^2` to cancellation and the
-    /// quadrature loses nothing. Points that share a rule are integrated together.
+    /// Integrates a kernel at the points of a row: near the cell one by one, beyond by quadrature,
+    /// where points that share a rule are integrated together.
     fn integrate(
         self,
         xs: &[f64],
         y: f64,
-        is_odd: [bool; 2],
-        near: &impl Fn(Self, f64, f64) -> f64,
+        at: impl Fn(f64, f64) -> f64,
         far: &impl Fn(f64, f64, f64) -> f64,
         out: &mut [f64],
     ) {
         let mut done = 0;
         while let Some(&x) = xs.get(done) {
-            let is_on_axis = (is_odd[0] && x == 0.0) || (is_odd[1] && y == 0.0);
+            // An odd kernel vanishes on its axis; to see that is up to the point.
+            let is_on_axis = x == 0.0 || y == 0.0;
             if let (Some((rule, reach)), false) = (self.rule(x, y), is_on_axis) {
                 let rest = &xs[done + 1..];
                 let end = done + 1 + rest.partition_point(|x| x.hypot(y) < reach);
                 self.quadrature(rule, &xs[done..end], y, far, &mut out[done..end]);
                 done = end;
             } else {
-                out[done] = self.at_point([x, y], is_odd, near, far);
+                out[done] = at(x, y);
                 done += 1;
             }
         }
     }
 
+    /// A kernel of known parity at one point: the closed form near the cell, Gauss-Legendre
+    /// quadrature beyond, where the closed form loses `2 eps (r/h)^2` to cancellation and the
+    /// quadrature loses nothing.
     fn at_point(
         self,
         point: [f64; 2],
