@@ -15,7 +15,7 @@ use crate::window::halved;
 ///
 /// A component is sampled and transformed when a problem first asks for it, once; clones share it. The
 /// samples behind `XX`, `YY` and `ZZ` take 16 bytes per cell together, and serve the coarser grids of
-/// nested starts too; each operator takes 12 and its preconditioner 3, the coarser ones a third more.
+/// nested starts too; each operator takes 12 and its preconditioner one, the coarser ones a third more.
 /// `Send + Sync`: many solvers may run over one `HalfSpace` on many threads.
 ///
 /// ```

@@ -45,7 +45,8 @@ pub(super) fn solve_free<C: Operator, K: Constraint, P: Operator>(
             break;
         }
         let residual = advance(run, Some(along / curvature));
-        if residual.square <= reduction * reduction * first.square {
+        let is_small = residual.square <= reduction * reduction * first.square;
+        if is_small || step + 1 == INNER_LIMIT {
             run.workspace.multiplier += residual.change;
             break;
         }

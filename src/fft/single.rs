@@ -14,7 +14,7 @@ pub(super) struct SingleProduct {
     scale: f64,
 }
 
-/// Buffers of products in single precision: 8 bytes per cell of the torus's quarter.
+/// Buffers of products in single precision: 8 bytes per cell for an operator, 4 for a preconditioner.
 #[derive(Debug)]
 pub struct SingleWorkspace(Buffers<f32>);
 
