@@ -81,7 +81,7 @@ pub struct Report {
     /// Wall time of the solve.
     pub time: Duration,
     /// Every iterate whose residual was measured, in order: the start, then one entry per outer step
-    /// (active set) or per step (Polonsky-Keer).
+    /// (active set, to single precision while the residual is large) or per step (Polonsky-Keer).
     pub history: Vec<Iteration>,
 }
 

@@ -1,11 +1,12 @@
 //! Active sets outside, unclipped preconditioned conjugate gradients inside.
 //!
-//! Each outer step measures the residual (to single precision while it is large), solves the linear problem on the free entries to a
-//! moderate accuracy, letting them violate their bounds, and then moves all entries between the
-//! sets at once, at that equilibrated state: a primal-dual active-set method (Hintermueller, Ito &
-//! Kunisch, SIAM J. Optim. 13 (2002) 865, <https://doi.org/10.1137/S1052623401383558>). A
-//! prescribed total is carried by the bordered system: `w = M e` spreads a change of the total
-//! over the free entries as a flat punch would, and directions keep it.
+//! Each outer step measures the residual (to single precision while it is large), solves the linear
+//! problem on the free entries to a moderate accuracy, letting them violate their bounds, and then
+//! moves all entries between the sets at once, at that equilibrated state: a primal-dual active-set
+//! method (Hintermueller, Ito & Kunisch, SIAM J. Optim. 13 (2002) 865,
+//! <https://doi.org/10.1137/S1052623401383558>). A prescribed total is carried by the bordered
+//! system: `w = M e` spreads a change of the total over the free entries as a flat punch would, and
+//! directions keep it.
 
 use std::ops::ControlFlow;
 

@@ -1,6 +1,6 @@
 //! The inverse of the nearest periodic operator: a preconditioner.
 
-use crate::fft::plan::smooth_length;
+use crate::fft::length::smooth_length;
 use crate::fft::single::{SingleProduct, SingleWorkspace};
 use crate::fft::spectrum::Spectrum;
 use crate::influence::Table;
@@ -9,7 +9,7 @@ use crate::operator::Operator;
 /// Approximate inverse of a [`Convolution`](super::Convolution): the coefficient wrapped around
 /// the unpadded grid (Strang's circulant), inverted in Fourier space.
 ///
-/// In single precision throughout; a product costs about a third of the operator's. Obtained from
+/// In single precision throughout; a product costs about a quarter of the operator's. Obtained from
 /// [`HalfSpace::preconditioner`](crate::HalfSpace::preconditioner).
 #[derive(Debug, Clone)]
 pub struct CirculantInverse {

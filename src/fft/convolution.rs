@@ -1,7 +1,8 @@
 //! The free half-space as an operator: zero-padded convolution with one influence coefficient.
 
 use crate::error::Result;
-use crate::fft::plan::{Buffers, Plan, smooth_length};
+use crate::fft::length::smooth_length;
+use crate::fft::plan::{Buffers, Plan};
 use crate::fft::single::{SingleProduct, SingleWorkspace};
 use crate::fft::spectrum::Spectrum;
 use crate::grid::Grid;

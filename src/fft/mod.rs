@@ -11,6 +11,7 @@
 mod aligned;
 mod circulant;
 mod convolution;
+mod length;
 mod plan;
 mod real;
 mod single;

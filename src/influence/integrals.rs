@@ -105,7 +105,7 @@ impl Cell {
     ) {
         let mut done = 0;
         while let Some(&x) = xs.get(done) {
-            // An odd kernel vanishes on its axis; to see that is up to the point.
+            // There an odd kernel vanishes, which quadrature would miss by round-off.
             let is_on_axis = x == 0.0 || y == 0.0;
             if let (Some((rule, reach)), false) = (self.rule(x, y), is_on_axis) {
                 let rest = &xs[done + 1..];
