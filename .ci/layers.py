@@ -23,7 +23,7 @@ ALLOWED = {
     "influence": FOUNDATION,
     "fft": FOUNDATION | {"operator", "influence"},
     "analytical": {"error", "material", "grid", "field"},
-    "surface": {"error", "grid", "field"},
+    "surface": {"error", "grid", "field", "parallel"},
     # L2: the engine, and what it works on
     "half_space": FOUNDATION | {"operator", "influence", "fft", "window"},
     "cgm": {"error", "report", "parallel", "operator"},

@@ -3,6 +3,7 @@
 //! A gap is the distance `h(x, y)` between the two undeformed surfaces at first touch of the
 //! highest point, a length; its datum is free, since it only shifts the approach.
 
+mod fourier;
 mod shape;
 
 pub use shape::{ellipsoid, sphere};

@@ -1,0 +1,189 @@
+//! A surface as a sum of waves: the plain two-dimensional real transform.
+
+use std::f64::consts::TAU;
+
+use num_complex::Complex;
+use realfft::RealFftPlanner;
+use rustfft::FftPlanner;
+
+use crate::field::Field;
+use crate::grid::Grid;
+use crate::parallel;
+
+/// Complex amplitudes `a(i, j)` of a periodic field,
+///
+/// ```math
+/// z(x_m, y_n) = \sum_{i, j} a_{ij}\, e^{2 \pi \mathrm{i} (i m / n_x + j n / n_y)} ,
+/// ```
+///
+/// of which those with `i >= 0` are kept: the others are their conjugates.
+#[derive(Debug, Clone)]
+pub(super) struct Waves {
+    grid: Grid,
+    /// `ny` rows for each column `0..=nx/2`.
+    amplitudes: Vec<Complex<f64>>,
+}
+
+/// Which wave an amplitude belongs to.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Mode {
+    /// Periods along each side of the grid.
+    pub(super) numbers: [i64; 2],
+    /// `2 pi` over the wavelength, along x and along y.
+    pub(super) wave_vector: [f64; 2],
+    /// Waves the amplitude stands for: two, or one if its column is its own mirror image.
+    pub(super) copies: f64,
+    /// Whether a component is at the grid's limit of two cells per period, where the sign of the wave
+    /// vector is lost.
+    pub(super) is_at_limit: bool,
+}
+
+impl Waves {
+    /// No wave at all.
+    pub(super) fn none(grid: Grid) -> Self {
+        Self {
+            grid,
+            amplitudes: vec![Complex::default(); columns(grid) * grid.ny()],
+        }
+    }
+
+    /// The waves of a field, continued periodically.
+    pub(super) fn of(field: &Field) -> Self {
+        let grid = field.grid();
+        let (nx, ny, width) = (grid.nx(), grid.ny(), columns(grid));
+        let along_x = RealFftPlanner::new().plan_fft_forward(nx);
+        let mut rows = vec![Complex::default(); width * ny];
+        parallel::rows(&mut rows, width, |row, out| {
+            let mut samples = field.as_slice()[row * nx..][..nx].to_vec();
+            along_x
+                .process(&mut samples, out)
+                .expect("a row and its transform have the lengths planned");
+        });
+        let along_y = FftPlanner::new().plan_fft_forward(ny);
+        let scale = 1.0 / grid.cells() as f64;
+        let mut waves = Self::none(grid);
+        parallel::rows(&mut waves.amplitudes, ny, |column, out| {
+            for (row, value) in out.iter_mut().enumerate() {
+                *value = rows[row * width + column] * scale;
+            }
+            along_y.process(out);
+        });
+        waves
+    }
+
+    /// The field the waves add up to. In a column that is its own mirror image the amplitudes of
+    /// opposite rows should be conjugates; only their Hermitian part counts.
+    pub(super) fn into_field(self) -> Field {
+        let Self {
+            grid,
+            mut amplitudes,
+        } = self;
+        let (nx, ny, width) = (grid.nx(), grid.ny(), columns(grid));
+        let along_y = FftPlanner::new().plan_fft_inverse(ny);
+        parallel::rows(&mut amplitudes, ny, |_, column| along_y.process(column));
+        let along_x = RealFftPlanner::new().plan_fft_inverse(nx);
+        let mut field = Field::zeros(grid);
+        parallel::rows(field.as_mut_slice(), nx, |row, out| {
+            let at = |column| amplitudes[column * ny + row];
+            let mut waves: Vec<Complex<f64>> = (0..width).map(at).collect();
+            waves[0].im = 0.0;
+            if nx % 2 == 0 {
+                waves[width - 1].im = 0.0;
+            }
+            along_x
+                .process(&mut waves, out)
+                .expect("a row and its transform have the lengths planned, and real ends");
+        });
+        field
+    }
+
+    /// Every amplitude kept, with its mode.
+    pub(super) fn iter(&self) -> impl Iterator<Item = (Mode, Complex<f64>)> + '_ {
+        let grid = self.grid;
+        let values = self.amplitudes.chunks_exact(grid.ny()).enumerate();
+        values.flat_map(move |(column, values)| {
+            let values = values.iter().enumerate();
+            values.map(move |(row, &value)| (Mode::new(grid, column, row), value))
+        })
+    }
+
+    /// Replaces every amplitude by a function of its mode and itself.
+    pub(super) fn update(&mut self, f: impl Fn(Mode, Complex<f64>) -> Complex<f64> + Sync) {
+        let grid = self.grid;
+        parallel::rows(&mut self.amplitudes, grid.ny(), |column, values| {
+            for (row, value) in values.iter_mut().enumerate() {
+                *value = f(Mode::new(grid, column, row), *value);
+            }
+        });
+    }
+}
+
+impl Mode {
+    fn new(grid: Grid, column: usize, row: usize) -> Self {
+        let (nx, ny) = (grid.nx(), grid.ny());
+        let signed = |count: usize| i64::try_from(count).unwrap_or(i64::MAX);
+        let j = if 2 * row <= ny {
+            signed(row)
+        } else {
+            signed(row) - signed(ny)
+        };
+        let numbers = [signed(column), j];
+        Self {
+            numbers,
+            wave_vector: [
+                TAU * numbers[0] as f64 / (nx as f64 * grid.dx()),
+                TAU * numbers[1] as f64 / (ny as f64 * grid.dy()),
+            ],
+            copies: if column == 0 || 2 * column == nx {
+                1.0
+            } else {
+                2.0
+            },
+            is_at_limit: 2 * column == nx || 2 * row == ny,
+        }
+    }
+
+    /// Length of the wave vector.
+    pub(super) fn wave_number(&self) -> f64 {
+        self.wave_vector[0].hypot(self.wave_vector[1])
+    }
+}
+
+/// Columns kept of the transform of a field.
+fn columns(grid: Grid) -> usize {
+    grid.nx() / 2 + 1
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn waves_of_a_field_add_up_to_it_again() {
+        for [nx, ny] in [[8, 6], [7, 5], [1, 4], [5, 1], [16, 9]] {
+            let grid = Grid::new(nx, ny, 0.5, 0.25).unwrap();
+            let field = Field::from_fn(grid, |x, y| (3.0 * x + 1.0).sin() * (y - 0.3) + x * y);
+            let waves = Waves::of(&field);
+            let mean_square: f64 = waves.iter().map(|(m, a)| m.copies * a.norm_sqr()).sum();
+            let samples = field.as_slice().iter().map(|z| z * z);
+            let expected = samples.sum::<f64>() / grid.cells() as f64;
+            assert!((mean_square - expected).abs() < 1e-14 * expected.max(1.0));
+            let again = waves.into_field();
+            for (a, b) in again.as_slice().iter().zip(field.as_slice()) {
+                assert!((a - b).abs() < 1e-14);
+            }
+        }
+    }
+
+    #[test]
+    fn a_single_wave_has_a_single_amplitude() {
+        let grid = Grid::new(12, 10, 0.5, 0.3).unwrap();
+        let field = Field::from_fn(grid, |x, y| {
+            (TAU * (2.0 * x / 6.0 - 3.0 * y / 3.0) + 0.4).cos()
+        });
+        for (mode, amplitude) in Waves::of(&field).iter() {
+            let expected = if mode.numbers == [2, -3] { 0.5 } else { 0.0 };
+            assert!((amplitude.norm() - expected).abs() < 1e-15, "{mode:?}");
+        }
+    }
+}
