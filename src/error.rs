@@ -86,6 +86,12 @@ pub enum Error {
         /// The field, in words.
         quantity: &'static str,
     },
+    /// A solution belongs to bodies with another boundary.
+    #[error("{quantity} belongs to bodies with another boundary")]
+    BoundaryMismatch {
+        /// The solution, in words.
+        quantity: &'static str,
+    },
     /// A tolerance outside `(0, 1)` certifies nothing.
     #[error("the tolerance must lie strictly between 0 and 1, got {0}")]
     Tolerance(f64),
@@ -132,6 +138,16 @@ pub enum Error {
         x: f64,
         /// Component along y.
         y: f64,
+    },
+    /// An approach that leaves a periodic contact no gap anywhere: any pressure, however large, does.
+    #[error(
+        "an approach of {approach:e} is not below the mean gap {mean_gap:e} of a periodic contact, which it would close everywhere under any pressure"
+    )]
+    ApproachBeyondMeanGap {
+        /// The approach asked for.
+        approach: f64,
+        /// Mean of the initial gap.
+        mean_gap: f64,
     },
     /// An explicit matrix of this size is refused.
     #[error("an explicit matrix of {cells} cells is larger than the limit of {limit} cells")]
