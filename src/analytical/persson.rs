@@ -48,7 +48,7 @@ pub struct Persson {
 
 impl Persson {
     /// The coefficient $`\kappa = \sqrt{8/\pi}`$ of the area in Persson's theory.
-    pub const AREA_COEFFICIENT: f64 = 1.595_769_121_605_731;
+    pub const AREA_COEFFICIENT: f64 = 1.5957691216057308;
 
     /// The contact of a surface of areal root-mean-square slope `rms_slope` (a number) under the mean
     /// pressure `mean_pressure`, with $`\kappa`$ = [`AREA_COEFFICIENT`](Self::AREA_COEFFICIENT).

@@ -26,7 +26,7 @@ use crate::material::ElasticPair;
 /// use stickslip::{ElasticPair, Material, analytical::Westergaard};
 /// let rubber = Material::new(18.75e6, 0.5)?;
 /// let pair = ElasticPair::new(rubber, Material::rigid())?;
-/// // E* = 25 MPa and waves 1 um high, 100 um long: full contact from 0.785 MPa on.
+/// // E* = 25 MPa and waves of amplitude 1 um, 100 um long: full contact from 0.785 MPa on.
 /// let waves = Westergaard::new(&pair, 1e-6, 1e-4, 0.25 * 0.7853981634e6)?;
 /// assert!((waves.contact_fraction() - 1.0 / 3.0).abs() < 1e-9);
 /// assert!((waves.max_pressure() / waves.full_contact_pressure() - 1.0).abs() < 1e-9);
@@ -214,7 +214,7 @@ fn root(alpha: f64, beta: f64) -> f64 {
 /// ```
 ///
 /// with $`c`$ the half-width of a stick strip. A full contact sticks everywhere, under the uniform
-/// traction $`\bar q`$, until $`(1-f)\,\bar p = p^*`$. Plane strain, with the waves across the traction:
+/// traction $`\bar q`$, until $`(1-f)\,\bar p = p^*`$. Plane strain, the traction along x as the waves are:
 /// exact for every $`\nu`$. Ciavarella (1998); Jaeger (1998).
 ///
 /// ```
