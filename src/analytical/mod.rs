@@ -10,7 +10,7 @@
 //! | rigid flat-ended cylinder, and all of it stuck | [`FlatPunch`], [`FlatPunch::full_stick`] | Johnson (1985), sections 3.4 and 3.7 |
 //! | cone under a normal load | [`Cone`] | Sneddon (1965) |
 //! | cone in partial slip under a tangential load | [`ConePartialSlip`] | Ciavarella (1998), Jaeger (1998) |
-//! | waves along x, light or in full contact | [`Westergaard`] | Westergaard (1939); Johnson (1985), section 13.2 |
+//! | waves along x, up to full contact and beyond | [`Westergaard`] | Westergaard (1939); Johnson (1985), section 13.2 |
 //! | waves in partial slip | [`WestergaardPartialSlip`] | Ciavarella (1998), Jaeger (1998) |
 //! | area of a rough sphere | [`RoughSphere`] | the paper's equation 32, after Müser |
 //! | area and stick ratio of a nominally flat rough surface | [`Persson`], [`linear_stick_ratio`] | Persson (2001), Paggi et al. (2014) |
