@@ -1,4 +1,4 @@
-//! Cone and flat punch: computed contacts approach their closed forms, by the laws by which the error
+//! Cone, flat punch and waves: computed contacts approach their closed forms, by the laws by which the error
 //! falls.
 //!
 //! Constants and orders bound the largest error over offsets of the body within a cell, as a
@@ -11,10 +11,12 @@ mod common;
 use std::f64::consts::PI;
 
 use common::{Random, l2_difference, max_abs, unit_pair};
-use stickslip::analytical::{Cone, ConePartialSlip, FlatPunch};
+use stickslip::analytical::{
+    Cone, ConePartialSlip, FlatPunch, Westergaard, WestergaardPartialSlip,
+};
 use stickslip::{
-    Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution, TangentialLoad,
-    TangentialProblem, TangentialSolution,
+    Boundary, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution,
+    TangentialLoad, TangentialProblem, TangentialSolution,
 };
 
 const FRICTION: f64 = 0.4;
@@ -45,7 +47,7 @@ fn assert_law(name: &str, resolution: f64, error: f64, constant: f64, order: f64
     let bound = constant * resolution.powf(-order);
     assert!(
         error <= bound,
-        "{name} at a/h = {resolution:.1}: {error:e} > {bound:e}"
+        "{name} at {resolution:.1} cells: {error:e} > {bound:e}"
     );
 }
 
@@ -130,6 +132,44 @@ fn flat_punches() {
                 assert_law(name, 1.0 / grid.dx(), excess, 0.22, 1.0);
             }
             assert!((found.stick_ratio() - 1.0).abs() <= 0.0, "all of it sticks");
+        }
+    }
+}
+
+/// The resolution is the wavelength over the cell side, on a grid that repeats.
+#[test]
+fn waves() {
+    let pair = unit_pair(0.3);
+    for n in [64, 128, 256, 512] {
+        let grid = Grid::new(n, 4, 1.0 / n as f64, 0.25).unwrap();
+        let bodies = HalfSpace::with_boundary(grid, pair, Boundary::Periodic).unwrap();
+        for ratio in [0.1, 0.5, 0.9, 1.5] {
+            let waves = Westergaard::new(&pair, 1e-3, 1.0, ratio * 1e-3 * PI).unwrap();
+            let gap = Field::from_fn(grid, |x, _| 1e-3 * (1.0 - (2.0 * PI * x).cos()));
+            let normal = press(&bodies, &gap, waves.mean_pressure());
+            let law = |name: &str, error, constant, order| {
+                assert_law(name, n as f64, error, constant, order);
+            };
+            law(
+                "approach",
+                relative(normal.approach(), waves.approach()),
+                6.0,
+                2.0,
+            );
+            let exact = Field::from_fn(grid, |x, _| waves.gap(x));
+            let errors = exact.as_slice().iter().zip(normal.gap().as_slice());
+            let errors: Vec<f64> = errors.map(|(a, b)| (a - b) / 1e-3).collect();
+            law("gap", max_abs(&errors), 0.6, 1.5);
+            for f in [0.2, 0.5, 0.9] {
+                let traction = f * FRICTION * waves.mean_pressure();
+                let closed = WestergaardPartialSlip::new(waves, FRICTION, traction).unwrap();
+                let found = shear(&bodies, &normal, traction);
+                let stick = (found.stick_ratio() - closed.stick_ratio()).abs();
+                law("stick ratio", stick, 10.0, 1.0);
+                let exact = Field::from_fn(grid, |x, _| closed.traction(x));
+                let error = l2_difference(found.traction()[0].as_slice(), exact.as_slice());
+                law("traction, L2", error, 15.0, 1.0);
+            }
         }
     }
 }
