@@ -158,9 +158,9 @@ impl Statistics {
     /// Root-mean-square gradient of the surface that continues periodically, exact for its waves,
     /// $`\langle |\nabla z|^2 \rangle = \sum |q|^2 |a_q|^2 = 2 m_2`$.
     ///
-    /// A wave of two cells per period enters with the full mean square of its samples, as if they
-    /// were taken at its crests. Heights that do not continue periodically have a step at the edge
-    /// of the grid, which counts. See [`PowerSpectrum`](super::PowerSpectrum).
+    /// A wave of two cells per period enters with the whole mean square of its samples, though its phase,
+    /// and with it its slope, is lost in them. Heights that do not continue periodically have a step at the
+    /// edge of the grid, which counts. See [`PowerSpectrum`](super::PowerSpectrum).
     #[must_use]
     pub fn spectral_rms_slope(&self) -> f64 {
         self.spectral_rms_slope
