@@ -1,6 +1,6 @@
 //! Every way a call can be refused or fail, with the offending number.
 
-use crate::report::Report;
+use crate::report::{Report, Status};
 
 /// The result of a call that can be refused.
 pub type Result<T> = std::result::Result<T, Error>;
@@ -163,6 +163,46 @@ pub enum Error {
         /// The first row where that shows.
         row: usize,
     },
+    /// The points known do not determine what is asked of them.
+    #[error("{quantity} has {unknowns} unknowns, which {known} known points do not determine")]
+    Undetermined {
+        /// What is sought, in words.
+        quantity: &'static str,
+        /// Numbers sought.
+        unknowns: usize,
+        /// Points given.
+        known: usize,
+    },
+    /// A polynomial of this degree is refused.
+    #[error("a polynomial of degree {degree} exceeds the limit of {limit}")]
+    Degree {
+        /// Degree asked for.
+        degree: usize,
+        /// Degree allowed.
+        limit: usize,
+    },
+    /// A range of rows or columns is empty or leaves the grid.
+    #[error("{quantity} {start}..{end} are none of the {count} of the grid, or leave them")]
+    Range {
+        /// Rows or columns.
+        quantity: &'static str,
+        /// First of the range.
+        start: usize,
+        /// First after the range.
+        end: usize,
+        /// Number in the grid.
+        count: usize,
+    },
+    /// A grid reaches beyond the samples it is to be filled from.
+    #[error("the grid reaches to {reach:e} along {axis}, beyond the samples' half side {limit:e}")]
+    BeyondSamples {
+        /// The axis, x or y.
+        axis: &'static str,
+        /// Distance of the outermost centres from the middle.
+        reach: f64,
+        /// Distance of the edge of the samples' grid from the middle.
+        limit: f64,
+    },
     /// The iteration ended before the tolerance was reached. The caller's solution holds the
     /// last feasible iterate.
     #[error("not converged: {0}")]
@@ -241,4 +281,14 @@ pub(crate) fn length(quantity: &'static str, expected: usize, found: usize) -> R
             found,
         })
     }
+}
+
+/// The error of an iteration that reached its limit.
+pub(crate) fn not_converged(iterations: usize, residual: f64) -> Error {
+    Error::NotConverged(Box::new(Report {
+        status: Status::IterationLimit,
+        iterations,
+        residual,
+        ..Report::unsolved()
+    }))
 }
