@@ -4,6 +4,8 @@
 //! highest point, a length; its datum is free, since it only shifts the approach.
 
 mod fourier;
+mod self_affine;
 mod shape;
 
+pub use self_affine::{Amplitudes, RoughSurface, SelfAffine};
 pub use shape::{ellipsoid, sphere};
