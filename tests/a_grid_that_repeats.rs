@@ -16,8 +16,8 @@ use proptest::prelude::*;
 use stickslip::cgm::Method;
 use stickslip::tangential::JaegerSuperposition;
 use stickslip::{
-    Boundary, Error, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution,
-    TangentialLoad, TangentialProblem, TangentialSolution, surface,
+    Boundary, Error, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, TangentialLoad,
+    TangentialProblem, TangentialSolution, surface,
 };
 
 const METHODS: [Method; 2] = [Method::ActiveSet, Method::PolonskyKeer];
@@ -340,7 +340,7 @@ mod against_the_direct_answer {
             let smallest = |component| bodies.operator(component).unwrap().lower_bound();
             let tolerance = 10_f64.powf(tolerance);
             let force = 10_f64.powf(pressure) * grid.area();
-            let normal: NormalSolution =
+            let normal =
                 press(&bodies, &gap, NormalLoad::Force(force), tolerance, METHODS[0]);
             let matrix = raised(&bodies, Component::ZZ);
             let total = Some(force / grid.cell_area());

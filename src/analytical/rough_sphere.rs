@@ -172,6 +172,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     /// Argument and integral, from 60 digits of extended precision.
+    #[expect(clippy::approx_constant, reason = "it is an argument like the others")]
     const VALUES: [[f64; 2]; 20] = [
         [1e-300, 7.52252778063675e-301],
         [1e-8, 7.52252778063675e-09],
