@@ -6,6 +6,8 @@
 mod fourier;
 mod self_affine;
 mod shape;
+mod sum;
 
 pub use self_affine::{Amplitudes, RoughSurface, SelfAffine};
-pub use shape::{ellipsoid, sphere};
+pub use shape::{bisinusoidal, cone, cylinder, ellipsoid, flat_punch, paraboloid, sphere, wavy};
+pub use sum::sum;
