@@ -32,24 +32,34 @@ const LOADS: [f64; 7] = [0.15e3, 0.5e3, 1.5e3, 5e3, 15e3, 50e3, 150e3];
 const TOLERANCE: f64 = 1e-5;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let cells = std::env::args().nth(1).map_or(Ok(640), |cells| cells.parse())?;
+    let cells = std::env::args()
+        .nth(1)
+        .map_or(Ok(640), |cells| cells.parse())?;
     // E / (1 - nu^2) = 25 MPa on a rigid plane.
     let pair = ElasticPair::new(Material::new(18.75, 0.5)?, Material::rigid())?;
     let bodies = HalfSpace::new(Grid::square(cells, SIDE)?, pair)?;
-    let jobs: Vec<_> = ROLL_OFFS
-        .iter()
-        .flat_map(|&roll_off| (0..SEEDS).map(move |seed| (roll_off, seed)))
+    let kinds = 0..ROLL_OFFS.len();
+    let jobs: Vec<_> = kinds
+        .flat_map(|kind| (0..SEEDS).map(move |seed| (kind, seed)))
         .collect();
-    let balls = support::study::run("rough balls", &jobs, |&(roll_off, seed)| {
-        press(&bodies, roll_off, seed)
+    let balls = support::study::run("rough balls", &jobs, |&(kind, seed)| {
+        press(&bodies, kind, seed)
     })?;
 
     print_table(&balls);
     let header = [
-        "rms_height_um", "load_uN", "reduced_pressure", "cells_in_contact", "cells_at_edge",
-        "area_by_counting", "area_corrected", "mueser",
+        "rms_height_um",
+        "load_uN",
+        "reduced_pressure",
+        "cells_in_contact",
+        "cells_at_edge",
+        "area_by_counting",
+        "area_corrected",
+        "mueser",
     ];
-    let rows = balls.iter().flat_map(|ball| ball.contacts.iter().map(|c| c.row(ball)));
+    let rows = balls
+        .iter()
+        .flat_map(|ball| ball.contacts.iter().map(|c| c.row(ball)));
     let csv = support::table::csv("rough_sphere.csv", header, rows)?;
     let svg = draw(&balls)?;
     println!("\ntable: {}\nfigure: {}", csv.display(), svg.display());
@@ -58,7 +68,8 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// One rough ball under all loads.
 struct Ball {
-    roll_off: f64,
+    /// Index of its roll-off.
+    kind: usize,
     rms_height: f64,
     contacts: Vec<Contact>,
 }
@@ -87,10 +98,10 @@ impl Contact {
     }
 }
 
-fn press(bodies: &HalfSpace, roll_off: f64, seed: u64) -> Result<Ball> {
+fn press(bodies: &HalfSpace, kind: usize, seed: u64) -> Result<Ball> {
     let grid = bodies.grid();
     let roughness = SelfAffine::with_rms_slope(SLOPE)
-        .roll_off_wavelength(roll_off)
+        .roll_off_wavelength(ROLL_OFFS[kind])
         .cut_off_wavelength(CUT_OFF)
         .seed(seed)
         .generate(grid)?;
@@ -119,7 +130,7 @@ fn press(bodies: &HalfSpace, roll_off: f64, seed: u64) -> Result<Ball> {
         });
     }
     Ok(Ball {
-        roll_off,
+        kind,
         rms_height: roughness.rms_height(),
         contacts,
     })
@@ -127,24 +138,30 @@ fn press(bodies: &HalfSpace, roll_off: f64, seed: u64) -> Result<Ball> {
 
 /// Means over the seeds.
 fn print_table(balls: &[Ball]) {
-    println!("area over Mueser's, mean of {SEEDS} surfaces: counted / with the perimeter corrected");
+    println!(
+        "area over Mueser's, mean of {SEEDS} surfaces: counted / with the perimeter corrected"
+    );
     print!("{:>9} {:>9} {:>7}", "load, mN", "P", "cells");
     for ball in balls.iter().step_by(SEEDS as usize) {
         print!(" | rms {:>5.2} um ", ball.rms_height);
     }
     println!();
     for (i, load) in LOADS.iter().enumerate() {
-        let contacts = |roll_off: f64| {
-            let alike = balls.iter().filter(move |ball| ball.roll_off == roll_off);
+        let contacts = |kind: usize| {
+            let alike = balls.iter().filter(move |ball| ball.kind == kind);
             alike.map(|ball| &ball.contacts[i]).collect::<Vec<_>>()
         };
         let all: Vec<&Contact> = balls.iter().map(|ball| &ball.contacts[i]).collect();
         let cells = mean(&all, |contact| contact.cells as f64);
         let pressure = all[0].hertz.reduced_pressure();
         print!("{:>9.2} {pressure:>9.5} {cells:>7.0}", load / 1e3);
-        for roll_off in ROLL_OFFS {
-            let [counted, corrected] = [|c: &Contact| c.counted, |c: &Contact| c.corrected]
-                .map(|area| mean(&contacts(roll_off), |c| area(c) / c.hertz.relative_contact_area()));
+        for kind in 0..ROLL_OFFS.len() {
+            let areas: [fn(&Contact) -> f64; 2] = [|c| c.counted, |c| c.corrected];
+            let [counted, corrected] = areas.map(|area| {
+                mean(&contacts(kind), |c| {
+                    area(c) / c.hertz.relative_contact_area()
+                })
+            });
             print!(" | {counted:>6.3} {corrected:>6.3}");
         }
         println!();
@@ -163,12 +180,14 @@ fn draw(balls: &[Ball]) -> Result<std::path::PathBuf, Box<dyn Error>> {
     let colours = [support::BLUE, support::ORANGE, support::GREEN];
     let areas: [(&str, fn(&Contact) -> f64); 2] = [
         ("real area / Hertz area, by counting", |c| c.counted),
-        ("real area / Hertz area, perimeter corrected", |c| c.corrected),
+        ("real area / Hertz area, perimeter corrected", |c| {
+            c.corrected
+        }),
     ];
     for (half, (name, area)) in halves.iter().zip(areas) {
         let mut chart = support::decades(
             half,
-            (-2.5..-1.3, "reduced pressure  W R / (E* g ...)"),
+            (-2.5..-1.3, "reduced pressure  P = W / (π a² E* g)"),
             (-2.3..-0.9, name),
         )?;
         let curve = |k: f64| {
@@ -177,9 +196,14 @@ fn draw(balls: &[Ball]) -> Result<std::path::PathBuf, Box<dyn Error>> {
                 .map(|p| Ok((p, RoughSphere::area_law(10_f64.powf(p), k)?.log10())))
                 .collect::<Result<Vec<_>>>()
         };
-        support::law(&mut chart, "Mueser, k = 2", true, curve(RoughSphere::AREA_COEFFICIENT)?)?;
-        for (roll_off, colour) in ROLL_OFFS.into_iter().zip(colours) {
-            let alike = || balls.iter().filter(|ball| ball.roll_off == roll_off);
+        support::law(
+            &mut chart,
+            "Mueser, k = 2",
+            true,
+            curve(RoughSphere::AREA_COEFFICIENT)?,
+        )?;
+        for (kind, colour) in colours.into_iter().enumerate() {
+            let alike = || balls.iter().filter(|ball| ball.kind == kind);
             let height = alike().map(|ball| ball.rms_height).sum::<f64>() / SEEDS as f64;
             let points = alike().flat_map(|ball| &ball.contacts);
             let points = points.map(|c| (c.hertz.reduced_pressure().log10(), area(c).log10()));

@@ -215,15 +215,19 @@ pub(crate) fn law(
     let points: Vec<_> = points.into_iter().collect();
     if is_full {
         let series = LineSeries::new(points, line);
-        chart.draw_series(series)?.label(name).legend(move |(x, y)| {
-            PathElement::new([(x, y), (x + 40, y)], line)
-        });
+        chart
+            .draw_series(series)?
+            .label(name)
+            .legend(move |(x, y)| PathElement::new([(x, y), (x + 40, y)], line));
     } else {
         let series = DashedLineSeries::new(points, 8, 6, line);
-        chart.draw_series(series)?.label(name).legend(move |(x, y)| {
-            let dash = |from, to| PathElement::new([(from, 0), (to, 0)], line);
-            EmptyElement::at((x, y)) + dash(0, 10) + dash(15, 25) + dash(30, 40)
-        });
+        chart
+            .draw_series(series)?
+            .label(name)
+            .legend(move |(x, y)| {
+                let dash = |from, to| PathElement::new([(from, 0), (to, 0)], line);
+                EmptyElement::at((x, y)) + dash(0, 10) + dash(15, 25) + dash(30, 40)
+            });
     }
     Ok(())
 }

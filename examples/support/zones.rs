@@ -40,7 +40,10 @@ pub(crate) fn map(
                 Zone::Separate => GREY,
             };
             if left < right {
-                rectangles.push(Rectangle::new([(left, bottom), (right, top)], colour.filled()));
+                rectangles.push(Rectangle::new(
+                    [(left, bottom), (right, top)],
+                    colour.filled(),
+                ));
             }
         }
     }

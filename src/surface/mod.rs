@@ -22,6 +22,7 @@ mod resample;
 mod self_affine;
 mod shape;
 mod statistics;
+mod sum;
 
 pub use crop::crop;
 pub use fill::{Filled, fill_missing};
@@ -31,5 +32,7 @@ pub use level::{Form, Levelled, level};
 pub use power_spectrum::PowerSpectrum;
 pub use resample::resample;
 pub use self_affine::{Amplitudes, RoughSurface, SelfAffine};
+pub use shape::{bisinusoidal, cone, cylinder, ellipsoid, flat_punch, paraboloid, sphere, wavy};
 pub use shape::{ellipsoid, sphere};
 pub use statistics::Statistics;
+pub use sum::sum;
