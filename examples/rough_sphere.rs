@@ -9,22 +9,21 @@
 mod support;
 
 use std::error::Error;
+use std::path::Path;
 
 use plotters::prelude::SeriesLabelPosition;
 use stickslip::analytical::{HertzSphere, RoughSphere};
 use stickslip::surface::{self, SelfAffine};
-use stickslip::{
-    ElasticPair, Grid, HalfSpace, Material, NormalLoad, NormalProblem, Result, Warning,
-};
+use stickslip::{ElasticPair, Grid, HalfSpace, Material, NormalLoad, NormalProblem, Warning};
 
 // Micrometres, megapascals, micronewtons.
 const SIDE: f64 = 640.0;
 const RADIUS: f64 = 3500.0;
 const SLOPE: f64 = 0.7518;
-/// The shortest wave, four of the cells of the default grid: shorter ones would go unresolved.
-const CUT_OFF: f64 = 4.0;
+/// The shortest wave, over six of the cells of the default grid: shorter ones would go unresolved.
+const CUT_OFF: f64 = 6.4;
 /// At one slope the roll-off sets the height.
-const ROLL_OFFS: [f64; 3] = [96.0, 48.0, 24.0];
+const ROLL_OFFS: [f64; 3] = [192.0, 112.0, 64.0];
 const SEEDS: u64 = 4;
 /// The paper's four loads, and one between each two.
 const LOADS: [f64; 7] = [0.15e3, 0.5e3, 1.5e3, 5e3, 15e3, 50e3, 150e3];
@@ -61,7 +60,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         .iter()
         .flat_map(|ball| ball.contacts.iter().map(|c| c.row(ball)));
     let csv = support::table::csv("rough_sphere.csv", header, rows)?;
-    let svg = draw(&balls)?;
+    let svg = support::gallery("rough_sphere.svg")?;
+    draw(&svg, &balls)?;
     println!("\ntable: {}\nfigure: {}", csv.display(), svg.display());
     Ok(())
 }
@@ -98,7 +98,7 @@ impl Contact {
     }
 }
 
-fn press(bodies: &HalfSpace, kind: usize, seed: u64) -> Result<Ball> {
+fn press(bodies: &HalfSpace, kind: usize, seed: u64) -> stickslip::Result<Ball> {
     let grid = bodies.grid();
     let roughness = SelfAffine::with_rms_slope(SLOPE)
         .roll_off_wavelength(ROLL_OFFS[kind])
@@ -172,10 +172,9 @@ fn mean(contacts: &[&Contact], of: impl Fn(&Contact) -> f64) -> f64 {
     contacts.iter().map(|contact| of(contact)).sum::<f64>() / contacts.len() as f64
 }
 
-fn draw(balls: &[Ball]) -> Result<std::path::PathBuf, Box<dyn Error>> {
-    let path = support::gallery("rough_sphere.svg")?;
+fn draw(path: &Path, balls: &[Ball]) -> Result<(), Box<dyn Error>> {
     let title = "Rough ball on a plane: rms slope 0.75, three rms heights, four surfaces each";
-    let figure = support::figure(&path, (1960, 900), title)?;
+    let figure = support::figure(path, (1960, 900), title)?;
     let halves = figure.split_evenly((1, 2));
     let colours = [support::BLUE, support::ORANGE, support::GREEN];
     let areas: [(&str, fn(&Contact) -> f64); 2] = [
@@ -194,7 +193,7 @@ fn draw(balls: &[Ball]) -> Result<std::path::PathBuf, Box<dyn Error>> {
             let pressures = (0..=60).map(|i| -2.5 + 1.2 * f64::from(i) / 60.0);
             pressures
                 .map(|p| Ok((p, RoughSphere::area_law(10_f64.powf(p), k)?.log10())))
-                .collect::<Result<Vec<_>>>()
+                .collect::<stickslip::Result<Vec<_>>>()
         };
         support::law(
             &mut chart,
@@ -213,5 +212,5 @@ fn draw(balls: &[Ball]) -> Result<std::path::PathBuf, Box<dyn Error>> {
         support::legend(&mut chart, SeriesLabelPosition::UpperLeft)?;
     }
     figure.present()?;
-    Ok(path)
+    Ok(())
 }
