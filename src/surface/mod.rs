@@ -37,6 +37,5 @@ pub use power_spectrum::PowerSpectrum;
 pub use resample::resample;
 pub use self_affine::{Amplitudes, RoughSurface, SelfAffine};
 pub use shape::{bisinusoidal, cone, cylinder, ellipsoid, flat_punch, paraboloid, sphere, wavy};
-pub use shape::{ellipsoid, sphere};
 pub use statistics::Statistics;
 pub use sum::sum;
