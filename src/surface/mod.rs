@@ -3,6 +3,10 @@
 //! A gap is the distance `h(x, y)` between the two undeformed surfaces at first touch of the
 //! highest point, a length; its datum is free, since it only shifts the approach.
 //!
+//! # Shapes and generated surfaces
+//! Shapes such as [`sphere`] are gaps. [`SelfAffine`] generates heights of a rough surface, which
+//! [`gap_of`] turns into a gap; gaps add up by [`sum`](sum()).
+//!
 //! # Measured surfaces
 //! Heights `z(x, y)` point out of the body they bound; NaN stands for a height that is missing. On the
 //! way to a gap a measurement is levelled (`level`, with the feature `dense`), its holes are closed

@@ -11,11 +11,12 @@ use crate::field::Field;
 ///
 /// ```
 /// use stickslip::{Grid, surface};
-/// let grid = Grid::square(16, 2.0)?;
+/// let grid = Grid::square(32, 2.0)?;
 /// let ball = surface::sphere(grid, 10.0)?;
-/// let waves = surface::wavy(grid, 1e-3, 0.5)?;
-/// let gap = surface::sum(&[&ball, &waves])?;
-/// assert_eq!(gap.as_slice()[5], ball.as_slice()[5] + waves.as_slice()[5]);
+/// let rough = surface::SelfAffine::with_rms_height(1e-3).generate(grid)?;
+/// let roughness = surface::gap_of(rough.heights())?;
+/// let gap = surface::sum(&[&ball, &roughness])?;
+/// assert_eq!(gap.as_slice()[5], ball.as_slice()[5] + roughness.as_slice()[5]);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 pub fn sum(fields: &[&Field]) -> Result<Field> {
