@@ -63,8 +63,8 @@ pub fn write(path: impl AsRef<Path>, field: &Field) -> Result<()> {
     write_bytes(path.as_ref(), &to_bytes(field)?)
 }
 
-/// A surface (metres) as a file: the binary form with doubles (data type 7) of scale one. Every bit of
-/// every sample and of the cell sides is kept.
+/// A surface (metres) as a file: the binary form with doubles (data type 7) of scale one. Samples and cell
+/// sides come back to the last bit; only the least double and minus infinity come back as NaN.
 ///
 /// # Errors
 /// [`Error::Format`] if a side has more than the 65535 points the format can say.
