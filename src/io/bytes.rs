@@ -34,7 +34,7 @@ impl<'a> Cursor<'a> {
     pub(super) fn take(&mut self, what: &str, count: usize) -> Result<&'a [u8]> {
         let Some((taken, _)) = self.rest().split_at_checked(count) else {
             let (start, found) = (self.position, self.rest().len());
-            let problem = format!("{what} takes {count} bytes, the file has {found} more");
+            let problem = format!("the file ends within {what}: {found} of {count} bytes");
             return Err(self.format.at_byte(start, problem));
         };
         self.position += count;

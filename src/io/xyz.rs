@@ -56,7 +56,7 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
     let limit = (CELLS_PER_POINT * points.len()) as f64;
     if cells.is_nan() || cells > limit {
         let problem = format!(
-            "{} points are less than a tenth of the grid of {} x {} they span, or lie irregularly",
+            "too few for a regular grid: {} for {} x {} places",
             points.len(),
             x.count,
             y.count
@@ -91,7 +91,7 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
         };
         let cell = iy * nx + ix;
         if is_taken[cell] {
-            let problem = format!("({px}, {py}) has a point already");
+            let problem = format!("({px}, {py}) is at the place of a point before it");
             return Err(FORMAT.on_line(point.line, problem));
         }
         is_taken[cell] = true;
@@ -148,32 +148,30 @@ struct Axis {
 
 impl Axis {
     /// The grid through coordinates, some of whose places may be empty everywhere: steps between
-    /// neighbours are multiples of their median.
+    /// neighbours are multiples of the shortest.
     fn through(coordinates: impl Iterator<Item = f64>) -> Self {
         let mut sorted: Vec<f64> = coordinates.collect();
         sorted.sort_unstable_by(f64::total_cmp);
         let (least, greatest) = (sorted[0], sorted[sorted.len() - 1]);
         let gaps = || sorted.windows(2).map(|pair| pair[1] - pair[0]);
-        let noise = NOISE * gaps().fold(0.0, f64::max);
-
+        let widest = gaps().fold(0.0, f64::max);
+        if widest == 0.0 {
+            return Self {
+                least,
+                spacing: 0.0,
+                count: 1.0,
+            };
+        }
         let mut steps = Vec::new();
         let mut start = least;
         for (&here, gap) in sorted[1..].iter().zip(gaps()) {
-            if gap > noise {
+            if gap >= NOISE * widest {
                 steps.push(here - start);
                 start = here;
             }
         }
-        steps.sort_unstable_by(f64::total_cmp);
-        let Some(&median) = steps.get(steps.len() / 2) else {
-            let (spacing, count) = (0.0, 1.0);
-            return Self {
-                least,
-                spacing,
-                count,
-            };
-        };
-        let intervals: f64 = steps.iter().map(|step| (step / median).round()).sum();
+        let shortest = steps.iter().copied().fold(f64::INFINITY, f64::min);
+        let intervals: f64 = steps.iter().map(|step| (step / shortest).round()).sum();
         Self {
             least,
             spacing: (greatest - least) / intervals,
