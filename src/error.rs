@@ -1,5 +1,7 @@
 //! Every way a call can be refused or fail, with the offending number.
 
+use std::fmt;
+
 use crate::report::{Report, Status};
 
 /// The result of a call that can be refused.
@@ -239,10 +241,50 @@ pub enum Error {
         /// Skewness and kurtosis where the search ended.
         reached: [f64; 2],
     },
+    /// The operating system refused to read or write a file.
+    #[error("{path}: {problem}")]
+    File {
+        /// The file.
+        path: String,
+        /// What the operating system said.
+        problem: String,
+    },
+    /// A file breaks the rules of its format, or uses a part of it that is not supported.
+    #[error("{format}, {place}: {problem}")]
+    Format {
+        /// The format, by its usual abbreviation.
+        format: &'static str,
+        /// Where the rule is broken.
+        place: Place,
+        /// The rule, or the part, with what was found.
+        problem: String,
+    },
     /// The iteration ended before the tolerance was reached. The caller's solution holds the
     /// last feasible iterate.
     #[error("not converged: {0}")]
     NotConverged(Box<Report>),
+}
+
+/// A place in a file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Place {
+    /// Bytes from the beginning of the file.
+    Byte(u64),
+    /// A line of text; the first is line 1.
+    Line(usize),
+    /// A named part: a file within an archive, an element of a header, a field.
+    Entry(String),
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Byte(byte) => write!(formatter, "at byte {byte}"),
+            Self::Line(line) => write!(formatter, "on line {line}"),
+            Self::Entry(name) => write!(formatter, "in {name}"),
+        }
+    }
 }
 
 /// `Ok` if `value` is positive and finite.

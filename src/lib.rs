@@ -13,6 +13,7 @@ mod field;
 mod grid;
 mod half_space;
 pub mod influence;
+pub mod io;
 mod material;
 pub mod normal;
 mod operator;

@@ -1,0 +1,149 @@
+//! Files of surfaces and fields.
+//!
+//! | format | module | reads | writes | carries its cell sides | unit |
+//! |---|---|---|---|---|---|
+//! | NPY, the array file of NumPy | [`npy`] | yes | yes | no | the file's |
+//! | CSV, ASC and other matrices in text | [`csv`] | yes | yes | no | the file's |
+//! | XYZ, three columns in text | [`xyz`] | yes | | yes | the file's |
+//! | SDF of ISO 25178-71 | [`sdf`] | yes | yes | yes | metre |
+//! | SUR of Digital Surf, not compressed | [`sur`] | yes | | yes | metre |
+//! | X3P of ISO 25178-72 | `x3p`, behind the feature of that name | yes | | yes | metre |
+//! | VTI, the image data of VTK and `ParaView` | [`vti`] | | yes | yes | the field's |
+//!
+//! `read` takes a path, `parse` the bytes of a file; `write` and `to_bytes` are their converses.
+//! [`read`](fn@read) of this module finds out which of the formats with cell sides a file has.
+//!
+//! # Conventions
+//! - A height comes back as it stands in the file: a surface that points up has large values at its
+//!   peaks. The gap of a contact grows the other way.
+//! - Samples keep the order of the file: its first is that of cell `(0, 0)`, at least x and
+//!   least y, and its next is the neighbour along x. Rows follow one another towards larger y, so that
+//!   a file whose author counted rows from the top comes in mirrored. XYZ files say where each point is.
+//! - A point that was not measured is NaN. No solver takes one: fill it first.
+//! - A [`Grid`] is centred on the origin; where the file's own origin was is not kept.
+//! - A number of n points at a distance d covers n cells of side d, not n - 1.
+//!
+//! # Broken files
+//! A truncated, broken or lying file is an [`Error::Format`] that says what is wrong and
+//! [where](Place). Sizes are checked against the bytes present before memory is taken: reading takes at
+//! most some forty times the size of the file, in X3P, which is compressed, at most what the limits of
+//! `x3p` allow.
+
+mod bytes;
+pub mod csv;
+pub mod npy;
+pub mod sdf;
+pub mod sur;
+mod text;
+pub mod vti;
+#[cfg(feature = "x3p")]
+#[cfg_attr(docsrs, doc(cfg(feature = "x3p")))]
+pub mod x3p;
+pub mod xyz;
+
+use std::path::Path;
+
+pub use crate::error::Place;
+use crate::error::{Error, Result, positive};
+use crate::field::Field;
+use crate::grid::Grid;
+
+/// A surface from a file that carries its cell sides: SDF, SUR or X3P by its first bytes, XYZ by the
+/// extension `.xyz`.
+///
+/// Units are those of the module of the format.
+///
+/// # Errors
+/// [`Error::File`] if the file cannot be read; [`Error::Format`] if it is of another format, or as the
+/// `parse` of its own.
+///
+/// ```
+/// use stickslip::{Error, io};
+/// let error = io::read("no_such_file.sdf").unwrap_err();
+/// assert!(matches!(error, Error::File { .. }));
+/// ```
+pub fn read(path: impl AsRef<Path>) -> Result<Field> {
+    let path = path.as_ref();
+    let bytes = bytes_of(path)?;
+    if sdf::is_sdf(&bytes) {
+        return sdf::parse(&bytes);
+    }
+    if sur::is_sur(&bytes) {
+        return sur::parse(&bytes);
+    }
+    if bytes.starts_with(b"PK\x03\x04") {
+        return parse_x3p(&bytes);
+    }
+    let extension = path.extension().unwrap_or_default();
+    if extension.eq_ignore_ascii_case("xyz") {
+        return xyz::parse(&bytes);
+    }
+    let problem = "neither SDF, SUR, X3P nor XYZ; NPY and CSV need cell sides: use their modules";
+    Err(Format("surface").at_byte(0, problem))
+}
+
+#[cfg(feature = "x3p")]
+fn parse_x3p(bytes: &[u8]) -> Result<Field> {
+    x3p::parse(bytes)
+}
+
+#[cfg(not(feature = "x3p"))]
+fn parse_x3p(_: &[u8]) -> Result<Field> {
+    Err(Format("X3P").at_byte(0, "reading it takes the cargo feature `x3p`"))
+}
+
+/// A format by name, which makes its errors.
+#[derive(Debug, Clone, Copy)]
+struct Format(&'static str);
+
+impl Format {
+    fn at(self, place: Place, problem: impl Into<String>) -> Error {
+        Error::Format {
+            format: self.0,
+            place,
+            problem: problem.into(),
+        }
+    }
+
+    fn at_byte(self, byte: usize, problem: impl Into<String>) -> Error {
+        self.at(Place::Byte(byte as u64), problem)
+    }
+
+    fn on_line(self, line: usize, problem: impl Into<String>) -> Error {
+        self.at(Place::Line(line), problem)
+    }
+
+    fn in_entry(self, name: &str, problem: impl Into<String>) -> Error {
+        self.at(Place::Entry(name.into()), problem)
+    }
+
+    /// The grid a file declares at a place.
+    fn grid(self, place: Place, size: [usize; 2], sides: [f64; 2]) -> Result<Grid> {
+        let grid = Grid::new(size[0], size[1], sides[0], sides[1]);
+        grid.map_err(|error| self.at(place, error.to_string()))
+    }
+}
+
+/// `Ok` if both cell sides a caller gives are positive and finite.
+fn check_sides([dx, dy]: [f64; 2]) -> Result<()> {
+    positive("cell side dx", dx)?;
+    positive("cell side dy", dy)?;
+    Ok(())
+}
+
+/// What a file holds.
+fn bytes_of(path: &Path) -> Result<Vec<u8>> {
+    std::fs::read(path).map_err(|error| refused(path, &error))
+}
+
+/// Makes a file, or replaces it.
+fn write_bytes(path: &Path, bytes: &[u8]) -> Result<()> {
+    std::fs::write(path, bytes).map_err(|error| refused(path, &error))
+}
+
+fn refused(path: &Path, error: &std::io::Error) -> Error {
+    Error::File {
+        path: path.display().to_string(),
+        problem: error.to_string(),
+    }
+}

@@ -1,0 +1,240 @@
+//! SDF, the surface data file of ISO 25178-71, in its binary and its text form.
+//!
+//! Lengths are in metres. Profiles follow one another towards larger y, the points of each towards
+//! larger x.
+//!
+//! Source: ISO 25178-71:2012, Geometrical product specifications, Surface texture: Areal, Part 71:
+//! Software measurement standards.
+
+use std::path::Path;
+
+use super::bytes::{Cursor, Number, Order};
+use super::text::{Separator, excerpt, lines};
+use super::{Format, Place, bytes_of, write_bytes};
+use crate::error::{Error, Result};
+use crate::field::Field;
+use crate::grid::Grid;
+
+const FORMAT: Format = Format("SDF");
+const BINARY: &[u8; 8] = b"bISO-1.0";
+const TEXT: &[u8; 8] = b"aISO-1.0";
+
+/// The surface in a file (metres). See [`parse`].
+///
+/// # Errors
+/// [`Error::File`] if the file cannot be read, else as [`parse`].
+pub fn read(path: impl AsRef<Path>) -> Result<Field> {
+    parse(&bytes_of(path.as_ref())?)
+}
+
+/// The surface in the bytes of a file (metres).
+///
+/// Version 1.0, `bISO-1.0` or `aISO-1.0`, without compression or checksum. Binary samples are
+/// integers of 16 or 32 bits or floats of 32 or 64 (data types 5, 6, 3 and 7). Missing points, NaN,
+/// are the least number of the type or NaN in a binary file, `BAD` in a text file. The record after the
+/// samples is not looked at.
+///
+/// # Errors
+/// [`Error::Format`] if the bytes are no such file, or fewer than its sizes say.
+///
+/// ```
+/// use stickslip::io::sdf;
+/// let file = b"aISO-1.0\nNumPoints = 2\nNumProfiles = 1\nXscale = 1e-6\nYscale = 1e-6\nZscale = 1e-9\n*\n5 BAD\n*\n";
+/// let heights = sdf::parse(file)?;
+/// assert_eq!(heights.as_slice()[0], 5e-9);
+/// assert!(heights.as_slice()[1].is_nan());
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+pub fn parse(bytes: &[u8]) -> Result<Field> {
+    if bytes.starts_with(BINARY) {
+        parse_binary(bytes)
+    } else if bytes.starts_with(TEXT) {
+        parse_text(bytes)
+    } else {
+        Err(FORMAT.at_byte(0, "the file begins with neither bISO-1.0 nor aISO-1.0"))
+    }
+}
+
+/// Writes a surface (metres) to a file, as [`to_bytes`].
+///
+/// # Errors
+/// As [`to_bytes`]; [`Error::File`] if the file cannot be written.
+pub fn write(path: impl AsRef<Path>, field: &Field) -> Result<()> {
+    write_bytes(path.as_ref(), &to_bytes(field)?)
+}
+
+/// A surface (metres) as a file: the binary form with doubles (data type 7) of scale one. Samples and cell
+/// sides come back to the last bit; only the least double and minus infinity come back as NaN.
+///
+/// # Errors
+/// [`Error::Format`] if a side has more than the 65535 points the format can say.
+pub fn to_bytes(field: &Field) -> Result<Vec<u8>> {
+    let grid = field.grid();
+    let count = |name: &str, cells: usize| {
+        let problem = |_| FORMAT.in_entry(name, format!("{cells} points exceed 65535"));
+        u16::try_from(cells).map_err(problem)
+    };
+    let counts = [
+        count("NumPoints", grid.nx())?,
+        count("NumProfiles", grid.ny())?,
+    ];
+    let (unit_scale, unknown_resolution): (f64, f64) = (1.0, -1.0);
+    let scales = [grid.dx(), grid.dy(), unit_scale, unknown_resolution];
+    let flags = [0, 7, 0]; // compression, data type, checksum
+
+    let mut bytes = BINARY.to_vec();
+    bytes.extend_from_slice(b"stickslip ");
+    bytes.extend_from_slice(&[b'0'; 24]); // the dates of making and change, unknown
+    bytes.extend(counts.iter().flat_map(|count| count.to_le_bytes()));
+    bytes.extend(scales.iter().flat_map(|scale| scale.to_le_bytes()));
+    bytes.extend_from_slice(&flags);
+    bytes.extend(field.as_slice().iter().flat_map(|z| z.to_le_bytes()));
+    Ok(bytes)
+}
+
+/// Whether the first bytes are those of such a file.
+pub(super) fn is_sdf(bytes: &[u8]) -> bool {
+    bytes.starts_with(BINARY) || bytes.starts_with(TEXT)
+}
+
+fn parse_binary(bytes: &[u8]) -> Result<Field> {
+    let mut bytes = Cursor::new(FORMAT, bytes);
+    bytes.take("the magic string", BINARY.len())?;
+    bytes.take("manufacturer and dates", 34)?;
+    let start = bytes.position();
+    let points = bytes.u16("NumPoints")?;
+    let profiles = bytes.u16("NumProfiles")?;
+    let sides = [bytes.f64("Xscale")?, bytes.f64("Yscale")?];
+    let grid = FORMAT.grid(
+        Place::Byte(start as u64),
+        [points.into(), profiles.into()],
+        sides,
+    )?;
+    let z_start = bytes.position();
+    let z_scale =
+        scale(bytes.f64("Zscale")?).map_err(|problem| FORMAT.at_byte(z_start, problem))?;
+    bytes.f64("Zresolution")?;
+
+    let flags = bytes.position();
+    let [compression, data_type, check_type] = bytes.array("the three flags")?;
+    let (number, missing) = match data_type {
+        3 => (Number::F32, f64::from(f32::MIN)),
+        5 => (Number::I16, f64::from(i16::MIN)),
+        6 => (Number::I32, f64::from(i32::MIN)),
+        7 => (Number::F64, f64::MIN),
+        _ => return Err(FORMAT.at_byte(flags + 1, format!("data type {data_type} is unknown"))),
+    };
+    if compression != 0 {
+        return Err(FORMAT.at_byte(flags, format!("compression {compression} is not supported")));
+    }
+    if check_type != 0 {
+        return Err(FORMAT.at_byte(flags + 2, format!("checksum {check_type} is not supported")));
+    }
+    let stored = bytes.take("the samples", grid.cells() * number.size())?;
+    let mut samples = number.decode(Order::LeastFirst, stored);
+    for sample in &mut samples {
+        // The least of its type is at most itself.
+        *sample = if *sample <= missing {
+            f64::NAN
+        } else {
+            *sample * z_scale
+        };
+    }
+    Field::from_vec(grid, samples)
+}
+
+fn parse_text(bytes: &[u8]) -> Result<Field> {
+    let mut lines = lines(bytes).skip(1);
+    let mut header = TextHeader::default();
+    let last = loop {
+        let Some((number, line)) = lines.next() else {
+            return Err(FORMAT.on_line(1, "no line of a star ends the header"));
+        };
+        if line.trim_start().starts_with('*') {
+            break number;
+        }
+        header.read(number, &line)?;
+    };
+    let (grid, z_scale) = header.scales(last)?;
+
+    let mut samples = Vec::new();
+    let mut end = last;
+    'record: for (number, line) in lines {
+        end = number;
+        for word in Separator::Space.split(&line) {
+            if word.starts_with('*') {
+                break 'record;
+            }
+            samples.push(z_scale * Separator::Space.number(FORMAT, number, word)?);
+        }
+    }
+    if samples.len() != grid.cells() {
+        let (found, nx, ny) = (samples.len(), grid.nx(), grid.ny());
+        let problem = format!("{found} samples, but {ny} profiles of {nx} points");
+        return Err(FORMAT.on_line(end, problem));
+    }
+    Field::from_vec(grid, samples)
+}
+
+/// The lines `Name = Value` of a text file that matter.
+#[derive(Debug, Default)]
+struct TextHeader {
+    points: Option<usize>,
+    profiles: Option<usize>,
+    scales: [Option<f64>; 3],
+}
+
+impl TextHeader {
+    fn read(&mut self, number: usize, line: &str) -> Result<()> {
+        let Some((name, value)) = line.split_once('=') else {
+            return Err(FORMAT.on_line(number, "a header line takes the form Name = Value"));
+        };
+        let (name, value) = (name.trim(), value.trim());
+        let refused = || {
+            let problem = format!("{name} = {} is no number of its kind", excerpt(value));
+            FORMAT.on_line(number, problem)
+        };
+        let count = || value.parse().map(Some).map_err(|_| refused());
+        let real = || value.parse().map(Some).map_err(|_| refused());
+        match name {
+            "NumPoints" => self.points = count()?,
+            "NumProfiles" => self.profiles = count()?,
+            "Xscale" => self.scales[0] = real()?,
+            "Yscale" => self.scales[1] = real()?,
+            "Zscale" => self.scales[2] = real()?,
+            "Compression" | "CheckType" if value != "0" => {
+                let problem = format!("{name} {} is not supported", excerpt(value));
+                return Err(FORMAT.on_line(number, problem));
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// The grid and the scale of heights, once the header has ended on a line.
+    fn scales(&self, line: usize) -> Result<(Grid, f64)> {
+        let missing = |name: &str| FORMAT.on_line(line, format!("the header has no {name}"));
+        let nx = self.points.ok_or_else(|| missing("NumPoints"))?;
+        let ny = self.profiles.ok_or_else(|| missing("NumProfiles"))?;
+        let [dx, dy, dz] = self.scales;
+        let dx = dx.ok_or_else(|| missing("Xscale"))?;
+        let dy = dy.ok_or_else(|| missing("Yscale"))?;
+        let dz = dz.ok_or_else(|| missing("Zscale"))?;
+        let grid = FORMAT.grid(Place::Line(line), [nx, ny], [dx, dy])?;
+        let z_scale = scale(dz).map_err(|problem| FORMAT.on_line(line, problem))?;
+        Ok((grid, z_scale))
+    }
+}
+
+/// `Ok` if heights can be multiplied by a scale.
+fn scale(value: f64) -> std::result::Result<f64, String> {
+    if value > 0.0 && value.is_finite() {
+        Ok(value)
+    } else {
+        let error = Error::NotPositive {
+            quantity: "Zscale",
+            value,
+        };
+        Err(error.to_string())
+    }
+}

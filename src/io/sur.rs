@@ -1,0 +1,152 @@
+//! SUR, the surface file of Digital Surf (`MountainsMap`), in its uncompressed form.
+//!
+//! Heights and cell sides come back in metres; the file keeps them in single precision and in units
+//! of its own. Lines follow one another towards larger y.
+//!
+//! Gwyddion, `SurfaceTopography`, surfalize and `RosettaSciIO` read one and the same layout; they differ in
+//! a constant added to all heights, which contact does not see. Here it is the offset of the file.
+
+use std::path::Path;
+
+use super::bytes::{Cursor, Number, Order};
+use super::text::excerpt;
+use super::{Format, Place, bytes_of};
+use crate::error::Result;
+use crate::field::Field;
+
+const FORMAT: Format = Format("SUR");
+const MAGIC: &[u8; 12] = b"DIGITAL SURF";
+const COMPRESSED: &[u8; 12] = b"DSCOMPRESSED";
+
+/// The surface in a file (metres). See [`parse`].
+///
+/// # Errors
+/// [`Error::File`](crate::Error::File) if the file cannot be read, else as [`parse`].
+pub fn read(path: impl AsRef<Path>) -> Result<Field> {
+    parse(&bytes_of(path.as_ref())?)
+}
+
+/// The surface in the bytes of a file (metres).
+///
+/// A single surface or profile of points of 16 or 32 bits, neither inverted nor
+/// mirrored. Units from the picometre to the metre. Points the file marks as not measured are NaN.
+///
+/// # Errors
+/// [`Error::Format`](crate::Error::Format) if the bytes are no such file, or fewer than its sizes say;
+/// also for a compressed file, `DSCOMPRESSED`: save it uncompressed.
+pub fn parse(bytes: &[u8]) -> Result<Field> {
+    let mut bytes = Cursor::new(FORMAT, bytes);
+    let magic = bytes.take("the magic string", MAGIC.len())?;
+    if magic == COMPRESSED {
+        return Err(FORMAT.at_byte(0, "compressed files are not supported"));
+    }
+    if magic != MAGIC {
+        return Err(FORMAT.at_byte(0, "the file does not begin with DIGITAL SURF"));
+    }
+    expect(&mut bytes, "byte order", &[0])?;
+    expect(&mut bytes, "number of objects", &[0, 1])?;
+    expect(&mut bytes, "version", &[1])?;
+    expect(&mut bytes, "kind of object", &[1, 2])?;
+    bytes.take("names and acquisition", 66)?;
+    let has_missing = expect(&mut bytes, "flag of points not measured", &[0, 1])? == 1;
+    bytes.take("resolution of the gauge", 10)?;
+    let bits = expect(&mut bytes, "bits per point", &[16, 32])?;
+    let least = bytes.i32("the least sample")?;
+    bytes.take("the greatest sample", 4)?;
+
+    let start = bytes.position();
+    let counts = [
+        bytes.u32("the points per line")?,
+        bytes.u32("the number of lines")?,
+    ];
+    let total = bytes.u32("the number of points")?;
+    if counts[0].checked_mul(counts[1]) != Some(total) {
+        let problem = format!("{} x {} points are not {total}", counts[0], counts[1]);
+        return Err(FORMAT.at_byte(start, problem));
+    }
+    let steps_start = bytes.position();
+    let [dx, dy, dz] = [
+        f64::from(bytes.f32("the spacing along x")?),
+        f64::from(bytes.f32("the spacing along y")?),
+        f64::from(bytes.f32("the spacing along z")?),
+    ];
+    bytes.take("the names of the axes", 48)?;
+    let unit_x = metres(&mut bytes)?;
+    let unit_y = metres(&mut bytes)?;
+    let unit_z = metres(&mut bytes)?;
+    if !(dz > 0.0 && dz.is_finite()) {
+        let problem = format!("the spacing along z must be positive and finite, got {dz}");
+        return Err(FORMAT.at_byte(steps_start + 8, problem));
+    }
+    let size = counts.map(|count| count as usize);
+    let place = Place::Byte(steps_start as u64);
+    let grid = FORMAT.grid(place, size, [dx * unit_x, dy * unit_y])?;
+
+    bytes.take("units of length and their ratios", 60)?;
+    bytes.take("imprint", 2)?;
+    expect(&mut bytes, "inversion", &[0])?;
+    bytes.take("levelling and dates", 42)?;
+    let comment = bytes.u16("the length of the comment")?;
+    let private = bytes.u16("the length of the private zone")?;
+    bytes.take("client zone and offsets", 136)?;
+    let offset_start = bytes.position();
+    let offset = f64::from(bytes.f32("the offset along z")?);
+    if !offset.is_finite() {
+        let problem = format!("the offset along z must be finite, got {offset}");
+        return Err(FORMAT.at_byte(offset_start, problem));
+    }
+    bytes.take("the end of the header", 34)?;
+    bytes.take("the comment", comment.into())?;
+    bytes.take("the private zone", private.into())?;
+
+    let number = if bits == 16 { Number::I16 } else { Number::I32 };
+    let stored = bytes.take("the samples", grid.cells() * number.size())?;
+    let mut samples = number.decode(Order::LeastFirst, stored);
+    let missing = f64::from(least) - 2.0;
+    for sample in &mut samples {
+        // Both are whole numbers.
+        *sample = if has_missing && (*sample - missing).abs() < 0.5 {
+            f64::NAN
+        } else {
+            (*sample * dz + offset) * unit_z
+        };
+    }
+    Field::from_vec(grid, samples)
+}
+
+/// Whether the first bytes are those of such a file, compressed or not.
+pub(super) fn is_sur(bytes: &[u8]) -> bool {
+    bytes.starts_with(MAGIC) || bytes.starts_with(COMPRESSED)
+}
+
+/// The next number of the header, if it is one of those supported.
+fn expect(bytes: &mut Cursor<'_>, what: &str, supported: &[u16]) -> Result<u16> {
+    let start = bytes.position();
+    let value = bytes.u16(what)?;
+    if supported.contains(&value) {
+        Ok(value)
+    } else {
+        Err(FORMAT.at_byte(start, format!("{what} {value} is not supported")))
+    }
+}
+
+/// Metres in the unit whose name comes next, 16 bytes long.
+fn metres(bytes: &mut Cursor<'_>) -> Result<f64> {
+    let start = bytes.position();
+    let stored = bytes.take("a unit", 16)?;
+    let name = stored.split(|&byte| byte == 0).next().unwrap_or_default();
+    match name.trim_ascii() {
+        b"m" => Ok(1.0),
+        b"dm" => Ok(1e-1),
+        b"cm" => Ok(1e-2),
+        b"mm" => Ok(1e-3),
+        // The micro sign in Latin-1, in UTF-8, as the letter mu, in an old page of DOS, and as u.
+        b"\xb5m" | b"\xc2\xb5m" | b"\xce\xbcm" | b"\xe6m" | b"um" => Ok(1e-6),
+        b"nm" => Ok(1e-9),
+        b"pm" => Ok(1e-12),
+        other => {
+            let unit = excerpt(&String::from_utf8_lossy(other));
+            Err(FORMAT.at_byte(start, format!("{unit} is not a length from pm to m")))
+        }
+    }
+}

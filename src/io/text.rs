@@ -1,0 +1,92 @@
+//! Numbers in text files.
+
+use std::borrow::Cow;
+
+use super::Format;
+use crate::error::Result;
+
+/// The lines of a text that are neither blank nor comments (`#` or `%`), with their numbers. Bytes
+/// that are not UTF-8 are of no harm in a comment and no number elsewhere.
+pub(super) fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let lines = bytes.split(|&byte| byte == b'\n').enumerate();
+    lines.filter_map(|(index, line)| {
+        let line = String::from_utf8_lossy(line.strip_suffix(b"\r").unwrap_or(line));
+        let content = line.trim_start_matches(' ');
+        let is_data = !content.is_empty() && !content.starts_with(['#', '%']);
+        is_data.then_some((index + 1, line))
+    })
+}
+
+/// What stands between the cells of a line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Separator {
+    Semicolon,
+    Tab,
+    Comma,
+    /// Any amount of white space.
+    Space,
+}
+
+impl Separator {
+    /// The separator of a line: a semicolon or a tab wherever there is one, else a comma unless
+    /// every comma could be the decimal comma of a number among several (`1,5 2,5`), else white space.
+    pub(super) fn of(line: &str) -> Self {
+        if line.contains(';') {
+            Self::Semicolon
+        } else if line.contains('\t') {
+            Self::Tab
+        } else if line.contains(',') && !has_decimal_commas(line) {
+            Self::Comma
+        } else {
+            Self::Space
+        }
+    }
+
+    /// The cells of a line, trimmed.
+    pub(super) fn split(self, line: &str) -> impl Iterator<Item = &str> {
+        let ends_cell = move |character: char| match self {
+            Self::Semicolon => character == ';',
+            Self::Tab => character == '\t',
+            Self::Comma => character == ',',
+            Self::Space => character.is_whitespace(),
+        };
+        let cells = line.split(ends_cell).map(str::trim);
+        cells.filter(move |cell| self != Self::Space || !cell.is_empty())
+    }
+
+    /// The number in a cell, NaN if it is missing: empty, `nan`, `BAD` or stars. A decimal comma counts
+    /// as a point unless commas separate the cells.
+    pub(super) fn number(self, format: Format, line: usize, cell: &str) -> Result<f64> {
+        if cell.eq_ignore_ascii_case("bad") || cell.bytes().all(|byte| byte == b'*') {
+            return Ok(f64::NAN);
+        }
+        let value = if self == Self::Comma || !cell.contains(',') {
+            cell.parse()
+        } else {
+            cell.replace(',', ".").parse()
+        };
+        match value {
+            // Only the word may mean infinity.
+            Ok(value) if f64::is_finite(value) || !cell.contains(|c: char| c.is_ascii_digit()) => {
+                Ok(value)
+            }
+            Ok(_) => Err(format.on_line(line, format!("{} overflows", excerpt(cell)))),
+            Err(_) => Err(format.on_line(line, format!("{} is not a number", excerpt(cell)))),
+        }
+    }
+}
+
+/// Whether every comma of several words stands alone within one of them.
+fn has_decimal_commas(line: &str) -> bool {
+    let is_one = |word: &str| {
+        let mut parts = word.split(',');
+        parts.next() != Some("") && parts.next() != Some("") && parts.next().is_none()
+    };
+    line.split_whitespace().nth(1).is_some() && line.split_whitespace().all(is_one)
+}
+
+/// The beginning of a text, quoted, for an error.
+pub(super) fn excerpt(text: &str) -> String {
+    format!("{:?}", text.chars().take(32).collect::<String>())
+}

@@ -1,0 +1,215 @@
+//! X3P, the zipped XML of ISO 25178-72 (and of ISO 5436-2 before it), behind the feature `x3p`.
+//!
+//! Lengths are in metres. Rows follow one another towards larger y.
+//!
+//! Source: ISO 25178-72:2017, Geometrical product specifications, Surface texture: Areal, Part 72: XML file
+//! format x3p; the schema of <https://sourceforge.net/projects/open-gps/>.
+
+mod xml;
+mod zip;
+
+use std::path::Path;
+
+use super::bytes::{Number, Order};
+use super::text::excerpt;
+use super::{Format, Place, bytes_of};
+use crate::error::{Error, Result};
+use crate::field::Field;
+use crate::grid::Grid;
+use zip::Archive;
+
+const FORMAT: Format = Format("X3P");
+const MAIN: &str = "main.xml";
+
+/// The surface in a file (metres). See [`parse`].
+///
+/// # Errors
+/// [`Error::File`](crate::Error::File) if the file cannot be read, else as [`parse`].
+pub fn read(path: impl AsRef<Path>) -> Result<Field> {
+    parse(&bytes_of(path.as_ref())?)
+}
+
+/// The surface in the bytes of a file (metres).
+///
+/// One layer on a regular grid, axes not rotated. Samples are signed integers of 16 or 32 bits or floats of 32
+/// or 64 (data types I, L, F and D), in a file of their own or, as text, in the list of data; each is
+/// multiplied by the increment of the z axis and shifted by its offset. Missing points, NaN, are NaN,
+/// empty in the list, or cleared in the file of valid points. The checksums of the archive are
+/// verified; those of the format itself (MD5) are not.
+///
+/// The archive may hold stored and deflated files. One of them may expand to a hundred times its packed
+/// size, or to 4 MiB if that is more, and not beyond.
+///
+/// # Errors
+/// [`Error::Format`](crate::Error::Format), with the file within the archive, if the bytes are no such
+/// archive or its files contradict one another.
+pub fn parse(bytes: &[u8]) -> Result<Field> {
+    let archive = Archive::new(bytes)?;
+    let main = Main::parse(&archive.read(MAIN, None)?)?;
+    let grid = main.grid()?;
+    let mut samples = match (&main.data, main.list.is_empty()) {
+        (Some(name), _) => {
+            let number = required("Record1/Axes/CZ/DataType", main.number)?;
+            let stored = archive.read(name, Some(grid.cells() * number.size()))?;
+            number.decode(Order::LeastFirst, &stored)
+        }
+        (None, false) => main.list,
+        (None, true) => return Err(FORMAT.in_entry(MAIN, "there is no data, linked or listed")),
+    };
+    if samples.len() != grid.cells() {
+        let (found, nx, ny) = (samples.len(), grid.nx(), grid.ny());
+        let problem = format!("{found} data are listed for {nx} x {ny} points");
+        return Err(FORMAT.in_entry(MAIN, problem));
+    }
+    let increment = main.height_increment.unwrap_or(1.0);
+    let offset = main.height_offset.unwrap_or(0.0);
+    for sample in &mut samples {
+        *sample = *sample * increment + offset;
+    }
+    if let Some(name) = &main.valid {
+        let valid = archive.read(name, Some(samples.len().div_ceil(8)))?;
+        for (index, sample) in samples.iter_mut().enumerate() {
+            if valid[index / 8] >> (index % 8) & 1 == 0 {
+                *sample = f64::NAN;
+            }
+        }
+    }
+    Field::from_vec(grid, samples)
+}
+
+/// What `main.xml` says.
+#[derive(Debug, Default)]
+struct Main {
+    sizes: [Option<usize>; 2],
+    increments: [Option<f64>; 2],
+    number: Option<Number>,
+    height_increment: Option<f64>,
+    height_offset: Option<f64>,
+    /// The file of samples, or the samples themselves.
+    data: Option<String>,
+    list: Vec<f64>,
+    /// The file of valid points, one bit each.
+    valid: Option<String>,
+}
+
+impl Main {
+    fn parse(xml: &[u8]) -> Result<Self> {
+        let mut main = Self::default();
+        xml::elements(xml, |path, text| main.read(&Element { path, text }))?;
+        Ok(main)
+    }
+
+    /// Takes in one element.
+    fn read(&mut self, element: &Element<'_>) -> Result<()> {
+        match element.path {
+            "Record1/FeatureType" => element.expect("SUR")?,
+            "Record1/Axes/CX/AxisType" | "Record1/Axes/CY/AxisType" => element.expect("I")?,
+            "Record1/Axes/CZ/AxisType" => element.expect("A")?,
+            "Record1/Axes/CX/Increment" => self.increments[0] = Some(element.real()?),
+            "Record1/Axes/CY/Increment" => self.increments[1] = Some(element.real()?),
+            "Record1/Axes/CZ/Increment" => self.height_increment = Some(element.positive()?),
+            "Record1/Axes/CZ/Offset" => self.height_offset = Some(element.real()?),
+            "Record1/Axes/CZ/DataType" => self.number = Some(element.data_type()?),
+            "Record1/Axes/Rotation/r11"
+            | "Record1/Axes/Rotation/r22"
+            | "Record1/Axes/Rotation/r33" => element.expect_near(1.0)?,
+            path if path.starts_with("Record1/Axes/Rotation/r") => element.expect_near(0.0)?,
+            "Record3/MatrixDimension/SizeX" => self.sizes[0] = Some(element.count()?),
+            "Record3/MatrixDimension/SizeY" => self.sizes[1] = Some(element.count()?),
+            "Record3/MatrixDimension/SizeZ" => element.expect("1")?,
+            "Record3/DataLink/PointDataLink" => self.data = Some(element.text.to_owned()),
+            "Record3/DataLink/ValidPointsLink" => self.valid = Some(element.text.to_owned()),
+            "Record3/DataList/Datum" if element.text.is_empty() => self.list.push(f64::NAN),
+            "Record3/DataList/Datum" => self.list.push(element.number()?),
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn grid(&self) -> Result<Grid> {
+        let size = [
+            required("Record3/MatrixDimension/SizeX", self.sizes[0])?,
+            required("Record3/MatrixDimension/SizeY", self.sizes[1])?,
+        ];
+        let sides = [
+            required("Record1/Axes/CX/Increment", self.increments[0])?,
+            required("Record1/Axes/CY/Increment", self.increments[1])?,
+        ];
+        FORMAT.grid(Place::Entry(MAIN.into()), size, sides)
+    }
+}
+
+/// `Ok` if an element was there.
+fn required<T>(path: &str, value: Option<T>) -> Result<T> {
+    value.ok_or_else(|| FORMAT.in_entry(MAIN, format!("there is no {path}")))
+}
+
+/// An element of `main.xml`.
+#[derive(Debug)]
+struct Element<'a> {
+    path: &'a str,
+    text: &'a str,
+}
+
+impl Element<'_> {
+    fn refused(&self, problem: &str) -> Error {
+        let problem = format!("{} is {}, {problem}", self.path, excerpt(self.text));
+        FORMAT.in_entry(MAIN, problem)
+    }
+
+    fn expect(&self, supported: &str) -> Result<()> {
+        if self.text == supported {
+            Ok(())
+        } else {
+            Err(self.refused(&format!("only {supported} is supported")))
+        }
+    }
+
+    /// `Ok` if an entry of the rotation is that of no rotation.
+    fn expect_near(&self, entry: f64) -> Result<()> {
+        if (self.real()? - entry).abs() < 1e-9 {
+            Ok(())
+        } else {
+            Err(self.refused("rotated axes are not supported"))
+        }
+    }
+
+    fn count(&self) -> Result<usize> {
+        let count = self.text.parse();
+        count.map_err(|_| self.refused("not a number of points"))
+    }
+
+    /// A number, NaN and infinities included.
+    fn number(&self) -> Result<f64> {
+        let number = self.text.parse();
+        number.map_err(|_| self.refused("not a number"))
+    }
+
+    fn real(&self) -> Result<f64> {
+        let number = self.number()?;
+        if number.is_finite() {
+            Ok(number)
+        } else {
+            Err(self.refused("not finite"))
+        }
+    }
+
+    fn positive(&self) -> Result<f64> {
+        let number = self.real()?;
+        if number > 0.0 {
+            Ok(number)
+        } else {
+            Err(self.refused("not positive"))
+        }
+    }
+
+    fn data_type(&self) -> Result<Number> {
+        match self.text {
+            "I" => Ok(Number::I16),
+            "L" => Ok(Number::I32),
+            "F" => Ok(Number::F32),
+            "D" => Ok(Number::F64),
+            _ => Err(self.refused("not one of I, L, F and D")),
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! The text of every element of an XML document, by its path.
+
+use quick_xml::Reader;
+use quick_xml::events::Event;
+
+use super::{FORMAT, MAIN};
+use crate::error::Result;
+
+/// Elements within one another, at most.
+const DEEPEST: usize = 16;
+
+/// Calls `visit` with the path and the trimmed text of each element when it ends. A path holds names
+/// without prefixes, from the child of the root on: `Record1/Axes/CX/Increment`.
+pub(super) fn elements(xml: &[u8], mut visit: impl FnMut(&str, &str) -> Result<()>) -> Result<()> {
+    let broken = |problem: String| FORMAT.in_entry(MAIN, problem);
+    let xml = std::str::from_utf8(xml).map_err(|error| broken(format!("not UTF-8: {error}")))?;
+    let mut reader = Reader::from_str(xml);
+    reader.config_mut().expand_empty_elements = true;
+    // The names of the open elements with slashes before them, and where each of them begins.
+    let (mut path, mut starts) = (String::new(), Vec::new());
+    let mut text = String::new();
+    loop {
+        let event = reader.read_event();
+        match event.map_err(|error| broken(error.to_string()))? {
+            Event::Start(element) => {
+                if starts.len() == DEEPEST {
+                    return Err(broken(format!("elements more than {DEEPEST} deep")));
+                }
+                starts.push(path.len());
+                path.push('/');
+                path.push_str(&String::from_utf8_lossy(element.local_name().as_ref()));
+                text.clear();
+            }
+            Event::Text(content) => {
+                text.push_str(
+                    &content
+                        .decode()
+                        .map_err(|error| broken(error.to_string()))?,
+                );
+            }
+            Event::CData(content) => {
+                text.push_str(
+                    &content
+                        .decode()
+                        .map_err(|error| broken(error.to_string()))?,
+                );
+            }
+            Event::End(_) => {
+                let below_root = path.splitn(3, '/').nth(2).unwrap_or_default();
+                visit(below_root, text.trim())?;
+                path.truncate(starts.pop().unwrap_or(0));
+                text.clear();
+            }
+            Event::Eof if starts.is_empty() => return Ok(()),
+            Event::Eof => return Err(broken("the document ends within an element".into())),
+            _ => {}
+        }
+    }
+}
