@@ -86,6 +86,12 @@ pub enum Error {
         /// The field, in words.
         quantity: &'static str,
     },
+    /// A solution belongs to bodies with another boundary.
+    #[error("{quantity} belongs to bodies with another boundary")]
+    BoundaryMismatch {
+        /// The solution, in words.
+        quantity: &'static str,
+    },
     /// A tolerance outside `(0, 1)` certifies nothing.
     #[error("the tolerance must lie strictly between 0 and 1, got {0}")]
     Tolerance(f64),
@@ -132,6 +138,16 @@ pub enum Error {
         x: f64,
         /// Component along y.
         y: f64,
+    },
+    /// An approach that leaves a periodic contact no gap anywhere: any pressure, however large, does.
+    #[error(
+        "an approach of {approach:e} is not below the mean gap {mean_gap:e} of a periodic contact, which it would close everywhere under any pressure"
+    )]
+    ApproachBeyondMeanGap {
+        /// The approach asked for.
+        approach: f64,
+        /// Mean of the initial gap.
+        mean_gap: f64,
     },
     /// An explicit matrix of this size is refused.
     #[error("an explicit matrix of {cells} cells is larger than the limit of {limit} cells")]
@@ -186,6 +202,42 @@ pub enum Error {
         reach: f64,
         /// Distance of the edge of the samples' grid from the middle.
         limit: f64,
+    },
+    /// A Hurst exponent outside `[0, 1]` belongs to no rough surface.
+    #[error("the Hurst exponent must lie in [0, 1], got {0}")]
+    Hurst(f64),
+    /// A quantity is less than its least value.
+    #[error("{quantity} must be at least {least_is}, {least:e}, got {value:e}")]
+    Below {
+        /// The quantity, in words.
+        quantity: &'static str,
+        /// The value given.
+        value: f64,
+        /// What the least value is, in words.
+        least_is: &'static str,
+        /// The least value.
+        least: f64,
+    },
+    /// No wave that is periodic on the surface has a length within the band asked for.
+    #[error("no wave of the surface is between {longest:e} and {shortest:e} long")]
+    EmptyBand {
+        /// Longest wavelength asked for.
+        longest: f64,
+        /// Shortest wavelength asked for.
+        shortest: f64,
+    },
+    /// No phases were found that give the heights the skewness and kurtosis asked for.
+    #[error(
+        "no surface of this spectrum was found with a skewness of {skewness} and a kurtosis of {kurtosis}; the search ended at {} and {}",
+        .reached[0], .reached[1]
+    )]
+    HeightsNotReached {
+        /// Skewness asked for.
+        skewness: f64,
+        /// Kurtosis asked for.
+        kurtosis: f64,
+        /// Skewness and kurtosis where the search ended.
+        reached: [f64; 2],
     },
     /// The iteration ended before the tolerance was reached. The caller's solution holds the
     /// last feasible iterate.
@@ -276,3 +328,25 @@ pub(crate) fn not_converged(iterations: usize, residual: f64) -> Error {
         ..Report::unsolved()
     }))
 }
+
+/// `Ok` if a value is at least the one it must not be less than, to round-off.
+pub(crate) fn at_least(
+    least_is: &'static str,
+    least: f64,
+    quantity: &'static str,
+    value: f64,
+) -> Result<f64> {
+    if value >= least * (1.0 - ROUND_OFF) {
+        Ok(value)
+    } else {
+        Err(Error::Below {
+            quantity,
+            value,
+            least_is,
+            least,
+        })
+    }
+}
+
+/// Part of a value that it may lack when it was meant to equal its least.
+const ROUND_OFF: f64 = 1e-9;

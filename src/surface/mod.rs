@@ -19,6 +19,7 @@ mod heights;
 mod level;
 mod power_spectrum;
 mod resample;
+mod self_affine;
 mod shape;
 mod statistics;
 
@@ -29,5 +30,6 @@ pub use gap::{gap_between, gap_of, inverted, mirrored_along_x};
 pub use level::{Form, Levelled, level};
 pub use power_spectrum::PowerSpectrum;
 pub use resample::resample;
+pub use self_affine::{Amplitudes, RoughSurface, SelfAffine};
 pub use shape::{ellipsoid, sphere};
 pub use statistics::Statistics;
