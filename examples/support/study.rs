@@ -6,17 +6,15 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 use std::time::Instant;
 
-use stickslip::Result;
-
 /// What `solve` makes of each job, in the order of the jobs; `what` names them on the line of progress.
 pub(crate) fn run<J: Sync, T: Send>(
     what: &str,
     jobs: &[J],
-    solve: impl Fn(&J) -> Result<T> + Sync,
+    solve: impl Fn(&J) -> stickslip::Result<T> + Sync,
 ) -> Result<Vec<T>, Box<dyn Error>> {
     let start = Instant::now();
     let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
-    let work = || -> Result<Vec<(usize, T)>> {
+    let work = || -> stickslip::Result<Vec<(usize, T)>> {
         let mut results = Vec::new();
         loop {
             let index = next.fetch_add(1, Ordering::Relaxed);
@@ -39,11 +37,16 @@ pub(crate) fn run<J: Sync, T: Send>(
     let threads = thread::available_parallelism().map_or(1, usize::from);
     let parts = thread::scope(|scope| {
         let workers: Vec<_> = (0..threads).map(|_| scope.spawn(alone)).collect();
-        let join = |worker: thread::ScopedJoinHandle<'_, _>| worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+        let join = |worker: thread::ScopedJoinHandle<'_, _>| {
+            worker
+                .join()
+                .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+        };
         workers.into_iter().map(join).collect::<Result<Vec<_>, _>>()
     });
     eprintln!();
-    let mut results: Vec<(usize, T)> = parts?.into_iter().flatten().collect();
+    let parts = parts.map_err(|error| -> Box<dyn Error> { error })?;
+    let mut results: Vec<(usize, T)> = parts.into_iter().flatten().collect();
     results.sort_by_key(|(index, _)| *index);
     Ok(results.into_iter().map(|(_, result)| result).collect())
 }

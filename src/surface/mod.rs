@@ -3,6 +3,10 @@
 //! A gap is the distance `h(x, y)` between the two undeformed surfaces at first touch of the
 //! highest point, a length; its datum is free, since it only shifts the approach.
 //!
+//! # Shapes and generated surfaces
+//! Shapes such as [`sphere`] are gaps. [`SelfAffine`] generates heights of a rough surface, which
+//! [`gap_of`] turns into a gap; gaps add up by [`sum`](sum()).
+//!
 //! # Measured surfaces
 //! Heights `z(x, y)` point out of the body they bound; NaN stands for a height that is missing. On the
 //! way to a gap a measurement is levelled (`level`, with the feature `dense`), its holes are closed
@@ -22,6 +26,7 @@ mod resample;
 mod self_affine;
 mod shape;
 mod statistics;
+mod sum;
 
 pub use crop::crop;
 pub use fill::{Filled, fill_missing};
@@ -31,5 +36,6 @@ pub use level::{Form, Levelled, level};
 pub use power_spectrum::PowerSpectrum;
 pub use resample::resample;
 pub use self_affine::{Amplitudes, RoughSurface, SelfAffine};
-pub use shape::{ellipsoid, sphere};
+pub use shape::{bisinusoidal, cone, cylinder, ellipsoid, flat_punch, paraboloid, sphere, wavy};
 pub use statistics::Statistics;
+pub use sum::sum;

@@ -1,5 +1,7 @@
 //! A part cut out of a larger field.
 
+use std::f64::consts::PI;
+
 use crate::error::Result;
 use crate::field::Field;
 use crate::grid::Grid;
@@ -62,10 +64,10 @@ impl Cut {
     pub(super) fn phase_of_first_cell(&self, numbers: [i64; 2]) -> f64 {
         let along = |number: i64, whole: usize, part: usize, first: usize| {
             let count = |n: usize| i128::try_from(n).unwrap_or(i128::MAX);
-            // Half a period is the whole number of cells: reduced in integers, nothing is lost.
+            // In halves of a cell a position is a whole number, reduced by whole periods without loss.
             let half_cells = count(part) - 1 + 2 * count(first);
             let turned = (-i128::from(number) * half_cells).rem_euclid(2 * count(whole));
-            std::f64::consts::PI * turned as f64 / whole as f64
+            PI * turned as f64 / whole as f64
         };
         let [i, j] = numbers;
         let (whole, part) = (self.whole, self.part);

@@ -122,3 +122,51 @@ fn sorted_normal(count: usize) -> impl Iterator<Item = f64> {
         low + STEP * ((wanted - below) / within).min(1.0)
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn heights_have_about_the_moments_asked_for() {
+        for (skewness, kurtosis) in [
+            (0.0, 1.8),
+            (0.0, 2.5),
+            (0.0, 3.0),
+            (0.0, 6.0),
+            (-0.3, 3.0),
+            (0.5, 2.0),
+            (0.5, 3.443), // lognormal
+            (-1.0, 2.5),
+            (1.0, 6.0),
+            (2.0, 9.0),
+        ] {
+            let heights = sorted_heights([skewness, kurtosis], 100_000);
+            assert!(heights.is_sorted());
+            let mean_of = |f: &dyn Fn(f64) -> f64| {
+                heights.iter().map(|z| f(*z)).sum::<f64>() / heights.len() as f64
+            };
+            let mean = mean_of(&|z| z);
+            let deviation = mean_of(&|z| (z - mean).powi(2)).sqrt();
+            let reached = [3, 4].map(|power| mean_of(&|z| ((z - mean) / deviation).powi(power)));
+            let error = [reached[0] - skewness, reached[1] - kurtosis];
+            assert!(error[0].abs() < 0.01, "{skewness} {kurtosis}: {reached:?}");
+            // What heavy tails hold beyond a hundred thousand heights is missing.
+            assert!(
+                error[1].abs() < 0.02 * kurtosis,
+                "{skewness} {kurtosis}: {reached:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn normal_numbers_divide_the_probability() {
+        let numbers: Vec<_> = sorted_normal(1001).collect();
+        assert!(numbers[500].abs() < 1e-6);
+        assert!((numbers[841] - 0.99717).abs() < 1e-4); // of 841.5/1001
+        assert!((numbers[0] + 3.29081).abs() < 1e-4); // of 0.5/1001
+        for (low, high) in numbers.iter().zip(numbers.iter().rev()) {
+            assert!((low + high).abs() < 1e-6);
+        }
+    }
+}

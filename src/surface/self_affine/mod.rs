@@ -63,31 +63,63 @@ pub enum Amplitudes {
 /// # Refining the grid
 /// Each wave draws its phase and modulus from the seed and its own two numbers of periods per side
 /// alone, and its phase is that in the middle of the grid. So a finer grid over the same rectangle
-/// samples the same surface if the cut-off wavelength is given, and adds short waves to it, up to
-/// the common factor, if not.
+/// samples the same surface if the cut-off wavelength is given and more than two cells, and adds short
+/// waves to it, up to the common factor, if not. With a skewness or kurtosis asked for, the heights of
+/// all cells decide about the phases, and the surfaces differ.
 ///
 /// ```
 /// use stickslip::{Grid, surface::SelfAffine};
 /// // A square millimetre, in micrometres.
 /// let rough = SelfAffine::with_rms_height(0.5)
 ///     .roll_off_wavelength(250.0)
-///     .cut_off_wavelength(62.5)
+///     .cut_off_wavelength(100.0)
 ///     .seed(7);
 /// let coarse = rough.generate(Grid::square(32, 1000.0)?)?;
 /// let fine = rough.generate(Grid::square(96, 1000.0)?)?;
 /// assert!((coarse.rms_height() - 0.5).abs() < 1e-12);
 /// // Every third cell of the fine grid has the centre of a coarse cell.
-/// let difference = coarse.heights().as_slice()[0] - fine.heights().get(1, 1).unwrap();
+/// let difference = coarse.heights().as_slice()[0] - fine.heights().as_slice()[97];
 /// assert!(difference.abs() < 1e-12);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 ///
 /// # Heights that are not Gaussian
 /// The sum of many waves of random phases has Gaussian heights. With a skewness or a kurtosis given
-/// the phases are changed, and the moduli kept to the last digit: first the heights are replaced by
-/// rank with those of a Johnson distribution and the moduli restored, in turn, as Perez-Rafols and
-/// Almqvist (2019) do after Schreiber and Schmitz (1996); then Newton's method turns the phases as
-/// little as possible until skewness and kurtosis are met to 1e-9.
+/// the phases are changed and the moduli kept to the last digit, so that spectrum, rms height and rms
+/// slope are those of the surface without. First, in turn, the heights are replaced by rank with those
+/// of a Johnson distribution (1949) and the moduli restored, as Perez-Rafols and Almqvist (2019) do
+/// after Schreiber and Schmitz (1996). Then Newton's method turns the phases as little as possible
+/// until skewness and kurtosis are met to 1e-9. Of a cropped surface it is the spectrum of the periodic
+/// one that is kept.
+///
+/// The heights follow the Johnson distribution to about 0.01 of their rms where many waves carry the
+/// spectrum, to 0.1 where few do or next to what can be reached. What cannot be reached is an error, never an approximation. Each of
+/// eight seeds was met for these kurtoses (2.1, 2.25, 2.5, 2.75, 3, 4, 5, 6, 8 and 12 were tried; `L` is
+/// the side of a square):
+///
+/// | roll-off, cut-off | skewness 0, ±0.5 | skewness ±1 |
+/// |---|---|---|
+/// | no plateau, `L/4` | 2.1 to 5 | 2.5 to 6 |
+/// | no plateau, `L/8` | 2.1 to 6 | 2.5 to 8 |
+/// | no plateau, `L/16` | 2.1 to 8 | 2.25 to 12 |
+/// | `L/4`, `L/8` | 2.1 to 12 | 2.75 to 12 |
+/// | `L/8`, `L/32` | 2.1 to 12 | 2.5 to 12 |
+/// | no plateau, `L/8`, cropped | 2.1 to 12 | 2.25 to 12 |
+///
+/// It takes 10 to 30 iterations, on a square of 1024 cells about a second; a surface without takes a
+/// twentieth of that.
+///
+/// ```
+/// use stickslip::{Grid, surface::SelfAffine};
+/// // A plateau-honed surface: deep valleys and few peaks.
+/// let honed = SelfAffine::with_rms_slope(0.1).skewness(-1.0).kurtosis(4.5);
+/// let surface = honed.generate(Grid::square(64, 1.0)?)?;
+/// assert!((surface.skewness() + 1.0).abs() < 1e-8);
+/// assert!((surface.kurtosis() - 4.5).abs() < 1e-8);
+/// assert!((surface.rms_slope() - 0.1).abs() < 1e-12);
+/// assert!(-surface.heights().min() > 1.5 * surface.heights().max());
+/// # Ok::<(), stickslip::Error>(())
+/// ```
 ///
 /// # References
 /// - J.-J. Wu, Simulation of rough surfaces with FFT, *Tribol. Int.* 33 (2000) 47-58,

@@ -7,7 +7,7 @@ use super::moments::{Standardised, mean_of};
 use crate::field::Field;
 use crate::surface::fourier::Waves;
 
-/// A rough surface and the numbers that were reached.
+/// A surface made by [`SelfAffine`](super::SelfAffine), and the numbers it has.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RoughSurface {
     heights: Field,
@@ -56,7 +56,8 @@ impl RoughSurface {
         }
     }
 
-    /// Heights above the mean plane (lengths), positive upwards.
+    /// Heights above the mean plane (lengths), out of the body: [`gap_of`](crate::surface::gap_of)
+    /// makes them a gap.
     #[must_use]
     pub fn heights(&self) -> &Field {
         &self.heights
