@@ -184,7 +184,7 @@ pub enum Error {
         limit: usize,
     },
     /// A range of rows or columns is empty or leaves the grid.
-    #[error("{quantity} {start}..{end} are none of the {count} of the grid, or leave them")]
+    #[error("the {quantity} {start}..{end} are none, or leave the {count} of the grid")]
     Range {
         /// Rows or columns.
         quantity: &'static str,
@@ -196,7 +196,7 @@ pub enum Error {
         count: usize,
     },
     /// A grid reaches beyond the samples it is to be filled from.
-    #[error("the grid reaches to {reach:e} along {axis}, beyond the samples' half side {limit:e}")]
+    #[error("the grid reaches {reach:e} from the middle along {axis}, the samples only {limit:e}")]
     BeyondSamples {
         /// The axis, x or y.
         axis: &'static str,

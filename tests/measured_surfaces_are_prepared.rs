@@ -253,6 +253,17 @@ fn gaps_need_whole_surfaces_on_one_grid() {
     }
 }
 
+#[test]
+fn cells_too_slender_to_couple_end_in_an_error() {
+    let plane = Field::from_fn(grid(40, 40, 1.0, 1e8), |x, _| x);
+    let column = with_holes(&plane, |ix, _| ix == 20);
+    assert_close(fill_missing(&column).unwrap().heights(), &plane, 1e-12);
+    // Known heights reach this hole along y alone, with 1e-16 of the weight along x.
+    let row = with_holes(&plane, |_, iy| (10..20).contains(&iy));
+    let error = fill_missing(&row).err();
+    assert!(matches!(error, Some(Error::NotConverged(_))), "{error:?}");
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 

@@ -82,6 +82,7 @@ fn far() -> Field {
     })
 }
 
+#[expect(clippy::too_many_lines, reason = "a table")]
 fn cases() -> [Case; 5] {
     [
         Case {

@@ -10,7 +10,7 @@
 //! # Measured surfaces
 //! Heights `z(x, y)` point out of the body they bound; NaN stands for a height that is missing. On the
 //! way to a gap a measurement is levelled (`level`, with the feature `dense`), its holes are closed
-//! by [`fill_missing`], the part wanted is taken by [`crop`] or [`resample`], and [`gap_of`] sets it on a
+//! by [`fill_missing`], the part wanted is taken by [`crop()`] or [`resample()`], and [`gap_of`] sets it on a
 //! plane or [`gap_between`] on another surface. [`Statistics`] and [`PowerSpectrum`] measure it.
 
 mod crop;
