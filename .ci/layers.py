@@ -25,6 +25,7 @@ ALLOWED = {
     "fft": FOUNDATION | {"operator", "influence"},
     "analytical": {"error", "material", "grid", "field"},
     "surface": {"error", "grid", "field", "parallel"},
+    "io": {"error", "grid", "field"},
     # L2: the engine, and what it works on
     "half_space": FOUNDATION | {"operator", "influence", "fft", "window"},
     "cgm": {"error", "report", "parallel", "operator"},

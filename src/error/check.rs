@@ -1,0 +1,110 @@
+//! Checks of arguments, each with the error it refuses by.
+
+use crate::error::{Error, Result};
+use crate::report::{Report, Status};
+
+/// `Ok` if `value` is positive and finite.
+pub(crate) fn positive(quantity: &'static str, value: f64) -> Result<f64> {
+    if value > 0.0 && value.is_finite() {
+        Ok(value)
+    } else {
+        Err(Error::NotPositive { quantity, value })
+    }
+}
+
+/// `Ok` if `value` is zero or positive, and finite.
+pub(crate) fn non_negative(quantity: &'static str, value: f64) -> Result<f64> {
+    if value >= 0.0 && value.is_finite() {
+        Ok(value)
+    } else {
+        Err(Error::Negative { quantity, value })
+    }
+}
+
+/// `Ok` if `value` is finite.
+pub(crate) fn finite(quantity: &'static str, value: f64) -> Result<f64> {
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(Error::NotFinite { quantity, value })
+    }
+}
+
+/// `Ok` if every sample is finite.
+pub(crate) fn all_finite(quantity: &'static str, samples: &[f64]) -> Result<()> {
+    samples_obey(quantity, samples, "must be finite", f64::is_finite)
+}
+
+/// Samples looked at together.
+const SCANNED: usize = 512;
+
+/// `Ok` if every sample obeys the rule, else the first that does not.
+pub(crate) fn samples_obey(
+    quantity: &'static str,
+    samples: &[f64],
+    rule: &'static str,
+    obeys: impl Fn(f64) -> bool,
+) -> Result<()> {
+    // A chunk at a time without a way out in the middle, so that many are looked at at once.
+    let is_broken = |chunk: &[f64]| !chunk.iter().fold(true, |all, &value| all & obeys(value));
+    let broken = samples.chunks(SCANNED).position(is_broken);
+    let found = broken.and_then(|chunk| {
+        let first = chunk * SCANNED;
+        let position = samples[first..].iter().position(|&value| !obeys(value));
+        position.map(|position| first + position)
+    });
+    match found {
+        None => Ok(()),
+        Some(index) => Err(Error::Sample {
+            quantity,
+            index,
+            value: samples[index],
+            rule,
+        }),
+    }
+}
+
+/// `Ok` if a slice has the length expected of it.
+pub(crate) fn length(quantity: &'static str, expected: usize, found: usize) -> Result<()> {
+    if expected == found {
+        Ok(())
+    } else {
+        Err(Error::Length {
+            quantity,
+            expected,
+            found,
+        })
+    }
+}
+
+/// The error of an iteration that reached its limit.
+pub(crate) fn not_converged(iterations: usize, residual: f64) -> Error {
+    Error::NotConverged(Box::new(Report {
+        status: Status::IterationLimit,
+        iterations,
+        residual,
+        ..Report::unsolved()
+    }))
+}
+
+/// `Ok` if a value is at least the one it must not be less than, to round-off.
+pub(crate) fn at_least(
+    least_is: &'static str,
+    least: f64,
+    quantity: &'static str,
+    value: f64,
+) -> Result<f64> {
+    if value >= least * (1.0 - ROUND_OFF) {
+        Ok(value)
+    } else {
+        Err(Error::Below {
+            quantity,
+            value,
+            least_is,
+            least,
+        })
+    }
+}
+
+/// Part of a value that it may lack when it was meant to equal its least.
+const ROUND_OFF: f64 = 1e-9;
