@@ -1,6 +1,9 @@
 //! Many scenes side by side, one thread each, with a line of progress.
 
-#![allow(clippy::print_stderr, reason = "a line of progress is no part of the output")]
+#![allow(
+    clippy::print_stderr,
+    reason = "a line of progress is no part of the output"
+)]
 
 use std::error::Error;
 use std::io::Write;
