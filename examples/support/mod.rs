@@ -2,12 +2,12 @@
 
 #![allow(dead_code, reason = "no example needs all of it")]
 
+pub(crate) mod maps;
 pub(crate) mod measure;
 pub(crate) mod rough;
 pub(crate) mod scene;
 pub(crate) mod study;
 pub(crate) mod table;
-pub(crate) mod zones;
 
 use std::error::Error;
 use std::ops::Range;

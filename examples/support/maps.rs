@@ -1,17 +1,17 @@
-//! Maps of stick and slip.
+//! Maps of heights, and of stick and slip.
 
 use std::error::Error;
 use std::ops::Range;
 
 use plotters::prelude::*;
-use stickslip::{TangentialSolution, Zone};
+use stickslip::{Field, TangentialSolution, Zone};
 
 use super::{BLUE, Chart, ORANGE};
 
 const GREY: RGBColor = RGBColor(225, 225, 225);
 
 /// Stick, slip and gap of every cell in sight, in lengths of the unit `scale`.
-pub(crate) fn map(
+pub(crate) fn zones(
     chart: &mut Chart<'_>,
     shear: &TangentialSolution,
     scale: f64,
@@ -48,6 +48,41 @@ pub(crate) fn map(
         }
     }
     chart.plotting_area().fill(&GREY)?;
+    chart.draw_series(rectangles)?;
+    Ok(())
+}
+
+/// Blocks along the longer side of a map of heights: more would make a heavy drawing.
+const BLOCKS: usize = 120;
+
+/// Heights in shades of grey, the highest white, in lengths of the unit `scale`.
+pub(crate) fn heights(
+    chart: &mut Chart<'_>,
+    heights: &Field,
+    scale: f64,
+) -> Result<(), Box<dyn Error>> {
+    let grid = heights.grid();
+    let (low, high) = (heights.min(), heights.max());
+    let block = grid.nx().max(grid.ny()).div_ceil(BLOCKS);
+    let starts = |cells: usize| (0..cells).step_by(block);
+    let corners = starts(grid.ny()).flat_map(|iy| starts(grid.nx()).map(move |ix| [ix, iy]));
+    let rectangles = corners.map(|[ix, iy]| {
+        let (columns, rows) = (
+            ix..(ix + block).min(grid.nx()),
+            iy..(iy + block).min(grid.ny()),
+        );
+        let cells = || {
+            rows.clone()
+                .flat_map(|iy| columns.clone().filter_map(move |ix| heights.get(ix, iy)))
+        };
+        let mean = cells().sum::<f64>() / cells().count() as f64;
+        let grey = HSLColor(0.0, 0.0, (mean - low) / (high - low));
+        let edge = |ix: usize, iy: usize| {
+            let (x, y) = (grid.x(ix) - 0.5 * grid.dx(), grid.y(iy) - 0.5 * grid.dy());
+            (x / scale, y / scale)
+        };
+        Rectangle::new([edge(ix, iy), edge(columns.end, rows.end)], grey.filled())
+    });
     chart.draw_series(rectangles)?;
     Ok(())
 }

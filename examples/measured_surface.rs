@@ -1,0 +1,205 @@
+//! A surface from a file: levelled, its holes filled, measured, pressed on a plane, sheared, and every
+//! field written for other programs.
+//!
+//! `cargo run --release --example measured_surface [file]` reads SDF, SUR, XYZ, and X3P with
+//! `--features x3p`, lengths in metres. Without a file it makes one, tilted, bent and with holes, as
+//! `target/gallery/measured.sdf`. Results: `target/gallery/measured.vti` (`ParaView`), `.npy`, `.csv`
+//! and `.svg`.
+
+#![allow(clippy::print_stdout, reason = "an example shows its numbers")]
+
+mod support;
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+
+use stickslip::analytical::{Persson, RoughSphere};
+use stickslip::surface::{self, Form, SelfAffine, Statistics};
+use stickslip::{
+    ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
+    NormalSolution, TangentialLoad, TangentialProblem, TangentialSolution, Zone, io,
+};
+
+// SI units.
+const FRICTION: f64 = 0.3;
+/// Tangential force over the sliding force.
+const LOADING: f64 = 0.5;
+/// Part of the surface that should touch, by theory.
+const AREA: f64 = 0.05;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let file = match std::env::args().nth(1) {
+        Some(file) => PathBuf::from(file),
+        None => make_measurement()?,
+    };
+    let measured = io::read(&file)?;
+    let heights = prepare(&measured)?;
+    let statistics = Statistics::of(&heights)?;
+    println!("{statistics}");
+
+    let steel = Material::new(210e9, 0.3)?;
+    let pair = ElasticPair::new(steel, steel)?;
+    let bodies = HalfSpace::new(heights.grid(), pair)?;
+    let slope = statistics.spectral_rms_slope();
+    let pressure = AREA / RoughSphere::AREA_COEFFICIENT * slope * pair.contact_modulus();
+    let gap = surface::gap_of(&heights)?;
+    let force = pressure * gap.grid().area();
+    let normal = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(force))
+        .tolerance(1e-6)
+        .build()?
+        .solve()?;
+    let friction = Friction::coulomb(FRICTION)?;
+    let load = TangentialLoad::Force([LOADING * FRICTION * force, 0.0]);
+    let shear = TangentialProblem::builder(&bodies, &normal, friction, load)
+        .tolerance(1e-6)
+        .build()?
+        .solve()?;
+
+    let theory = Persson::new(&pair, slope, pressure)?
+        .with_area_coefficient(RoughSphere::AREA_COEFFICIENT)?;
+    print_contact(&normal, &shear, &theory);
+    write_fields(&heights, &normal, &shear)?;
+    let path = support::gallery("measured.svg")?;
+    draw(&path, &heights, &shear)?;
+    println!("figure: {}", path.display());
+    Ok(())
+}
+
+/// What an instrument might hand over: 400 x 300 points of a ground surface, askew, with form and holes.
+fn make_measurement() -> Result<PathBuf, Box<dyn Error>> {
+    let grid = Grid::new(400, 300, 0.5e-6, 0.4e-6)?;
+    let rough = SelfAffine::with_rms_height(0.25e-6)
+        .roll_off_wavelength(40e-6)
+        .cut_off_wavelength(4e-6)
+        .skewness(-0.4)
+        .kurtosis(3.2)
+        .cropped()
+        .generate(grid)?;
+    let form = Field::from_fn(grid, |x, y| {
+        4e-3 * x - 7e-3 * y + 30.0 * (x * x - 0.3 * x * y)
+    });
+    let mut measured = surface::sum(&[rough.heights(), &form])?;
+    // Steep valleys and a speck of dust send no light back.
+    let statistics = Statistics::of(rough.heights())?;
+    let dust = Field::from_fn(grid, |x, y| (x - 31e-6).hypot(y + 12e-6));
+    let flat = rough.heights().as_slice().iter().zip(dust.as_slice());
+    for (height, (z, distance)) in measured.as_mut_slice().iter_mut().zip(flat) {
+        if *z < -2.2 * statistics.rms_height() || *distance < 3e-6 {
+            *height = f64::NAN;
+        }
+    }
+    let path = support::gallery("measured.sdf")?;
+    io::sdf::write(&path, &measured)?;
+    Ok(path)
+}
+
+/// Levelled before its holes are filled: what is tilted would be filled askew at the edge.
+fn prepare(measured: &Field) -> Result<Field, Box<dyn Error>> {
+    let grid = measured.grid();
+    let levelled = surface::level(measured, Form::Polynomial(2))?;
+    let filled = surface::fill_missing(levelled.heights())?;
+    println!(
+        "{} x {} points of {:.3e} x {:.3e} m, {} filled; form of {:.2e} m taken off",
+        grid.nx(),
+        grid.ny(),
+        grid.dx(),
+        grid.dy(),
+        filled.filled_cells(),
+        levelled.form().max() - levelled.form().min()
+    );
+    Ok(filled.into_heights())
+}
+
+fn print_contact(normal: &NormalSolution, shear: &TangentialSolution, theory: &Persson) {
+    let area = normal.grid().area();
+    println!(
+        "force {:.3e} N, approach {:.3e} m, largest pressure {:.3e} Pa",
+        normal.force(),
+        normal.approach(),
+        normal.pressure().max()
+    );
+    println!(
+        "contact {:.2} % by counting, {:.2} % with the perimeter corrected; theory {:.2} %",
+        100.0 * normal.contact_area() / area,
+        100.0 * normal.contact_area_corrected() / area,
+        100.0 * theory.contact_fraction()
+    );
+    let spots = normal.contact_spots();
+    println!(
+        "{} spots, the largest of {} cells",
+        spots.len(),
+        spots.first().unwrap_or(&0)
+    );
+    println!(
+        "stick ratio {:.3} at F = {LOADING} mu W, shift {:.3e} m",
+        shear.stick_ratio(),
+        shear.shift()[0]
+    );
+    println!(
+        "normal:     {}\ntangential: {}",
+        normal.report(),
+        shear.report()
+    );
+    for warning in normal.warnings() {
+        println!("warning: {warning}");
+    }
+}
+
+fn write_fields(
+    heights: &Field,
+    normal: &NormalSolution,
+    shear: &TangentialSolution,
+) -> Result<(), Box<dyn Error>> {
+    let zone = |zone: &Zone| match zone {
+        Zone::Separate => 0.0,
+        Zone::Stick => 1.0,
+        Zone::Slip => 2.0,
+    };
+    let zones = shear.zones().iter().map(zone).collect();
+    let zones = Field::from_vec(heights.grid(), zones)?;
+    let [traction, _] = shear.traction();
+    let [slip, _] = shear.slip();
+    let path = support::gallery("measured.vti")?;
+    io::vti::write(
+        &path,
+        &[
+            ("height", heights),
+            ("gap", normal.gap()),
+            ("pressure", normal.pressure()),
+            ("traction", traction),
+            ("slip", slip),
+            ("zone", &zones),
+        ],
+    )?;
+    println!("fields: {}", path.display());
+    let path = support::gallery("measured.npy")?;
+    io::npy::write(&path, normal.pressure())?;
+    let path_of_text = support::gallery("measured.csv")?;
+    io::csv::write(&path_of_text, normal.pressure())?;
+    println!("pressure: {}, {}", path.display(), path_of_text.display());
+    Ok(())
+}
+
+/// Heights in grey, contact in colour.
+fn draw(path: &Path, heights: &Field, shear: &TangentialSolution) -> Result<(), Box<dyn Error>> {
+    let figure = support::figure(
+        path,
+        (1960, 800),
+        "A measured surface: heights, and its zones of stick and slip",
+    )?;
+    let (left, right) = figure.split_horizontally(980);
+    let micro = 1e6;
+    let grid = heights.grid();
+    let range = |side: f64, cells: usize| -> std::ops::Range<f64> {
+        let half = 0.5 * side * cells as f64 * micro;
+        -half..half
+    };
+    let (x, y) = (range(grid.dx(), grid.nx()), range(grid.dy(), grid.ny()));
+    let axes = || ((x.clone(), "x, µm"), (y.clone(), "y, µm"));
+    let mut map = support::axes(&left, axes().0, axes().1)?;
+    support::maps::heights(&mut map, heights, 1.0 / micro)?;
+    let mut map = support::axes(&right, axes().0, axes().1)?;
+    support::maps::zones(&mut map, shear, 1.0 / micro, [x.clone(), y.clone()])?;
+    figure.present()?;
+    Ok(())
+}

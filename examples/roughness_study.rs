@@ -1,0 +1,328 @@
+//! How area and stick of a nominally flat rough contact depend on rms height, rms slope, skewness and
+//! kurtosis, each varied alone (the paper's Figs 16 to 19): on surfaces whose shortest wave spans eight
+//! cells, and on surfaces like the paper's with waves down to the limit of the grid.
+//!
+//! `cargo run --release --example roughness_study [cells]` (default 512) writes
+//! `target/gallery/roughness_study.csv` and `.svg`.
+
+#![allow(clippy::print_stdout, reason = "an example shows its numbers")]
+
+mod support;
+
+use std::error::Error;
+use std::ops::Range;
+use std::path::Path;
+
+use plotters::prelude::*;
+use stickslip::surface::{self, RoughSurface, SelfAffine};
+use stickslip::{
+    Boundary, ElasticPair, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
+    TangentialLoad, TangentialProblem,
+};
+
+// Micrometres, megapascals, micronewtons.
+const SIDE: f64 = 100.0;
+const FRICTION: f64 = 0.5;
+/// Tangential force over the sliding force.
+const LOADING: f64 = 0.5;
+const SEEDS: u64 = 3;
+const TOLERANCE: f64 = 1e-5;
+
+/// The four questions, with what stays as it is.
+#[derive(Clone, Copy, PartialEq)]
+enum Question {
+    /// At one slope the height follows from the roll-off.
+    Height,
+    /// At one height the slope does.
+    Slope,
+    Skewness,
+    Kurtosis,
+}
+
+const QUESTIONS: [Question; 4] = [
+    Question::Height,
+    Question::Slope,
+    Question::Skewness,
+    Question::Kurtosis,
+];
+const SLOPE: f64 = 0.5;
+const HEIGHT: f64 = 0.1;
+const ROLL_OFF: f64 = SIDE / 8.0;
+
+impl Question {
+    /// The values tried: roll-off wavelengths, skewness or kurtosis.
+    fn values(self) -> &'static [f64] {
+        match self {
+            Self::Height => &[50.0, 25.0, 12.5, 6.25, 3.125, 1.75],
+            Self::Slope => &[30.0, 15.0, 7.5, 4.0, 2.25, 1.6],
+            Self::Skewness => &[-1.0, -0.5, 0.0, 0.5, 1.0],
+            Self::Kurtosis => &[2.5, 3.0, 4.0, 5.0, 6.0],
+        }
+    }
+
+    fn surface(self, value: f64) -> SelfAffine {
+        let steep = SelfAffine::with_rms_slope(SLOPE).roll_off_wavelength(ROLL_OFF);
+        match self {
+            Self::Height => steep.roll_off_wavelength(value),
+            Self::Slope => SelfAffine::with_rms_height(HEIGHT).roll_off_wavelength(value),
+            Self::Skewness => steep.skewness(value).kurtosis(4.0),
+            Self::Kurtosis => steep.skewness(0.0).kurtosis(value),
+        }
+    }
+
+    /// What was varied, as it came out.
+    fn varied(self, surface: &RoughSurface) -> f64 {
+        match self {
+            Self::Height => surface.rms_height(),
+            Self::Slope => surface.rms_slope(),
+            Self::Skewness => surface.skewness(),
+            Self::Kurtosis => surface.kurtosis(),
+        }
+    }
+
+    fn axis(self) -> (Range<f64>, &'static str) {
+        match self {
+            Self::Height => (0.0..1.6, "rms height, µm"),
+            Self::Slope => (0.0..0.7, "rms slope"),
+            Self::Skewness => (-1.2..1.2, "skewness"),
+            Self::Kurtosis => (2.0..6.5, "kurtosis"),
+        }
+    }
+}
+
+/// Shortest waves, in cells.
+const CUT_OFFS: [(f64, &str); 2] = [(8.0, "waves ≥ 8 cells"), (2.0, "waves ≥ 2 cells")];
+/// Mean pressure over the modulus of contact.
+const PRESSURE: f64 = 5e-3;
+
+struct Job {
+    question: Question,
+    value: f64,
+    /// Index of the cut-off.
+    kind: usize,
+    seed: u64,
+}
+
+struct Answer {
+    varied: f64,
+    rms_slope: f64,
+    cells: usize,
+    /// Contact over nominal area, by counting and with the perimeter corrected.
+    areas: [f64; 2],
+    stick_ratio: f64,
+}
+
+impl Answer {
+    /// `(A/A0) E* g / p`: theory has a constant, 1.6 to 2.5, simulations about 2.
+    fn coefficient(&self, area: usize) -> f64 {
+        self.areas[area] * self.rms_slope / PRESSURE
+    }
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let cells: usize = std::env::args()
+        .nth(1)
+        .map_or(Ok(512), |cells| cells.parse())?;
+    // The paper's rubber on a rigid plane: E* = 25 MPa. Without edges, which would sag.
+    let pair = ElasticPair::new(Material::new(18.75, 0.5)?, Material::rigid())?;
+    let bodies = HalfSpace::with_boundary(Grid::square(cells, SIDE)?, pair, Boundary::Periodic)?;
+    let mut jobs = Vec::new();
+    for question in QUESTIONS {
+        for kind in 0..CUT_OFFS.len() {
+            for &value in question.values() {
+                jobs.extend((0..SEEDS).map(|seed| Job {
+                    question,
+                    value,
+                    kind,
+                    seed,
+                }));
+            }
+        }
+    }
+    let answers = support::study::run("surfaces", &jobs, |job| solve(&bodies, job))?;
+
+    print_table(&jobs, &answers);
+    let header = [
+        "question",
+        "waves_down_to_cells",
+        "seed",
+        "varied",
+        "rms_slope",
+        "contact_cells",
+        "area_by_counting",
+        "area_corrected",
+        "stick_ratio",
+    ];
+    let rows = jobs.iter().zip(&answers).map(|(job, answer)| {
+        let Answer {
+            varied,
+            rms_slope,
+            cells,
+            areas: [counted, corrected],
+            stick_ratio,
+        } = *answer;
+        let question = job.question as usize as f64;
+        let (cut_off, _) = CUT_OFFS[job.kind];
+        [
+            question,
+            cut_off,
+            job.seed as f64,
+            varied,
+            rms_slope,
+            cells as f64,
+            counted,
+            corrected,
+            stick_ratio,
+        ]
+    });
+    let csv = support::table::csv("roughness_study.csv", header, rows)?;
+    let svg = support::gallery("roughness_study.svg")?;
+    draw(&svg, &jobs, &answers)?;
+    println!("\ntable: {}\nfigure: {}", csv.display(), svg.display());
+    Ok(())
+}
+
+fn solve(bodies: &HalfSpace, job: &Job) -> stickslip::Result<Answer> {
+    let grid = bodies.grid();
+    let (cut_off, _) = CUT_OFFS[job.kind];
+    let rough = job
+        .question
+        .surface(job.value)
+        .cut_off_wavelength(cut_off * grid.dx())
+        .seed(job.seed)
+        .generate(grid)?;
+    let gap = surface::gap_of(rough.heights())?;
+    let force = PRESSURE * bodies.pair().contact_modulus() * grid.area();
+    let normal = NormalProblem::builder(bodies, &gap, NormalLoad::Force(force))
+        .tolerance(TOLERANCE)
+        .build()?
+        .solve()?;
+    let friction = Friction::coulomb(FRICTION)?;
+    let load = TangentialLoad::Force([LOADING * FRICTION * force, 0.0]);
+    let shear = TangentialProblem::builder(bodies, &normal, friction, load)
+        .tolerance(TOLERANCE)
+        .build()?
+        .solve()?;
+    Ok(Answer {
+        varied: job.question.varied(&rough),
+        rms_slope: rough.rms_slope(),
+        cells: normal.contact_cells(),
+        areas: [normal.contact_area(), normal.contact_area_corrected()]
+            .map(|area| area / grid.area()),
+        stick_ratio: shear.stick_ratio(),
+    })
+}
+
+/// The answers to one question on one kind of surface.
+fn of<'a>(
+    (question, kind): (Question, usize),
+    jobs: &'a [Job],
+    answers: &'a [Answer],
+) -> impl Iterator<Item = &'a Answer> + Clone {
+    let alike = move |(job, _): &(&Job, &Answer)| job.question == question && job.kind == kind;
+    jobs.iter()
+        .zip(answers)
+        .filter(alike)
+        .map(|(_, answer)| answer)
+}
+
+fn print_table(jobs: &[Job], answers: &[Answer]) {
+    println!("means of {SEEDS} surfaces, pressure {PRESSURE} E*, F = {LOADING} mu W");
+    println!("area: (A/A0) E* g/p, counted and with the perimeter corrected");
+    for question in QUESTIONS {
+        for (kind, (_, name)) in CUT_OFFS.iter().enumerate() {
+            println!(
+                "\n{:>16} | slope | cells |  area       | stick   ({name})",
+                question.axis().1
+            );
+            let answers: Vec<_> = of((question, kind), jobs, answers).collect();
+            for alike in answers.chunks(SEEDS as usize) {
+                let mean = |f: &dyn Fn(&Answer) -> f64| {
+                    alike.iter().map(|answer| f(answer)).sum::<f64>() / alike.len() as f64
+                };
+                println!(
+                    "{:>16.3} | {:>5.2} | {:>5.0} | {:>5.2}  {:>5.2} | {:>6.3}",
+                    mean(&|a| a.varied),
+                    mean(&|a| a.rms_slope),
+                    mean(&|a| a.cells as f64),
+                    mean(&|a| a.coefficient(0)),
+                    mean(&|a| a.coefficient(1)),
+                    mean(&|a| a.stick_ratio),
+                );
+            }
+            if question == Question::Slope {
+                let exponents = [0, 1].map(|area| {
+                    let points = answers
+                        .iter()
+                        .map(|a| [a.rms_slope.ln(), a.areas[area].ln()]);
+                    incline(points)
+                });
+                println!(
+                    "area ~ slope^n: n = {:.2} counted, {:.2} corrected",
+                    exponents[0], exponents[1]
+                );
+            }
+        }
+    }
+}
+
+/// Incline of the line of least squares through points.
+fn incline(points: impl Iterator<Item = [f64; 2]> + Clone) -> f64 {
+    let count = points.clone().count() as f64;
+    let mean = |axis: usize| points.clone().map(|point| point[axis]).sum::<f64>() / count;
+    let (x, y) = (mean(0), mean(1));
+    let sum = |f: &dyn Fn([f64; 2]) -> f64| points.clone().map(f).sum::<f64>();
+    sum(&|p| (p[0] - x) * (p[1] - y)) / sum(&|p| (p[0] - x).powi(2))
+}
+
+fn draw(path: &Path, jobs: &[Job], answers: &[Answer]) -> Result<(), Box<dyn Error>> {
+    let title = "Rough contact: each parameter varied alone";
+    let figure = support::figure(path, (2600, 1300), title)?;
+    let areas = figure.split_evenly((2, QUESTIONS.len()));
+    let (upper, lower) = areas.split_at(QUESTIONS.len());
+    let colours = [support::BLUE, support::ORANGE];
+    for (question, (above, below)) in QUESTIONS.into_iter().zip(upper.iter().zip(lower)) {
+        let (range, name) = question.axis();
+        let mut chart = support::axes(
+            above,
+            (range.clone(), name),
+            (0.0..8.0, "(A / A₀) E* g / p"),
+        )?;
+        support::mark(&mut chart, "2", [(range.start, 2.0), (range.end, 2.0)])?;
+        for (kind, colour) in colours.into_iter().enumerate() {
+            for (area, is_full) in [(0, false), (1, true)] {
+                let points = of((question, kind), jobs, answers);
+                let points = points.map(|answer| (answer.varied, answer.coefficient(area)));
+                let (_, waves) = CUT_OFFS[kind];
+                let how = if is_full { "corrected" } else { "counted" };
+                support::dots(
+                    &mut chart,
+                    &format!("{waves}, {how}"),
+                    (colour, is_full),
+                    points,
+                )?;
+            }
+        }
+        if question == Question::Kurtosis {
+            support::legend(&mut chart, SeriesLabelPosition::UpperRight)?;
+        }
+
+        let mut chart = support::axes(
+            below,
+            (range.clone(), name),
+            (0.0..1.0, "stick ratio at F = µW / 2"),
+        )?;
+        support::mark(
+            &mut chart,
+            "1 - F / µW",
+            [(range.start, 0.5), (range.end, 0.5)],
+        )?;
+        for (kind, colour) in colours.into_iter().enumerate() {
+            let points = of((question, kind), jobs, answers);
+            let points = points.map(|answer| (answer.varied, answer.stick_ratio));
+            support::dots(&mut chart, CUT_OFFS[kind].1, (colour, true), points)?;
+        }
+    }
+    figure.present()?;
+    Ok(())
+}
