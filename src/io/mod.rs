@@ -25,9 +25,9 @@
 //!
 //! # Broken files
 //! A truncated, broken or lying file is an [`Error::Format`] that says what is wrong and
-//! [where](Place). Sizes are checked against the bytes present before memory is taken: reading takes at
-//! most some forty times the size of the file, in X3P, which is compressed, at most what the limits of
-//! `x3p` allow.
+//! [where](Place). Sizes are checked against the bytes present before memory is taken: reading takes less
+//! than fifty times the size of the file, and of X3P, which is compressed, less than eight times what its
+//! module lets an entry expand to.
 
 mod bytes;
 pub mod csv;
