@@ -7,18 +7,19 @@ import sys
 
 # Each module of the crate and the modules it may use, lowest layer first. `Item` limits a use to
 # the items named.
-FOUNDATION = {"error", "report", "grid", "field", "material", "parallel"}
+FOUNDATION = {"error", "report", "boundary", "grid", "field", "material", "parallel"}
 ALLOWED = {
     # L0: words every layer speaks
     "report": {"error"},
     "error": {"report"},
     "parallel": {"error"},
+    "boundary": set(),
     "grid": {"error"},
     "field": {"error", "grid"},
     "material": {"error"},
     # L1: operators, kernels, transforms, closed forms, shapes; no physics of contact
     "operator": set(),
-    "contact_map": {"grid"},
+    "contact_map": {"boundary", "grid"},
     "window": {"error", "grid", "parallel"},
     "influence": FOUNDATION,
     "fft": FOUNDATION | {"operator", "influence"},

@@ -12,7 +12,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 use stickslip::{
     ElasticPair, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem, NormalSolution,
-    TangentialLoad, TangentialProblem, TangentialSolution, Zone, surface,
+    TangentialLoad, TangentialProblem, TangentialSolution, surface,
 };
 use support::Area;
 
@@ -25,7 +25,6 @@ const CELLS: usize = 512;
 
 /// Half the width shown, in contact radii.
 const VIEW: f64 = 1.25;
-const GREY: RGBColor = RGBColor(225, 225, 225);
 
 fn main() -> Result<(), Box<dyn Error>> {
     let steel = Material::new(213e9, 0.29)?;
@@ -165,31 +164,7 @@ fn draw_zones(
 ) -> Result<(), Box<dyn Error>> {
     let a = exact.hertz().contact_radius();
     let mut chart = support::axes(area, (-VIEW..VIEW, "x / a"), (-VIEW..VIEW, "y / a"))?;
-    // Neighbours in one zone make one rectangle. It reaches into the next row, which covers that part
-    // again: no seam shows between rows.
-    let grid = shear.grid();
-    let mut rectangles = Vec::new();
-    for (iy, row) in shear.zones().chunks_exact(grid.nx()).enumerate() {
-        let (bottom, top) = (grid.y(iy) - 0.5 * grid.dy(), grid.y(iy) + 1.5 * grid.dy());
-        if bottom.abs().max(top.abs()) > VIEW * a {
-            continue;
-        }
-        let mut first = 0;
-        for run in row.chunk_by(|cell, next| cell == next) {
-            let colour = match run[0] {
-                Zone::Stick => support::BLUE,
-                Zone::Slip => support::ORANGE,
-                Zone::Separate => GREY,
-            };
-            let end = first + run.len();
-            let edge = |ix: usize| ((grid.x(ix) - 0.5 * grid.dx()) / a).clamp(-VIEW, VIEW);
-            let corners = [(edge(first), bottom / a), (edge(end), top / a)];
-            rectangles.push(Rectangle::new(corners, colour.filled()));
-            first = end;
-        }
-    }
-    chart.plotting_area().fill(&GREY)?;
-    chart.draw_series(rectangles)?;
+    support::zones::map(&mut chart, shear, a, [-VIEW..VIEW, -VIEW..VIEW])?;
 
     let circle = |radius: f64| -> Vec<(f64, f64)> {
         (0..=180)

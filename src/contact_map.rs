@@ -1,5 +1,6 @@
 //! Questions to a map of contact: area, edge, spots.
 
+use crate::boundary::Boundary;
 use crate::grid::Grid;
 
 /// A remark on a solution that is right as computed but may not mean what it seems to.
@@ -47,6 +48,7 @@ const RESOLVED: usize = 5;
 /// A map of cells that are in or out of a set.
 pub(crate) struct ContactMap<F> {
     pub(crate) grid: Grid,
+    pub(crate) boundary: Boundary,
     pub(crate) contains: F,
 }
 
@@ -74,13 +76,12 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
 
     /// Pairs of neighbours, along x or y, of which exactly one is in the set.
     fn switches(&self) -> usize {
-        let (nx, contains) = (self.grid.nx(), &self.contains);
-        let differ = |i: usize, j: usize| usize::from(contains(i) != contains(j));
+        let contains = &self.contains;
         (0..self.grid.cells())
             .map(|i| {
-                let left = if i % nx > 0 { differ(i, i - 1) } else { 0 };
-                let below = if i >= nx { differ(i, i - nx) } else { 0 };
-                left + below
+                let [left, below, ..] = self.neighbours(i);
+                let others = [left, below].into_iter().flatten();
+                others.filter(|&j| contains(i) != contains(j)).count()
             })
             .sum()
     }
@@ -106,7 +107,31 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
         warnings
     }
 
+    /// The cells to the left, below, to the right and above: beyond an edge nothing, or what repeats there.
+    fn neighbours(&self, i: usize) -> [Option<usize>; 4] {
+        let (nx, cells) = (self.grid.nx(), self.grid.cells());
+        let wraps = self.boundary == Boundary::Periodic;
+        let (ix, last_row) = (i % nx, cells - nx);
+        let step = |is_inside: bool, next: usize, image: usize| {
+            if is_inside {
+                Some(next)
+            } else {
+                wraps.then_some(image)
+            }
+        };
+        [
+            step(ix > 0, i.wrapping_sub(1), i + nx - 1),
+            step(i >= nx, i.wrapping_sub(nx), i + last_row),
+            step(ix + 1 < nx, i + 1, i - ix),
+            step(i < last_row, i + nx, i % nx),
+        ]
+    }
+
+    /// On a grid that has edges.
     fn cells_on_edge(&self) -> usize {
+        if self.boundary == Boundary::Periodic {
+            return 0;
+        }
         let (nx, ny) = (self.grid.nx(), self.grid.ny());
         (0..self.grid.cells())
             .filter(|&i| {
@@ -117,9 +142,8 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
             .count()
     }
 
-    /// Sizes of the spots: sets of cells connected through their sides.
-    fn spot_sizes(&self) -> Vec<usize> {
-        let nx = self.grid.nx();
+    /// Cells of each spot, a set connected through the sides of its cells; in the order of first cells.
+    pub(crate) fn spot_sizes(&self) -> Vec<usize> {
         let mut visited = vec![false; self.grid.cells()];
         let mut sizes = Vec::new();
         let mut stack = Vec::new();
@@ -132,13 +156,7 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
             let mut size = 0;
             while let Some(i) = stack.pop() {
                 size += 1;
-                let neighbours = [
-                    (i % nx > 0).then(|| i - 1),
-                    (i % nx + 1 < nx).then(|| i + 1),
-                    (i >= nx).then(|| i - nx),
-                    (i + nx < visited.len()).then(|| i + nx),
-                ];
-                for j in neighbours.into_iter().flatten() {
+                for j in self.neighbours(i).into_iter().flatten() {
                     if !visited[j] && (self.contains)(j) {
                         visited[j] = true;
                         stack.push(j);
@@ -162,8 +180,9 @@ mod tests {
                        ......#.\
                        ####....";
         let cells: Vec<bool> = drawing.chars().map(|c| c == '#').collect();
-        let map = ContactMap {
+        let mut map = ContactMap {
             grid: Grid::new(8, 4, 0.5, 0.5).unwrap(),
+            boundary: Boundary::Free,
             contains: |i: usize| cells[i],
         };
         assert_eq!(map.cells(), 9);
@@ -179,5 +198,26 @@ mod tests {
             map.warnings(),
             [Warning::ContactAtEdge { cells: 6 }, unresolved]
         );
+
+        // Repeated, the row at the bottom meets the L at the top; two of its cells and one end do not.
+        map.boundary = Boundary::Periodic;
+        assert_eq!(map.spot_sizes(), [7, 2]);
+        assert_eq!(map.switches(), 6 + 6 + 5 + 3);
+        let unresolved = Warning::UnresolvedSpots {
+            unresolved: 1,
+            spots: 2,
+        };
+        assert_eq!(map.warnings(), [unresolved]);
+    }
+
+    #[test]
+    fn a_grid_of_one_row_wraps_onto_itself() {
+        let map = ContactMap {
+            grid: Grid::new(4, 1, 1.0, 1.0).unwrap(),
+            boundary: Boundary::Periodic,
+            contains: |i: usize| i == 0 || i == 3,
+        };
+        assert_eq!(map.spot_sizes(), [2]);
+        assert_eq!(map.switches(), 2);
     }
 }

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::report::Report;
+use crate::report::{Report, Status};
 
 /// The result of a call that can be refused.
 pub type Result<T> = std::result::Result<T, Error>;
@@ -88,6 +88,12 @@ pub enum Error {
         /// The field, in words.
         quantity: &'static str,
     },
+    /// A solution belongs to bodies with another boundary.
+    #[error("{quantity} belongs to bodies with another boundary")]
+    BoundaryMismatch {
+        /// The solution, in words.
+        quantity: &'static str,
+    },
     /// A tolerance outside `(0, 1)` certifies nothing.
     #[error("the tolerance must lie strictly between 0 and 1, got {0}")]
     Tolerance(f64),
@@ -135,6 +141,16 @@ pub enum Error {
         /// Component along y.
         y: f64,
     },
+    /// An approach that leaves a periodic contact no gap anywhere: any pressure, however large, does.
+    #[error(
+        "an approach of {approach:e} is not below the mean gap {mean_gap:e} of a periodic contact, which it would close everywhere under any pressure"
+    )]
+    ApproachBeyondMeanGap {
+        /// The approach asked for.
+        approach: f64,
+        /// Mean of the initial gap.
+        mean_gap: f64,
+    },
     /// An explicit matrix of this size is refused.
     #[error("an explicit matrix of {cells} cells is larger than the limit of {limit} cells")]
     TooManyCells {
@@ -148,6 +164,82 @@ pub enum Error {
     NotPositiveDefinite {
         /// The first row where that shows.
         row: usize,
+    },
+    /// The points known do not determine what is asked of them.
+    #[error("{quantity} has {unknowns} unknowns, which {known} known points do not determine")]
+    Undetermined {
+        /// What is sought, in words.
+        quantity: &'static str,
+        /// Numbers sought.
+        unknowns: usize,
+        /// Points given.
+        known: usize,
+    },
+    /// A polynomial of this degree is refused.
+    #[error("a polynomial of degree {degree} exceeds the limit of {limit}")]
+    Degree {
+        /// Degree asked for.
+        degree: usize,
+        /// Degree allowed.
+        limit: usize,
+    },
+    /// A range of rows or columns is empty or leaves the grid.
+    #[error("the {quantity} {start}..{end} are none, or leave the {count} of the grid")]
+    Range {
+        /// Rows or columns.
+        quantity: &'static str,
+        /// First of the range.
+        start: usize,
+        /// First after the range.
+        end: usize,
+        /// Number in the grid.
+        count: usize,
+    },
+    /// A grid reaches beyond the samples it is to be filled from.
+    #[error("the grid reaches {reach:e} from the middle along {axis}, the samples only {limit:e}")]
+    BeyondSamples {
+        /// The axis, x or y.
+        axis: &'static str,
+        /// Distance of the outermost centres from the middle.
+        reach: f64,
+        /// Distance of the edge of the samples' grid from the middle.
+        limit: f64,
+    },
+    /// A Hurst exponent outside `[0, 1]` belongs to no rough surface.
+    #[error("the Hurst exponent must lie in [0, 1], got {0}")]
+    Hurst(f64),
+    /// A quantity is less than its least value.
+    #[error("{quantity} must be at least {least_is}, {least:e}, got {value:e}")]
+    Below {
+        /// The quantity, in words.
+        quantity: &'static str,
+        /// The value given.
+        value: f64,
+        /// What the least value is, in words.
+        least_is: &'static str,
+        /// The least value.
+        least: f64,
+    },
+    /// No wave that is periodic on the surface has a length within the band asked for.
+    #[error("no wave of the surface is between {longest:e} and {shortest:e} long")]
+    EmptyBand {
+        /// Longest wavelength asked for.
+        longest: f64,
+        /// Shortest wavelength asked for.
+        shortest: f64,
+    },
+    /// No phases were found that give the heights the skewness and kurtosis asked for.
+    #[error(
+        "no surface of this spectrum was found with a skewness of {skewness} and a kurtosis of {kurtosis}; the search ended at {} and {}",
+        .reached[0], .reached[1]
+    )]
+    HeightsNotReached {
+        /// Skewness asked for.
+        skewness: f64,
+        /// Kurtosis asked for.
+        kurtosis: f64,
+        /// Skewness and kurtosis where the search ended.
+        reached: [f64; 2],
     },
     /// The operating system refused to read or write a file.
     #[error("{path}: {problem}")]
@@ -268,3 +360,35 @@ pub(crate) fn length(quantity: &'static str, expected: usize, found: usize) -> R
         })
     }
 }
+
+/// The error of an iteration that reached its limit.
+pub(crate) fn not_converged(iterations: usize, residual: f64) -> Error {
+    Error::NotConverged(Box::new(Report {
+        status: Status::IterationLimit,
+        iterations,
+        residual,
+        ..Report::unsolved()
+    }))
+}
+
+/// `Ok` if a value is at least the one it must not be less than, to round-off.
+pub(crate) fn at_least(
+    least_is: &'static str,
+    least: f64,
+    quantity: &'static str,
+    value: f64,
+) -> Result<f64> {
+    if value >= least * (1.0 - ROUND_OFF) {
+        Ok(value)
+    } else {
+        Err(Error::Below {
+            quantity,
+            value,
+            least_is,
+            least,
+        })
+    }
+}
+
+/// Part of a value that it may lack when it was meant to equal its least.
+const ROUND_OFF: f64 = 1e-9;

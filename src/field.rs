@@ -49,6 +49,16 @@ impl Field {
         Self { grid, samples }
     }
 
+    /// A function of column and row, `f(ix, iy)`.
+    #[must_use]
+    pub fn from_indices(grid: Grid, f: impl Fn(usize, usize) -> f64) -> Self {
+        let cells = (0..grid.ny()).flat_map(|iy| (0..grid.nx()).map(move |ix| (ix, iy)));
+        Self {
+            grid,
+            samples: cells.map(|(ix, iy)| f(ix, iy)).collect(),
+        }
+    }
+
     /// Samples in row-major order, x fastest.
     ///
     /// # Errors

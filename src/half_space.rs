@@ -2,20 +2,22 @@
 
 use std::sync::{Arc, OnceLock};
 
-use crate::error::Result;
+use crate::boundary::Boundary;
+use crate::error::{Error, Result};
 use crate::fft::{CirculantInverse, Convolution};
 use crate::grid::Grid;
-use crate::influence::{Component, Samples, Table};
+use crate::influence::{Component, Samples, Symbols, Table};
 use crate::material::ElasticPair;
 use crate::operator::Operator;
 use crate::parallel::get_or_make;
-use crate::window::halved;
+use crate::window::{Window, halved};
 
 /// A pair of half-spaces on a grid, with the operators of the components in use.
 ///
 /// A component is sampled and transformed when a problem first asks for it, once; clones share it. The
 /// samples behind `XX`, `YY` and `ZZ` take 16 bytes per cell together, and serve the coarser grids of
 /// nested starts too; each operator takes 12 and its preconditioner one, the coarser ones a third more.
+/// With a periodic boundary there are no samples, and an operator takes three bytes per cell.
 /// `Send + Sync`: many solvers may run over one `HalfSpace` on many threads.
 ///
 /// ```
@@ -34,19 +36,28 @@ pub struct HalfSpace {
 struct Shared {
     grid: Grid,
     pair: ElasticPair,
-    /// What the coefficients of this grid and of all coarser ones are made of.
-    samples: Arc<Samples>,
+    /// What the coefficients of this grid and of all coarser ones are made of; none where they repeat.
+    samples: Option<Arc<Samples>>,
     kernels: [OnceLock<Kernel>; Component::ALL.len()],
     /// The same bodies on cells twice as large.
     coarser: OnceLock<HalfSpace>,
 }
 
-/// One component: its samples, and what was made of them for the whole grid.
+/// One component, and what was made of it for the whole grid.
 #[derive(Debug)]
 struct Kernel {
-    table: Table,
+    source: Source,
     operator: OnceLock<Arc<Convolution>>,
     inverse: OnceLock<Arc<CirculantInverse>>,
+}
+
+/// Where the spectra of a component come from.
+#[derive(Debug)]
+enum Source {
+    /// Free surroundings: the coefficient at every distance.
+    Table(Table),
+    /// A grid that repeats: its symbols.
+    Symbols(Symbols),
 }
 
 /// An operator and the preconditioner that goes with it.
@@ -62,17 +73,44 @@ const _: () = {
 };
 
 impl HalfSpace {
-    /// The pair meshed by `grid`; nothing is computed yet.
+    /// The pair meshed by `grid`, with [`Boundary::Free`] surroundings; nothing is computed yet.
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) if the sides of a cell are too far apart
     /// to compare.
     pub fn new(grid: Grid, pair: ElasticPair) -> Result<Self> {
-        let samples = Convolution::samples(grid)?;
-        Ok(Self::with_samples(grid, pair, Arc::new(samples)))
+        Self::with_boundary(grid, pair, Boundary::Free)
     }
 
-    fn with_samples(grid: Grid, pair: ElasticPair, samples: Arc<Samples>) -> Self {
+    /// The pair meshed by `grid`, with the surroundings given; nothing is computed yet.
+    ///
+    /// ```
+    /// use std::f64::consts::TAU;
+    /// use stickslip::{Boundary, ElasticPair, Grid, HalfSpace, Material, NormalLoad, NormalProblem, surface};
+    /// // A wavy surface pressed flat: the pressure p* = pi E* amplitude / wavelength just does it.
+    /// let grid = Grid::square(32, 1.0)?;
+    /// let pair = ElasticPair::new(Material::new(1.0, 0.5)?, Material::rigid())?;
+    /// let bodies = HalfSpace::with_boundary(grid, pair, Boundary::Periodic)?;
+    /// let wavy = stickslip::Field::from_fn(grid, |x, _| 0.01 * (1.0 - (TAU * x).cos()));
+    /// let flattening = 0.5 * TAU * pair.contact_modulus() * 0.01;
+    /// let load = NormalLoad::Force(1.001 * flattening * grid.area());
+    /// let contact = NormalProblem::builder(&bodies, &wavy, load).build()?.solve()?;
+    /// assert_eq!(contact.contact_cells(), grid.cells());
+    /// assert!((contact.approach() - 0.01).abs() < 1e-10); // the mean gap is closed
+    /// # Ok::<(), stickslip::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`HalfSpace::new`].
+    pub fn with_boundary(grid: Grid, pair: ElasticPair, boundary: Boundary) -> Result<Self> {
+        let samples = match boundary {
+            Boundary::Free => Some(Arc::new(Convolution::samples(grid)?)),
+            Boundary::Periodic => None,
+        };
+        Ok(Self::with_samples(grid, pair, samples))
+    }
+
+    fn with_samples(grid: Grid, pair: ElasticPair, samples: Option<Arc<Samples>>) -> Self {
         Self {
             shared: Arc::new(Shared {
                 grid,
@@ -96,13 +134,27 @@ impl HalfSpace {
         &self.shared.pair
     }
 
+    /// What lies beyond the edge of the grid.
+    #[must_use]
+    pub fn boundary(&self) -> Boundary {
+        match self.shared.samples {
+            Some(_) => Boundary::Free,
+            None => Boundary::Periodic,
+        }
+    }
+
     /// The operator of one component on the whole grid, made at the first call.
     ///
     /// # Errors
     /// As [`Table::sample`].
     pub fn operator(&self, component: Component) -> Result<Arc<Convolution>> {
         let kernel = self.kernel(component)?;
-        let make = || Ok(Arc::new(Convolution::of_table(self.size(), &kernel.table)));
+        let make = || {
+            Ok(Arc::new(match &kernel.source {
+                Source::Table(table) => Convolution::of_table(self.size(), table),
+                Source::Symbols(symbols) => Convolution::of_symbols(symbols),
+            }))
+        };
         get_or_make(&kernel.operator, make).cloned()
     }
 
@@ -126,26 +178,26 @@ impl HalfSpace {
         let kernel = self.kernel(component)?;
         let floor = operator.lower_bound();
         let make = || {
-            Ok(Arc::new(CirculantInverse::of_table(
-                self.size(),
-                &kernel.table,
-                floor,
-            )))
+            Ok(Arc::new(match &kernel.source {
+                Source::Table(table) => CirculantInverse::of_table(self.size(), table, floor),
+                Source::Symbols(symbols) => CirculantInverse::of_symbols(symbols),
+            }))
         };
         let inverse = get_or_make(&kernel.inverse, make).cloned()?;
         Ok(Compliance { operator, inverse })
     }
 
-    /// The same on a rectangle of `[nx, ny]` cells cut out of the grid, wherever it lies.
+    /// The same on a rectangle of `[nx, ny]` cells cut out of the grid, wherever it lies; a grid that
+    /// repeats is not cut.
     pub(crate) fn compliance_of_window(
         &self,
         component: Component,
         size: [usize; 2],
     ) -> Result<Compliance> {
-        if size == self.size() {
-            return self.compliance(component);
-        }
-        let table = &self.kernel(component)?.table;
+        let table = match &self.kernel(component)?.source {
+            Source::Table(table) if size != self.size() => table,
+            _ => return self.compliance(component),
+        };
         let operator = Convolution::of_table(size, table);
         let inverse = CirculantInverse::of_table(size, table, operator.lower_bound());
         Ok(Compliance {
@@ -154,7 +206,8 @@ impl HalfSpace {
         })
     }
 
-    /// The same bodies on cells of twice the sides, the grid as large or a fine cell larger.
+    /// The same bodies on cells of twice the sides, the grid as large or a fine cell larger; a grid that
+    /// repeats must be [even](Self::can_be_coarser).
     pub(crate) fn coarser(&self) -> Result<&Self> {
         let Shared {
             grid,
@@ -166,8 +219,37 @@ impl HalfSpace {
         get_or_make(coarser, || {
             let [nx, ny] = halved(self.size());
             let grid = Grid::new(nx, ny, 2.0 * grid.dx(), 2.0 * grid.dy())?;
-            Ok(Self::with_samples(grid, *pair, Arc::clone(samples)))
+            Ok(Self::with_samples(grid, *pair, samples.clone()))
         })
+    }
+
+    /// `Ok` if what was made on a grid with a boundary was made for these.
+    pub(crate) fn check_host(
+        &self,
+        quantity: &'static str,
+        grid: Grid,
+        boundary: Boundary,
+    ) -> Result<()> {
+        if grid != self.grid() {
+            Err(Error::GridMismatch { quantity })
+        } else if boundary != self.boundary() {
+            Err(Error::BoundaryMismatch { quantity })
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Whether cells of twice the sides fit.
+    pub(crate) fn can_be_coarser(&self) -> bool {
+        self.boundary() == Boundary::Free || self.size().iter().all(|n| n % 2 == 0)
+    }
+
+    /// The whole grid where it repeats, else the window: where a contact in the window is solved.
+    pub(crate) fn confined(&self, window: Window) -> Window {
+        match self.boundary() {
+            Boundary::Free => window,
+            Boundary::Periodic => Window::whole(self.grid()),
+        }
     }
 
     fn size(&self) -> [usize; 2] {
@@ -184,7 +266,10 @@ impl HalfSpace {
         } = &*self.shared;
         get_or_make(&kernels[component as usize], || {
             Ok(Kernel {
-                table: samples.table(*grid, pair, component)?,
+                source: match samples {
+                    Some(samples) => Source::Table(samples.table(*grid, pair, component)?),
+                    None => Source::Symbols(Symbols::new(*grid, pair, component)),
+                },
                 operator: OnceLock::new(),
                 inverse: OnceLock::new(),
             })

@@ -2,6 +2,7 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 pub mod analytical;
+mod boundary;
 pub mod cgm;
 mod contact_map;
 #[cfg(feature = "dense")]
@@ -23,6 +24,7 @@ pub mod surface;
 pub mod tangential;
 mod window;
 
+pub use boundary::Boundary;
 pub use contact_map::Warning;
 pub use error::{Error, Result};
 pub use field::Field;

@@ -55,9 +55,11 @@ pub trait Operator: Sync {
         self.apply(x, out, workspace);
     }
 
-    /// A known lower bound of the smallest eigenvalue, `x' C x >= bound * x' x`.
+    /// A known lower bound of the smallest eigenvalue, `x' C x >= bound * x' x`: for all `x`, or for all
+    /// `x` of sum zero if the operator maps constants to zero, as that of a periodic grid does.
     ///
-    /// It turns a residual into a certified error. The default, zero, says that nothing is
+    /// It turns a residual into a certified error: against the minimum or, in the second case, against
+    /// the minimum of the total the iterate has. The default, zero, says that nothing is
     /// known beyond positive semi-definiteness, and leaves only the duality gap; so does a negative
     /// number or NaN.
     fn lower_bound(&self) -> f64 {

@@ -70,10 +70,12 @@ pub struct Report {
     pub rough_convolutions: usize,
     /// Largest complementarity residual: `|g_i|` on free entries, the wrong-signed part of
     /// `g_i` on entries at a bound, divided by the largest `|(Cx)_i|` over the entries that can
-    /// move. Dimensionless.
+    /// move (or what the operator's smallest eigenvalue makes of the largest unknown, if that is more: a
+    /// uniform traction displaces nothing on a periodic grid). Dimensionless.
     pub residual: f64,
     /// Certified bound on the squared relative error in the energy norm:
-    /// `(x - x*)' C (x - x*) <= certified_gap * x' C x`. Dimensionless.
+    /// `(x - x*)' C (x - x*) <= certified_gap * x' C x` (or `lambda x' x` for `x' C x`, if that is more,
+    /// with the smallest eigenvalue `lambda` the operator knows). Dimensionless.
     pub certified_gap: f64,
     /// Relative error of the prescribed total, `|sum x - total| / sum |x|`; zero when no total
     /// is prescribed.

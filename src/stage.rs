@@ -117,7 +117,8 @@ pub(crate) fn nested_start<N: Nested>(
     settings: &Settings,
     observer: Observer<'_>,
 ) -> Result<Vec<f64>> {
-    if size[0] * size[1] <= COARSEST || size[0].min(size[1]) < 8 {
+    let is_small = size[0] * size[1] <= COARSEST || size[0].min(size[1]) < 8;
+    if is_small || !bodies.can_be_coarser() {
         return Ok(scene.plain_start(total));
     }
     let coarse = scene.coarse_scene(size);

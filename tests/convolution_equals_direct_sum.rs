@@ -15,7 +15,7 @@ use common::{max_abs, max_difference};
 use proptest::prelude::*;
 use stickslip::dense::DenseOperator;
 use stickslip::influence::Component;
-use stickslip::{ElasticPair, Grid, HalfSpace, Material, Operator};
+use stickslip::{Boundary, ElasticPair, Grid, HalfSpace, Material, Operator};
 
 /// Odd and even, square and not, one row, one column, one cell.
 fn grid() -> impl Strategy<Value = Grid> {
@@ -33,10 +33,16 @@ fn pair() -> impl Strategy<Value = ElasticPair> {
     })
 }
 
+fn boundary() -> impl Strategy<Value = Boundary> {
+    prop_oneof![Just(Boundary::Free), Just(Boundary::Periodic)]
+}
+
 proptest! {
     #[test]
-    fn all_nine_components((grid, pair, seed) in (grid(), pair(), any::<u64>())) {
-        let bodies = HalfSpace::new(grid, pair).unwrap();
+    fn all_nine_components(
+        (grid, pair, boundary, seed) in (grid(), pair(), boundary(), any::<u64>())
+    ) {
+        let bodies = HalfSpace::with_boundary(grid, pair, boundary).unwrap();
         let mut random = common::Random(seed);
         let mut traction: Vec<f64> = (0..grid.cells()).map(|_| random.uniform(-1.0, 1.0)).collect();
         // Rows without traction take a shorter way.
@@ -58,6 +64,24 @@ proptest! {
                 max_difference(&u, &expected) <= 1e-13 * scale,
                 "{:?}: {:e}", component, max_difference(&u, &expected) / scale
             );
+        }
+    }
+
+    /// On a periodic grid the bound is that of fields of mean zero: with a mean that counts, of all.
+    #[test]
+    fn the_smallest_periodic_eigenvalue_is_bounded((grid, pair) in (grid(), pair())) {
+        let bodies = HalfSpace::with_boundary(grid, pair, Boundary::Periodic).unwrap();
+        let cells = grid.cells();
+        for component in [Component::XX, Component::YY, Component::ZZ] {
+            let bound = bodies.operator(component).unwrap().lower_bound();
+            let dense = DenseOperator::of_half_space(&bodies, component).unwrap();
+            let own = dense.get(0, 0).unwrap();
+            let entry = |n: usize| dense.get(n / cells, n % cells).unwrap() + own;
+            let raised = DenseOperator::from_rows(cells, (0..cells * cells).map(entry).collect()).unwrap();
+            // The mean has become the largest eigenvalue; round-off is a part of that.
+            let round_off = 1e-13 * own * cells as f64;
+            prop_assert!((bound - raised.lower_bound()).abs() <= round_off + 1e-9 * bound);
+            prop_assert!(cells == 1 || bound > 0.0);
         }
     }
 

@@ -5,6 +5,9 @@
 pub(crate) mod measure;
 pub(crate) mod rough;
 pub(crate) mod scene;
+pub(crate) mod study;
+pub(crate) mod table;
+pub(crate) mod zones;
 
 use std::error::Error;
 use std::ops::Range;
@@ -22,6 +25,8 @@ pub(crate) type Chart<'a> =
 
 pub(crate) const BLUE: RGBColor = RGBColor(0, 90, 160);
 pub(crate) const ORANGE: RGBColor = RGBColor(230, 120, 20);
+pub(crate) const GREEN: RGBColor = RGBColor(20, 140, 90);
+pub(crate) const PURPLE: RGBColor = RGBColor(130, 60, 150);
 
 /// Height of the letters, in the units of the drawing.
 pub(crate) const LETTERS: u32 = 30;
@@ -172,6 +177,58 @@ pub(crate) fn curve(
                 + Circle::new((20, 0), 7, inside.filled())
                 + Circle::new((20, 0), 7, line)
         });
+    Ok(())
+}
+
+/// Points alone, full or hollow.
+pub(crate) fn dots(
+    chart: &mut Chart<'_>,
+    name: &str,
+    (colour, is_full): (RGBColor, bool),
+    points: impl IntoIterator<Item = (f64, f64)>,
+) -> Result<(), Box<dyn Error>> {
+    let inside = if is_full { colour } else { WHITE };
+    let dot = move |at| {
+        EmptyElement::at(at)
+            + Circle::new((0, 0), 7, inside.filled())
+            + Circle::new((0, 0), 7, colour.stroke_width(3))
+    };
+    chart
+        .draw_series(points.into_iter().map(dot))?
+        .label(name)
+        .legend(move |(x, y)| {
+            EmptyElement::at((x + 20, y))
+                + Circle::new((0, 0), 7, inside.filled())
+                + Circle::new((0, 0), 7, colour.stroke_width(3))
+        });
+    Ok(())
+}
+
+/// A thin black line: a law.
+pub(crate) fn law(
+    chart: &mut Chart<'_>,
+    name: &str,
+    is_full: bool,
+    points: impl IntoIterator<Item = (f64, f64)>,
+) -> Result<(), Box<dyn Error>> {
+    let line = BLACK.stroke_width(2);
+    let points: Vec<_> = points.into_iter().collect();
+    if is_full {
+        let series = LineSeries::new(points, line);
+        chart
+            .draw_series(series)?
+            .label(name)
+            .legend(move |(x, y)| PathElement::new([(x, y), (x + 40, y)], line));
+    } else {
+        let series = DashedLineSeries::new(points, 8, 6, line);
+        chart
+            .draw_series(series)?
+            .label(name)
+            .legend(move |(x, y)| {
+                let dash = |from, to| PathElement::new([(from, 0), (to, 0)], line);
+                EmptyElement::at((x, y)) + dash(0, 10) + dash(15, 25) + dash(30, 40)
+            });
+    }
     Ok(())
 }
 

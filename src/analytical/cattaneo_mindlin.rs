@@ -66,7 +66,7 @@ impl CattaneoMindlin {
             hertz,
             poisson_ratio,
             slip,
-            gross_shift: finite("shift at gross sliding", 1.5 * slip.limit * compliance)?,
+            gross_shift: finite("shift at gross sliding", 1.5 * slip.held.limit * compliance)?,
         })
     }
 
@@ -79,7 +79,7 @@ impl CattaneoMindlin {
     /// Tangential force $`F`$ on body 1, positive along +x.
     #[must_use]
     pub fn force(&self) -> f64 {
-        self.slip.force
+        self.slip.held.force
     }
 
     /// Radius of the stick disc $`c = a(1-f)^{1/3}`$ (a length). The paper's equation 27.
@@ -123,7 +123,7 @@ impl CattaneoMindlin {
     #[must_use]
     pub fn traction(&self, r: f64) -> f64 {
         let rho = r.abs() / self.hertz.contact_radius();
-        self.slip.friction * self.hertz.max_pressure() * self.slip.traction_fraction(rho)
+        self.slip.held.friction * self.hertz.max_pressure() * self.slip.traction_fraction(rho)
     }
 
     /// Tangential displacement $`u_x = u_{x1}-u_{x2}`$ (a length, of the sign of the force),
@@ -146,7 +146,7 @@ impl CattaneoMindlin {
         if rho > 1.0 {
             let whole = self.bracket(xi, eta, arc_sine(1.0, rho), 1.0);
             let stick = self.bracket(xi, eta, arc_sine(self.slip.stick, rho), 1.0);
-            self.slip.direction * self.gross_shift * (whole - stick) / PI
+            self.slip.held.direction * self.gross_shift * (whole - stick) / PI
         } else {
             self.shift() + self.slip(x, y)
         }
@@ -169,7 +169,7 @@ impl CattaneoMindlin {
         let (xi, eta, rho) = self.relative(x, y);
         if rho > self.slip.stick && rho <= 1.0 {
             let angle = arc_cosine(self.slip.stick, rho);
-            -self.slip.direction * self.gross_shift * self.bracket(xi, eta, angle, -1.0) / PI
+            -self.slip.held.direction * self.gross_shift * self.bracket(xi, eta, angle, -1.0) / PI
         } else {
             0.0
         }
@@ -187,7 +187,7 @@ impl CattaneoMindlin {
     /// quarter of what a cycle between $`\pm F`$ dissipates, Johnson (1985), 7.55-7.57.
     #[must_use]
     pub fn dissipated_energy(&self) -> f64 {
-        self.slip.limit * self.gross_shift * self.slip.dissipated_fraction()
+        self.slip.held.limit * self.gross_shift * self.slip.dissipated_fraction()
     }
 
     /// The point and its distance from the centre, in contact radii.
@@ -262,7 +262,7 @@ impl CattaneoMindlinEllipse {
         Ok(Self {
             hertz,
             slip,
-            gross_shift: finite("shift at gross sliding", 1.5 * slip.limit * compliance)?,
+            gross_shift: finite("shift at gross sliding", 1.5 * slip.held.limit * compliance)?,
         })
     }
 
@@ -275,7 +275,7 @@ impl CattaneoMindlinEllipse {
     /// Tangential force $`F`$ on body 1, positive along +x.
     #[must_use]
     pub fn force(&self) -> f64 {
-        self.slip.force
+        self.slip.held.force
     }
 
     /// Semi-axes of the stick ellipse (lengths), along x and along y: $`(1-f)^{1/3}`$ of those of
@@ -311,13 +311,13 @@ impl CattaneoMindlinEllipse {
     #[must_use]
     pub fn traction(&self, x: f64, y: f64) -> f64 {
         let rho = self.hertz.relative_radius(x, y);
-        self.slip.friction * self.hertz.max_pressure() * self.slip.traction_fraction(rho)
+        self.slip.held.friction * self.hertz.max_pressure() * self.slip.traction_fraction(rho)
     }
 
     /// Energy dissipated by the time the force has grown to $`F`$ (a force times a length), zero
     /// or positive; as [`CattaneoMindlin::dissipated_energy`].
     #[must_use]
     pub fn dissipated_energy(&self) -> f64 {
-        self.slip.limit * self.gross_shift * self.slip.dissipated_fraction()
+        self.slip.held.limit * self.gross_shift * self.slip.dissipated_fraction()
     }
 }

@@ -6,10 +6,19 @@
 //! | elliptic paraboloid under a normal load | [`HertzEllipse`] | Hertz; Johnson (1985), section 4.2 |
 //! | sphere in partial slip under a tangential load | [`CattaneoMindlin`] | Cattaneo (1938), Mindlin (1949) |
 //! | elliptic paraboloid in partial slip under a tangential load | [`CattaneoMindlinEllipse`] | Mindlin (1949), Vermeulen and Johnson (1964) |
+//! | sphere, or any contact circle, that sticks throughout | [`MindlinFullStick`] | Mindlin (1949) |
+//! | rigid flat-ended cylinder, and all of it stuck | [`FlatPunch`], [`FlatPunch::full_stick`] | Johnson (1985), sections 3.4 and 3.7 |
+//! | cone under a normal load | [`Cone`] | Sneddon (1965) |
+//! | cone in partial slip under a tangential load | [`ConePartialSlip`] | Ciavarella (1998), Jaeger (1998) |
+//! | waves along x, up to full contact and beyond | [`Westergaard`] | Westergaard (1939); Johnson (1985), section 13.2 |
+//! | waves in partial slip | [`WestergaardPartialSlip`] | Ciavarella (1998), Jaeger (1998) |
+//! | area of a rough sphere | [`RoughSphere`] | the paper's equation 32, after Müser |
+//! | area and stick ratio of a nominally flat rough surface | [`Persson`], [`linear_stick_ratio`] | Persson (2001), Paggi et al. (2014) |
 //!
 //! # Conventions
 //! - Units are any consistent set: `m, N, Pa` or `mm, N, MPa`.
-//! - The contact is centred on the origin of the plane `z = 0`; z points into body 1.
+//! - The contact, or a crest of waves, is centred on the origin of the plane `z = 0`; z points into
+//!   body 1.
 //! - Pressure is positive where the bodies push on each other. Traction is what acts on body 1,
 //!   positive along +x; body 2 receives the opposite.
 //! - Displacements are relative: the sum over the bodies of the normal displacement, each into its
@@ -26,14 +35,38 @@
 //! # References
 //! - K. L. Johnson, *Contact Mechanics*, Cambridge University Press, 1985,
 //!   [doi:10.1017/CBO9781139171731](https://doi.org/10.1017/CBO9781139171731).
+//! - M. Ciavarella, The generalized Cattaneo partial slip plane contact problem, *Int. J. Solids
+//!   Struct.* 35 (1998) 2349-2362, [doi:10.1016/S0020-7683(97)00154-6](https://doi.org/10.1016/S0020-7683(97)00154-6).
+//! - J. Jaeger, A new principle in contact mechanics, *J. Tribology* 120 (1998) 677-684,
+//!   [doi:10.1115/1.2833765](https://doi.org/10.1115/1.2833765).
 //! - R. D. Mindlin, Compliance of elastic bodies in contact, *J. Appl. Mech.* 16 (1949) 259-268,
 //!   [doi:10.1115/1.4009973](https://doi.org/10.1115/1.4009973).
+//! - L. Pastewka and M. O. Robbins, Contact area of rough spheres, *Appl. Phys. Lett.* 108 (2016)
+//!   221601, [doi:10.1063/1.4950802](https://doi.org/10.1063/1.4950802).
+//! - I. N. Sneddon, The relation between load and penetration in the axisymmetric Boussinesq problem
+//!   for a punch of arbitrary profile, *Int. J. Eng. Sci.* 3 (1965) 47-57,
+//!   [doi:10.1016/0020-7225(65)90019-4](https://doi.org/10.1016/0020-7225(65)90019-4).
+//! - H. M. Westergaard, Bearing pressures and cracks, *J. Appl. Mech.* 6 (1939) A49-A53,
+//!   [doi:10.1115/1.4008919](https://doi.org/10.1115/1.4008919).
 
 mod cattaneo_mindlin;
+mod cone;
 mod elliptic;
+mod flat_punch;
+mod full_stick;
+mod held_force;
 mod hertz;
 mod partial_slip;
+mod persson;
+mod rough_sphere;
 mod sines;
+mod westergaard;
 
 pub use cattaneo_mindlin::{CattaneoMindlin, CattaneoMindlinEllipse};
+pub use cone::{Cone, ConePartialSlip};
+pub use flat_punch::FlatPunch;
+pub use full_stick::MindlinFullStick;
 pub use hertz::{HertzEllipse, HertzSphere};
+pub use persson::{Persson, linear_stick_ratio};
+pub use rough_sphere::RoughSphere;
+pub use westergaard::{Westergaard, WestergaardPartialSlip};

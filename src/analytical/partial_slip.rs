@@ -1,17 +1,13 @@
 //! Partial slip of any paraboloid: the part that does not depend on its shape.
 
+use super::held_force::HeldForce;
 use super::hertz::dome;
-use crate::error::{Error, Result, finite, non_negative};
+use crate::error::Result;
 
 /// What sphere and ellipse share, in fractions of what gross sliding has.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct PartialSlip {
-    pub(super) friction: f64,
-    pub(super) force: f64,
-    /// $`\mu W`$.
-    pub(super) limit: f64,
-    /// Sign of the force.
-    pub(super) direction: f64,
+    pub(super) held: HeldForce,
     /// $`c/a = (1-f)^{1/3}`$.
     pub(super) stick: f64,
     /// $`1-c/a`$, with all its digits for small forces.
@@ -20,38 +16,17 @@ pub(super) struct PartialSlip {
 
 impl PartialSlip {
     pub(super) fn new(load: f64, friction: f64, force: f64) -> Result<Self> {
-        non_negative("coefficient of friction", friction)?;
-        finite("tangential force", force)?;
-        let limit = finite("friction limit", friction * load)?;
-        let magnitude = force.abs();
-        // The product above is rounded: a force meant to equal it may be a rounding larger.
-        if magnitude > limit * (1.0 + 4.0 * f64::EPSILON) {
-            return Err(Error::BeyondSliding {
-                force: magnitude,
-                limit,
-            });
-        }
-        let (stick, ring) = if magnitude < limit {
-            (
-                ((limit - magnitude) / limit).cbrt(),
-                -((-magnitude / limit).ln_1p() / 3.0).exp_m1(),
-            )
-        } else {
-            (0.0, 1.0)
-        };
+        let held = HeldForce::new(load, friction, force)?;
         Ok(Self {
-            friction,
-            force,
-            limit,
-            direction: force.signum(),
-            stick,
-            ring,
+            held,
+            stick: held.reserve.cbrt(),
+            ring: -((-held.fraction).ln_1p() / 3.0).exp_m1(),
         })
     }
 
     /// $`\delta_x/\delta_0 = \pm(1-c^2/a^2)`$.
     pub(super) fn shift_fraction(&self) -> f64 {
-        self.direction * self.ring * (1.0 + self.stick)
+        self.held.direction * self.ring * (1.0 + self.stick)
     }
 
     /// $`q/\mu p_0`$ at the relative radius $`\rho`$.
@@ -61,7 +36,7 @@ impl PartialSlip {
             let stick = ((self.stick - rho) * (self.stick + rho)).sqrt();
             self.shift_fraction() / (whole + stick)
         } else {
-            self.direction * whole
+            self.held.direction * whole
         }
     }
 

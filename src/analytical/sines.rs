@@ -1,12 +1,12 @@
 //! Differences of sines that vanish like the cube of their angle.
 //!
-//! The displacement outside a circle under Hertz pressure or shear is built of these two; written
-//! as plain differences they would lose every digit far from the circle and at its edge.
+//! Displacements and gaps beside a contact are built of these; written as plain differences they
+//! would lose every digit at its edge, and some far from it.
 
 /// $`\sin t - t\cos t = t^3/3 - \dots`$, for $`0 \le t \le 2\pi`$.
 pub(crate) fn sine_minus_arc_cosine(t: f64) -> f64 {
     if t < SERIES_BELOW {
-        series(t, |k| 2.0 * k)
+        series(t, t * t, |k| 2.0 * k)
     } else {
         t.sin() - t * t.cos()
     }
@@ -15,9 +15,18 @@ pub(crate) fn sine_minus_arc_cosine(t: f64) -> f64 {
 /// $`t - \sin t = t^3/6 - \dots`$, for $`0 \le t \le 2\pi`$.
 pub(crate) fn arc_minus_sine(t: f64) -> f64 {
     if t < SERIES_BELOW {
-        series(t, |_| 1.0)
+        series(t, t * t, |_| 1.0)
     } else {
         t - t.sin()
+    }
+}
+
+/// $`\sinh t - t = t^3/6 + \dots`$, for $`t \ge 0`$.
+pub(crate) fn hyperbolic_sine_minus_arc(t: f64) -> f64 {
+    if t < SERIES_BELOW {
+        -series(t, -t * t, |_| 1.0)
+    } else {
+        t.sinh() - t
     }
 }
 
@@ -25,9 +34,9 @@ pub(crate) fn arc_minus_sine(t: f64) -> f64 {
 const SERIES_BELOW: f64 = 1.0;
 const TERMS: u32 = 8;
 
-/// $`\sum_{k \ge 1} (-1)^{k+1} w_k\, t^{2k+1}/(2k+1)!`$.
-fn series(t: f64, weight: impl Fn(f64) -> f64) -> f64 {
-    let square = t * t;
+/// $`\sum_{k \ge 1} (-1)^{k+1} w_k\, t\,s^k/(2k+1)!`$ with the square $`s = t^2`$, or
+/// $`s = -t^2`$ for hyperbolic functions.
+fn series(t: f64, square: f64, weight: impl Fn(f64) -> f64) -> f64 {
     let mut term = t;
     let mut sum = 0.0;
     for k in (1..=TERMS).map(f64::from) {
@@ -49,6 +58,8 @@ mod tests {
             let expected = sine - t * cosine;
             assert_relative_eq!(sine_minus_arc_cosine(t), expected, max_relative = 2e-15);
             assert_relative_eq!(arc_minus_sine(t), t - sine, max_relative = 2e-15);
+            let found = hyperbolic_sine_minus_arc(t);
+            assert_relative_eq!(found, t.sinh() - t, max_relative = 4e-15);
         }
     }
 
@@ -65,6 +76,12 @@ mod tests {
         assert_relative_eq!(
             arc_minus_sine(t),
             cube / 6.0 * (1.0 - t * t / 20.0),
+            max_relative = 1e-15,
+            epsilon = 0.0
+        );
+        assert_relative_eq!(
+            hyperbolic_sine_minus_arc(t),
+            cube / 6.0 * (1.0 + t * t / 20.0),
             max_relative = 1e-15,
             epsilon = 0.0
         );

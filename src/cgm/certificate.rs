@@ -11,7 +11,7 @@ use crate::report::Report;
 /// What one fresh product says about an iterate.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Certificate {
-    /// Largest displacement among the entries that can move.
+    /// Largest displacement among the entries that can move, what all residuals are measured by.
     pub(crate) displacement: f64,
     /// Largest complementarity residual over that.
     pub(super) residual: f64,
@@ -69,10 +69,14 @@ pub(crate) fn examine(
     let (sums, found) = parallel::fold(x.len(), leaf, |a, b| (a.0.merge(b.0), a.1.merge(b.1)));
     let load = total.map_or(0.0, |total| (sums.sum - total).abs());
     let bound = 0.5 * found.squares.sqrt() + (0.25 * found.squares + found.dual).sqrt();
+    // An operator that maps constants to zero leaves a uniform answer neither displacement nor energy
+    // to measure by; what its smallest eigenvalue would make of it takes their place.
+    let displacement = larger(found.displacement, lower_bound * found.largest);
+    let energy = larger(sums.energy, lower_bound * sums.squares);
     Certificate {
-        displacement: found.displacement,
-        residual: ratio(found.violated, found.displacement),
-        gap: ratio(bound * bound, sums.energy),
+        displacement,
+        residual: ratio(found.violated, displacement),
+        gap: ratio(bound * bound, energy),
         load_error: ratio(load, sums.magnitude),
         free: found.free,
     }
@@ -83,6 +87,7 @@ pub(crate) fn examine(
 struct Sums {
     /// `x' C x`.
     energy: f64,
+    squares: f64,
     sum: f64,
     magnitude: f64,
 }
@@ -91,16 +96,19 @@ impl Sums {
     /// In lanes, so that many are added at a time.
     fn of(x: &[f64], product: &[f64]) -> Self {
         const LANES: usize = 4;
-        let (mut energy, mut sum, mut magnitude) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+        let (mut energy, mut squares) = ([0.0; LANES], [0.0; LANES]);
+        let (mut sum, mut magnitude) = ([0.0; LANES], [0.0; LANES]);
         for (xs, us) in x.chunks(LANES).zip(product.chunks(LANES)) {
             for (lane, (x, u)) in xs.iter().zip(us).enumerate() {
                 energy[lane] += x * u;
+                squares[lane] += x * x;
                 sum[lane] += x;
                 magnitude[lane] += x.abs();
             }
         }
         Self {
             energy: energy.iter().sum(),
+            squares: squares.iter().sum(),
             sum: sum.iter().sum(),
             magnitude: magnitude.iter().sum(),
         }
@@ -109,6 +117,7 @@ impl Sums {
     fn merge(self, other: Self) -> Self {
         Self {
             energy: self.energy + other.energy,
+            squares: self.squares + other.squares,
             sum: self.sum + other.sum,
             magnitude: self.magnitude + other.magnitude,
         }
@@ -118,9 +127,10 @@ impl Sums {
 /// What the entries that can move show.
 #[derive(Clone, Copy, Default)]
 struct Findings {
-    /// Largest displacement and largest violation.
+    /// Largest displacement, largest violation and largest unknown.
     displacement: f64,
     violated: f64,
+    largest: f64,
     free: usize,
     /// The two shares of the bound, `A` and `B^2`.
     dual: f64,
@@ -147,6 +157,7 @@ impl Findings {
             };
             self.displacement = larger(self.displacement, u.abs());
             self.violated = larger(self.violated, violated.abs());
+            self.largest = larger(self.largest, x.abs());
             self.free += usize::from(x > bounds[0] && x < bounds[1]);
             if violated != 0.0 {
                 // Either share is valid; each is taken where it is the smaller.
@@ -165,6 +176,7 @@ impl Findings {
         Self {
             displacement: larger(self.displacement, other.displacement),
             violated: larger(self.violated, other.violated),
+            largest: larger(self.largest, other.largest),
             free: self.free + other.free,
             dual: self.dual + other.dual,
             squares: self.squares + other.squares,

@@ -12,6 +12,11 @@ use crate::report::Status;
 /// Steps before the sets are looked at again.
 const INNER_LIMIT: usize = 60;
 
+/// Of the least stiffness there is but for constants: less is none, in single precision; and what is
+/// taken for none, to get to the bounds in a step.
+const FLAT: f64 = 1e-3;
+const FLATTEST: f64 = 1e-12;
+
 /// Conjugate gradients on the free entries, from `r = delta - (C x + b)`, with approximate
 /// products: what they miss the next outer step sees.
 pub(super) fn solve_free<C: Operator, K: Constraint, P: Operator>(
@@ -40,7 +45,14 @@ pub(super) fn solve_free<C: Operator, K: Constraint, P: Operator>(
         run.proceed(free)?;
         run.apply_roughly_to_direction();
         run.count_step();
-        let curvature = curvature(run);
+        let [curvature, square] = curvature(run);
+        // An operator that maps constants to zero lets all entries together slide to their bounds.
+        let stiffness = run.lower_bound * square;
+        let slides = run.problem.total.is_none() && free == run.len();
+        if slides && curvature < FLAT * stiffness {
+            advance(run, Some(along / (FLATTEST * stiffness)));
+            break;
+        }
         if !(curvature > 0.0 && along.is_finite()) {
             break;
         }
@@ -218,22 +230,24 @@ fn turn<C: Operator, K: Constraint, P: Operator>(
     along
 }
 
-/// `d' C d`, of the product in `image`.
-fn curvature<C: Operator, K: Constraint, P: Operator>(run: &Run<'_, '_, C, K, P>) -> f64 {
+/// `d' C d`, of the product in `image`, and `d' d`.
+fn curvature<C: Operator, K: Constraint, P: Operator>(run: &Run<'_, '_, C, K, P>) -> [f64; 2] {
     let Workspace {
         inner,
         image,
         free_set,
         ..
     } = &*run.workspace;
-    let [curvature] = free_set.sweep((), |entries, ()| {
+    free_set.sweep((), |entries, ()| {
         let (directions, image) = (
             &inner.direction[entries.range.clone()],
             &image[entries.chunk.clone()],
         );
-        entries.sums(|k, place| [directions[k] * image[place]])
-    });
-    curvature
+        entries.sums(|k, place| {
+            let d = directions[k];
+            [d * image[place], d * d]
+        })
+    })
 }
 
 /// `image = M direction`.

@@ -3,6 +3,7 @@
 //! Sums follow a fixed tree of chunks, so that their bits do not depend on the number of threads.
 
 use crate::parallel;
+pub(super) use crate::parallel::sums;
 
 /// The sum of a slice.
 pub(super) fn total(values: &[f64]) -> f64 {
@@ -25,17 +26,6 @@ pub(super) fn in_lanes(values: &[f64]) -> f64 {
 /// `sum f(i)` over `0..len`.
 pub(super) fn sum(len: usize, f: impl Fn(usize) -> f64 + Sync) -> f64 {
     parallel::fold(len, |range| range.map(&f).sum::<f64>(), |a, b| a + b)
-}
-
-/// `sum [f(i)]` of several quantities at once.
-pub(super) fn sums<const K: usize>(len: usize, f: impl Fn(usize) -> [f64; K] + Sync) -> [f64; K] {
-    let add = |mut a: [f64; K], b: [f64; K]| {
-        for (a, b) in a.iter_mut().zip(b) {
-            *a += b;
-        }
-        a
-    };
-    parallel::fold(len, |range| range.map(&f).fold([0.0; K], add), add)
 }
 
 /// `max f(i)` over `0..len` of non-negative quantities; NaN wins, so that it is seen.

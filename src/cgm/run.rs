@@ -27,7 +27,7 @@ pub(super) struct Run<'a, 'b, C: Operator, K, P: Operator> {
     /// Least merit so far.
     pub(super) best: f64,
     /// Of the eigenvalues; zero if none is known.
-    lower_bound: f64,
+    pub(super) lower_bound: f64,
     /// Whether the total leaves no choice: the unknowns stand at their bounds.
     is_extreme: bool,
 }

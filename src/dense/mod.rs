@@ -6,6 +6,7 @@
 //! to check the fast paths, and to answer scenes of some hundred cells once and for all.
 
 mod active_set;
+mod wave_sum;
 
 pub use active_set::DenseMinimum;
 
@@ -13,7 +14,9 @@ use std::sync::OnceLock;
 
 use faer::{MatRef, Side};
 
+use crate::boundary::Boundary;
 use crate::error::{Error, Result, all_finite, length};
+use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::influence::{Component, Table};
 use crate::operator::Operator;
@@ -62,19 +65,27 @@ impl DenseOperator {
         })
     }
 
-    /// One influence coefficient between all cells of a half-space (lengths over pressures).
+    /// One influence coefficient between all cells of a half-space (lengths over pressures). That of a
+    /// periodic grid maps constants to zero: [`minimise`](Self::minimise) needs it with some constant
+    /// added to every entry, which changes no answer under a total.
     ///
     /// # Errors
     /// [`Error::TooManyCells`] above 4096 cells.
     pub fn of_half_space(bodies: &HalfSpace, component: Component) -> Result<Self> {
         let grid = bodies.grid();
         check_size(grid.cells())?;
-        let table = Table::sample(grid, bodies.pair(), component)?;
+        let coefficients = match bodies.boundary() {
+            Boundary::Free => {
+                let table = Table::sample(grid, bodies.pair(), component)?;
+                Field::from_indices(grid, |i, j| table.at(i, j))
+            }
+            Boundary::Periodic => wave_sum::coefficients(grid, bodies.pair(), component),
+        };
         let [odd_x, odd_y] = component.is_odd();
         let (nx, cells) = (grid.nx(), grid.cells());
         let entry = |field: usize, source: usize| {
             let ((i, k), (j, l)) = ((field % nx, source % nx), (field / nx, source / nx));
-            let value = table.at(i.abs_diff(k), j.abs_diff(l));
+            let value = coefficients.as_slice()[j.abs_diff(l) * nx + i.abs_diff(k)];
             if (odd_x && i < k) == (odd_y && j < l) {
                 value
             } else {

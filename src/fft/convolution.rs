@@ -1,4 +1,4 @@
-//! The free half-space as an operator: zero-padded convolution with one influence coefficient.
+//! The half-space as an operator: convolution with one influence coefficient, zero-padded or periodic.
 
 use crate::error::Result;
 use crate::fft::length::smooth_length;
@@ -6,16 +6,17 @@ use crate::fft::plan::{Buffers, Plan};
 use crate::fft::single::{SingleProduct, SingleWorkspace};
 use crate::fft::spectrum::Spectrum;
 use crate::grid::Grid;
-use crate::influence::{Component, Samples, Table};
+use crate::influence::{Component, Samples, Symbols, Table};
 use crate::material::ElasticPair;
 use crate::operator::Operator;
 
 /// `u_i = C_ij * t_j` on a grid: displacement component `i` of every cell from the tractions `j`
-/// of all cells, by fast transforms and without periodic images.
+/// of all cells, by fast transforms: without periodic images ([`Self::new`]) or on a grid that repeats
+/// ([`Self::periodic`]).
 ///
 /// Tractions are pressures, displacements lengths. Equal to the direct sum up to round-off
 /// (1e-15 of the largest displacement, typically). Immutable and shared; memory 12 bytes per cell,
-/// and 24 per cell in each workspace.
+/// and 24 per cell in each workspace; a periodic one needs a quarter, and 24.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Grid, Material, Operator, fft::Convolution, influence::Component};
@@ -50,6 +51,38 @@ impl Convolution {
         Ok(Self::of_table([grid.nx(), grid.ny()], &table))
     }
 
+    /// The same on a grid that repeats along x and y, with the symbols of the [`influence`](crate::influence)
+    /// page and no padding: exact for tractions made of waves that fit the grid, down to two cells a
+    /// period. A mean traction causes none of it, so that displacements have mean zero.
+    ///
+    /// ```
+    /// use std::f64::consts::TAU;
+    /// use stickslip::{ElasticPair, Field, Grid, Material, Operator};
+    /// use stickslip::{fft::Convolution, influence::Component};
+    /// let pair = ElasticPair::new(Material::new(1.0, 0.5)?, Material::rigid())?;
+    /// let grid = Grid::square(9, 1.0)?;
+    /// let normal = Convolution::periodic(grid, &pair, Component::ZZ);
+    ///
+    /// let wave = Field::from_fn(grid, |x, _| 3.0 + (TAU * x).cos());
+    /// let mut displacement = Field::zeros(grid);
+    /// normal.apply(wave.as_slice(), displacement.as_mut_slice(), &mut normal.workspace());
+    /// // 2/(E* k) times the wave, nothing for its mean.
+    /// let expected = 2.0 / (pair.contact_modulus() * TAU);
+    /// assert!((displacement.get(4, 0).unwrap() - expected).abs() < 1e-15);
+    /// # Ok::<(), stickslip::Error>(())
+    /// ```
+    #[must_use]
+    pub fn periodic(grid: Grid, pair: &ElasticPair, component: Component) -> Self {
+        Self::of_symbols(&Symbols::new(grid, pair, component))
+    }
+
+    pub(crate) fn of_symbols(symbols: &Symbols) -> Self {
+        let spectrum = Spectrum::of_symbols(symbols);
+        let eigenvalues = spectrum.extremes_without_mean();
+        let size = symbols.size();
+        Self::of_spectrum(size, size, symbols.component(), &spectrum, eigenvalues)
+    }
+
     /// The integrals of all coefficients at every distance the padded transform of `grid` reaches.
     pub(crate) fn samples(grid: Grid) -> Result<Samples> {
         let reach = padded([grid.nx(), grid.ny()]).map(|m| m / 2 + 1);
@@ -59,13 +92,22 @@ impl Convolution {
     /// On `[nx, ny]` cells, from a table of the [`Self::samples`] of these or more cells.
     pub(crate) fn of_table(size: [usize; 2], table: &Table) -> Self {
         let torus = padded(size);
-        let component = table.component();
         let spectrum = Spectrum::of_table(table, torus);
-        // The matrix is a principal part of the torus's, whose eigenvalues are the spectrum; what
-        // the transform itself rounds off is taken from the bound.
+        // The matrix is a principal part of the torus's, whose eigenvalues are the spectrum.
+        let eigenvalues = spectrum.extremes();
+        Self::of_spectrum(size, torus, table.component(), &spectrum, eigenvalues)
+    }
+
+    fn of_spectrum(
+        size: [usize; 2],
+        torus: [usize; 2],
+        component: Component,
+        spectrum: &Spectrum<f64>,
+        [low, high]: [f64; 2],
+    ) -> Self {
+        // What the transform itself rounds off is taken from the bound.
         let lower_bound = match component {
-            Component::XX | Component::YY | Component::ZZ => {
-                let [low, high] = spectrum.extremes();
+            Component::XX | Component::YY | Component::ZZ if low.is_finite() => {
                 (low - 1e-14 * high).max(0.0)
             }
             _ => 0.0,
@@ -73,7 +115,7 @@ impl Convolution {
         let normalisation = 1.0 / (torus[0] * torus[1]) as f64;
         Self {
             plan: Plan::new(size, torus),
-            single: SingleProduct::new(size, torus, &spectrum, |value| value),
+            single: SingleProduct::new(size, torus, spectrum, |value| value),
             spectrum: spectrum.map(|value| value * normalisation),
             component,
             lower_bound,
@@ -129,8 +171,9 @@ impl Operator for Convolution {
         self.single.apply(x, out, buffers);
     }
 
-    /// The smallest eigenvalue of the periodic continuation, a bound for the cells cut out of it;
-    /// zero for the components that are not a compliance of their own.
+    /// The smallest eigenvalue of the periodic continuation, a bound for the cells cut out of it; for a
+    /// periodic grid that on fields of mean zero. Zero for the components that are not a compliance of
+    /// their own.
     fn lower_bound(&self) -> f64 {
         self.lower_bound
     }

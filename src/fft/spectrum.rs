@@ -4,7 +4,7 @@ use num_complex::Complex;
 use realfft::RealFftPlanner;
 
 use crate::fft::real::Real;
-use crate::influence::Table;
+use crate::influence::{Component, Symbols, Table};
 use crate::parallel::{self, Blocks};
 
 /// The two-dimensional transform of a kernel of known parity, wrapped around an `mx` x `my` torus.
@@ -42,6 +42,23 @@ impl Spectrum<f64> {
                 *value = -*value;
             }
         }
+        Self::of_values(table.component(), height, values)
+    }
+
+    /// The symbols of a periodic kernel, on a torus without padding.
+    pub(super) fn of_symbols(symbols: &Symbols) -> Self {
+        let [width, height] = symbols.size().map(|n| n / 2 + 1);
+        let mut values = vec![0.0; width * height];
+        parallel::rows(&mut values, height, |column, out| {
+            for (row, value) in out.iter_mut().enumerate() {
+                *value = symbols.at([column, row]);
+            }
+        });
+        Self::of_values(symbols.component(), height, values)
+    }
+
+    fn of_values(component: Component, height: usize, values: Vec<f64>) -> Self {
+        let [is_odd_x, is_odd_y] = component.is_odd();
         Self {
             values,
             height,
@@ -52,11 +69,18 @@ impl Spectrum<f64> {
 
     /// Smallest and largest value; for an even kernel the eigenvalues of the torus.
     pub(super) fn extremes(&self) -> [f64; 2] {
-        self.values
-            .iter()
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &value| {
-                [low.min(value), high.max(value)]
-            })
+        extremes(&self.values)
+    }
+
+    /// The same of fields of mean zero.
+    pub(super) fn extremes_without_mean(&self) -> [f64; 2] {
+        extremes(&self.values[1..])
+    }
+
+    /// With another value for the mean.
+    pub(super) fn with_mean(mut self, value: f64) -> Self {
+        self.values[0] = value;
+        self
     }
 
     /// The spectrum with every value replaced.
@@ -92,6 +116,14 @@ impl<T: Real> Spectrum<T> {
             }
         }
     }
+}
+
+fn extremes(values: &[f64]) -> [f64; 2] {
+    values
+        .iter()
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &value| {
+            [low.min(value), high.max(value)]
+        })
 }
 
 /// For each line of `out`, the cosine (even) or sine (odd) sums `sum_d f(line, d) e^(2 pi i k d/m)`

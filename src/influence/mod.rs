@@ -31,6 +31,19 @@
 //! C_{zy} = -C_{yz} = \frac{(1-2\nu) D_Y}{4 \pi G}.
 //! ```
 //!
+//! On a periodic grid a wave of traction of wave vector `k` causes a wave of displacement, larger by the
+//! symbol (theirs is the Fourier transform of the kernels, continuous and without an average over cells)
+//!
+//! ```math
+//! \hat C_{xx} = \frac{1 - \nu k_x^2/k^2}{G k}, \quad
+//! \hat C_{yy} = \frac{1 - \nu k_y^2/k^2}{G k}, \quad
+//! \hat C_{zz} = \frac{1 - \nu}{G k}, \quad
+//! \hat C_{xy} = -\frac{\nu k_x k_y}{G k^3}, \quad
+//! \hat C_{zx} = -\hat C_{xz} = -\mathrm{i}\,\frac{(1 - 2\nu) k_x}{2 G k^2},
+//! ```
+//!
+//! `zy` and `yz` likewise; the wave of zero wave number, a mean traction, has none and is given zero.
+//!
 //! Source: Appendix A of Wang, De Boer, Neville & Ghanbarzadeh, Tribology International 159
 //! (2021) 106947, with the printed slips mended: in `C_xx`, `C_yy` and `C_zz` the numerator of the
 //! second logarithm is `(x+a) + hypot(x+a, y+b)`, the stray terms before the third are dropped,
@@ -39,10 +52,12 @@
 mod integrals;
 mod rectangle;
 mod samples;
+mod symbols;
 mod table;
 
 pub use rectangle::{Rectangle, Tensor};
 pub(crate) use samples::Samples;
+pub(crate) use symbols::Symbols;
 pub use table::Table;
 
 use crate::material::Compliances;

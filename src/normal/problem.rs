@@ -1,9 +1,9 @@
 //! The scene of a normal contact, checked once.
 
+use crate::boundary::Boundary;
 use crate::cgm::{Settings, settings_methods};
 use crate::error::{Error, Result, all_finite, finite, non_negative};
 use crate::field::Field;
-use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::normal::{NormalSolution, NormalSolver};
 
@@ -13,23 +13,31 @@ pub enum NormalLoad {
     /// The normal force W >= 0; the approach follows. Zero force is first touch.
     Force(f64),
     /// The approach delta of the bodies from the datum of the gap (a length, positive when they
-    /// come together); the force follows. At or below the least gap nothing touches.
+    /// come together); the force follows. At or below the least gap nothing touches. On a periodic grid
+    /// it must stay below the mean gap, which it would close; certified is then the error against the
+    /// contact under the force found.
     Approach(f64),
 }
 
 impl NormalLoad {
-    pub(super) fn check(self, grid: Grid) -> Result<()> {
+    /// `Ok` if the load can press the gap, which must have been checked.
+    pub(super) fn check(self, bodies: &HalfSpace, gap: &Field) -> Result<()> {
         match self {
             Self::Force(force) => {
                 non_negative("normal force", force)?;
-                finite(
-                    "normal force over the area of a cell",
-                    force / grid.cell_area(),
-                )
+                let pressure = force / gap.grid().cell_area();
+                finite("normal force over the area of a cell", pressure)?;
             }
-            Self::Approach(approach) => finite("approach", approach),
+            Self::Approach(approach) => {
+                finite("approach", approach)?;
+                let mean_gap = || gap.integral() / gap.grid().area();
+                if bodies.boundary() == Boundary::Periodic && approach >= mean_gap() {
+                    let mean_gap = mean_gap();
+                    return Err(Error::ApproachBeyondMeanGap { approach, mean_gap });
+                }
+            }
         }
-        .map(|_| ())
+        Ok(())
     }
 }
 
@@ -113,10 +121,10 @@ impl NormalProblemBuilder<'_> {
     /// # Errors
     /// [`Error::GridMismatch`] if the gap lives on another grid, [`Error::Sample`] if it is not
     /// finite, [`Error::Negative`] or [`Error::NotFinite`] for the load, [`Error::Tolerance`],
-    /// [`Error::IterationLimit`].
+    /// [`Error::IterationLimit`]; [`Error::ApproachBeyondMeanGap`] on a periodic grid.
     pub fn build(self) -> Result<NormalProblem> {
         check_gap(self.bodies, self.gap)?;
-        self.load.check(self.bodies.grid())?;
+        self.load.check(self.bodies, self.gap)?;
         self.settings.check()?;
         Ok(NormalProblem {
             bodies: self.bodies.clone(),

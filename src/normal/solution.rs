@@ -1,5 +1,6 @@
 //! The answer to a normal contact.
 
+use crate::boundary::Boundary;
 use crate::contact_map::{ContactMap, Warning};
 use crate::field::Field;
 use crate::grid::Grid;
@@ -11,16 +12,18 @@ use crate::report::Report;
 pub struct NormalSolution {
     pressure: Field,
     gap: Field,
+    boundary: Boundary,
     approach: f64,
     report: Report,
 }
 
 impl NormalSolution {
     /// No contact yet.
-    pub(super) fn empty(gap: &Field) -> Self {
+    pub(super) fn empty(gap: &Field, boundary: Boundary) -> Self {
         Self {
             pressure: Field::zeros(gap.grid()),
             gap: gap.clone(),
+            boundary,
             approach: 0.0,
             report: Report::unsolved(),
         }
@@ -66,7 +69,8 @@ impl NormalSolution {
     }
 
     /// Approach delta of the bodies from the datum of the initial gap (a length): prescribed, or the
-    /// multiplier of the force.
+    /// multiplier of the force. On a periodic grid it is the mean of the initial gap less that of the gap
+    /// under load.
     #[must_use]
     pub fn approach(&self) -> f64 {
         self.approach
@@ -76,6 +80,12 @@ impl NormalSolution {
     #[must_use]
     pub fn force(&self) -> f64 {
         self.pressure.integral()
+    }
+
+    /// What lies beyond the edge of the grid.
+    #[must_use]
+    pub fn boundary(&self) -> Boundary {
+        self.boundary
     }
 
     /// Cells that carry pressure.
@@ -96,6 +106,15 @@ impl NormalSolution {
     #[must_use]
     pub fn contact_area_corrected(&self) -> f64 {
         self.contact_map().corrected_area()
+    }
+
+    /// Cells of each contact spot, the largest spot first; a spot is a set of contact cells connected
+    /// through their sides, across the edges of a periodic grid too.
+    #[must_use]
+    pub fn contact_spots(&self) -> Vec<usize> {
+        let mut sizes = self.contact_map().spot_sizes();
+        sizes.sort_unstable_by(|a, b| b.cmp(a));
+        sizes
     }
 
     /// Mean pressure over the contact by counting; zero without contact.
@@ -121,6 +140,7 @@ impl NormalSolution {
         let pressure = self.pressure.as_slice();
         ContactMap {
             grid: self.pressure.grid(),
+            boundary: self.boundary,
             contains: move |i| pressure[i] > 0.0,
         }
     }

@@ -66,9 +66,9 @@ struct Whole {
 }
 
 impl Engine {
-    /// On a window, or on the whole grid if the window saves too little.
+    /// On a window, or on the whole grid if it repeats or the window saves too little.
     fn new(bodies: &HalfSpace, window: Window) -> Result<Self> {
-        let whole = Window::whole(bodies.grid());
+        let (window, whole) = (bodies.confined(window), Window::whole(bodies.grid()));
         let is_whole = 5 * window.cells() > 4 * whole.cells();
         let window = if is_whole { whole } else { window };
         let whole = if is_whole {
@@ -114,9 +114,10 @@ impl NormalSolver {
     /// Changes the load of the next solve.
     ///
     /// # Errors
-    /// [`Error::Negative`] or [`Error::NotFinite`]; the load is then as it was.
+    /// [`Error::Negative`], [`Error::NotFinite`] or, on a periodic grid,
+    /// [`Error::ApproachBeyondMeanGap`]; the load is then as it was.
     pub fn set_load(&mut self, load: NormalLoad) -> Result<()> {
-        load.check(self.problem.gap.grid())?;
+        load.check(&self.problem.bodies, &self.problem.gap)?;
         self.problem.load = load;
         Ok(())
     }
@@ -124,9 +125,11 @@ impl NormalSolver {
     /// Changes the gap of the next solve, as wear does; copies it without allocating.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`] or [`Error::Sample`]; the gap is then as it was.
+    /// [`Error::GridMismatch`], [`Error::Sample`] or, on a periodic grid,
+    /// [`Error::ApproachBeyondMeanGap`]; the gap is then as it was.
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
         check_gap(&self.problem.bodies, gap)?;
+        self.problem.load.check(&self.problem.bodies, gap)?;
         self.problem
             .gap
             .as_mut_slice()
@@ -142,7 +145,7 @@ impl NormalSolver {
     /// An empty solution of the right size for [`NormalSolver::solve_into`].
     #[must_use]
     pub fn new_solution(&self) -> NormalSolution {
-        NormalSolution::empty(&self.problem.gap)
+        NormalSolution::empty(&self.problem.gap, self.problem.bodies.boundary())
     }
 
     /// Solves into `solution`, whose last content does not matter.
@@ -164,11 +167,8 @@ impl NormalSolver {
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<()> {
         let gap = &self.problem.gap;
-        if solution.grid() != gap.grid() {
-            return Err(Error::GridMismatch {
-                quantity: "solution",
-            });
-        }
+        let bodies = &self.problem.bodies;
+        bodies.check_host("solution", solution.grid(), solution.boundary())?;
         let start = Instant::now();
         let mut observer = with_memory(&mut observer);
         // Without a datum far from the contact the sums keep their last digits.

@@ -109,10 +109,22 @@ impl Waves {
 
     /// Replaces every amplitude by a function of its mode and itself.
     pub(super) fn update(&mut self, f: impl Fn(Mode, Complex<f64>) -> Complex<f64> + Sync) {
+        self.update_with([], |mode, value, []| f(mode, value));
+    }
+
+    /// Replaces every amplitude by a function of its mode, itself and its likes among other waves on
+    /// the same grid.
+    pub(super) fn update_with<const N: usize>(
+        &mut self,
+        others: [&Self; N],
+        f: impl Fn(Mode, Complex<f64>, [Complex<f64>; N]) -> Complex<f64> + Sync,
+    ) {
         let grid = self.grid;
-        parallel::rows(&mut self.amplitudes, grid.ny(), |column, values| {
+        let ny = grid.ny();
+        parallel::rows(&mut self.amplitudes, ny, |column, values| {
             for (row, value) in values.iter_mut().enumerate() {
-                *value = f(Mode::new(grid, column, row), *value);
+                let likes = others.map(|other| other.amplitudes[column * ny + row]);
+                *value = f(Mode::new(grid, column, row), *value, likes);
             }
         });
     }

@@ -1,6 +1,8 @@
 //! Smooth shapes, each as half-space theory sees it.
 
-use crate::error::{Result, positive};
+use std::f64::consts::TAU;
+
+use crate::error::{Result, finite, non_negative, positive};
 use crate::field::Field;
 use crate::grid::Grid;
 
@@ -33,5 +35,125 @@ pub fn ellipsoid(grid: Grid, radius_x: f64, radius_y: f64) -> Result<Field> {
     positive("radius along y", radius_y)?;
     Ok(Field::from_fn(grid, |x, y| {
         0.5 * (x * x / radius_x + y * y / radius_y)
+    }))
+}
+
+/// A cylinder along y, touching a plane along the line `x = 0`: `h = x^2 / (2 R)`, lengths.
+///
+/// A cylinder of another direction is a [`paraboloid`].
+///
+/// # Errors
+/// [`Error::NotPositive`](crate::Error::NotPositive) for the radius.
+pub fn cylinder(grid: Grid, radius: f64) -> Result<Field> {
+    positive("radius", radius)?;
+    Ok(Field::from_fn(grid, |x, _| 0.5 * x * x / radius))
+}
+
+/// Part of the mean curvature by which the smaller principal curvature of a cylinder may be negative,
+/// from round-off.
+const ROUND_OFF: f64 = 1e-12;
+
+/// A body of any principal directions, touching a plane at the origin:
+/// $`h = \frac12 (\kappa_{xx} x^2 + 2 \kappa_{xy} x y + \kappa_{yy} y^2)`$.
+///
+/// `curvatures` are $`[\kappa_{xx}, \kappa_{xy}, \kappa_{yy}]`$ (one over lengths). Principal
+/// curvatures $`\kappa_1`$ at the angle $`\alpha`$ from x and $`\kappa_2`$ across it make
+///
+/// ```math
+/// \kappa_{xx} = \kappa_1 \cos^2\alpha + \kappa_2 \sin^2\alpha , \quad
+/// \kappa_{xy} = (\kappa_1 - \kappa_2) \sin\alpha \cos\alpha , \quad
+/// \kappa_{yy} = \kappa_1 \sin^2\alpha + \kappa_2 \cos^2\alpha .
+/// ```
+///
+/// Curvatures of two bodies add up: two crossed cylinders of radii `R` make a sphere of radius `R`.
+///
+/// # Errors
+/// [`Error::NotFinite`](crate::Error::NotFinite) for a curvature; [`Error::Negative`](crate::Error::Negative)
+/// if a principal curvature is negative: a saddle touches no plane at the origin.
+///
+/// ```
+/// use stickslip::{Grid, surface};
+/// let grid = Grid::square(8, 1.0)?;
+/// // A cylinder of radius 5 whose axis lies along the diagonal x = y.
+/// let diagonal = surface::paraboloid(grid, [0.1, -0.1, 0.1])?;
+/// assert_eq!(diagonal.get(6, 6), Some(0.0));
+/// assert!(surface::paraboloid(grid, [0.1, 0.2, 0.1]).is_err());
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+pub fn paraboloid(grid: Grid, curvatures: [f64; 3]) -> Result<Field> {
+    let [xx, xy, yy] = curvatures;
+    finite("curvature xx", xx)?;
+    finite("curvature xy", xy)?;
+    finite("curvature yy", yy)?;
+    let mean = non_negative("mean curvature", 0.5 * xx + 0.5 * yy)?;
+    let smaller = mean - (0.5 * xx - 0.5 * yy).hypot(xy);
+    if smaller < -ROUND_OFF * mean {
+        non_negative("smaller principal curvature", smaller)?;
+    }
+    Ok(Field::from_fn(grid, |x, y| {
+        0.5 * (xx * x * x + 2.0 * xy * x * y + yy * y * y)
+    }))
+}
+
+/// A cone, touching a plane with its tip at the origin: `h = slope * sqrt(x^2 + y^2)`.
+///
+/// `slope` is the tangent of the angle between cone and plane, dimensionless; `h` is a length.
+///
+/// # Errors
+/// [`Error::NotPositive`](crate::Error::NotPositive) for the slope.
+pub fn cone(grid: Grid, slope: f64) -> Result<Field> {
+    positive("slope", slope)?;
+    Ok(Field::from_fn(grid, |x, y| slope * x.hypot(y)))
+}
+
+/// A flat-ended cylindrical punch, centred on the origin: `h = 0` in the cells whose centre is within
+/// `radius` of it and `recess` in the others, lengths.
+///
+/// The recess only has to exceed the displacements, so that the body around the punch stays clear.
+///
+/// # Errors
+/// [`Error::NotPositive`](crate::Error::NotPositive) for the radius or the recess, or if the punch is
+/// so small that it covers no centre of a cell.
+pub fn flat_punch(grid: Grid, radius: f64, recess: f64) -> Result<Field> {
+    positive("radius", radius)?;
+    positive("recess", recess)?;
+    let punch = Field::from_fn(grid, |x, y| if x.hypot(y) <= radius { 0.0 } else { recess });
+    let covered = punch.as_slice().iter().filter(|&&h| h < recess).count();
+    positive("number of cells the punch covers", covered as f64)?;
+    Ok(punch)
+}
+
+/// Straight waves with crests along y, one of them at `x = 0`:
+/// $`h = A (1 - \cos(2\pi x/\lambda))`$, zero on the crests and $`2A`$ in the troughs.
+///
+/// `amplitude` is $`A`$, `wavelength` is $`\lambda`$ (lengths). Westergaard's problem; on a periodic
+/// half-space the wavelength must divide the side of the grid.
+///
+/// # Errors
+/// [`Error::NotPositive`](crate::Error::NotPositive) for the amplitude or the wavelength.
+pub fn wavy(grid: Grid, amplitude: f64, wavelength: f64) -> Result<Field> {
+    positive("amplitude", amplitude)?;
+    positive("wavelength", wavelength)?;
+    Ok(Field::from_fn(grid, |x, _| {
+        amplitude * (1.0 - (TAU * x / wavelength).cos())
+    }))
+}
+
+/// Waves along both axes, a crest at the origin:
+/// $`h = A (1 - \cos(2\pi x/\lambda_x) \cos(2\pi y/\lambda_y))`$, zero on the crests and $`2A`$ in
+/// the troughs.
+///
+/// `amplitude` is $`A`$, `wavelengths` are $`[\lambda_x, \lambda_y]`$ (lengths). Johnson, Greenwood
+/// and Higginson, *Int. J. Mech. Sci.* 27 (1985) 383-396,
+/// [doi:10.1016/0020-7403(85)90029-3](https://doi.org/10.1016/0020-7403(85)90029-3).
+///
+/// # Errors
+/// [`Error::NotPositive`](crate::Error::NotPositive) for the amplitude or a wavelength.
+pub fn bisinusoidal(grid: Grid, amplitude: f64, wavelengths: [f64; 2]) -> Result<Field> {
+    positive("amplitude", amplitude)?;
+    let along_x = positive("wavelength along x", wavelengths[0])?;
+    let along_y = positive("wavelength along y", wavelengths[1])?;
+    Ok(Field::from_fn(grid, |x, y| {
+        amplitude * (1.0 - (TAU * x / along_x).cos() * (TAU * y / along_y).cos())
     }))
 }

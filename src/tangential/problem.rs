@@ -146,7 +146,7 @@ impl TangentialProblemBuilder<'_> {
     ///
     /// # Errors
     /// [`Error::NotConverged`] if the normal contact is not, with its report;
-    /// [`Error::GridMismatch`], [`Error::CoupledMaterials`], [`Error::ObliqueLoad`],
+    /// [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CoupledMaterials`], [`Error::ObliqueLoad`],
     /// [`Error::NotFinite`], [`Error::EmptyContact`], [`Error::BeyondSliding`],
     /// [`Error::Tolerance`], [`Error::IterationLimit`].
     pub fn build(self) -> Result<TangentialProblem> {
@@ -176,18 +176,15 @@ impl TangentialProblemBuilder<'_> {
     }
 }
 
-/// The smallest window around the contact of a converged normal solution on the same grid.
+/// The smallest window around the contact of a converged normal solution on the same grid; all of a
+/// grid that repeats.
 pub(super) fn contact_window(bodies: &HalfSpace, normal: &NormalSolution) -> Result<Window> {
-    if normal.grid() != bodies.grid() {
-        return Err(Error::GridMismatch {
-            quantity: "normal solution",
-        });
-    }
+    bodies.check_host("normal solution", normal.grid(), normal.boundary())?;
     if !normal.report().is_converged() {
         return Err(Error::NotConverged(Box::new(normal.report().clone())));
     }
     let samples = normal.pressure().as_slice();
-    Window::around(normal.grid(), |i| samples[i] > 0.0)
+    Window::around(normal.grid(), |i| samples[i] > 0.0).map(|window| bodies.confined(window))
 }
 
 /// The friction limit of every cell of a window, and their sum.

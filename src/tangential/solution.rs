@@ -1,5 +1,6 @@
 //! The answer to a tangential contact.
 
+use crate::boundary::Boundary;
 use crate::contact_map::{ContactMap, Warning};
 use crate::field::Field;
 use crate::grid::Grid;
@@ -15,6 +16,7 @@ pub struct TangentialSolution {
     traction: [Field; 2],
     slip: [Field; 2],
     zones: Vec<Zone>,
+    boundary: Boundary,
     axis: Axis,
     shift: f64,
     report: Report,
@@ -34,12 +36,13 @@ pub(super) struct Answer<'a> {
 
 impl TangentialSolution {
     /// No contact yet.
-    pub(super) fn empty(grid: Grid) -> Self {
+    pub(super) fn empty(grid: Grid, boundary: Boundary) -> Self {
         let zeros = || [Field::zeros(grid), Field::zeros(grid)];
         Self {
             traction: zeros(),
             slip: zeros(),
             zones: vec![Zone::Separate; grid.cells()],
+            boundary,
             axis: Axis::X,
             shift: 0.0,
             report: Report::unsolved(),
@@ -90,6 +93,12 @@ impl TangentialSolution {
         self.slip.each_ref()
     }
 
+    /// What lies beyond the edge of the grid.
+    #[must_use]
+    pub fn boundary(&self) -> Boundary {
+        self.boundary
+    }
+
     /// The zone of every cell, row-major with x fastest.
     #[must_use]
     pub fn zones(&self) -> &[Zone] {
@@ -103,7 +112,8 @@ impl TangentialSolution {
     }
 
     /// Shift delta, the rigid motion of body 2 relative to body 1 (lengths, of the sign of the force):
-    /// prescribed, or the multiplier of the force.
+    /// prescribed, or the multiplier of the force. On a periodic grid it is measured from the mean plane
+    /// of the surface.
     /// Under a force that slides the whole contact, the shift at which the last cell lets go.
     #[must_use]
     pub fn shift(&self) -> [f64; 2] {
@@ -171,6 +181,7 @@ impl TangentialSolution {
     pub fn warnings(&self) -> Vec<Warning> {
         let contact = ContactMap {
             grid: self.grid(),
+            boundary: self.boundary,
             contains: |i: usize| self.zones[i] != Zone::Separate,
         };
         contact.warnings()

@@ -157,7 +157,8 @@ impl TangentialSolver {
     /// An empty solution of the right size for [`TangentialSolver::solve_into`].
     #[must_use]
     pub fn new_solution(&self) -> TangentialSolution {
-        TangentialSolution::empty(self.problem.bodies.grid())
+        let bodies = &self.problem.bodies;
+        TangentialSolution::empty(bodies.grid(), bodies.boundary())
     }
 
     /// Solves into `solution`, whose last content does not matter.
@@ -178,12 +179,9 @@ impl TangentialSolver {
         solution: &mut TangentialSolution,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<()> {
-        let grid = self.problem.bodies.grid();
-        if solution.grid() != grid {
-            return Err(Error::GridMismatch {
-                quantity: "solution",
-            });
-        }
+        let bodies = &self.problem.bodies;
+        bodies.check_host("solution", solution.grid(), solution.boundary())?;
+        let grid = bodies.grid();
         let start = Instant::now();
         let mut observer = with_memory(&mut observer);
         let limits = &self.problem.limits;

@@ -4,14 +4,17 @@
 
 mod normal;
 mod numbers;
+mod punches;
+mod roughness;
 mod tangential;
 mod units;
+mod waves;
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use approx::assert_relative_eq;
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};
-use stickslip::{ElasticPair, Material, Result};
+use stickslip::{ElasticPair, Error, Material, Result};
 
 const FRICTION: f64 = 0.5;
 /// The largest tangential force friction holds.
@@ -32,6 +35,11 @@ fn ball() -> Result<HertzSphere> {
 
 fn sheared_ball(force: f64) -> Result<CattaneoMindlin> {
     CattaneoMindlin::new(ball()?, FRICTION, force)
+}
+
+/// An incompressible body on a rigid one, of contact modulus 25 MPa: no coupling.
+fn rubber() -> Result<ElasticPair> {
+    ElasticPair::new(Material::new(18.75e6, 0.5)?, Material::rigid())
 }
 
 /// Equal to a few roundings, whatever the unit: no absolute part.
@@ -68,4 +76,84 @@ fn disc_integral(kink: f64, edge: f64, field: impl Fn(f64) -> f64) -> f64 {
         })
     };
     part(kink, 0.0) + part(edge, (kink / edge).asin())
+}
+
+/// The double-exponential rule: for integrands that are singular at the ends.
+fn singular_integral(from: f64, to: f64, integrand: impl Fn(f64) -> f64) -> f64 {
+    let step = 0.05;
+    let length = to - from;
+    if length <= 0.0 {
+        return 0.0;
+    }
+    let terms = (-76..=76).map(|i| {
+        let t = step * f64::from(i);
+        let stretch = (PI * t.sinh()).exp();
+        let fraction = stretch / (1.0 + stretch);
+        let weight = PI * t.cosh() * fraction / (1.0 + stretch);
+        weight * integrand(from + length * fraction)
+    });
+    terms.sum::<f64>() * step * length
+}
+
+/// The integral of the axisymmetric `field(r)` of radius `edge`, with a kink at `kink`, along the chord at
+/// the distance `d` from the centre.
+fn chord_integral(kink: f64, edge: f64, d: f64, field: impl Fn(f64) -> f64) -> f64 {
+    let half = |radius: f64| ((radius - d) * (radius + d)).max(0.0).sqrt();
+    let along = |l: f64| field(d.hypot(l));
+    let inner = singular_integral(0.0, half(kink), along);
+    2.0 * (inner + singular_integral(half(kink), half(edge), along))
+}
+
+/// The integral over directions of the chords of radius `edge` through a point at the distance `r`
+/// from the centre, each `chord(d, t)` at its distance from the centre and its angle to the radius.
+fn sum_over_chords(edge: f64, r: f64, chord: impl Fn(f64, f64) -> f64) -> f64 {
+    let reach = if r > edge {
+        (edge / r).asin()
+    } else {
+        FRAC_PI_2
+    };
+    singular_integral(0.0, reach, |t| {
+        let d = r * t.sin();
+        chord(d, t) + chord(d, -t)
+    })
+}
+
+/// Refused with [`Error::NotPositive`], whatever the value.
+#[track_caller]
+fn assert_not_positive<T: std::fmt::Debug>(result: &Result<T>) {
+    assert!(
+        matches!(result, Err(Error::NotPositive { .. })),
+        "{result:?}"
+    );
+}
+
+/// Coefficients of friction and forces that no contact of the friction limit `limit`, at the
+/// coefficient [`FRICTION`], may take.
+#[track_caller]
+fn assert_bad_shear_is_refused<T: std::fmt::Debug>(
+    limit: f64,
+    shear: impl Fn(f64, f64) -> Result<T>,
+) {
+    for wrong in [-0.1, f64::NAN, f64::INFINITY] {
+        assert!(matches!(shear(wrong, 0.0), Err(Error::Negative { .. })));
+    }
+    for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        assert!(matches!(
+            shear(FRICTION, wrong),
+            Err(Error::NotFinite { .. })
+        ));
+    }
+    for beyond in [1.000001 * limit, -1.000001 * limit] {
+        let Err(Error::BeyondSliding { force, limit: held }) = shear(FRICTION, beyond) else {
+            panic!("a force beyond friction was accepted");
+        };
+        assert_close(force, beyond.abs());
+        assert_close(held, limit);
+    }
+    assert!(matches!(
+        shear(0.0, 1e-300),
+        Err(Error::BeyondSliding { .. })
+    ));
+    assert!(shear(FRICTION, limit).is_ok() && shear(FRICTION, -limit).is_ok());
+    assert!(shear(0.0, 0.0).is_ok());
 }

@@ -6,6 +6,8 @@
     reason = "it counts small things"
 )]
 
+pub(crate) mod waves;
+
 use stickslip::cgm::Method;
 use stickslip::{
     ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,

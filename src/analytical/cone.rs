@@ -1,0 +1,271 @@
+//! A cone pressed on a half-space, and in partial slip.
+
+use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
+
+use super::held_force::HeldForce;
+use super::hertz::{arc_cosine, arc_sine, dome};
+use super::sines::sine_minus_arc_cosine;
+use crate::error::{Result, finite, positive};
+use crate::material::ElasticPair;
+
+/// A blunt cone pressed on a half-space.
+///
+/// The initial gap is $`r\tan\beta`$, with $`\beta`$ the small angle between flank and surface, and
+///
+/// ```math
+/// W = \frac\pi2 E^* a^2\tan\beta, \qquad \delta = \frac\pi2\,a\tan\beta, \qquad
+/// p = \frac{E^*\tan\beta}{2}\,\operatorname{arcosh}\frac ar
+/// ```
+///
+/// The mean pressure is the same at every load, and the contact area grows as the load does, as that
+/// of a rough surface. Sneddon (1965); Johnson (1985), section 5.2.
+///
+/// ```
+/// use stickslip::{ElasticPair, Material, analytical::Cone};
+/// let rubber = Material::new(3.0, 0.5)?;
+/// let pair = ElasticPair::new(rubber, Material::rigid())?;
+/// let (light, heavy) = (Cone::new(&pair, 0.05, 1.0)?, Cone::new(&pair, 0.05, 2.0)?);
+/// assert!((heavy.contact_area() / light.contact_area() - 2.0).abs() < 1e-14);
+/// // E* = 4 MPa: the mean pressure is E* tan(beta) / 2.
+/// assert!((heavy.mean_pressure() - 0.1).abs() < 1e-15);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cone {
+    pair: ElasticPair,
+    slope: f64,
+    load: f64,
+    contact_radius: f64,
+    mean_pressure: f64,
+    approach: f64,
+}
+
+impl Cone {
+    /// The contact of a cone of slope `slope` ($`\tan\beta`$, a number) under the normal load `load`
+    /// (a force).
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`](crate::Error::NotPositive) if the slope, the load or a result is
+    /// not positive and finite.
+    pub fn new(pair: &ElasticPair, slope: f64, load: f64) -> Result<Self> {
+        positive("slope", slope)?;
+        positive("load", load)?;
+        let a = (FRAC_2_PI * (load / pair.contact_modulus()) / slope).sqrt();
+        Ok(Self {
+            pair: *pair,
+            slope,
+            load,
+            contact_radius: positive("contact radius", a)?,
+            mean_pressure: positive("mean pressure", 0.5 * pair.contact_modulus() * slope)?,
+            approach: positive("approach", FRAC_PI_2 * a * slope)?,
+        })
+    }
+
+    /// The bodies.
+    #[must_use]
+    pub fn pair(&self) -> &ElasticPair {
+        &self.pair
+    }
+
+    /// Slope of the flank $`\tan\beta`$.
+    #[must_use]
+    pub fn slope(&self) -> f64 {
+        self.slope
+    }
+
+    /// Normal load $`W`$ (a force), positive when it presses.
+    #[must_use]
+    pub fn load(&self) -> f64 {
+        self.load
+    }
+
+    /// Radius of the contact circle $`a = (2W/\pi E^*\tan\beta)^{1/2}`$ (a length). Sneddon (1965).
+    #[must_use]
+    pub fn contact_radius(&self) -> f64 {
+        self.contact_radius
+    }
+
+    /// Area of the contact circle $`\pi a^2`$ (a length squared).
+    #[must_use]
+    pub fn contact_area(&self) -> f64 {
+        PI * self.contact_radius * self.contact_radius
+    }
+
+    /// Mean pressure of the contact circle $`\frac12 E^*\tan\beta`$, at every load.
+    #[must_use]
+    pub fn mean_pressure(&self) -> f64 {
+        self.mean_pressure
+    }
+
+    /// Approach of the bodies $`\delta = \frac\pi2 a\tan\beta`$ (a length), positive.
+    /// Sneddon (1965).
+    #[must_use]
+    pub fn approach(&self) -> f64 {
+        self.approach
+    }
+
+    /// Pressure $`p = \frac12 E^*\tan\beta\,\operatorname{arcosh}(a/r)`$ at the distance $`r`$ from
+    /// the centre; infinite at the apex, zero outside the contact. Sneddon (1965).
+    #[must_use]
+    pub fn pressure(&self, r: f64) -> f64 {
+        let rho = r.abs() / self.contact_radius;
+        self.mean_pressure * (dome(rho) / rho).asinh()
+    }
+
+    /// Normal displacement of the surfaces (a length), summed over the bodies and positive into each,
+    /// at the distance $`r`$ from the centre, inside and outside the contact.
+    ///
+    /// ```math
+    /// u_z = \delta - r\tan\beta \quad (r \le a), \qquad
+    /// u_z = \left[a\arcsin\frac ar - r + \sqrt{r^2-a^2}\right]\tan\beta \quad (r > a)
+    /// ```
+    ///
+    /// Sneddon (1965).
+    #[must_use]
+    pub fn displacement(&self, r: f64) -> f64 {
+        let rho = r.abs() / self.contact_radius;
+        let shape = if rho > 1.0 {
+            arc_sine(1.0, rho) - 1.0 / (rho + rho * dome(1.0 / rho))
+        } else {
+            FRAC_PI_2 - rho
+        };
+        self.slope * self.contact_radius * shape
+    }
+
+    /// Gap $`g = u_z + r\tan\beta - \delta`$ between the surfaces (a length) at the distance $`r`$
+    /// from the centre; zero in the contact, positive outside.
+    ///
+    /// Evaluated as $`(\sin\varphi - \varphi\cos\varphi)\,r\tan\beta`$ with $`\cos\varphi = a/r`$,
+    /// where nothing cancels.
+    #[must_use]
+    pub fn gap(&self, r: f64) -> f64 {
+        let rho = r.abs() / self.contact_radius;
+        if rho > 1.0 {
+            self.slope * r.abs() * sine_minus_arc_cosine(arc_cosine(1.0, rho))
+        } else {
+            0.0
+        }
+    }
+}
+
+/// A cone in partial slip: a normal load, then a tangential force along x that only grows.
+///
+/// The traction is the friction on the pressure less that of the lighter contact that sticks, which
+/// carries $`1-f`$ of the load, $`f = |F|/\mu W`$:
+///
+/// ```math
+/// \frac{c^2}{a^2} = 1-f, \qquad
+/// q = \frac{\mu E^*\tan\beta}{2}\left[\operatorname{arcosh}\frac ar -
+/// \operatorname{arcosh}\frac cr\,H(c-r)\right], \qquad
+/// \delta_x = \frac{2-\nu}{2(1-\nu)}\,\mu\delta\left[1-\sqrt{1-f}\right]
+/// ```
+///
+/// The stick ratio falls linearly, that of a single cone as that of many asperities. The scalar
+/// model, with traction along x only, for every $`\nu`$. Ciavarella (1998); Jaeger (1998).
+///
+/// ```
+/// use stickslip::{ElasticPair, Material, analytical::{Cone, ConePartialSlip}};
+/// let rubber = Material::new(3.0, 0.5)?;
+/// let cone = Cone::new(&ElasticPair::new(rubber, rubber)?, 0.05, 1.0)?;
+/// let shear = ConePartialSlip::new(cone, 0.5, 0.2)?;
+/// assert!((shear.stick_ratio() - 0.6).abs() < 1e-15);
+/// // The pressure has a pole at the apex, the traction there has none.
+/// assert!(cone.pressure(0.0).is_infinite() && shear.traction(0.0).is_finite());
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ConePartialSlip {
+    cone: Cone,
+    held: HeldForce,
+    /// $`c/a = (1-f)^{1/2}`$.
+    stick: f64,
+    gross_shift: f64,
+}
+
+impl ConePartialSlip {
+    /// The contact `cone`, with the coefficient of friction `friction`, under the tangential force
+    /// `force` on body 1 along x (a force, of either sign).
+    ///
+    /// A force that equals $`\mu W`$ to within rounding is gross sliding at its onset: the stick
+    /// radius is zero, and so it is without friction. The coupling between pressure and shear of
+    /// dissimilar bodies is neglected.
+    ///
+    /// # Errors
+    /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for the force or a result,
+    /// [`Error::BeyondSliding`](crate::Error::BeyondSliding) if the force exceeds $`\mu W`$.
+    pub fn new(cone: Cone, friction: f64, force: f64) -> Result<Self> {
+        let held = HeldForce::new(cone.load, friction, force)?;
+        let nu = cone.pair.poisson_ratio();
+        let shift = (2.0 - nu) / (2.0 * (1.0 - nu)) * friction * cone.approach;
+        Ok(Self {
+            cone,
+            held,
+            stick: held.reserve.sqrt(),
+            gross_shift: finite("shift at gross sliding", shift)?,
+        })
+    }
+
+    /// The normal contact.
+    #[must_use]
+    pub fn cone(&self) -> Cone {
+        self.cone
+    }
+
+    /// Tangential force $`F`$ on body 1, positive along +x.
+    #[must_use]
+    pub fn force(&self) -> f64 {
+        self.held.force
+    }
+
+    /// Radius of the stick disc $`c = a(1-f)^{1/2}`$ (a length).
+    #[must_use]
+    pub fn stick_radius(&self) -> f64 {
+        self.stick * self.cone.contact_radius
+    }
+
+    /// Part of the contact area that sticks, $`c^2/a^2 = 1-f`$.
+    #[must_use]
+    pub fn stick_ratio(&self) -> f64 {
+        self.held.reserve
+    }
+
+    /// Shift $`\delta_x`$ (a length): the rigid motion of body 2 relative to body 1, of the sign
+    /// of the force. Formula on the [type](Self).
+    #[must_use]
+    pub fn shift(&self) -> f64 {
+        self.gross_shift * self.held.direction * self.ring()
+    }
+
+    /// Shift at which the whole contact begins to slide (a length, positive): the
+    /// [`shift`](Self::shift) under $`\mu W`$.
+    #[must_use]
+    pub fn sliding_shift(&self) -> f64 {
+        self.gross_shift
+    }
+
+    /// Traction $`q`$ on body 1 along x (a pressure, of the sign of the force) at the distance
+    /// $`r`$ from the centre; zero outside the contact. Formula on the [type](Self).
+    ///
+    /// In the stick disc it is evaluated as a single logarithm, where nothing cancels; at the apex it
+    /// is $`\frac12\mu E^*\tan\beta\,\ln(a/c)`$.
+    #[must_use]
+    pub fn traction(&self, r: f64) -> f64 {
+        let rho = r.abs() / self.cone.contact_radius;
+        let scale = self.held.direction * self.held.friction;
+        if rho < self.stick && rho < 1.0 {
+            let inner = ((self.stick - rho) * (self.stick + rho)).sqrt();
+            // (1 + dome) / (c/a + inner) less one, with 1 - c^2/a^2 = f.
+            let excess = self.ring() + self.held.fraction / (dome(rho) + inner);
+            scale * self.cone.mean_pressure * (excess / (self.stick + inner)).ln_1p()
+        } else if self.held.friction > 0.0 {
+            scale * self.cone.pressure(r)
+        } else {
+            0.0
+        }
+    }
+
+    /// $`1-c/a`$, with all its digits for small forces.
+    fn ring(&self) -> f64 {
+        self.held.fraction / (1.0 + self.stick)
+    }
+}

@@ -1,0 +1,127 @@
+//! A flat end pressed on a half-space.
+
+use std::f64::consts::{FRAC_2_PI, PI};
+
+use super::full_stick::{MindlinFullStick, edge_pole};
+use super::held_force::HeldForce;
+use super::hertz::arc_sine;
+use crate::error::{Result, positive};
+use crate::material::ElasticPair;
+
+/// The flat end of a rigid round cylinder pressed on a half-space.
+///
+/// The initial gap is zero within the radius $`a`$ and nothing else can touch:
+///
+/// ```math
+/// p = \frac{W}{2\pi a\sqrt{a^2-r^2}}, \qquad \delta = \frac{W}{2aE^*}
+/// ```
+///
+/// Body 2 is then rigid; for two elastic bodies it is the answer of half-space theory to that gap.
+/// Johnson (1985), section 3.4 and 3.36-3.37.
+///
+/// ```
+/// use stickslip::{ElasticPair, Material, analytical::FlatPunch};
+/// let rubber = Material::new(3.0, 0.5)?;
+/// let punch = FlatPunch::new(&ElasticPair::new(rubber, Material::rigid())?, 2.0, 8.0)?;
+/// // E* = 4 MPa: 8 N sink a punch of radius 2 mm by half a millimetre.
+/// assert!((punch.approach() - 0.5).abs() < 1e-15);
+/// assert!((punch.pressure(0.0) / punch.mean_pressure() - 0.5).abs() < 1e-15);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FlatPunch {
+    pair: ElasticPair,
+    radius: f64,
+    load: f64,
+    mean_pressure: f64,
+    approach: f64,
+}
+
+impl FlatPunch {
+    /// The contact of a flat end of radius `radius` (a length) under the normal load `load` (a force).
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`](crate::Error::NotPositive) if the radius, the load or a result is
+    /// not positive and finite.
+    pub fn new(pair: &ElasticPair, radius: f64, load: f64) -> Result<Self> {
+        positive("radius", radius)?;
+        positive("load", load)?;
+        Ok(Self {
+            pair: *pair,
+            radius,
+            load,
+            mean_pressure: positive("mean pressure", load / PI / radius / radius)?,
+            approach: positive("approach", 0.5 * (load / pair.contact_modulus()) / radius)?,
+        })
+    }
+
+    /// The bodies.
+    #[must_use]
+    pub fn pair(&self) -> &ElasticPair {
+        &self.pair
+    }
+
+    /// Radius of the flat end, and of the contact circle, $`a`$ (a length).
+    #[must_use]
+    pub fn contact_radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// Area of the contact circle $`\pi a^2`$ (a length squared).
+    #[must_use]
+    pub fn contact_area(&self) -> f64 {
+        PI * self.radius * self.radius
+    }
+
+    /// Normal load $`W`$ (a force), positive when it presses.
+    #[must_use]
+    pub fn load(&self) -> f64 {
+        self.load
+    }
+
+    /// Mean pressure of the contact circle $`W/\pi a^2`$, twice the pressure at the centre.
+    #[must_use]
+    pub fn mean_pressure(&self) -> f64 {
+        self.mean_pressure
+    }
+
+    /// Approach of the bodies $`\delta = W/2aE^*`$ (a length), positive. Johnson (1985), 3.36.
+    #[must_use]
+    pub fn approach(&self) -> f64 {
+        self.approach
+    }
+
+    /// Pressure $`p = W/(2\pi a\sqrt{a^2-r^2})`$ at the distance $`r`$ from the centre. It grows
+    /// without bound towards the edge, and is zero from there on. Johnson (1985), section 3.4.
+    #[must_use]
+    pub fn pressure(&self, r: f64) -> f64 {
+        edge_pole(self.load, self.radius, r)
+    }
+
+    /// Normal displacement of the surfaces (a length), summed over the bodies and positive into each,
+    /// at the distance $`r`$ from the centre: the approach in the contact, outside it
+    /// $`u_z = \frac{2\delta}{\pi}\arcsin\frac ar`$. Johnson (1985), 3.37.
+    #[must_use]
+    pub fn displacement(&self, r: f64) -> f64 {
+        let rho = r.abs() / self.radius;
+        if rho > 1.0 {
+            self.approach * FRAC_2_PI * arc_sine(1.0, rho)
+        } else {
+            self.approach
+        }
+    }
+
+    /// The flat end under the tangential force `force` on body 1 along x (a force, of either sign),
+    /// with the coefficient of friction `friction`.
+    ///
+    /// Traction and pressure have the same shape, $`q/p = F/W`$: all of it sticks until
+    /// $`|F| = \mu W`$, where all of it slides at once.
+    ///
+    /// # Errors
+    /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for the force or a result,
+    /// [`Error::BeyondSliding`](crate::Error::BeyondSliding) if the force exceeds $`\mu W`$.
+    pub fn full_stick(&self, friction: f64, force: f64) -> Result<MindlinFullStick> {
+        HeldForce::new(self.load, friction, force)?;
+        MindlinFullStick::new(&self.pair, self.radius, force)
+    }
+}

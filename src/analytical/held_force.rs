@@ -1,0 +1,47 @@
+//! A tangential force that friction holds.
+
+use crate::error::{Error, Result, finite, non_negative};
+
+/// A tangential force on a contact, and how near it is to sliding.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct HeldForce {
+    pub(super) friction: f64,
+    pub(super) force: f64,
+    /// $`\mu W`$.
+    pub(super) limit: f64,
+    /// Sign of the force.
+    pub(super) direction: f64,
+    /// $`f = |F|/\mu W`$; one at sliding, and without friction.
+    pub(super) fraction: f64,
+    /// $`1-f`$, with all its digits near sliding.
+    pub(super) reserve: f64,
+}
+
+impl HeldForce {
+    pub(super) fn new(load: f64, friction: f64, force: f64) -> Result<Self> {
+        non_negative("coefficient of friction", friction)?;
+        finite("tangential force", force)?;
+        let limit = finite("friction limit", friction * load)?;
+        let magnitude = force.abs();
+        // The product above is rounded: a force meant to equal it may be a rounding larger.
+        if magnitude > limit * (1.0 + 4.0 * f64::EPSILON) {
+            return Err(Error::BeyondSliding {
+                force: magnitude,
+                limit,
+            });
+        }
+        let (fraction, reserve) = if magnitude < limit {
+            (magnitude / limit, (limit - magnitude) / limit)
+        } else {
+            (1.0, 0.0)
+        };
+        Ok(Self {
+            friction,
+            force,
+            limit,
+            direction: force.signum(),
+            fraction,
+            reserve,
+        })
+    }
+}

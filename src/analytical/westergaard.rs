@@ -1,0 +1,308 @@
+//! A wavy surface pressed on a half-space, and in partial slip.
+
+use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
+
+use super::held_force::HeldForce;
+use super::sines::hyperbolic_sine_minus_arc;
+use crate::error::{Result, finite, positive};
+use crate::material::ElasticPair;
+
+/// A wavy surface pressed on a half-space: waves along x, plane strain.
+///
+/// The initial gap is $`\Delta(1-\cos(2\pi x/\lambda))`$, of amplitude $`\Delta`$ and wavelength
+/// $`\lambda`$; it touches on strips of half-width $`a`$ about every crest. With the pressure of full
+/// contact $`p^*`$ and the mean pressure $`\bar p`$, the load per nominal area,
+///
+/// ```math
+/// p^* = \frac{\pi E^*\Delta}{\lambda}, \qquad \sin^2\frac{\pi a}{\lambda} = \frac{\bar p}{p^*},
+/// \qquad p = 2p^*\cos\frac{\pi x}{\lambda}
+/// \sqrt{\sin^2\frac{\pi a}{\lambda} - \sin^2\frac{\pi x}{\lambda}}
+/// ```
+///
+/// From $`\bar p = p^*`$ on the contact is full, and $`p = \bar p + p^*\cos(2\pi x/\lambda)`$.
+/// Westergaard (1939); Johnson (1985), section 13.2.
+///
+/// ```
+/// use stickslip::{ElasticPair, Material, analytical::Westergaard};
+/// let rubber = Material::new(18.75e6, 0.5)?;
+/// let pair = ElasticPair::new(rubber, Material::rigid())?;
+/// // E* = 25 MPa and waves of amplitude 1 um, 100 um long: full contact from 0.785 MPa on.
+/// let waves = Westergaard::new(&pair, 1e-6, 1e-4, 0.25 * 0.7853981634e6)?;
+/// assert!((waves.contact_fraction() - 1.0 / 3.0).abs() < 1e-9);
+/// assert!((waves.max_pressure() / waves.full_contact_pressure() - 1.0).abs() < 1e-9);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Westergaard {
+    pair: ElasticPair,
+    amplitude: f64,
+    wavelength: f64,
+    mean_pressure: f64,
+    full_contact_pressure: f64,
+    /// $`\bar p/p^*`$.
+    load_ratio: f64,
+}
+
+impl Westergaard {
+    /// The contact of waves of amplitude `amplitude`, half their height, and wavelength
+    /// `wavelength` (lengths) under the mean pressure `mean_pressure`.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`](crate::Error::NotPositive) if an argument or a result is not
+    /// positive and finite.
+    pub fn new(
+        pair: &ElasticPair,
+        amplitude: f64,
+        wavelength: f64,
+        mean_pressure: f64,
+    ) -> Result<Self> {
+        positive("amplitude", amplitude)?;
+        positive("wavelength", wavelength)?;
+        positive("mean pressure", mean_pressure)?;
+        let full = PI * pair.contact_modulus() * (amplitude / wavelength);
+        positive("pressure of full contact", full)?;
+        positive("maximum pressure", 2.0 * mean_pressure.max(full))?;
+        Ok(Self {
+            pair: *pair,
+            amplitude,
+            wavelength,
+            mean_pressure,
+            full_contact_pressure: full,
+            load_ratio: positive("ratio to full contact", mean_pressure / full)?,
+        })
+    }
+
+    /// The bodies.
+    #[must_use]
+    pub fn pair(&self) -> &ElasticPair {
+        &self.pair
+    }
+
+    /// Amplitude of the waves $`\Delta`$ (a length).
+    #[must_use]
+    pub fn amplitude(&self) -> f64 {
+        self.amplitude
+    }
+
+    /// Wavelength $`\lambda`$ (a length).
+    #[must_use]
+    pub fn wavelength(&self) -> f64 {
+        self.wavelength
+    }
+
+    /// Mean pressure $`\bar p`$: the load over the nominal area.
+    #[must_use]
+    pub fn mean_pressure(&self) -> f64 {
+        self.mean_pressure
+    }
+
+    /// Mean pressure from which the contact is full, $`p^* = \pi E^*\Delta/\lambda`$.
+    /// Johnson (1985), section 13.2.
+    #[must_use]
+    pub fn full_contact_pressure(&self) -> f64 {
+        self.full_contact_pressure
+    }
+
+    /// Whether the surfaces touch everywhere, $`\bar p \ge p^*`$.
+    #[must_use]
+    pub fn is_full_contact(&self) -> bool {
+        self.load_ratio >= 1.0
+    }
+
+    /// Half-width of a contact strip $`a = \frac\lambda\pi\arcsin\sqrt{\bar p/p^*}`$ (a length); half
+    /// the wavelength in full contact.
+    #[must_use]
+    pub fn contact_half_width(&self) -> f64 {
+        0.5 * self.wavelength * self.contact_fraction()
+    }
+
+    /// Part of the nominal area in contact, $`2a/\lambda`$.
+    #[must_use]
+    pub fn contact_fraction(&self) -> f64 {
+        FRAC_2_PI * edge(self.load_ratio)
+    }
+
+    /// Pressure at the crests: $`2\sqrt{\bar p\,p^*}`$, in full contact $`\bar p + p^*`$.
+    #[must_use]
+    pub fn max_pressure(&self) -> f64 {
+        self.pressure(0.0)
+    }
+
+    /// Pressure $`p`$ at the distance $`x`$ from a crest; zero outside the contact. Formula on the
+    /// [type](Self); Johnson (1985), section 13.2.
+    #[must_use]
+    pub fn pressure(&self, x: f64) -> f64 {
+        let psi = self.phase(x);
+        let strips = 2.0 * psi.cos() * root(edge(self.load_ratio), psi);
+        self.full_contact_pressure * (self.excess() + strips)
+    }
+
+    /// Gap $`g`$ between the surfaces (a length) at the distance $`x`$ from a crest; zero in the
+    /// contact, positive outside.
+    ///
+    /// ```math
+    /// g = \Delta\,\frac{\bar p}{p^*}\left(\sinh w - w\right), \qquad
+    /// \cosh\frac w2 = \frac{\sin(\pi x/\lambda)}{\sin(\pi a/\lambda)}
+    /// ```
+    ///
+    /// The integral of the slope $`\frac{4p^*}{E^*}\cos\frac{\pi x}{\lambda}
+    /// (\sin^2\frac{\pi x}{\lambda}-\sin^2\frac{\pi a}{\lambda})^{1/2}`$, which continues the pressure
+    /// beyond the edge.
+    #[must_use]
+    pub fn gap(&self, x: f64) -> f64 {
+        if self.is_full_contact() {
+            return 0.0;
+        }
+        let outside = root(self.phase(x), edge(self.load_ratio));
+        let w = 2.0 * (outside / self.load_ratio.sqrt()).asinh();
+        self.amplitude * self.load_ratio * hyperbolic_sine_minus_arc(w)
+    }
+
+    /// Approach of the mean planes of the two surfaces since first touch (a length),
+    ///
+    /// ```math
+    /// \delta = \Delta\,\frac{\bar p}{p^*}\left(1-\ln\frac{\bar p}{p^*}\right)
+    /// ```
+    ///
+    /// and $`\Delta`$ in full contact. The [`gap`](Self::gap) is $`\Delta-\delta`$ on average. It
+    /// follows from $`d\delta/d\bar p = -\frac{2\lambda}{\pi E^*}\ln\sin\frac{\pi a}{\lambda}`$, the
+    /// compliance of a row of flat strips of half-width $`a`$.
+    #[must_use]
+    pub fn approach(&self) -> f64 {
+        let ratio = self.load_ratio.min(1.0);
+        self.amplitude * ratio * (1.0 - ratio.ln())
+    }
+
+    /// $`(\bar p-p^*)/p^*`$ in full contact, else zero.
+    fn excess(&self) -> f64 {
+        (self.load_ratio - 1.0).max(0.0)
+    }
+
+    /// $`\psi = \pi|x|/\lambda`$, with $`x`$ from the nearest crest.
+    fn phase(&self, x: f64) -> f64 {
+        let waves = x / self.wavelength;
+        PI * (waves - waves.round()).abs()
+    }
+}
+
+/// $`\psi_a = \pi a/\lambda`$ under the load ratio $`\bar p/p^*`$.
+fn edge(load_ratio: f64) -> f64 {
+    if load_ratio < 1.0 {
+        load_ratio.sqrt().atan2((1.0 - load_ratio).sqrt())
+    } else {
+        FRAC_PI_2
+    }
+}
+
+/// $`\sqrt{\sin^2\alpha - \sin^2\beta}`$ for $`\beta < \alpha`$, else zero.
+fn root(alpha: f64, beta: f64) -> f64 {
+    if beta < alpha {
+        ((alpha - beta).sin() * (alpha + beta).sin()).sqrt()
+    } else {
+        0.0
+    }
+}
+
+/// A wavy surface in partial slip: a mean pressure, then a traction along x that only grows.
+///
+/// With the mean traction $`\bar q`$ and $`f = |\bar q|/\mu\bar p`$, the traction is the friction on
+/// the pressure less that under the lighter load that sticks:
+///
+/// ```math
+/// q = \mu\,[\,p(\bar p) - p((1-f)\,\bar p)\,], \qquad
+/// \sin^2\frac{\pi c}{\lambda} = (1-f)\,\frac{\bar p}{p^*}
+/// ```
+///
+/// with $`c`$ the half-width of a stick strip. A full contact sticks everywhere, under the uniform
+/// traction $`\bar q`$, until $`(1-f)\,\bar p = p^*`$. Plane strain, the traction along x as the waves are:
+/// exact for every $`\nu`$. Ciavarella (1998); Jaeger (1998).
+///
+/// ```
+/// use stickslip::{ElasticPair, Material, analytical::{Westergaard, WestergaardPartialSlip}};
+/// let rubber = Material::new(3.0, 0.5)?;
+/// let pair = ElasticPair::new(rubber, rubber)?;
+/// let waves = Westergaard::new(&pair, 1e-3, 1.0, 1e-3)?;
+/// let shear = WestergaardPartialSlip::new(waves, 0.5, 0.75 * 0.5e-3)?;
+/// // A quarter of a light load touches on half the width.
+/// assert!((shear.stick_ratio() - 0.5).abs() < 0.02);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WestergaardPartialSlip {
+    contact: Westergaard,
+    held: HeldForce,
+}
+
+impl WestergaardPartialSlip {
+    /// The contact `contact`, with the coefficient of friction `friction`, under the mean traction
+    /// `mean_traction` on body 1 along x: a tangential force over the nominal area, of either sign.
+    ///
+    /// A mean traction that equals $`\mu\bar p`$ to within rounding is gross sliding at its onset:
+    /// nothing sticks, and so it is without friction. The coupling between pressure and shear of
+    /// dissimilar bodies is neglected.
+    ///
+    /// # Errors
+    /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for the traction or a result,
+    /// [`Error::BeyondSliding`](crate::Error::BeyondSliding), in forces over the nominal area, if
+    /// the traction exceeds $`\mu\bar p`$.
+    pub fn new(contact: Westergaard, friction: f64, mean_traction: f64) -> Result<Self> {
+        let held = HeldForce::new(contact.mean_pressure, friction, mean_traction)?;
+        finite("maximum traction", friction * contact.max_pressure())?;
+        Ok(Self { contact, held })
+    }
+
+    /// The normal contact.
+    #[must_use]
+    pub fn contact(&self) -> Westergaard {
+        self.contact
+    }
+
+    /// Mean traction $`\bar q`$ on body 1, positive along +x: the tangential force over the nominal
+    /// area.
+    #[must_use]
+    pub fn mean_traction(&self) -> f64 {
+        self.held.force
+    }
+
+    /// Half-width of a stick strip $`c`$ (a length).
+    #[must_use]
+    pub fn stick_half_width(&self) -> f64 {
+        0.5 * self.contact.wavelength * FRAC_2_PI * edge(self.stick_load_ratio())
+    }
+
+    /// Part of the contact area that sticks, $`c/a`$.
+    #[must_use]
+    pub fn stick_ratio(&self) -> f64 {
+        edge(self.stick_load_ratio()) / edge(self.contact.load_ratio)
+    }
+
+    /// Traction $`q`$ on body 1 along x (a pressure, of the sign of the mean traction) at the
+    /// distance $`x`$ from a crest; zero outside the contact. Formula on the [type](Self).
+    ///
+    /// In the stick strips the difference of the two roots is evaluated as that of their squares over
+    /// their sum, where nothing cancels.
+    #[must_use]
+    pub fn traction(&self, x: f64) -> f64 {
+        let psi = self.contact.phase(x);
+        let whole = edge(self.contact.load_ratio);
+        let stick = edge(self.stick_load_ratio());
+        // What is taken off the load ratio: first what exceeds full contact, then what makes strips.
+        let taken = self.held.fraction * self.contact.load_ratio;
+        let uniform = taken.min(self.contact.excess());
+        let pressure = if self.stick_load_ratio() >= 1.0 {
+            self.contact.full_contact_pressure * taken
+        } else if psi < stick {
+            let roots = root(whole, psi) + root(stick, psi);
+            let strips = 2.0 * psi.cos() * (taken - uniform) / roots;
+            self.contact.full_contact_pressure * (uniform + strips)
+        } else {
+            self.contact.pressure(x)
+        };
+        self.held.direction * self.held.friction * pressure
+    }
+
+    /// $`(1-f)\,\bar p/p^*`$.
+    fn stick_load_ratio(&self) -> f64 {
+        self.held.reserve * self.contact.load_ratio
+    }
+}

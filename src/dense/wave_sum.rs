@@ -1,0 +1,38 @@
+//! The coefficients of a periodic grid, wave by wave.
+
+use std::f64::consts::TAU;
+
+use crate::field::Field;
+use crate::grid::Grid;
+use crate::influence::{Component, Symbols};
+use crate::material::ElasticPair;
+
+/// The coefficient at every distance `(i dx, j dy)` of a periodic grid, `0 <= i < nx`, `0 <= j < ny`: the
+/// sum of all waves there, each with its symbol.
+pub(super) fn coefficients(grid: Grid, pair: &ElasticPair, component: Component) -> Field {
+    let (nx, ny) = (grid.nx(), grid.ny());
+    let symbols = Symbols::new(grid, pair, component);
+    let [odd_x, odd_y] = component.is_odd();
+    let along_x = |k, i| wave(nx, odd_x, k, i);
+    let along_y = |l, j| wave(ny, odd_y, l, j);
+    // i^2 of two odd factors, or of one and an imaginary symbol.
+    let sign = if odd_x || odd_y { -1.0 } else { 1.0 };
+    let scale = sign / grid.cells() as f64;
+
+    let rows = Field::from_indices(grid, |k, j| {
+        let waves = (0..=ny / 2).map(|l| symbols.at([k.min(nx - k), l]) * along_y(l, j));
+        waves.sum()
+    });
+    Field::from_indices(grid, |i, j| {
+        let row = &rows.as_slice()[j * nx..][..nx];
+        scale * (0..=nx / 2).map(|k| row[k] * along_x(k, i)).sum::<f64>()
+    })
+}
+
+/// The wave of `k` periods on `n` cells and its opposite, at cell `i`: cosines or sines.
+fn wave(n: usize, is_odd: bool, k: usize, i: usize) -> f64 {
+    // The remainder keeps the angle small, and its sine exact.
+    let angle = TAU * ((k * i) % n) as f64 / n as f64;
+    let copies = if k == 0 || 2 * k == n { 1.0 } else { 2.0 };
+    copies * if is_odd { angle.sin() } else { angle.cos() }
+}

@@ -1,0 +1,74 @@
+//! The coefficients in Fourier space: what a wave of traction on an endless half-space causes.
+
+use std::f64::consts::TAU;
+
+use crate::grid::Grid;
+use crate::influence::Component;
+use crate::influence::integrals::Integral;
+use crate::material::{Compliances, ElasticPair};
+
+/// The symbol of one coefficient at the waves that fit a periodic grid.
+///
+/// A wave of traction `exp(i k.x)` moves the surface by the symbol times itself; the symbol is real
+/// for the components even or odd in both axes, imaginary for the others. A mean traction moves
+/// nothing: without the wave of length infinity the datum is free, and zero is taken.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Symbols {
+    component: Component,
+    compliances: Compliances,
+    size: [usize; 2],
+    /// Wave numbers of one period over the grid.
+    steps: [f64; 2],
+}
+
+impl Symbols {
+    pub(crate) fn new(grid: Grid, pair: &ElasticPair, component: Component) -> Self {
+        let size = [grid.nx(), grid.ny()];
+        let sides = [grid.nx() as f64 * grid.dx(), grid.ny() as f64 * grid.dy()];
+        Self {
+            component,
+            compliances: pair.compliances(),
+            size,
+            steps: sides.map(|side| TAU / side),
+        }
+    }
+
+    pub(crate) fn component(&self) -> Component {
+        self.component
+    }
+
+    pub(crate) fn size(&self) -> [usize; 2] {
+        self.size
+    }
+
+    /// The symbol, or its imaginary part, of the wave of `periods` along x and y, up to half the cells.
+    pub(crate) fn at(&self, periods: [usize; 2]) -> f64 {
+        let odd = self.component.is_odd();
+        // Two cells per period know no direction: what is odd vanishes there.
+        let is_lost = (0..2).any(|axis| odd[axis] && 2 * periods[axis] == self.size[axis]);
+        if is_lost || periods == [0, 0] {
+            return 0.0;
+        }
+        let [x, y] = [0, 1].map(|axis| self.steps[axis] * periods[axis] as f64);
+        let parts = self.component.parts(self.compliances);
+        parts
+            .map(|(weight, integral)| weight * integral.symbol(x, y))
+            .sum()
+    }
+}
+
+impl Integral {
+    /// Fourier transform of the kernel over `2 pi`, or its imaginary part.
+    fn symbol(self, x: f64, y: f64) -> f64 {
+        let k = x.hypot(y);
+        let (x, y) = (x / k, y / k);
+        let direction = match self {
+            Self::Potential => 1.0,
+            Self::AlongX => y * y,
+            Self::Diagonal => -x * y,
+            Self::RadialX => -x,
+            Self::RadialY => -y,
+        };
+        direction / k
+    }
+}

@@ -1,0 +1,61 @@
+//! Slopes and area of a surface from the differences of neighbouring heights.
+
+use crate::field::Field;
+use crate::parallel;
+
+/// Root mean square of the slopes between neighbours along x and along y, each over the pairs there
+/// are; zero along an axis of one cell.
+pub(super) fn rms_slopes(heights: &Field) -> [f64; 2] {
+    let grid = heights.grid();
+    let (nx, ny, z) = (grid.nx(), grid.ny(), heights.as_slice());
+    let squared = |i: usize, j: usize, side: f64| ((z[j] - z[i]) / side).powi(2);
+    let [along_x, along_y] = parallel::sums(z.len(), |i| {
+        let has_right = i % nx + 1 < nx;
+        let has_above = i + nx < z.len();
+        [
+            if has_right {
+                squared(i, i + 1, grid.dx())
+            } else {
+                0.0
+            },
+            if has_above {
+                squared(i, i + nx, grid.dy())
+            } else {
+                0.0
+            },
+        ]
+    });
+    // An axis of one cell has no pair and no sum.
+    let mean = |sum: f64, pairs: usize| sum / pairs.max(1) as f64;
+    [
+        mean(along_x, (nx - 1) * ny).sqrt(),
+        mean(along_y, nx * (ny - 1)).sqrt(),
+    ]
+}
+
+/// Excess of the area of a surface over its projection, relative to the projection.
+///
+/// Each rectangle of four neighbouring heights is cut into two triangles, by either diagonal, and the
+/// two ways are averaged: the mean of `sqrt(1 + s_x^2 + s_y^2) - 1` over the four corners, where `s`
+/// are the slopes of the two sides that meet there. An axis of one cell has no slope.
+pub(super) fn developed_area(heights: &Field) -> f64 {
+    let grid = heights.grid();
+    let (nx, ny, z) = (grid.nx(), grid.ny(), heights.as_slice());
+    let (columns, rows) = ((nx - 1).max(1), (ny - 1).max(1));
+    let excess = |sx: f64, sy: f64| {
+        let squared = sx * sx + sy * sy;
+        squared / (1.0 + (1.0 + squared).sqrt())
+    };
+    let [sum] = parallel::sums(columns * rows, |i| {
+        let (left, bottom) = (i % columns, i / columns);
+        let (right, top) = ((left + 1).min(nx - 1), (bottom + 1).min(ny - 1));
+        let height = |ix: usize, iy: usize| z[iy * nx + ix];
+        let along_x = |iy| (height(right, iy) - height(left, iy)) / grid.dx();
+        let along_y = |ix| (height(ix, top) - height(ix, bottom)) / grid.dy();
+        let (below, above) = (along_x(bottom), along_x(top));
+        let (west, east) = (along_y(left), along_y(right));
+        let corners = [(below, west), (below, east), (above, west), (above, east)];
+        [corners.map(|(sx, sy)| excess(sx, sy)).iter().sum()]
+    });
+    0.25 * sum / (columns * rows) as f64
+}

@@ -1,0 +1,81 @@
+//! From the heights of bodies to the gap between them.
+
+use super::heights::complete;
+use crate::error::{Error, Result};
+use crate::field::Field;
+
+/// The surface turned inside out, `-z`: peaks become valleys, as in a replica.
+#[must_use]
+pub fn inverted(heights: &Field) -> Field {
+    let mut inverted = heights.clone();
+    for z in inverted.as_mut_slice() {
+        *z = -*z;
+    }
+    inverted
+}
+
+/// The surface mirrored along x, `z(-x, y)`.
+///
+/// A body measured from above and then turned over about the y axis, to face another, shows this
+/// surface in the frame of the other; its heights still point out of the body. Missing heights stay
+/// missing.
+#[must_use]
+pub fn mirrored_along_x(heights: &Field) -> Field {
+    let mut mirrored = heights.clone();
+    let nx = heights.grid().nx();
+    for row in mirrored.as_mut_slice().chunks_exact_mut(nx) {
+        row.reverse();
+    }
+    mirrored
+}
+
+/// The gap between a rough body and a plane that touches its highest peak, `h = max z - z`.
+///
+/// `heights` point out of the body; the gap is a length, with least value zero.
+///
+/// # Errors
+/// [`Error::Sample`] for the first height that is missing or infinite.
+pub fn gap_of(heights: &Field) -> Result<Field> {
+    complete("heights", heights)?;
+    let highest = heights.max();
+    let mut gap = heights.clone();
+    for z in gap.as_mut_slice() {
+        *z = highest - *z;
+    }
+    Ok(gap)
+}
+
+/// The gap between two rough bodies that touch at one point, `h = max(z_1 + z_2) - (z_1 + z_2)`.
+///
+/// The heights of each point out of it, towards the other, so that peaks of both close the gap; both
+/// are given in the same frame: the body that was turned over is
+/// [`mirrored_along_x`] first. The gap is a length, with least value zero.
+///
+/// # Errors
+/// [`Error::GridMismatch`] if the grids differ; [`Error::Sample`] for the first height that is missing
+/// or infinite.
+///
+/// ```
+/// use stickslip::{Field, Grid, surface};
+/// let grid = Grid::new(3, 1, 1.0, 1.0)?;
+/// let lower = Field::from_vec(grid, vec![0.0, 1.0, 0.5])?;
+/// let measured = Field::from_vec(grid, vec![2.0, 0.25, 0.0])?;
+/// let upper = surface::mirrored_along_x(&measured);
+/// let gap = surface::gap_between(&upper, &lower)?;
+/// assert_eq!(gap.as_slice(), [2.5, 1.25, 0.0]);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+pub fn gap_between(upper: &Field, lower: &Field) -> Result<Field> {
+    if upper.grid() != lower.grid() {
+        return Err(Error::GridMismatch {
+            quantity: "upper surface",
+        });
+    }
+    complete("upper surface", upper)?;
+    complete("lower surface", lower)?;
+    let mut sum = upper.clone();
+    for (z, lower) in sum.as_mut_slice().iter_mut().zip(lower.as_slice()) {
+        *z += lower;
+    }
+    gap_of(&sum)
+}

@@ -1,0 +1,33 @@
+//! What measured heights must be before they are worked on.
+
+use crate::error::{Result, samples_obey};
+use crate::field::Field;
+use crate::parallel;
+
+/// `Ok` if no height is missing or infinite.
+pub(super) fn complete(quantity: &'static str, heights: &Field) -> Result<()> {
+    let rule = "must be finite; fill missing heights first";
+    samples_obey(quantity, heights.as_slice(), rule, f64::is_finite)
+}
+
+/// `Ok` if every height is finite, or NaN where it is missing.
+pub(super) fn finite_or_missing(heights: &Field) -> Result<()> {
+    let rule = "must be finite, or NaN where it is missing";
+    samples_obey("heights", heights.as_slice(), rule, |z| !z.is_infinite())
+}
+
+/// Heights about their mean, and the mean.
+///
+/// The sum is formed about the first height: a flat surface has exactly no deviation, and a distant
+/// datum costs no digits.
+pub(super) fn about_mean(heights: &Field) -> (Field, f64) {
+    let z = heights.as_slice();
+    let datum = z[0];
+    let [sum] = parallel::sums(z.len(), |i| [z[i] - datum]);
+    let shift = sum / z.len() as f64;
+    let mut deviations = heights.clone();
+    for value in deviations.as_mut_slice() {
+        *value = (*value - datum) - shift;
+    }
+    (deviations, datum + shift)
+}

@@ -1,0 +1,193 @@
+//! How the mean square of the heights is spread over wavelengths.
+
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+
+use super::fourier::Waves;
+use super::heights::{about_mean, complete};
+use crate::error::Result;
+use crate::field::Field;
+use crate::grid::Grid;
+
+/// The radial power spectrum of a periodic surface, and its spectral moments.
+///
+/// The heights about their mean are a sum of waves $`a_q e^{\mathrm{i} q \cdot x}`$, one for each
+/// wave vector of the grid. With the area $`A`$ of the grid, each occupies $`4\pi^2/A`$ of the plane
+/// of wave vectors, and
+///
+/// ```math
+/// C(q) = \frac{A}{4\pi^2}\,\langle |a_q|^2 \rangle_\text{ring}, \qquad
+/// \sum |a_q|^2 = \sum_\text{rings} \frac{4\pi^2}{A}\, n\, C(q) = S_q^2 ,
+/// ```
+///
+/// where the average is over the $`n`$ waves of a ring $`(k - \tfrac12)\Delta q \le |q| < (k +
+/// \tfrac12)\Delta q`$ and $`\Delta q`$ is $`2\pi`$ over the longer side of the grid; in the limit
+/// $`\int C\,\mathrm{d}^2q = 2\pi \int C\, q\,\mathrm{d}q = S_q^2`$. Authors who write
+/// $`S_q^2 = \frac{1}{2\pi}\int C\,q\,\mathrm{d}q`$, as Jacobs, Junge and Pastewka (2017), have
+/// $`4\pi^2`$ times our values.
+///
+/// # Spectral moments
+/// The moments are those of a profile, averaged over all its directions $`\theta`$:
+///
+/// ```math
+/// m_n = \langle \cos^n\theta \rangle \sum |a_q|^2\, |q|^n, \qquad
+/// m_0 = \langle z^2 \rangle, \quad m_2 = \tfrac12 \langle |\nabla z|^2 \rangle, \quad
+/// m_4 = \tfrac38 \langle (\nabla^2 z)^2 \rangle .
+/// ```
+///
+/// On an isotropic surface they are the moments of any profile, as in Longuet-Higgins (1957) and
+/// Nayak (1971). The sums run over all waves of the grid, those of two cells per period with their
+/// full mean square: nothing is left out or tapered. Heights that do not continue periodically
+/// have a step at the edge of the grid, which raises $`m_2`$ and $`m_4`$.
+///
+/// # References
+/// - T. D. B. Jacobs, T. Junge, L. Pastewka, *Surf. Topogr.: Metrol. Prop.* 5 (2017) 013001,
+///   [doi:10.1088/2051-672X/aa51f8](https://doi.org/10.1088/2051-672X/aa51f8).
+/// - M. S. Longuet-Higgins, *Phil. Trans. R. Soc. A* 249 (1957) 321-387,
+///   [doi:10.1098/rsta.1957.0002](https://doi.org/10.1098/rsta.1957.0002).
+/// - P. R. Nayak, *J. Lubr. Technol.* 93 (1971) 398-407,
+///   [doi:10.1115/1.3451608](https://doi.org/10.1115/1.3451608).
+///
+/// ```
+/// use std::f64::consts::TAU;
+/// use stickslip::{Field, Grid, surface::PowerSpectrum};
+/// // One wave of amplitude 2 and wavelength 8: mean square 2, wave number 2 pi/8.
+/// let grid = Grid::square(32, 32.0)?;
+/// let wave = Field::from_fn(grid, |x, _| 2.0 * (TAU * x / 8.0).cos());
+/// let spectrum = PowerSpectrum::of(&wave)?;
+/// let [m0, m2, _] = spectrum.moments();
+/// assert!((m0 - 2.0).abs() < 1e-12);
+/// assert!((2.0 * m2 - 2.0 * (TAU / 8.0).powi(2)).abs() < 1e-12);
+/// let largest = spectrum.values().iter().copied().fold(0.0, f64::max);
+/// let ring = spectrum.values().iter().position(|&c| c == largest);
+/// assert_eq!(ring, Some(3), "four periods: the fourth ring");
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct PowerSpectrum {
+    wave_numbers: Vec<f64>,
+    values: Vec<f64>,
+    modes: Vec<usize>,
+    moments: [f64; 3],
+}
+
+impl PowerSpectrum {
+    /// The spectrum of a surface that continues periodically beyond its grid.
+    ///
+    /// # Errors
+    /// [`Error::Sample`](crate::Error::Sample) for the first height that is missing or infinite.
+    pub fn of(heights: &Field) -> Result<Self> {
+        complete("heights", heights)?;
+        let (deviations, _) = about_mean(heights);
+        let waves = Waves::of(&deviations);
+        let grid = heights.grid();
+        let rings = rings(&waves, grid);
+        let density = grid.area() / (TAU * TAU);
+        Ok(Self {
+            wave_numbers: rings.iter().map(Ring::wave_number).collect(),
+            values: rings.iter().map(|ring| density * ring.power()).collect(),
+            modes: rings.iter().map(|ring| ring.modes).collect(),
+            moments: moments(&waves),
+        })
+    }
+
+    /// Mean wave number $`|q| = 2\pi/\lambda`$ of the waves of each ring (one over a length), growing;
+    /// rings without a wave are left out.
+    #[must_use]
+    pub fn wave_numbers(&self) -> &[f64] {
+        &self.wave_numbers
+    }
+
+    /// Mean $`C(q)`$ of the waves of each ring (a length to the fourth power).
+    #[must_use]
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// Number of wave vectors in each ring; $`q`$ and $`-q`$ count as two.
+    #[must_use]
+    pub fn modes(&self) -> &[usize] {
+        &self.modes
+    }
+
+    /// Spectral moments $`[m_0, m_2, m_4]`$ (a length squared, a number, one over a length squared).
+    #[must_use]
+    pub fn moments(&self) -> [f64; 3] {
+        self.moments
+    }
+
+    /// Nayak's bandwidth parameter $`\alpha = m_0 m_4/m_2^2`$: 3/2 for isotropic waves of one
+    /// length, more for a broader spectrum; NaN for a flat surface, which has none.
+    #[must_use]
+    pub fn nayak_parameter(&self) -> f64 {
+        let [m0, m2, m4] = self.moments;
+        (m0 / m2) * (m4 / m2)
+    }
+
+    /// Root mean square of the mean curvature $`\tfrac12 \nabla^2 z`$ (one over a length),
+    /// $`\sqrt{\tfrac23 m_4}`$, of a surface of small slope.
+    #[must_use]
+    pub fn rms_mean_curvature(&self) -> f64 {
+        (2.0 / 3.0 * self.moments[2]).sqrt()
+    }
+}
+
+/// `[m_0, m_2, m_4]` of a surface.
+pub(super) fn moments(waves: &Waves) -> [f64; 3] {
+    let mut sums = [0.0; 3];
+    for (mode, amplitude) in waves.iter() {
+        let power = mode.copies * amplitude.norm_sqr();
+        let q2 = mode.wave_number().powi(2);
+        sums[0] += power;
+        sums[1] += power * q2;
+        sums[2] += power * q2 * q2;
+    }
+    [sums[0], 0.5 * sums[1], 0.375 * sums[2]]
+}
+
+/// Waves of nearly the same length.
+#[derive(Debug, Default)]
+struct Ring {
+    modes: usize,
+    sum_of_wave_numbers: f64,
+    sum_of_powers: f64,
+}
+
+impl Ring {
+    fn wave_number(&self) -> f64 {
+        self.sum_of_wave_numbers / self.modes as f64
+    }
+
+    fn power(&self) -> f64 {
+        self.sum_of_powers / self.modes as f64
+    }
+}
+
+/// The rings that hold a wave, from the longest waves to the shortest; the mean is none.
+fn rings(waves: &Waves, grid: Grid) -> Vec<Ring> {
+    let width = ring_width(grid);
+    let mut rings = BTreeMap::<u64, Ring>::new();
+    for (mode, amplitude) in waves.iter() {
+        if mode.numbers == [0, 0] {
+            continue;
+        }
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a rounded positive number"
+        )]
+        let ring = rings
+            .entry((mode.wave_number() / width).round() as u64)
+            .or_default();
+        ring.modes += if mode.copies > 1.0 { 2 } else { 1 };
+        ring.sum_of_wave_numbers += mode.copies * mode.wave_number();
+        ring.sum_of_powers += mode.copies * amplitude.norm_sqr();
+    }
+    rings.into_values().collect()
+}
+
+/// `2 pi` over the longest wave a grid holds.
+fn ring_width(grid: Grid) -> f64 {
+    let side = |cells: usize, cell: f64| if cells > 1 { cells as f64 * cell } else { 0.0 };
+    TAU / side(grid.nx(), grid.dx()).max(side(grid.ny(), grid.dy()))
+}

@@ -1,0 +1,135 @@
+//! A surface on another grid.
+
+use super::heights::complete;
+use crate::error::{Error, Result};
+use crate::field::Field;
+use crate::grid::Grid;
+use crate::parallel;
+
+/// Samples an interpolating cubic runs through.
+const WIDTH: usize = 4;
+
+/// Round-off allowed in the reach of a grid, in cells.
+const SLACK: f64 = 1e-9;
+
+/// Interpolates a surface at the cell centres of another grid.
+///
+/// Bicubic: along each axis the cubic through the four nearest samples, or fewer where the axis has
+/// fewer. Exact for polynomials of degree three in x and in y; for a smooth surface the error falls
+/// with the fourth power of the cell sides of the source, `heights`. Heights between two samples may
+/// lie a little above or below both. Both grids are centred on the origin.
+///
+/// A coarser grid takes single heights, not means: waves shorter than two of its cells turn up as
+/// longer ones.
+///
+/// # Errors
+/// [`Error::Sample`] for the first height that is missing or infinite; [`Error::BeyondSamples`] if
+/// a cell centre of the grid lies outside the source's grid, that is more than half of its cells
+/// beyond the outermost sample.
+///
+/// ```
+/// use stickslip::{Field, Grid, surface};
+/// let smooth = |x: f64, y: f64| x * x * x - 2.0 * x * y * y;
+/// let coarse = Field::from_fn(Grid::square(8, 4.0)?, smooth);
+/// let fine = surface::resample(&coarse, Grid::square(20, 4.0)?)?;
+/// let expected = Field::from_fn(fine.grid(), smooth);
+/// let pairs = fine.as_slice().iter().zip(expected.as_slice());
+/// assert!(pairs.into_iter().all(|(a, b)| (a - b).abs() < 1e-13));
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+pub fn resample(heights: &Field, grid: Grid) -> Result<Field> {
+    complete("heights", heights)?;
+    let source = heights.grid();
+    let columns = Axis {
+        name: "x",
+        count: source.nx(),
+        side: source.dx(),
+    };
+    let rows = Axis {
+        name: "y",
+        count: source.ny(),
+        side: source.dy(),
+    };
+    let columns = columns.stencils(grid.nx(), |ix| grid.x(ix))?;
+    let rows = rows.stencils(grid.ny(), |iy| grid.y(iy))?;
+
+    let (z, nx) = (heights.as_slice(), grid.nx());
+    let mut along_x = vec![0.0; nx * source.ny()];
+    parallel::rows(&mut along_x, nx, |row, out| {
+        let samples = &z[row * source.nx()..][..source.nx()];
+        for (value, stencil) in out.iter_mut().zip(&columns) {
+            *value = stencil.apply(|ix| samples[ix]);
+        }
+    });
+    let mut resampled = Field::zeros(grid);
+    parallel::rows(resampled.as_mut_slice(), nx, |row, out| {
+        for (ix, value) in out.iter_mut().enumerate() {
+            *value = rows[row].apply(|iy| along_x[iy * nx + ix]);
+        }
+    });
+    Ok(resampled)
+}
+
+/// One axis of the source.
+struct Axis {
+    name: &'static str,
+    count: usize,
+    side: f64,
+}
+
+impl Axis {
+    /// Where the centres of another axis take their values from.
+    fn stencils(&self, count: usize, centre: impl Fn(usize) -> f64) -> Result<Vec<Stencil>> {
+        // Centres are symmetric about the middle: the last is the farthest.
+        let reach = centre(count - 1);
+        let half_side = 0.5 * self.count as f64 * self.side;
+        if reach > half_side + SLACK * self.side {
+            return Err(Error::BeyondSamples {
+                axis: self.name,
+                reach,
+                limit: half_side,
+            });
+        }
+        let middle = 0.5 * (self.count - 1) as f64;
+        let stencil = |i: usize| Stencil::at(centre(i) / self.side + middle, self.count);
+        Ok((0..count).map(stencil).collect())
+    }
+}
+
+/// The samples an interpolated value is made of.
+struct Stencil {
+    first: usize,
+    width: usize,
+    weights: [f64; WIDTH],
+}
+
+impl Stencil {
+    /// The Lagrange polynomial through the samples nearest the place `t`, counted in samples.
+    fn at(t: f64, count: usize) -> Self {
+        let width = WIDTH.min(count);
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a whole number among the samples"
+        )]
+        let first = (t.floor() - 1.0).clamp(0.0, (count - width) as f64) as usize;
+        let t = t - first as f64;
+        let mut weights = [0.0; WIDTH];
+        for (k, weight) in weights[..width].iter_mut().enumerate() {
+            let others = (0..width).filter(|&m| m != k).map(|m| m as f64);
+            *weight = others.map(|m| (t - m) / (k as f64 - m)).product();
+        }
+        Self {
+            first,
+            width,
+            weights,
+        }
+    }
+
+    fn apply(&self, sample: impl Fn(usize) -> f64) -> f64 {
+        let terms = self.weights[..self.width].iter().enumerate();
+        terms
+            .map(|(k, weight)| weight * sample(self.first + k))
+            .sum()
+    }
+}

@@ -1,0 +1,77 @@
+//! A part cut out of a larger field.
+
+use std::f64::consts::PI;
+
+use crate::error::Result;
+use crate::field::Field;
+use crate::grid::Grid;
+
+/// The middle of a periodic field, or all of it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Cut {
+    /// The periodic field.
+    pub(super) whole: Grid,
+    /// What is cut out of it.
+    pub(super) part: Grid,
+    /// Cell of the whole where the part begins.
+    pub(super) first: [usize; 2],
+}
+
+impl Cut {
+    /// All of a periodic field.
+    pub(super) fn all(grid: Grid) -> Self {
+        Self {
+            whole: grid,
+            part: grid,
+            first: [0, 0],
+        }
+    }
+
+    /// The middle of a periodic field of twice the sides and the same cells.
+    pub(super) fn middle(grid: Grid) -> Result<Self> {
+        let [nx, ny] = [grid.nx(), grid.ny()];
+        let twice = |n: usize| n.saturating_mul(2);
+        Ok(Self {
+            whole: Grid::new(twice(nx), twice(ny), grid.dx(), grid.dy())?,
+            part: grid,
+            first: [nx / 2, ny / 2],
+        })
+    }
+
+    /// The part of a whole field.
+    pub(super) fn of(&self, whole: &Field) -> Field {
+        let mut part = Field::zeros(self.part);
+        let nx = self.part.nx();
+        let rows = whole.rows().skip(self.first[1]);
+        for (row, out) in rows.zip(part.as_mut_slice().chunks_exact_mut(nx)) {
+            out.copy_from_slice(&row[self.first[0]..][..nx]);
+        }
+        part
+    }
+
+    /// The whole field that is zero outside the part.
+    pub(super) fn padded(&self, part: &Field) -> Field {
+        let mut whole = Field::zeros(self.whole);
+        let rows = whole.as_mut_slice().chunks_exact_mut(self.whole.nx());
+        for (row, out) in part.rows().zip(rows.skip(self.first[1])) {
+            out[self.first[0]..][..row.len()].copy_from_slice(row);
+        }
+        whole
+    }
+
+    /// Phase of the wave of the given numbers in the first cell of the whole, for a phase of zero in
+    /// the middle of the part.
+    pub(super) fn phase_of_first_cell(&self, numbers: [i64; 2]) -> f64 {
+        let along = |number: i64, whole: usize, part: usize, first: usize| {
+            let count = |n: usize| i128::try_from(n).unwrap_or(i128::MAX);
+            // In halves of a cell a position is a whole number, reduced by whole periods without loss.
+            let half_cells = count(part) - 1 + 2 * count(first);
+            let turned = (-i128::from(number) * half_cells).rem_euclid(2 * count(whole));
+            PI * turned as f64 / whole as f64
+        };
+        let [i, j] = numbers;
+        let (whole, part) = (self.whole, self.part);
+        along(i, whole.nx(), part.nx(), self.first[0])
+            + along(j, whole.ny(), part.ny(), self.first[1])
+    }
+}

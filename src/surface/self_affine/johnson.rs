@@ -1,0 +1,172 @@
+//! Heights of a given skewness and kurtosis: Johnson's system of distributions.
+
+use std::f64::consts::TAU;
+
+/// A curve that bends a standard normal number `g` into one of Johnson's distributions of positive
+/// skewness.
+#[derive(Debug, Clone, Copy)]
+struct Curve {
+    is_bounded: bool,
+    /// `1/delta`: how much it bends.
+    steepness: f64,
+    /// `gamma/delta`: how far from symmetry.
+    offset: f64,
+}
+
+impl Curve {
+    /// `sinh` for heavy tails, the logistic curve for light ones; both become `exp`, the lognormal
+    /// distribution, for a large offset.
+    fn bend(&self, g: f64) -> f64 {
+        if self.is_bounded {
+            let power = (self.steepness * g - self.offset).exp();
+            power / (1.0 + power)
+        } else {
+            (self.steepness * g + self.offset).sinh()
+        }
+    }
+
+    /// Skewness and kurtosis, by the trapezoidal rule.
+    fn moments(&self) -> [f64; 2] {
+        let nodes = -90..=90;
+        let samples: Vec<_> = nodes
+            .map(|node| 0.1 * f64::from(node))
+            .map(|g| ((-0.5 * g * g).exp(), self.bend(g)))
+            .collect();
+        let mean_of = |f: &dyn Fn(f64) -> f64| {
+            let sum: f64 = samples.iter().map(|(weight, v)| weight * f(*v)).sum();
+            sum * 0.1 / TAU.sqrt()
+        };
+        let mean = mean_of(&|v| v);
+        let deviation = mean_of(&|v| (v - mean).powi(2)).sqrt();
+        [3, 4].map(|power| mean_of(&|v| ((v - mean) / deviation).powi(power)))
+    }
+}
+
+/// Largest offset: the curve is exponential to the last digit.
+const LARGEST_OFFSET: f64 = 20.0;
+/// Steepness of the flattest curve, close to the normal distribution, and of the steepest, close to
+/// two values only or to infinite kurtosis.
+const STEEPNESS: [f64; 2] = [0.05, 5.0];
+
+/// The curve of positive skewness, near enough to start an iteration from.
+fn curve(skewness: f64, kurtosis: f64) -> Curve {
+    // The lognormal distribution of this skewness: Johnson (1949).
+    let half = 1.0 + 0.5 * skewness * skewness;
+    let root = (half + (half * half - 1.0).sqrt()).cbrt();
+    let omega = root + 1.0 / root - 1.0;
+    let lognormal_kurtosis = omega.powi(4) + 2.0 * omega.powi(3) + 3.0 * omega.powi(2) - 3.0;
+    let is_bounded = kurtosis < lognormal_kurtosis;
+
+    // From that distribution on, the steeper the curve the further its kurtosis is away.
+    let flattest = omega.ln().sqrt().max(STEEPNESS[0]);
+    let of_skewness = |steepness: f64| {
+        let with = |offset| Curve {
+            is_bounded,
+            steepness,
+            offset,
+        };
+        with(bisect([0.0, LARGEST_OFFSET], |offset| {
+            with(offset).moments()[0] < skewness
+        }))
+    };
+    let steepness = bisect([flattest, STEEPNESS[1].max(flattest)], |steepness| {
+        (of_skewness(steepness).moments()[1] > kurtosis) == is_bounded
+    });
+    of_skewness(steepness)
+}
+
+/// The number up to which a condition holds, to one part in a million of the interval.
+fn bisect([mut low, mut high]: [f64; 2], holds: impl Fn(f64) -> bool) -> f64 {
+    for _ in 0..20 {
+        let middle = 0.5 * (low + high);
+        if holds(middle) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    0.5 * (low + high)
+}
+
+/// `count` heights in ascending order, evenly spread over the distribution that has about the given
+/// skewness and kurtosis. Mean and unit are arbitrary.
+pub(super) fn sorted_heights([skewness, kurtosis]: [f64; 2], count: usize) -> Vec<f64> {
+    let curve = curve(skewness.abs(), kurtosis);
+    let mut heights: Vec<_> = sorted_normal(count).map(|g| curve.bend(g)).collect();
+    if skewness < 0.0 {
+        heights.reverse();
+        for height in &mut heights {
+            *height = -*height;
+        }
+    }
+    heights
+}
+
+/// `count` normal numbers in ascending order, one for each of as many equal probabilities.
+fn sorted_normal(count: usize) -> impl Iterator<Item = f64> {
+    const STEP: f64 = 0.01;
+    let density = |g: f64| (-0.5 * g * g).exp() / TAU.sqrt();
+    // The probability of each step from -9, where there is none left, by Simpson's rule.
+    let step = move |low: f64| {
+        let inner = 4.0 * density(low + 0.5 * STEP);
+        STEP / 6.0 * (density(low) + inner + density(low + STEP))
+    };
+    let (mut low, mut below, mut within) = (-9.0, 0.0, step(-9.0));
+    (0..count).map(move |index| {
+        let wanted = (index as f64 + 0.5) / count as f64;
+        while below + within < wanted && low < 9.0 {
+            below += within;
+            low += STEP;
+            within = step(low);
+        }
+        low + STEP * ((wanted - below) / within).min(1.0)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn heights_have_about_the_moments_asked_for() {
+        for (skewness, kurtosis) in [
+            (0.0, 1.8),
+            (0.0, 2.5),
+            (0.0, 3.0),
+            (0.0, 6.0),
+            (-0.3, 3.0),
+            (0.5, 2.0),
+            (0.5, 3.443), // lognormal
+            (-1.0, 2.5),
+            (1.0, 6.0),
+            (2.0, 9.0),
+        ] {
+            let heights = sorted_heights([skewness, kurtosis], 100_000);
+            assert!(heights.is_sorted());
+            let mean_of = |f: &dyn Fn(f64) -> f64| {
+                heights.iter().map(|z| f(*z)).sum::<f64>() / heights.len() as f64
+            };
+            let mean = mean_of(&|z| z);
+            let deviation = mean_of(&|z| (z - mean).powi(2)).sqrt();
+            let reached = [3, 4].map(|power| mean_of(&|z| ((z - mean) / deviation).powi(power)));
+            let error = [reached[0] - skewness, reached[1] - kurtosis];
+            assert!(error[0].abs() < 0.01, "{skewness} {kurtosis}: {reached:?}");
+            // What heavy tails hold beyond a hundred thousand heights is missing.
+            assert!(
+                error[1].abs() < 0.02 * kurtosis,
+                "{skewness} {kurtosis}: {reached:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn normal_numbers_divide_the_probability() {
+        let numbers: Vec<_> = sorted_normal(1001).collect();
+        assert!(numbers[500].abs() < 1e-6);
+        assert!((numbers[841] - 0.99717).abs() < 1e-4); // of 841.5/1001
+        assert!((numbers[0] + 3.29081).abs() < 1e-4); // of 0.5/1001
+        for (low, high) in numbers.iter().zip(numbers.iter().rev()) {
+            assert!((low + high).abs() < 1e-6);
+        }
+    }
+}

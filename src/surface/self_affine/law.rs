@@ -1,0 +1,89 @@
+//! The power spectrum of a self-affine surface on a given grid.
+
+use std::f64::consts::TAU;
+
+use super::SelfAffine;
+use crate::error::{Error, Result, at_least, positive};
+use crate::grid::Grid;
+use crate::surface::fourier::{Mode, Waves};
+
+/// A self-affine law whose wavelengths are all known.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Law {
+    hurst: f64,
+    longest: f64,
+    roll_off: f64,
+    cut_off: f64,
+}
+
+/// Part of a wavelength by which a wave may be outside the band, so that round-off does not decide
+/// about a wave that is meant to lie on its edge.
+const ROUND_OFF: f64 = 1e-9;
+
+/// Default cut-off, in cells.
+const CUT_OFF_CELLS: f64 = 8.0;
+/// Least cut-off, in cells.
+const LEAST_CUT_OFF_CELLS: f64 = 2.0;
+
+impl Law {
+    /// The law asked for, on the grid of the periodic surface.
+    pub(super) fn new(asked: &SelfAffine, grid: Grid) -> Result<Self> {
+        if !(0.0..=1.0).contains(&asked.hurst) {
+            return Err(Error::Hurst(asked.hurst));
+        }
+        let side = (grid.nx() as f64 * grid.dx()).max(grid.ny() as f64 * grid.dy());
+        let cell = grid.dx().max(grid.dy());
+        let longest = asked.longest_wavelength.unwrap_or(side);
+        let roll_off = asked.roll_off_wavelength.unwrap_or(longest);
+        let cut_off = asked.cut_off_wavelength.unwrap_or(CUT_OFF_CELLS * cell);
+        positive("longest wavelength", longest)?;
+        positive("roll-off wavelength", roll_off)?;
+        positive("cut-off wavelength", cut_off)?;
+        let limit = LEAST_CUT_OFF_CELLS * cell;
+        at_least("two cells", limit, "cut-off wavelength", cut_off)?;
+        at_least(
+            "the cut-off wavelength",
+            cut_off,
+            "roll-off wavelength",
+            roll_off,
+        )?;
+        at_least(
+            "the roll-off wavelength",
+            roll_off,
+            "longest wavelength",
+            longest,
+        )?;
+        Ok(Self {
+            hurst: asked.hurst,
+            longest,
+            roll_off,
+            cut_off,
+        })
+    }
+
+    /// Power of a wave relative to that of the plateau.
+    pub(super) fn power(&self, mode: &Mode) -> f64 {
+        let wavelength = TAU / mode.wave_number();
+        let is_short = wavelength < self.cut_off * (1.0 - ROUND_OFF);
+        let is_long = wavelength > self.longest * (1.0 + ROUND_OFF);
+        if is_short || is_long || mode.is_at_limit {
+            0.0
+        } else {
+            let excess = (self.roll_off / wavelength).max(1.0);
+            excess.powf(-2.0 * (1.0 + self.hurst))
+        }
+    }
+
+    /// Total power of a field's waves, each weighted by a function of its mode.
+    pub(super) fn total(&self, grid: Grid, weight: impl Fn(&Mode) -> f64) -> Result<f64> {
+        let power = |mode: Mode| mode.copies * self.power(&mode) * weight(&mode);
+        let total = Waves::none(grid).iter().map(|(mode, _)| power(mode)).sum();
+        if total == 0.0 {
+            return Err(Error::EmptyBand {
+                longest: self.longest,
+                shortest: self.cut_off,
+            });
+        }
+        positive("power of the waves", total)
+    }
+}

@@ -1,0 +1,45 @@
+//! Means over the cells of a field.
+
+use std::ops::Range;
+
+use crate::field::Field;
+use crate::parallel;
+
+/// Mean of a function of the samples, the same on any number of threads.
+pub(super) fn mean_of(samples: &[f64], f: impl Fn(f64) -> f64 + Sync) -> f64 {
+    let sum_over = |range: Range<usize>| samples[range].iter().map(|&z| f(z)).sum::<f64>();
+    parallel::fold(samples.len(), sum_over, |a, b| a + b) / samples.len() as f64
+}
+
+/// Heights of mean zero and mean square one, and what was done to make them so.
+#[derive(Debug)]
+pub(super) struct Standardised {
+    pub(super) heights: Field,
+    /// Root mean square about the mean.
+    pub(super) deviation: f64,
+    pub(super) skewness: f64,
+    pub(super) kurtosis: f64,
+}
+
+impl Standardised {
+    pub(super) fn new(mut heights: Field) -> Self {
+        let mean = mean_of(heights.as_slice(), |z| z);
+        let deviation = mean_of(heights.as_slice(), |z| (z - mean).powi(2)).sqrt();
+        parallel::update(heights.as_mut_slice(), |_, chunk| {
+            for height in chunk {
+                *height = (*height - mean) / deviation;
+            }
+        });
+        Self {
+            skewness: mean_of(heights.as_slice(), |x| x.powi(3)),
+            kurtosis: mean_of(heights.as_slice(), |x| x.powi(4)),
+            heights,
+            deviation,
+        }
+    }
+
+    /// Skewness and kurtosis.
+    pub(super) fn moments(&self) -> [f64; 2] {
+        [self.skewness, self.kurtosis]
+    }
+}

@@ -1,0 +1,103 @@
+//! Phases of given waves for which the heights have exactly the skewness and kurtosis wanted.
+//!
+//! With `x` the heights of mean zero and mean square one, skewness $`s`$ and kurtosis $`k`$ change
+//! with the heights as
+//!
+//! ```math
+//! \delta s = 3 \langle e_s, \delta x\rangle, \quad e_s = x^2 - s x - 1, \qquad
+//! \delta k = 4 \langle e_k, \delta x\rangle, \quad e_k = x^3 - k x - s ,
+//! ```
+//!
+//! and a wave $`a`$ turned by $`\delta\varphi`$ changes by $`\mathrm{i} a\,\delta\varphi`$. Newton's
+//! step is the least change of the heights that turned waves can make and that has the
+//! $`\delta s`$ and $`\delta k`$ still missing.
+
+use num_complex::Complex;
+
+use super::cut::Cut;
+use super::moments::Standardised;
+use crate::error::{Error, Result};
+use crate::surface::fourier::Waves;
+
+/// Largest distance from the skewness and the kurtosis wanted.
+const TOLERANCE: f64 = 1e-9;
+/// Most steps; three to ten are usual.
+const LIMIT: usize = 60;
+/// Largest change of the heights in one step, root mean square relative to that of the heights.
+const LONGEST_STEP: f64 = 0.1;
+
+/// Turns the waves until the heights within a cut have the skewness and kurtosis wanted; returns the
+/// number of steps.
+pub(super) fn turn(waves: &mut Waves, cut: &Cut, wanted: [f64; 2]) -> Result<usize> {
+    let mut reached = [f64::NAN; 2];
+    for step in 0..=LIMIT {
+        let surface = Standardised::new(cut.of(&waves.clone().into_field()));
+        reached = surface.moments();
+        let missing = [wanted[0] - reached[0], wanted[1] - reached[1]];
+        if missing.iter().all(|missing| missing.abs() < TOLERANCE) {
+            return Ok(step);
+        }
+        if !newton_step(waves, cut, &surface, missing) {
+            break;
+        }
+    }
+    let [skewness, kurtosis] = wanted;
+    Err(Error::HeightsNotReached {
+        skewness,
+        kurtosis,
+        reached,
+    })
+}
+
+/// Turns the waves for the skewness and kurtosis still missing, or not, if no turn changes both.
+fn newton_step(waves: &mut Waves, cut: &Cut, surface: &Standardised, missing: [f64; 2]) -> bool {
+    let [skewness, kurtosis] = surface.moments();
+    let direction = |f: &dyn Fn(f64) -> f64| {
+        let mut direction = surface.heights.clone();
+        for x in direction.as_mut_slice() {
+            *x = f(*x);
+        }
+        Waves::of(&cut.padded(&direction))
+    };
+    let of_skewness = direction(&|x| x * x - skewness * x - 1.0);
+    let of_kurtosis = direction(&|x| x * x * x - kurtosis * x - skewness);
+
+    // Mean products of the changes that a turn along each direction makes.
+    let [mut ss, mut sk, mut kk, mut square] = [0.0; 4];
+    let directions = of_skewness.iter().zip(of_kurtosis.iter());
+    for ((mode, wave), ((_, s), (_, k))) in waves.iter().zip(directions) {
+        let [s, k] = [s, k].map(|direction| wave.norm() * turn_along(wave, direction));
+        ss += mode.copies * s * s;
+        sk += mode.copies * s * k;
+        kk += mode.copies * k * k;
+        square += mode.copies * wave.norm_sqr();
+    }
+    let share = cut.whole.cells() as f64 / cut.part.cells() as f64;
+    let scale = surface.deviation / share;
+    let [s, k] = [missing[0] / 3.0 * scale, missing[1] / 4.0 * scale];
+    let determinant = ss * kk - sk * sk;
+    if determinant == 0.0 {
+        return false;
+    }
+    let along = [
+        (kk * s - sk * k) / determinant,
+        (ss * k - sk * s) / determinant,
+    ];
+    let length = ((along[0] * s + along[1] * k) / square).sqrt();
+    let [s, k] = along.map(|along| along * (LONGEST_STEP / length).min(1.0));
+    waves.update_with([&of_skewness, &of_kurtosis], |_, wave, directions| {
+        let [by_s, by_k] = directions.map(|direction| turn_along(wave, direction));
+        wave * Complex::cis(s * by_s + k * by_k)
+    });
+    true
+}
+
+/// The angle by which a wave turns for a change of the field along a direction.
+fn turn_along(wave: Complex<f64>, direction: Complex<f64>) -> f64 {
+    let square = wave.norm_sqr();
+    if square > 0.0 {
+        (wave.conj() * direction).im / square
+    } else {
+        0.0
+    }
+}

@@ -1,0 +1,57 @@
+//! Waves of given moduli whose heights nearly follow a given distribution.
+//!
+//! Two steps in turn: the heights are replaced, each by the one of its rank in the distribution;
+//! then the moduli of the waves are set right again and only the phases kept.
+
+use num_complex::Complex;
+
+use super::johnson::sorted_heights;
+use super::moments::Standardised;
+use crate::field::Field;
+use crate::surface::fourier::Waves;
+
+/// Most iterations: each costs two transforms and a sort.
+const LIMIT: usize = 20;
+/// Change of skewness and kurtosis below which further iterations are not worth while.
+const SLOW: f64 = 0.01;
+
+/// Waves of the same moduli whose heights nearly follow a distribution of the given skewness and
+/// kurtosis, and the number of iterations.
+pub(super) fn approach(drawn: &Waves, wanted: [f64; 2]) -> (Waves, usize) {
+    let mut waves = drawn.clone();
+    let mut surface = Standardised::new(waves.clone().into_field());
+    let sorted = sorted_heights(wanted, surface.heights.as_slice().len());
+    let mut iterations = 0;
+    let mut change = f64::INFINITY;
+    while iterations < LIMIT && change > SLOW {
+        let last = surface.moments();
+        replace_by_rank(&mut surface.heights, &sorted);
+        waves = Waves::of(&surface.heights);
+        waves.update_with([drawn], |_, wave, [drawn]| with_modulus_of(drawn, wave));
+        surface = Standardised::new(waves.clone().into_field());
+        let changes = last.into_iter().zip(surface.moments());
+        change = changes.map(|(a, b)| (b - a).abs()).fold(0.0, f64::max);
+        iterations += 1;
+    }
+    (waves, iterations)
+}
+
+/// Gives every cell the height that has its rank.
+fn replace_by_rank(heights: &mut Field, sorted: &[f64]) {
+    let heights = heights.as_mut_slice();
+    let mut ranked: Vec<_> = heights.iter().copied().enumerate().collect();
+    ranked.sort_unstable_by(|(i, a), (j, b)| a.total_cmp(b).then(i.cmp(j)));
+    for ((index, _), height) in ranked.into_iter().zip(sorted) {
+        heights[index] = *height;
+    }
+}
+
+/// The phase of one wave with the modulus of another.
+fn with_modulus_of(drawn: Complex<f64>, wave: Complex<f64>) -> Complex<f64> {
+    let modulus = wave.norm();
+    if modulus > 0.0 {
+        wave * (drawn.norm() / modulus)
+    } else {
+        drawn
+    }
+}

@@ -1,0 +1,102 @@
+//! What was generated, and the numbers it has.
+
+use num_complex::Complex;
+
+use super::cut::Cut;
+use super::moments::{Standardised, mean_of};
+use crate::field::Field;
+use crate::surface::fourier::Waves;
+
+/// A surface made by [`SelfAffine`](super::SelfAffine), and the numbers it has.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RoughSurface {
+    heights: Field,
+    rms_height: f64,
+    rms_slope: f64,
+    skewness: f64,
+    kurtosis: f64,
+    iterations: usize,
+}
+
+impl RoughSurface {
+    /// The part of the waves within a cut, less its mean.
+    pub(super) fn new(waves: &Waves, cut: &Cut, iterations: usize) -> Self {
+        let mut heights = cut.of(&waves.clone().into_field());
+        let mean = mean_of(heights.as_slice(), |z| z);
+        for height in heights.as_mut_slice() {
+            *height -= mean;
+        }
+        let square_slope = |axis: usize| {
+            let mut slopes = waves.clone();
+            slopes.update(|mode, wave| wave * Complex::i() * mode.wave_vector[axis]);
+            mean_of(cut.of(&slopes.into_field()).as_slice(), |slope| {
+                slope * slope
+            })
+        };
+        let surface = Standardised::new(heights.clone());
+        Self {
+            heights,
+            rms_height: surface.deviation,
+            rms_slope: (square_slope(0) + square_slope(1)).sqrt(),
+            skewness: surface.skewness,
+            kurtosis: surface.kurtosis,
+            iterations,
+        }
+    }
+
+    /// All heights and slopes multiplied by a number.
+    pub(super) fn scaled(mut self, factor: f64) -> Self {
+        for height in self.heights.as_mut_slice() {
+            *height *= factor;
+        }
+        Self {
+            rms_height: self.rms_height * factor,
+            rms_slope: self.rms_slope * factor,
+            ..self
+        }
+    }
+
+    /// Heights above the mean plane (lengths), out of the body: [`gap_of`](crate::surface::gap_of)
+    /// makes them a gap.
+    #[must_use]
+    pub fn heights(&self) -> &Field {
+        &self.heights
+    }
+
+    /// The heights, without the numbers.
+    #[must_use]
+    pub fn into_heights(self) -> Field {
+        self.heights
+    }
+
+    /// Root mean square of the heights (a length), $`R_q = \sqrt{\langle z^2\rangle}`$.
+    #[must_use]
+    pub fn rms_height(&self) -> f64 {
+        self.rms_height
+    }
+
+    /// Root mean square of the gradient, $`\sqrt{\langle |\nabla z|^2\rangle}`$, of the sum of waves
+    /// at the centres of the cells; finite differences of the samples are less steep.
+    #[must_use]
+    pub fn rms_slope(&self) -> f64 {
+        self.rms_slope
+    }
+
+    /// Skewness of the heights, $`\langle z^3\rangle / R_q^3`$: negative for plateaus with valleys.
+    #[must_use]
+    pub fn skewness(&self) -> f64 {
+        self.skewness
+    }
+
+    /// Kurtosis of the heights, $`\langle z^4\rangle / R_q^4`$, of a Gaussian surface about 3.
+    #[must_use]
+    pub fn kurtosis(&self) -> f64 {
+        self.kurtosis
+    }
+
+    /// Iterations made for the skewness and kurtosis asked for; zero if none was asked for.
+    #[must_use]
+    pub fn iterations(&self) -> usize {
+        self.iterations
+    }
+}

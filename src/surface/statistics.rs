@@ -1,0 +1,207 @@
+//! Height and slope parameters of a surface.
+
+use std::fmt;
+
+use super::differences::{developed_area, rms_slopes};
+use super::fourier::Waves;
+use super::heights::{about_mean, complete};
+use super::power_spectrum::moments;
+use crate::error::Result;
+use crate::field::Field;
+use crate::parallel;
+
+/// The S-parameters of a surface (ISO 25178-2:2021), of its heights about their mean.
+///
+/// Heights point out of the body, so that a peak is positive. Nothing is filtered and no form but the
+/// mean is removed: `level` first what is tilted or curved. With $`z`$ about the mean
+/// and $`\langle\,\rangle`$ the mean over the cells,
+///
+/// ```math
+/// S_a = \langle |z| \rangle, \quad S_q^2 = \langle z^2 \rangle, \quad
+/// S_{sk} = \frac{\langle z^3 \rangle}{S_q^3}, \quad S_{ku} = \frac{\langle z^4 \rangle}{S_q^4} ,
+/// ```
+///
+/// the kurtosis not in excess: a Gaussian surface has 3.
+///
+/// # Slopes
+/// On a grid a slope depends on how it is differentiated, the more the shorter the waves: each way has
+/// its own name. A wave of wave number $`q`$ along x has the finite-difference slope
+/// $`\sin(q\,\Delta x/2)/(q\,\Delta x/2)`$ times the spectral one: 0.97 at eight cells per period,
+/// $`2/\pi`$ at two.
+///
+/// ```
+/// use std::f64::consts::TAU;
+/// use stickslip::{Field, Grid, surface::Statistics};
+/// let grid = Grid::square(64, 64.0)?;
+/// let wave = Statistics::of(&Field::from_fn(grid, |x, _| 5.0 + 2.0 * (TAU * x / 8.0).cos()))?;
+/// assert!((wave.mean_height() - 5.0).abs() < 1e-12);
+/// assert!((wave.rms_height() - 2.0_f64.sqrt()).abs() < 1e-12);
+/// assert!(wave.skewness().abs() < 1e-12 && (wave.kurtosis() - 1.5).abs() < 1e-12);
+/// let slope = wave.rms_height() * TAU / 8.0;
+/// assert!((wave.spectral_rms_slope() - slope).abs() < 1e-12);
+/// // The pair across the edge, at two equal heights, does not count.
+/// let ratio = wave.finite_difference_rms_slope() / slope;
+/// assert!((ratio - 0.9745 * (64.0_f64 / 63.0).sqrt()).abs() < 1e-4);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Statistics {
+    mean_height: f64,
+    arithmetic_mean_height: f64,
+    rms_height: f64,
+    skewness: f64,
+    kurtosis: f64,
+    highest_peak: f64,
+    deepest_valley: f64,
+    profile_rms_slope: [f64; 2],
+    developed_area: f64,
+    spectral_rms_slope: f64,
+}
+
+impl Statistics {
+    /// The statistics of a surface.
+    ///
+    /// # Errors
+    /// [`Error::Sample`](crate::Error::Sample) for the first height that is missing or infinite.
+    pub fn of(heights: &Field) -> Result<Self> {
+        complete("heights", heights)?;
+        let (deviations, mean_height) = about_mean(heights);
+        let highest_peak = deviations.max();
+        let deepest_valley = -deviations.min();
+        let z = deviations.as_slice();
+        // In units of the largest deviation the powers neither overflow nor vanish.
+        let largest = highest_peak.max(deepest_valley);
+        let unit = if largest > 0.0 { largest } else { 1.0 };
+        let [first, second, third, fourth] = parallel::sums(z.len(), |i| {
+            let z = z[i] / unit;
+            [z.abs(), z * z, z * z * z, (z * z) * (z * z)]
+        })
+        .map(|sum| sum / z.len() as f64);
+        let [_, m2, _] = moments(&Waves::of(&deviations));
+        Ok(Self {
+            mean_height,
+            arithmetic_mean_height: unit * first,
+            rms_height: unit * second.sqrt(),
+            skewness: third / (second * second.sqrt()),
+            kurtosis: fourth / (second * second),
+            highest_peak,
+            deepest_valley,
+            profile_rms_slope: rms_slopes(&deviations),
+            developed_area: developed_area(&deviations),
+            spectral_rms_slope: (2.0 * m2).sqrt(),
+        })
+    }
+
+    /// Mean of the heights as given (a length), the datum of all other parameters.
+    #[must_use]
+    pub fn mean_height(&self) -> f64 {
+        self.mean_height
+    }
+
+    /// Arithmetic mean height Sa $`= \langle |z| \rangle`$ (a length).
+    #[must_use]
+    pub fn arithmetic_mean_height(&self) -> f64 {
+        self.arithmetic_mean_height
+    }
+
+    /// Root-mean-square height Sq $`= \langle z^2 \rangle^{1/2}`$ (a length).
+    #[must_use]
+    pub fn rms_height(&self) -> f64 {
+        self.rms_height
+    }
+
+    /// Skewness Ssk $`= \langle z^3 \rangle/S_q^3`$: negative where valleys are deeper than peaks are
+    /// high. NaN for a flat surface, which has none.
+    #[must_use]
+    pub fn skewness(&self) -> f64 {
+        self.skewness
+    }
+
+    /// Kurtosis Sku $`= \langle z^4 \rangle/S_q^4`$, at least $`S_{sk}^2 + 1`$; 3 for a Gaussian
+    /// surface. NaN for a flat surface, which has none.
+    #[must_use]
+    pub fn kurtosis(&self) -> f64 {
+        self.kurtosis
+    }
+
+    /// Height of the highest peak Sp (a length), above the mean.
+    #[must_use]
+    pub fn highest_peak(&self) -> f64 {
+        self.highest_peak
+    }
+
+    /// Depth of the deepest valley Sv (a length), positive, below the mean.
+    #[must_use]
+    pub fn deepest_valley(&self) -> f64 {
+        self.deepest_valley
+    }
+
+    /// Height from the deepest valley to the highest peak Sz (a length).
+    #[must_use]
+    pub fn height_range(&self) -> f64 {
+        self.highest_peak + self.deepest_valley
+    }
+
+    /// Root-mean-square gradient Sdq of the surface by forward differences,
+    ///
+    /// ```math
+    /// S_{dq}^2 = \frac{1}{(n_x-1)\,n_y} \sum \left(\frac{z_{i+1,j}-z_{ij}}{\Delta x}\right)^2
+    ///          + \frac{1}{n_x\,(n_y-1)} \sum \left(\frac{z_{i,j+1}-z_{ij}}{\Delta y}\right)^2 ,
+    /// ```
+    ///
+    /// over the pairs of neighbours there are, none across the edge of the grid: what it takes to
+    /// measure a surface that is not periodic. An axis of one cell has no slope.
+    #[must_use]
+    pub fn finite_difference_rms_slope(&self) -> f64 {
+        let [along_x, along_y] = self.profile_rms_slope;
+        along_x.hypot(along_y)
+    }
+
+    /// Root-mean-square gradient of the surface that continues periodically, exact for its waves,
+    /// $`\langle |\nabla z|^2 \rangle = \sum |q|^2 |a_q|^2 = 2 m_2`$.
+    ///
+    /// A wave of two cells per period enters with the whole mean square of its samples, though its phase,
+    /// and with it its slope, is lost in them. Heights that do not continue periodically have a step at the
+    /// edge of the grid, which counts. See [`PowerSpectrum`](super::PowerSpectrum).
+    #[must_use]
+    pub fn spectral_rms_slope(&self) -> f64 {
+        self.spectral_rms_slope
+    }
+
+    /// Root-mean-square slope of the profiles along x and of those along y, the two terms of
+    /// [`finite_difference_rms_slope`](Self::finite_difference_rms_slope): the paper's equation 34.
+    ///
+    /// On an isotropic surface each is $`1/\sqrt2`$ of the slope of the surface.
+    #[must_use]
+    pub fn profile_rms_slope(&self) -> [f64; 2] {
+        self.profile_rms_slope
+    }
+
+    /// Developed area Sdr, the excess of the area of the surface over its projection, relative to the
+    /// projection (not in per cent).
+    ///
+    /// Every four neighbouring heights span two triangles, cut by one diagonal or the other; the mean
+    /// of both is taken. For small slopes it is half the square of the slope.
+    #[must_use]
+    pub fn developed_area(&self) -> f64 {
+        self.developed_area
+    }
+}
+
+impl fmt::Display for Statistics {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            formatter,
+            "Sa {:.4e}, Sq {:.4e}, Ssk {:.4}, Sku {:.4}, Sp {:.4e}, Sv {:.4e}, Sdq {:.4e} (spectral {:.4e}), Sdr {:.4e}",
+            self.arithmetic_mean_height,
+            self.rms_height,
+            self.skewness,
+            self.kurtosis,
+            self.highest_peak,
+            self.deepest_valley,
+            self.finite_difference_rms_slope(),
+            self.spectral_rms_slope,
+            self.developed_area,
+        )
+    }
+}
