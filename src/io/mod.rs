@@ -117,6 +117,11 @@ impl Format {
         self.at(Place::Entry(name.into()), problem)
     }
 
+    /// `Ok` if a number that stands at a place is positive and finite.
+    fn positive(self, place: Place, quantity: &'static str, value: f64) -> Result<f64> {
+        positive(quantity, value).map_err(|error| self.at(place, error.to_string()))
+    }
+
     /// The grid a file declares at a place.
     fn grid(self, place: Place, size: [usize; 2], sides: [f64; 2]) -> Result<Grid> {
         let grid = Grid::new(size[0], size[1], sides[0], sides[1]);
