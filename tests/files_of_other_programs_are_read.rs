@@ -122,6 +122,16 @@ fn x3p_of_every_kind_of_number() {
     }
 }
 
+#[cfg(not(feature = "x3p"))]
+#[test]
+fn x3p_without_its_feature_is_an_error() {
+    let error = io::read(path("I.x3p")).unwrap_err().to_string();
+    assert_eq!(
+        error,
+        "X3P, at byte 0: reading it takes the cargo feature `x3p`"
+    );
+}
+
 #[test]
 fn a_file_that_cannot_be_recognised_is_refused() {
     for name in ["f8.npy", "commas.csv"] {

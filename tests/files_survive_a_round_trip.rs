@@ -95,6 +95,7 @@ fn from_vti(text: &str, name: &str, grid: Grid) -> Field {
     let (_, rest) = text.split_once(&start).unwrap();
     let (encoded, _) = rest.split_once("</DataArray>").unwrap();
     let mut bytes = Vec::new();
+    // Padding decodes to zeros, dropped below for they make no word.
     for four in encoded.as_bytes().chunks(4) {
         let digit = |&c: &u8| match c {
             b'A'..=b'Z' => c - b'A',
@@ -107,15 +108,14 @@ fn from_vti(text: &str, name: &str, grid: Grid) -> Field {
         let bits = four
             .iter()
             .fold(0, |bits, c| bits << 6 | u32::from(digit(c)));
-        let padding = four.iter().filter(|&&c| c == b'=').count();
-        bytes.extend_from_slice(&bits.to_be_bytes()[1..4 - padding]);
+        bytes.extend_from_slice(&bits.to_be_bytes()[1..]);
     }
     let words = bytes
         .chunks_exact(8)
         .map(|word| u64::from_le_bytes(word.try_into().unwrap()));
     let words: Vec<u64> = words.collect();
     assert_eq!(words[0], 8 * grid.cells() as u64);
-    assert_eq!(bytes.len(), 8 * (grid.cells() + 1));
+    assert_eq!(encoded.len(), (8 * words.len()).div_ceil(3) * 4);
     let samples = words[1..].iter().map(|&bits| f64::from_bits(bits));
     Field::from_vec(grid, samples.collect()).unwrap()
 }

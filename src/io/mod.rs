@@ -25,9 +25,9 @@
 //!
 //! # Broken files
 //! A truncated, broken or lying file is an [`Error::Format`] that says what is wrong and
-//! [where](Place). Sizes are checked against the bytes present before memory is taken: reading takes at
-//! most some forty times the size of the file, in X3P, which is compressed, at most what the limits of
-//! `x3p` allow.
+//! [where](Place). Sizes are checked against the bytes present before memory is taken: reading takes less
+//! than fifty times the size of the file, and of X3P, which is compressed, less than eight times what its
+//! module lets an entry expand to.
 
 mod bytes;
 pub mod csv;
@@ -115,6 +115,11 @@ impl Format {
 
     fn in_entry(self, name: &str, problem: impl Into<String>) -> Error {
         self.at(Place::Entry(name.into()), problem)
+    }
+
+    /// `Ok` if a number that stands at a place is positive and finite.
+    fn positive(self, place: Place, quantity: &'static str, value: f64) -> Result<f64> {
+        positive(quantity, value).map_err(|error| self.at(place, error.to_string()))
     }
 
     /// The grid a file declares at a place.

@@ -11,7 +11,7 @@ use std::path::Path;
 use super::bytes::{Cursor, Number, Order};
 use super::text::{Separator, excerpt, lines};
 use super::{Format, Place, bytes_of, write_bytes};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::field::Field;
 use crate::grid::Grid;
 
@@ -22,7 +22,7 @@ const TEXT: &[u8; 8] = b"aISO-1.0";
 /// The surface in a file (metres). See [`parse`].
 ///
 /// # Errors
-/// [`Error::File`] if the file cannot be read, else as [`parse`].
+/// [`Error::File`](crate::Error::File) if the file cannot be read, else as [`parse`].
 pub fn read(path: impl AsRef<Path>) -> Result<Field> {
     parse(&bytes_of(path.as_ref())?)
 }
@@ -35,7 +35,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 /// samples is not looked at.
 ///
 /// # Errors
-/// [`Error::Format`] if the bytes are no such file, or fewer than its sizes say.
+/// [`Error::Format`](crate::Error::Format) if the bytes are no such file, or fewer than its sizes say.
 ///
 /// ```
 /// use stickslip::io::sdf;
@@ -58,7 +58,7 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
 /// Writes a surface (metres) to a file, as [`to_bytes`].
 ///
 /// # Errors
-/// As [`to_bytes`]; [`Error::File`] if the file cannot be written.
+/// As [`to_bytes`]; [`Error::File`](crate::Error::File) if the file cannot be written.
 pub fn write(path: impl AsRef<Path>, field: &Field) -> Result<()> {
     write_bytes(path.as_ref(), &to_bytes(field)?)
 }
@@ -67,7 +67,7 @@ pub fn write(path: impl AsRef<Path>, field: &Field) -> Result<()> {
 /// sides come back to the last bit; only the least double and minus infinity come back as NaN.
 ///
 /// # Errors
-/// [`Error::Format`] if a side has more than the 65535 points the format can say.
+/// [`Error::Format`](crate::Error::Format) if a side has more than the 65535 points the format can say.
 pub fn to_bytes(field: &Field) -> Result<Vec<u8>> {
     let grid = field.grid();
     let count = |name: &str, cells: usize| {
@@ -110,9 +110,8 @@ fn parse_binary(bytes: &[u8]) -> Result<Field> {
         [points.into(), profiles.into()],
         sides,
     )?;
-    let z_start = bytes.position();
-    let z_scale =
-        scale(bytes.f64("Zscale")?).map_err(|problem| FORMAT.at_byte(z_start, problem))?;
+    let place = Place::Byte(bytes.position() as u64);
+    let z_scale = FORMAT.positive(place, "Zscale", bytes.f64("Zscale")?)?;
     bytes.f64("Zresolution")?;
 
     let flags = bytes.position();
@@ -221,20 +220,7 @@ impl TextHeader {
         let dy = dy.ok_or_else(|| missing("Yscale"))?;
         let dz = dz.ok_or_else(|| missing("Zscale"))?;
         let grid = FORMAT.grid(Place::Line(line), [nx, ny], [dx, dy])?;
-        let z_scale = scale(dz).map_err(|problem| FORMAT.on_line(line, problem))?;
+        let z_scale = FORMAT.positive(Place::Line(line), "Zscale", dz)?;
         Ok((grid, z_scale))
-    }
-}
-
-/// `Ok` if heights can be multiplied by a scale.
-fn scale(value: f64) -> std::result::Result<f64, String> {
-    if value > 0.0 && value.is_finite() {
-        Ok(value)
-    } else {
-        let error = Error::NotPositive {
-            quantity: "Zscale",
-            value,
-        };
-        Err(error.to_string())
     }
 }

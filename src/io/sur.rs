@@ -74,10 +74,8 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
     let unit_x = metres(&mut bytes)?;
     let unit_y = metres(&mut bytes)?;
     let unit_z = metres(&mut bytes)?;
-    if !(dz > 0.0 && dz.is_finite()) {
-        let problem = format!("the spacing along z must be positive and finite, got {dz}");
-        return Err(FORMAT.at_byte(steps_start + 8, problem));
-    }
+    let place = Place::Byte(steps_start as u64 + 8);
+    FORMAT.positive(place, "spacing along z", dz)?;
     let size = counts.map(|count| count as usize);
     let place = Place::Byte(steps_start as u64);
     let grid = FORMAT.grid(place, size, [dx * unit_x, dy * unit_y])?;

@@ -32,8 +32,9 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 /// Places of the grid without a point, or with a missing height, are NaN. Separators, comments and
 /// missing heights are as in [`csv`](super::csv::parse).
 ///
-/// A point must lie within 5 % of a spacing of its place, and a tenth of the places at least must have a
-/// point: scattered points are no grid.
+/// A point must lie within 5 % of a spacing of its place, a tenth of the places at least must have a
+/// point, and fewer than a thousand columns or rows in succession may be empty: scattered points are no
+/// grid.
 ///
 /// # Errors
 /// [`Error::Format`](crate::Error::Format), with the line, for a line that has not three numbers, a

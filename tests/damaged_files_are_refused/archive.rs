@@ -71,7 +71,7 @@ fn archives() {
         (
             end + 16,
             &far[..],
-            "X3P, at byte 2147483647: the archive ends before a place it names",
+            "X3P, at byte 2147483647: the file ends before this place",
         ),
         (
             end + 16,
@@ -127,7 +127,7 @@ fn archives() {
         (
             directory + 42,
             &far,
-            "X3P, at byte 2147483647: the archive ends before",
+            "X3P, at byte 2147483647: the file ends before",
         ),
         (
             directory + 42,

@@ -363,12 +363,12 @@ fn sur_files() {
         (
             128,
             &not_a_number,
-            "SUR, at byte 128: the spacing along z must be positive and finite",
+            "SUR, at byte 128: spacing along z must be positive and finite",
         ),
         (
             131,
             &[0xbf],
-            "SUR, at byte 128: the spacing along z must be positive and finite, got -",
+            "SUR, at byte 128: spacing along z must be positive and finite, got -",
         ),
         (
             180,

@@ -1,6 +1,12 @@
 //! A broken, truncated or lying file is refused with an error that says what is wrong and where;
 //! nothing panics, and memory stays in proportion to the file.
-#![allow(clippy::unwrap_used, reason = "a test fails loudly")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::float_cmp,
+    clippy::too_many_lines,
+    clippy::format_collect,
+    reason = "a test fails loudly, compares exact results, and lists many cases"
+)]
 
 #[cfg(feature = "x3p")]
 mod archive;

@@ -24,7 +24,7 @@ const MAIN: &str = "main.xml";
 /// The surface in a file (metres). See [`parse`].
 ///
 /// # Errors
-/// [`Error::File`](crate::Error::File) if the file cannot be read, else as [`parse`].
+/// [`Error::File`] if the file cannot be read, else as [`parse`].
 pub fn read(path: impl AsRef<Path>) -> Result<Field> {
     parse(&bytes_of(path.as_ref())?)
 }
@@ -41,7 +41,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 /// size, or to 4 MiB if that is more, and not beyond.
 ///
 /// # Errors
-/// [`Error::Format`](crate::Error::Format), with the file within the archive, if the bytes are no such
+/// [`Error::Format`], with the file within the archive, if the bytes are no such
 /// archive or its files contradict one another.
 pub fn parse(bytes: &[u8]) -> Result<Field> {
     let archive = Archive::new(bytes)?;

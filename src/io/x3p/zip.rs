@@ -5,7 +5,7 @@
 use miniz_oxide::inflate::decompress_to_vec_with_limit;
 
 use super::FORMAT;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::io::bytes::Cursor;
 
 /// An entry may expand to this many bytes whatever its packed size,
@@ -43,7 +43,7 @@ impl<'a> Archive<'a> {
             return Err(FORMAT.at_byte(bytes.len(), "the archive has no end: it is truncated"));
         };
         let start = bytes.len() - END_SIZE - end;
-        let mut record = at(bytes, start)?;
+        let mut record = Cursor::new(FORMAT, bytes).seek(start)?;
         record.take("the disks of the archive", 10)?;
         let entries = record.u16("the number of entries")?;
         record.take("the size of the directory", 4)?;
@@ -92,7 +92,7 @@ impl<'a> Archive<'a> {
     }
 
     fn find(&self, wanted: &str) -> Result<Option<Entry>> {
-        let mut directory = at(self.bytes, self.directory)?;
+        let mut directory = Cursor::new(FORMAT, self.bytes).seek(self.directory)?;
         for _ in 0..self.entries {
             let start = directory.position();
             if directory.take("an entry of the directory", 4)? != b"PK\x01\x02" {
@@ -131,7 +131,7 @@ impl<'a> Archive<'a> {
 
     /// The packed bytes of an entry.
     fn packed(&self, entry: &Entry) -> Result<&'a [u8]> {
-        let mut bytes = at(self.bytes, entry.start)?;
+        let mut bytes = Cursor::new(FORMAT, self.bytes).seek(entry.start)?;
         if bytes.take("an entry of the archive", 4)? != b"PK\x03\x04" {
             return Err(FORMAT.at_byte(entry.start, "no entry of the archive"));
         }
@@ -141,14 +141,6 @@ impl<'a> Archive<'a> {
         bytes.take("name and extra field", head)?;
         bytes.take("the packed bytes", entry.packed)
     }
-}
-
-/// The bytes of an archive from a place on.
-fn at(bytes: &[u8], start: usize) -> Result<Cursor<'_>> {
-    let mut bytes = Cursor::new(FORMAT, bytes);
-    let outside = |_: Error| FORMAT.at_byte(start, "the archive ends before a place it names");
-    bytes.take("", start).map_err(outside)?;
-    Ok(bytes)
 }
 
 /// The cyclic redundancy check of the archive (CRC-32, reflected polynomial 0xedb88320).
