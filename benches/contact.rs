@@ -6,8 +6,6 @@
     reason = "the macros of criterion write functions without"
 )]
 
-#[path = "../examples/support/rough.rs"]
-mod rough;
 #[path = "../examples/support/scene.rs"]
 #[expect(dead_code, reason = "the scenes serve an example that asks for more")]
 mod scene;

@@ -66,6 +66,7 @@ pub(crate) fn heights(
     let block = grid.nx().max(grid.ny()).div_ceil(BLOCKS);
     let starts = |cells: usize| (0..cells).step_by(block);
     let corners = starts(grid.ny()).flat_map(|iy| starts(grid.nx()).map(move |ix| [ix, iy]));
+    // As above, a block reaches into those drawn later.
     let rectangles = corners.map(|[ix, iy]| {
         let (columns, rows) = (
             ix..(ix + block).min(grid.nx()),
@@ -81,7 +82,9 @@ pub(crate) fn heights(
             let (x, y) = (grid.x(ix) - 0.5 * grid.dx(), grid.y(iy) - 0.5 * grid.dy());
             (x / scale, y / scale)
         };
-        Rectangle::new([edge(ix, iy), edge(columns.end, rows.end)], grey.filled())
+        let far = |end: usize, cells: usize| (end + block / 2).min(cells);
+        let opposite = edge(far(columns.end, grid.nx()), far(rows.end, grid.ny()));
+        Rectangle::new([edge(ix, iy), opposite], grey.filled())
     });
     chart.draw_series(rectangles)?;
     Ok(())

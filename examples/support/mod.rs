@@ -4,7 +4,6 @@
 
 pub(crate) mod maps;
 pub(crate) mod measure;
-pub(crate) mod rough;
 pub(crate) mod scene;
 pub(crate) mod study;
 pub(crate) mod table;

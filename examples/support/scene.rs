@@ -2,12 +2,11 @@
 
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 use stickslip::cgm::Method;
+use stickslip::surface::SelfAffine;
 use stickslip::{
     ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
     NormalSolution, Result, TangentialLoad, TangentialProblem, surface,
 };
-
-use super::rough::self_affine;
 
 pub(crate) const FRICTION: f64 = 0.5;
 /// Tangential force over the force at which the contact slides.
@@ -50,8 +49,15 @@ pub(crate) fn ball(cells: u16) -> Result<Scene> {
 /// pressure and whose cells are the unit of length, under three loads.
 pub(crate) fn rough(cells: u16) -> Result<[Scene; 3]> {
     let body = Material::new(2.0 * (1.0 - 0.3 * 0.3), 0.3)?;
-    let gap = self_affine(cells, 1)?;
-    let bodies = HalfSpace::new(gap.grid(), ElasticPair::new(body, body)?)?;
+    let side = f64::from(cells);
+    let grid = Grid::square(usize::from(cells), side)?;
+    let rough = SelfAffine::with_rms_slope(0.1)
+        .longest_wavelength(side / 4.0)
+        .roll_off_wavelength(side / 4.0)
+        .seed(1)
+        .generate(grid)?;
+    let gap = surface::gap_of(rough.heights())?;
+    let bodies = HalfSpace::new(grid, ElasticPair::new(body, body)?)?;
     Ok(ROUGH_LOADS.map(|(name, pressure)| Scene {
         name,
         bodies: bodies.clone(),

@@ -15,8 +15,6 @@
 )]
 
 mod judge;
-#[path = "../../../examples/support/rough.rs"]
-mod rough;
 #[path = "../../../examples/support/scene.rs"]
 #[allow(dead_code, reason = "the examples need more of it")]
 mod scene;
