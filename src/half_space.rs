@@ -76,7 +76,7 @@ impl HalfSpace {
     /// The pair meshed by `grid`, with [`Boundary::Free`] surroundings; nothing is computed yet.
     ///
     /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive) if the sides of a cell are too far apart
+    /// [`Error::NotPositive`] if the sides of a cell are too far apart
     /// to compare.
     pub fn new(grid: Grid, pair: ElasticPair) -> Result<Self> {
         Self::with_boundary(grid, pair, Boundary::Free)
