@@ -21,6 +21,7 @@
 mod friction;
 mod nested;
 mod problem;
+mod shear;
 mod solution;
 mod solver;
 mod superposition;
@@ -31,4 +32,4 @@ pub use problem::{TangentialLoad, TangentialProblem, TangentialProblemBuilder};
 pub use solution::TangentialSolution;
 pub use solver::TangentialSolver;
 pub use superposition::JaegerSuperposition;
-pub use zone::{Axis, Zone};
+pub use zone::{Axis, Lateral, Zone};

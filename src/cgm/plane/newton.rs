@@ -56,7 +56,7 @@ pub(super) fn iterate<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) -> 
     let (mut changes, mut fewest) = (usize::MAX, usize::MAX);
     let (mut best, mut without_progress) = (f64::INFINITY, 0);
     loop {
-        let border = Border::new(run);
+        let mut border = Border::new(run);
         border.spread_missing(run);
         if !run.is_fresh {
             run.refresh(best > EARLY && without_progress == 0);
@@ -88,10 +88,16 @@ pub(super) fn iterate<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) -> 
             (0.3 * run.watch.settings.tolerance / merit).clamp(1e-4, INNER_REDUCTION)
         };
         stiffen(run);
+        if changes == usize::MAX {
+            // The first preconditioner did not know how stiff the slipping cells are.
+            weigh(run);
+            border = Border::new(run);
+        }
         if let ControlFlow::Break(status) = solve(run, &border, reduction) {
             return Some(status);
         }
         changes = reclassify(run, findings.displacement);
+        weigh(run);
     }
 }
 
@@ -148,6 +154,26 @@ fn stiffen<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) {
                 let n = [tangent[1], -tangent[0]];
                 debug_assert!(dot(n, q) > 0.0);
                 *stiffness = (-dot(g, n)).max(0.0) / limits[i];
+            }
+        }
+    });
+}
+
+/// How much the preconditioner is damped in every slipping cell: as its own compliance asks for beside the
+/// stiffness.
+fn weigh<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) {
+    let own = 4.0 * run.lower_bound;
+    parallel::update(&mut run.workspace.cells, |_, chunk| {
+        for cell in chunk {
+            if let Cell::Slip {
+                stiffness, weight, ..
+            } = cell
+            {
+                *weight = if own > 0.0 {
+                    (own / (own + *stiffness)).sqrt()
+                } else {
+                    1.0
+                };
             }
         }
     });
@@ -457,7 +483,6 @@ fn reclassify<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>, largest: f6
     let limits = run.problem.limits;
     // Below this a wrong sign is noise of the inner solution, and would come and go.
     let threshold = (0.01 * run.watch.settings.tolerance).max(f64::EPSILON) * largest;
-    let own = 2.0 * run.lower_bound;
     let q = &*run.q;
     let Workspace {
         cells,
@@ -471,16 +496,13 @@ fn reclassify<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>, largest: f6
         let size = norm(q);
         match cell {
             Cell::Stick if size > limit => slipping(q),
-            Cell::Slip { stiffness, .. } => {
+            Cell::Slip {
+                stiffness, weight, ..
+            } => {
                 let [gx, gy] = at(gradient, i);
                 if dot([gx - x, gy - y], q) > threshold * size {
                     Cell::Stick
                 } else {
-                    let weight = if own > 0.0 {
-                        (own / (own + stiffness)).sqrt()
-                    } else {
-                        1.0
-                    };
                     Cell::Slip {
                         tangent: [-q[1] / size, q[0] / size],
                         stiffness,
