@@ -180,7 +180,7 @@ fn draw(path: &Path, balls: &[Ball]) -> Result<(), Box<dyn Error>> {
     let figure = support::figure(path, (1960, 900), title)?;
     let halves = figure.split_evenly((1, 2));
     let colours = [support::BLUE, support::ORANGE, support::GREEN];
-    let areas: [(&str, fn(&Contact) -> f64); 2] = [
+    let areas: [(&str, Area); 2] = [
         ("real area / Hertz area, by counting", |c| c.counted),
         ("real area / Hertz area, perimeter corrected", |c| {
             c.corrected
