@@ -75,7 +75,7 @@ struct Ball {
 }
 
 /// One of the areas of a contact.
-type Area = fn(&Contact) -> f64;
+type AreaOf = fn(&Contact) -> f64;
 
 /// Areas are parts of the smooth ball's.
 struct Contact {
@@ -159,7 +159,7 @@ fn print_table(balls: &[Ball]) {
         let pressure = all[0].hertz.reduced_pressure();
         print!("{:>9.2} {pressure:>9.5} {cells:>7.0}", load / 1e3);
         for kind in 0..ROLL_OFFS.len() {
-            let areas: [Area; 2] = [|c| c.counted, |c| c.corrected];
+            let areas: [AreaOf; 2] = [|c| c.counted, |c| c.corrected];
             let [counted, corrected] = areas.map(|area| {
                 mean(&contacts(kind), |c| {
                     area(c) / c.hertz.relative_contact_area()
@@ -180,7 +180,7 @@ fn draw(path: &Path, balls: &[Ball]) -> Result<(), Box<dyn Error>> {
     let figure = support::figure(path, (1960, 900), title)?;
     let halves = figure.split_evenly((1, 2));
     let colours = [support::BLUE, support::ORANGE, support::GREEN];
-    let areas: [(&str, fn(&Contact) -> f64); 2] = [
+    let areas: [(&str, AreaOf); 2] = [
         ("real area / Hertz area, by counting", |c| c.counted),
         ("real area / Hertz area, perimeter corrected", |c| {
             c.corrected
