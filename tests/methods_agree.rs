@@ -10,12 +10,12 @@
 
 mod common;
 
-use common::{Table2, rough, unit_bodies};
+use common::{Table2, rough, unit_bodies, unit_pair};
 use stickslip::cgm::{self, Magnitude, Method, NonNegative, Problem, Settings};
 use stickslip::influence::Component;
 use stickslip::{
-    Field, Friction, Grid, HalfSpace, NormalLoad, NormalSolution, Operator, TangentialLoad,
-    TangentialSolution, surface,
+    Boundary, Field, Friction, Grid, HalfSpace, NormalLoad, NormalSolution, Operator,
+    TangentialLoad, TangentialSolution, surface,
 };
 
 const TOLERANCE: f64 = 1e-6;
@@ -149,5 +149,21 @@ fn active_sets_alone_solve_the_sphere_of_table_2_within_their_cost() {
     for report in [normal, tangential] {
         let products = report.convolutions + report.rough_convolutions;
         assert!(products <= 40, "{products} products: {report}");
+    }
+}
+
+/// A step sized by the gap is then far larger than any pressure, and takes its digits.
+#[test]
+fn under_a_load_far_below_the_roughness() {
+    let grid = Grid::square(32, 32.0).unwrap();
+    let gap = rough(grid, 4);
+    for boundary in [Boundary::Free, Boundary::Periodic] {
+        let bodies = HalfSpace::with_boundary(grid, unit_pair(0.3), boundary).unwrap();
+        for force in [1e-9, 1e-12, 1e-15] {
+            let [sets, plain] = [Method::ActiveSet, Method::PolonskyKeer]
+                .map(|method| press(&bodies, &gap, force, method));
+            assert_eq!(sets.contact_cells(), plain.contact_cells());
+            assert!((plain.force() / force - 1.0).abs() < 1e-12);
+        }
     }
 }
