@@ -14,12 +14,10 @@ use std::f64::consts::{PI, TAU};
 use common::{l2_difference, max_abs, max_difference, press, rough, shear, unit_bodies, unit_pair};
 use proptest::prelude::*;
 use stickslip::cgm::Method;
-use stickslip::fft::Convolution;
-use stickslip::influence::Component;
 use stickslip::tangential::JaegerSuperposition;
 use stickslip::{
-    Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalLoad,
-    NormalProblem, Operator, TangentialLoad, TangentialProblem, TangentialSolution, surface,
+    Boundary, Error, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, TangentialLoad,
+    TangentialProblem, TangentialSolution, surface,
 };
 
 const METHODS: [Method; 2] = [Method::ActiveSet, Method::PolonskyKeer];
@@ -74,34 +72,6 @@ fn partial_contact_follows_the_closed_form() {
                 "{cells} {fraction} {error:e}"
             );
         }
-    }
-}
-
-/// The symbols have the signs and sizes of the coefficients of a free half-space, all nine: seen near a
-/// traction without mean, whose far field is that of nothing. What is left is as above.
-#[test]
-fn near_a_local_traction_a_repeated_grid_is_free() {
-    let cells = 128;
-    let grid = Grid::new(cells, cells, 1.0, 1.5).unwrap();
-    let pair = ElasticPair::new(Material::new(1.0, 0.2).unwrap(), Material::rigid()).unwrap();
-    // The Laplacian of a bell a few cells wide.
-    let traction = Field::from_fn(grid, |x, y| {
-        let r = (x * x + y * y) / 64.0;
-        (1.0 - r) * (-r).exp()
-    });
-    for component in Component::ALL {
-        let displacements = [
-            Convolution::new(grid, &pair, component).unwrap(),
-            Convolution::periodic(grid, &pair, component),
-        ]
-        .map(|operator| {
-            let mut out = vec![0.0; grid.cells()];
-            operator.apply(traction.as_slice(), &mut out, &mut operator.workspace());
-            out
-        });
-        let error = l2_difference(&displacements[1], &displacements[0]);
-
-        assert!(error < 0.02, "{component:?} {error:e}");
     }
 }
 
@@ -338,8 +308,10 @@ proptest! {
 #[cfg(feature = "dense")]
 mod against_the_direct_answer {
     use super::*;
+    use stickslip::Operator;
     use stickslip::cgm::{Magnitude, NonNegative};
     use stickslip::dense::DenseOperator;
+    use stickslip::influence::Component;
 
     /// The matrix with a mean that counts: its answers under a total are the same.
     fn raised(bodies: &HalfSpace, component: Component) -> DenseOperator {
