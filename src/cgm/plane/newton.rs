@@ -11,6 +11,7 @@ use crate::cgm::plane::disc::{at, dot, norm};
 use crate::cgm::plane::run::Run;
 use crate::cgm::plane::{Cell, Workspace, update_cells};
 use crate::cgm::reduce;
+use crate::cgm::run::{FLAT, FLATTEST};
 use crate::operator::Operator;
 use crate::parallel;
 use crate::report::Status;
@@ -434,7 +435,8 @@ fn balance<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>, border: &Borde
     })
 }
 
-/// Goes along the direction to the minimum on it, with the product in `image`; says if there is one.
+/// Goes along the direction to the minimum on it, with the product in `image`; says if there is one
+/// from which to go on.
 fn advance<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) -> bool {
     let Workspace {
         cells,
@@ -446,11 +448,24 @@ fn advance<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) -> bool {
         ..
     } = &mut *run.workspace;
     let (cells, direction, image) = (&*cells, &*direction, &*image);
-    let [curvature, along] = reduce::sums(cells.len(), |i| {
+    let [mut curvature, along, square, sticking] = reduce::sums(cells.len(), |i| {
         let d = at(direction, i);
         let bend = cells[i].stiffness() * dot(d, d);
-        [dot(d, at(image, i)) + bend, dot(d, at(residual, i))]
+        let sticks = f64::from(u8::from(cells[i] == Cell::Stick));
+        [
+            dot(d, at(image, i)) + bend,
+            dot(d, at(residual, i)),
+            dot(d, d),
+            sticks,
+        ]
     });
+    // An operator that maps constants to zero lets all cells together slide to their limits.
+    let stiffness = run.lower_bound * square;
+    let may_slide = run.problem.totals.contains(&None) && sticking == cells.len() as f64;
+    let slides = may_slide && curvature < FLAT * stiffness;
+    if slides {
+        curvature = FLATTEST * stiffness;
+    }
     if !(curvature > 0.0 && along.is_finite()) {
         return false;
     }
@@ -474,7 +489,7 @@ fn advance<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) -> bool {
         }
     });
     run.is_fresh = false;
-    true
+    !slides
 }
 
 /// Puts tractions on their circles and moves cells between stick and slip at the equilibrated state, all at
