@@ -202,7 +202,14 @@ impl<'a, 'b, C: Operator, P: Operator> Run<'a, 'b, C, P> {
     pub(super) fn finish(&mut self, status: Status) -> Status {
         self.make_feasible();
         let findings = self.examine();
-        let merit = self.merit(&findings);
+        let mut merit = self.merit(&findings);
+        if self.is_at_limit {
+            // No other tractions have these totals: nothing is left to be wrong but the totals. Slip is along
+            // all of them only in the limit of a large motion.
+            merit = findings.load_error;
+            let report = &mut self.workspace.report;
+            (report.residual, report.certified_gap) = (0.0, 0.0);
+        }
         self.watch.finish(status, merit, &mut self.workspace.report)
     }
 
