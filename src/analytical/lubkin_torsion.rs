@@ -19,8 +19,8 @@ use crate::error::{Result, finite, positive};
 /// q = \frac2\pi\mu p_0\,r\int_c^a \frac{E(s)\,ds}{s\sqrt{s^2-r^2}} \quad (r < c)
 /// ```
 ///
-/// The traction runs in circles around the centre and is $`\mu p`$ in the ring. It takes any twist to
-/// slide the centre, which the moment nears at $`\frac{3\pi}{16}\mu Wa`$. Exact for every pair of
+/// The traction runs in circles around the centre and is $`\mu p`$ in the ring. No twist slides the
+/// centre; the moment tends to $`\frac{3\pi}{16}\mu Wa`$. Exact for every pair of
 /// bodies, since torsion neither couples with pressure nor has lateral slip. Lubkin (1951); Johnson
 /// (1985), section 7.2.
 ///

@@ -19,185 +19,8 @@ fn after(path: &[f64]) -> Result<MindlinDeresiewicz> {
     MindlinDeresiewicz::new(ball()?, FRICTION, &forces)
 }
 
-/// Distances from the centre over the contact radius, for [`UNLOADING`].
-const DISTANCES: [f64; 10] = [0.0, 0.1, 0.25, 0.5, 0.75, 0.9, 0.95, 0.99, 1.0, 1.25];
-
-/// A way back from a force: its parts of the friction limit, the shift, the stick radius over the
-/// contact radius, the traction over the friction on the largest pressure at the [`DISTANCES`].
-struct Unloading {
-    from: f64,
-    to: f64,
-    shift: f64,
-    stick: f64,
-    traction: [f64; 10],
-}
-
-/// The closed forms evaluated to 20 digits in extended precision, independently of this crate,
-/// and rounded to double.
-const UNLOADING: [Unloading; 9] = [
-    Unloading {
-        from: 0.4,
-        to: 0.2,
-        shift: 4.528369251843994e-07,
-        stick: 0.9654893846056297,
-        traction: [
-            0.08754610390951027,
-            0.08812243390616517,
-            0.0913458275541321,
-            0.10659736119064848,
-            0.16872365596383135,
-            0.2631659025209966,
-            0.03224829622141062,
-            -0.14106735979665885,
-            0.0,
-            0.0,
-        ],
-    },
-    Unloading {
-        from: 0.4,
-        to: 0.0,
-        shift: 3.602630393581837e-08,
-        stick: 0.9283177667225557,
-        traction: [
-            0.013202868143362315,
-            0.013360961518166703,
-            0.014266480195346253,
-            0.01904549790605698,
-            0.04683279271167418,
-            0.01918757602983767,
-            -0.3122498999199199,
-            -0.14106735979665885,
-            0.0,
-            0.0,
-        ],
-    },
-    Unloading {
-        from: 0.4,
-        to: -0.2,
-        shift: -3.9857372328500944e-07,
-        stick: 0.8879040017426008,
-        traction: [
-            -0.06762466181654783,
-            -0.06796138376182881,
-            -0.06981166556125912,
-            -0.07779519146635545,
-            -0.09676275593048088,
-            -0.43588989435406733,
-            -0.3122498999199199,
-            -0.14106735979665885,
-            0.0,
-            0.0,
-        ],
-    },
-    Unloading {
-        from: 0.8,
-        to: 0.4,
-        shift: 1.1295772582316604e-06,
-        stick: 0.9283177667225557,
-        traction: [
-            0.27183198580253837,
-            0.2746542531453371,
-            0.29112348406987765,
-            0.3949870106114438,
-            0.432680769119498,
-            0.01918757602983767,
-            -0.3122498999199199,
-            -0.14106735979665885,
-            0.0,
-            0.0,
-        ],
-    },
-    Unloading {
-        from: 0.8,
-        to: 0.0,
-        shift: 2.3909436621439427e-07,
-        stick: 0.8434326653017492,
-        traction: [
-            0.10206178296092527,
-            0.10378938325291454,
-            0.11414121697818978,
-            0.1891647091388747,
-            0.11025812504949997,
-            -0.43588989435406733,
-            -0.3122498999199199,
-            -0.14106735979665885,
-            0.0,
-            0.0,
-        ],
-    },
-    Unloading {
-        from: 0.8,
-        to: -0.4,
-        shift: -7.585573030076046e-07,
-        stick: 0.7368062997280773,
-        traction: [
-            -0.11119094818641857,
-            -0.11120024518219845,
-            -0.1107247785811547,
-            -0.08695820609064302,
-            -0.6614378277661477,
-            -0.43588989435406733,
-            -0.3122498999199199,
-            -0.14106735979665885,
-            0.0,
-            0.0,
-        ],
-    },
-    Unloading {
-        from: 1.0,
-        to: 0.5,
-        shift: 1.927162278579263e-06,
-        stick: 0.9085602964160698,
-        traction: [
-            0.8171205928321397,
-            0.8110931947851643,
-            0.7787307657226659,
-            0.6511849471210074,
-            0.36419721887306833,
-            -0.18703803300955846,
-            -0.3122498999199199,
-            -0.14106735979665885,
-            0.0,
-            0.0,
-        ],
-    },
-    Unloading {
-        from: 1.0,
-        to: 0.0,
-        shift: 7.694900666552681e-07,
-        stick: 0.7937005259840998,
-        traction: [
-            0.5874010519681995,
-            0.579764003530837,
-            0.5383536788435764,
-            0.36679335815494163,
-            -0.14197454726429512,
-            -0.43588989435406733,
-            -0.3122498999199199,
-            -0.14106735979665885,
-            0.0,
-            0.0,
-        ],
-    },
-    Unloading {
-        from: 1.0,
-        to: -0.5,
-        shift: -6.107446706438263e-07,
-        stick: 0.6299605249474366,
-        traction: [
-            0.2599210498948732,
-            0.2489583221482599,
-            0.18821473431435543,
-            -0.09960446724355873,
-            -0.6614378277661477,
-            -0.43588989435406733,
-            -0.3122498999199199,
-            -0.14106735979665885,
-            0.0,
-            0.0,
-        ],
-    },
-];
+/// The head of the file states the case and its source.
+const UNLOADING: &str = include_str!("../data/unloading.csv");
 
 /// Part of the friction limit, energy per cycle.
 const CYCLES: [[f64; 2]; 3] = [
@@ -216,22 +39,31 @@ fn assert_near(found: f64, expected: f64, scale: f64) {
 fn unloading_and_reloading_have_their_numbers() -> Result<()> {
     let ball = ball()?;
     let (a, mu_p0) = (ball.contact_radius(), FRICTION * ball.max_pressure());
-    for case in &UNLOADING {
-        let (from, to) = (case.from, case.to);
+    let mut lines = UNLOADING.lines().filter(|line| !line.starts_with('#'));
+    let heading = lines.next().unwrap().split(',').skip(4);
+    let distances: Vec<f64> = heading.map(|word| word.parse().unwrap()).collect();
+    let mut cases = 0;
+    for line in lines {
+        let numbers: Vec<f64> = line.split(',').map(|word| word.parse().unwrap()).collect();
+        let [from, to, shift, stick, ref tractions @ ..] = numbers[..] else {
+            panic!("{line}");
+        };
         let unloaded = after(&[from, to])?;
         // The way back up from the other end is the way down, turned around.
         let reloaded = after(&[from, -from, -to])?;
         for (contact, sign) in [(&unloaded, 1.0), (&reloaded, -1.0)] {
             assert_close(contact.force(), sign * to * LIMIT);
             assert_close(contact.amplitude(), from * LIMIT);
-            assert_close(contact.stick_radius(), case.stick * a);
-            assert_near(contact.shift(), sign * case.shift, contact.sliding_shift());
-            for (ratio, traction) in DISTANCES.into_iter().zip(case.traction) {
+            assert_close(contact.stick_radius(), stick * a);
+            assert_near(contact.shift(), sign * shift, contact.sliding_shift());
+            for (ratio, traction) in distances.iter().zip(tractions) {
                 let found = contact.traction(ratio * a);
                 assert_near(found, sign * traction * mu_p0, mu_p0);
             }
         }
+        cases += 1;
     }
+    assert_eq!(cases, 12);
     for [part, energy] in CYCLES {
         assert_close(after(&[part])?.energy_per_cycle(), energy);
         // Johnson's form, of which the crate's is a factorisation.
