@@ -20,9 +20,8 @@ use crate::error::{Result, finite, positive};
 /// ```
 ///
 /// The traction runs in circles around the centre and is $`\mu p`$ in the ring. No twist slides the
-/// centre; the moment tends to $`\frac{3\pi}{16}\mu Wa`$. Exact for every pair of
-/// bodies, since torsion neither couples with pressure nor has lateral slip. Lubkin (1951); Johnson
-/// (1985), section 7.2.
+/// centre; the moment tends to $`\frac{3\pi}{16}\mu Wa`$. Nothing is left out for any $`\nu`$, as the
+/// slip is along the traction. Lubkin (1951); Johnson (1985), section 7.2.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{HertzSphere, LubkinTorsion}};
@@ -52,7 +51,8 @@ pub struct LubkinTorsion {
 impl LubkinTorsion {
     /// The contact `hertz`, with the coefficient of friction `friction`, twisted by the angle `twist`
     /// (radians, of either sign): how far body 2 has turned relative to body 1 about the normal,
-    /// far from the contact, positive from x to y.
+    /// far from the contact, positive from x to y. The coupling between pressure and shear of
+    /// dissimilar bodies is neglected.
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) for the friction, or the stick radius if

@@ -55,7 +55,12 @@ fn traction_carries_the_moment() -> Result<()> {
         let c = torsion.stick_radius();
         let arm = |r: f64| torsion.traction(r) * 2.0 * PI * r * r;
         let moment = singular_integral(0.0, c, arm) + singular_integral(c, a, arm);
-        assert_relative_eq!(moment, torsion.moment(), max_relative = 1e-8, epsilon = 0.0);
+        assert_relative_eq!(
+            moment,
+            torsion.moment(),
+            max_relative = 1e-10,
+            epsilon = 0.0
+        );
         for i in 1..100 {
             let r = a * f64::from(i) / 100.0;
             let ratio = torsion.traction(r) / (FRICTION * ball.pressure(r)) * strain.signum();
@@ -93,7 +98,7 @@ fn stick_disc_turns_by_the_twist() -> Result<()> {
         };
         for ratio in [0.1, 0.5, 0.9] {
             let found = rotation(ratio * c);
-            assert_relative_eq!(found, torsion.twist(), max_relative = 1e-7, epsilon = 0.0);
+            assert_relative_eq!(found, torsion.twist(), max_relative = 1e-9, epsilon = 0.0);
         }
         let slipping = rotation(0.5 * (a + c)) / torsion.twist();
         assert!(slipping > 0.0 && slipping < 1.0 - 1e-4, "{slipping}");
