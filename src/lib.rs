@@ -12,6 +12,7 @@ pub mod fft;
 mod field;
 mod grid;
 mod half_space;
+pub mod history;
 pub mod influence;
 pub mod io;
 mod material;
