@@ -285,7 +285,7 @@ fn columns<T: Real>(plan: &Plan<T>, spectrum: &PairSpectrum<T>, buffers: &mut [B
                 .chunks_exact_mut(stride)
                 .zip(columns_y.chunks_exact_mut(stride));
             for (c, (x, y)) in pairs.take(plan.width() - first).enumerate() {
-                let (x, y) = (plan.into_waves(x, transform), plan.into_waves(y, transform));
+                let (x, y) = (plan.waves_of(x, transform), plan.waves_of(y, transform));
                 spectrum.multiply(first + c, [&mut *x, &mut *y]);
                 plan.column_inverse.process_with_scratch(x, transform);
                 plan.column_inverse.process_with_scratch(y, transform);

@@ -257,7 +257,7 @@ impl<T: Real> Plan<T> {
                 tiles::gather(tiles, occupied, columns, stride);
                 let used = columns.chunks_exact_mut(stride).take(self.width() - first);
                 for (c, column) in used.enumerate() {
-                    let column = self.into_waves(column, transform);
+                    let column = self.waves_of(column, transform);
                     spectrum.multiply(first + c, column);
                     self.column_inverse.process_with_scratch(column, transform);
                 }
@@ -268,7 +268,7 @@ impl<T: Real> Plan<T> {
     }
 
     /// Pads a column of scratch memory and transforms it.
-    pub(super) fn into_waves<'a>(
+    pub(super) fn waves_of<'a>(
         &self,
         column: &'a mut [Complex<T>],
         transform: &mut [Complex<T>],

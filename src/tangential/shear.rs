@@ -13,6 +13,10 @@ use std::time::Instant;
 
 /// Set up on the window of the contact, with the last tractions there, the start of the next solve.
 #[derive(Debug)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "there is one per solver, beside megabytes of fields"
+)]
 pub(super) enum Shear {
     /// The scalar model.
     Along(Axis, Stage),
@@ -151,11 +155,8 @@ impl Shear {
             ..
         } = problem;
         let Demand { totals, shift } = demand;
-        let is_idle = totals
-            .iter()
-            .chain([&Some(0.0)])
-            .all(|total| total.unwrap_or(0.0) == 0.0)
-            && shift == [0.0; 2];
+        let demanded = totals.into_iter().flatten().chain(shift);
+        let is_idle = demanded.into_iter().all(|value| value == 0.0);
         if is_idle || limits.sum <= 0.0 {
             for traction in self.tractions_mut().into_iter().flatten() {
                 traction.fill(0.0);

@@ -38,23 +38,22 @@ pub(super) fn examine(
             [0.0; 3]
         }
     });
-    let [energy, squares, x, y, magnitude, dual, square, free] = reduce::sums(limits.len(), |i| {
+    let [energy, squares, x, y, magnitude, dual, square] = reduce::sums(limits.len(), |i| {
         let (q, g) = (at(q, i), slip(i));
         let limit = limits[i];
         if limit <= 0.0 {
-            return [0.0; 8];
+            return [0.0; 7];
         }
         let violated = violation(q, limit, g);
         // Either share is valid; each is taken where it is the smaller.
         let dual = (dot(g, q) + limit * norm(g)).max(0.0);
         let square = dot(violated, violated) / lower_bound;
-        let is_zero = violated == [0.0; 2];
+        let is_zero = violated.iter().all(|&g| g == 0.0);
         let (dual, square) = match dual <= square {
             _ if is_zero => (0.0, 0.0),
             true => (dual, 0.0),
             false => (0.0, square),
         };
-        let free = f64::from(u8::from(!Disc(limit).is_at_limit(q)));
         [
             dot(q, at(product, i)),
             dot(q, q),
@@ -63,9 +62,9 @@ pub(super) fn examine(
             norm(q),
             dual,
             square,
-            free,
         ]
     });
+    let is_free = |i: usize| limits[i] > 0.0 && !Disc(limits[i]).is_at_limit(at(q, i));
     let missing = |axis: usize, sum: f64| totals[axis].map_or(0.0, |total| total - sum);
     let bound = 0.5 * square.sqrt() + (0.25 * square + dual).sqrt();
     Certificate::new(
@@ -74,6 +73,6 @@ pub(super) fn examine(
         bound,
         norm([missing(0, x), missing(1, y)]),
         lower_bound,
-        free as usize,
+        reduce::count(limits.len(), is_free),
     )
 }

@@ -28,8 +28,9 @@ impl Disc {
     }
 }
 
-pub(super) fn norm([x, y]: [f64; 2]) -> f64 {
-    x.hypot(y)
+/// Length of a vector; of a traction beyond 1e150, whose square overflows, infinite.
+pub(super) fn norm(v: [f64; 2]) -> f64 {
+    dot(v, v).sqrt()
 }
 
 pub(super) fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
@@ -43,16 +44,41 @@ pub(super) fn at(vector: &[f64], i: usize) -> [f64; 2] {
 
 /// Replaces the components of every cell.
 pub(crate) fn update_cells(vector: &mut [f64], f: impl Fn(usize, [f64; 2]) -> [f64; 2] + Sync) {
-    let cells = vector.len() / 2;
-    let (x, y) = vector.split_at_mut(cells);
-    let work = |task: usize, (x, y): (Blocks<'_, f64>, Blocks<'_, f64>)| {
-        let pairs = x.items.iter_mut().zip(y.items);
-        for (i, (x, y)) in (task * CHUNK..).zip(pairs) {
-            [*x, *y] = f(i, [*x, *y]);
+    let [] = sweep_cells([vector], |i, [v]| ([f(i, v)], []));
+}
+
+/// Replaces the components of every cell in several vectors, and adds up what else is returned.
+pub(super) fn sweep_cells<const N: usize, const K: usize>(
+    vectors: [&mut [f64]; N],
+    f: impl Fn(usize, [[f64; 2]; N]) -> ([[f64; 2]; N], [f64; K]) + Sync,
+) -> [f64; K] {
+    let cells = vectors.first().map_or(0, |vector| vector.len() / 2);
+    let data = vectors.map(|vector| {
+        let (x, y) = vector.split_at_mut(cells);
+        (blocks(x), blocks(y))
+    });
+    let work = |task: usize, mut parts: [(Blocks<'_, f64>, Blocks<'_, f64>); N]| {
+        let mut sums = [0.0; K];
+        let count = parts.first().map_or(0, |(x, _)| x.items.len());
+        for k in 0..count {
+            let values = parts.each_ref().map(|(x, y)| [x.items[k], y.items[k]]);
+            let (next, terms) = f(task * CHUNK + k, values);
+            for ((x, y), value) in parts.iter_mut().zip(next) {
+                [x.items[k], y.items[k]] = value;
+            }
+            for (sum, term) in sums.iter_mut().zip(terms) {
+                *sum += term;
+            }
         }
+        sums
     };
-    let tasks = cells.div_ceil(CHUNK);
-    parallel::sweep(0..tasks, (blocks(x), blocks(y)), &work, &|(), ()| ());
+    let merge = |mut a: [f64; K], b: [f64; K]| {
+        for (a, b) in a.iter_mut().zip(b) {
+            *a += b;
+        }
+        a
+    };
+    parallel::sweep(0..cells.div_ceil(CHUNK), data, &work, &merge)
 }
 
 /// Where prescribed totals lie in what the discs allow together.
@@ -69,7 +95,7 @@ const EDGE: f64 = 1e-12;
 pub(super) fn reach(totals: [Option<f64>; 2], limit: f64) -> Result<Reach> {
     let total = totals.map(|total| total.unwrap_or(0.0));
     let size = norm(total);
-    if !(size <= limit * (1.0 + EDGE)) {
+    if size.is_nan() || size > limit * (1.0 + EDGE) {
         return Err(Error::BeyondSliding { force: size, limit });
     }
     Ok(if size > 0.0 && size >= limit * (1.0 - EDGE) {
@@ -93,19 +119,19 @@ pub(super) fn restore(q: &mut [f64], limits: &[f64], totals: [Option<f64>; 2]) -
         let [x, y, xx, yy, xy, size] = reduce::sums(limits.len(), |i| {
             let [x, y] = at(old, i);
             let moved = [x + t[0], y + t[1]];
-            let (limit, norm) = (limits[i], norm(moved));
+            let (limit, length) = (limits[i], norm(moved));
             let [px, py] = Disc(limit).project(moved);
             // The derivative of the projection: along the circle, shrunk, once outside.
             let [xx, yy, xy] = if limit <= 0.0 {
                 [0.0; 3]
-            } else if norm > limit {
-                let [nx, ny] = moved.map(|q| q / norm);
-                let shrunk = limit / norm;
+            } else if length > limit {
+                let [nx, ny] = moved.map(|q| q / length);
+                let shrunk = limit / length;
                 [ny * ny * shrunk, nx * nx * shrunk, -nx * ny * shrunk]
             } else {
                 [1.0, 1.0, 0.0]
             };
-            [px, py, xx, yy, xy, px.hypot(py)]
+            [px, py, xx, yy, xy, norm([px, py])]
         });
         let missing = |axis: usize, sum: f64| totals[axis].map_or(0.0, |total| total - sum);
         ([missing(0, x), missing(1, y)], [xx, yy, xy], size)

@@ -17,6 +17,7 @@
 //!
 //! Vectors hold all x components, then all y components.
 
+mod border;
 mod certificate;
 mod disc;
 mod newton;
@@ -31,6 +32,7 @@ use crate::operator::Operator;
 use crate::parallel;
 use crate::report::{Iteration, Report, Status};
 
+use disc::dot;
 pub(crate) use disc::{Disc, update_cells};
 use run::Run;
 
@@ -81,6 +83,31 @@ enum Cell {
         /// How much the preconditioner is damped for it.
         weight: f64,
     },
+}
+
+impl Cell {
+    /// The part of a vector along which the cell can move.
+    pub(super) fn project(self, v: [f64; 2]) -> [f64; 2] {
+        match self {
+            Self::Fixed => [0.0; 2],
+            Self::Stick => v,
+            Self::Slip { tangent, .. } => tangent.map(|t| t * dot(tangent, v)),
+        }
+    }
+
+    pub(super) fn weight(self) -> f64 {
+        match self {
+            Self::Slip { weight, .. } => weight,
+            _ => 1.0,
+        }
+    }
+
+    pub(super) fn stiffness(self) -> f64 {
+        match self {
+            Self::Slip { stiffness, .. } => stiffness,
+            _ => 0.0,
+        }
+    }
 }
 
 impl<C: Operator, P: Operator> Workspace<C, P> {

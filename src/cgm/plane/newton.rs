@@ -7,7 +7,8 @@
 
 use std::ops::ControlFlow;
 
-use crate::cgm::plane::disc::{at, dot, norm};
+use crate::cgm::plane::border::{Border, precondition};
+use crate::cgm::plane::disc::{at, dot, norm, sweep_cells};
 use crate::cgm::plane::run::Run;
 use crate::cgm::plane::{Cell, Workspace, update_cells};
 use crate::cgm::reduce;
@@ -25,31 +26,6 @@ const EARLY: f64 = 1e-3;
 /// Outer steps without progress after which the method is stuck: while the sets change, and once they stand.
 const CYCLE: usize = 12;
 const PATIENCE: usize = 4;
-
-impl Cell {
-    /// The part of a vector along which the cell can move.
-    fn project(self, v: [f64; 2]) -> [f64; 2] {
-        match self {
-            Self::Fixed => [0.0; 2],
-            Self::Stick => v,
-            Self::Slip { tangent, .. } => tangent.map(|t| t * dot(tangent, v)),
-        }
-    }
-
-    fn weight(self) -> f64 {
-        match self {
-            Self::Slip { weight, .. } => weight,
-            _ => 1.0,
-        }
-    }
-
-    fn stiffness(self) -> f64 {
-        match self {
-            Self::Slip { stiffness, .. } => stiffness,
-            _ => 0.0,
-        }
-    }
-}
 
 /// Ends with the status of the run; `None` if the sets cycle.
 pub(super) fn iterate<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) -> Option<Status> {
@@ -180,116 +156,6 @@ fn weigh<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) {
     });
 }
 
-/// How the prescribed totals are kept: a change of total `a` spreads as `w_a = M e_a` within what the cells
-/// can do, as a flat punch would.
-struct Border {
-    has_total: [bool; 2],
-    /// `e_b' w_a`, one on the diagonal where no total is prescribed.
-    matrix: [[f64; 2]; 2],
-}
-
-impl Border {
-    fn new<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) -> Self {
-        let has_total = run.problem.totals.map(|total| total.is_some());
-        let mut border = Self {
-            has_total,
-            matrix: [[1.0, 0.0], [0.0, 1.0]],
-        };
-        if has_total == [false, false] {
-            return border;
-        }
-        let cells = &run.workspace.cells;
-        let [sticking] = reduce::sums(cells.len(), |i| {
-            [f64::from(u8::from(cells[i] == Cell::Stick))]
-        });
-        if sticking == 0.0 {
-            // Cells that can only turn cannot take up a change of the total.
-            parallel::update(&mut run.workspace.cells, |_, chunk| {
-                for cell in chunk {
-                    if *cell != Cell::Fixed {
-                        *cell = Cell::Stick;
-                    }
-                }
-            });
-        }
-        for axis in (0..2).filter(|&axis| has_total[axis]) {
-            let mut unit = [0.0; 2];
-            unit[axis] = 1.0;
-            let Workspace {
-                cells, residual, ..
-            } = &mut *run.workspace;
-            let cells = &*cells;
-            update_cells(residual, |i, _| cells[i].project(unit));
-            precondition(run);
-            let Workspace {
-                correction, spread, ..
-            } = &mut *run.workspace;
-            std::mem::swap(correction, &mut spread[axis]);
-            let spread = &spread[axis];
-            let sums: [f64; 2] = reduce::sums(cells_of(spread), |i| at(spread, i));
-            border.matrix[axis] = [0, 1].map(|b| match (has_total[b], axis == b) {
-                (true, _) => sums[b],
-                (false, _) => 0.0,
-            });
-        }
-        border
-    }
-
-    /// Solves `sum over b of matrix[a][b] x_b = right_a`, zero where no total is prescribed.
-    fn solve(&self, right: [f64; 2]) -> [f64; 2] {
-        let [[xx, xy], [yx, yy]] = self.matrix;
-        let right = [0, 1].map(|a| if self.has_total[a] { right[a] } else { 0.0 });
-        let determinant = xx * yy - xy * yx;
-        [
-            (yy * right[0] - xy * right[1]) / determinant,
-            (xx * right[1] - yx * right[0]) / determinant,
-        ]
-    }
-
-    /// `w_a' v` of both totals.
-    fn products(&self, spread: &[Vec<f64>; 2], v: &[f64]) -> [f64; 2] {
-        match self.has_total {
-            [false, false] => [0.0; 2],
-            _ => reduce::sums(cells_of(v), |i| {
-                let v = at(v, i);
-                [dot(at(&spread[0], i), v), dot(at(&spread[1], i), v)]
-            }),
-        }
-    }
-
-    /// Spreads what is missing of the totals.
-    fn spread_missing<C: Operator, P: Operator>(&self, run: &mut Run<'_, '_, C, P>) {
-        if self.has_total == [false, false] {
-            return;
-        }
-        let q = &*run.q;
-        let sums: [f64; 2] = reduce::sums(cells_of(q), |i| at(q, i));
-        let missing = [0, 1].map(|a| run.problem.totals[a].map_or(0.0, |total| total - sums[a]));
-        let [x, y] = self.solve(missing);
-        if x != 0.0 || y != 0.0 {
-            let [wx, wy] = &run.workspace.spread;
-            update_cells(run.q, |i, q| {
-                let (wx, wy) = (at(wx, i), at(wy, i));
-                [0, 1].map(|b| q[b] + x * wx[b] + y * wy[b])
-            });
-            run.is_fresh = false;
-        }
-    }
-
-    /// The multipliers that leave no mean slip, weighted as the totals spread.
-    fn set_multiplier<C: Operator, P: Operator>(&self, run: &mut Run<'_, '_, C, P>) {
-        let Workspace {
-            spread, gradient, ..
-        } = &*run.workspace;
-        let products = self.products(spread, gradient);
-        run.workspace.multiplier = self.solve(products);
-    }
-}
-
-fn cells_of(vector: &[f64]) -> usize {
-    vector.len() / 2
-}
-
 /// Conjugate gradients on what the cells can do, with approximate products: what they miss the next outer
 /// step sees.
 fn solve<C: Operator, P: Operator>(
@@ -301,25 +167,26 @@ fn solve<C: Operator, P: Operator>(
         cells,
         gradient,
         residual,
+        spread,
         multiplier,
         ..
     } = &mut *run.workspace;
-    let (cells, gradient, [x, y]) = (&*cells, &*gradient, *multiplier);
-    update_cells(residual, |i, _| {
+    let (cells, gradient, spread, [x, y]) = (&*cells, &*gradient, &*spread, *multiplier);
+    let mut weighted = sweep_cells([residual], |i, _| {
         let [gx, gy] = at(gradient, i);
-        cells[i].project([x - gx, y - gy])
+        let r = cells[i].project([x - gx, y - gy]);
+        ([r], border.products(spread, i, r))
     });
     run.workspace.direction.fill(0.0);
     let (mut first, mut previous) = (0.0, 0.0);
     for step in 0..=INNER_LIMIT {
-        let square = centre(run, border);
+        let square = centre(run, border.solve(weighted).map(|x| -x));
         if step == 0 {
             first = square;
         } else if square <= reduction * reduction * first || step == INNER_LIMIT {
             break;
         }
-        precondition(run);
-        let [product, overlap] = balance(run, border);
+        let [product, overlap] = precondition(run);
         if product <= 0.0 {
             break;
         }
@@ -344,100 +211,40 @@ fn solve<C: Operator, P: Operator>(
         run.proceed(0)?;
         run.apply_to_direction(true);
         run.count_step();
-        if !advance(run) {
-            break;
+        match advance(run, border) {
+            Some(products) => weighted = products,
+            None => break,
         }
     }
     ControlFlow::Continue(())
 }
 
-/// Changes the multipliers so that the residual keeps no weighted mean; returns its square.
-fn centre<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>, border: &Border) -> f64 {
-    let Workspace {
-        spread, residual, ..
-    } = &*run.workspace;
-    let change = border.solve(border.products(spread, residual)).map(|x| -x);
-    shift(run, change);
-    let residual = &run.workspace.residual;
-    let [square] = reduce::sums(residual.len(), |i| [residual[i] * residual[i]]);
-    square
-}
-
-/// Changes the multipliers, and the residual with them.
-fn shift<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>, change: [f64; 2]) {
-    if change == [0.0; 2] {
-        return;
-    }
+/// Changes the multipliers, and the residual with them, so that it keeps no weighted mean: its correction will
+/// then have no total. Returns its square, and leaves it weighted for the preconditioner.
+fn centre<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>, change: [f64; 2]) -> f64 {
     let Workspace {
         cells,
         residual,
+        weighted,
         multiplier,
         ..
     } = &mut *run.workspace;
     let cells = &*cells;
     *multiplier = [multiplier[0] + change[0], multiplier[1] + change[1]];
-    update_cells(residual, |i, [x, y]| {
+    let [square] = sweep_cells([residual, weighted], |i, [[x, y], _]| {
         let [dx, dy] = cells[i].project(change);
-        [x + dx, y + dy]
+        let r = [x + dx, y + dy];
+        ([r, r.map(|r| r * cells[i].weight())], [dot(r, r)])
     });
+    square
 }
 
-/// `correction = M residual`, within what the cells can do.
-fn precondition<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) {
-    let Workspace {
-        preconditioner,
-        cells,
-        residual,
-        correction,
-        weighted,
-        ..
-    } = &mut *run.workspace;
-    let (cells, residual) = (&*cells, &*residual);
-    update_cells(weighted, |i, _| {
-        at(residual, i).map(|r| r * cells[i].weight())
-    });
-    run.problem
-        .preconditioner
-        .apply_roughly(weighted, correction, preconditioner);
-    update_cells(correction, |i, z| {
-        cells[i].project(z).map(|z| z * cells[i].weight())
-    });
-}
-
-/// Gives the correction no total; returns its products with the residual and with the last one.
-fn balance<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>, border: &Border) -> [f64; 2] {
-    if border.has_total != [false, false] {
-        let correction = &run.workspace.correction;
-        let sums: [f64; 2] = reduce::sums(cells_of(correction), |i| at(correction, i));
-        let [x, y] = border.solve(sums).map(|x| -x);
-        let Workspace {
-            correction,
-            spread: [wx, wy],
-            ..
-        } = &mut *run.workspace;
-        update_cells(correction, |i, z| {
-            let (wx, wy) = (at(wx, i), at(wy, i));
-            [0, 1].map(|b| z[b] + x * wx[b] + y * wy[b])
-        });
-        shift(run, [x, y]);
-    }
-    let Workspace {
-        correction,
-        residual,
-        last_residual,
-        ..
-    } = &*run.workspace;
-    reduce::sums(correction.len(), |i| {
-        [
-            correction[i] * residual[i],
-            correction[i] * last_residual[i],
-        ]
-    })
-}
-
-/// Goes along the direction to the minimum on it, with the product in `image`; says if there is one
-/// from which to go on.
-fn advance<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) -> bool {
+/// Goes along the direction to the minimum on it, with the product in `image`. Returns the weighted sums of the
+/// residual there, `None` if there is no minimum to go on from.
+fn advance<C: Operator, P: Operator>(
+    run: &mut Run<'_, '_, C, P>,
+    border: &Border,
+) -> Option<[f64; 2]> {
     let Workspace {
         cells,
         direction,
@@ -445,51 +252,46 @@ fn advance<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) -> bool {
         residual,
         last_residual,
         gradient,
+        spread,
         ..
     } = &mut *run.workspace;
-    let (cells, direction, image) = (&*cells, &*direction, &*image);
-    let [mut curvature, along, square, sticking] = reduce::sums(cells.len(), |i| {
+    let (cells, direction, image, spread) = (&*cells, &*direction, &*image, &*spread);
+    let [mut curvature, along, square] = reduce::sums(cells.len(), |i| {
         let d = at(direction, i);
         let bend = cells[i].stiffness() * dot(d, d);
-        let sticks = f64::from(u8::from(cells[i] == Cell::Stick));
         [
             dot(d, at(image, i)) + bend,
             dot(d, at(residual, i)),
             dot(d, d),
-            sticks,
         ]
     });
     // An operator that maps constants to zero lets all cells together slide to their limits.
     let stiffness = run.lower_bound * square;
-    let may_slide = run.problem.totals.contains(&None) && sticking == cells.len() as f64;
-    let slides = may_slide && curvature < FLAT * stiffness;
+    let may_slide = run.problem.totals.contains(&None) && curvature < FLAT * stiffness;
+    let slides = may_slide && cells.iter().all(|cell| *cell == Cell::Stick);
     if slides {
         curvature = FLATTEST * stiffness;
     }
     if !(curvature > 0.0 && along.is_finite()) {
-        return false;
+        return None;
     }
     let length = along / curvature;
     std::mem::swap(residual, last_residual);
     let last = &*last_residual;
-    update_cells(residual, |i, _| {
+    let weighted = sweep_cells([residual], |i, _| {
         let (r, d) = (at(last, i), at(direction, i));
         let v = cells[i].project(at(image, i));
         let stiffness = cells[i].stiffness();
-        [0, 1].map(|b| r[b] - length * (v[b] + stiffness * d[b]))
+        let r = [0, 1].map(|b| r[b] - length * (v[b] + stiffness * d[b]));
+        ([r], border.products(spread, i, r))
     });
-    parallel::update(gradient, |first, chunk| {
-        for (g, u) in chunk.iter_mut().zip(&image[first..]) {
-            *g += length * u;
-        }
-    });
-    parallel::update(run.q, |first, chunk| {
-        for (q, d) in chunk.iter_mut().zip(&direction[first..]) {
-            *q += length * d;
-        }
+    let [] = sweep_cells([gradient, run.q], |i, [g, q]| {
+        let (u, d) = (at(image, i), at(direction, i));
+        let moved = |v: [f64; 2], by: [f64; 2]| [0, 1].map(|b| v[b] + length * by[b]);
+        ([moved(g, u), moved(q, d)], [])
     });
     run.is_fresh = false;
-    !slides
+    (!slides).then_some(weighted)
 }
 
 /// Puts tractions on their circles and moves cells between stick and slip at the equilibrated state, all at
@@ -530,9 +332,8 @@ fn reclassify<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>, largest: f6
     };
     let before = &*cells;
     let kind = std::mem::discriminant::<Cell>;
-    let [moved] = reduce::sums(before.len(), |i| {
-        let moves = kind(&before[i]) != kind(&next(i, before[i]));
-        [f64::from(u8::from(moves))]
+    let moved = reduce::count(before.len(), |i| {
+        kind(&before[i]) != kind(&next(i, before[i]))
     });
     parallel::update(cells, |first, chunk| {
         for (i, cell) in (first..).zip(chunk) {
@@ -545,5 +346,5 @@ fn reclassify<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>, largest: f6
         _ => super::Disc(limits[i]).project(q),
     });
     run.is_fresh = false;
-    moved as usize
+    moved
 }

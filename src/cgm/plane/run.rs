@@ -3,8 +3,8 @@
 use std::ops::ControlFlow;
 
 use crate::cgm::certificate::Certificate;
-use crate::cgm::plane::certificate::{examine, violation};
-use crate::cgm::plane::disc::{Disc, at, dot, norm, restore};
+use crate::cgm::plane::certificate::examine;
+use crate::cgm::plane::disc::{at, dot, norm, restore};
 use crate::cgm::plane::{Problem, Workspace, update_cells};
 use crate::cgm::watch::Watch;
 use crate::cgm::{Settings, reduce};
@@ -211,16 +211,5 @@ impl<'a, 'b, C: Operator, P: Operator> Run<'a, 'b, C, P> {
             (report.residual, report.certified_gap) = (0.0, 0.0);
         }
         self.watch.finish(status, merit, &mut self.workspace.report)
-    }
-
-    /// Largest part of the slip that complementarity forbids, with the present gradient and multiplier.
-    pub(super) fn forbidden(&self, i: usize) -> [f64; 2] {
-        let [gx, gy] = at(&self.workspace.gradient, i);
-        let [x, y] = self.workspace.multiplier;
-        violation(at(self.q, i), self.problem.limits[i], [gx - x, gy - y])
-    }
-
-    pub(super) fn disc(&self, i: usize) -> Disc {
-        Disc(self.problem.limits[i])
     }
 }
