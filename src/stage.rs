@@ -152,6 +152,8 @@ impl PlaneStage {
 
 /// Relative accuracy of a coarse answer: its own discretisation error is not smaller.
 const COARSE_TOLERANCE: f64 = 1e-2;
+/// Steps a coarse answer may take: one that is hard to find is not worth more.
+const COARSE_STEPS: usize = 100;
 /// Cells at or below which a grid is solved from a plain start.
 const COARSEST: usize = 40 * 40;
 
@@ -217,7 +219,9 @@ pub(crate) fn nested_start<N: Nested>(
     )?;
 
     let mut stage = coarse.stage(bodies, coarse_size, start)?;
-    let rough = settings.tolerance(settings.tolerance.max(COARSE_TOLERANCE));
+    let rough = settings
+        .tolerance(settings.tolerance.max(COARSE_TOLERANCE))
+        .max_iterations(settings.max_iterations.min(COARSE_STEPS));
     match coarse.minimise(&mut stage, coarse_total, &rough, observer) {
         // As a start an unfinished answer serves too.
         Ok(()) | Err(Error::NotConverged(_)) => {

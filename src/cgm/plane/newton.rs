@@ -24,7 +24,7 @@ const INNER_LIMIT: usize = 60;
 /// Residual above which single precision tells the sets as well as double does.
 const EARLY: f64 = 1e-3;
 /// Outer steps without progress after which the method is stuck: while the sets change, and once they stand.
-const CYCLE: usize = 12;
+const CYCLE: usize = 5;
 const PATIENCE: usize = 4;
 
 /// Ends with the status of the run; `None` if the sets cycle.
