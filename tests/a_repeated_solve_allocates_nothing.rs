@@ -7,7 +7,8 @@ mod common;
 
 use common::{rough, unit_bodies};
 use stickslip::{
-    Field, Friction, Grid, NormalLoad, NormalProblem, TangentialLoad, TangentialProblem, surface,
+    Field, Friction, Grid, Lateral, NormalLoad, NormalProblem, TangentialLoad, TangentialProblem,
+    surface,
 };
 
 /// Allocations of one thread: the solve must run on it.
@@ -20,7 +21,7 @@ fn allocations(mut work: impl FnMut() + Send) -> u64 {
         .count_total
 }
 
-fn check(gap: &Field, load: f64) {
+fn check(gap: &Field, load: f64, lateral: Lateral) {
     let bodies = unit_bodies(gap.grid(), 0.3);
     let press = NormalProblem::builder(&bodies, gap, NormalLoad::Force(load)).tolerance(1e-6);
     let mut press = press.build().unwrap().into_solver().unwrap();
@@ -40,6 +41,7 @@ fn check(gap: &Field, load: f64) {
         TangentialLoad::Force([0.1 * load, 0.0]),
     );
     let mut shear = shear
+        .lateral(lateral)
         .tolerance(1e-6)
         .build()
         .unwrap()
@@ -75,6 +77,8 @@ fn check(gap: &Field, load: f64) {
 #[test]
 fn on_a_sphere_and_on_a_rough_surface() {
     let grid = Grid::square(96, 100.0).unwrap();
-    check(&surface::sphere(grid, 300.0).unwrap(), 20.0);
-    check(&rough(grid, 4), 30.0);
+    for lateral in [Lateral::Neglected, Lateral::Coupled] {
+        check(&surface::sphere(grid, 300.0).unwrap(), 20.0, lateral);
+        check(&rough(grid, 4), 30.0, lateral);
+    }
 }

@@ -12,11 +12,11 @@ mod common;
 
 use common::{rough, unit_bodies};
 use stickslip::{
-    Friction, Grid, NormalLoad, NormalProblem, NormalSolution, TangentialLoad, TangentialProblem,
-    TangentialSolution,
+    Friction, Grid, Lateral, NormalLoad, NormalProblem, NormalSolution, TangentialLoad,
+    TangentialProblem, TangentialSolution,
 };
 
-fn solve() -> (NormalSolution, TangentialSolution) {
+fn solve() -> (NormalSolution, [TangentialSolution; 2]) {
     let grid = Grid::new(150, 133, 1.0, 1.1).unwrap();
     let bodies = unit_bodies(grid, 0.3);
     let gap = rough(grid, 21);
@@ -24,18 +24,23 @@ fn solve() -> (NormalSolution, TangentialSolution) {
     let normal = normal.build().unwrap().solve().unwrap();
     let load = TangentialLoad::Force([12.0, 0.0]);
     let friction = Friction::coulomb(0.4).unwrap();
-    let shear = TangentialProblem::builder(&bodies, &normal, friction, load);
-    (normal.clone(), shear.build().unwrap().solve().unwrap())
+    let shear = [Lateral::Neglected, Lateral::Coupled].map(|lateral| {
+        let shear = TangentialProblem::builder(&bodies, &normal, friction.clone(), load);
+        shear.lateral(lateral).build().unwrap().solve().unwrap()
+    });
+    (normal, shear)
 }
 
 /// Leaves the bits of a solve behind, in a file for each way to build the crate: `.ci/run` compares them.
 #[test]
 fn with_threads_and_without() {
     let (normal, shear) = solve();
-    let [along_x, along_y] = shear.traction();
-    let fields = [normal.pressure(), normal.gap(), along_x, along_y];
-    let samples = fields.iter().flat_map(|field| field.as_slice());
-    let scalars = [normal.approach(), shear.shift()[0]];
+    let tractions = shear.iter().flat_map(|shear| shear.traction());
+    let fields = [normal.pressure(), normal.gap()]
+        .into_iter()
+        .chain(tractions);
+    let samples = fields.flat_map(|field| field.as_slice());
+    let scalars = [normal.approach(), shear[0].shift()[0], shear[1].shift()[0]];
     let bits: Vec<u8> = samples
         .chain(&scalars)
         .flat_map(|value| value.to_bits().to_le_bytes())
@@ -71,9 +76,11 @@ fn on_one_two_four_and_seven_threads() {
             normal.approach().to_bits(),
             other_normal.approach().to_bits()
         );
-        assert_eq!(shear.traction(), other_shear.traction());
-        assert_eq!(shear.zones(), other_shear.zones());
-        assert_eq!(shear.shift(), other_shear.shift());
+        for (shear, other) in shear.iter().zip(&other_shear) {
+            assert_eq!(shear.traction(), other.traction());
+            assert_eq!(shear.zones(), other.zones());
+            assert_eq!(shear.shift(), other.shift());
+        }
         assert_eq!(
             normal.report().convolutions,
             other_normal.report().convolutions

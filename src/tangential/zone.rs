@@ -37,7 +37,7 @@ pub enum Lateral {
     /// Neglected, as in the paper (default): one traction, along the axis of the load.
     #[default]
     Neglected,
-    /// Found with the other: slip opposes traction in direction, loads of any direction. Costs two to three
-    /// times as much.
+    /// Found with the other: slip opposes traction in direction, and loads may have any. Each product costs
+    /// twice as much, and it takes two to three times as many.
     Coupled,
 }
