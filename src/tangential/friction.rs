@@ -81,7 +81,7 @@ impl Friction {
     }
 
     /// Becomes a copy of another friction, in the memory it has where that fits.
-    pub(super) fn copy_from(&mut self, other: &Self) {
+    pub(crate) fn copy_from(&mut self, other: &Self) {
         self.shear_cap = other.shear_cap;
         match (&mut self.coefficient, &other.coefficient) {
             (Coefficient::PerCell(own), Coefficient::PerCell(field))
@@ -94,7 +94,7 @@ impl Friction {
     }
 
     /// `Ok` if the coefficients fit the grid.
-    pub(super) fn check(&self, grid: Grid) -> Result<()> {
+    pub(crate) fn check(&self, grid: Grid) -> Result<()> {
         match &self.coefficient {
             Coefficient::PerCell(field) if field.grid() != grid => Err(Error::GridMismatch {
                 quantity: "coefficient of friction",

@@ -27,8 +27,10 @@ mod superposition;
 mod zone;
 
 pub use friction::Friction;
+pub(crate) use problem::{Limits, check_coupling};
 pub use problem::{TangentialLoad, TangentialProblem, TangentialProblemBuilder};
 pub use solution::TangentialSolution;
 pub use solver::TangentialSolver;
+pub(crate) use solver::component;
 pub use superposition::JaegerSuperposition;
 pub use zone::{Axis, Zone};

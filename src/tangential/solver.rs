@@ -263,7 +263,8 @@ impl TangentialSolver {
     }
 }
 
-fn component(axis: Axis) -> Component {
+/// The influence coefficient of tractions along an axis for displacements along it.
+pub(crate) fn component(axis: Axis) -> Component {
     match axis {
         Axis::X => Component::XX,
         Axis::Y => Component::YY,

@@ -1,0 +1,1 @@
+//! Depth removed by wear, and how many cycles may be jumped.
