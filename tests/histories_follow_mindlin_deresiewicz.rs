@@ -74,40 +74,90 @@ fn errors(cells: usize, part: f64) -> [f64; 2] {
 fn traction_and_shift_on_the_way_back() {
     for part in [0.4, 0.0, -0.5, -AMPLITUDE] {
         let [coarse, middle, fine] = [48, 96, 192].map(|cells| errors(cells, part));
-        println!("{part}: shift {:e} {:e} {:e}, traction {:e} {:e} {:e}", coarse[0], middle[0], fine[0], coarse[1], middle[1], fine[1]);
+        // The shift of slip zones is of order 3/2 at least, and erratic; tractions are of order 1.
+        for ([shift, traction], bounds) in [
+            (coarse, [3e-4, 8e-2]),
+            (middle, [3e-5, 3e-2]),
+            (fine, [1e-5, 1.5e-2]),
+        ] {
+            assert!(shift < bounds[0], "{part}: {shift:e}");
+            assert!(traction < bounds[1], "{part}: {traction:e}");
+        }
+        assert!(fine[1] < 0.35 * coarse[1]);
     }
 }
 
 #[test]
 fn energy_of_a_cycle() {
     let exact = 4.0 * monotonic(AMPLITUDE).dissipated_energy();
-    for cells in [48, 96, 192] {
-        for steps in [4, 16] {
-            let mut history = pressed(cells, 1e-9);
-            shear_to(&mut history, AMPLITUDE, steps);
-            let before = history.dissipated_energy().as_slice().iter().sum::<f64>();
-            shear_to(&mut history, -AMPLITUDE, 2 * steps);
-            shear_to(&mut history, AMPLITUDE, 2 * steps);
-            let after = history.dissipated_energy().as_slice().iter().sum::<f64>();
-            println!("{cells} {steps} {:e}", (after - before) / exact - 1.0);
-        }
+    let energy = |history: &History| history.dissipated_energy().as_slice().iter().sum::<f64>();
+    for (cells, bound) in [(48, 4e-4), (96, 8e-5), (192, 5e-5)] {
+        let mut history = pressed(cells, 1e-9);
+        shear_to(&mut history, AMPLITUDE, 1);
+        let before = energy(&history);
+        shear_to(&mut history, -AMPLITUDE, 3);
+        shear_to(&mut history, AMPLITUDE, 3);
+        let error = (energy(&history) - before) / exact - 1.0;
+        assert!(error.abs() < bound, "{cells}: {error:e}");
     }
 }
 
+/// The end of a cycle is its beginning, and that of a half is its mirror image, whatever the steps.
 #[test]
-fn cost() {
-    for tolerance in [1e-6, 1e-8] {
-        let mut history = pressed(256, tolerance);
-        shear_to(&mut history, AMPLITUDE, 10);
-        let (mut double, mut single) = (0, 0);
-        for k in 1..=40 {
-            let f = AMPLITUDE * LIMIT * (std::f64::consts::TAU * k as f64 / 40.0).cos();
-            let step = history.step(&LoadStep::hold().tangential(Axis::X, TangentialStep::Force(f))).unwrap();
-            let report = step.tangential_report().unwrap();
-            print!("{}+{} ", report.convolutions, report.rough_convolutions);
-            double += report.convolutions;
-            single += report.rough_convolutions;
-        }
-        println!("\n{tolerance:e}: {double} {single}");
+fn steps_do_not_matter() {
+    let mut ends: Vec<History> = Vec::new();
+    for steps in [2, 8, 32] {
+        let mut history = pressed(64, 1e-9);
+        shear_to(&mut history, AMPLITUDE, steps);
+        let there = history.traction()[0].clone();
+        shear_to(&mut history, -AMPLITUDE, 2 * steps);
+        let back: Vec<f64> = history.traction()[0]
+            .as_slice()
+            .iter()
+            .map(|q| -q)
+            .collect();
+        let largest = there.max();
+        assert!(max_difference(&back, there.as_slice()) < 1e-6 * largest);
+        shear_to(&mut history, AMPLITUDE, 2 * steps);
+        let again = history.traction()[0].as_slice();
+        assert!(max_difference(again, there.as_slice()) < 1e-6 * largest);
+        shear_to(&mut history, 0.3, steps);
+        ends.push(history);
     }
+    let [few, others @ ..] = &ends[..] else {
+        unreachable!("three histories")
+    };
+    for many in others {
+        let scale = few.traction()[0].max();
+        let [a, b] = [few, many].map(|history| history.traction()[0].as_slice());
+        assert!(max_difference(a, b) < 1e-6 * scale);
+        assert!((few.shift()[0] / many.shift()[0] - 1.0).abs() < 1e-7);
+        let [a, b] = [few, many].map(|history| history.slip_path().as_slice());
+        assert!(max_difference(a, b) < 1e-6 * few.slip_path().max());
+        let [a, b] = [few, many].map(|history| history.dissipated_energy().integral());
+        assert!((a / b - 1.0).abs() < 1e-7, "{a:e} {b:e}");
+        let [a, b] = [few, many].map(|history| stuck(history));
+        assert_eq!(a, b);
+    }
+}
+
+fn stuck(history: &History) -> usize {
+    let zones = history.zones().iter();
+    zones.filter(|&&zone| zone == Zone::Stick).count()
+}
+
+/// Forty steps a cycle cost two or three products in double precision each, at any tolerance.
+#[test]
+fn a_warm_step_is_cheap() {
+    let mut history = pressed(256, 1e-6);
+    shear_to(&mut history, AMPLITUDE, 10);
+    let (mut double, mut single) = (0, 0);
+    for step in 1..=40 {
+        let part = AMPLITUDE * (std::f64::consts::TAU * f64::from(step) / 40.0).cos();
+        shear_to(&mut history, part, 1);
+        let report = history.last_step().tangential_report().unwrap();
+        double += report.convolutions;
+        single += report.rough_convolutions;
+    }
+    assert!(double <= 40 * 3 && single <= 40 * 18, "{double} + {single}");
 }

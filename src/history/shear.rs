@@ -9,10 +9,10 @@ use crate::cgm::{self, Magnitude, Settings};
 use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
-use crate::history::TangentialStep;
 use crate::history::patch::Patch;
 use crate::history::state::State;
 use crate::history::step::Step;
+use crate::history::{EnergyBalance, TangentialStep};
 use crate::operator::Operator;
 use crate::report::Report;
 use crate::stage::{Observer, with_time_left};
@@ -123,7 +123,7 @@ impl Shear {
         let force = state.force[axis];
         step.tangential_report.clone_from(&self.report);
         (step.stick_cells, step.slip_cells) = (0, 0);
-        step.energy = Default::default();
+        step.energy = EnergyBalance::default();
         state.shift[axis] = self.shift;
         if let Some(patch) = &mut self.patch {
             patch.commit(axis, change, state, step);

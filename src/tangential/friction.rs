@@ -21,8 +21,9 @@ pub struct Friction {
     shear_cap: f64,
 }
 
+/// The coefficient of friction.
 #[derive(Debug, Clone, PartialEq)]
-enum Coefficient {
+pub(crate) enum Coefficient {
     Uniform(f64),
     PerCell(Field),
 }
@@ -78,6 +79,11 @@ impl Friction {
             Coefficient::PerCell(field) => field.as_slice().get(index).copied().unwrap_or(f64::NAN),
         };
         (coefficient * pressure).min(self.shear_cap)
+    }
+
+    /// The coefficient, and the cap of the limit (infinite where there is none).
+    pub(crate) fn parts(&self) -> (&Coefficient, f64) {
+        (&self.coefficient, self.shear_cap)
     }
 
     /// Becomes a copy of another friction, in the memory it has where that fits.

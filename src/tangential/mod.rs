@@ -26,6 +26,7 @@ mod solver;
 mod superposition;
 mod zone;
 
+pub(crate) use friction::Coefficient;
 pub use friction::Friction;
 pub(crate) use problem::{Limits, check_coupling};
 pub use problem::{TangentialLoad, TangentialProblem, TangentialProblemBuilder};
