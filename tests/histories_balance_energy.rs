@@ -102,7 +102,7 @@ fn a_changing_pressure_balances_too() {
             let step = history.step(&step).unwrap();
             let energy = step.energy();
             let scale = energy.elastic_before.max(energy.elastic_after) + energy.work.abs();
-            assert!(energy.imbalance().abs() < 1e-12 * scale, "{energy:?}");
+            assert!(energy.imbalance().abs() <= 1e-12 * scale, "{energy:?}");
             assert!(step.dissipation().min() >= 0.0);
             released = released.max(energy.released);
         }
@@ -132,7 +132,6 @@ fn a_steady_loop_dissipates_its_area() {
     };
     cycle(&mut history);
     let [work, mid_step, end_of_step, residual] = cycle(&mut history);
-    println!("{work:e} {mid_step:e} {end_of_step:e} {residual:e}");
     assert!((work / mid_step - 1.0).abs() < 1e-9);
     // The trapezoids of the loop miss some of its area; the tractions at the end of the steps do not.
     assert!(end_of_step > mid_step && end_of_step < 1.1 * mid_step);

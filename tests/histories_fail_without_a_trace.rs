@@ -154,7 +154,7 @@ fn not_converged() {
     let friction = Friction::coulomb(0.5).unwrap();
     let builder = || {
         History::builder(&bodies, &ball, friction.clone())
-            .max_iterations(30)
+            .max_iterations(15)
             .tolerance(1e-9)
     };
     let [mut history, mut twin] = [builder(), builder()].map(|builder| builder.build().unwrap());
@@ -179,6 +179,6 @@ fn not_converged() {
             Err(error) => panic!("{error}"),
         }
     }
-    println!("{failures} of 4");
+    assert!(failures > 0);
     assert_eq!(history.to_bytes(), twin.to_bytes());
 }

@@ -94,7 +94,7 @@ fn a_new_gap_keeps_the_state() {
         .iter_mut()
         .zip(twin.pressure().as_slice())
     {
-        *h += 0.05 * p;
+        *h += 0.5 * p;
     }
     let (traction, pressure) = (twin.traction()[0].clone(), twin.pressure().clone());
     twin.set_gap(&worn).unwrap();
@@ -169,7 +169,7 @@ fn stable_cycles_are_stable() {
     let rayleigh = image.get(16, 16).unwrap() * board.get(16, 16).unwrap();
     assert!(cycles <= 2.0 * rayleigh * (1.0 + 1e-2) && cycles > 1.5 * rayleigh);
 
-    // A held approach, worn at the bound and beyond: the pressure settles, or swings up.
+    // Worn below the bound and beyond it: the pressure evens out, or swings up.
     for (factor, settles) in [(0.9, true), (1.6, false)] {
         let bodies = unit_bodies(Grid::square(16, 16.0).unwrap(), 0.0);
         let grid = bodies.grid();
@@ -178,15 +178,15 @@ fn stable_cycles_are_stable() {
         let cycles = factor * wear::stable_cycles(&bodies, 1.0, &slip).unwrap();
         let builder = History::builder(&bodies, &gap, Friction::coulomb(0.0).unwrap());
         let mut history = builder.build().unwrap();
-        let mut worst = Vec::new();
         for _ in 0..30 {
-            press(&mut history, NormalStep::Approach(1.0));
+            press(&mut history, NormalStep::Force(25.6));
             let pressure = history.pressure();
-            worst.push(pressure.max());
             wear::archard(cycles, pressure, &slip, &mut gap).unwrap();
             history.set_gap(&gap).unwrap();
         }
-        assert_eq!(worst[29] < 0.5 * worst[0], settles, "{worst:?}");
+        // The mean is 0.1.
+        let [least, most] = [history.pressure().min(), history.pressure().max()];
+        assert_eq!(least > 0.09 && most < 0.11, settles, "{least} {most}");
     }
 }
 

@@ -64,7 +64,6 @@ fn springs_of_all_stiffnesses() {
                 assert!(difference < 1e-7, "{stiffness}: {difference:e}");
             }
             let report = by_spring.last_step().tangential_report().unwrap();
-            println!("{stiffness:e} {part}: {report}");
             assert!(report.is_converged() && report.residual <= TOLERANCE);
         }
     }
@@ -75,19 +74,19 @@ fn springs_of_all_stiffnesses() {
 fn a_spring_slides_the_contact() {
     let mut history = pressed();
     let limit = FRICTION * history.pressure().integral();
-    for position in [2.0, 4.0, 8.0, 5.0] {
+    for position in [2.0, 4.0, 8.0, 7.0] {
         let spring = TangentialStep::Spring {
             position,
             stiffness: 4.0,
         };
         shear(&mut history, spring);
         let step = history.last_step();
-        if position > 5.0 || position < 5.0 {
+        if position != 7.0 {
             assert!(step.is_gross_sliding());
             assert!((step.force()[1] / limit - 1.0).abs() < 1e-12);
             assert!((step.shift()[1] - (position - limit / 4.0)).abs() < 1e-12);
         } else {
-            assert!(!step.is_gross_sliding() && step.force()[1] < -0.5 * limit);
+            assert!(!step.is_gross_sliding() && step.force()[1].abs() < 0.5 * limit);
         }
     }
 }

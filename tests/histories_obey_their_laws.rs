@@ -127,7 +127,8 @@ fn a_held_step_does_nothing() {
     let (before, path) = (history.traction()[0].clone(), history.slip_path().clone());
     let step = history.step(&LoadStep::hold()).unwrap();
     assert!(step.normal_report().is_none());
-    assert!(step.tangential_report().unwrap().convolutions <= 2);
+    let report = step.tangential_report().unwrap();
+    assert!(report.convolutions <= 3, "{report}");
     assert!(step.energy().work == 0.0);
     let difference = max_difference(history.traction()[0].as_slice(), before.as_slice());
     assert!(difference < 1e-8 * max_abs(before.as_slice()));

@@ -86,6 +86,14 @@ impl Patch {
         self.limits.set(friction, self.window, &self.pressure);
     }
 
+    /// The motion that would leave the cell of the largest limit without traction: measured from there, a
+    /// contact that has nowhere slipped asks for exactly none.
+    pub(super) fn datum(&self) -> f64 {
+        let cells = self.limits.cells.iter().zip(&self.offset);
+        let strongest = cells.max_by(|(a, _), (b, _)| a.total_cmp(b));
+        strongest.map_or(0.0, |(_, offset)| -offset)
+    }
+
     /// Poses the problem of a step: from the last traction, with a prescribed motion and the compliance
     /// of a spring.
     pub(super) fn pose(&mut self, traction: &[f64], motion: f64, compliance: f64) {

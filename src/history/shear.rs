@@ -98,7 +98,7 @@ impl Shear {
                 limits.check(TangentialLoad::Force([force, 0.0]), cell_area)?;
                 // Where nothing can be carried the shift is free, and stays.
                 if limits.sum > 0.0 {
-                    (origin, total) = (0.0, Some(limits.total(force, cell_area)));
+                    (origin, total) = (patch.datum(), Some(limits.total(force, cell_area)));
                 }
             }
             TangentialStep::Spring {
