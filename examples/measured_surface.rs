@@ -3,7 +3,7 @@
 //!
 //! `cargo run --release --example measured_surface [file]` reads SDF, SUR, XYZ, and X3P with
 //! `--features x3p`, lengths in metres. Without a file it makes one, tilted, bent and with holes, as
-//! `target/gallery/measured.sdf`. Results: `target/gallery/measured.vti` (`ParaView`), `.npy`, `.csv`
+//! `target/gallery/measured.sdf`. Results: `target/gallery/measured.vti` (ParaView), `.npy`, `.csv`
 //! and `.svg`.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]

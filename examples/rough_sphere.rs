@@ -1,8 +1,8 @@
 //! The real area of contact of a rough ball on a plane against the reduced pressure, for three rms
 //! heights of one slope, beside Mueser's curve (the paper's Fig 14, its Table 3).
 //!
-//! `cargo run --release --example rough_sphere [cells]` (default 640) writes
-//! `target/gallery/rough_sphere.csv` and `.svg`.
+//! `cargo run --release --example rough_sphere [cells]` (default 640, at least 200)
+//! writes `target/gallery/rough_sphere.csv` and `.svg`.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -24,7 +24,7 @@ const SLOPE: f64 = 0.7518;
 const CUT_OFF: f64 = 6.4;
 /// At one slope the roll-off sets the height.
 const ROLL_OFFS: [f64; 3] = [192.0, 112.0, 64.0];
-const SEEDS: u64 = 4;
+const SEEDS: usize = 4;
 /// The paper's four loads, and one between each two.
 const LOADS: [f64; 7] = [0.15e3, 0.5e3, 1.5e3, 5e3, 15e3, 50e3, 150e3];
 /// The discretisation error is far larger.
@@ -39,7 +39,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let bodies = HalfSpace::new(Grid::square(cells, SIDE)?, pair)?;
     let kinds = 0..ROLL_OFFS.len();
     let jobs: Vec<_> = kinds
-        .flat_map(|kind| (0..SEEDS).map(move |seed| (kind, seed)))
+        .flat_map(|kind| (0..SEEDS).map(move |seed| (kind, seed as u64)))
         .collect();
     let balls = support::study::run("rough balls", &jobs, |&(kind, seed)| {
         press(&bodies, kind, seed)
@@ -73,6 +73,9 @@ struct Ball {
     rms_height: f64,
     contacts: Vec<Contact>,
 }
+
+/// One of the areas of a contact.
+type AreaOf = fn(&Contact) -> f64;
 
 /// Areas are parts of the smooth ball's.
 struct Contact {
@@ -142,7 +145,7 @@ fn print_table(balls: &[Ball]) {
         "area over Mueser's, mean of {SEEDS} surfaces: counted / with the perimeter corrected"
     );
     print!("{:>9} {:>9} {:>7}", "load, mN", "P", "cells");
-    for ball in balls.iter().step_by(SEEDS as usize) {
+    for ball in balls.iter().step_by(SEEDS) {
         print!(" | rms {:>5.2} um ", ball.rms_height);
     }
     println!();
@@ -156,7 +159,7 @@ fn print_table(balls: &[Ball]) {
         let pressure = all[0].hertz.reduced_pressure();
         print!("{:>9.2} {pressure:>9.5} {cells:>7.0}", load / 1e3);
         for kind in 0..ROLL_OFFS.len() {
-            let areas: [fn(&Contact) -> f64; 2] = [|c| c.counted, |c| c.corrected];
+            let areas: [AreaOf; 2] = [|c| c.counted, |c| c.corrected];
             let [counted, corrected] = areas.map(|area| {
                 mean(&contacts(kind), |c| {
                     area(c) / c.hertz.relative_contact_area()
@@ -177,7 +180,7 @@ fn draw(path: &Path, balls: &[Ball]) -> Result<(), Box<dyn Error>> {
     let figure = support::figure(path, (1960, 900), title)?;
     let halves = figure.split_evenly((1, 2));
     let colours = [support::BLUE, support::ORANGE, support::GREEN];
-    let areas: [(&str, fn(&Contact) -> f64); 2] = [
+    let areas: [(&str, AreaOf); 2] = [
         ("real area / Hertz area, by counting", |c| c.counted),
         ("real area / Hertz area, perimeter corrected", |c| {
             c.corrected

@@ -2,8 +2,8 @@
 //! kurtosis, each varied alone (the paper's Figs 16 to 19): on surfaces whose shortest wave spans eight
 //! cells, and on surfaces like the paper's with waves down to the limit of the grid.
 //!
-//! `cargo run --release --example roughness_study [cells]` (default 512) writes
-//! `target/gallery/roughness_study.csv` and `.svg`.
+//! `cargo run --release --example roughness_study [cells]` (default 512, at least 500)
+//! writes `target/gallery/roughness_study.csv` and `.svg`.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -25,7 +25,7 @@ const SIDE: f64 = 100.0;
 const FRICTION: f64 = 0.5;
 /// Tangential force over the sliding force.
 const LOADING: f64 = 0.5;
-const SEEDS: u64 = 3;
+const SEEDS: usize = 3;
 const TOLERANCE: f64 = 1e-5;
 
 /// The four questions, with what stays as it is.
@@ -130,7 +130,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for question in QUESTIONS {
         for kind in 0..CUT_OFFS.len() {
             for &value in question.values() {
-                jobs.extend((0..SEEDS).map(|seed| Job {
+                jobs.extend((0..SEEDS as u64).map(|seed| Job {
                     question,
                     value,
                     kind,
@@ -236,7 +236,7 @@ fn print_table(jobs: &[Job], answers: &[Answer]) {
                 question.axis().1
             );
             let answers: Vec<_> = of((question, kind), jobs, answers).collect();
-            for alike in answers.chunks(SEEDS as usize) {
+            for alike in answers.chunks(SEEDS) {
                 let mean = |f: &dyn Fn(&Answer) -> f64| {
                     alike.iter().map(|answer| f(answer)).sum::<f64>() / alike.len() as f64
                 };
@@ -255,7 +255,7 @@ fn print_table(jobs: &[Job], answers: &[Answer]) {
                     let points = answers
                         .iter()
                         .map(|a| [a.rms_slope.ln(), a.areas[area].ln()]);
-                    incline(points)
+                    incline(&points.collect::<Vec<_>>())
                 });
                 println!(
                     "area ~ slope^n: n = {:.2} counted, {:.2} corrected",
@@ -267,11 +267,11 @@ fn print_table(jobs: &[Job], answers: &[Answer]) {
 }
 
 /// Incline of the line of least squares through points.
-fn incline(points: impl Iterator<Item = [f64; 2]> + Clone) -> f64 {
-    let count = points.clone().count() as f64;
-    let mean = |axis: usize| points.clone().map(|point| point[axis]).sum::<f64>() / count;
+fn incline(points: &[[f64; 2]]) -> f64 {
+    let count = points.len() as f64;
+    let mean = |axis: usize| points.iter().map(|point| point[axis]).sum::<f64>() / count;
     let (x, y) = (mean(0), mean(1));
-    let sum = |f: &dyn Fn([f64; 2]) -> f64| points.clone().map(f).sum::<f64>();
+    let sum = |f: &dyn Fn([f64; 2]) -> f64| points.iter().copied().map(f).sum::<f64>();
     sum(&|p| (p[0] - x) * (p[1] - y)) / sum(&|p| (p[0] - x).powi(2))
 }
 

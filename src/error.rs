@@ -89,7 +89,7 @@ pub enum Error {
         found: usize,
     },
     /// Two fields or bodies live on different grids.
-    #[error("{quantity} lives on another grid than the bodies")]
+    #[error("{quantity} lives on another grid than the rest")]
     GridMismatch {
         /// The field, in words.
         quantity: &'static str,

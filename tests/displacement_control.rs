@@ -1,4 +1,5 @@
-//! Prescribing the displacement that a force caused gives the force back, and the same fields.
+//! Prescribing the displacement that a force caused gives the force back, and the same fields; on a grid that repeats,
+//! the certified error is that against the answer under the force found.
 
 #![allow(
     clippy::unwrap_used,
@@ -10,9 +11,11 @@
 
 mod common;
 
-use common::{l2_difference, rough, unit_bodies};
+use common::{energy_difference, l2_difference, rough, unit_bodies, unit_pair};
+use stickslip::influence::Component;
 use stickslip::{
-    Friction, Grid, NormalLoad, NormalProblem, TangentialLoad, TangentialProblem, surface,
+    Boundary, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, TangentialLoad,
+    TangentialProblem, surface,
 };
 
 #[test]
@@ -60,5 +63,47 @@ fn approach_and_shift_give_back_the_forces() {
             let (a, b) = (by_shift.traction()[axis], by_force.traction()[axis]);
             assert!(l2_difference(a.as_slice(), b.as_slice()) < 1e-8);
         }
+    }
+}
+
+#[test]
+fn the_error_of_a_motion_on_a_periodic_grid_is_within_its_certificate() {
+    let grid = Grid::new(96, 80, 1.0, 1.2).unwrap();
+    let bodies = HalfSpace::with_boundary(grid, unit_pair(0.3), Boundary::Periodic).unwrap();
+    let gap = rough(grid, 3);
+    let mean = gap.integral() / grid.area();
+    let friction = Friction::coulomb(0.6).unwrap();
+    for (closed, tolerance) in [(0.3, 1e-2), (0.9, 1e-2), (0.999, 1e-2), (0.9, 1e-5)] {
+        let press = |load, tolerance| {
+            let builder = NormalProblem::builder(&bodies, &gap, load).tolerance(tolerance);
+            builder.build().unwrap().solve().unwrap()
+        };
+        let found = press(NormalLoad::Approach(closed * mean), tolerance);
+        let exact = press(NormalLoad::Force(found.force()), 1e-12);
+        let error = energy_difference(&bodies, Component::ZZ, exact.pressure(), found.pressure());
+        let bound = found.report().energy_error_bound();
+        assert!(
+            bound <= tolerance && error <= bound + 1e-11,
+            "{error:e} {bound:e}"
+        );
+
+        let shear = |load, tolerance| {
+            let builder = TangentialProblem::builder(&bodies, &exact, friction.clone(), load);
+            builder
+                .tolerance(tolerance)
+                .build()
+                .unwrap()
+                .solve()
+                .unwrap()
+        };
+        let found = shear(TangentialLoad::Shift([0.1 * mean, 0.0]), tolerance);
+        let exact = shear(TangentialLoad::Force(found.force()), 1e-12);
+        let [found_x, exact_x] = [&found, &exact].map(|answer| answer.traction()[0]);
+        let error = energy_difference(&bodies, Component::XX, exact_x, found_x);
+        let bound = found.report().energy_error_bound();
+        assert!(
+            bound <= tolerance && error <= bound + 1e-11,
+            "{error:e} {bound:e}"
+        );
     }
 }

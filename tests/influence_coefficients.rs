@@ -8,10 +8,14 @@
     reason = "a test fails loudly, compares exact results, and counts small things"
 )]
 
+mod common;
+
 use approx::assert_relative_eq;
+use common::l2_difference;
 use proptest::prelude::*;
+use stickslip::fft::Convolution;
 use stickslip::influence::{Component, Rectangle, Table, Tensor};
-use stickslip::{ElasticPair, Grid, Material};
+use stickslip::{ElasticPair, Field, Grid, Material, Operator};
 
 /// 60 points of one body and 7 of a pair; the file's head names its source.
 const REFERENCE: &str = include_str!("data/influence.csv");
@@ -171,5 +175,33 @@ proptest! {
         for (sum, whole_k) in sum.iter().zip(whole) {
             prop_assert!((sum - whole_k).abs() <= 2e-14 * whole[8], "{} {}", sum, whole_k);
         }
+    }
+}
+
+/// The symbols have the signs and sizes of the coefficients of a free half-space, all nine: seen near a
+/// traction without mean, whose far field is that of nothing. What is left is
+/// that a free cell carries a uniform pressure, and the images.
+#[test]
+fn a_periodic_grid_has_those_of_a_free_one_near_a_local_traction() {
+    let cells = 128;
+    let grid = Grid::new(cells, cells, 1.0, 1.5).unwrap();
+    let pair = ElasticPair::new(Material::new(1.0, 0.2).unwrap(), Material::rigid()).unwrap();
+    // The Laplacian of a bell a few cells wide.
+    let traction = Field::from_fn(grid, |x, y| {
+        let r = (x * x + y * y) / 64.0;
+        (1.0 - r) * (-r).exp()
+    });
+    for component in Component::ALL {
+        let displacements = [
+            Convolution::new(grid, &pair, component).unwrap(),
+            Convolution::periodic(grid, &pair, component),
+        ]
+        .map(|operator| {
+            let mut out = vec![0.0; grid.cells()];
+            operator.apply(traction.as_slice(), &mut out, &mut operator.workspace());
+            out
+        });
+        let error = l2_difference(&displacements[1], &displacements[0]);
+        assert!(error < 0.02, "{component:?} {error:e}");
     }
 }

@@ -68,6 +68,18 @@ fn a_plane_is_continued_through_holes() {
 }
 
 #[test]
+fn heights_of_any_size_are_filled() {
+    let plane = |unit: f64| Field::from_fn(grid(30, 20, 1.0, 1.0), |x, y| unit * (x - 0.3 * y));
+    for unit in [1e-300, 1e-160, 1e160, 1e300] {
+        let holed = with_holes(&plane(unit), |ix, iy| {
+            (5..25).contains(&ix) && (5..15).contains(&iy)
+        });
+        let filled = fill_missing(&holed).unwrap();
+        assert_close(filled.heights(), &plane(unit), 1e-12 * unit);
+    }
+}
+
+#[test]
 fn filled_heights_are_harmonic_and_known_ones_untouched() {
     let grid = grid(31, 24, 1.0, 0.4);
     let measured = noise(grid, 3);
@@ -210,6 +222,14 @@ fn resampling_is_of_fourth_order() {
         assert!((3.5..4.5).contains(&order), "{errors:?}");
     }
     assert!(errors[3] < 3e-7, "{errors:?}");
+}
+
+/// The memory taken is that of the answer, not of the columns of the one times the rows of the other.
+#[test]
+fn a_long_profile_is_resampled_across() {
+    let along_y = Field::constant(grid(1, 1_000_000, 1.0, 1e-6), 3.0);
+    let along_x = resample(&along_y, grid(1_000_000, 1, 1e-6, 1e-6)).unwrap();
+    assert_close(&along_x, &Field::constant(along_x.grid(), 3.0), 1e-14);
 }
 
 #[test]

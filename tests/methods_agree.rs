@@ -10,11 +10,11 @@
 
 mod common;
 
-use common::{Table2, rough, unit_bodies};
+use common::{Table2, energy_difference, rough, unit_bodies, unit_pair};
 use stickslip::cgm::{self, Magnitude, Method, NonNegative, Problem, Settings};
 use stickslip::influence::Component;
 use stickslip::{
-    Field, Friction, Grid, HalfSpace, NormalLoad, NormalSolution, Operator, TangentialLoad,
+    Boundary, Field, Friction, Grid, HalfSpace, NormalLoad, NormalSolution, TangentialLoad,
     TangentialSolution, surface,
 };
 
@@ -39,28 +39,6 @@ fn shear(
         TOLERANCE,
         method,
     )
-}
-
-/// `|a - b|_C / |b|_C` by the operator of a component.
-fn energy_difference(bodies: &HalfSpace, component: Component, a: &Field, b: &Field) -> f64 {
-    let operator = bodies.operator(component).unwrap();
-    let mut workspace = operator.workspace();
-    let mut norm = |v: &[f64]| {
-        let mut product = vec![0.0; v.len()];
-        operator.apply(v, &mut product, &mut workspace);
-        v.iter()
-            .zip(&product)
-            .map(|(v, u)| v * u)
-            .sum::<f64>()
-            .sqrt()
-    };
-    let difference: Vec<f64> = a
-        .as_slice()
-        .iter()
-        .zip(b.as_slice())
-        .map(|(a, b)| a - b)
-        .collect();
-    norm(&difference) / norm(b.as_slice())
 }
 
 fn assert_agreement(bodies: &HalfSpace, gap: &Field, force: f64) {
@@ -149,5 +127,21 @@ fn active_sets_alone_solve_the_sphere_of_table_2_within_their_cost() {
     for report in [normal, tangential] {
         let products = report.convolutions + report.rough_convolutions;
         assert!(products <= 40, "{products} products: {report}");
+    }
+}
+
+/// A step sized by the gap is then far larger than any pressure, and takes its digits.
+#[test]
+fn under_a_load_far_below_the_roughness() {
+    let grid = Grid::square(32, 32.0).unwrap();
+    let gap = rough(grid, 4);
+    for boundary in [Boundary::Free, Boundary::Periodic] {
+        let bodies = HalfSpace::with_boundary(grid, unit_pair(0.3), boundary).unwrap();
+        for force in [1e-9, 1e-15] {
+            let [sets, plain] = [Method::ActiveSet, Method::PolonskyKeer]
+                .map(|method| press(&bodies, &gap, force, method));
+            assert_eq!(sets.contact_cells(), plain.contact_cells());
+            assert!((plain.force() / force - 1.0).abs() < 1e-12);
+        }
     }
 }

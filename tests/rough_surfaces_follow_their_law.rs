@@ -144,6 +144,34 @@ fn the_slope_asked_for_is_that_of_the_waves() {
     assert!((mean_square(&slopes).sqrt() / 0.2 - 1.0).abs() < 0.02);
 }
 
+#[test]
+fn targets_of_any_size_are_met() {
+    let grid = Grid::square(32, 32.0).unwrap();
+    for target in [1e-200, 1e-160, 1e160, 1e200] {
+        for asked in [
+            SelfAffine::with_rms_height(target),
+            SelfAffine::with_rms_height(target).cropped(),
+        ] {
+            let surface = asked.generate(grid).unwrap();
+            assert!((surface.rms_height() / target - 1.0).abs() < 1e-12);
+            let samples = surface.heights().as_slice();
+            let relative: Vec<f64> = samples.iter().map(|z| z / target).collect();
+            assert!((mean_square(&relative).sqrt() - 1.0).abs() < 1e-12);
+        }
+    }
+}
+
+#[test]
+fn the_mean_is_no_wave_of_any_band() {
+    let grid = Grid::square(32, 32.0).unwrap();
+    let asked = SelfAffine::with_rms_height(1.0).roll_off_wavelength(16.0);
+    let surface = asked.longest_wavelength(f64::MAX).generate(grid).unwrap();
+    assert_eq!(
+        surface,
+        asked.longest_wavelength(100.0).generate(grid).unwrap()
+    );
+}
+
 /// Squared moduli relative to the law are exponentially distributed with mean one: mean and mean
 /// square of M of them are 1 and 2 with standard errors of 1 and sqrt(20) over sqrt(M).
 #[test]

@@ -58,7 +58,7 @@ fn parameters(field: &Field) -> ([f64; 4], [f64; 6]) {
             along_x,
             along_y,
             found.spectral_rms_slope(),
-            found.developed_area(),
+            found.developed_area_ratio(),
         ],
     )
 }
@@ -151,8 +151,8 @@ proptest! {
         prop_assert!(spectrum.nayak_parameter() >= 1.5 - 1e-12);
         // sqrt(1 + s^2) - 1 grows with the slope no faster than its square.
         let gentle = Statistics::of(&mapped(&heights, |z| 1e-4 * z)).unwrap();
-        prop_assert!(found.developed_area() <= 1.0001e8 * gentle.developed_area());
-        prop_assert!(gentle.developed_area() <= 1.0001e-4 * found.developed_area());
+        prop_assert!(found.developed_area_ratio() <= 1.0001e8 * gentle.developed_area_ratio());
+        prop_assert!(gentle.developed_area_ratio() <= 1.0001e-4 * found.developed_area_ratio());
     }
 
     #[test]

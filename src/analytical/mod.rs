@@ -12,7 +12,7 @@
 //! | cone in partial slip under a tangential load | [`ConePartialSlip`] | Ciavarella (1998), Jaeger (1998) |
 //! | waves along x, up to full contact and beyond | [`Westergaard`] | Westergaard (1939); Johnson (1985), section 13.2 |
 //! | waves in partial slip | [`WestergaardPartialSlip`] | Ciavarella (1998), Jaeger (1998) |
-//! | area of a rough sphere | [`RoughSphere`] | the paper's equation 32, after Müser |
+//! | area of a rough sphere | [`RoughSphere`] | the paper's equation 32, after Müser (2016) |
 //! | area and stick ratio of a nominally flat rough surface | [`Persson`], [`linear_stick_ratio`] | Persson (2001), Paggi et al. (2014) |
 //!
 //! # Conventions
@@ -33,6 +33,10 @@
 //!   error by the order of it.
 //!
 //! # References
+//! - A. W. Bush, R. D. Gibson, T. R. Thomas, The elastic contact of a rough surface, *Wear* 35 (1975)
+//!   87-111, [doi:10.1016/0043-1648(75)90145-3](https://doi.org/10.1016/0043-1648(75)90145-3).
+//! - C. Cattaneo, Sul contatto di due corpi elastici: distribuzione locale degli sforzi, *Rend. Accad.
+//!   Naz. Lincei* 27 (1938) 342-348, 434-436, 474-478.
 //! - K. L. Johnson, *Contact Mechanics*, Cambridge University Press, 1985,
 //!   [doi:10.1017/CBO9781139171731](https://doi.org/10.1017/CBO9781139171731).
 //! - M. Ciavarella, The generalized Cattaneo partial slip plane contact problem, *Int. J. Solids
@@ -41,11 +45,19 @@
 //!   [doi:10.1115/1.2833765](https://doi.org/10.1115/1.2833765).
 //! - R. D. Mindlin, Compliance of elastic bodies in contact, *J. Appl. Mech.* 16 (1949) 259-268,
 //!   [doi:10.1115/1.4009973](https://doi.org/10.1115/1.4009973).
+//! - M. H. Müser, On the contact area of nominally flat Hertzian contacts, *Tribol. Lett.* 64 (2016) 14,
+//!   [doi:10.1007/s11249-016-0750-3](https://doi.org/10.1007/s11249-016-0750-3).
+//! - M. Paggi, R. Pohrt, V. L. Popov, Partial-slip frictional response of rough surfaces, *Sci. Rep.* 4
+//!   (2014) 5178, [doi:10.1038/srep05178](https://doi.org/10.1038/srep05178).
 //! - L. Pastewka and M. O. Robbins, Contact area of rough spheres, *Appl. Phys. Lett.* 108 (2016)
 //!   221601, [doi:10.1063/1.4950802](https://doi.org/10.1063/1.4950802).
+//! - B. N. J. Persson, Theory of rubber friction and contact mechanics, *J. Chem. Phys.* 115 (2001)
+//!   3840-3861, [doi:10.1063/1.1388626](https://doi.org/10.1063/1.1388626).
 //! - I. N. Sneddon, The relation between load and penetration in the axisymmetric Boussinesq problem
 //!   for a punch of arbitrary profile, *Int. J. Eng. Sci.* 3 (1965) 47-57,
 //!   [doi:10.1016/0020-7225(65)90019-4](https://doi.org/10.1016/0020-7225(65)90019-4).
+//! - P. J. Vermeulen and K. L. Johnson, Contact of nonspherical elastic bodies transmitting tangential
+//!   forces, *J. Appl. Mech.* 31 (1964) 338-340.
 //! - H. M. Westergaard, Bearing pressures and cracks, *J. Appl. Mech.* 6 (1939) A49-A53,
 //!   [doi:10.1115/1.4008919](https://doi.org/10.1115/1.4008919).
 

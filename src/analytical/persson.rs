@@ -23,8 +23,7 @@ use crate::material::ElasticPair;
 /// surface.
 ///
 /// A mean over surfaces without end whose shortest waves are resolved; a single sample on a coarse
-/// mesh may have far more cells in contact. Persson (2001), <https://doi.org/10.1063/1.1388626>; Bush,
-/// Gibson and Thomas (1975), <https://doi.org/10.1016/0043-1648(75)90145-3>.
+/// mesh may have far more cells in contact. Persson (2001); Bush, Gibson and Thomas (1975).
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::Persson};
@@ -159,7 +158,8 @@ const PROPORTIONAL_BELOW: f64 = 1e-9;
 
 /// $`B = \frac{\sqrt\pi}{2}\kappa P`$.
 fn argument(reduced_pressure: f64, area_coefficient: f64) -> f64 {
-    area_coefficient * reduced_pressure / FRAC_2_SQRT_PI
+    // Kept finite: nothing of an infinite argument would be undefined.
+    (area_coefficient * reduced_pressure / FRAC_2_SQRT_PI).min(f64::MAX)
 }
 
 /// Part of the contact of a rough surface that sticks, $`A_{stick}/A = 1-F/\mu W`$, under the normal
@@ -170,8 +170,8 @@ fn argument(reduced_pressure: f64, area_coefficient: f64) -> f64 {
 /// proportional to the load while it is a small part of the nominal one: the straight line of the
 /// paper's figures 25 and 26. It is exact for a [`Cone`](super::Cone); a smooth sphere keeps
 /// $`(1-F/\mu W)^{2/3}`$ ([`CattaneoMindlin`](super::CattaneoMindlin)). Zero without friction. On
-/// single surfaces the computed ratio lies within some 0.05 of it. Paggi, Pohrt and Popov (2014),
-/// <https://doi.org/10.1038/srep05178>; Ciavarella (1998).
+/// single surfaces the computed ratio lies within some 0.05 of it. Paggi, Pohrt and Popov (2014);
+/// Ciavarella (1998).
 ///
 /// # Errors
 /// [`Error::NotPositive`](crate::Error::NotPositive) for the load,

@@ -24,8 +24,8 @@ use crate::error::{Result, non_negative, positive};
 ///
 /// Holds where the roughness is small and fine: its height well below the approach $`a^2/R`$ of the
 /// smooth sphere, many asperities within the circle. At lighter loads contact spreads beyond the Hertz
-/// circle and the area is less certain. The paper's equations 32, 33 and 37, after Müser; compare
-/// Pastewka and Robbins (2016).
+/// circle and the area is less certain. The paper's equations 32, 33 and 37, after Müser (2016),
+/// without the mean-field approximation of Pastewka and Robbins (2016).
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{HertzSphere, RoughSphere}};

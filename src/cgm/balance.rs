@@ -45,10 +45,19 @@ pub(super) fn reach(len: usize, constraint: &impl Constraint, total: f64) -> Res
 
 /// Moves the selected entries to the nearest point within their bounds that gives the total:
 /// `x_i = P_i(x_i + t)`, with one `t` for all. Returns whether the total was reached.
-///
-/// The sum grows with `t` piecewise linearly, so Newton's method between brackets ends in a few
-/// passes.
 pub(super) fn restore(
+    x: &mut [f64],
+    constraint: &impl Constraint,
+    selected: impl Fn(usize) -> bool + Sync,
+    total: f64,
+) -> bool {
+    // A `t` far larger than what it leaves rounds that off; from there the next one is small.
+    (0..2).any(|_| shift(x, constraint, &selected, total))
+}
+
+/// One move. The sum grows with `t` piecewise linearly, so Newton's method between brackets ends in a
+/// few passes.
+fn shift(
     x: &mut [f64],
     constraint: &impl Constraint,
     selected: impl Fn(usize) -> bool + Sync,

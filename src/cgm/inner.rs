@@ -12,11 +12,6 @@ use crate::report::Status;
 /// Steps before the sets are looked at again.
 const INNER_LIMIT: usize = 60;
 
-/// Of the least stiffness there is but for constants: less is none, in single precision; and what is
-/// taken for none, to get to the bounds in a step.
-const FLAT: f64 = 1e-3;
-const FLATTEST: f64 = 1e-12;
-
 /// Conjugate gradients on the free entries, from `r = delta - (C x + b)`, with approximate
 /// products: what they miss the next outer step sees.
 pub(super) fn solve_free<C: Operator, K: Constraint, P: Operator>(
@@ -46,11 +41,8 @@ pub(super) fn solve_free<C: Operator, K: Constraint, P: Operator>(
         run.apply_roughly_to_direction();
         run.count_step();
         let [curvature, square] = curvature(run);
-        // An operator that maps constants to zero lets all entries together slide to their bounds.
-        let stiffness = run.lower_bound * square;
-        let slides = run.problem.total.is_none() && free == run.len();
-        if slides && curvature < FLAT * stiffness {
-            advance(run, Some(along / (FLATTEST * stiffness)));
+        if let Some(flattest) = run.slide(free, curvature, square) {
+            advance(run, Some(along / flattest));
             break;
         }
         if !(curvature > 0.0 && along.is_finite()) {

@@ -41,8 +41,10 @@
 //! first is all there is (infinite while an entry without an upper bound wants to grow), and an
 //! iteration then stops on the residual alone.
 //!
-//! A total missed by round-off is reported by itself: `x*` is the minimum of the total `x` has. All of
-//! this holds up to the round-off of the product.
+//! A total missed by round-off is reported by itself: `x*` is the minimum of the total `x` has. The same
+//! `x*` is meant, whether or not a total is prescribed, where the operator maps constants to zero and
+//! `lambda` bounds the other eigenvalues: `x - x*` then has sum zero. All of this holds up to the round-off
+//! of the product.
 //!
 //! # Example
 //!

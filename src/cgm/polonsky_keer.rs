@@ -65,14 +65,16 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
             ..
         } = &*run.workspace;
         let multiplier = run.workspace.multiplier;
-        let [along, curvature] = reduce::sums(run.len(), |i| {
+        let [along, curvature, square] = reduce::sums(run.len(), |i| {
             let r = if state[i] == State::Free {
                 gradient[i] - multiplier
             } else {
                 0.0
             };
-            [r * direction[i], direction[i] * image[i]]
+            let d = direction[i];
+            [r * d, d * image[i], d * d]
         });
+        let curvature = run.slide(free, curvature, square).unwrap_or(curvature);
         let length = if curvature > 0.0 && along.is_finite() {
             along / curvature
         } else {

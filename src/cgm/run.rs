@@ -12,6 +12,11 @@ use crate::report::{Iteration, Status};
 /// A residual at which sets change by round-off alone.
 const ROUND_OFF: f64 = 1e-12;
 
+/// Of the least stiffness there is but for constants: less is none, in single precision; and what is
+/// taken for none, to get to the bounds in a step.
+const FLAT: f64 = 1e-3;
+const FLATTEST: f64 = 1e-12;
+
 /// One solve under way.
 pub(super) struct Run<'a, 'b, C: Operator, K, P: Operator> {
     pub(super) problem: &'a Problem<'b, C, K, P>,
@@ -27,7 +32,7 @@ pub(super) struct Run<'a, 'b, C: Operator, K, P: Operator> {
     /// Least merit so far.
     pub(super) best: f64,
     /// Of the eigenvalues; zero if none is known.
-    pub(super) lower_bound: f64,
+    lower_bound: f64,
     /// Whether the total leaves no choice: the unknowns stand at their bounds.
     is_extreme: bool,
 }
@@ -117,6 +122,14 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
             .operator
             .apply_roughly(direction, image, operator);
         report.rough_convolutions += 1;
+    }
+
+    /// The curvature that takes a direction `d` of `square = d' d` on the free entries to their bounds, if
+    /// its own, `d' C d`, is none: an operator that maps constants to zero lets all entries together slide.
+    pub(super) fn slide(&self, free: usize, curvature: f64, square: f64) -> Option<f64> {
+        let stiffness = self.lower_bound * square;
+        let slides = self.problem.total.is_none() && free == self.len();
+        (slides && curvature < FLAT * stiffness).then_some(FLATTEST * stiffness)
     }
 
     /// `product = C x`, `gradient = C x + b`.

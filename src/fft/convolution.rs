@@ -16,7 +16,7 @@ use crate::operator::Operator;
 ///
 /// Tractions are pressures, displacements lengths. Equal to the direct sum up to round-off
 /// (1e-15 of the largest displacement, typically). Immutable and shared; memory 12 bytes per cell,
-/// and 24 per cell in each workspace; a periodic one needs a quarter, and 24.
+/// and 24 per cell in each workspace; a periodic one takes 3, and 12.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Grid, Material, Operator, fft::Convolution, influence::Component};

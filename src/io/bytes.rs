@@ -107,7 +107,7 @@ pub(super) enum Number {
 }
 
 impl Number {
-    /// Cursor of one.
+    /// Bytes of one.
     pub(super) fn size(self) -> usize {
         match self {
             Self::I8 | Self::U8 => 1,

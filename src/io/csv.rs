@@ -17,9 +17,9 @@ const FORMAT: Format = Format("CSV");
 ///
 /// # Errors
 /// [`Error::File`](crate::Error::File) if the file cannot be read, else as [`parse`].
-pub fn read(path: impl AsRef<Path>, spacing: [f64; 2]) -> Result<Field> {
-    check_sides(spacing)?;
-    parse(&bytes_of(path.as_ref())?, spacing)
+pub fn read(path: impl AsRef<Path>, cell_sides: [f64; 2]) -> Result<Field> {
+    check_sides(cell_sides)?;
+    parse(&bytes_of(path.as_ref())?, cell_sides)
 }
 
 /// The field in the bytes of a file, on cells of sides `[dx, dy]` (lengths).
@@ -43,8 +43,8 @@ pub fn read(path: impl AsRef<Path>, spacing: [f64; 2]) -> Result<Field> {
 /// assert!(heights.as_slice()[2].is_nan());
 /// # Ok::<(), stickslip::Error>(())
 /// ```
-pub fn parse(bytes: &[u8], spacing: [f64; 2]) -> Result<Field> {
-    check_sides(spacing)?;
+pub fn parse(bytes: &[u8], cell_sides: [f64; 2]) -> Result<Field> {
+    check_sides(cell_sides)?;
     let mut samples = Vec::new();
     let (mut separator, mut width) = (None, 0);
     let mut ends_with_separator = true;
@@ -77,7 +77,7 @@ pub fn parse(bytes: &[u8], spacing: [f64; 2]) -> Result<Field> {
         });
         width -= 1;
     }
-    let grid = FORMAT.grid(Place::Line(1), [width, height], spacing)?;
+    let grid = FORMAT.grid(Place::Line(1), [width, height], cell_sides)?;
     Field::from_vec(grid, samples)
 }
 

@@ -8,7 +8,7 @@
 //! | SDF of ISO 25178-71 | [`sdf`] | yes | yes | yes | metre |
 //! | SUR of Digital Surf, not compressed | [`sur`] | yes | | yes | metre |
 //! | X3P of ISO 25178-72 | `x3p`, behind the feature of that name | yes | | yes | metre |
-//! | VTI, the image data of VTK and `ParaView` | [`vti`] | | yes | yes | the field's |
+//! | VTI, the image data of VTK and ParaView | [`vti`] | | yes | yes | the field's |
 //!
 //! `read` takes a path, `parse` the bytes of a file; `write` and `to_bytes` are their converses.
 //! [`read`](fn@read) of this module finds out which of the formats with cell sides a file has.

@@ -22,9 +22,9 @@ const HEADER_LENGTH: u16 = 118;
 ///
 /// # Errors
 /// [`Error::File`](crate::Error::File) if the file cannot be read, else as [`parse`].
-pub fn read(path: impl AsRef<Path>, spacing: [f64; 2]) -> Result<Field> {
-    check_sides(spacing)?;
-    parse(&bytes_of(path.as_ref())?, spacing)
+pub fn read(path: impl AsRef<Path>, cell_sides: [f64; 2]) -> Result<Field> {
+    check_sides(cell_sides)?;
+    parse(&bytes_of(path.as_ref())?, cell_sides)
 }
 
 /// The field in the bytes of a file, on cells of sides `[dx, dy]` (lengths).
@@ -43,8 +43,8 @@ pub fn read(path: impl AsRef<Path>, spacing: [f64; 2]) -> Result<Field> {
 /// assert_eq!(npy::parse(&npy::to_bytes(&field), [0.5, 0.25])?, field);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
-pub fn parse(bytes: &[u8], spacing: [f64; 2]) -> Result<Field> {
-    check_sides(spacing)?;
+pub fn parse(bytes: &[u8], cell_sides: [f64; 2]) -> Result<Field> {
+    check_sides(cell_sides)?;
     let mut bytes = Cursor::new(FORMAT, bytes);
     if bytes.take("the magic string", MAGIC.len())? != MAGIC {
         return Err(FORMAT.at_byte(0, "the file does not begin with \\x93NUMPY"));
@@ -59,7 +59,7 @@ pub fn parse(bytes: &[u8], spacing: [f64; 2]) -> Result<Field> {
     let header = Header::parse(start, bytes.take("the header", length)?)?;
 
     let [ny, nx] = header.shape;
-    let grid = FORMAT.grid(Place::Byte(start as u64), [nx, ny], spacing)?;
+    let grid = FORMAT.grid(Place::Byte(start as u64), [nx, ny], cell_sides)?;
     let (expected, found) = (grid.cells() * header.number.size(), bytes.rest().len());
     if found != expected {
         let problem = format!("shape ({ny}, {nx}) takes {expected} bytes, the file has {found}");

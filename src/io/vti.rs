@@ -1,4 +1,4 @@
-//! VTI, the image data of VTK, for `ParaView` and its kin.
+//! VTI, the image data of VTK, for ParaView and its kin.
 //!
 //! Source: the file formats of VTK,
 //! <https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html>.

@@ -38,7 +38,7 @@ pub(super) fn rms_slopes(heights: &Field) -> [f64; 2] {
 /// Each rectangle of four neighbouring heights is cut into two triangles, by either diagonal, and the
 /// two ways are averaged: the mean of `sqrt(1 + s_x^2 + s_y^2) - 1` over the four corners, where `s`
 /// are the slopes of the two sides that meet there. An axis of one cell has no slope.
-pub(super) fn developed_area(heights: &Field) -> f64 {
+pub(super) fn developed_area_ratio(heights: &Field) -> f64 {
     let grid = heights.grid();
     let (nx, ny, z) = (grid.nx(), grid.ny(), heights.as_slice());
     let (columns, rows) = ((nx - 1).max(1), (ny - 1).max(1));

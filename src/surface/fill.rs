@@ -94,10 +94,14 @@ pub fn fill_missing(heights: &Field) -> Result<Filled> {
     }
     let mut heights = heights.clone();
     let z = heights.as_mut_slice();
-    let mean = z.iter().filter(|z| !z.is_nan()).sum::<f64>() / known as f64;
-    let solution = holes.solve(holes.pull_of_known(z, mean))?;
+    let known_heights = || z.iter().copied().filter(|z| !z.is_nan());
+    let mean = known_heights().map(|z| z / known as f64).sum::<f64>();
+    // In units of the largest deviation the squares neither overflow nor vanish.
+    let largest = known_heights().fold(0.0, |unit: f64, z| unit.max((z - mean).abs()));
+    let unit = if largest > 0.0 { largest } else { 1.0 };
+    let solution = holes.solve(holes.pull_of_known(z, mean, unit))?;
     for (unknown, value) in holes.unknowns.iter().zip(solution) {
-        z[unknown.cell] = mean + value;
+        z[unknown.cell] = mean + unit * value;
     }
     Ok(Filled { heights, cells })
 }
@@ -153,14 +157,14 @@ impl Holes {
         }
     }
 
-    /// The right side `b`: each known neighbour's weight times its height above the datum.
-    fn pull_of_known(&self, z: &[f64], datum: f64) -> Vec<f64> {
+    /// The right side `b`: each known neighbour's weight times its height above the datum, in units.
+    fn pull_of_known(&self, z: &[f64], datum: f64, unit: f64) -> Vec<f64> {
         let pull = |unknown: &Unknown| {
             let [below, above] = neighbours(self.grid, unknown.cell);
             let pull = |axis: usize| {
                 let cells = [below[axis], above[axis]].into_iter().flatten();
                 let known = cells.map(|cell| z[cell]).filter(|z| !z.is_nan());
-                self.weights[axis] * known.map(|z| z - datum).sum::<f64>()
+                self.weights[axis] * known.map(|z| (z - datum) / unit).sum::<f64>()
             };
             pull(0) + pull(1)
         };

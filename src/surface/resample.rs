@@ -53,18 +53,11 @@ pub fn resample(heights: &Field, grid: Grid) -> Result<Field> {
     let columns = columns.stencils(grid.nx(), |ix| grid.x(ix))?;
     let rows = rows.stencils(grid.ny(), |iy| grid.y(iy))?;
 
-    let (z, nx) = (heights.as_slice(), grid.nx());
-    let mut along_x = vec![0.0; nx * source.ny()];
-    parallel::rows(&mut along_x, nx, |row, out| {
-        let samples = &z[row * source.nx()..][..source.nx()];
-        for (value, stencil) in out.iter_mut().zip(&columns) {
-            *value = stencil.apply(|ix| samples[ix]);
-        }
-    });
+    let (z, width) = (heights.as_slice(), source.nx());
     let mut resampled = Field::zeros(grid);
-    parallel::rows(resampled.as_mut_slice(), nx, |row, out| {
-        for (ix, value) in out.iter_mut().enumerate() {
-            *value = rows[row].apply(|iy| along_x[iy * nx + ix]);
+    parallel::rows(resampled.as_mut_slice(), grid.nx(), |row, out| {
+        for (value, column) in out.iter_mut().zip(&columns) {
+            *value = rows[row].apply(|iy| column.apply(|ix| z[iy * width + ix]));
         }
     });
     Ok(resampled)

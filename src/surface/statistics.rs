@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::differences::{developed_area, rms_slopes};
+use super::differences::{developed_area_ratio, rms_slopes};
 use super::fourier::Waves;
 use super::heights::{about_mean, complete};
 use super::power_spectrum::moments;
@@ -54,7 +54,7 @@ pub struct Statistics {
     highest_peak: f64,
     deepest_valley: f64,
     profile_rms_slope: [f64; 2],
-    developed_area: f64,
+    developed_area_ratio: f64,
     spectral_rms_slope: f64,
 }
 
@@ -87,7 +87,7 @@ impl Statistics {
             highest_peak,
             deepest_valley,
             profile_rms_slope: rms_slopes(&deviations),
-            developed_area: developed_area(&deviations),
+            developed_area_ratio: developed_area_ratio(&deviations),
             spectral_rms_slope: (2.0 * m2).sqrt(),
         })
     }
@@ -177,14 +177,14 @@ impl Statistics {
         self.profile_rms_slope
     }
 
-    /// Developed area Sdr, the excess of the area of the surface over its projection, relative to the
-    /// projection (not in per cent).
+    /// Developed interfacial area ratio Sdr, the excess of the area of the surface over its projection,
+    /// relative to the projection (a number, not in per cent).
     ///
     /// Every four neighbouring heights span two triangles, cut by one diagonal or the other; the mean
     /// of both is taken. For small slopes it is half the square of the slope.
     #[must_use]
-    pub fn developed_area(&self) -> f64 {
-        self.developed_area
+    pub fn developed_area_ratio(&self) -> f64 {
+        self.developed_area_ratio
     }
 }
 
@@ -201,7 +201,7 @@ impl fmt::Display for Statistics {
             self.deepest_valley,
             self.finite_difference_rms_slope(),
             self.spectral_rms_slope,
-            self.developed_area,
+            self.developed_area_ratio,
         )
     }
 }

@@ -13,7 +13,8 @@ pub enum TangentialLoad {
     /// The tangential force that body 2 exerts on body 1 (a force, either sign); the shift follows.
     Force([f64; 2]),
     /// The shift: the rigid motion of body 2 relative to body 1, far from the contact (a length,
-    /// either sign); the force follows, of the same sign.
+    /// either sign); the force follows, of the same sign. On a periodic grid it is measured from the mean
+    /// plane of the surface; certified is then the error against the contact under the force found.
     Shift([f64; 2]),
 }
 

@@ -333,6 +333,8 @@ fn nothing_sticks_at_sliding_and_all_at_rest() -> Result<()> {
     assert_close(plane.stick_ratio(FRICTION, 0.0)?, 1.0);
     assert_close(plane.stick_ratio(FRICTION, limit)?, 0.0);
     assert_close(plane.stick_ratio(0.0, 0.0)?, 0.0);
+    let closed = Persson::new(&rubber()?, 1e-300, 25e6)?.with_area_coefficient(1e10)?;
+    assert_close(closed.stick_ratio(FRICTION, FRICTION * 25e6)?, 0.0);
     assert_close(linear_stick_ratio(100.0, FRICTION, 0.0)?, 1.0);
     assert_close(linear_stick_ratio(100.0, FRICTION, -10.0)?, 0.8);
     assert_close(linear_stick_ratio(100.0, FRICTION, -50.0)?, 0.0);

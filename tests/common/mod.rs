@@ -9,9 +9,10 @@
 pub(crate) mod waves;
 
 use stickslip::cgm::Method;
+use stickslip::influence::Component;
 use stickslip::{
     ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
-    NormalSolution, TangentialLoad, TangentialProblem, TangentialSolution,
+    NormalSolution, Operator, TangentialLoad, TangentialProblem, TangentialSolution,
 };
 
 /// A small deterministic generator (splitmix64): the same scenes on every machine.
@@ -163,4 +164,33 @@ pub(crate) fn l2_difference(a: &[f64], b: &[f64]) -> f64 {
     let square: f64 = a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum();
     let norm: f64 = b.iter().map(|b| b * b).sum();
     (square / norm).sqrt()
+}
+
+/// `|a - b|_C / |b|_C` by the operator of a component.
+pub(crate) fn energy_difference(
+    bodies: &HalfSpace,
+    component: Component,
+    a: &Field,
+    b: &Field,
+) -> f64 {
+    let operator = bodies.operator(component).unwrap();
+    let mut workspace = operator.workspace();
+    let mut norm = |v: &[f64]| {
+        let mut product = vec![0.0; v.len()];
+        operator.apply(v, &mut product, &mut workspace);
+        v.iter()
+            .zip(&product)
+            .map(|(v, u)| v * u)
+            .sum::<f64>()
+            // Round-off may make the energy of a tiny difference negative.
+            .max(0.0)
+            .sqrt()
+    };
+    let difference: Vec<f64> = a
+        .as_slice()
+        .iter()
+        .zip(b.as_slice())
+        .map(|(a, b)| a - b)
+        .collect();
+    norm(&difference) / norm(b.as_slice())
 }

@@ -230,6 +230,16 @@ fn headers() {
         ),
         (
             "<SizeX>3",
+            "<SizeX>&#51;&a;",
+            "X3P, in main.xml: Record3/MatrixDimension/SizeX is \"3&a;\", not",
+        ),
+        (
+            "<SizeX>3",
+            "<SizeX>3&#48;",
+            "X3P, in data.bin: 12 bytes, expected 120",
+        ),
+        (
+            "<SizeX>3",
             "<SizeX>4",
             "X3P, in data.bin: 12 bytes, expected 16",
         ),

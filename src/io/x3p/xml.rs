@@ -1,6 +1,7 @@
 //! The text of every element of an XML document, by its path.
 
 use quick_xml::Reader;
+use quick_xml::escape::resolve_predefined_entity;
 use quick_xml::events::Event;
 
 use super::{FORMAT, MAIN};
@@ -44,6 +45,20 @@ pub(super) fn elements(xml: &[u8], mut visit: impl FnMut(&str, &str) -> Result<(
                         .decode()
                         .map_err(|error| broken(error.to_string()))?,
                 );
+            }
+            // A reference that stands for no character is left as it is: no number, and no name.
+            Event::GeneralRef(reference) => {
+                let name = reference
+                    .decode()
+                    .map_err(|error| broken(error.to_string()))?;
+                let resolved = reference
+                    .resolve_char_ref()
+                    .map_err(|error| broken(error.to_string()))?;
+                match (resolved, resolve_predefined_entity(&name)) {
+                    (Some(character), _) => text.push(character),
+                    (None, Some(predefined)) => text.push_str(predefined),
+                    (None, None) => text.extend(["&", &*name, ";"]),
+                }
             }
             Event::End(_) => {
                 let below_root = path.splitn(3, '/').nth(2).unwrap_or_default();

@@ -65,7 +65,8 @@ impl Law {
     pub(super) fn power(&self, mode: &Mode) -> f64 {
         let wavelength = TAU / mode.wave_number();
         let is_short = wavelength < self.cut_off * (1.0 - ROUND_OFF);
-        let is_long = wavelength > self.longest * (1.0 + ROUND_OFF);
+        // On this side of the comparison the factor cannot overflow: the mean is always too long.
+        let is_long = wavelength * (1.0 - ROUND_OFF) > self.longest;
         if is_short || is_long || mode.is_at_limit {
             0.0
         } else {

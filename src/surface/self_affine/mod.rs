@@ -28,7 +28,8 @@ pub enum Amplitudes {
     #[default]
     Exact,
     /// Real and imaginary parts are independent and normally distributed, as those of filtered white
-    /// noise: Hu and Tonder (1992). The target is met by the mean square over all seeds.
+    /// noise: Hu and Tonder (1992). The target is met by the mean square over all seeds, of the whole
+    /// periodic surface.
     Gaussian,
 }
 
@@ -93,9 +94,9 @@ pub enum Amplitudes {
 /// one that is kept.
 ///
 /// The heights follow the Johnson distribution to about 0.01 of their rms where many waves carry the
-/// spectrum, to 0.1 where few do or next to what can be reached. What cannot be reached is an error, never an approximation. Each of
-/// eight seeds was met for these kurtoses (2.1, 2.25, 2.5, 2.75, 3, 4, 5, 6, 8 and 12 were tried; `L` is
-/// the side of a square):
+/// spectrum, to 0.1 where few do or next to what can be reached. What cannot be reached is an error,
+/// never an approximation. Each of eight seeds was met for these kurtoses (2.1, 2.25, 2.5, 2.75, 3, 4,
+/// 5, 6, 8 and 12 were tried; `L` is the side of a square):
 ///
 /// | roll-off, cut-off | skewness 0, ±0.5 | skewness ±1 |
 /// |---|---|---|
@@ -153,6 +154,15 @@ pub struct SelfAffine {
 enum Target {
     RmsHeight(f64),
     RmsSlope(f64),
+}
+
+impl Target {
+    fn checked(self) -> Result<f64> {
+        match self {
+            Self::RmsHeight(height) => positive("rms height", height),
+            Self::RmsSlope(slope) => positive("rms slope", slope),
+        }
+    }
 }
 
 impl SelfAffine {
@@ -225,6 +235,9 @@ impl SelfAffine {
     /// Cuts the surface out of the middle of a periodic one of twice the sides, so that opposite
     /// edges do not match. The mean of the part is taken off and, for [`Amplitudes::Exact`], the part
     /// is scaled to the target; skewness and kurtosis are those of the part.
+    ///
+    /// With [`Amplitudes::Gaussian`] the part is not scaled, and lacks what its mean held: without a
+    /// longest wavelength the mean square of its heights over all seeds is about 0.7 of the target's.
     #[must_use]
     pub fn cropped(self) -> Self {
         Self {
@@ -275,6 +288,7 @@ impl SelfAffine {
     ///   too large.
     pub fn generate(&self, grid: Grid) -> Result<RoughSurface> {
         let wanted = self.moments()?;
+        let target = self.target.checked()?;
         let cut = if self.is_cropped {
             Cut::middle(grid)?
         } else {
@@ -287,15 +301,15 @@ impl SelfAffine {
             iterations += phases::turn(&mut waves, &cut, wanted)?;
         }
         let surface = RoughSurface::new(&waves, &cut, iterations);
-        if self.is_cropped && self.amplitudes == Amplitudes::Exact {
-            let factor = match self.target {
-                Target::RmsHeight(height) => height / surface.rms_height(),
-                Target::RmsSlope(slope) => slope / surface.rms_slope(),
-            };
-            Ok(surface.scaled(factor))
+        let unit = if self.is_cropped && self.amplitudes == Amplitudes::Exact {
+            match self.target {
+                Target::RmsHeight(_) => surface.rms_height(),
+                Target::RmsSlope(_) => surface.rms_slope(),
+            }
         } else {
-            Ok(surface)
-        }
+            1.0
+        };
+        Ok(surface.scaled(target / unit))
     }
 
     /// Skewness and kurtosis, if either is given.
@@ -310,17 +324,12 @@ impl SelfAffine {
         Ok(Some([skewness, kurtosis]))
     }
 
-    /// The waves of the periodic surface.
+    /// The waves of the periodic surface whose target is one, where no square is out of range.
     fn waves(&self, cut: &Cut) -> Result<Waves> {
         let law = Law::new(self, cut.whole)?;
-        let square = match self.target {
-            Target::RmsHeight(height) => {
-                positive("rms height", height)?.powi(2) / law.total(cut.whole, |_| 1.0)?
-            }
-            Target::RmsSlope(slope) => {
-                let steepness = law.total(cut.whole, |mode| mode.wave_number().powi(2))?;
-                positive("rms slope", slope)?.powi(2) / steepness
-            }
+        let total = match self.target {
+            Target::RmsHeight(_) => law.total(cut.whole, |_| 1.0)?,
+            Target::RmsSlope(_) => law.total(cut.whole, |mode| mode.wave_number().powi(2))?,
         };
         let mut waves = Waves::none(cut.whole);
         waves.update(|mode, _| {
@@ -334,7 +343,7 @@ impl SelfAffine {
             let numbers = [i, if is_mirrored { -j } else { j }];
             let wave = draw::wave(self.seed, numbers, self.amplitudes)
                 * Complex::cis(cut.phase_of_first_cell(numbers))
-                * (power * square).sqrt();
+                * (power / total).sqrt();
             if is_mirrored { wave.conj() } else { wave }
         });
         Ok(waves)

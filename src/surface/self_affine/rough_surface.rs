@@ -69,7 +69,7 @@ impl RoughSurface {
         self.heights
     }
 
-    /// Root mean square of the heights (a length), $`R_q = \sqrt{\langle z^2\rangle}`$.
+    /// Root mean square of the heights (a length), $`S_q = \sqrt{\langle z^2\rangle}`$.
     #[must_use]
     pub fn rms_height(&self) -> f64 {
         self.rms_height
@@ -82,13 +82,13 @@ impl RoughSurface {
         self.rms_slope
     }
 
-    /// Skewness of the heights, $`\langle z^3\rangle / R_q^3`$: negative for plateaus with valleys.
+    /// Skewness of the heights, $`\langle z^3\rangle / S_q^3`$: negative for plateaus with valleys.
     #[must_use]
     pub fn skewness(&self) -> f64 {
         self.skewness
     }
 
-    /// Kurtosis of the heights, $`\langle z^4\rangle / R_q^4`$, of a Gaussian surface about 3.
+    /// Kurtosis of the heights, $`\langle z^4\rangle / S_q^4`$, of a Gaussian surface about 3.
     #[must_use]
     pub fn kurtosis(&self) -> f64 {
         self.kurtosis
