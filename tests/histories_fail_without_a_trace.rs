@@ -1,6 +1,7 @@
 //! A step that is refused, cancelled or does not converge leaves every bit, of the state and of what the
 //! next step starts from.
 #![allow(clippy::unwrap_used, reason = "a test fails loudly")]
+#![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 mod common;
 

@@ -136,7 +136,7 @@ fn steps_do_not_matter() {
         assert!(max_difference(a, b) < 1e-6 * few.slip_path().max());
         let [a, b] = [few, many].map(|history| history.dissipated_energy().integral());
         assert!((a / b - 1.0).abs() < 1e-7, "{a:e} {b:e}");
-        let [a, b] = [few, many].map(|history| stuck(history));
+        let [a, b] = [few, many].map(stuck);
         assert_eq!(a, b);
     }
 }

@@ -1,6 +1,7 @@
 //! Gap and friction may change between steps, and what friction remembers survives; wear takes off what its
 //! law says.
 #![allow(clippy::unwrap_used, reason = "a test fails loudly")]
+#![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 mod common;
 

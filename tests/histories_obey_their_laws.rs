@@ -1,6 +1,7 @@
 //! Laws that hold for any history: mirror images, nothing without slip, no slip at first touch, traction
 //! within the limit of its own pressure.
 #![allow(clippy::unwrap_used, reason = "a test fails loudly")]
+#![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 mod common;
 
