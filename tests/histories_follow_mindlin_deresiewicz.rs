@@ -146,7 +146,7 @@ fn stuck(history: &History) -> usize {
     zones.filter(|&&zone| zone == Zone::Stick).count()
 }
 
-/// Forty steps a cycle cost two or three products in double precision each, at any tolerance.
+/// Forty steps a cycle cost two or three products in double precision each, and eighteen in single at most.
 #[test]
 fn a_warm_step_is_cheap() {
     let mut history = pressed(256, 1e-6);

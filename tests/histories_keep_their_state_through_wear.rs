@@ -47,7 +47,6 @@ fn full_slip_wears_by_load_and_path() {
             let expected = 2e-3 * 30.0 * path;
             assert!((removed.integral() / expected - 1.0).abs() < 1e-12);
         }
-        assert!((history.slip_path().max() - 65.0).abs() < 20.0);
     }
 }
 
