@@ -31,6 +31,9 @@ ALLOWED = {
     "cgm": {"error", "report", "parallel", "operator"},
     "stage": FOUNDATION | {"operator", "influence", "fft", "half_space", "cgm", "window"},
     "dense": FOUNDATION | {"operator", "influence", "half_space", "cgm"},
+    # L4: what goes on through many steps
+    "history": FOUNDATION
+    | {"operator", "influence", "fft", "half_space", "cgm", "contact_map", "window", "stage", "normal", "tangential"},
     # L3: the two problems
     "normal": FOUNDATION
     | {"operator", "influence", "fft", "half_space", "cgm", "contact_map", "window", "stage"},

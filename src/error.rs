@@ -279,6 +279,12 @@ pub enum Error {
         /// The rule, or the part, with what was found.
         problem: String,
     },
+    /// A number of steps per cycle of which none would end at the turning points.
+    #[error("the steps per cycle must be a positive multiple of 4, got {0}")]
+    StepsPerCycle(usize),
+    /// A path of no steps.
+    #[error("the load path has no steps")]
+    EmptyPath,
     /// The iteration ended before the tolerance was reached. The caller's solution holds the
     /// last feasible iterate.
     #[error("not converged: {0}")]

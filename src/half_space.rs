@@ -4,7 +4,7 @@ use std::sync::{Arc, OnceLock};
 
 use crate::boundary::Boundary;
 use crate::error::{Error, Result};
-use crate::fft::{CirculantInverse, Convolution};
+use crate::fft::{CirculantInverse, Convolution, PairConvolution, PairInverse, PairSource};
 use crate::grid::Grid;
 use crate::influence::{Component, Samples, Symbols, Table};
 use crate::material::ElasticPair;
@@ -65,6 +65,13 @@ enum Source {
 pub(crate) struct Compliance {
     pub(crate) operator: Arc<Convolution>,
     pub(crate) inverse: Arc<CirculantInverse>,
+}
+
+/// The same of both tractions in the plane.
+#[derive(Debug, Clone)]
+pub(crate) struct PlaneCompliance {
+    pub(crate) operator: Arc<PairConvolution>,
+    pub(crate) inverse: Arc<PairInverse>,
 }
 
 const _: () = {
@@ -206,6 +213,27 @@ impl HalfSpace {
         })
     }
 
+    /// Operator and preconditioner of both tractions in the plane, on a rectangle as above.
+    pub(crate) fn plane_compliance(&self, size: [usize; 2]) -> Result<PlaneCompliance> {
+        const PARTS: [Component; 3] = [Component::XX, Component::YY, Component::XY];
+        let [xx, yy, xy] = PARTS.map(|component| self.kernel(component));
+        let (xx, yy, xy) = (&xx?.source, &yy?.source, &xy?.source);
+        let source = match (xx, yy, xy) {
+            (Source::Table(xx), Source::Table(yy), Source::Table(xy)) => {
+                PairSource::Tables([xx, yy, xy])
+            }
+            _ => PairSource::Symbols(
+                PARTS.map(|component| Symbols::new(self.shared.grid, &self.shared.pair, component)),
+            ),
+        };
+        let operator = PairConvolution::new(size, &source);
+        let inverse = PairInverse::new(size, &source, operator.lower_bound());
+        Ok(PlaneCompliance {
+            operator: Arc::new(operator),
+            inverse: Arc::new(inverse),
+        })
+    }
+
     /// The same bodies on cells of twice the sides, the grid as large or a fine cell larger; a grid that
     /// repeats must be [even](Self::can_be_coarser).
     pub(crate) fn coarser(&self) -> Result<&Self> {
@@ -274,5 +302,60 @@ impl HalfSpace {
                 inverse: OnceLock::new(),
             })
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::material::Material;
+
+    /// The products of both tractions are the sums of those of each alone, and the inverse inverts them
+    /// where nothing is cut.
+    #[test]
+    fn products_in_the_plane_are_sums_of_products_along_the_axes() {
+        let body = Material::new(1.0, 0.4).unwrap();
+        let pair = ElasticPair::new(body, Material::rigid()).unwrap();
+        for (nx, ny) in [(12, 9), (7, 16), (1, 5), (8, 8)] {
+            for boundary in [Boundary::Free, Boundary::Periodic] {
+                let grid = Grid::new(nx, ny, 0.5, 0.7).unwrap();
+                let bodies = HalfSpace::with_boundary(grid, pair, boundary).unwrap();
+                let cells = nx * ny;
+                let sample = |i: usize| ((7 * i * i + 3 * i) % 11) as f64 - 5.0;
+                let traction: Vec<f64> = (0..2 * cells).map(sample).collect();
+                let PlaneCompliance { operator, .. } = bodies.plane_compliance([nx, ny]).unwrap();
+                let (mut exact, mut rough) = (vec![0.0; 2 * cells], vec![0.0; 2 * cells]);
+                operator.apply(&traction, &mut exact, &mut operator.workspace());
+                operator.apply_roughly(&traction, &mut rough, &mut operator.workspace());
+                let alone = |component: Component, q: &[f64]| {
+                    let operator = bodies.operator(component).unwrap();
+                    let mut u = vec![0.0; cells];
+                    operator.apply(q, &mut u, &mut operator.workspace());
+                    u
+                };
+                let (x, y) = traction.split_at(cells);
+                let parts = [
+                    [alone(Component::XX, x), alone(Component::XY, y)],
+                    [alone(Component::YX, x), alone(Component::YY, y)],
+                ];
+                let largest = exact.iter().fold(0.0, |a: f64, u| a.max(u.abs()));
+                for i in 0..2 * cells {
+                    let [a, b] = &parts[i / cells];
+                    let expected = a[i % cells] + b[i % cells];
+                    assert!((exact[i] - expected).abs() <= 1e-14 * largest);
+                    assert!((rough[i] - expected).abs() <= 2e-6 * largest);
+                }
+                // x'Cx is at least the bound times x'x, less its mean where that moves nothing.
+                let mean = |q: &[f64]| q.iter().sum::<f64>() / cells as f64;
+                let means = [mean(x), mean(y)];
+                let is_free = boundary == Boundary::Free;
+                let squares: f64 = (0..2 * cells)
+                    .map(|i| (traction[i] - if is_free { 0.0 } else { means[i / cells] }).powi(2))
+                    .sum();
+                let energy: f64 = exact.iter().zip(&traction).map(|(u, q)| u * q).sum();
+                assert!(energy >= operator.lower_bound() * squares * (1.0 - 1e-12));
+                assert!(operator.lower_bound() > 0.0);
+            }
+        }
     }
 }

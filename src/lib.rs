@@ -37,5 +37,6 @@ pub use normal::{NormalLoad, NormalProblem, NormalSolution, NormalSolver};
 pub use operator::{Identity, Operator};
 pub use report::{Iteration, Report, Status};
 pub use tangential::{
-    Axis, Friction, TangentialLoad, TangentialProblem, TangentialSolution, TangentialSolver, Zone,
+    Axis, Friction, Lateral, TangentialLoad, TangentialProblem, TangentialSolution,
+    TangentialSolver, Zone,
 };

@@ -105,6 +105,21 @@ impl<A: Split, B: Split, C: Split> Split for (A, B, C) {
     }
 }
 
+impl<A: Split, const N: usize> Split for [A; N] {
+    fn split(self, tasks: usize) -> (Self, Self) {
+        let mut high = [const { None }; N];
+        let mut places = high.iter_mut();
+        let low = self.map(|part| {
+            let (low, rest) = part.split(tasks);
+            if let Some(place) = places.next() {
+                *place = Some(rest);
+            }
+            low
+        });
+        (low, high.map(|part| part.expect("every part was split")))
+    }
+}
+
 /// Runs `work(task, its part of data)` for every task and combines the results pairwise in a
 /// fixed tree: the same bits on any number of threads.
 pub(crate) fn sweep<D: Split, T: Send>(

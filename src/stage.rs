@@ -4,10 +4,12 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Instant;
 
-use crate::cgm::{self, Constraint, Iteration, Problem, Settings, Workspace};
+use crate::cgm::{self, Constraint, Iteration, Problem, Settings, Workspace, plane};
 use crate::error::{Error, Result};
-use crate::fft::{CirculantInverse, Convolution, ConvolutionWorkspace};
-use crate::half_space::{Compliance, HalfSpace};
+use crate::fft::{
+    CirculantInverse, Convolution, ConvolutionWorkspace, PairConvolution, PairInverse,
+};
+use crate::half_space::{Compliance, HalfSpace, PlaneCompliance};
 use crate::influence::Component;
 use crate::operator::Operator;
 use crate::report::Report;
@@ -30,6 +32,20 @@ pub(crate) struct Stage<C: Operator<Workspace = ConvolutionWorkspace> = Arc<Conv
 impl Stage {
     pub(crate) fn new(bodies: &HalfSpace, component: Component, size: [usize; 2]) -> Result<Self> {
         Self::with(bodies, component, size, |operator| operator)
+    }
+
+    /// With a linear term and a start.
+    pub(crate) fn with_start(
+        bodies: &HalfSpace,
+        component: Component,
+        size: [usize; 2],
+        linear: &[f64],
+        start: Vec<f64>,
+    ) -> Result<Self> {
+        let mut stage = Self::new(bodies, component, size)?;
+        stage.linear.copy_from_slice(linear);
+        stage.x = start;
+        Ok(stage)
     }
 }
 
@@ -90,6 +106,67 @@ impl<C: Operator<Workspace = ConvolutionWorkspace> + Clone> Stage<C> {
     }
 }
 
+/// The same with two unknowns a cell: all along x, then all along y.
+#[derive(Debug)]
+pub(crate) struct PlaneStage {
+    compliance: PlaneCompliance,
+    workspace: plane::Workspace<Arc<PairConvolution>, Arc<PairInverse>>,
+    /// The start of the next solve, and the answer of the last.
+    pub(crate) q: Vec<f64>,
+    pub(crate) linear: Vec<f64>,
+}
+
+impl PlaneStage {
+    pub(crate) fn new(bodies: &HalfSpace, size: [usize; 2]) -> Result<Self> {
+        let compliance = bodies.plane_compliance(size)?;
+        let workspace = plane::Workspace::new(&compliance.operator, &compliance.inverse);
+        let len = 2 * size[0] * size[1];
+        Ok(Self {
+            compliance,
+            workspace,
+            q: vec![0.0; len],
+            linear: vec![0.0; len],
+        })
+    }
+
+    /// Minimises from `q` into `q`; the rest is in the accessors, converged or not.
+    pub(crate) fn minimise(
+        &mut self,
+        limits: &[f64],
+        totals: [Option<f64>; 2],
+        settings: &Settings,
+        observer: Observer<'_>,
+    ) -> Result<()> {
+        let problem = plane::Problem {
+            operator: Arc::clone(&self.compliance.operator),
+            preconditioner: Arc::clone(&self.compliance.inverse),
+            linear: &self.linear,
+            limits,
+            totals,
+        };
+        plane::minimise(
+            &problem,
+            settings,
+            &mut self.q,
+            &mut self.workspace,
+            observer,
+        )
+    }
+
+    /// `C q` of the answer.
+    pub(crate) fn product(&self) -> &[f64] {
+        self.workspace.product()
+    }
+
+    pub(crate) fn multiplier(&self) -> [f64; 2] {
+        self.workspace.multiplier()
+    }
+
+    pub(crate) fn report(&self) -> &Report {
+        self.workspace.report()
+    }
+}
+
 /// Relative accuracy of a coarse answer: its own discretisation error is not smaller.
 const COARSE_TOLERANCE: f64 = 1e-2;
 /// Cells at or below which a grid is solved from a plain start.
@@ -97,27 +174,36 @@ const COARSEST: usize = 40 * 40;
 
 /// A scene that can be posed on cells twice as large, whose answer is a start for its own.
 pub(crate) trait Nested: Sized {
+    /// The engine that solves it.
+    type Stage;
+    /// What may be prescribed of the sum of the unknowns.
+    type Total: Copy;
+
     /// The scene on coarser cells.
     fn coarse_scene(&self, size: [usize; 2]) -> Self;
 
     /// The total that asks of the coarser scene what `total` asks of this one.
-    fn coarse_total(&self, coarse: &Self, total: f64) -> f64;
-
-    fn linear(&self) -> &[f64];
+    fn coarse_total(&self, coarse: &Self, total: Self::Total) -> Self::Total;
 
     /// A start from nothing.
-    fn plain_start(&self, total: Option<f64>) -> Vec<f64>;
+    fn plain_start(&self, total: Self::Total) -> Vec<f64>;
 
     /// A start from the coarser scene's answer.
     fn refined_start(&self, size: [usize; 2], coarse: &Self, answer: &[f64]) -> Vec<f64>;
 
+    /// The engine, at a start.
+    fn stage(&self, bodies: &HalfSpace, size: [usize; 2], start: Vec<f64>) -> Result<Self::Stage>;
+
+    /// Solves; the answer is in [`Self::answer`], finished or not.
     fn minimise(
         &self,
-        stage: &mut Stage,
-        total: Option<f64>,
+        stage: &mut Self::Stage,
+        total: Self::Total,
         settings: &Settings,
         observer: Observer<'_>,
     ) -> Result<()>;
+
+    fn answer(stage: &Self::Stage) -> &[f64];
 }
 
 /// A start from the answer on cells twice as large, itself found so: far fewer steps are then left
@@ -125,10 +211,9 @@ pub(crate) trait Nested: Sized {
 /// <https://doi.org/10.1007/s002110050234>).
 pub(crate) fn nested_start<N: Nested>(
     bodies: &HalfSpace,
-    component: Component,
     size: [usize; 2],
     scene: &N,
-    total: Option<f64>,
+    total: N::Total,
     settings: &Settings,
     observer: Observer<'_>,
 ) -> Result<Vec<f64>> {
@@ -137,11 +222,10 @@ pub(crate) fn nested_start<N: Nested>(
         return Ok(scene.plain_start(total));
     }
     let coarse = scene.coarse_scene(size);
-    let coarse_total = total.map(|total| scene.coarse_total(&coarse, total));
+    let coarse_total = scene.coarse_total(&coarse, total);
     let (bodies, coarse_size) = (bodies.coarser()?, halved(size));
     let start = nested_start(
         bodies,
-        component,
         coarse_size,
         &coarse,
         coarse_total,
@@ -149,13 +233,13 @@ pub(crate) fn nested_start<N: Nested>(
         observer,
     )?;
 
-    let mut stage = Stage::new(bodies, component, coarse_size)?;
-    stage.x = start;
-    stage.linear.copy_from_slice(coarse.linear());
+    let mut stage = coarse.stage(bodies, coarse_size, start)?;
     let rough = settings.tolerance(settings.tolerance.max(COARSE_TOLERANCE));
     match coarse.minimise(&mut stage, coarse_total, &rough, observer) {
         // As a start an unfinished answer serves too.
-        Ok(()) | Err(Error::NotConverged(_)) => Ok(scene.refined_start(size, &coarse, &stage.x)),
+        Ok(()) | Err(Error::NotConverged(_)) => {
+            Ok(scene.refined_start(size, &coarse, N::answer(&stage)))
+        }
         Err(error) => Err(error),
     }
 }

@@ -5,8 +5,11 @@
 //! | sphere, or paraboloid of revolution, under a normal load | [`HertzSphere`] | Hertz; Johnson (1985), section 4.2 |
 //! | elliptic paraboloid under a normal load | [`HertzEllipse`] | Hertz; Johnson (1985), section 4.2 |
 //! | sphere in partial slip under a tangential load | [`CattaneoMindlin`] | Cattaneo (1938), Mindlin (1949) |
+//! | sphere in partial slip under a tangential force that comes and goes | [`MindlinDeresiewicz`] | Mindlin and Deresiewicz (1953), Jaeger (1998) |
 //! | elliptic paraboloid in partial slip under a tangential load | [`CattaneoMindlinEllipse`] | Mindlin (1949), Vermeulen and Johnson (1964) |
 //! | sphere, or any contact circle, that sticks throughout | [`MindlinFullStick`] | Mindlin (1949) |
+//! | sphere in partial slip under a twist | [`LubkinTorsion`] | Lubkin (1951) |
+//! | paraboloid of revolution that fretting has worn to the end | [`PopovLimitingShape`] | Popov (2014) |
 //! | rigid flat-ended cylinder, and all of it stuck | [`FlatPunch`], [`FlatPunch::full_stick`] | Johnson (1985), sections 3.4 and 3.7 |
 //! | cone under a normal load | [`Cone`] | Sneddon (1965) |
 //! | cone in partial slip under a tangential load | [`ConePartialSlip`] | Ciavarella (1998), Jaeger (1998) |
@@ -43,8 +46,11 @@
 //!   Struct.* 35 (1998) 2349-2362, [doi:10.1016/S0020-7683(97)00154-6](https://doi.org/10.1016/S0020-7683(97)00154-6).
 //! - J. Jaeger, A new principle in contact mechanics, *J. Tribology* 120 (1998) 677-684,
 //!   [doi:10.1115/1.2833765](https://doi.org/10.1115/1.2833765).
+//! - J. L. Lubkin, The torsion of elastic spheres in contact, *J. Appl. Mech.* 18 (1951) 183-187.
 //! - R. D. Mindlin, Compliance of elastic bodies in contact, *J. Appl. Mech.* 16 (1949) 259-268,
 //!   [doi:10.1115/1.4009973](https://doi.org/10.1115/1.4009973).
+//! - R. D. Mindlin and H. Deresiewicz, Elastic spheres in contact under varying oblique forces,
+//!   *J. Appl. Mech.* 20 (1953) 327-344, [doi:10.1115/1.4010702](https://doi.org/10.1115/1.4010702).
 //! - M. H. Müser, On the contact area of nominally flat Hertzian contacts, *Tribol. Lett.* 64 (2016) 14,
 //!   [doi:10.1007/s11249-016-0750-3](https://doi.org/10.1007/s11249-016-0750-3).
 //! - M. Paggi, R. Pohrt, V. L. Popov, Partial-slip frictional response of rough surfaces, *Sci. Rep.* 4
@@ -53,6 +59,8 @@
 //!   221601, [doi:10.1063/1.4950802](https://doi.org/10.1063/1.4950802).
 //! - B. N. J. Persson, Theory of rubber friction and contact mechanics, *J. Chem. Phys.* 115 (2001)
 //!   3840-3861, [doi:10.1063/1.1388626](https://doi.org/10.1063/1.1388626).
+//! - V. L. Popov, Analytic solution for the limiting shape of profiles due to fretting wear, *Sci.
+//!   Rep.* 4 (2014) 3749, [doi:10.1038/srep03749](https://doi.org/10.1038/srep03749).
 //! - I. N. Sneddon, The relation between load and penetration in the axisymmetric Boussinesq problem
 //!   for a punch of arbitrary profile, *Int. J. Eng. Sci.* 3 (1965) 47-57,
 //!   [doi:10.1016/0020-7225(65)90019-4](https://doi.org/10.1016/0020-7225(65)90019-4).
@@ -68,8 +76,12 @@ mod flat_punch;
 mod full_stick;
 mod held_force;
 mod hertz;
+mod lubkin_torsion;
+mod mindlin_deresiewicz;
 mod partial_slip;
 mod persson;
+mod popov_limiting_shape;
+mod quadrature;
 mod rough_sphere;
 mod sines;
 mod westergaard;
@@ -79,6 +91,9 @@ pub use cone::{Cone, ConePartialSlip};
 pub use flat_punch::FlatPunch;
 pub use full_stick::MindlinFullStick;
 pub use hertz::{HertzEllipse, HertzSphere};
+pub use lubkin_torsion::LubkinTorsion;
+pub use mindlin_deresiewicz::MindlinDeresiewicz;
 pub use persson::{Persson, linear_stick_ratio};
+pub use popov_limiting_shape::PopovLimitingShape;
 pub use rough_sphere::RoughSphere;
 pub use westergaard::{Westergaard, WestergaardPartialSlip};

@@ -51,7 +51,7 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
         set_multiplier(run);
         let findings = run.examine();
         let mut merit = run.merit(&findings);
-        if merit <= run.settings.tolerance {
+        if merit <= run.watch.settings.tolerance {
             // Judge what will be returned.
             run.make_feasible();
             let feasible = run.examine();
@@ -66,13 +66,13 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
         } else {
             without_progress += 1;
             if without_progress >= if changes == 0 { PATIENCE } else { CYCLE } {
-                return run.stuck();
+                return run.watch.stuck();
             }
         }
         let reduction = if changes > 0 {
             INNER_REDUCTION
         } else {
-            (0.3 * run.settings.tolerance / merit).clamp(1e-4, INNER_REDUCTION)
+            (0.3 * run.watch.settings.tolerance / merit).clamp(1e-4, INNER_REDUCTION)
         };
         if let ControlFlow::Break(status) = solve_free(run, reduction) {
             return Some(status);
@@ -192,7 +192,7 @@ fn reclassify<C: Operator, K: Constraint, P: Operator>(
     } = &mut *run.workspace;
     let gradient = &*gradient;
     // Below this a wrong sign is noise of the inner solution, and would come and go.
-    let threshold = (0.01 * run.settings.tolerance).max(f64::EPSILON) * largest;
+    let threshold = (0.01 * run.watch.settings.tolerance).max(f64::EPSILON) * largest;
 
     run.is_fresh = false;
     let len = run.x.len();

@@ -24,6 +24,45 @@ pub(crate) struct Certificate {
 }
 
 impl Certificate {
+    /// From the largest displacement, violation and unknown; the sums `x'Cx`, `x'x` and `|x|`; the bound of
+    /// the error `E`; what is missing of the total; the smallest eigenvalue known; and the free entries.
+    pub(super) fn new(
+        [displacement, violated, largest]: [f64; 3],
+        [energy, squares, magnitude]: [f64; 3],
+        bound: f64,
+        missing: f64,
+        lower_bound: f64,
+        free: usize,
+    ) -> Self {
+        // An operator that maps constants to zero leaves a uniform answer neither displacement nor energy
+        // to measure by; what its smallest eigenvalue would make of it takes their place.
+        let displacement = larger(displacement, lower_bound * largest);
+        let energy = larger(energy, lower_bound * squares);
+        Self {
+            displacement,
+            residual: ratio(violated, displacement),
+            gap: ratio(bound * bound, energy),
+            load_error: ratio(missing, magnitude),
+            free,
+        }
+    }
+
+    /// What has to fall to the tolerance: residual, load error and, where the operator knows its smallest
+    /// eigenvalue, the certified error. Without that the duality gap alone is left, whose root falls only
+    /// with the root of the residual.
+    pub(super) fn merit(&self, lower_bound: f64) -> f64 {
+        let error = if lower_bound > 0.0 {
+            self.gap.sqrt()
+        } else {
+            0.0
+        };
+        let parts = [self.residual, self.load_error, error];
+        if parts.iter().any(|part| part.is_nan()) {
+            return f64::NAN;
+        }
+        parts.into_iter().fold(0.0, f64::max)
+    }
+
     pub(crate) fn write_to(&self, report: &mut Report) {
         report.residual = self.residual;
         report.certified_gap = self.gap;
@@ -69,17 +108,14 @@ pub(crate) fn examine(
     let (sums, found) = parallel::fold(x.len(), leaf, |a, b| (a.0.merge(b.0), a.1.merge(b.1)));
     let load = total.map_or(0.0, |total| (sums.sum - total).abs());
     let bound = 0.5 * found.squares.sqrt() + (0.25 * found.squares + found.dual).sqrt();
-    // An operator that maps constants to zero leaves a uniform answer neither displacement nor energy
-    // to measure by; what its smallest eigenvalue would make of it takes their place.
-    let displacement = larger(found.displacement, lower_bound * found.largest);
-    let energy = larger(sums.energy, lower_bound * sums.squares);
-    Certificate {
-        displacement,
-        residual: ratio(found.violated, displacement),
-        gap: ratio(bound * bound, energy),
-        load_error: ratio(load, sums.magnitude),
-        free: found.free,
-    }
+    Certificate::new(
+        [found.displacement, found.violated, found.largest],
+        [sums.energy, sums.squares, sums.magnitude],
+        bound,
+        load,
+        lower_bound,
+        found.free,
+    )
 }
 
 /// What all entries add up to.

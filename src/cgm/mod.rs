@@ -67,11 +67,13 @@ mod certificate;
 mod constraint;
 mod free_set;
 mod inner;
+pub(crate) mod plane;
 mod polonsky_keer;
 mod projected_gradient;
 mod reduce;
 mod run;
 mod settings;
+mod watch;
 
 pub(crate) use certificate::examine;
 pub use constraint::{Constraint, Interval, Magnitude, NonNegative};
@@ -311,15 +313,15 @@ pub fn minimise_with<C: Operator, K: Constraint, P: Operator>(
 fn iterate<C: Operator, K: Constraint, P: Operator>(run: &mut Run<'_, '_, C, K, P>) -> Status {
     let (mut detour, mut in_vain) = (32, 0);
     loop {
-        let before = run.best;
-        let ended = match run.settings.method {
+        let before = run.watch.best;
+        let ended = match run.watch.settings.method {
             Method::ActiveSet => active_set::iterate(run),
             Method::PolonskyKeer => polonsky_keer::iterate(run),
         };
         if let Some(status) = ended {
             return status;
         }
-        in_vain = if run.best <= 0.5 * before {
+        in_vain = if run.watch.best <= 0.5 * before {
             0
         } else {
             in_vain + 1
@@ -333,7 +335,7 @@ fn iterate<C: Operator, K: Constraint, P: Operator>(run: &mut Run<'_, '_, C, K, 
             ControlFlow::Continue(true) => in_vain = DETOURS_IN_VAIN,
             ControlFlow::Continue(false) => {}
         }
-        detour = (2 * detour).min(run.settings.max_iterations);
+        detour = (2 * detour).min(run.watch.settings.max_iterations);
     }
 }
 

@@ -34,7 +34,7 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
         let free = set_multiplier(run);
         let findings = run.examine();
         let merit = run.merit(&findings);
-        if merit <= run.settings.tolerance && !run.is_fresh {
+        if merit <= run.watch.settings.tolerance && !run.is_fresh {
             since_refresh = REFRESH;
             continue;
         }
@@ -46,7 +46,7 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
         } else {
             without_progress += 1;
             if without_progress >= PATIENCE {
-                return run.stuck();
+                return run.watch.stuck();
             }
         }
 

@@ -1,36 +1,27 @@
 //! What the two methods share: products, limits, the examination of an iterate, the end.
 
 use std::ops::ControlFlow;
-use std::time::Instant;
 
 use crate::cgm::certificate::{self, Certificate, violation};
+use crate::cgm::watch::Watch;
 use crate::cgm::{Constraint, Problem, Settings, State, Workspace, balance, reduce};
 use crate::operator::Operator;
 use crate::parallel::{self, Blocks, CHUNK, blocks};
 use crate::report::{Iteration, Status};
 
-/// A residual at which sets change by round-off alone.
-const ROUND_OFF: f64 = 1e-12;
-
 /// Of the least stiffness there is but for constants: less is none, in single precision; and what is
 /// taken for none, to get to the bounds in a step.
-const FLAT: f64 = 1e-3;
-const FLATTEST: f64 = 1e-12;
+pub(super) const FLAT: f64 = 1e-3;
+pub(super) const FLATTEST: f64 = 1e-12;
 
 /// One solve under way.
 pub(super) struct Run<'a, 'b, C: Operator, K, P: Operator> {
     pub(super) problem: &'a Problem<'b, C, K, P>,
-    pub(super) settings: &'a Settings,
+    pub(super) watch: Watch<'a>,
     pub(super) x: &'a mut [f64],
     pub(super) workspace: &'a mut Workspace<C, P>,
-    observer: &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
-    start: Instant,
-    /// Conjugate-gradient steps so far.
-    steps: usize,
     /// Whether `workspace.product` belongs to `x`.
     pub(super) is_fresh: bool,
-    /// Least merit so far.
-    pub(super) best: f64,
     /// Of the eigenvalues; zero if none is known.
     lower_bound: f64,
     /// Whether the total leaves no choice: the unknowns stand at their bounds.
@@ -46,22 +37,13 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
         observer: &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
     ) -> Self {
         workspace.multiplier = 0.0;
-        let report = &mut workspace.report;
-        report.iterations = 0;
-        report.convolutions = 0;
-        report.rough_convolutions = 0;
-        report.residual = f64::INFINITY;
-        report.history.clear();
+        let watch = Watch::new(settings, observer, &mut workspace.report);
         Self {
             problem,
-            settings,
+            watch,
             x,
             workspace,
-            observer,
-            start: Instant::now(),
-            steps: 0,
             is_fresh: false,
-            best: f64::INFINITY,
             // A bound that is no number, or negative, is none.
             lower_bound: problem.operator.lower_bound().max(0.0),
             is_extreme: false,
@@ -189,70 +171,24 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
         findings
     }
 
-    /// What has to fall to the tolerance: residual, load error and, where the operator knows its
-    /// smallest eigenvalue, the certified error. Without that the duality gap alone is left, whose
-    /// root falls only with the root of the residual.
+    /// What has to fall to the tolerance.
     pub(super) fn merit(&self, findings: &Certificate) -> f64 {
-        let error = if self.lower_bound > 0.0 {
-            findings.gap.sqrt()
-        } else {
-            0.0
-        };
-        let parts = [findings.residual, findings.load_error, error];
-        if parts.iter().any(|part| part.is_nan()) {
-            return f64::NAN;
-        }
-        parts.into_iter().fold(0.0, f64::max)
+        findings.merit(self.lower_bound)
     }
 
     /// Records an examined step, and says if it is the last: converged or stopped.
     pub(super) fn judge(&mut self, merit: f64, free: usize) -> ControlFlow<Status> {
-        let entry = self.entry(free);
-        self.workspace.report.history.push(entry);
-        if merit.is_nan() {
-            return ControlFlow::Break(Status::Stalled);
-        }
-        self.best = self.best.min(merit);
-        if merit <= self.settings.tolerance {
-            return ControlFlow::Break(Status::Converged);
-        }
-        self.proceed(free)
-    }
-
-    /// What to do when the residual no longer falls: stop if it is round-off, else `None`.
-    pub(super) fn stuck(&self) -> Option<Status> {
-        (self.best <= ROUND_OFF).then_some(Status::Stalled)
+        self.watch.judge(merit, free, &mut self.workspace.report)
     }
 
     /// Counts a step.
     pub(super) fn count_step(&mut self) {
-        self.steps += 1;
-        self.workspace.report.iterations = self.steps;
+        self.watch.count_step(&mut self.workspace.report);
     }
 
     /// Asks limits and observer whether to go on; called at least once for every two products.
     pub(super) fn proceed(&mut self, free: usize) -> ControlFlow<Status> {
-        let entry = self.entry(free);
-        if (self.observer)(&entry).is_break() {
-            return ControlFlow::Break(Status::Cancelled);
-        }
-        if self.steps >= self.settings.max_iterations {
-            return ControlFlow::Break(Status::IterationLimit);
-        }
-        let limit = self.settings.time_limit;
-        if limit.is_some_and(|limit| self.start.elapsed() >= limit) {
-            return ControlFlow::Break(Status::TimeLimit);
-        }
-        ControlFlow::Continue(())
-    }
-
-    fn entry(&self, free: usize) -> Iteration {
-        Iteration {
-            iteration: self.steps,
-            convolutions: self.workspace.report.convolutions,
-            residual: self.workspace.report.residual,
-            free,
-        }
+        self.watch.proceed(free, &self.workspace.report)
     }
 
     /// Whether nothing drives the unknowns from an allowed zero. An iteration towards zero would
@@ -338,15 +274,6 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
         self.make_feasible();
         let findings = self.examine();
         let merit = self.merit(&findings);
-        let is_proven = merit <= self.settings.tolerance;
-        let status = if status == Status::Converged && !is_proven {
-            Status::Stalled
-        } else {
-            status
-        };
-        let report = &mut self.workspace.report;
-        report.status = status;
-        report.time = self.start.elapsed();
-        status
+        self.watch.finish(status, merit, &mut self.workspace.report)
     }
 }

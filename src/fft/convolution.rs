@@ -130,7 +130,7 @@ impl Convolution {
 }
 
 /// Cells of the torus: no image of `n` cells reaches back into them.
-fn padded(size: [usize; 2]) -> [usize; 2] {
+pub(super) fn padded(size: [usize; 2]) -> [usize; 2] {
     size.map(|n| smooth_length(2 * n - 1))
 }
 

@@ -27,7 +27,7 @@ pub(super) struct Plan<T: Real> {
     row_forward: Arc<dyn RealToComplex<T>>,
     row_inverse: Arc<dyn ComplexToReal<T>>,
     column_forward: Arc<dyn Fft<T>>,
-    column_inverse: Arc<dyn Fft<T>>,
+    pub(super) column_inverse: Arc<dyn Fft<T>>,
 }
 
 impl<T: Real> fmt::Debug for Plan<T> {
@@ -44,17 +44,17 @@ impl<T: Real> fmt::Debug for Plan<T> {
 #[derive(Debug)]
 pub(super) struct Buffers<T> {
     /// All tiles of a band of rows, then of the next band; a task owns bands of rows.
-    by_rows: Vec<Tile<T>>,
+    pub(super) by_rows: Vec<Tile<T>>,
     /// Which bands of rows hold anything.
-    occupied: Vec<bool>,
+    pub(super) occupied: Vec<bool>,
     /// The same tiles while a task owns bands of columns.
-    by_columns: Vec<Tile<T>>,
-    row_scratch: Vec<RowScratch<T>>,
-    column_scratch: Vec<ColumnScratch<T>>,
+    pub(super) by_columns: Vec<Tile<T>>,
+    pub(super) row_scratch: Vec<RowScratch<T>>,
+    pub(super) column_scratch: Vec<ColumnScratch<T>>,
 }
 
 #[derive(Debug, Clone)]
-struct RowScratch<T> {
+pub(super) struct RowScratch<T> {
     real: Aligned<T>,
     /// Transforms of the rows of a band.
     complex: Aligned<Complex<T>>,
@@ -62,9 +62,9 @@ struct RowScratch<T> {
 }
 
 #[derive(Debug, Clone)]
-struct ColumnScratch<T> {
-    columns: Aligned<Complex<T>>,
-    transform: Aligned<Complex<T>>,
+pub(super) struct ColumnScratch<T> {
+    pub(super) columns: Aligned<Complex<T>>,
+    pub(super) transform: Aligned<Complex<T>>,
 }
 
 impl<T: Real> Plan<T> {
@@ -84,17 +84,17 @@ impl<T: Real> Plan<T> {
     }
 
     /// Complex numbers in a transformed row.
-    fn width(&self) -> usize {
+    pub(super) fn width(&self) -> usize {
         self.mx / 2 + 1
     }
 
     /// Tiles along x.
-    fn tiles_across(&self) -> usize {
+    pub(super) fn tiles_across(&self) -> usize {
         self.width().div_ceil(TILE_COLUMNS)
     }
 
     /// Tiles along y.
-    fn tiles_down(&self) -> usize {
+    pub(super) fn tiles_down(&self) -> usize {
         self.ny.div_ceil(TILE_ROWS)
     }
 
@@ -105,7 +105,7 @@ impl<T: Real> Plan<T> {
 
     /// From one padded column to the next in scratch memory: room for whole tiles, and off the powers
     /// of two, at which all columns would share one corner of the cache.
-    fn column_stride(&self) -> usize {
+    pub(super) fn column_stride(&self) -> usize {
         self.my
             .max(self.tiles_down() * TILE_ROWS)
             .next_multiple_of(TILE_COLUMNS)
@@ -177,7 +177,7 @@ impl<T: Real> Plan<T> {
         self.inverse_rows(by_rows, out, scales[1], row_scratch);
     }
 
-    fn forward_rows(
+    pub(super) fn forward_rows(
         &self,
         x: &[f64],
         scale: f64,
@@ -257,9 +257,7 @@ impl<T: Real> Plan<T> {
                 tiles::gather(tiles, occupied, columns, stride);
                 let used = columns.chunks_exact_mut(stride).take(self.width() - first);
                 for (c, column) in used.enumerate() {
-                    let column = &mut column[..self.my];
-                    column[self.ny..].fill(zero());
-                    self.column_forward.process_with_scratch(column, transform);
+                    let column = self.waves_of(column, transform);
                     spectrum.multiply(first + c, column);
                     self.column_inverse.process_with_scratch(column, transform);
                 }
@@ -269,7 +267,19 @@ impl<T: Real> Plan<T> {
         parallel::sweep(0..tasks, data, &work, &|(), ()| ());
     }
 
-    fn inverse_rows(
+    /// Pads a column of scratch memory and transforms it.
+    pub(super) fn waves_of<'a>(
+        &self,
+        column: &'a mut [Complex<T>],
+        transform: &mut [Complex<T>],
+    ) -> &'a mut [Complex<T>] {
+        let column = &mut column[..self.my];
+        column[self.ny..].fill(zero());
+        self.column_forward.process_with_scratch(column, transform);
+        column
+    }
+
+    pub(super) fn inverse_rows(
         &self,
         by_rows: &mut [Tile<T>],
         out: &mut [f64],
@@ -329,9 +339,9 @@ type RowTask<'a, T> = (
     Blocks<'a, RowScratch<T>>,
 );
 
-type ColumnTask<'a, T> = (Blocks<'a, Tile<T>>, Blocks<'a, ColumnScratch<T>>);
+pub(super) type ColumnTask<'a, T> = (Blocks<'a, Tile<T>>, Blocks<'a, ColumnScratch<T>>);
 
-fn blocks<T>(items: &mut [T], width: usize) -> Blocks<'_, T> {
+pub(super) fn blocks<T>(items: &mut [T], width: usize) -> Blocks<'_, T> {
     Blocks { items, width }
 }
 

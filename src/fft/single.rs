@@ -61,7 +61,7 @@ impl SingleProduct {
 }
 
 /// `max |x|` of the entries that are numbers; in lanes, so that many compare at a time.
-fn largest_magnitude(x: &[f64]) -> f64 {
+pub(super) fn largest_magnitude(x: &[f64]) -> f64 {
     let larger = |a: f64, b: f64| if b > a { b } else { a };
     let leaf = |range: Range<usize>| {
         let mut lanes = [0.0; 8];

@@ -126,6 +126,76 @@ fn extremes(values: &[f64]) -> [f64; 2] {
         })
 }
 
+/// The transforms of a tensor with components `xx`, `yy` and `xy = yx` of the same torus: the first two
+/// even in both axes, the last odd in both.
+#[derive(Debug, Clone)]
+pub(super) struct PairSpectrum<T> {
+    pub(super) xx: Spectrum<T>,
+    pub(super) yy: Spectrum<T>,
+    pub(super) xy: Spectrum<T>,
+}
+
+impl PairSpectrum<f64> {
+    /// Smallest and largest eigenvalue of all waves, or of all but the mean.
+    pub(super) fn extremes(&self, without_mean: bool) -> [f64; 2] {
+        let tensors = self.tensors().skip(usize::from(without_mean));
+        tensors.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], tensor| {
+            let [least, greatest] = eigenvalues(tensor);
+            [low.min(least), high.max(greatest)]
+        })
+    }
+
+    /// With the tensor `[xx, yy, xy]` of every wave replaced.
+    pub(super) fn map<T: Real>(&self, f: impl Fn([f64; 3]) -> [f64; 3]) -> PairSpectrum<T> {
+        let values: Vec<[f64; 3]> = self.tensors().map(f).collect();
+        let part = |spectrum: &Spectrum<f64>, k: usize| Spectrum {
+            values: values.iter().map(|tensor| T::of(tensor[k])).collect(),
+            ..spectrum.map(|value| value)
+        };
+        PairSpectrum {
+            xx: part(&self.xx, 0),
+            yy: part(&self.yy, 1),
+            xy: part(&self.xy, 2),
+        }
+    }
+
+    fn tensors(&self) -> impl Iterator<Item = [f64; 3]> {
+        let diagonal = self.xx.values.iter().zip(&self.yy.values);
+        diagonal
+            .zip(&self.xy.values)
+            .map(|((&xx, &yy), &xy)| [xx, yy, xy])
+    }
+}
+
+impl<T: Real> PairSpectrum<T> {
+    /// Multiplies the transformed columns of wave number `kx` of both fields in place.
+    pub(super) fn multiply(&self, kx: usize, columns: [&mut [Complex<T>]; 2]) {
+        let quarter = |spectrum: &'_ Spectrum<T>| kx * spectrum.height..(kx + 1) * spectrum.height;
+        let [xx, yy, xy] = [&self.xx, &self.yy, &self.xy].map(|s| &s.values[quarter(s)]);
+        let [x, y] = columns.map(|column| column.split_at_mut(xx.len()));
+        let lines = xx.iter().zip(yy).zip(xy);
+        let turn = |(x, y): (&mut Complex<T>, &mut Complex<T>), xx: T, yy: T, xy: T| {
+            let (a, b) = (*x, *y);
+            *x = a * xx + b * xy;
+            *y = a * xy + b * yy;
+        };
+        for (pair, ((&xx, &yy), &xy)) in x.0.iter_mut().zip(y.0).zip(lines.clone()) {
+            turn(pair, xx, yy, xy);
+        }
+        // The upper half mirrors the lower, where the odd component has the other sign.
+        let mirrored = x.1.iter_mut().rev().zip(y.1.iter_mut().rev());
+        for (pair, ((&xx, &yy), &xy)) in mirrored.zip(lines.skip(1)) {
+            turn(pair, xx, yy, -xy);
+        }
+    }
+}
+
+/// Smallest and largest eigenvalue of a symmetric tensor `[xx, yy, xy]`.
+fn eigenvalues([xx, yy, xy]: [f64; 3]) -> [f64; 2] {
+    let (mean, radius) = (0.5 * (xx + yy), (0.5 * (xx - yy)).hypot(xy));
+    [mean - radius, mean + radius]
+}
+
 /// For each line of `out`, the cosine (even) or sine (odd) sums `sum_d f(line, d) e^(2 pi i k d/m)`
 /// of the samples wrapped around a circle of `m`, for `k = 0..=m/2`.
 fn half_transforms(

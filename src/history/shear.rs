@@ -98,7 +98,10 @@ impl Shear {
                 limits.check(TangentialLoad::Force([force, 0.0]), cell_area)?;
                 // Where nothing can be carried the shift is free, and stays.
                 if limits.sum > 0.0 {
-                    (origin, total) = (patch.datum(), Some(limits.total(force, cell_area)));
+                    (origin, total) = (
+                        patch.datum(),
+                        Some(limits.totals([force, 0.0], cell_area)[0]),
+                    );
                 }
             }
             TangentialStep::Spring {

@@ -2,6 +2,8 @@
 
 use crate::cgm::{NonNegative, Settings};
 use crate::error::Result;
+use crate::half_space::HalfSpace;
+use crate::influence::Component;
 use crate::stage::{Nested, Observer, Stage};
 use crate::window::{coarsened, refined};
 
@@ -11,18 +13,17 @@ pub(super) struct PressureScene {
 }
 
 impl Nested for PressureScene {
+    type Stage = Stage;
+    type Total = Option<f64>;
+
     fn coarse_scene(&self, size: [usize; 2]) -> Self {
         Self {
             linear: coarsened(size, &self.linear),
         }
     }
 
-    fn coarse_total(&self, _: &Self, total: f64) -> f64 {
-        0.25 * total
-    }
-
-    fn linear(&self) -> &[f64] {
-        &self.linear
+    fn coarse_total(&self, _: &Self, total: Option<f64>) -> Option<f64> {
+        total.map(|total| 0.25 * total)
     }
 
     /// Uniform pressure under a force, none under an approach.
@@ -35,6 +36,10 @@ impl Nested for PressureScene {
         refined(size, answer)
     }
 
+    fn stage(&self, bodies: &HalfSpace, size: [usize; 2], start: Vec<f64>) -> Result<Stage> {
+        Stage::with_start(bodies, Component::ZZ, size, &self.linear, start)
+    }
+
     fn minimise(
         &self,
         stage: &mut Stage,
@@ -43,5 +48,9 @@ impl Nested for PressureScene {
         observer: Observer<'_>,
     ) -> Result<()> {
         stage.minimise(NonNegative, total, settings, observer)
+    }
+
+    fn answer(stage: &Stage) -> &[f64] {
+        &stage.x
     }
 }

@@ -243,15 +243,7 @@ impl NormalSolver {
             return Engine::new(bodies, whole);
         }
         let settings = with_time_left(settings, start);
-        self.pressure = nested_start(
-            bodies,
-            Component::ZZ,
-            whole.size,
-            &scene,
-            total,
-            &settings,
-            observer,
-        )?;
+        self.pressure = nested_start(bodies, whole.size, &scene, total, &settings, observer)?;
         match Window::around(grid, |i| self.pressure[i] > 0.0) {
             Ok(contact) => Engine::new(bodies, contact.widened(grid)),
             Err(_) => Engine::new(bodies, whole),

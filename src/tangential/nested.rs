@@ -1,12 +1,16 @@
 //! The tangential problem on coarser cells.
 
+use crate::cgm::plane::Disc;
 use crate::cgm::{Magnitude, Settings};
 use crate::error::Result;
-use crate::stage::{Nested, Observer, Stage};
+use crate::half_space::HalfSpace;
+use crate::influence::Component;
+use crate::stage::{Nested, Observer, PlaneStage, Stage};
 use crate::window::{coarsened, refined};
 
 /// Friction limits, and minus the shift where that is prescribed.
 pub(super) struct FrictionScene {
+    pub(super) component: Component,
     pub(super) limits: Vec<f64>,
     pub(super) linear: Vec<f64>,
 }
@@ -18,26 +22,29 @@ impl FrictionScene {
 }
 
 impl Nested for FrictionScene {
+    type Stage = Stage;
+    type Total = Option<f64>;
+
     fn coarse_scene(&self, size: [usize; 2]) -> Self {
         Self {
+            component: self.component,
             limits: coarsened(size, &self.limits),
             linear: coarsened(size, &self.linear),
         }
     }
 
     /// The same part of what friction holds.
-    fn coarse_total(&self, coarse: &Self, total: f64) -> f64 {
-        total * (coarse.capacity() / self.capacity())
-    }
-
-    fn linear(&self) -> &[f64] {
-        &self.linear
+    fn coarse_total(&self, coarse: &Self, total: Option<f64>) -> Option<f64> {
+        total.map(|total| total * (coarse.capacity() / self.capacity()))
     }
 
     /// In proportion to the limits: feasible, and close near sliding.
     fn plain_start(&self, total: Option<f64>) -> Vec<f64> {
         let fraction = total.map_or(0.0, |total| total / self.capacity());
-        self.limits.iter().map(|limit| fraction * limit).collect()
+        self.limits
+            .iter()
+            .map(|limit| fraction * limit)
+            .collect::<Vec<_>>()
     }
 
     /// Interpolated where the coarse cell sticks, at the limit where it slips or is apart: the zone
@@ -63,6 +70,10 @@ impl Nested for FrictionScene {
         start
     }
 
+    fn stage(&self, bodies: &HalfSpace, size: [usize; 2], start: Vec<f64>) -> Result<Stage> {
+        Stage::with_start(bodies, self.component, size, &self.linear, start)
+    }
+
     fn minimise(
         &self,
         stage: &mut Stage,
@@ -71,5 +82,102 @@ impl Nested for FrictionScene {
         observer: Observer<'_>,
     ) -> Result<()> {
         stage.minimise(Magnitude(&self.limits), total, settings, observer)
+    }
+
+    fn answer(stage: &Stage) -> &[f64] {
+        &stage.x
+    }
+}
+
+/// Friction limits, and minus the motion where that is prescribed, of both tractions in the plane.
+pub(super) struct PlaneScene {
+    pub(super) limits: Vec<f64>,
+    pub(super) linear: Vec<f64>,
+}
+
+impl PlaneScene {
+    fn capacity(&self) -> f64 {
+        self.limits.iter().sum()
+    }
+}
+
+/// A function of each component of a vector of the plane.
+fn by_component(vector: &[f64], f: impl Fn(&[f64]) -> Vec<f64>) -> Vec<f64> {
+    let (x, y) = vector.split_at(vector.len() / 2);
+    [f(x), f(y)].concat()
+}
+
+impl Nested for PlaneScene {
+    type Stage = PlaneStage;
+    type Total = [Option<f64>; 2];
+
+    fn coarse_scene(&self, size: [usize; 2]) -> Self {
+        Self {
+            limits: coarsened(size, &self.limits),
+            linear: by_component(&self.linear, |linear| coarsened(size, linear)),
+        }
+    }
+
+    /// The same part of what friction holds.
+    fn coarse_total(&self, coarse: &Self, totals: [Option<f64>; 2]) -> [Option<f64>; 2] {
+        let ratio = coarse.capacity() / self.capacity();
+        totals.map(|total| total.map(|total| total * ratio))
+    }
+
+    /// In proportion to the limits: feasible, and close near sliding.
+    fn plain_start(&self, totals: [Option<f64>; 2]) -> Vec<f64> {
+        let part = |total: Option<f64>| {
+            let fraction = total.map_or(0.0, |total| total / self.capacity());
+            self.limits
+                .iter()
+                .map(|limit| fraction * limit)
+                .collect::<Vec<_>>()
+        };
+        totals.map(part).concat()
+    }
+
+    /// Interpolated where the coarse cell sticks, at the limit in its direction where it slips, in that of the
+    /// whole where it is apart.
+    fn refined_start(&self, size: [usize; 2], coarse: &Self, answer: &[f64]) -> Vec<f64> {
+        let mut start = by_component(answer, |component| refined(size, component));
+        let (cells, coarse_cells) = (self.limits.len(), coarse.limits.len());
+        let columns = size[0].div_ceil(2);
+        let (answer_x, answer_y) = answer.split_at(coarse_cells);
+        let overall = [answer_x, answer_y].map(|component| component.iter().sum::<f64>());
+        let (x, y) = start.split_at_mut(cells);
+        for (cell, (x, y)) in x.iter_mut().zip(y).enumerate() {
+            let parent = (cell / size[0] / 2) * columns + cell % size[0] / 2;
+            let at_parent = [answer_x[parent], answer_y[parent]];
+            let (disc, parents) = (Disc(self.limits[cell]), Disc(coarse.limits[parent]));
+            let direction = if parents.0 > 0.0 { at_parent } else { overall };
+            let length = direction[0].hypot(direction[1]);
+            [*x, *y] = if parents.is_at_limit(at_parent) && length > 0.0 {
+                direction.map(|q| q * (disc.0 / length))
+            } else {
+                disc.project([*x, *y])
+            };
+        }
+        start
+    }
+
+    fn stage(&self, bodies: &HalfSpace, size: [usize; 2], start: Vec<f64>) -> Result<PlaneStage> {
+        let mut stage = PlaneStage::new(bodies, size)?;
+        stage.linear.copy_from_slice(&self.linear);
+        stage.q = start;
+        Ok(stage)
+    }
+
+    fn minimise(
+        &self,
+        stage: &mut PlaneStage,
+        totals: [Option<f64>; 2],
+        settings: &Settings,
+        observer: Observer<'_>,
+    ) -> Result<()> {
+        stage.minimise(&self.limits, totals, settings, observer)
+    }
+
+    fn answer(stage: &PlaneStage) -> &[f64] {
+        &stage.q
     }
 }

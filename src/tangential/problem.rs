@@ -4,10 +4,11 @@ use crate::cgm::{Settings, settings_methods};
 use crate::error::{Error, Result, finite};
 use crate::half_space::HalfSpace;
 use crate::normal::NormalSolution;
-use crate::tangential::{Axis, Friction, TangentialSolution, TangentialSolver};
+use crate::tangential::{Axis, Friction, Lateral, TangentialSolution, TangentialSolver};
 use crate::window::Window;
 
-/// What shears the contact, as `[x, y]`; one component must be zero.
+/// What shears the contact, as `[x, y]`; one component must be zero, unless the model is that of the plane
+/// ([`Lateral::Coupled`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum TangentialLoad {
     /// The tangential force that body 2 exerts on body 1 (a force, either sign); the shift follows.
@@ -19,11 +20,17 @@ pub enum TangentialLoad {
 }
 
 impl TangentialLoad {
-    /// The axis of the load and its value there. No load at all is along x.
-    pub(super) fn along(self) -> Result<(Axis, f64)> {
+    /// Both components.
+    pub(super) fn components(self) -> Result<[f64; 2]> {
         let (Self::Force([x, y]) | Self::Shift([x, y])) = self;
         finite("tangential load along x", x)?;
         finite("tangential load along y", y)?;
+        Ok([x, y])
+    }
+
+    /// The axis of the load and its value there. No load at all is along x.
+    pub(super) fn along(self) -> Result<(Axis, f64)> {
+        let [x, y] = self.components()?;
         if y == 0.0 {
             Ok((Axis::X, x))
         } else if x == 0.0 {
@@ -73,6 +80,7 @@ pub struct TangentialProblem {
     pub(super) friction: Friction,
     pub(super) limits: Limits,
     pub(super) load: TangentialLoad,
+    pub(super) lateral: Lateral,
     pub(super) settings: Settings,
 }
 
@@ -84,6 +92,7 @@ pub struct TangentialProblemBuilder<'a> {
     normal: &'a NormalSolution,
     friction: Friction,
     load: TangentialLoad,
+    lateral: Lateral,
     settings: Settings,
     neglect_coupling: bool,
 }
@@ -101,6 +110,7 @@ impl TangentialProblem {
             normal,
             friction,
             load,
+            lateral: Lateral::default(),
             settings: Settings::default(),
             neglect_coupling: false,
         }
@@ -136,6 +146,13 @@ impl TangentialProblem {
 impl TangentialProblemBuilder<'_> {
     settings_methods!();
 
+    /// What becomes of the traction across the load (default [`Lateral::Neglected`]). With
+    /// [`Lateral::Coupled`] the [`method`](Self::method) is always the active-set one.
+    pub fn lateral(mut self, lateral: Lateral) -> Self {
+        self.lateral = lateral;
+        self
+    }
+
     /// Accepts a pair of materials whose pressure and shear are coupled, and neglects that: an
     /// error of order beta and mu beta in the tractions (default: such a pair is refused).
     pub fn neglect_coupling(mut self) -> Self {
@@ -153,7 +170,7 @@ impl TangentialProblemBuilder<'_> {
     pub fn build(self) -> Result<TangentialProblem> {
         let grid = self.bodies.grid();
         self.friction.check(grid)?;
-        self.load.along()?;
+        self.lateral.check(self.load)?;
         self.settings.check()?;
         check_coupling(self.bodies, self.neglect_coupling)?;
         let window = contact_window(self.bodies, self.normal)?;
@@ -169,6 +186,7 @@ impl TangentialProblemBuilder<'_> {
             friction: self.friction,
             limits,
             load: self.load,
+            lateral: self.lateral,
             settings: self.settings,
         })
     }
@@ -181,6 +199,16 @@ pub(crate) fn check_coupling(bodies: &HalfSpace, is_neglected: bool) -> Result<(
         return Err(Error::CoupledMaterials { beta });
     }
     Ok(())
+}
+
+impl Lateral {
+    /// `Ok` if the model can carry the load.
+    pub(super) fn check(self, load: TangentialLoad) -> Result<()> {
+        match self {
+            Self::Neglected => load.along().map(|_| ()),
+            Self::Coupled => load.components().map(|_| ()),
+        }
+    }
 }
 
 /// The smallest window around the contact of a converged normal solution on the same grid; all of a
@@ -223,28 +251,25 @@ impl Limits {
 
     /// Refuses a force that friction cannot hold.
     pub(crate) fn check(&self, load: TangentialLoad, cell_area: f64) -> Result<()> {
-        let (_, value) = load.along()?;
+        let [x, y] = load.components()?;
         finite("sum of the friction limits", self.sum)?;
-        let limit = self.sum * cell_area;
+        let (force, limit) = (x.hypot(y), self.sum * cell_area);
         match load {
-            TangentialLoad::Force(_) if value.abs() > limit * (1.0 + SLIDING) => {
-                Err(Error::BeyondSliding {
-                    force: value.abs(),
-                    limit,
-                })
+            TangentialLoad::Force(_) if force > limit * (1.0 + SLIDING) => {
+                Err(Error::BeyondSliding { force, limit })
             }
             _ => Ok(()),
         }
     }
 
-    /// The sum of tractions a force asks for; exactly the limit when the force is within
-    /// round-off of it.
-    pub(crate) fn total(&self, force: f64, cell_area: f64) -> f64 {
-        let total = force / cell_area;
-        if total.abs() >= self.sum * (1.0 - SLIDING) {
-            self.sum.copysign(total)
+    /// The sums of tractions a force asks for; exactly at the limit when the force is within round-off of it.
+    pub(crate) fn totals(&self, force: [f64; 2], cell_area: f64) -> [f64; 2] {
+        let totals = force.map(|force| force / cell_area);
+        let size = totals[0].hypot(totals[1]);
+        if size > 0.0 && size >= self.sum * (1.0 - SLIDING) {
+            totals.map(|total| total * (self.sum / size))
         } else {
-            total
+            totals
         }
     }
 }

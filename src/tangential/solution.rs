@@ -1,10 +1,12 @@
 //! The answer to a tangential contact.
 
 use crate::boundary::Boundary;
+use crate::cgm::plane::Disc;
 use crate::contact_map::{ContactMap, Warning};
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::report::Report;
+use crate::tangential::shear::Shear;
 use crate::tangential::{Axis, Zone};
 use crate::window::Window;
 
@@ -17,20 +19,18 @@ pub struct TangentialSolution {
     slip: [Field; 2],
     zones: Vec<Zone>,
     boundary: Boundary,
-    axis: Axis,
-    shift: f64,
+    axis: Option<Axis>,
+    shift: [f64; 2],
     report: Report,
 }
 
 /// What a solver hands over, on the window of the contact.
 pub(super) struct Answer<'a> {
     pub(super) window: Window,
-    pub(super) axis: Axis,
     pub(super) pressure: &'a [f64],
     pub(super) limits: &'a [f64],
-    pub(super) traction: &'a [f64],
-    pub(super) displacement: &'a [f64],
-    pub(super) shift: f64,
+    pub(super) shear: &'a Shear,
+    pub(super) shift: [f64; 2],
     pub(super) report: &'a Report,
 }
 
@@ -43,32 +43,39 @@ impl TangentialSolution {
             slip: zeros(),
             zones: vec![Zone::Separate; grid.cells()],
             boundary,
-            axis: Axis::X,
-            shift: 0.0,
+            axis: Some(Axis::X),
+            shift: [0.0; 2],
             report: Report::unsolved(),
         }
     }
 
     pub(super) fn fill(&mut self, answer: &Answer<'_>) {
-        // The component across the load is zero already unless the axis has changed.
         self.zones.fill(Zone::Separate);
-        for field in [&mut self.traction, &mut self.slip] {
-            field[self.axis.index()].as_mut_slice().fill(0.0);
+        for field in self.traction.iter_mut().chain(&mut self.slip) {
+            field.as_mut_slice().fill(0.0);
         }
-        self.axis = answer.axis;
+        self.axis = answer.shear.axis();
         self.shift = answer.shift;
         self.report.clone_from(answer.report);
-        let traction = self.traction[answer.axis.index()].as_mut_slice();
-        let slip = self.slip[answer.axis.index()].as_mut_slice();
+        let (tractions, displacements) = (answer.shear.tractions(), answer.shear.displacements());
+        let at = |vector: Option<&[f64]>, k: usize| vector.map_or(0.0, |vector| vector[k]);
         for (k, i) in answer.window.indices().enumerate() {
-            if answer.pressure[k] > 0.0 {
-                traction[i] = answer.traction[k];
-                self.zones[i] = if answer.traction[k].abs() < answer.limits[k] {
-                    Zone::Stick
-                } else {
-                    slip[i] = answer.displacement[k] - answer.shift;
-                    Zone::Slip
-                };
+            if answer.pressure[k] <= 0.0 {
+                continue;
+            }
+            let q = tractions.map(|traction| at(traction, k));
+            let limit = answer.limits[k];
+            let slips = match self.axis {
+                Some(axis) => q[axis.index()].abs() >= limit,
+                None => Disc(limit).is_at_limit(q),
+            };
+            self.zones[i] = if slips { Zone::Slip } else { Zone::Stick };
+            for component in 0..2 {
+                self.traction[component].as_mut_slice()[i] = q[component];
+                if slips && let Some(displacement) = displacements[component] {
+                    let slip = displacement[k] - answer.shift[component];
+                    self.slip[component].as_mut_slice()[i] = slip;
+                }
             }
         }
     }
@@ -105,25 +112,26 @@ impl TangentialSolution {
         &self.zones
     }
 
-    /// The axis of the load.
+    /// The axis of the load in the scalar model, `None` in that of the plane.
     #[must_use]
-    pub fn axis(&self) -> Axis {
+    pub fn axis(&self) -> Option<Axis> {
         self.axis
     }
 
     /// Shift delta, the rigid motion of body 2 relative to body 1 (lengths, of the sign of the force):
     /// prescribed, or the multiplier of the force. On a periodic grid it is measured from the mean plane
     /// of the surface.
-    /// Under a force that slides the whole contact, the shift at which the last cell lets go.
+    /// Under a force that slides the whole contact, the shift at which the last cell lets go (in the plane
+    /// model the displacement of that cell, to which the slip of the others is not yet parallel).
     #[must_use]
     pub fn shift(&self) -> [f64; 2] {
-        self.vector(self.shift)
+        self.shift
     }
 
     /// Tangential force that body 2 exerts on body 1, the integral of the traction.
     #[must_use]
     pub fn force(&self) -> [f64; 2] {
-        self.vector(self.traction[self.axis.index()].integral())
+        self.traction.each_ref().map(Field::integral)
     }
 
     /// Whether the whole contact slips.
@@ -158,12 +166,9 @@ impl TangentialSolution {
     /// Energy dissipated by the step, `-Delta sum q s >= 0`, with the tractions at its end.
     #[must_use]
     pub fn dissipated_energy(&self) -> f64 {
-        let axis = self.axis.index();
-        let (traction, slip) = (&self.traction[axis], &self.slip[axis]);
-        let work: f64 = traction
-            .as_slice()
-            .iter()
-            .zip(slip.as_slice())
+        let pairs = self.traction.iter().zip(&self.slip);
+        let work: f64 = pairs
+            .flat_map(|(traction, slip)| traction.as_slice().iter().zip(slip.as_slice()))
             .map(|(q, s)| q * s)
             .sum();
         // Not the negative of it: full stick dissipates 0, not -0.
@@ -189,12 +194,5 @@ impl TangentialSolution {
 
     fn cells(&self, zone: Zone) -> usize {
         self.zones.iter().filter(|&&z| z == zone).count()
-    }
-
-    fn vector(&self, value: f64) -> [f64; 2] {
-        match self.axis {
-            Axis::X => [value, 0.0],
-            Axis::Y => [0.0, value],
-        }
     }
 }

@@ -3,14 +3,13 @@
 use std::ops::ControlFlow;
 use std::time::Instant;
 
-use crate::cgm::{Iteration, Magnitude, Method};
+use crate::cgm::Iteration;
 use crate::error::{Error, Result};
-use crate::influence::Component;
 use crate::normal::NormalSolution;
 use crate::report::Report;
-use crate::stage::{Nested, Observer, Stage, nested_start, with_memory, with_time_left};
-use crate::tangential::nested::FrictionScene;
+use crate::stage::with_memory;
 use crate::tangential::problem::{Limits, contact_window};
+use crate::tangential::shear::{Demand, Shear};
 use crate::tangential::solution::Answer;
 use crate::tangential::{Axis, Friction, TangentialLoad, TangentialProblem, TangentialSolution};
 
@@ -45,9 +44,8 @@ use crate::tangential::{Axis, Friction, TangentialLoad, TangentialProblem, Tange
 #[derive(Debug)]
 pub struct TangentialSolver {
     problem: TangentialProblem,
-    axis: Axis,
     /// The engine on the contact's bounding box, with the last traction, the start of the next.
-    stage: Stage,
+    shear: Shear,
     is_warm: bool,
     report: Report,
     /// Limits under examination, not yet in force.
@@ -57,10 +55,8 @@ pub struct TangentialSolver {
 
 impl TangentialSolver {
     pub(super) fn new(problem: TangentialProblem) -> Result<Self> {
-        let (axis, _) = problem.load.along()?;
         Ok(Self {
-            stage: stage(&problem, axis)?,
-            axis,
+            shear: Shear::new(&problem)?,
             is_warm: false,
             report: Report::unsolved(),
             spare: problem.limits.clone(),
@@ -76,15 +72,23 @@ impl TangentialSolver {
     /// [`Error::NotFinite`], [`Error::ObliqueLoad`] or [`Error::BeyondSliding`]; the load is then
     /// as it was.
     pub fn set_load(&mut self, load: TangentialLoad) -> Result<()> {
-        let (axis, value) = load.along()?;
+        self.problem.lateral.check(load)?;
         let cell_area = self.problem.bodies.grid().cell_area();
         self.problem.limits.check(load, cell_area)?;
-        if axis != self.axis && value != 0.0 {
-            self.stage = stage(&self.problem, axis)?;
-            self.axis = axis;
+        let last = std::mem::replace(&mut self.problem.load, load);
+        if let (Some(own), Ok((axis, value))) = (self.shear.axis(), load.along())
+            && axis != own
+            && value != 0.0
+        {
+            match Shear::new(&self.problem) {
+                Ok(shear) => self.shear = shear,
+                Err(error) => {
+                    self.problem.load = last;
+                    return Err(error);
+                }
+            }
             self.is_warm = false;
         }
-        self.problem.load = load;
         Ok(())
     }
 
@@ -133,13 +137,28 @@ impl TangentialSolver {
         let mut limits = Limits::new(window.cells());
         limits.set(&problem.friction, window, &pressure);
         limits.check(problem.load, cell_area)?;
-        let mut stage = Stage::new(&problem.bodies, component(self.axis), window.size)?;
-        let mut traction = vec![0.0; problem.bodies.grid().cells()];
-        problem.window.scatter(&self.stage.x, &mut traction);
-        window.gather(&traction, &mut stage.x);
-        self.stage = stage;
+        let old = std::mem::replace(&mut problem.window, window);
+        let mut shear = match Shear::new(problem) {
+            Ok(shear) => shear,
+            Err(error) => {
+                problem.window = old;
+                return Err(error);
+            }
+        };
+        let mut whole = vec![0.0; problem.bodies.grid().cells()];
+        let tractions = self
+            .shear
+            .tractions()
+            .into_iter()
+            .zip(shear.tractions_mut());
+        for (last, next) in tractions.filter_map(|(last, next)| last.zip(next)) {
+            whole.fill(0.0);
+            old.scatter(last, &mut whole);
+            window.gather(&whole, next);
+        }
+        self.shear = shear;
         self.spare = limits.clone();
-        (problem.window, problem.pressure, problem.limits) = (window, pressure, limits);
+        (problem.pressure, problem.limits) = (pressure, limits);
         Ok(())
     }
 
@@ -185,93 +204,49 @@ impl TangentialSolver {
         let start = Instant::now();
         let mut observer = with_memory(&mut observer);
         let limits = &self.problem.limits;
-        let (_, value) = self.problem.load.along()?;
-        let (prescribed_shift, total) = match self.problem.load {
-            TangentialLoad::Force(_) => (0.0, Some(limits.total(value, grid.cell_area()))),
-            TangentialLoad::Shift(_) => (value, None),
+        let demand = match self.problem.load {
+            TangentialLoad::Force(force) => Demand {
+                totals: self.prescribed(limits.totals(force, grid.cell_area())),
+                shift: [0.0; 2],
+            },
+            TangentialLoad::Shift(shift) => Demand {
+                totals: [None, None],
+                shift,
+            },
         };
-        self.stage.linear.fill(-prescribed_shift);
+        self.shear.set_shift(demand.shift);
         if !self.is_warm {
-            self.start_cold(value, total, start, &mut observer)?;
+            self.shear
+                .start_cold(&self.problem, demand, start, &mut observer)?;
         }
 
-        let limits = &self.problem.limits;
-        let settings = with_time_left(&self.problem.settings, start);
-        let constraint = Magnitude(&limits.cells);
         let outcome = self
-            .stage
-            .minimise(constraint, total, &settings, &mut observer);
+            .shear
+            .minimise(&self.problem, demand, start, &mut observer);
         self.is_warm = matches!(outcome, Ok(()) | Err(Error::NotConverged(_)));
         if !self.is_warm {
             return outcome;
         }
-        self.report.clone_from(self.stage.report());
+        self.report.clone_from(self.shear.report());
         self.report.time = start.elapsed();
+        let multiplier = self.shear.multiplier();
         solution.fill(&Answer {
             window: self.problem.window,
-            axis: self.axis,
             pressure: &self.problem.pressure,
-            limits: &limits.cells,
-            traction: &self.stage.x,
-            displacement: self.stage.product(),
-            shift: prescribed_shift + self.stage.multiplier(),
+            limits: &self.problem.limits.cells,
+            shear: &self.shear,
+            shift: [0, 1].map(|axis| demand.shift[axis] + multiplier[axis]),
             report: &self.report,
         });
         outcome.map_err(|_| Error::NotConverged(Box::new(self.report.clone())))
     }
 
-    /// From nothing: the answer on coarser cells, unless it is known or another method is asked for.
-    fn start_cold(
-        &mut self,
-        value: f64,
-        total: Option<f64>,
-        start: Instant,
-        observer: Observer<'_>,
-    ) -> Result<()> {
-        let TangentialProblem {
-            bodies,
-            window,
-            limits,
-            settings,
-            ..
-        } = &self.problem;
-        if value == 0.0 || limits.sum <= 0.0 {
-            self.stage.x.fill(0.0);
-            return Ok(());
+    /// The totals the model carries.
+    fn prescribed(&self, [x, y]: [f64; 2]) -> [Option<f64>; 2] {
+        match self.shear.axis() {
+            Some(Axis::X) => [Some(x), None],
+            Some(Axis::Y) => [None, Some(y)],
+            None => [Some(x), Some(y)],
         }
-        let scene = FrictionScene {
-            limits: limits.cells.clone(),
-            linear: self.stage.linear.clone(),
-        };
-        let is_sliding = total.is_some_and(|total| total.abs() >= limits.sum);
-        self.stage.x = if settings.method == Method::PolonskyKeer || is_sliding {
-            scene.plain_start(total)
-        } else {
-            let settings = with_time_left(settings, start);
-            let component = component(self.axis);
-            nested_start(
-                bodies,
-                component,
-                window.size,
-                &scene,
-                total,
-                &settings,
-                observer,
-            )?
-        };
-        Ok(())
     }
-}
-
-/// The influence coefficient of tractions along an axis for displacements along it.
-pub(crate) fn component(axis: Axis) -> Component {
-    match axis {
-        Axis::X => Component::XX,
-        Axis::Y => Component::YY,
-    }
-}
-
-/// The engine for one axis on the window of the contact.
-fn stage(problem: &TangentialProblem, axis: Axis) -> Result<Stage> {
-    Stage::new(&problem.bodies, component(axis), problem.window.size)
 }

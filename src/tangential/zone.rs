@@ -1,4 +1,4 @@
-//! What a cell does, and along which axis.
+//! What a cell does, along which axis, and what is modelled across it.
 
 /// The state of a cell under a tangential load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -29,4 +29,15 @@ impl Axis {
             Self::Y => 1,
         }
     }
+}
+
+/// What becomes of the traction across a tangential load.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Lateral {
+    /// Neglected, as in the paper (default): one traction, along the axis of the load.
+    #[default]
+    Neglected,
+    /// Found with the other: slip opposes traction in direction, loads of any direction. Costs two to three
+    /// times as much.
+    Coupled,
 }

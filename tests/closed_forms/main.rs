@@ -2,13 +2,16 @@
 //!
 //! The case is the paper's Table 2 unless a test says otherwise: a steel ball, in SI units.
 
+mod cycles;
 mod normal;
 mod numbers;
 mod punches;
 mod roughness;
 mod tangential;
+mod torsion;
 mod units;
 mod waves;
+mod worn;
 
 use std::f64::consts::{FRAC_PI_2, PI};
 

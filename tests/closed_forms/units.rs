@@ -5,7 +5,8 @@ use proptest::prelude::*;
 use stickslip::Result;
 use stickslip::analytical::{
     CattaneoMindlin, CattaneoMindlinEllipse, Cone, ConePartialSlip, FlatPunch, HertzEllipse,
-    HertzSphere, Persson, RoughSphere, Westergaard, WestergaardPartialSlip,
+    HertzSphere, LubkinTorsion, MindlinDeresiewicz, Persson, PopovLimitingShape, RoughSphere,
+    Westergaard, WestergaardPartialSlip,
 };
 
 use crate::{FRICTION, LIMIT, assert_close, pair};
@@ -84,6 +85,10 @@ proptest! {
             let ball = HertzSphere::new(&pair, 3.5e-3 * length, 100.0 * force)?;
             let rough = RoughSphere::new(ball, 0.1)?;
             let plane = Persson::new(&pair, 0.1, mean)?;
+            let cycled = MindlinDeresiewicz::new(ball, FRICTION, &[held, -0.5 * held])?;
+            let torsion = LubkinTorsion::new(ball, FRICTION, 0.1 * fraction)?;
+            let (c, a) = (cycled.stick_radius(), ball.contact_radius());
+            let worn = PopovLimitingShape::new(&pair, ball.radius(), ball.approach(), c)?;
             let r = x * cone.cone().contact_radius();
             let lengths = [
                 cone.stick_radius(),
@@ -94,6 +99,9 @@ proptest! {
                 punch.displacement(2e-3 * x * length),
                 stick.shift(),
                 waves.contact().approach(),
+                cycled.shift(),
+                torsion.stick_radius(),
+                worn.worn_radius(),
             ];
             let pressures = [
                 cone.cone().mean_pressure(),
@@ -106,11 +114,16 @@ proptest! {
                 rough.relative_contact_area(),
                 plane.contact_fraction(),
                 plane.stick_ratio(FRICTION, fraction * FRICTION * mean)?,
+                torsion.moment() / torsion.sliding_moment(),
+                worn.load() / ball.load(),
             ];
             let fields = [
                 cone.traction(r) / cone.cone().mean_pressure(),
                 waves.traction(1e-3 * x * length) / waves.contact().max_pressure(),
                 waves.contact().gap(1e-3 * x * length) / (1e-6 * length),
+                cycled.traction(x * a) / ball.max_pressure(),
+                torsion.traction(x * a) / ball.max_pressure(),
+                worn.wear_depth(x * a) / ball.approach(),
             ];
             Ok((lengths, pressures, numbers, fields))
         };

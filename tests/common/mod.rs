@@ -6,6 +6,7 @@
     reason = "it counts small things"
 )]
 
+pub(crate) mod contact;
 pub(crate) mod waves;
 
 use stickslip::cgm::Method;

@@ -1,0 +1,213 @@
+//! What fretting wear makes of a paraboloid in the end.
+
+use std::f64::consts::{FRAC_2_PI, PI};
+
+use super::hertz::{arc_cosine, dome};
+use super::sines::{arc_minus_sine, sine_minus_arc_cosine};
+use crate::error::{Result, at_least, non_negative, positive};
+use crate::material::ElasticPair;
+
+/// A paraboloid of revolution worn by small oscillations at a constant approach, when the wear has
+/// come to its end.
+///
+/// The disc of radius $`c`$ that sticks is never worn. The ring around it wears until it
+/// carries no pressure: there the surfaces just touch. With the initial gap $`r^2/2R`$ and the
+/// approach $`d`$, the gap without load has then become
+///
+/// ```math
+/// f(r) = \frac2\pi\left\{\frac1R\left[\frac{r^2}{2}\arcsin\frac cr -
+/// \frac c2\sqrt{r^2-c^2}\right] + d\left[\frac\pi2-\arcsin\frac cr\right]\right\}
+/// \qquad (c < r < b)
+/// ```
+///
+/// and is as before elsewhere; $`b`$ is where the two meet. How fast it comes to that depends on the law of
+/// wear, the shape does not. Under a shift that oscillates between $`\pm\delta_x`$,
+/// $`c^2/a^2 = 1-\delta_x/\delta_0`$, which is the
+/// [`stick_radius`](super::CattaneoMindlin::stick_radius) of the unworn contact. Exact
+/// when [`dundurs_beta`](ElasticPair::dundurs_beta) vanishes. Popov (2014).
+///
+/// ```
+/// use stickslip::{ElasticPair, Material, analytical::PopovLimitingShape};
+/// // In mm and MPa: a ball of radius 3.5 mm, 5 micrometres deep, of which half sticks.
+/// let steel = Material::new(213e3, 0.29)?;
+/// let pair = ElasticPair::new(steel, steel)?;
+/// let a = (3.5_f64 * 5e-3).sqrt();
+/// let worn = PopovLimitingShape::new(&pair, 3.5, 5e-3, 0.5 * a)?;
+/// // Wear reaches out of the first contact, and takes the load off where it is.
+/// assert!(worn.worn_radius() > a && worn.profile(0.8 * a) > 0.5 * (0.8 * a).powi(2) / 3.5);
+/// assert!(worn.pressure(0.4 * a) > 0.0 && worn.pressure(0.6 * a) == 0.0);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PopovLimitingShape {
+    pair: ElasticPair,
+    radius: f64,
+    approach: f64,
+    stick_radius: f64,
+    /// $`1-c^2/a^2`$.
+    ring: f64,
+    /// $`2\arccos(c/b)`$.
+    angle: f64,
+    worn_radius: f64,
+    load: f64,
+}
+
+impl PopovLimitingShape {
+    /// A paraboloid of radius `radius` at the approach `approach`, of which a disc of radius
+    /// `stick_radius` sticks (lengths). A stick radius of zero is gross sliding: in the end nothing
+    /// carries load.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`](crate::Error::NotPositive) for the radius, the approach or the contact radius
+    /// $`a`$, [`Error::Negative`](crate::Error::Negative) for the stick radius or the load,
+    /// [`Error::Below`](crate::Error::Below) if the stick radius exceeds $`a`$.
+    pub fn new(pair: &ElasticPair, radius: f64, approach: f64, stick_radius: f64) -> Result<Self> {
+        positive("radius", radius)?;
+        positive("approach", approach)?;
+        let c = non_negative("stick radius", stick_radius)?;
+        let a = positive("contact radius", radius.sqrt() * approach.sqrt())?;
+        at_least("the stick radius", c, "contact radius", a)?;
+        // Rounding may put a stick radius meant to equal the contact radius beyond it.
+        let stick = (c / a).min(1.0);
+        let ring = (1.0 - stick) * (1.0 + stick);
+        let angle = meeting_angle(stick, ring);
+        let load = 2.0 * pair.contact_modulus() * approach * c * (1.0 - stick * stick / 3.0);
+        Ok(Self {
+            pair: *pair,
+            radius,
+            approach,
+            stick_radius: c,
+            ring,
+            angle,
+            worn_radius: a * (2.0 * angle / (angle + angle.sin())).sqrt(),
+            load: non_negative("load", load)?,
+        })
+    }
+
+    /// The bodies.
+    #[must_use]
+    pub fn pair(&self) -> &ElasticPair {
+        &self.pair
+    }
+
+    /// Radius of the paraboloid $`R`$ before any wear (a length).
+    #[must_use]
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// Approach of the bodies $`d`$ (a length), the same throughout.
+    #[must_use]
+    pub fn approach(&self) -> f64 {
+        self.approach
+    }
+
+    /// Radius of the disc that sticks, $`c`$ (a length).
+    #[must_use]
+    pub fn stick_radius(&self) -> f64 {
+        self.stick_radius
+    }
+
+    /// Radius $`b`$ within which the surfaces are worn (a length), where the profile meets
+    /// $`r^2/2R`$: larger than the first contact's $`a = \sqrt{Rd}`$.
+    ///
+    /// With $`t = 2\arccos(c/b)`$,
+    ///
+    /// ```math
+    /// 1-\frac{c^2}{a^2} = \frac{\sin t - t\cos t}{t+\sin t}, \qquad
+    /// \frac{b^2}{a^2} = \frac{2t}{t+\sin t}
+    /// ```
+    #[must_use]
+    pub fn worn_radius(&self) -> f64 {
+        self.worn_radius
+    }
+
+    /// Gap without load $`f(r)`$ (a length) at the distance $`r`$ from the centre, zero there.
+    /// Formula on the [type](Self); Popov (2014).
+    #[must_use]
+    pub fn profile(&self, r: f64) -> f64 {
+        0.5 * r * r / self.radius + self.wear_depth(r)
+    }
+
+    /// Depth of the wear $`f(r)-r^2/2R`$ (a length), summed over the bodies, at the distance $`r`$
+    /// from the centre: zero, or positive in the ring.
+    ///
+    /// Evaluated as $`\frac2\pi\left[d\varphi - \frac{r^2}{2R}(\varphi+\sin\varphi\cos\varphi)\right]`$
+    /// with $`\cos\varphi = c/r`$.
+    #[must_use]
+    pub fn wear_depth(&self, r: f64) -> f64 {
+        let r = r.abs();
+        if r <= self.stick_radius || r >= self.worn_radius {
+            return 0.0;
+        }
+        let angle = arc_cosine(self.stick_radius, r);
+        let before = 0.5 * r * r / self.radius * (angle + 0.5 * (2.0 * angle).sin());
+        (FRAC_2_PI * (self.approach * angle - before)).max(0.0)
+    }
+
+    /// Volume of the wear $`2\pi\int_c^b (f-r^2/2R)\,r\,dr`$ (a length cubed), summed over the
+    /// bodies.
+    ///
+    /// With $`t = 2\arccos(c/b)`$ it is
+    /// $`\frac{b^4}{4Rt}\left[t^2-\sin^2 t-\sin t\,(\sin t-t\cos t)\right]`$.
+    #[must_use]
+    pub fn worn_volume(&self) -> f64 {
+        let t = self.angle;
+        let sine = t.sin();
+        let bracket = arc_minus_sine(t) * (t + sine) - sine * sine_minus_arc_cosine(t);
+        let square = self.worn_radius * self.worn_radius;
+        square * (square / self.radius) * bracket / (4.0 * t)
+    }
+
+    /// Pressure that is left, at the distance $`r`$ from the centre; zero outside the stick disc.
+    ///
+    /// ```math
+    /// p = \frac{E^*}{\pi}\left[\frac{2}{R}\sqrt{c^2-r^2} +
+    /// \left(d-\frac{c^2}{R}\right)\frac{1}{\sqrt{c^2-r^2}}\right]
+    /// ```
+    ///
+    /// A paraboloid's and, as wear leaves an edge at $`c`$, a flat end's, which grows without bound
+    /// towards it.
+    #[must_use]
+    pub fn pressure(&self, r: f64) -> f64 {
+        let rho = r.abs() / self.stick_radius;
+        if rho < 1.0 {
+            let root = self.stick_radius * dome(rho);
+            let flat = self.approach * self.ring / root;
+            self.pair.contact_modulus() / PI * (2.0 * root / self.radius + flat)
+        } else {
+            0.0
+        }
+    }
+
+    /// Normal load that is left, $`2E^*\left(dc-\frac{c^3}{3R}\right)`$ (a force).
+    #[must_use]
+    pub fn load(&self) -> f64 {
+        self.load
+    }
+}
+
+/// The angle $`t`$ in $`[0, \pi]`$ where $`2t\cos^2\frac t2/(t+\sin t)`$, which falls from one to zero,
+/// is the square of the stick ratio $`c/a`$, and one less it the `ring`.
+fn meeting_angle(stick: f64, ring: f64) -> f64 {
+    let lies_beyond = |t: f64| {
+        let sum = t + t.sin();
+        // Each side keeps the digits of what is small.
+        if stick < 0.5 {
+            2.0 * t * (0.5 * t).cos().powi(2) > stick * stick * sum
+        } else {
+            sine_minus_arc_cosine(t) < ring * sum
+        }
+    };
+    let (mut low, mut high) = (0.0, PI);
+    // The least angle, of a ring of one rounding, is 2.6e-8: its last bit is the 79th.
+    for _ in 0..80 {
+        let middle = f64::midpoint(low, high);
+        if lies_beyond(middle) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    f64::midpoint(low, high)
+}

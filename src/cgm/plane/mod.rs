@@ -1,0 +1,209 @@
+//! The minimum over discs: two unknowns a cell, as many as friction holds together.
+//!
+//! ```math
+//! \min_q \; \tfrac12 q' C q + b' q
+//! \quad\text{over}\quad |q_i| \le m_i, \qquad q_i = (q_{x,i}, q_{y,i}),
+//! \quad\text{optionally}\quad \textstyle\sum_i q_{x,i} = S_x, \; \sum_i q_{y,i} = S_y .
+//! ```
+//!
+//! With `g = C q + b - delta` the slip, a cell sticks (`g = 0`, `|q| < m`) or slips (`|q| = m`, `g` against
+//! `q`). Semi-smooth Newton outside: at the limit a cell keeps one unknown, the angle of its traction, whose
+//! stiffness is the operator's along the circle and `|g|/m` more, the curvature of the circle; without that
+//! term iterations of clipped gradients stall (Zhao, Vollebregt & Oosterlee 2015). Preconditioned conjugate
+//! gradients inside, as for one unknown a cell. If the sets cycle, projected gradients lead past.
+//!
+//! The certificate is that of [`crate::cgm`]: of the slip of a cell at its limit the part against the traction
+//! is allowed, and only the rest counts.
+//!
+//! Vectors hold all x components, then all y components.
+
+mod border;
+mod certificate;
+mod disc;
+mod newton;
+mod projected_gradient;
+mod run;
+
+use std::ops::ControlFlow;
+
+use crate::cgm::Settings;
+use crate::error::{Error, Result, all_finite, length};
+use crate::operator::Operator;
+use crate::parallel;
+use crate::report::{Iteration, Report, Status};
+
+use disc::dot;
+pub(crate) use disc::{Disc, update_cells};
+use run::Run;
+
+/// What to minimise. `linear` holds two numbers a cell, `limits` one, finite and not negative.
+#[derive(Debug, Clone)]
+pub(crate) struct Problem<'a, C, P> {
+    pub(crate) operator: C,
+    pub(crate) preconditioner: P,
+    pub(crate) linear: &'a [f64],
+    pub(crate) limits: &'a [f64],
+    /// Prescribed sums of the components.
+    pub(crate) totals: [Option<f64>; 2],
+}
+
+/// Everything an iteration writes to besides `q`.
+#[derive(Debug)]
+pub(crate) struct Workspace<C: Operator, P: Operator> {
+    operator: C::Workspace,
+    preconditioner: P::Workspace,
+    product: Vec<f64>,
+    gradient: Vec<f64>,
+    direction: Vec<f64>,
+    image: Vec<f64>,
+    residual: Vec<f64>,
+    last_residual: Vec<f64>,
+    correction: Vec<f64>,
+    weighted: Vec<f64>,
+    /// How a change of each total spreads over the cells.
+    spread: [Vec<f64>; 2],
+    cells: Vec<Cell>,
+    report: Report,
+    multiplier: [f64; 2],
+}
+
+/// How a cell may move.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Cell {
+    /// No limit, no traction.
+    Fixed,
+    /// In any direction.
+    Stick,
+    /// Along the circle.
+    Slip {
+        /// Direction of the circle where the traction is.
+        tangent: [f64; 2],
+        /// Slip against the traction over the limit: what the curvature of the circle adds to the stiffness.
+        stiffness: f64,
+        /// How much the preconditioner is damped for it.
+        weight: f64,
+    },
+}
+
+impl Cell {
+    /// The part of a vector along which the cell can move.
+    pub(super) fn project(self, v: [f64; 2]) -> [f64; 2] {
+        match self {
+            Self::Fixed => [0.0; 2],
+            Self::Stick => v,
+            Self::Slip { tangent, .. } => tangent.map(|t| t * dot(tangent, v)),
+        }
+    }
+
+    pub(super) fn weight(self) -> f64 {
+        match self {
+            Self::Slip { weight, .. } => weight,
+            _ => 1.0,
+        }
+    }
+
+    pub(super) fn stiffness(self) -> f64 {
+        match self {
+            Self::Slip { stiffness, .. } => stiffness,
+            _ => 0.0,
+        }
+    }
+}
+
+impl<C: Operator, P: Operator> Workspace<C, P> {
+    pub(crate) fn new(operator: &C, preconditioner: &P) -> Self {
+        let len = operator.len();
+        let zeros = || vec![0.0; len];
+        Self {
+            operator: operator.workspace(),
+            preconditioner: preconditioner.workspace(),
+            product: zeros(),
+            gradient: zeros(),
+            direction: zeros(),
+            image: zeros(),
+            residual: zeros(),
+            last_residual: zeros(),
+            correction: zeros(),
+            weighted: zeros(),
+            spread: [zeros(), zeros()],
+            cells: vec![Cell::Fixed; len / 2],
+            report: Report::unsolved(),
+            multiplier: [0.0; 2],
+        }
+    }
+
+    /// The product `C q` with the iterate last returned.
+    pub(crate) fn product(&self) -> &[f64] {
+        &self.product
+    }
+
+    pub(crate) fn report(&self) -> &Report {
+        &self.report
+    }
+
+    /// The multipliers of the totals, zero for those not prescribed.
+    pub(crate) fn multiplier(&self) -> [f64; 2] {
+        self.multiplier
+    }
+}
+
+/// Finds the minimum from the start `q` and leaves it there.
+///
+/// # Errors
+/// [`Error::Length`], [`Error::Sample`], [`Error::BeyondSliding`], or what is wrong with the settings, before
+/// any work; [`Error::NotConverged`] with the last feasible iterate in `q`.
+pub(crate) fn minimise<C: Operator, P: Operator>(
+    problem: &Problem<'_, C, P>,
+    settings: &Settings,
+    q: &mut [f64],
+    workspace: &mut Workspace<C, P>,
+    observer: &mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
+) -> Result<()> {
+    settings.check()?;
+    length("start", problem.operator.len(), q.len())?;
+    all_finite("start", q)?;
+    let sum = crate::cgm::reduce::total(problem.limits);
+    let reach = disc::reach(problem.totals, sum)?;
+    let solve = || {
+        let mut run = Run::new(problem, settings, q, workspace, observer);
+        let status = if run.is_zero_the_minimum() {
+            run.at_zero()
+        } else if let disc::Reach::AtLimit(direction) = reach {
+            run.at_limit(direction)
+        } else {
+            iterate(&mut run)
+        };
+        run.finish(status)
+    };
+    if parallel::enter(solve) == Status::Converged {
+        Ok(())
+    } else {
+        Err(Error::NotConverged(Box::new(workspace.report.clone())))
+    }
+}
+
+/// Newton's method; each time its sets cycle, twice as many steps of a method that has none, until that does
+/// not help any more.
+fn iterate<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) -> Status {
+    let (mut detour, mut in_vain) = (32, 0);
+    loop {
+        let before = run.watch.best;
+        if let Some(status) = newton::iterate(run) {
+            return status;
+        }
+        in_vain = if run.watch.best <= 0.5 * before {
+            0
+        } else {
+            in_vain + 1
+        };
+        if in_vain > crate::cgm::DETOURS_IN_VAIN {
+            return Status::Stalled;
+        }
+        match projected_gradient::iterate(run, detour) {
+            ControlFlow::Break(status) => return status,
+            ControlFlow::Continue(true) => in_vain = crate::cgm::DETOURS_IN_VAIN,
+            ControlFlow::Continue(false) => {}
+        }
+        detour = (2 * detour).min(run.watch.settings.max_iterations);
+    }
+}

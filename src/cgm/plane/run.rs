@@ -1,0 +1,215 @@
+//! One solve of a problem in the plane under way: products, examination, the end.
+
+use std::ops::ControlFlow;
+
+use crate::cgm::certificate::Certificate;
+use crate::cgm::plane::certificate::examine;
+use crate::cgm::plane::disc::{at, dot, norm, restore};
+use crate::cgm::plane::{Problem, Workspace, update_cells};
+use crate::cgm::watch::Watch;
+use crate::cgm::{Settings, reduce};
+use crate::operator::Operator;
+use crate::parallel;
+use crate::report::{Iteration, Status};
+
+pub(super) struct Run<'a, 'b, C: Operator, P: Operator> {
+    pub(super) problem: &'a Problem<'b, C, P>,
+    pub(super) watch: Watch<'a>,
+    pub(super) q: &'a mut [f64],
+    pub(super) workspace: &'a mut Workspace<C, P>,
+    /// Whether `workspace.product` belongs to `q`.
+    pub(super) is_fresh: bool,
+    pub(super) lower_bound: f64,
+    /// Whether the totals leave no choice.
+    is_at_limit: bool,
+}
+
+impl<'a, 'b, C: Operator, P: Operator> Run<'a, 'b, C, P> {
+    pub(super) fn new(
+        problem: &'a Problem<'b, C, P>,
+        settings: &'a Settings,
+        q: &'a mut [f64],
+        workspace: &'a mut Workspace<C, P>,
+        observer: &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
+    ) -> Self {
+        workspace.multiplier = [0.0; 2];
+        Self {
+            watch: Watch::new(settings, observer, &mut workspace.report),
+            lower_bound: problem.operator.lower_bound().max(0.0),
+            problem,
+            q,
+            workspace,
+            is_fresh: false,
+            is_at_limit: false,
+        }
+    }
+
+    pub(super) fn cells(&self) -> usize {
+        self.problem.limits.len()
+    }
+
+    /// `product = C q`, `gradient = C q + b`; to single precision that is enough to go on by, not to end by.
+    pub(super) fn refresh(&mut self, is_rough: bool) {
+        let Workspace {
+            operator,
+            product,
+            gradient,
+            report,
+            ..
+        } = &mut *self.workspace;
+        if is_rough {
+            self.problem
+                .operator
+                .apply_roughly(self.q, product, operator);
+            report.rough_convolutions += 1;
+        } else {
+            self.problem.operator.apply(self.q, product, operator);
+            report.convolutions += 1;
+        }
+        let (product, linear) = (&*product, self.problem.linear);
+        parallel::update(gradient, |first, chunk| {
+            let terms = product[first..].iter().zip(&linear[first..]);
+            for (value, (u, b)) in chunk.iter_mut().zip(terms) {
+                *value = u + b;
+            }
+        });
+        self.is_fresh = !is_rough;
+    }
+
+    /// `image = C direction`.
+    pub(super) fn apply_to_direction(&mut self, is_rough: bool) {
+        let Workspace {
+            operator,
+            direction,
+            image,
+            report,
+            ..
+        } = &mut *self.workspace;
+        if is_rough {
+            self.problem
+                .operator
+                .apply_roughly(direction, image, operator);
+            report.rough_convolutions += 1;
+        } else {
+            self.problem.operator.apply(direction, image, operator);
+            report.convolutions += 1;
+        }
+    }
+
+    pub(super) fn count_step(&mut self) {
+        self.watch.count_step(&mut self.workspace.report);
+    }
+
+    pub(super) fn proceed(&mut self, free: usize) -> ControlFlow<Status> {
+        self.watch.proceed(free, &self.workspace.report)
+    }
+
+    pub(super) fn judge(&mut self, merit: f64, free: usize) -> ControlFlow<Status> {
+        self.watch.judge(merit, free, &mut self.workspace.report)
+    }
+
+    /// Examines the iterate, whose product must be fresh, and writes the findings to the report.
+    pub(super) fn examine(&mut self) -> Certificate {
+        let Workspace {
+            product,
+            gradient,
+            multiplier,
+            ..
+        } = &*self.workspace;
+        let [x, y] = *multiplier;
+        let slip = |i: usize| {
+            let [gx, gy] = at(gradient, i);
+            [gx - x, gy - y]
+        };
+        let Problem { limits, totals, .. } = *self.problem;
+        let findings = examine(self.q, product, slip, limits, totals, self.lower_bound);
+        findings.write_to(&mut self.workspace.report);
+        findings
+    }
+
+    /// What has to fall to the tolerance.
+    pub(super) fn merit(&self, findings: &Certificate) -> f64 {
+        findings.merit(self.lower_bound)
+    }
+
+    /// Whether nothing drives the tractions from zero.
+    pub(super) fn is_zero_the_minimum(&self) -> bool {
+        let Problem {
+            linear,
+            totals,
+            limits,
+            ..
+        } = self.problem;
+        let linear = |i: usize| at(linear, i);
+        (0..self.cells()).all(|i| {
+            let g = linear(i);
+            limits[i] <= 0.0
+                || (0..2)
+                    .all(|axis| totals[axis].is_none_or(|total| total == 0.0) && g[axis] == 0.0)
+        })
+    }
+
+    pub(super) fn at_zero(&mut self) -> Status {
+        self.q.fill(0.0);
+        self.refresh(false);
+        Status::Converged
+    }
+
+    /// Every cell at its limit along a direction, the only tractions of these totals; the multiplier is the
+    /// slip-free motion of the cell that lets go last.
+    pub(super) fn at_limit(&mut self, direction: [f64; 2]) -> Status {
+        let limits = self.problem.limits;
+        update_cells(self.q, |i, _| direction.map(|n| n * limits[i]));
+        self.is_at_limit = true;
+        self.refresh(false);
+        let gradient = &self.workspace.gradient;
+        let last = reduce::least(limits.len(), |i| {
+            (limits[i] > 0.0).then(|| -dot(at(gradient, i), direction))
+        });
+        if let Some((cell, _)) = last {
+            self.workspace.multiplier = at(gradient, cell);
+        }
+        Status::Converged
+    }
+
+    /// Moves the iterate within its discs and to its totals, if it is not there but for round-off; its
+    /// product is then fresh.
+    pub(super) fn make_feasible(&mut self) {
+        let Problem { limits, totals, .. } = *self.problem;
+        if !self.is_at_limit {
+            let q = &*self.q;
+            let [outside] = reduce::max(limits.len(), |i| {
+                let excess = norm(at(q, i)) - limits[i];
+                // A traction put on its circle may be a rounding outside.
+                [(excess - 4.0 * f64::EPSILON * limits[i]).max(0.0)]
+            });
+            let [x, y, size] = reduce::sums(limits.len(), |i| {
+                let q = at(q, i);
+                [q[0], q[1], norm(q)]
+            });
+            let missing = |axis: usize, sum: f64| totals[axis].map_or(0.0, |total| total - sum);
+            if outside > 0.0 || norm([missing(0, x), missing(1, y)]) > 1e-13 * size {
+                restore(self.q, limits, totals);
+                self.is_fresh = false;
+            }
+        }
+        if !self.is_fresh {
+            self.refresh(false);
+        }
+    }
+
+    /// Leaves a feasible iterate, and a report computed from it: what that shows is the last word.
+    pub(super) fn finish(&mut self, status: Status) -> Status {
+        self.make_feasible();
+        let findings = self.examine();
+        let mut merit = self.merit(&findings);
+        if self.is_at_limit {
+            // No other tractions have these totals: nothing is left to be wrong but the totals. Slip is along
+            // all of them only in the limit of a large motion.
+            merit = findings.load_error;
+            let report = &mut self.workspace.report;
+            (report.residual, report.certified_gap) = (0.0, 0.0);
+        }
+        self.watch.finish(status, merit, &mut self.workspace.report)
+    }
+}

@@ -1,0 +1,110 @@
+//! Who watches an iteration, counts its steps and ends it.
+
+use std::ops::ControlFlow;
+use std::time::Instant;
+
+use crate::cgm::Settings;
+use crate::report::{Iteration, Report, Status};
+
+/// A residual at which sets change by round-off alone.
+const ROUND_OFF: f64 = 1e-12;
+
+/// Settings, observer and clock of one solve.
+pub(super) struct Watch<'a> {
+    pub(super) settings: &'a Settings,
+    observer: &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
+    start: Instant,
+    /// Conjugate-gradient steps so far.
+    steps: usize,
+    /// Least merit so far.
+    pub(super) best: f64,
+}
+
+impl<'a> Watch<'a> {
+    /// A clean report, and the clock set.
+    pub(super) fn new(
+        settings: &'a Settings,
+        observer: &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
+        report: &mut Report,
+    ) -> Self {
+        report.iterations = 0;
+        report.convolutions = 0;
+        report.rough_convolutions = 0;
+        report.residual = f64::INFINITY;
+        report.history.clear();
+        Self {
+            settings,
+            observer,
+            start: Instant::now(),
+            steps: 0,
+            best: f64::INFINITY,
+        }
+    }
+
+    /// Records an examined step, and says if it is the last: converged or stopped.
+    pub(super) fn judge(
+        &mut self,
+        merit: f64,
+        free: usize,
+        report: &mut Report,
+    ) -> ControlFlow<Status> {
+        let entry = self.entry(free, report);
+        report.history.push(entry);
+        if merit.is_nan() {
+            return ControlFlow::Break(Status::Stalled);
+        }
+        self.best = self.best.min(merit);
+        if merit <= self.settings.tolerance {
+            return ControlFlow::Break(Status::Converged);
+        }
+        self.proceed(free, report)
+    }
+
+    /// What to do when the residual no longer falls: stop if it is round-off, else `None`.
+    pub(super) fn stuck(&self) -> Option<Status> {
+        (self.best <= ROUND_OFF).then_some(Status::Stalled)
+    }
+
+    /// Counts a step.
+    pub(super) fn count_step(&mut self, report: &mut Report) {
+        self.steps += 1;
+        report.iterations = self.steps;
+    }
+
+    /// Asks limits and observer whether to go on; called at least once for every two products.
+    pub(super) fn proceed(&mut self, free: usize, report: &Report) -> ControlFlow<Status> {
+        let entry = self.entry(free, report);
+        if (self.observer)(&entry).is_break() {
+            return ControlFlow::Break(Status::Cancelled);
+        }
+        if self.steps >= self.settings.max_iterations {
+            return ControlFlow::Break(Status::IterationLimit);
+        }
+        let limit = self.settings.time_limit;
+        if limit.is_some_and(|limit| self.start.elapsed() >= limit) {
+            return ControlFlow::Break(Status::TimeLimit);
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// The last word: what the examined iterate shows, whatever the iteration thought of it.
+    pub(super) fn finish(&self, status: Status, merit: f64, report: &mut Report) -> Status {
+        let is_proven = merit <= self.settings.tolerance;
+        report.status = if status == Status::Converged && !is_proven {
+            Status::Stalled
+        } else {
+            status
+        };
+        report.time = self.start.elapsed();
+        report.status
+    }
+
+    fn entry(&self, free: usize, report: &Report) -> Iteration {
+        Iteration {
+            iteration: self.steps,
+            convolutions: report.convolutions,
+            residual: report.residual,
+            free,
+        }
+    }
+}
