@@ -147,6 +147,20 @@ pub enum Error {
         /// Component along y.
         y: f64,
     },
+    /// A load that the model of a history does not have.
+    #[error("a {quantity} of {value:e} is not part of the scalar model of this history")]
+    NotModelled {
+        /// The load, in words.
+        quantity: &'static str,
+        /// The value given.
+        value: f64,
+    },
+    /// A saved history belongs to bodies of other materials.
+    #[error("{quantity} belongs to bodies of other materials")]
+    MaterialMismatch {
+        /// What was saved, in words.
+        quantity: &'static str,
+    },
     /// An approach that leaves a periodic contact no gap anywhere: any pressure, however large, does.
     #[error(
         "an approach of {approach:e} is not below the mean gap {mean_gap:e} of a periodic contact, which it would close everywhere under any pressure"

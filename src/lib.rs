@@ -31,6 +31,7 @@ pub use error::{Error, Result};
 pub use field::Field;
 pub use grid::Grid;
 pub use half_space::HalfSpace;
+pub use history::{History, LoadStep, NormalStep, TangentialStep};
 pub use material::{ElasticPair, Material};
 pub use normal::{NormalLoad, NormalProblem, NormalSolution, NormalSolver};
 pub use operator::{Identity, Operator};

@@ -6,9 +6,12 @@ use std::time::Instant;
 
 use crate::cgm::{self, Constraint, Iteration, Problem, Settings, Workspace, plane};
 use crate::error::{Error, Result};
-use crate::fft::{CirculantInverse, Convolution, PairConvolution, PairInverse};
+use crate::fft::{
+    CirculantInverse, Convolution, ConvolutionWorkspace, PairConvolution, PairInverse,
+};
 use crate::half_space::{Compliance, HalfSpace, PlaneCompliance};
 use crate::influence::Component;
+use crate::operator::Operator;
 use crate::report::Report;
 use crate::window::halved;
 
@@ -17,9 +20,10 @@ pub(crate) type Observer<'a> = &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()>
 
 /// Operator, buffers, linear term and unknowns on `size` cells.
 #[derive(Debug)]
-pub(crate) struct Stage {
-    compliance: Compliance,
-    workspace: Workspace<Arc<Convolution>, Arc<CirculantInverse>>,
+pub(crate) struct Stage<C: Operator<Workspace = ConvolutionWorkspace> = Arc<Convolution>> {
+    pub(crate) operator: C,
+    inverse: Arc<CirculantInverse>,
+    workspace: Workspace<C, Arc<CirculantInverse>>,
     /// The start of the next solve, and the answer of the last.
     pub(crate) x: Vec<f64>,
     pub(crate) linear: Vec<f64>,
@@ -27,15 +31,7 @@ pub(crate) struct Stage {
 
 impl Stage {
     pub(crate) fn new(bodies: &HalfSpace, component: Component, size: [usize; 2]) -> Result<Self> {
-        let compliance = bodies.compliance_of_window(component, size)?;
-        let workspace = Workspace::new(&compliance.operator, &compliance.inverse);
-        let cells = size[0] * size[1];
-        Ok(Self {
-            compliance,
-            workspace,
-            x: vec![0.0; cells],
-            linear: vec![0.0; cells],
-        })
+        Self::with(bodies, component, size, |operator| operator)
     }
 
     /// With a linear term and a start.
@@ -51,6 +47,28 @@ impl Stage {
         stage.x = start;
         Ok(stage)
     }
+}
+
+impl<C: Operator<Workspace = ConvolutionWorkspace> + Clone> Stage<C> {
+    /// With what `wrap` makes of the operator.
+    pub(crate) fn with(
+        bodies: &HalfSpace,
+        component: Component,
+        size: [usize; 2],
+        wrap: impl FnOnce(Arc<Convolution>) -> C,
+    ) -> Result<Self> {
+        let Compliance { operator, inverse } = bodies.compliance_of_window(component, size)?;
+        let operator = wrap(operator);
+        let workspace = Workspace::new(&operator, &inverse);
+        let cells = size[0] * size[1];
+        Ok(Self {
+            operator,
+            inverse,
+            workspace,
+            x: vec![0.0; cells],
+            linear: vec![0.0; cells],
+        })
+    }
 
     /// Minimises from `x` into `x`; the rest is in the accessors, converged or not.
     pub(crate) fn minimise(
@@ -60,9 +78,8 @@ impl Stage {
         settings: &Settings,
         observer: Observer<'_>,
     ) -> Result<()> {
-        let operator = Arc::clone(&self.compliance.operator);
-        let mut problem = Problem::new(operator, &self.linear, constraint)
-            .preconditioner(Arc::clone(&self.compliance.inverse));
+        let mut problem = Problem::new(self.operator.clone(), &self.linear, constraint)
+            .preconditioner(Arc::clone(&self.inverse));
         if let Some(total) = total {
             problem = problem.total(total);
         }

@@ -48,6 +48,25 @@ impl Window {
         })
     }
 
+    /// The rectangle of `size` cells whose first is `corner`; `None` if it is empty or leaves the grid.
+    pub(crate) fn at(grid: Grid, corner: [usize; 2], size: [usize; 2]) -> Option<Self> {
+        let cells = [grid.nx(), grid.ny()];
+        let fits = |axis: usize| {
+            let end = corner[axis].checked_add(size[axis]);
+            size[axis] > 0 && end.is_some_and(|end| end <= cells[axis])
+        };
+        (fits(0) && fits(1)).then_some(Self {
+            columns: grid.nx(),
+            corner,
+            size,
+        })
+    }
+
+    /// Column and row of its first cell.
+    pub(crate) fn corner(&self) -> [usize; 2] {
+        self.corner
+    }
+
     /// The smallest window around two.
     pub(crate) fn union(self, other: Self) -> Self {
         let mut both = self;

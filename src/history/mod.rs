@@ -1,5 +1,63 @@
-//! Contacts under loads that come and go.
+//! Histories of load: stick and slip that remember the steps before.
+//!
+//! Friction remembers: what slipped stays where it slipped to, and an unloaded contact keeps tractions
+//! locked in. A [`History`] holds all that and takes one [`LoadStep`] after another, in each of which
+//! normal load, tangential load, gap and friction may change.
+//!
+//! # A step
+//! With the displacements $`u_n`$ and the shift $`\delta_n`$ before it, a step finds tractions q within the
+//! friction limit m of its own pressure, and the slip of the step s:
+//!
+//! ```math
+//! s = (C q - u_n) - (\delta - \delta_n), \qquad |q| \le m = \min(\mu p, \tau_{max}), \qquad
+//! s = 0 \text{ where } |q| < m, \qquad q\,s \le 0 \text{ where } |q| = m .
+//! ```
+//!
+//! This is the problem of [`crate::tangential`] with a linear term: the minimum of
+//! $`\tfrac12 q' C q - S' q`$ over $`|q| \le m`$, in which a cell remembers the offset
+//! $`S = u - \delta`$ it slipped to last, so that errors of one step are not handed to the next. A cell
+//! that comes into contact takes the offset it has then: it begins without slip. A cell that leaves
+//! drops its traction. If the pressure alone changes, tractions are found anew under the
+//! same force or the same shift, never cut.
+//!
+//! Prescribed is the force, the shift, or the far end of a spring ([`TangentialStep`]). A force that friction no longer
+//! holds is [`Error::BeyondSliding`](crate::Error::BeyondSliding); one at the limit slides the contact, with
+//! the least shift that makes all of it slip.
+//!
+//! Steps may be as long as the load goes one way: under an unchanged pressure the state after a monotonic
+//! load does not depend on the steps that led there. This is the transient shift of
+//! CONTACT (Kalker, *Three-Dimensional Elastic Bodies in Rolling Contact*, 1990,
+//! <https://doi.org/10.1007/978-94-015-7889-9>); on the sphere it follows Mindlin & Deresiewicz, J. Appl. Mech. 20
+//! (1953) 327, <https://doi.org/10.1115/1.4010702>.
+//!
+//! Tractions are along one axis, those across neglected, as in the paper. Signs are those of the crate: traction on
+//! body 1, shift of body 2 relative to body 1.
+//!
+//! # All or nothing
+//! A step that is refused, cancelled or does not converge leaves the history bit for bit as it was, with all
+//! that the next step starts from. [`History::to_bytes`] saves as much: a restored history goes on to the
+//! same bits.
+//!
+//! # Wear
+//! [`wear`] turns the slip or the energy of steps into depth removed; [`History::set_gap`] gives it back,
+//! with tractions and slip kept.
 
+mod builder;
+mod energy;
+mod load;
+mod patch;
 mod path;
+mod shear;
+mod snapshot;
+mod spring;
+mod state;
+mod step;
+mod stepping;
+pub mod wear;
 
+pub use builder::HistoryBuilder;
+pub use energy::EnergyBalance;
+pub use load::{LoadStep, NormalStep, TangentialStep};
 pub use path::LoadPath;
+pub use step::Step;
+pub use stepping::History;

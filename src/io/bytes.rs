@@ -5,14 +5,14 @@ use crate::error::Result;
 
 /// The bytes of a file, and how far they have been read.
 #[derive(Debug)]
-pub(super) struct Cursor<'a> {
+pub(crate) struct Cursor<'a> {
     format: Format,
     bytes: &'a [u8],
     position: usize,
 }
 
 impl<'a> Cursor<'a> {
-    pub(super) fn new(format: Format, bytes: &'a [u8]) -> Self {
+    pub(crate) fn new(format: Format, bytes: &'a [u8]) -> Self {
         Self {
             format,
             bytes,
@@ -32,17 +32,17 @@ impl<'a> Cursor<'a> {
     }
 
     /// Where the next byte stands.
-    pub(super) fn position(&self) -> usize {
+    pub(crate) fn position(&self) -> usize {
         self.position
     }
 
     /// What has not been read.
-    pub(super) fn rest(&self) -> &'a [u8] {
+    pub(crate) fn rest(&self) -> &'a [u8] {
         &self.bytes[self.position..]
     }
 
     /// The next bytes; `what` they are goes into the error.
-    pub(super) fn take(&mut self, what: &str, count: usize) -> Result<&'a [u8]> {
+    pub(crate) fn take(&mut self, what: &str, count: usize) -> Result<&'a [u8]> {
         let Some((taken, _)) = self.rest().split_at_checked(count) else {
             let (start, found) = (self.position, self.rest().len());
             let problem = format!("the file ends within {what}: {found} of {count} bytes");
@@ -53,7 +53,7 @@ impl<'a> Cursor<'a> {
     }
 
     /// The next `N` bytes.
-    pub(super) fn array<const N: usize>(&mut self, what: &str) -> Result<[u8; N]> {
+    pub(crate) fn array<const N: usize>(&mut self, what: &str) -> Result<[u8; N]> {
         let mut array = [0; N];
         array.copy_from_slice(self.take(what, N)?);
         Ok(array)
@@ -63,8 +63,12 @@ impl<'a> Cursor<'a> {
         Ok(u16::from_le_bytes(self.array(what)?))
     }
 
-    pub(super) fn u32(&mut self, what: &str) -> Result<u32> {
+    pub(crate) fn u32(&mut self, what: &str) -> Result<u32> {
         Ok(u32::from_le_bytes(self.array(what)?))
+    }
+
+    pub(crate) fn u64(&mut self, what: &str) -> Result<u64> {
+        Ok(u64::from_le_bytes(self.array(what)?))
     }
 
     pub(super) fn i32(&mut self, what: &str) -> Result<i32> {
@@ -75,7 +79,7 @@ impl<'a> Cursor<'a> {
         Ok(f32::from_le_bytes(self.array(what)?))
     }
 
-    pub(super) fn f64(&mut self, what: &str) -> Result<f64> {
+    pub(crate) fn f64(&mut self, what: &str) -> Result<f64> {
         Ok(f64::from_le_bytes(self.array(what)?))
     }
 }

@@ -47,6 +47,7 @@ pub use crate::error::Place;
 use crate::error::{Error, Result, positive};
 use crate::field::Field;
 use crate::grid::Grid;
+pub(crate) use bytes::Cursor;
 
 /// A surface from a file that carries its cell sides: SDF, SUR or X3P by its first bytes, XYZ by the
 /// extension `.xyz`.
@@ -94,7 +95,7 @@ fn parse_x3p(_: &[u8]) -> Result<Field> {
 
 /// A format by name, which makes its errors.
 #[derive(Debug, Clone, Copy)]
-struct Format(&'static str);
+pub(crate) struct Format(pub(crate) &'static str);
 
 impl Format {
     fn at(self, place: Place, problem: impl Into<String>) -> Error {
@@ -105,7 +106,7 @@ impl Format {
         }
     }
 
-    fn at_byte(self, byte: usize, problem: impl Into<String>) -> Error {
+    pub(crate) fn at_byte(self, byte: usize, problem: impl Into<String>) -> Error {
         self.at(Place::Byte(byte as u64), problem)
     }
 

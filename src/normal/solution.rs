@@ -49,6 +49,20 @@ impl NormalSolution {
         self.report.clone_from(report);
     }
 
+    /// Becomes an answer found before: pressure, gap under load, approach and report.
+    pub(crate) fn restore(
+        &mut self,
+        pressure: &[f64],
+        gap: &[f64],
+        approach: f64,
+        report: &Report,
+    ) {
+        self.pressure.as_mut_slice().copy_from_slice(pressure);
+        self.gap.as_mut_slice().copy_from_slice(gap);
+        self.approach = approach;
+        self.report.clone_from(report);
+    }
+
     /// The grid of all its fields.
     #[must_use]
     pub fn grid(&self) -> Grid {

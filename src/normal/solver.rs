@@ -137,6 +137,26 @@ impl NormalSolver {
         Ok(())
     }
 
+    /// The gap before loading.
+    pub(crate) fn gap(&self) -> &Field {
+        &self.problem.gap
+    }
+
+    /// Where the engine works; `None` before the first solve.
+    pub(crate) fn window(&self) -> Option<Window> {
+        self.engine.as_ref().map(|engine| engine.window)
+    }
+
+    /// Goes on as after the solve that found this pressure, on the window it ended with.
+    pub(crate) fn resume(&mut self, pressure: &[f64], window: Option<Window>) -> Result<()> {
+        self.pressure.copy_from_slice(pressure);
+        if self.window() != window {
+            let remake = |window| Engine::new(&self.problem.bodies, window);
+            self.engine = window.map(remake).transpose()?;
+        }
+        Ok(())
+    }
+
     /// Forgets the last answer: the next solve starts as the first did.
     pub fn reset(&mut self) {
         self.engine = None;

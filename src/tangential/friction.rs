@@ -21,8 +21,9 @@ pub struct Friction {
     shear_cap: f64,
 }
 
+/// The coefficient of friction.
 #[derive(Debug, Clone, PartialEq)]
-enum Coefficient {
+pub(crate) enum Coefficient {
     Uniform(f64),
     PerCell(Field),
 }
@@ -80,8 +81,13 @@ impl Friction {
         (coefficient * pressure).min(self.shear_cap)
     }
 
+    /// The coefficient, and the cap of the limit (infinite where there is none).
+    pub(crate) fn parts(&self) -> (&Coefficient, f64) {
+        (&self.coefficient, self.shear_cap)
+    }
+
     /// Becomes a copy of another friction, in the memory it has where that fits.
-    pub(super) fn copy_from(&mut self, other: &Self) {
+    pub(crate) fn copy_from(&mut self, other: &Self) {
         self.shear_cap = other.shear_cap;
         match (&mut self.coefficient, &other.coefficient) {
             (Coefficient::PerCell(own), Coefficient::PerCell(field))
@@ -94,7 +100,7 @@ impl Friction {
     }
 
     /// `Ok` if the coefficients fit the grid.
-    pub(super) fn check(&self, grid: Grid) -> Result<()> {
+    pub(crate) fn check(&self, grid: Grid) -> Result<()> {
         match &self.coefficient {
             Coefficient::PerCell(field) if field.grid() != grid => Err(Error::GridMismatch {
                 quantity: "coefficient of friction",

@@ -39,8 +39,11 @@ mod solver;
 mod superposition;
 mod zone;
 
+pub(crate) use friction::Coefficient;
 pub use friction::Friction;
+pub(crate) use problem::{Limits, check_coupling};
 pub use problem::{TangentialLoad, TangentialProblem, TangentialProblemBuilder};
+pub(crate) use shear::component;
 pub use solution::TangentialSolution;
 pub use solver::TangentialSolver;
 pub use superposition::JaegerSuperposition;

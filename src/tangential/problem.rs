@@ -172,10 +172,7 @@ impl TangentialProblemBuilder<'_> {
         self.friction.check(grid)?;
         self.lateral.check(self.load)?;
         self.settings.check()?;
-        let beta = self.bodies.pair().dundurs_beta();
-        if beta.abs() > UNCOUPLED && !self.neglect_coupling {
-            return Err(Error::CoupledMaterials { beta });
-        }
+        check_coupling(self.bodies, self.neglect_coupling)?;
         let window = contact_window(self.bodies, self.normal)?;
         let mut pressure = vec![0.0; window.cells()];
         window.gather(self.normal.pressure().as_slice(), &mut pressure);
@@ -193,6 +190,15 @@ impl TangentialProblemBuilder<'_> {
             settings: self.settings,
         })
     }
+}
+
+/// `Ok` if shear does not change the pressure, or that is to be neglected.
+pub(crate) fn check_coupling(bodies: &HalfSpace, is_neglected: bool) -> Result<()> {
+    let beta = bodies.pair().dundurs_beta();
+    if beta.abs() > UNCOUPLED && !is_neglected {
+        return Err(Error::CoupledMaterials { beta });
+    }
+    Ok(())
 }
 
 impl Lateral {
@@ -218,20 +224,20 @@ pub(super) fn contact_window(bodies: &HalfSpace, normal: &NormalSolution) -> Res
 
 /// The friction limit of every cell of a window, and their sum.
 #[derive(Debug, Clone)]
-pub(super) struct Limits {
-    pub(super) cells: Vec<f64>,
-    pub(super) sum: f64,
+pub(crate) struct Limits {
+    pub(crate) cells: Vec<f64>,
+    pub(crate) sum: f64,
 }
 
 impl Limits {
-    pub(super) fn new(cells: usize) -> Self {
+    pub(crate) fn new(cells: usize) -> Self {
         Self {
             cells: vec![0.0; cells],
             sum: 0.0,
         }
     }
 
-    pub(super) fn set(&mut self, friction: &Friction, window: Window, pressure: &[f64]) {
+    pub(crate) fn set(&mut self, friction: &Friction, window: Window, pressure: &[f64]) {
         let limits = self.cells.iter_mut().zip(window.indices());
         for ((limit, index), &pressure) in limits.zip(pressure) {
             *limit = if pressure > 0.0 {
@@ -244,7 +250,7 @@ impl Limits {
     }
 
     /// Refuses a force that friction cannot hold.
-    pub(super) fn check(&self, load: TangentialLoad, cell_area: f64) -> Result<()> {
+    pub(crate) fn check(&self, load: TangentialLoad, cell_area: f64) -> Result<()> {
         let [x, y] = load.components()?;
         finite("sum of the friction limits", self.sum)?;
         let (force, limit) = (x.hypot(y), self.sum * cell_area);
@@ -257,7 +263,7 @@ impl Limits {
     }
 
     /// The sums of tractions a force asks for; exactly at the limit when the force is within round-off of it.
-    pub(super) fn totals(&self, force: [f64; 2], cell_area: f64) -> [f64; 2] {
+    pub(crate) fn totals(&self, force: [f64; 2], cell_area: f64) -> [f64; 2] {
         let totals = force.map(|force| force / cell_area);
         let size = totals[0].hypot(totals[1]);
         if size > 0.0 && size >= self.sum * (1.0 - SLIDING) {

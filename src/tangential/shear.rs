@@ -195,7 +195,8 @@ impl Shear {
     }
 }
 
-fn component(axis: Axis) -> Component {
+/// The influence coefficient of tractions along an axis for displacements along it.
+pub(crate) fn component(axis: Axis) -> Component {
     match axis {
         Axis::X => Component::XX,
         Axis::Y => Component::YY,

@@ -1,0 +1,48 @@
+//! The energy of a tangential step.
+
+/// Where the work of the tangential load in a step went (energies: force times length).
+///
+/// With q and u the tractions and displacements before (n) and after (n+1) the step, $`\bar q`$ their
+/// mean, $`\Delta u`$ and $`\Delta\delta`$ the changes of displacement and shift, and A the area of a
+/// cell,
+///
+/// ```math
+/// \underbrace{\tfrac12 (F_n + F_{n+1})\,\Delta\delta}_{\text{work}}
+/// = \underbrace{\tfrac A2 \textstyle\sum q_{n+1} u_{n+1} - \tfrac A2 \sum q_n u_n}_{\text{change of the elastic energy}}
+/// \; \underbrace{- \; A \textstyle\sum \bar q\,(\Delta u - \Delta\delta)}_{\text{the rest}}
+/// ```
+///
+/// holds for any two states, because the operator is symmetric. The rest is what slip dissipates
+/// ([`dissipated_mid_step`](Self::dissipated_mid_step)), what cells that leave the contact let go
+/// ([`released`](Self::released)) and what the tolerance of the solve leaves where there should be no slip
+/// ([`residual`](Self::residual)).
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
+pub struct EnergyBalance {
+    /// Work of the tangential load, mean force times change of the shift.
+    pub work: f64,
+    /// Elastic energy of shear before the step.
+    pub elastic_before: f64,
+    /// Elastic energy of shear after the step.
+    pub elastic_after: f64,
+    /// Energy dissipated, by the tractions at the end of the step: $`-A \sum q_{n+1} s \ge 0`$. Under an
+    /// unchanged pressure and a load that does not turn within the step, slip happens at the friction
+    /// limit alone, and this is what it dissipates, however long the step.
+    pub dissipated: f64,
+    /// Energy dissipated, by the mean tractions: $`-A \sum \bar q s`$, which closes the balance.
+    /// Non-negative under an unchanged pressure and friction.
+    pub dissipated_mid_step: f64,
+    /// Energy of the tractions that cells drop as they leave the contact, by mean tractions.
+    pub released: f64,
+    /// Work on the motion that the tolerance leaves in stick cells.
+    pub residual: f64,
+}
+
+impl EnergyBalance {
+    /// What is missing in the balance: round-off.
+    #[must_use]
+    pub fn imbalance(&self) -> f64 {
+        let lost = self.dissipated_mid_step + self.released + self.residual;
+        self.work - (self.elastic_after - self.elastic_before) - lost
+    }
+}

@@ -1,0 +1,131 @@
+//! What a step of a history does to the bodies.
+
+use crate::error::{Error, Result, finite, positive};
+use crate::normal::NormalLoad;
+use crate::tangential::Axis;
+
+/// The normal half of a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum NormalStep {
+    /// The normal force W >= 0 at the end of the step; zero is first touch, or none.
+    Force(f64),
+    /// The approach of the bodies at the end of the step, from the datum of the gap (a length).
+    Approach(f64),
+    /// The pressure as it is, whatever the gap has become: nothing is solved.
+    Hold,
+}
+
+/// The tangential half of a step, along one axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum TangentialStep {
+    /// The tangential force that body 2 exerts on body 1 at the end of the step (a force, either
+    /// sign).
+    Force(f64),
+    /// The shift of body 2 relative to body 1 at the end of the step, since the start of the history
+    /// (a length, either sign).
+    Shift(f64),
+    /// A machine that drags body 2 by a spring: the force is $`F = k\,(X - \delta)`$.
+    Spring {
+        /// Where the far end of the spring is at the end of the step, since the start of the history
+        /// (a length, either sign).
+        position: f64,
+        /// Its stiffness k (a force over a length), positive.
+        stiffness: f64,
+    },
+    /// The shift as it is; the force follows what pressure and friction have become.
+    Hold,
+}
+
+/// What a step does: normal load, tangential load along each axis, twist. Whatever is not named is held.
+///
+/// ```
+/// use stickslip::Axis;
+/// use stickslip::history::{LoadStep, NormalStep, TangentialStep};
+/// let press = LoadStep::hold().normal(NormalStep::Force(100.0));
+/// let drag = LoadStep::hold().tangential(Axis::X, TangentialStep::Shift(1e-6));
+/// assert_ne!(press, drag);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use = "a load does nothing until a history takes the step"]
+pub struct LoadStep {
+    normal: NormalStep,
+    tangential: [TangentialStep; 2],
+    twist: f64,
+}
+
+impl LoadStep {
+    /// Everything held: pressure, shift, and no twist.
+    pub fn hold() -> Self {
+        Self {
+            normal: NormalStep::Hold,
+            tangential: [TangentialStep::Hold; 2],
+            twist: 0.0,
+        }
+    }
+
+    /// With this normal half.
+    pub fn normal(mut self, normal: NormalStep) -> Self {
+        self.normal = normal;
+        self
+    }
+
+    /// With this tangential half along `axis`.
+    pub fn tangential(mut self, axis: Axis, tangential: TangentialStep) -> Self {
+        self.tangential[axis.index()] = tangential;
+        self
+    }
+
+    /// With the rotation of body 2 relative to body 1 about z at the end of the step, since the start
+    /// of the history (radians, positive from x to y). The scalar model takes none but zero.
+    pub fn twist(mut self, twist: f64) -> Self {
+        self.twist = twist;
+        self
+    }
+
+    /// `Ok` if a history along `axis` can take the step; what pressure and friction have to say comes
+    /// later.
+    pub(super) fn check(&self, axis: Axis) -> Result<()> {
+        let names = ["tangential load along x", "tangential load along y"];
+        for (quantity, tangential) in names.into_iter().zip(self.tangential) {
+            let value = match tangential {
+                TangentialStep::Force(value) | TangentialStep::Shift(value) => value,
+                TangentialStep::Spring {
+                    position,
+                    stiffness,
+                } => {
+                    positive("stiffness of the spring", stiffness)?;
+                    position
+                }
+                TangentialStep::Hold => 0.0,
+            };
+            finite(quantity, value)?;
+            if quantity != names[axis.index()] && value != 0.0 {
+                return Err(Error::NotModelled { quantity, value });
+            }
+        }
+        let (quantity, value) = ("twist", finite("twist", self.twist)?);
+        if value != 0.0 {
+            return Err(Error::NotModelled { quantity, value });
+        }
+        Ok(())
+    }
+
+    /// What is to be solved in the normal direction, if anything.
+    pub(super) fn normal_load(&self) -> Option<NormalLoad> {
+        match self.normal {
+            NormalStep::Force(force) => Some(NormalLoad::Force(force)),
+            NormalStep::Approach(approach) => Some(NormalLoad::Approach(approach)),
+            NormalStep::Hold => None,
+        }
+    }
+
+    pub(super) fn along(&self, axis: Axis) -> TangentialStep {
+        self.tangential[axis.index()]
+    }
+}
+
+impl Default for LoadStep {
+    fn default() -> Self {
+        Self::hold()
+    }
+}

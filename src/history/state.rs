@@ -1,0 +1,35 @@
+//! What survives from one step to the next.
+
+use crate::field::Field;
+use crate::grid::Grid;
+use crate::tangential::Zone;
+
+/// Tangential state of all cells, and what has added up since the start.
+#[derive(Debug)]
+pub(super) struct State {
+    pub(super) traction: [Field; 2],
+    pub(super) slip: [Field; 2],
+    pub(super) slip_path: Field,
+    pub(super) dissipated: Field,
+    pub(super) zones: Vec<Zone>,
+    pub(super) shift: [f64; 2],
+    pub(super) force: [f64; 2],
+    pub(super) steps: u64,
+}
+
+impl State {
+    /// Unsheared, nothing in contact.
+    pub(super) fn new(grid: Grid) -> Self {
+        let zeros = || Field::zeros(grid);
+        Self {
+            traction: [zeros(), zeros()],
+            slip: [zeros(), zeros()],
+            slip_path: zeros(),
+            dissipated: zeros(),
+            zones: vec![Zone::Separate; grid.cells()],
+            shift: [0.0; 2],
+            force: [0.0; 2],
+            steps: 0,
+        }
+    }
+}

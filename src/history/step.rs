@@ -1,0 +1,134 @@
+//! What one step of a history did.
+
+use crate::field::Field;
+use crate::grid::Grid;
+use crate::history::EnergyBalance;
+use crate::report::{Report, Status};
+
+/// Slip, energies, forces and reports of one step.
+///
+/// Vectors are `[x, y]`; the scalar model leaves the component across its axis at zero. The state after
+/// the step is in the [`History`](crate::history::History).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Step {
+    pub(super) slip: [Field; 2],
+    pub(super) slip_length: Field,
+    pub(super) dissipation: Field,
+    pub(super) mid_step_dissipation: Field,
+    pub(super) energy: EnergyBalance,
+    pub(super) normal_force: f64,
+    pub(super) approach: f64,
+    pub(super) force: [f64; 2],
+    pub(super) shift: [f64; 2],
+    pub(super) stick_cells: usize,
+    pub(super) slip_cells: usize,
+    pub(super) normal_report: Report,
+    pub(super) tangential_report: Report,
+}
+
+impl Step {
+    /// Nothing done yet.
+    pub(super) fn new(grid: Grid) -> Self {
+        let zeros = || Field::zeros(grid);
+        Self {
+            slip: [zeros(), zeros()],
+            slip_length: zeros(),
+            dissipation: zeros(),
+            mid_step_dissipation: zeros(),
+            energy: EnergyBalance::default(),
+            normal_force: 0.0,
+            approach: 0.0,
+            force: [0.0; 2],
+            shift: [0.0; 2],
+            stick_cells: 0,
+            slip_cells: 0,
+            normal_report: Report::unsolved(),
+            tangential_report: Report::unsolved(),
+        }
+    }
+
+    /// Slip of the step, the change of `u - delta` (lengths): against the traction, exactly zero in stick
+    /// cells and outside the contact.
+    #[must_use]
+    pub fn slip(&self) -> [&Field; 2] {
+        self.slip.each_ref()
+    }
+
+    /// Length of the slip of the step (lengths, non-negative).
+    #[must_use]
+    pub fn slip_length(&self) -> &Field {
+        &self.slip_length
+    }
+
+    /// Energy each cell dissipates in the step by its traction at the end, `-A q s >= 0`.
+    #[must_use]
+    pub fn dissipation(&self) -> &Field {
+        &self.dissipation
+    }
+
+    /// Energy each cell dissipates in the step by the mean of its tractions before and after,
+    /// `-A (q_n + q_{n+1})/2 s`: the measure that closes the [`EnergyBalance`].
+    #[must_use]
+    pub fn mid_step_dissipation(&self) -> &Field {
+        &self.mid_step_dissipation
+    }
+
+    /// Work, elastic energy and dissipation of the step.
+    #[must_use]
+    pub fn energy(&self) -> &EnergyBalance {
+        &self.energy
+    }
+
+    /// Normal force W at the end of the step.
+    #[must_use]
+    pub fn normal_force(&self) -> f64 {
+        self.normal_force
+    }
+
+    /// Approach at the end of the step (a length).
+    #[must_use]
+    pub fn approach(&self) -> f64 {
+        self.approach
+    }
+
+    /// Tangential force that body 2 exerts on body 1 at the end of the step.
+    #[must_use]
+    pub fn force(&self) -> [f64; 2] {
+        self.force
+    }
+
+    /// Shift of body 2 relative to body 1 at the end of the step, since the start of the history (lengths).
+    #[must_use]
+    pub fn shift(&self) -> [f64; 2] {
+        self.shift
+    }
+
+    /// Stick cells over contact cells at the end of the step; zero without contact.
+    #[must_use]
+    pub fn stick_ratio(&self) -> f64 {
+        let contact = self.stick_cells + self.slip_cells;
+        self.stick_cells as f64 / contact.max(1) as f64
+    }
+
+    /// Whether the whole contact is at its friction limit at the end of the step.
+    #[must_use]
+    pub fn is_gross_sliding(&self) -> bool {
+        self.stick_cells == 0 && self.slip_cells > 0
+    }
+
+    /// How the normal contact was solved; `None` if the pressure was held.
+    #[must_use]
+    pub fn normal_report(&self) -> Option<&Report> {
+        solved(&self.normal_report)
+    }
+
+    /// How the tangential contact was solved; `None` before anything has touched.
+    #[must_use]
+    pub fn tangential_report(&self) -> Option<&Report> {
+        solved(&self.tangential_report)
+    }
+}
+
+fn solved(report: &Report) -> Option<&Report> {
+    (report.status != Status::Unsolved).then_some(report)
+}

@@ -1,0 +1,72 @@
+//! After the first cycle, a step of a history within its window allocates nothing: no buffer, no plan, no
+//! spectrum; nor does a change of gap or friction, nor a law of wear.
+#![allow(clippy::unwrap_used, reason = "a test fails loudly")]
+#![cfg(feature = "parallel")]
+
+mod common;
+
+use common::{rough, unit_bodies};
+use stickslip::history::wear;
+use stickslip::{
+    Axis, Field, Friction, Grid, History, LoadStep, NormalStep, TangentialStep, surface,
+};
+
+/// Allocations of one thread: the steps must run on it.
+fn allocations(mut work: impl FnMut() + Send) -> u64 {
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(1)
+        .build()
+        .unwrap();
+    pool.install(|| allocation_counter::measure(&mut work))
+        .count_total
+}
+
+fn check(gap: &Field, load: f64) {
+    let grid = gap.grid();
+    let bodies = unit_bodies(grid, 0.3);
+    let friction = [0.4, 0.5].map(|mu| Friction::per_cell(Field::constant(grid, mu)).unwrap());
+    let builder = History::builder(&bodies, gap, friction[0].clone()).tolerance(1e-6);
+    let mut history = builder.build().unwrap();
+    let (mut worn, mut depth) = (gap.clone(), Field::zeros(grid));
+    let mut cycle = || {
+        for (part, tangential) in [
+            (1.0, TangentialStep::Hold),
+            (0.95, TangentialStep::Force(0.3 * load)),
+            (0.9, TangentialStep::Force(-0.3 * load)),
+            (0.9, TangentialStep::Shift(0.0)),
+            (
+                1.0,
+                TangentialStep::Spring {
+                    position: 0.1,
+                    stiffness: 0.2 * load,
+                },
+            ),
+        ] {
+            let step = LoadStep::hold().tangential(Axis::X, tangential);
+            history.set_friction(&friction[0]).unwrap();
+            history
+                .step(&step.normal(NormalStep::Force(part * load)))
+                .unwrap();
+            history.set_friction(&friction[1]).unwrap();
+            history.step(&step).unwrap();
+            let slip = history.last_step().slip_length();
+            wear::archard(1e-4, history.pressure(), slip, &mut worn).unwrap();
+            let energy = history.last_step().dissipation();
+            wear::dissipated_energy(1e-4, energy, &mut depth).unwrap();
+            history.set_gap(&worn).unwrap();
+        }
+        worn.as_mut_slice().copy_from_slice(gap.as_slice());
+        history.set_gap(&worn).unwrap();
+    };
+    // The widest window and the longest report of a cycle are known after two.
+    cycle();
+    cycle();
+    assert_eq!(allocations(&mut cycle), 0);
+}
+
+#[test]
+fn on_a_sphere_and_on_a_rough_surface() {
+    let grid = Grid::square(96, 100.0).unwrap();
+    check(&surface::sphere(grid, 300.0).unwrap(), 20.0);
+    check(&rough(grid, 4), 30.0);
+}

@@ -1,0 +1,182 @@
+//! A step that is refused, cancelled or does not converge leaves every bit, of the state and of what the
+//! next step starts from.
+#![allow(clippy::unwrap_used, reason = "a test fails loudly")]
+#![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
+
+mod common;
+
+use std::ops::ControlFlow;
+
+use common::{rough, unit_bodies};
+use stickslip::cgm::Status;
+use stickslip::{
+    Axis, Error, Field, Friction, Grid, History, LoadStep, NormalStep, TangentialStep, surface,
+};
+
+fn grid() -> Grid {
+    Grid::square(64, 100.0).unwrap()
+}
+
+fn start(axis: Axis) -> History {
+    let gap = rough(grid(), 11);
+    let friction = Friction::coulomb(0.5).unwrap();
+    let bodies = unit_bodies(grid(), 0.3);
+    let builder = History::builder(&bodies, &gap, friction).axis(axis);
+    builder.build().unwrap()
+}
+
+fn load(force: f64, axis: Axis, tangential: TangentialStep) -> LoadStep {
+    let step = LoadStep::hold().normal(NormalStep::Force(force));
+    step.tangential(axis, tangential)
+}
+
+/// A first touch, some slip, some more load.
+fn advance(history: &mut History) {
+    let axis = history.axis();
+    for step in [
+        load(10.0, axis, TangentialStep::Hold),
+        load(10.0, axis, TangentialStep::Force(3.0)),
+        load(12.0, axis, TangentialStep::Force(-2.0)),
+    ] {
+        history.step(&step).unwrap();
+    }
+}
+
+/// What the history and a twin that was never disturbed do next.
+fn assert_untouched(disturbed: &mut History, twin: &mut History) {
+    assert_eq!(disturbed.to_bytes(), twin.to_bytes());
+    let axis = twin.axis();
+    for step in [
+        load(14.0, axis, TangentialStep::Force(1.0)),
+        LoadStep::hold().tangential(axis, TangentialStep::Shift(0.3)),
+    ] {
+        disturbed.step(&step).unwrap();
+        twin.step(&step).unwrap();
+        assert_eq!(disturbed.to_bytes(), twin.to_bytes());
+        let [a, b] = [&*disturbed, &*twin].map(History::last_step);
+        assert_eq!(a.slip(), b.slip());
+        assert_eq!(a.energy(), b.energy());
+    }
+}
+
+#[test]
+fn refused_loads() {
+    for axis in [Axis::X, Axis::Y] {
+        let (mut history, mut twin) = (start(axis), start(axis));
+        advance(&mut history);
+        advance(&mut twin);
+        let across = if axis == Axis::X { Axis::Y } else { Axis::X };
+        let spring = |position, stiffness| TangentialStep::Spring {
+            position,
+            stiffness,
+        };
+        let hold = TangentialStep::Hold;
+        for bad in [
+            load(f64::NAN, axis, hold),
+            load(-1.0, axis, hold),
+            load(f64::INFINITY, axis, hold),
+            LoadStep::hold().normal(NormalStep::Approach(f64::NAN)),
+            load(12.0, axis, TangentialStep::Force(f64::NAN)),
+            load(12.0, axis, TangentialStep::Shift(f64::INFINITY)),
+            load(12.0, axis, spring(f64::NAN, 1.0)),
+            load(12.0, axis, spring(1.0, 0.0)),
+            load(12.0, axis, spring(1.0, -2.0)),
+            load(12.0, axis, spring(1.0, f64::INFINITY)),
+            load(12.0, across, TangentialStep::Force(1.0)),
+            load(12.0, across, TangentialStep::Shift(1.0)),
+            load(12.0, across, spring(1.0, 1.0)),
+            load(12.0, axis, hold).twist(0.1),
+            load(12.0, axis, hold).twist(f64::NAN),
+        ] {
+            assert!(history.step(&bad).is_err(), "{bad:?}");
+        }
+        let refused = history.step(&load(12.0, across, TangentialStep::Force(1.5)));
+        let Err(Error::NotModelled { value, .. }) = refused else {
+            panic!("{refused:?}")
+        };
+        assert!(value == 1.5);
+
+        // A far wider contact first, then a force it does not hold.
+        let refused = history.step(&load(400.0, axis, TangentialStep::Force(-250.0)));
+        let Err(Error::BeyondSliding { force, limit }) = refused else {
+            panic!("{refused:?}")
+        };
+        assert!(force == 250.0 && (limit / 200.0 - 1.0).abs() < 1e-12);
+        // A held force that a lighter load does not hold.
+        let refused = history.step(&load(3.0, axis, TangentialStep::Force(-2.0)));
+        assert!(matches!(refused, Err(Error::BeyondSliding { .. })));
+
+        let other = Field::zeros(Grid::square(63, 100.0).unwrap());
+        assert!(history.set_gap(&other).is_err());
+        assert!(history.set_gap(&Field::constant(grid(), f64::NAN)).is_err());
+        let friction = Friction::per_cell(other).unwrap();
+        assert!(history.set_friction(&friction).is_err());
+        assert_untouched(&mut history, &mut twin);
+    }
+}
+
+#[test]
+fn cancelled_at_any_iteration() {
+    let mut twin = start(Axis::X);
+    let mut history = start(Axis::X);
+    // Of a history that has done nothing, and of one under way.
+    for under_way in [false, true] {
+        if under_way {
+            advance(&mut history);
+            advance(&mut twin);
+        }
+        let step = load(60.0, Axis::X, TangentialStep::Force(20.0));
+        for calls in [0, 1, 2, 4, 7, 11, 16, 22, 30] {
+            let mut left = calls;
+            let outcome = history.step_observed(&step, |_| {
+                if left == 0 {
+                    return ControlFlow::Break(());
+                }
+                left -= 1;
+                ControlFlow::Continue(())
+            });
+            match outcome {
+                Err(Error::NotConverged(report)) => assert_eq!(report.status, Status::Cancelled),
+                other => panic!("after {calls} calls: {other:?}"),
+            }
+            assert_eq!(history.to_bytes(), twin.to_bytes());
+        }
+    }
+    assert_untouched(&mut history, &mut twin);
+}
+
+#[test]
+fn not_converged() {
+    let grid = Grid::square(64, 12.0).unwrap();
+    let ball = surface::sphere(grid, 20.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let friction = Friction::coulomb(0.5).unwrap();
+    let builder = || {
+        History::builder(&bodies, &ball, friction.clone())
+            .max_iterations(15)
+            .tolerance(1e-9)
+    };
+    let [mut history, mut twin] = [builder(), builder()].map(|builder| builder.build().unwrap());
+    for history in [&mut history, &mut twin] {
+        let press = LoadStep::hold().normal(NormalStep::Force(3.0));
+        history.step(&press).unwrap();
+    }
+    let step = |force| LoadStep::hold().tangential(Axis::X, TangentialStep::Force(force));
+    let mut failures = 0;
+    for force in [1.4, 0.2, -1.4, 1.0] {
+        let before = history.to_bytes();
+        match history.step(&step(force)) {
+            Ok(_) => {
+                twin.step(&step(force)).unwrap();
+            }
+            Err(Error::NotConverged(report)) => {
+                assert_eq!(report.status, Status::IterationLimit);
+                assert_eq!(history.to_bytes(), before);
+                failures += 1;
+            }
+            Err(error) => panic!("{error}"),
+        }
+    }
+    assert!(failures > 0);
+    assert_eq!(history.to_bytes(), twin.to_bytes());
+}
