@@ -33,7 +33,7 @@ ALLOWED = {
     "dense": FOUNDATION | {"operator", "influence", "half_space", "cgm"},
     # L4: what goes on through many steps
     "history": FOUNDATION
-    | {"operator", "influence", "fft", "half_space", "cgm", "contact_map", "window", "stage", "normal", "tangential"},
+    | {"operator", "influence", "fft", "half_space", "cgm", "contact_map", "window", "stage", "normal", "tangential", "io"},
     # L3: the two problems
     "normal": FOUNDATION
     | {"operator", "influence", "fft", "half_space", "cgm", "contact_map", "window", "stage"},

@@ -12,7 +12,7 @@ mod common;
 
 use common::{rough, unit_bodies};
 use stickslip::{
-    Friction, Grid, Lateral, NormalLoad, NormalProblem, NormalSolution, TangentialLoad,
+    Field, Friction, Grid, Lateral, NormalLoad, NormalProblem, NormalSolution, TangentialLoad,
     TangentialProblem, TangentialSolution,
 };
 
@@ -35,11 +35,11 @@ fn solve() -> (NormalSolution, [TangentialSolution; 2]) {
 #[test]
 fn with_threads_and_without() {
     let (normal, shear) = solve();
-    let tractions = shear.iter().flat_map(|shear| shear.traction());
+    let tractions = shear.iter().flat_map(TangentialSolution::traction);
     let fields = [normal.pressure(), normal.gap()]
         .into_iter()
         .chain(tractions);
-    let samples = fields.flat_map(|field| field.as_slice());
+    let samples = fields.flat_map(Field::as_slice);
     let scalars = [normal.approach(), shear[0].shift()[0], shear[1].shift()[0]];
     let bits: Vec<u8> = samples
         .chain(&scalars)

@@ -14,7 +14,8 @@ use std::ops::ControlFlow;
 use std::time::Duration;
 
 use common::{Table2, max_abs, rough, unit_bodies};
-use stickslip::cgm::{Method, Status};
+use stickslip::cgm::{self, Magnitude, Method, Problem, Settings, Status};
+use stickslip::influence::Component;
 use stickslip::{
     Error, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution,
     TangentialLoad, TangentialProblem, Warning, Zone, surface,
@@ -451,4 +452,32 @@ fn an_empty_solution_claims_nothing() {
         .new_solution();
     assert_eq!(empty.report().status, Status::Unsolved);
     assert!(!empty.is_gross_sliding());
+}
+
+/// No total, and a linear term that is the same wherever anything can move: the multiplier takes it all.
+#[test]
+fn nothing_is_asked_of_a_uniform_offset() {
+    let bodies = unit_bodies(Grid::square(32, 4.0).unwrap(), 0.3);
+    let grid = bodies.grid();
+    let limits = Field::from_fn(grid, |x, y| 0.1 * (2.0 - x * x - y * y).max(0.0).sqrt());
+    let offset = |limit: &f64| if *limit > 0.0 { 3.0 } else { 0.0 };
+    let linear: Vec<f64> = limits.as_slice().iter().map(offset).collect();
+    let operator = bodies.operator(Component::XX).unwrap();
+    let inverse = bodies.preconditioner(Component::XX).unwrap().unwrap();
+    let problem = Problem::new(operator, &linear, Magnitude(limits.as_slice()));
+    let problem = problem.preconditioner(inverse).total(0.0);
+    let mut x = vec![0.0; grid.cells()];
+    let minimum = cgm::minimise(&problem, &Settings::default(), &mut x).unwrap();
+    assert!(x.iter().all(|&x| x == 0.0));
+    assert_eq!(minimum.multiplier, 3.0);
+
+    // Almost uniform: to be solved, or given up in a bounded number of steps.
+    let mut linear = linear;
+    linear[16 * 32 + 16] += 1e-13;
+    let operator = bodies.operator(Component::XX).unwrap();
+    let inverse = bodies.preconditioner(Component::XX).unwrap().unwrap();
+    let problem = Problem::new(operator, &linear, Magnitude(limits.as_slice()));
+    let problem = problem.preconditioner(inverse).total(0.0);
+    let outcome = cgm::minimise(&problem, &Settings::default(), &mut x);
+    assert!(matches!(outcome, Ok(_) | Err(Error::NotConverged(_))));
 }

@@ -60,7 +60,8 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
         if let ControlFlow::Break(status) = run.judge(merit, findings.free) {
             return Some(status);
         }
-        if merit <= 0.5 * best || changes < fewest {
+        // Infinite ones do not count as halved.
+        if merit < 0.5 * best || changes < fewest {
             (best, fewest) = (best.min(merit), fewest.min(changes));
             without_progress = 0;
         } else {

@@ -292,11 +292,11 @@ pub fn minimise_with<C: Operator, K: Constraint, P: Operator>(
             None => None,
         };
         let mut run = Run::new(problem, settings, x, workspace, observer);
-        let status = match reach {
-            _ if run.is_zero_the_minimum() => run.at_zero(),
-            Some(balance::Reach::AtLower) => run.at_extreme(State::Lower),
-            Some(balance::Reach::AtUpper) => run.at_extreme(State::Upper),
-            Some(balance::Reach::Inside) | None => iterate(&mut run),
+        let status = match (run.multiplier_at_zero(), reach) {
+            (Some(multiplier), _) => run.at_zero(multiplier),
+            (None, Some(balance::Reach::AtLower)) => run.at_extreme(State::Lower),
+            (None, Some(balance::Reach::AtUpper)) => run.at_extreme(State::Upper),
+            (None, Some(balance::Reach::Inside) | None) => iterate(&mut run),
         };
         Ok(run.finish(status))
     };
@@ -321,7 +321,7 @@ fn iterate<C: Operator, K: Constraint, P: Operator>(run: &mut Run<'_, '_, C, K, 
         if let Some(status) = ended {
             return status;
         }
-        in_vain = if run.watch.best <= 0.5 * before {
+        in_vain = if run.watch.best < 0.5 * before {
             0
         } else {
             in_vain + 1

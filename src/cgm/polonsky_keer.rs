@@ -41,7 +41,7 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
         if let ControlFlow::Break(status) = run.judge(merit, free) {
             return Some(status);
         }
-        if merit <= 0.5 * best {
+        if merit < 0.5 * best {
             (best, without_progress) = (merit, 0);
         } else {
             without_progress += 1;

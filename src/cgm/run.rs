@@ -191,27 +191,39 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
         self.watch.proceed(free, &self.workspace.report)
     }
 
-    /// Whether nothing drives the unknowns from an allowed zero. An iteration towards zero would
-    /// have no size left to measure its residual by.
-    pub(super) fn is_zero_the_minimum(&self) -> bool {
+    /// The multiplier at which nothing drives the unknowns from an allowed zero, if there is one. An
+    /// iteration towards zero would have no size left to measure its residual by.
+    pub(super) fn multiplier_at_zero(&self) -> Option<f64> {
         let Problem {
             linear,
             constraint,
             total,
             ..
         } = self.problem;
-        (0..self.len()).all(|i| {
+        let can_move = |i: &usize| {
+            let [lower, upper] = constraint.bounds(*i);
+            lower < upper
+        };
+        let multiplier = match total {
+            None => 0.0,
+            Some(0.0) => (0..self.len()).find(can_move).map_or(0.0, |i| linear[i]),
+            Some(_) => return None,
+        };
+        let rests = |i: usize| {
+            let gradient = linear[i] - multiplier;
             let is_at_rest = match total {
-                None => violation(0.0, constraint.bounds(i), linear[i]) == 0.0,
-                Some(total) => *total == 0.0 && linear[i] == 0.0,
+                None => violation(0.0, constraint.bounds(i), gradient) == 0.0,
+                Some(_) => gradient == 0.0 || !can_move(&i),
             };
             is_at_rest && constraint.project(i, 0.0) == 0.0
-        })
+        };
+        (0..self.len()).all(rests).then_some(multiplier)
     }
 
-    pub(super) fn at_zero(&mut self) -> Status {
+    pub(super) fn at_zero(&mut self, multiplier: f64) -> Status {
         self.x.fill(0.0);
         self.refresh();
+        self.workspace.multiplier = multiplier;
         Status::Converged
     }
 

@@ -166,8 +166,8 @@ pub(crate) fn minimise<C: Operator, P: Operator>(
     let reach = disc::reach(problem.totals, sum)?;
     let solve = || {
         let mut run = Run::new(problem, settings, q, workspace, observer);
-        let status = if run.is_zero_the_minimum() {
-            run.at_zero()
+        let status = if let Some(multiplier) = run.multiplier_at_zero() {
+            run.at_zero(multiplier)
         } else if let disc::Reach::AtLimit(direction) = reach {
             run.at_limit(direction)
         } else {
@@ -191,7 +191,7 @@ fn iterate<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) -> Status {
         if let Some(status) = newton::iterate(run) {
             return status;
         }
-        in_vain = if run.watch.best <= 0.5 * before {
+        in_vain = if run.watch.best < 0.5 * before {
             0
         } else {
             in_vain + 1

@@ -50,7 +50,8 @@ pub(super) fn iterate<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) -> 
         if let ControlFlow::Break(status) = run.judge(merit, findings.free) {
             return Some(status);
         }
-        if merit <= 0.5 * best || changes < fewest {
+        // Infinite ones do not count as halved.
+        if merit < 0.5 * best || changes < fewest {
             (best, fewest) = (best.min(merit), fewest.min(changes));
             without_progress = 0;
         } else {

@@ -132,26 +132,35 @@ impl<'a, 'b, C: Operator, P: Operator> Run<'a, 'b, C, P> {
         findings.merit(self.lower_bound)
     }
 
-    /// Whether nothing drives the tractions from zero.
-    pub(super) fn is_zero_the_minimum(&self) -> bool {
+    /// The multipliers at which nothing drives the tractions from zero, if there are any.
+    pub(super) fn multiplier_at_zero(&self) -> Option<[f64; 2]> {
         let Problem {
             linear,
             totals,
             limits,
             ..
         } = self.problem;
-        let linear = |i: usize| at(linear, i);
-        (0..self.cells()).all(|i| {
-            let g = linear(i);
-            limits[i] <= 0.0
-                || (0..2)
-                    .all(|axis| totals[axis].is_none_or(|total| total == 0.0) && g[axis] == 0.0)
-        })
+        let first = (0..self.cells()).find(|&i| limits[i] > 0.0);
+        let at_first = first.map_or([0.0; 2], |i| at(linear, i));
+        let mut multiplier = [0.0; 2];
+        for axis in 0..2 {
+            match totals[axis] {
+                None => {}
+                Some(0.0) => multiplier[axis] = at_first[axis],
+                Some(_) => return None,
+            }
+        }
+        let rests = |i: usize| {
+            let g = at(linear, i);
+            limits[i] <= 0.0 || (0..2).all(|axis| g[axis] - multiplier[axis] == 0.0)
+        };
+        (0..self.cells()).all(rests).then_some(multiplier)
     }
 
-    pub(super) fn at_zero(&mut self) -> Status {
+    pub(super) fn at_zero(&mut self, multiplier: [f64; 2]) -> Status {
         self.q.fill(0.0);
         self.refresh(false);
+        self.workspace.multiplier = multiplier;
         Status::Converged
     }
 
