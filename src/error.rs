@@ -148,7 +148,7 @@ pub enum Error {
         y: f64,
     },
     /// A load that the model of a history does not have.
-    #[error("a {quantity} of {value:e} is not part of the scalar model of this history")]
+    #[error("a {quantity} of {value:e} is not part of the model of this history")]
     NotModelled {
         /// The load, in words.
         quantity: &'static str,

@@ -46,6 +46,28 @@ impl HistoryBuilder<'_> {
     /// What becomes of the traction across the load (default [`Lateral::Neglected`]). With
     /// [`Lateral::Coupled`] a history takes loads of any direction and twist, but no springs, and the tangential
     /// [`method`](Self::method) is always the active-set one.
+    ///
+    /// ```
+    /// use stickslip::*;
+    /// let grid = Grid::square(32, 0.30e-3)?;
+    /// let steel = Material::new(213e9, 0.29)?;
+    /// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
+    /// let ball = surface::sphere(grid, 3.5e-3)?;
+    /// let friction = Friction::coulomb(0.5)?;
+    /// let builder = History::builder(&bodies, &ball, friction).lateral(Lateral::Coupled);
+    /// let mut history = builder.build()?;
+    /// history.step(&LoadStep::hold().normal(NormalStep::Force(100.0)))?;
+    ///
+    /// // A force along x, a shift along y, then a turn under both.
+    /// let shear = LoadStep::hold()
+    ///     .tangential(Axis::X, TangentialStep::Force(20.0))
+    ///     .tangential(Axis::Y, TangentialStep::Shift(0.4e-6));
+    /// history.step(&shear)?;
+    /// assert!(history.force()[1] > 0.0 && history.moment().abs() < 1e-9);
+    /// let twist = history.step(&shear.twist(2e-3))?;
+    /// assert!(twist.moment() > 0.0 && twist.energy().dissipated > 0.0);
+    /// # Ok::<(), Error>(())
+    /// ```
     pub fn lateral(mut self, lateral: Lateral) -> Self {
         self.lateral = lateral;
         self

@@ -12,14 +12,16 @@
 /// \; \underbrace{- \; A \textstyle\sum \bar q\,(\Delta u - \Delta\delta)}_{\text{the rest}}
 /// ```
 ///
-/// holds for any two states, because the operator is symmetric. The rest is what slip dissipates
+/// holds for any two states, because the operator is symmetric. In the plane, products are those of vectors, and
+/// to the work comes that of the moment, $`\tfrac12 (M_n + M_{n+1})\,\Delta\varphi`$, as the motion of a cell is
+/// $`\delta + \varphi\,(-y, x)`$. The rest is what slip dissipates
 /// ([`dissipated_mid_step`](Self::dissipated_mid_step)), what cells that leave the contact let go
 /// ([`released`](Self::released)) and what the tolerance of the solve leaves where there should be no slip
 /// ([`residual`](Self::residual)).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub struct EnergyBalance {
-    /// Work of the tangential load, mean force times change of the shift.
+    /// Work of the tangential load, mean force times change of the shift, and mean moment times that of the twist.
     pub work: f64,
     /// Elastic energy of shear before the step.
     pub elastic_before: f64,
@@ -30,7 +32,7 @@ pub struct EnergyBalance {
     /// limit alone, and this is what it dissipates, however long the step.
     pub dissipated: f64,
     /// Energy dissipated, by the mean tractions: $`-A \sum \bar q s`$, which closes the balance.
-    /// Non-negative under an unchanged pressure and friction.
+    /// Non-negative under an unchanged pressure and friction (in the plane but for the tolerance).
     pub dissipated_mid_step: f64,
     /// Energy of the tractions that cells drop as they leave the contact, by mean tractions.
     pub released: f64,

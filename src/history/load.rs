@@ -16,7 +16,7 @@ pub enum NormalStep {
     Hold,
 }
 
-/// The tangential half of a step, along one axis.
+/// The tangential half of a step, along one axis; in the plane model each axis has its own.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum TangentialStep {
     /// The tangential force that body 2 exerts on body 1 at the end of the step (a force, either
@@ -25,7 +25,7 @@ pub enum TangentialStep {
     /// The shift of body 2 relative to body 1 at the end of the step, since the start of the history
     /// (a length, either sign).
     Shift(f64),
-    /// A machine that drags body 2 by a spring: the force is $`F = k\,(X - \delta)`$.
+    /// A machine that drags body 2 by a spring: the force is $`F = k\,(X - \delta)`$. The plane model has none.
     Spring {
         /// Where the far end of the spring is at the end of the step, since the start of the history
         /// (a length, either sign).
@@ -99,7 +99,7 @@ impl LoadStep {
                 } => {
                     let value = positive("stiffness of the spring", stiffness)?;
                     if axis.is_none() {
-                        let quantity = "spring in the plane, of a stiffness";
+                        let quantity = "spring stiffness in the plane";
                         return Err(Error::NotModelled { quantity, value });
                     }
                     position

@@ -30,8 +30,11 @@
 //! <https://doi.org/10.1007/978-94-015-7889-9>); on the sphere it follows Mindlin & Deresiewicz, J. Appl. Mech. 20
 //! (1953) 327, <https://doi.org/10.1115/1.4010702>.
 //!
-//! Tractions are along one axis, those across neglected, as in the paper. Signs are those of the crate: traction on
-//! body 1, shift of body 2 relative to body 1.
+//! Tractions are along one axis, those across neglected, as in the paper, unless
+//! [`HistoryBuilder::lateral`] asks for both. Then each component of the load is prescribed on its own, as force or as
+//! shift, slip opposes traction in direction, and body 2 may turn: a twist $`\varphi`$ about the origin of the grid
+//! makes of the shift the motion $`\delta + \varphi\,(-y, x)`$ of each cell. Signs are those of the crate: traction on
+//! body 1, shift and twist of body 2 relative to body 1.
 //!
 //! # All or nothing
 //! A step that is refused, cancelled or does not converge leaves the history bit for bit as it was, with all

@@ -111,13 +111,12 @@ impl Shear {
             let component = axis.index();
             let shift = &mut motion.shift[component];
             match load.along(*axis) {
-                TangentialStep::Hold => {}
                 TangentialStep::Shift(prescribed) => *shift = prescribed,
                 // Where nothing can be carried the shift is free, and stays.
                 TangentialStep::Force(_) if limits.sum > 0.0 => {
                     (*shift, totals[component]) = (datum[component], Some(sums[component]));
                 }
-                TangentialStep::Force(_) => {}
+                TangentialStep::Hold | TangentialStep::Force(_) => {}
                 TangentialStep::Spring {
                     position,
                     stiffness,

@@ -21,8 +21,9 @@ use crate::tangential::{Axis, Friction, Zone};
 /// Two bodies in contact that remember their load: pressure, traction, slip and energy, step by step.
 ///
 /// Vectors are `[x, y]`; the scalar model leaves the component across its axis at zero. It takes some 25
-/// numbers per cell of the grid and 40 per cell of the contact's bounding box, and two operators. After the
-/// first steps, a step within that box allocates nothing.
+/// numbers per cell of the grid and 40 per cell of the contact's bounding box, and two operators; the plane
+/// model ([`HistoryBuilder::lateral`]) about twice as much there. After the first steps, a step within it
+/// allocates nothing.
 ///
 /// ```
 /// use stickslip::*;
@@ -250,7 +251,7 @@ impl History {
         self.normal.approach()
     }
 
-    /// Shear traction q on body 1 (pressures), positive along the axis; exactly zero outside the contact.
+    /// Shear traction q on body 1 (pressures), positive along the axes; exactly zero outside the contact.
     #[must_use]
     pub fn traction(&self) -> [&Field; 2] {
         self.state.traction.each_ref()

@@ -26,8 +26,7 @@ impl Border {
             return border;
         }
         let cells = &run.workspace.cells;
-        if !cells.contains(&Cell::Stick) {
-            // Cells that can only turn cannot take up a change of the total.
+        if !cells.contains(&Cell::Stick) && !can_turn(cells, has_total) {
             parallel::update(&mut run.workspace.cells, |_, chunk| {
                 for cell in chunk {
                     if *cell != Cell::Fixed {
@@ -109,6 +108,26 @@ impl Border {
         });
         run.workspace.multiplier = self.solve(products);
     }
+}
+
+/// Part of what turning changes along a total below which it hardly changes that.
+const LEAST_TURN: f64 = 1e-2;
+
+/// Whether cells that can only turn can take up a change of the totals: not if they all point along it.
+fn can_turn(cells: &[Cell], has_total: [bool; 2]) -> bool {
+    let [xx, yy, xy] = reduce::sums(cells.len(), |i| match cells[i] {
+        Cell::Slip {
+            tangent: [x, y], ..
+        } => [x * x, y * y, x * y],
+        _ => [0.0; 3],
+    });
+    let all = xx + yy;
+    let least = match has_total {
+        [true, true] => (xx * yy - xy * xy) / all,
+        [true, false] => xx,
+        _ => yy,
+    };
+    least > LEAST_TURN * all
 }
 
 fn cells_of(vector: &[f64]) -> usize {
