@@ -11,7 +11,6 @@ mod support;
 use std::error::Error;
 use std::path::Path;
 
-use plotters::prelude::SeriesLabelPosition;
 use stickslip::history::LoadPath;
 use stickslip::{
     Axis, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalStep,
@@ -160,7 +159,6 @@ fn draw(path: &Path, rows: &[[f64; 5]]) -> std::result::Result<(), Box<dyn Error
         let top = 1.2 * points(column).map(|(_, value)| value).fold(0.0, f64::max);
         let mut chart = support::axes(&area, (cycles.clone(), "cycles"), (0.0..top, name))?;
         support::dots(&mut chart, name, (colour, true), points(column))?;
-        support::legend(&mut chart, SeriesLabelPosition::LowerRight)?;
     }
     figure.present()?;
     Ok(())

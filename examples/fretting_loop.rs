@@ -228,7 +228,6 @@ fn draw_loop(
 ) -> Result<(), Box<dyn Error>> {
     let (limit, sliding) = (FRICTION * NORMAL_FORCE, exact.sliding_shift());
     let mut chart = support::axes(area, (-0.8..0.8, "δ / δ₀"), (-1.0..1.0, "F / μW"))?;
-    let mut ends = vec![AMPLITUDE];
     let mut line = Vec::new();
     // First loading and one loop.
     for (turns, from, to) in [
@@ -238,9 +237,8 @@ fn draw_loop(
     ] {
         for i in 0..=100 {
             let force = from + (to - from) * f64::from(i) / 100.0;
-            ends.clear();
-            ends.extend(turns.iter().chain([&force]));
-            let on_way = MindlinDeresiewicz::new(exact.hertz(), FRICTION, &ends)?;
+            let path = [turns, &[force]].concat();
+            let on_way = MindlinDeresiewicz::new(exact.hertz(), FRICTION, &path)?;
             line.push((on_way.shift() / sliding, force / limit));
         }
     }
