@@ -129,6 +129,10 @@ impl PlaneStage {
         })
     }
 
+    pub(crate) fn operator(&self) -> &PairConvolution {
+        &self.compliance.operator
+    }
+
     /// Minimises from `q` into `q`; the rest is in the accessors, converged or not.
     pub(crate) fn minimise(
         &mut self,

@@ -8,7 +8,7 @@ mod common;
 use common::{rough, unit_bodies};
 use stickslip::history::wear;
 use stickslip::{
-    Axis, Field, Friction, Grid, History, LoadStep, NormalStep, TangentialStep, surface,
+    Axis, Field, Friction, Grid, History, Lateral, LoadStep, NormalStep, TangentialStep, surface,
 };
 
 /// Allocations of one thread: the steps must run on it.
@@ -21,28 +21,35 @@ fn allocations(mut work: impl FnMut() + Send) -> u64 {
         .count_total
 }
 
-fn check(gap: &Field, load: f64) {
+fn check(gap: &Field, load: f64, lateral: Lateral) {
     let grid = gap.grid();
     let bodies = unit_bodies(grid, 0.3);
     let friction = [0.4, 0.5].map(|mu| Friction::per_cell(Field::constant(grid, mu)).unwrap());
     let builder = History::builder(&bodies, gap, friction[0].clone()).tolerance(1e-6);
-    let mut history = builder.build().unwrap();
+    let mut history = builder.lateral(lateral).build().unwrap();
+    // What only one model has.
+    let last = match lateral {
+        Lateral::Neglected => LoadStep::hold().tangential(
+            Axis::X,
+            TangentialStep::Spring {
+                position: 0.1,
+                stiffness: 0.2 * load,
+            },
+        ),
+        Lateral::Coupled => LoadStep::hold()
+            .tangential(Axis::Y, TangentialStep::Force(-0.2 * load))
+            .twist(1e-3),
+    };
     let (mut worn, mut depth) = (gap.clone(), Field::zeros(grid));
     let mut cycle = || {
-        for (part, tangential) in [
-            (1.0, TangentialStep::Hold),
-            (0.95, TangentialStep::Force(0.3 * load)),
-            (0.9, TangentialStep::Force(-0.3 * load)),
-            (0.9, TangentialStep::Shift(0.0)),
-            (
-                1.0,
-                TangentialStep::Spring {
-                    position: 0.1,
-                    stiffness: 0.2 * load,
-                },
-            ),
+        let along = |tangential| LoadStep::hold().tangential(Axis::X, tangential);
+        for (part, step) in [
+            (1.0, LoadStep::hold()),
+            (0.95, along(TangentialStep::Force(0.3 * load))),
+            (0.9, along(TangentialStep::Force(-0.3 * load))),
+            (0.9, along(TangentialStep::Shift(0.0))),
+            (1.0, last),
         ] {
-            let step = LoadStep::hold().tangential(Axis::X, tangential);
             history.set_friction(&friction[0]).unwrap();
             history
                 .step(&step.normal(NormalStep::Force(part * load)))
@@ -67,6 +74,8 @@ fn check(gap: &Field, load: f64) {
 #[test]
 fn on_a_sphere_and_on_a_rough_surface() {
     let grid = Grid::square(96, 100.0).unwrap();
-    check(&surface::sphere(grid, 300.0).unwrap(), 20.0);
-    check(&rough(grid, 4), 30.0);
+    for lateral in [Lateral::Neglected, Lateral::Coupled] {
+        check(&surface::sphere(grid, 300.0).unwrap(), 20.0, lateral);
+        check(&rough(grid, 4), 30.0, lateral);
+    }
 }

@@ -32,7 +32,7 @@ fn load(force: f64, axis: Axis, tangential: TangentialStep) -> LoadStep {
 
 /// A first touch, some slip, some more load.
 fn advance(history: &mut History) {
-    let axis = history.axis();
+    let axis = history.axis().unwrap();
     for step in [
         load(10.0, axis, TangentialStep::Hold),
         load(10.0, axis, TangentialStep::Force(3.0)),
@@ -45,7 +45,7 @@ fn advance(history: &mut History) {
 /// What the history and a twin that was never disturbed do next.
 fn assert_untouched(disturbed: &mut History, twin: &mut History) {
     assert_eq!(disturbed.to_bytes(), twin.to_bytes());
-    let axis = twin.axis();
+    let axis = twin.axis().unwrap();
     for step in [
         load(14.0, axis, TangentialStep::Force(1.0)),
         LoadStep::hold().tangential(axis, TangentialStep::Shift(0.3)),

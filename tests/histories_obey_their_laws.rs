@@ -27,7 +27,7 @@ fn run(history: &mut History, steps: &[(NormalStep, TangentialStep)], sign: f64)
             TangentialStep::Shift(shift) => TangentialStep::Shift(sign * shift),
             other => other,
         };
-        let axis = history.axis();
+        let axis = history.axis().unwrap();
         let step = LoadStep::hold().normal(normal).tangential(axis, tangential);
         history.step(&step).unwrap();
         assert_within_limits(history);
@@ -35,7 +35,7 @@ fn run(history: &mut History, steps: &[(NormalStep, TangentialStep)], sign: f64)
 }
 
 fn assert_within_limits(history: &History) {
-    let traction = history.traction()[history.axis().index()];
+    let traction = history.traction()[history.axis().unwrap().index()];
     let cells = traction
         .as_slice()
         .iter()

@@ -5,7 +5,7 @@ use crate::error::Result;
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::History;
-use crate::tangential::{Axis, Friction, check_coupling};
+use crate::tangential::{Axis, Friction, Lateral, check_coupling};
 
 /// Options of a [`History`]; each has a default.
 #[derive(Debug, Clone)]
@@ -15,6 +15,7 @@ pub struct HistoryBuilder<'a> {
     gap: &'a Field,
     friction: Friction,
     axis: Axis,
+    lateral: Lateral,
     settings: Settings,
     neglect_coupling: bool,
 }
@@ -26,6 +27,7 @@ impl<'a> HistoryBuilder<'a> {
             gap,
             friction,
             axis: Axis::X,
+            lateral: Lateral::default(),
             settings: Settings::default(),
             neglect_coupling: false,
         }
@@ -35,9 +37,17 @@ impl<'a> HistoryBuilder<'a> {
 impl HistoryBuilder<'_> {
     settings_methods!();
 
-    /// The axis of tangential load and tractions (default [`Axis::X`]).
+    /// The axis of tangential load and tractions (default [`Axis::X`]); the plane model has none.
     pub fn axis(mut self, axis: Axis) -> Self {
         self.axis = axis;
+        self
+    }
+
+    /// What becomes of the traction across the load (default [`Lateral::Neglected`]). With
+    /// [`Lateral::Coupled`] a history takes loads of any direction and twist, but no springs, and the tangential
+    /// [`method`](Self::method) is always the active-set one.
+    pub fn lateral(mut self, lateral: Lateral) -> Self {
+        self.lateral = lateral;
         self
     }
 
@@ -57,12 +67,10 @@ impl HistoryBuilder<'_> {
     /// [`Error::Tolerance`](crate::Error::Tolerance), [`Error::IterationLimit`](crate::Error::IterationLimit).
     pub fn build(self) -> Result<History> {
         check_coupling(self.bodies, self.neglect_coupling)?;
-        History::new(
-            self.bodies,
-            self.gap,
-            self.friction,
-            self.axis,
-            self.settings,
-        )
+        let axis = match self.lateral {
+            Lateral::Neglected => Some(self.axis),
+            Lateral::Coupled => None,
+        };
+        History::new(self.bodies, self.gap, self.friction, axis, self.settings)
     }
 }

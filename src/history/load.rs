@@ -1,5 +1,6 @@
 //! What a step of a history does to the bodies.
 
+use crate::boundary::Boundary;
 use crate::error::{Error, Result, finite, positive};
 use crate::normal::NormalLoad;
 use crate::tangential::Axis;
@@ -50,16 +51,17 @@ pub enum TangentialStep {
 pub struct LoadStep {
     normal: NormalStep,
     tangential: [TangentialStep; 2],
-    twist: f64,
+    /// `None` leaves it as it is.
+    twist: Option<f64>,
 }
 
 impl LoadStep {
-    /// Everything held: pressure, shift, and no twist.
+    /// Everything held: pressure, shift and twist.
     pub fn hold() -> Self {
         Self {
             normal: NormalStep::Hold,
             tangential: [TangentialStep::Hold; 2],
-            twist: 0.0,
+            twist: None,
         }
     }
 
@@ -75,16 +77,18 @@ impl LoadStep {
         self
     }
 
-    /// With the rotation of body 2 relative to body 1 about z at the end of the step, since the start
-    /// of the history (radians, positive from x to y). The scalar model takes none but zero.
+    /// With the rotation $`\varphi`$ of body 2 relative to body 1 about the origin of the grid at the end of the
+    /// step, since the start of the history (radians, positive from x to y): beside the shift it moves body 2
+    /// by $`(-\varphi y, \varphi x)`$. Only the plane model takes other than zero, and only on a grid that does
+    /// not repeat.
     pub fn twist(mut self, twist: f64) -> Self {
-        self.twist = twist;
+        self.twist = Some(twist);
         self
     }
 
-    /// `Ok` if a history along `axis` can take the step; what pressure and friction have to say comes
-    /// later.
-    pub(super) fn check(&self, axis: Axis) -> Result<()> {
+    /// `Ok` if a history along `axis`, or in the plane, can take the step; what pressure and friction have to
+    /// say comes later.
+    pub(super) fn check(&self, axis: Option<Axis>, boundary: Boundary) -> Result<()> {
         let names = ["tangential load along x", "tangential load along y"];
         for (quantity, tangential) in names.into_iter().zip(self.tangential) {
             let value = match tangential {
@@ -93,18 +97,24 @@ impl LoadStep {
                     position,
                     stiffness,
                 } => {
-                    positive("stiffness of the spring", stiffness)?;
+                    let value = positive("stiffness of the spring", stiffness)?;
+                    if axis.is_none() {
+                        let quantity = "spring in the plane, of a stiffness";
+                        return Err(Error::NotModelled { quantity, value });
+                    }
                     position
                 }
                 TangentialStep::Hold => 0.0,
             };
             finite(quantity, value)?;
-            if quantity != names[axis.index()] && value != 0.0 {
+            let is_across = axis.is_some_and(|axis| quantity != names[axis.index()]);
+            if is_across && value != 0.0 {
                 return Err(Error::NotModelled { quantity, value });
             }
         }
-        let (quantity, value) = ("twist", finite("twist", self.twist)?);
-        if value != 0.0 {
+        let (quantity, value) = ("twist", finite("twist", self.twist_from(0.0))?);
+        let can_turn = axis.is_none() && boundary == Boundary::Free;
+        if value != 0.0 && !can_turn {
             return Err(Error::NotModelled { quantity, value });
         }
         Ok(())
@@ -117,6 +127,11 @@ impl LoadStep {
             NormalStep::Approach(approach) => Some(NormalLoad::Approach(approach)),
             NormalStep::Hold => None,
         }
+    }
+
+    /// The twist at the end of the step, which begins at `last`.
+    pub(super) fn twist_from(&self, last: f64) -> f64 {
+        self.twist.unwrap_or(last)
     }
 
     pub(super) fn along(&self, axis: Axis) -> TangentialStep {

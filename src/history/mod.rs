@@ -43,8 +43,12 @@
 //! with tractions and slip kept.
 
 mod builder;
+mod commit;
 mod energy;
+mod engine;
+mod layout;
 mod load;
+mod motion;
 mod patch;
 mod path;
 mod shear;

@@ -1,50 +1,50 @@
-//! The tangential half of a step, for tractions along one axis.
+//! The tangential half of a step, for tractions along one axis or both in the plane.
 //!
 //! The seam to the rest of the history is four calls: [`Shear::prepare`] with the pressure of the step,
 //! [`Shear::solve`], then [`Shear::commit`], or [`Shear::abandon`] to leave no trace.
 
-use std::time::Instant;
-
-use crate::cgm::{self, Magnitude, Settings};
+use crate::cgm::Settings;
 use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
+use crate::history::layout::Layout;
+use crate::history::motion::Motion;
 use crate::history::patch::Patch;
 use crate::history::state::State;
 use crate::history::step::Step;
-use crate::history::{EnergyBalance, TangentialStep};
-use crate::operator::Operator;
+use crate::history::{EnergyBalance, LoadStep, TangentialStep};
 use crate::report::Report;
-use crate::stage::{Observer, with_time_left};
+use crate::stage::Observer;
 use crate::tangential::{Axis, Friction, TangentialLoad};
 use crate::window::Window;
 
-/// Tractions along one axis on the window of the contact, which is made wider when the contact leaves it.
+/// Tractions on the window of the contact, which is made wider when the contact leaves it.
 #[derive(Debug)]
 pub(super) struct Shear {
     bodies: HalfSpace,
-    axis: Axis,
+    /// The axis of the scalar model, `None` in that of the plane.
+    axis: Option<Axis>,
     pub(super) patch: Option<Patch>,
     /// The patch of the step under way, where that needs a wider one.
     wider: Option<Patch>,
-    /// Shift at the end of the step under way.
-    shift: f64,
+    /// Motion at the end of the step under way.
+    motion: Motion,
     report: Report,
 }
 
 impl Shear {
-    pub(super) fn new(bodies: &HalfSpace, axis: Axis) -> Self {
+    pub(super) fn new(bodies: &HalfSpace, axis: Option<Axis>) -> Self {
         Self {
             bodies: bodies.clone(),
             axis,
             patch: None,
             wider: None,
-            shift: 0.0,
+            motion: Motion::default(),
             report: Report::unsolved(),
         }
     }
 
-    pub(super) fn axis(&self) -> Axis {
+    pub(super) fn axis(&self) -> Option<Axis> {
         self.axis
     }
 
@@ -72,47 +72,76 @@ impl Shear {
         Ok(())
     }
 
-    /// Finds traction and shift at the end of the step.
+    /// Finds traction and motion at the end of the step.
     pub(super) fn solve(
         &mut self,
-        step: TangentialStep,
+        load: &LoadStep,
         state: &State,
         settings: &Settings,
         observer: Observer<'_>,
     ) -> Result<()> {
         let cell_area = self.bodies.grid().cell_area();
-        let axis = self.axis.index();
-        let (last, traction) = (state.shift[axis], state.traction[axis].as_slice());
         self.report.clone_from(&Report::unsolved());
+        let mut motion = state.motion;
+        motion.twist = load.twist_from(motion.twist);
         let Some(patch) = self.wider.as_mut().or(self.patch.as_mut()) else {
-            self.shift = shift_without_contact(step, last)?;
+            for axis in Layout::new(self.axis, 0).axes {
+                let shift = &mut motion.shift[axis.index()];
+                *shift = shift_without_contact(load.along(*axis), *shift)?;
+            }
+            self.motion = motion;
             return Ok(());
         };
 
-        let limits = &patch.limits;
-        let (mut origin, mut total, mut compliance) = (last, None, 0.0);
-        match step {
-            TangentialStep::Hold => {}
-            TangentialStep::Shift(shift) => origin = shift,
-            TangentialStep::Force(force) => {
-                limits.check(TangentialLoad::Force([force, 0.0]), cell_area)?;
-                // Where nothing can be carried the shift is free, and stays.
-                if limits.sum > 0.0 {
-                    (origin, total) = (
-                        patch.datum(),
-                        Some(limits.totals([force, 0.0], cell_area)[0]),
-                    );
-                }
+        let axes = patch.layout().axes;
+        let mut force = [0.0; 2];
+        for axis in axes {
+            if let TangentialStep::Force(value) = load.along(*axis) {
+                force[axis.index()] = value;
             }
-            TangentialStep::Spring {
-                position,
-                stiffness,
-            } => (origin, compliance) = (position, cell_area / stiffness),
         }
-        patch.pose(traction, origin, compliance);
-        minimise(patch, total, settings, observer, &mut self.report)?;
-        let stretch = patch.stage.operator.stretch(&patch.stage.x);
-        self.shift = origin + patch.stage.multiplier() - stretch;
+        let limits = &patch.limits;
+        limits.check(TangentialLoad::Force(force), cell_area)?;
+        let (sums, datum) = (
+            limits.totals(force, cell_area),
+            patch.datum(state, motion.twist),
+        );
+        let (mut totals, mut compliance) = ([None; 2], 0.0);
+        for axis in axes {
+            let component = axis.index();
+            let shift = &mut motion.shift[component];
+            match load.along(*axis) {
+                TangentialStep::Hold => {}
+                TangentialStep::Shift(prescribed) => *shift = prescribed,
+                // Where nothing can be carried the shift is free, and stays.
+                TangentialStep::Force(_) if limits.sum > 0.0 => {
+                    (*shift, totals[component]) = (datum[component], Some(sums[component]));
+                }
+                TangentialStep::Force(_) => {}
+                TangentialStep::Spring {
+                    position,
+                    stiffness,
+                } => (*shift, compliance) = (position, cell_area / stiffness),
+            }
+        }
+        patch.pose(state, motion, compliance);
+        let Patch {
+            engine,
+            limits,
+            next,
+            ..
+        } = patch;
+        engine.minimise(
+            &limits.cells,
+            totals,
+            settings,
+            observer,
+            next,
+            &mut self.report,
+        )?;
+        let beyond = engine.multiplier();
+        motion.shift = [0, 1].map(|axis| motion.shift[axis] + beyond[axis]);
+        self.motion = motion;
         Ok(())
     }
 
@@ -121,18 +150,21 @@ impl Shear {
         if let Some(wider) = self.wider.take() {
             self.patch = Some(wider);
         }
-        let axis = self.axis.index();
-        let change = self.shift - state.shift[axis];
-        let force = state.force[axis];
+        let (before, force, moment) = (state.motion, state.force, state.moment);
         step.tangential_report.clone_from(&self.report);
         (step.stick_cells, step.slip_cells) = (0, 0);
         step.energy = EnergyBalance::default();
-        state.shift[axis] = self.shift;
+        state.motion = self.motion;
         if let Some(patch) = &mut self.patch {
-            patch.commit(axis, change, state, step);
+            patch.commit(before, state, step);
         }
-        step.energy.work = 0.5 * (force + state.force[axis]) * change;
-        (step.force, step.shift) = (state.force, state.shift);
+        let change = state.motion.since(before);
+        let shifted: f64 = (0..2)
+            .map(|axis| 0.5 * (force[axis] + state.force[axis]) * change.shift[axis])
+            .sum();
+        step.energy.work = shifted + 0.5 * (moment + state.moment) * change.twist;
+        (step.force, step.moment) = (state.force, state.moment);
+        (step.shift, step.twist) = (state.motion.shift, state.motion.twist);
         state.steps += 1;
     }
 
@@ -152,58 +184,5 @@ fn shift_without_contact(step: TangentialStep, last: f64) -> Result<f64> {
         TangentialStep::Force(_) | TangentialStep::Hold => Ok(last),
         TangentialStep::Shift(shift) => Ok(shift),
         TangentialStep::Spring { position, .. } => Ok(position),
-    }
-}
-
-/// Solves on the patch, and again more closely while errors measured by the displacement of the bodies
-/// alone are too large: the engine's measure holds the stretch of a spring too, which may be far more.
-fn minimise(
-    patch: &mut Patch,
-    total: Option<f64>,
-    settings: &Settings,
-    observer: Observer<'_>,
-    report: &mut Report,
-) -> Result<()> {
-    let start = Instant::now();
-    let (mut aim, mut earlier) = (settings.tolerance, [0; 3]);
-    loop {
-        let left = with_time_left(settings, start).tolerance(aim);
-        let constraint = Magnitude(&patch.limits.cells);
-        let stage = &mut patch.stage;
-        let outcome = stage.minimise(constraint, total, &left, observer);
-        if !matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
-            return outcome;
-        }
-        report.clone_from(stage.report());
-        report.iterations += earlier[0];
-        report.convolutions += earlier[1];
-        report.rough_convolutions += earlier[2];
-        report.time = start.elapsed();
-        if outcome.is_err() {
-            return Err(Error::NotConverged(Box::new(report.clone())));
-        }
-        let stretch = patch.find_displacement();
-        if patch.stage.operator.compliance == 0.0 {
-            return Ok(());
-        }
-        let findings = cgm::examine(
-            &patch.stage.x,
-            &patch.next,
-            &patch.stage.linear,
-            &Magnitude(&patch.limits.cells),
-            None,
-            -stretch,
-            patch.stage.operator.lower_bound(),
-        );
-        findings.write_to(report);
-        if report.is_within(settings.tolerance) {
-            return Ok(());
-        }
-        aim *= 0.1;
-        earlier = [
-            report.iterations,
-            report.convolutions,
-            report.rough_convolutions,
-        ];
     }
 }

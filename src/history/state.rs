@@ -2,6 +2,7 @@
 
 use crate::field::Field;
 use crate::grid::Grid;
+use crate::history::motion::Motion;
 use crate::tangential::Zone;
 
 /// Tangential state of all cells, and what has added up since the start.
@@ -12,8 +13,9 @@ pub(super) struct State {
     pub(super) slip_path: Field,
     pub(super) dissipated: Field,
     pub(super) zones: Vec<Zone>,
-    pub(super) shift: [f64; 2],
+    pub(super) motion: Motion,
     pub(super) force: [f64; 2],
+    pub(super) moment: f64,
     pub(super) steps: u64,
 }
 
@@ -27,9 +29,14 @@ impl State {
             slip_path: zeros(),
             dissipated: zeros(),
             zones: vec![Zone::Separate; grid.cells()],
-            shift: [0.0; 2],
+            motion: Motion::default(),
             force: [0.0; 2],
+            moment: 0.0,
             steps: 0,
         }
+    }
+
+    pub(super) fn grid(&self) -> Grid {
+        self.dissipated.grid()
     }
 }

@@ -19,7 +19,9 @@ pub struct Step {
     pub(super) normal_force: f64,
     pub(super) approach: f64,
     pub(super) force: [f64; 2],
+    pub(super) moment: f64,
     pub(super) shift: [f64; 2],
+    pub(super) twist: f64,
     pub(super) stick_cells: usize,
     pub(super) slip_cells: usize,
     pub(super) normal_report: Report,
@@ -39,7 +41,9 @@ impl Step {
             normal_force: 0.0,
             approach: 0.0,
             force: [0.0; 2],
+            moment: 0.0,
             shift: [0.0; 2],
+            twist: 0.0,
             stick_cells: 0,
             slip_cells: 0,
             normal_report: Report::unsolved(),
@@ -97,10 +101,23 @@ impl Step {
         self.force
     }
 
+    /// Moment about z, at the origin of the grid, that the tractions of body 2 exert on body 1 at the end of the
+    /// step (force times length, positive from x to y).
+    #[must_use]
+    pub fn moment(&self) -> f64 {
+        self.moment
+    }
+
     /// Shift of body 2 relative to body 1 at the end of the step, since the start of the history (lengths).
     #[must_use]
     pub fn shift(&self) -> [f64; 2] {
         self.shift
+    }
+
+    /// Rotation of body 2 relative to body 1 at the end of the step, since the start of the history (radians).
+    #[must_use]
+    pub fn twist(&self) -> f64 {
+        self.twist
     }
 
     /// Stick cells over contact cells at the end of the step; zero without contact.

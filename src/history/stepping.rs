@@ -9,14 +9,14 @@ use crate::field::Field;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::history::builder::HistoryBuilder;
+use crate::history::engine::Engine;
 use crate::history::shear::Shear;
 use crate::history::state::State;
 use crate::history::{LoadStep, Step};
 use crate::normal::{NormalLoad, NormalProblem, NormalSolution, NormalSolver};
-use crate::operator::Operator;
 use crate::report::Report;
 use crate::stage::{Observer, with_memory};
-use crate::tangential::{Axis, Friction, Zone, component};
+use crate::tangential::{Axis, Friction, Zone};
 
 /// Two bodies in contact that remember their load: pressure, traction, slip and energy, step by step.
 ///
@@ -85,7 +85,7 @@ impl History {
         bodies: &HalfSpace,
         gap: &Field,
         friction: Friction,
-        axis: Axis,
+        axis: Option<Axis>,
         settings: Settings,
     ) -> Result<Self> {
         let grid = bodies.grid();
@@ -133,7 +133,7 @@ impl History {
         load: &LoadStep,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<&Step> {
-        load.check(self.axis())?;
+        load.check(self.axis(), self.boundary())?;
         let window = self.press.window();
         if let Err(error) = self.attempt(load, &mut with_memory(&mut observer)) {
             self.press
@@ -165,8 +165,7 @@ impl History {
         };
         let Self { shear, state, .. } = self;
         shear.prepare(pressed.pressure(), &self.friction, state)?;
-        let along = load.along(shear.axis());
-        shear.solve(along, state, &self.settings, observer)
+        shear.solve(load, state, &self.settings, observer)
     }
 
     /// Changes the gap before loading, as wear does; all else stays, the pressure too until a step
@@ -215,9 +214,9 @@ impl History {
         self.bodies.boundary()
     }
 
-    /// The axis of tangential load and tractions.
+    /// The axis of tangential load and tractions in the scalar model, `None` in that of the plane.
     #[must_use]
-    pub fn axis(&self) -> Axis {
+    pub fn axis(&self) -> Option<Axis> {
         self.shear.axis()
     }
 
@@ -263,14 +262,18 @@ impl History {
     /// # Errors
     /// As [`HalfSpace::operator`].
     pub fn displacement(&self) -> Result<[Field; 2]> {
-        let axis = self.axis();
-        let operator = self.bodies.operator(component(axis))?;
-        let mut displacement = [Field::zeros(self.grid()), Field::zeros(self.grid())];
-        operator.apply(
-            self.state.traction[axis.index()].as_slice(),
-            displacement[axis.index()].as_mut_slice(),
-            &mut operator.workspace(),
-        );
+        let grid = self.grid();
+        let mut engine = Engine::new(&self.bodies, self.axis(), [grid.nx(), grid.ny()])?;
+        let layout = engine.layout();
+        for (axis, part) in layout.parts_mut(engine.traction_mut()) {
+            part.copy_from_slice(self.state.traction[axis.index()].as_slice());
+        }
+        let mut displacement = [Field::zeros(grid), Field::zeros(grid)];
+        for (axis, part) in layout.parts(&engine.displacement()) {
+            displacement[axis.index()]
+                .as_mut_slice()
+                .copy_from_slice(part);
+        }
         Ok(displacement)
     }
 
@@ -302,12 +305,24 @@ impl History {
     /// Shift of body 2 relative to body 1 since the start (lengths).
     #[must_use]
     pub fn shift(&self) -> [f64; 2] {
-        self.state.shift
+        self.state.motion.shift
+    }
+
+    /// Rotation of body 2 relative to body 1 since the start (radians).
+    #[must_use]
+    pub fn twist(&self) -> f64 {
+        self.state.motion.twist
     }
 
     /// Tangential force that body 2 exerts on body 1.
     #[must_use]
     pub fn force(&self) -> [f64; 2] {
         self.state.force
+    }
+
+    /// Moment about z, at the origin of the grid, that the tractions of body 2 exert on body 1.
+    #[must_use]
+    pub fn moment(&self) -> f64 {
+        self.state.moment
     }
 }

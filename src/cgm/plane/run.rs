@@ -176,7 +176,10 @@ impl<'a, 'b, C: Operator, P: Operator> Run<'a, 'b, C, P> {
             (limits[i] > 0.0).then(|| -dot(at(gradient, i), direction))
         });
         if let Some((cell, _)) = last {
-            self.workspace.multiplier = at(gradient, cell);
+            let (motion, totals) = (at(gradient, cell), self.problem.totals);
+            // Where the motion is prescribed there is none beyond.
+            self.workspace.multiplier =
+                [0, 1].map(|axis| totals[axis].map_or(0.0, |_| motion[axis]));
         }
         Status::Converged
     }

@@ -3,7 +3,7 @@
 //! | bytes | holds |
 //! |---|---|
 //! | 8 | `\x93STKSLIP` |
-//! | 4 | version of the format, 1 |
+//! | 4 | version of the format, 2 |
 //! | 8 | number of all bytes |
 //! | | bodies, options, friction, scalars, windows, fields |
 //! | 8 | FNV-1a sum of all bytes before |
@@ -16,6 +16,8 @@ mod writer;
 use crate::error::Result;
 use crate::half_space::HalfSpace;
 use crate::history::History;
+use crate::history::layout::Layout;
+use crate::history::motion::Motion;
 use crate::history::patch::Patch;
 use crate::io::{Cursor, Format};
 
@@ -24,7 +26,7 @@ use writer::Writer;
 
 const FORMAT: Format = Format("saved history");
 const MAGIC: &[u8; 8] = b"\x93STKSLIP";
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 /// Magic, version and length; and the sum at the end.
 const HEADER: usize = 20;
 const SUM: usize = 8;
@@ -32,7 +34,8 @@ const SUM: usize = 8;
 impl History {
     /// All that the next step needs, as bytes: [`History::restore`] goes on from them to the same bits.
     ///
-    /// The bodies are not among them, but enough to know them again. Some 60 bytes per cell.
+    /// The bodies are not among them, but enough to know them again. Some 60 bytes per cell, 80 of
+    /// a history in the plane.
     #[must_use]
     pub fn to_bytes(&self) -> Vec<u8> {
         let mut bytes = Writer::default();
@@ -44,24 +47,24 @@ impl History {
         bytes.options(self.axis(), &self.settings);
         bytes.friction(&self.friction);
 
-        let (normal, state, axis) = (&self.normal, &self.state, self.axis().index());
+        let (normal, state) = (&self.normal, &self.state);
         bytes.raw(&state.steps.to_le_bytes());
-        bytes.numbers(&[state.shift[axis], state.force[axis], normal.approach()]);
+        bytes.numbers(&state.motion.shift);
+        bytes.numbers(&state.force);
+        bytes.numbers(&[state.motion.twist, state.moment, normal.approach()]);
         bytes.report(normal.report());
         let patch = self.shear.patch.as_ref();
         bytes.window(self.press.window());
         bytes.window(patch.map(|patch| patch.window));
-        for field in [
-            self.gap(),
-            normal.pressure(),
-            normal.gap(),
-            &state.traction[axis],
-            &state.slip[axis],
-            &state.slip_path,
-            &state.dissipated,
-        ] {
+        for field in [self.gap(), normal.pressure(), normal.gap()] {
             bytes.numbers(field.as_slice());
         }
+        for axis in Layout::new(self.axis(), 0).axes {
+            bytes.numbers(state.traction[axis.index()].as_slice());
+            bytes.numbers(state.slip[axis.index()].as_slice());
+        }
+        bytes.numbers(state.slip_path.as_slice());
+        bytes.numbers(state.dissipated.as_slice());
         bytes.zones(&state.zones);
         if let Some(patch) = patch {
             bytes.numbers(&patch.displacement);
@@ -106,8 +109,11 @@ impl History {
         let friction = reader.friction(grid)?;
 
         let steps = reader.steps()?;
-        let shift = reader.finite("shift")?;
-        let force = reader.finite("tangential force")?;
+        let shift = [reader.finite("shift")?, reader.finite("shift")?];
+        let what = "tangential force";
+        let force = [reader.finite(what)?, reader.finite(what)?];
+        let twist = reader.finite("twist")?;
+        let moment = reader.finite("moment")?;
         let approach = reader.finite("approach")?;
         let report = reader.report()?;
         let window = reader.window(grid)?;
@@ -120,18 +126,22 @@ impl History {
         let (pressure, loaded) = (pressure.as_slice(), gap_under_load.as_slice());
         history.normal.restore(pressure, loaded, approach, &report);
         history.press.resume(pressure, window)?;
-        let (state, along) = (&mut history.state, axis.index());
+        let state = &mut history.state;
         state.steps = steps;
-        (state.shift[along], state.force[along]) = (shift, force);
-        state.traction[along] = reader.field("traction", grid, FINITE)?;
-        state.slip[along] = reader.field("slip", grid, FINITE)?;
+        state.motion = Motion { shift, twist };
+        (state.force, state.moment) = (force, moment);
+        for axis in Layout::new(axis, 0).axes {
+            state.traction[axis.index()] = reader.field("traction", grid, FINITE)?;
+            state.slip[axis.index()] = reader.field("slip", grid, FINITE)?;
+        }
         state.slip_path = reader.field("slip path", grid, NOT_NEGATIVE)?;
         state.dissipated = reader.field("dissipated energy", grid, NOT_NEGATIVE)?;
         state.zones = reader.zones(grid.cells())?;
         if let Some(window) = patch_window {
             let mut patch = Patch::first(bodies, axis, window, state)?;
-            patch.displacement = reader.numbers("displacement", window.cells(), FINITE)?;
-            patch.offset = reader.numbers("offset", window.cells(), FINITE)?;
+            let count = patch.layout().len();
+            patch.displacement = reader.numbers("displacement", count, FINITE)?;
+            patch.offset = reader.numbers("offset", count, FINITE)?;
             history.shear.patch = Some(patch);
         }
         reader.end()?;

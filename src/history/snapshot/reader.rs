@@ -56,8 +56,9 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    pub(super) fn options(&mut self) -> Result<(Axis, Settings)> {
-        let axis = [Axis::X, Axis::Y][usize::from(self.kind("axis", 2)?)];
+    pub(super) fn options(&mut self) -> Result<(Option<Axis>, Settings)> {
+        let axes = [Some(Axis::X), Some(Axis::Y), None];
+        let axis = axes[usize::from(self.kind("axis", 3)?)];
         let methods = [Method::ActiveSet, Method::PolonskyKeer];
         let settings = Settings {
             method: methods[usize::from(self.kind("method", 2)?)],

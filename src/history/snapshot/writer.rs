@@ -46,8 +46,12 @@ impl Writer {
         self.numbers(&elasticity(bodies));
     }
 
-    pub(super) fn options(&mut self, axis: Axis, settings: &Settings) {
-        self.byte(u8::from(axis == Axis::Y));
+    pub(super) fn options(&mut self, axis: Option<Axis>, settings: &Settings) {
+        self.byte(match axis {
+            Some(Axis::X) => 0,
+            Some(Axis::Y) => 1,
+            None => 2,
+        });
         self.byte(u8::from(settings.method == Method::PolonskyKeer));
         self.number(settings.tolerance);
         self.count(settings.max_iterations);
