@@ -11,38 +11,30 @@
 use std::ops::ControlFlow;
 
 use crate::cgm::inner::{precondition, solve_free};
+use crate::cgm::progress::Progress;
 use crate::cgm::run::Run;
 use crate::cgm::{Constraint, State, Workspace, reduce};
 use crate::operator::Operator;
 use crate::parallel::{self, Blocks, CHUNK, blocks};
 use crate::report::Status;
 
-/// Reduction of the inner residual per outer step.
-const INNER_REDUCTION: f64 = 0.1;
-
-/// Residual above which single precision tells the sets as well as double does.
-const EARLY: f64 = 1e-3;
-
-/// Outer steps in which neither the residual halves nor fewer entries change sets than ever before
-/// after which the method is stuck: while the sets change, and once they stand.
+/// Outer steps without progress that are a cycle.
 const CYCLE: usize = 12;
-const PATIENCE: usize = 4;
 
 /// Ends with the status of the run; `None` if the sets cycle.
 pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
     run: &mut Run<'_, '_, C, K, P>,
 ) -> Option<Status> {
     run.mark_start();
-    let (mut changes, mut fewest) = (usize::MAX, usize::MAX);
+    let mut progress = Progress::new(CYCLE);
     let mut sum = reduce::total(run.x);
-    let (mut best, mut without_progress) = (f64::INFINITY, 0);
     loop {
-        if changes > 0 {
+        if progress.changes > 0 {
             list_free(run);
         }
         spread_total(run, sum);
         if !run.is_fresh {
-            if best > EARLY && without_progress == 0 {
+            if progress.is_early() {
                 run.refresh_roughly();
             } else {
                 run.refresh();
@@ -60,25 +52,14 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
         if let ControlFlow::Break(status) = run.judge(merit, findings.free) {
             return Some(status);
         }
-        // Infinite ones do not count as halved.
-        if merit < 0.5 * best || changes < fewest {
-            (best, fewest) = (best.min(merit), fewest.min(changes));
-            without_progress = 0;
-        } else {
-            without_progress += 1;
-            if without_progress >= if changes == 0 { PATIENCE } else { CYCLE } {
-                return run.watch.stuck();
-            }
+        if progress.is_stuck_at(merit) {
+            return run.watch.stuck();
         }
-        let reduction = if changes > 0 {
-            INNER_REDUCTION
-        } else {
-            (0.3 * run.watch.settings.tolerance / merit).clamp(1e-4, INNER_REDUCTION)
-        };
+        let reduction = progress.reduction(merit, run.watch.settings.tolerance);
         if let ControlFlow::Break(status) = solve_free(run, reduction) {
             return Some(status);
         }
-        (changes, sum) = reclassify(run, findings.displacement);
+        (progress.changes, sum) = reclassify(run, findings.displacement);
     }
 }
 

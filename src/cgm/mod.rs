@@ -69,6 +69,7 @@ mod free_set;
 mod inner;
 pub(crate) mod plane;
 mod polonsky_keer;
+mod progress;
 mod projected_gradient;
 mod reduce;
 mod run;

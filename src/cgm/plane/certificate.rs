@@ -20,6 +20,19 @@ pub(super) fn violation(q: [f64; 2], limit: f64, g: [f64; 2]) -> [f64; 2] {
     }
 }
 
+/// `g.q + limit |g|`, what the traction could still give way to a slip; never negative, and with all its digits
+/// where the two are opposite, as in every slipping cell.
+fn duality_gap(q: [f64; 2], limit: f64, g: [f64; 2]) -> f64 {
+    let (size, along) = (norm(g) * norm(q), dot(g, q));
+    let turned = if along < 0.0 {
+        let across = g[0] * q[1] - g[1] * q[0];
+        across * across / (size - along)
+    } else {
+        size + along
+    };
+    norm(g) * (limit - norm(q)).max(0.0) + turned
+}
+
 /// Examines a feasible `q` with its fresh product `C q` and its slip `g = C q + b - delta`.
 pub(super) fn examine(
     q: &[f64],
@@ -46,7 +59,7 @@ pub(super) fn examine(
         }
         let violated = violation(q, limit, g);
         // Either share is valid; each is taken where it is the smaller.
-        let dual = (dot(g, q) + limit * norm(g)).max(0.0);
+        let dual = duality_gap(q, limit, g);
         let square = dot(violated, violated) / lower_bound;
         let is_zero = violated.iter().all(|&g| g == 0.0);
         let (dual, square) = match dual <= square {

@@ -11,32 +11,28 @@ use crate::cgm::plane::border::{Border, precondition};
 use crate::cgm::plane::disc::{at, dot, norm, sweep_cells};
 use crate::cgm::plane::run::Run;
 use crate::cgm::plane::{Cell, Workspace, update_cells};
+use crate::cgm::progress::Progress;
 use crate::cgm::reduce;
 use crate::cgm::run::{FLAT, FLATTEST};
 use crate::operator::Operator;
 use crate::parallel;
 use crate::report::Status;
 
-/// Reduction of the inner residual per outer step.
-const INNER_REDUCTION: f64 = 0.1;
 /// Steps before the sets are looked at again.
 const INNER_LIMIT: usize = 60;
-/// Residual above which single precision tells the sets as well as double does.
-const EARLY: f64 = 1e-3;
-/// Outer steps without progress after which the method is stuck: while the sets change, and once they stand.
+/// Outer steps without progress that are a cycle.
 const CYCLE: usize = 5;
-const PATIENCE: usize = 4;
 
 /// Ends with the status of the run; `None` if the sets cycle.
 pub(super) fn iterate<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) -> Option<Status> {
     mark_start(run);
-    let (mut changes, mut fewest) = (usize::MAX, usize::MAX);
-    let (mut best, mut without_progress) = (f64::INFINITY, 0);
+    let mut progress = Progress::new(CYCLE);
+    let mut is_first = true;
     loop {
         let mut border = Border::new(run);
         border.spread_missing(run);
         if !run.is_fresh {
-            run.refresh(best > EARLY && without_progress == 0);
+            run.refresh(progress.is_early());
         }
         border.set_multiplier(run);
         let findings = run.examine();
@@ -50,23 +46,12 @@ pub(super) fn iterate<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) -> 
         if let ControlFlow::Break(status) = run.judge(merit, findings.free) {
             return Some(status);
         }
-        // Infinite ones do not count as halved.
-        if merit < 0.5 * best || changes < fewest {
-            (best, fewest) = (best.min(merit), fewest.min(changes));
-            without_progress = 0;
-        } else {
-            without_progress += 1;
-            if without_progress >= if changes == 0 { PATIENCE } else { CYCLE } {
-                return run.watch.stuck();
-            }
+        if progress.is_stuck_at(merit) {
+            return run.watch.stuck();
         }
-        let reduction = if changes > 0 {
-            INNER_REDUCTION
-        } else {
-            (0.3 * run.watch.settings.tolerance / merit).clamp(1e-4, INNER_REDUCTION)
-        };
+        let reduction = progress.reduction(merit, run.watch.settings.tolerance);
         stiffen(run);
-        if changes == usize::MAX {
+        if std::mem::take(&mut is_first) {
             // The first preconditioner did not know how stiff the slipping cells are.
             weigh(run);
             border = Border::new(run);
@@ -74,7 +59,7 @@ pub(super) fn iterate<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) -> 
         if let ControlFlow::Break(status) = solve(run, &border, reduction) {
             return Some(status);
         }
-        changes = reclassify(run, findings.displacement);
+        progress.changes = reclassify(run, findings.displacement);
         weigh(run);
     }
 }

@@ -1,0 +1,165 @@
+//! A simulator with a wear law of its own: it steps the contact through cycles of load, wears the gap after
+//! every step, saves the state half way and goes on from it to the same bits.
+//!
+//! `cargo run --release --example custom_wear_law [cells]` (default 64, at least 32)
+//! writes `target/gallery/custom_wear_law.csv` and `.svg`.
+
+#![allow(clippy::print_stdout, reason = "an example shows its numbers")]
+
+mod support;
+
+use std::error::Error;
+use std::path::Path;
+
+use stickslip::history::LoadPath;
+use stickslip::{
+    Axis, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalStep,
+    Result, TangentialStep, surface,
+};
+
+// SI units: metres, newtons, pascals, joules.
+const BALL_RADIUS: f64 = 3.5e-3;
+const NORMAL_FORCE: f64 = 100.0;
+const FRICTION: f64 = 0.5;
+/// The contact slides at 2.99 um.
+const SHIFT_AMPLITUDE: f64 = 2.5e-6;
+const STEPS: usize = 40;
+const CYCLES: usize = 20;
+/// Energy of a square metre that wears nothing yet.
+const THRESHOLD: f64 = 3e3;
+/// Volume removed per energy beyond it (1/Pa).
+const WEAR_COEFFICIENT: f64 = 5e-11;
+
+/// The law: depth worn off by the energy that a cell has dissipated beyond a threshold.
+fn worn_depth(energy: f64, cell_area: f64) -> f64 {
+    WEAR_COEFFICIENT * (energy / cell_area - THRESHOLD).max(0.0)
+}
+
+/// What a cycle leaves behind.
+struct Cycle {
+    energy: f64,
+    depth: f64,
+    max_pressure: f64,
+    worn_volume: f64,
+}
+
+/// The time loop: after every increment the gap is the ball's and what the law has worn off.
+fn run(history: &mut History, ball: &Field, cycles: usize) -> Result<Vec<Cycle>> {
+    let path = LoadPath::sine([SHIFT_AMPLITUDE, 0.0], STEPS)?;
+    let cell_area = ball.grid().cell_area();
+    let mut gap = ball.clone();
+    let mut done = Vec::new();
+    for _ in 0..cycles {
+        let mut energy = 0.0;
+        for &[shift, _] in path.steps() {
+            let load = LoadStep::hold()
+                .normal(NormalStep::Force(NORMAL_FORCE))
+                .tangential(Axis::X, TangentialStep::Shift(shift));
+            energy += history.step(&load)?.energy().dissipated;
+            let dissipated = history.dissipated_energy().as_slice();
+            let unworn = ball.as_slice().iter().zip(dissipated);
+            for (gap, (ball, energy)) in gap.as_mut_slice().iter_mut().zip(unworn) {
+                *gap = ball + worn_depth(*energy, cell_area);
+            }
+            history.set_gap(&gap)?;
+        }
+        done.push(Cycle {
+            energy,
+            depth: worn_depth(history.dissipated_energy().max(), cell_area),
+            max_pressure: history.pressure().max(),
+            worn_volume: gap.integral() - ball.integral(),
+        });
+    }
+    Ok(done)
+}
+
+fn main() -> std::result::Result<(), Box<dyn Error>> {
+    let cells = std::env::args()
+        .nth(1)
+        .map_or(Ok(64), |cells| cells.parse())?;
+    let steel = Material::new(213e9, 0.29)?;
+    let grid = Grid::square(cells, 0.4e-3)?;
+    let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
+    let ball = surface::sphere(grid, BALL_RADIUS)?;
+
+    let build = || History::builder(&bodies, &ball, Friction::coulomb(FRICTION)?).build();
+    let mut straight = build()?;
+    let cycles = run(&mut straight, &ball, CYCLES)?;
+
+    let mut first_half = build()?;
+    run(&mut first_half, &ball, CYCLES / 2)?;
+    let saved = first_half.to_bytes();
+    let mut restored = History::restore(&bodies, &saved)?;
+    run(&mut restored, &ball, CYCLES - CYCLES / 2)?;
+
+    println!("cycle | energy, uJ  deepest wear, um  largest pressure, GPa  worn volume, um3");
+    for (number, cycle) in (1..).zip(&cycles) {
+        let [_, energy, depth, pressure, volume] = cycle.row(number);
+        println!("{number:>5} | {energy:>10.4}  {depth:>16.4}  {pressure:>21.4}  {volume:>16.2}");
+    }
+    println!("\nsaved half way: {} bytes", saved.len());
+    for (name, field) in [
+        ("gap", History::gap as fn(&History) -> &Field),
+        ("pressure", History::pressure),
+        ("traction", |history| history.traction()[0]),
+        ("slip path", History::slip_path),
+        ("dissipated energy", History::dissipated_energy),
+    ] {
+        let bits = |history| {
+            field(history)
+                .as_slice()
+                .iter()
+                .map(|value| value.to_bits())
+        };
+        let differing = bits(&straight).zip(bits(&restored)).filter(|(a, b)| a != b);
+        println!(
+            "{name}: {} cells differ after the restart",
+            differing.count()
+        );
+    }
+
+    let header = [
+        "cycle",
+        "energy_uJ",
+        "deepest_wear_um",
+        "max_pressure_GPa",
+        "worn_volume_um3",
+    ];
+    let rows: Vec<_> = (1..).zip(&cycles).map(|(n, cycle)| cycle.row(n)).collect();
+    let svg = support::gallery("custom_wear_law.svg")?;
+    draw(&svg, &rows)?;
+    let csv = support::table::csv("custom_wear_law.csv", header, rows)?;
+    println!("\ntable: {}\nfigure: {}", csv.display(), svg.display());
+    Ok(())
+}
+
+impl Cycle {
+    fn row(&self, number: u32) -> [f64; 5] {
+        [
+            f64::from(number),
+            self.energy * 1e6,
+            self.depth * 1e6,
+            self.max_pressure * 1e-9,
+            self.worn_volume * 1e18,
+        ]
+    }
+}
+
+fn draw(path: &Path, rows: &[[f64; 5]]) -> std::result::Result<(), Box<dyn Error>> {
+    let title = "A wear law of one's own: nothing below a threshold of energy";
+    let figure = support::figure(path, (1960, 900), title)?;
+    let (left, right) = figure.split_horizontally(980);
+    let cycles = 0.0..CYCLES as f64 + 1.0;
+    let points = |column: usize| rows.iter().map(move |row| (row[0], row[column]));
+    let panels = [
+        (left, 2, "deepest wear, um", support::BLUE),
+        (right, 3, "largest pressure, GPa", support::ORANGE),
+    ];
+    for (area, column, name, colour) in panels {
+        let top = 1.2 * points(column).map(|(_, value)| value).fold(0.0, f64::max);
+        let mut chart = support::axes(&area, (cycles.clone(), "cycles"), (0.0..top, name))?;
+        support::dots(&mut chart, name, (colour, true), points(column))?;
+    }
+    figure.present()?;
+    Ok(())
+}

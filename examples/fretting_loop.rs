@@ -1,0 +1,270 @@
+//! The paper's ball (its Table 2) under a constant normal force, sheared to and fro in partial slip: loop of
+//! force and shift, tractions on the way, and energy of a cycle, beside the closed forms.
+//!
+//! `cargo run --release --example fretting_loop [cells]` (default 256, at least 32)
+//! writes `target/gallery/fretting_loop.csv` and `.svg`.
+
+#![allow(clippy::print_stdout, reason = "an example shows its numbers")]
+
+mod support;
+
+use std::error::Error;
+use std::path::Path;
+
+use plotters::prelude::{RGBColor, SeriesLabelPosition};
+use stickslip::analytical::{HertzSphere, MindlinDeresiewicz};
+use stickslip::history::LoadPath;
+use stickslip::{
+    Axis, ElasticPair, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalStep,
+    TangentialStep, surface,
+};
+use support::Area;
+
+// SI units: metres, newtons, pascals.
+const BALL_RADIUS: f64 = 3.5e-3;
+const NORMAL_FORCE: f64 = 100.0;
+/// Twice the paper's tangential force, for a wider loop; the contact slides at 50 N.
+const AMPLITUDE: f64 = 40.0;
+const FRICTION: f64 = 0.5;
+const STEPS: usize = 40;
+/// The first cycle holds the first loading; the second is a full loop.
+const CYCLES: usize = 2;
+
+/// Half the width shown, in contact radii.
+const VIEW: f64 = 1.25;
+const MICRO: f64 = 1e6;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let cells = std::env::args()
+        .nth(1)
+        .map_or(Ok(256), |cells| cells.parse())?;
+    let steel = Material::new(213e9, 0.29)?;
+    let pair = ElasticPair::new(steel, steel)?;
+    let hertz = HertzSphere::new(&pair, BALL_RADIUS, NORMAL_FORCE)?;
+    let grid = Grid::square(cells, 2.5 * hertz.contact_radius())?;
+    let bodies = HalfSpace::new(grid, pair)?;
+    let ball = surface::sphere(grid, BALL_RADIUS)?;
+    let mut history = History::builder(&bodies, &ball, Friction::coulomb(FRICTION)?).build()?;
+    history.step(&LoadStep::hold().normal(NormalStep::Force(NORMAL_FORCE)))?;
+
+    let path = LoadPath::sine([AMPLITUDE, 0.0], STEPS)?;
+    let mut forces = Vec::new();
+    let mut points = Vec::new();
+    let mut profiles = Vec::new();
+    for [force, _] in path.cycles(CYCLES) {
+        history.step(&LoadStep::hold().tangential(Axis::X, TangentialStep::Force(force)))?;
+        forces.push(force);
+        let exact = MindlinDeresiewicz::new(hertz, FRICTION, &forces)?;
+        points.push(Point::of(&history, &exact));
+        // The turning points and both ways through zero, in the second cycle.
+        if forces.len() > STEPS && forces.len() % (STEPS / 4) == 0 {
+            profiles.push(Profile::of(&history, exact));
+        }
+    }
+
+    print_table(&points, &profiles, hertz.max_pressure());
+    let header = [
+        "force_N",
+        "shift_um",
+        "closed_form_um",
+        "stick_ratio",
+        "dissipated_uJ",
+        "dissipated_mid_step_uJ",
+        "work_uJ",
+        "products",
+    ];
+    let csv = support::table::csv("fretting_loop.csv", header, points.iter().map(Point::row))?;
+    let svg = support::gallery("fretting_loop.svg")?;
+    draw(&svg, &points, &profiles)?;
+    println!("\ntable: {}\nfigure: {}", csv.display(), svg.display());
+    Ok(())
+}
+
+/// The end of a step.
+struct Point {
+    force: f64,
+    shift: f64,
+    exact_shift: f64,
+    stick_ratio: f64,
+    dissipated: f64,
+    dissipated_mid_step: f64,
+    work: f64,
+    products: usize,
+}
+
+impl Point {
+    fn of(history: &History, exact: &MindlinDeresiewicz) -> Self {
+        let step = history.last_step();
+        let energy = step.energy();
+        Self {
+            force: step.force()[0],
+            shift: step.shift()[0],
+            exact_shift: exact.shift(),
+            stick_ratio: step.stick_ratio(),
+            dissipated: energy.dissipated,
+            dissipated_mid_step: energy.dissipated_mid_step,
+            work: energy.work,
+            products: step
+                .tangential_report()
+                .map_or(0, |report| report.convolutions + report.rough_convolutions),
+        }
+    }
+
+    fn row(&self) -> [f64; 8] {
+        [
+            self.force,
+            self.shift * MICRO,
+            self.exact_shift * MICRO,
+            self.stick_ratio,
+            self.dissipated * MICRO,
+            self.dissipated_mid_step * MICRO,
+            self.work * MICRO,
+            self.products as f64,
+        ]
+    }
+}
+
+/// The traction along the row of cells nearest the x axis.
+struct Profile {
+    exact: MindlinDeresiewicz,
+    /// Distance of the row from the axis.
+    y: f64,
+    samples: Vec<(f64, f64)>,
+}
+
+impl Profile {
+    fn of(history: &History, exact: MindlinDeresiewicz) -> Self {
+        let grid = history.grid();
+        let row = grid.ny() / 2;
+        let sample = |ix| Some((grid.x(ix), history.traction()[0].get(ix, row)?));
+        Self {
+            exact,
+            y: grid.y(row),
+            samples: (0..grid.nx()).filter_map(sample).collect(),
+        }
+    }
+
+    /// Mean of the differences, in absolute values.
+    fn mean_difference(&self) -> f64 {
+        let differences = self
+            .samples
+            .iter()
+            .map(|&(x, q)| (q - self.exact.traction(x.hypot(self.y))).abs());
+        differences.sum::<f64>() / self.samples.len() as f64
+    }
+}
+
+fn print_table(points: &[Point], profiles: &[Profile], max_pressure: f64) {
+    println!(
+        "{:<34} | {:>12} | {:>12} | relative difference",
+        "quantity", "computed", "closed form"
+    );
+    let print = |quantity: &str, computed: f64, closed_form: f64| {
+        let difference = computed / closed_form - 1.0;
+        println!("{quantity:<34} | {computed:>12.6} | {closed_form:>12.6} | {difference:>19.1e}");
+    };
+    let last = &points[STEPS..];
+    let turns = [
+        ("shift at the largest force, um", STEPS / 4),
+        ("shift at no force, unloading, um", STEPS / 2),
+        ("shift at the least force, um", STEPS / 4 * 3),
+        ("shift at no force, reloading, um", STEPS),
+    ];
+    for (quantity, step) in turns {
+        let point = &last[step - 1];
+        print(quantity, point.shift * MICRO, point.exact_shift * MICRO);
+    }
+    let exact = &profiles[0].exact;
+    let energy = exact.energy_per_cycle() * MICRO;
+    let sum = |of: fn(&Point) -> f64| MICRO * last.iter().map(of).sum::<f64>();
+    print("energy of a cycle, uJ", sum(|p| p.dissipated), energy);
+    print(
+        "  by mean tractions of a step, uJ",
+        sum(|p| p.dissipated_mid_step),
+        energy,
+    );
+    print("  area of the loop, a polygon, uJ", sum(|p| p.work), energy);
+    let imbalance = sum(|p| p.dissipated_mid_step) / sum(|p| p.work) - 1.0;
+    println!("\nmean tractions over area of the loop, less one: {imbalance:.1e}");
+
+    let farthest = points
+        .iter()
+        .map(|p| (p.shift - p.exact_shift).abs())
+        .fold(0.0, f64::max);
+    let amplitude = points[STEPS / 4 - 1].exact_shift;
+    println!(
+        "largest difference of a shift, over the amplitude: {:.1e}",
+        farthest / amplitude
+    );
+    for profile in profiles {
+        let difference = profile.mean_difference() / (FRICTION * max_pressure);
+        // Adding zero turns a negative zero into a positive one.
+        let force = profile.exact.force() + 0.0;
+        println!("traction at {force:>5.1} N, mean difference over mu p0: {difference:.1e}");
+    }
+    let products: usize = points.iter().map(|point| point.products).sum();
+    let most = points.iter().map(|point| point.products).max().unwrap_or(0);
+    println!(
+        "products a step: {:.1} in the mean, {most} at most",
+        products as f64 / points.len() as f64
+    );
+}
+
+fn draw(path: &Path, points: &[Point], profiles: &[Profile]) -> Result<(), Box<dyn Error>> {
+    let title = "Steel ball on steel, sheared to and fro: W = 100 N, F = ±40 N, friction 0.5";
+    let figure = support::figure(path, (1960, 979), title)?;
+    let (left, right) = figure.split_horizontally(980);
+    draw_loop(&left, points, &profiles[0].exact)?;
+    draw_tractions(&right, profiles)?;
+    figure.present()?;
+    Ok(())
+}
+
+/// Force over the friction force against the shift over that of sliding.
+fn draw_loop(
+    area: &Area<'_>,
+    points: &[Point],
+    exact: &MindlinDeresiewicz,
+) -> Result<(), Box<dyn Error>> {
+    let (limit, sliding) = (FRICTION * NORMAL_FORCE, exact.sliding_shift());
+    let mut chart = support::axes(area, (-0.8..0.8, "δ / δ₀"), (-1.0..1.0, "F / μW"))?;
+    let mut line = Vec::new();
+    // First loading and one loop.
+    for (turns, from, to) in [
+        (&[][..], 0.0, AMPLITUDE),
+        (&[AMPLITUDE], AMPLITUDE, -AMPLITUDE),
+        (&[AMPLITUDE, -AMPLITUDE], -AMPLITUDE, AMPLITUDE),
+    ] {
+        for i in 0..=100 {
+            let force = from + (to - from) * f64::from(i) / 100.0;
+            let path = [turns, &[force]].concat();
+            let on_way = MindlinDeresiewicz::new(exact.hertz(), FRICTION, &path)?;
+            line.push((on_way.shift() / sliding, force / limit));
+        }
+    }
+    let dots = points.iter().map(|p| (p.shift / sliding, p.force / limit));
+    support::compare(&mut chart, "loop", support::BLUE, line, dots)?;
+    support::legend(&mut chart, SeriesLabelPosition::UpperLeft)
+}
+
+/// Tractions at the turning points and between; what remains on the way back is the opposite.
+fn draw_tractions(area: &Area<'_>, profiles: &[Profile]) -> Result<(), Box<dyn Error>> {
+    let hertz = profiles[0].exact.hertz();
+    let (a, scale) = (hertz.contact_radius(), FRICTION * hertz.max_pressure());
+    let mut chart = support::axes(area, (-VIEW..VIEW, "x / a"), (-1.0..2.0, "q / μp₀"))?;
+    let names: [(&str, RGBColor); 3] = [
+        ("F = 40 N", support::BLUE),
+        ("0, unloading", support::ORANGE),
+        ("−40 N", support::GREEN),
+    ];
+    for ((name, colour), profile) in names.into_iter().zip(profiles) {
+        let line = (-500..=500)
+            .map(|i| VIEW * f64::from(i) / 500.0)
+            .map(|x| (x, profile.exact.traction((x * a).hypot(profile.y)) / scale));
+        // Every fourth cell: more would hide the lines.
+        let dots = profile.samples.iter().step_by(4);
+        let dots = dots.map(|&(x, q)| (x / a, q / scale));
+        support::compare(&mut chart, name, colour, line, dots)?;
+    }
+    support::legend(&mut chart, SeriesLabelPosition::UpperMiddle)
+}

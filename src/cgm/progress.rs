@@ -1,0 +1,68 @@
+//! Whether the outer steps of an active-set method still get anywhere.
+
+/// Reduction of the inner residual per outer step.
+const INNER_REDUCTION: f64 = 0.1;
+
+/// Residual above which single precision tells the sets as well as double does.
+const EARLY: f64 = 1e-3;
+
+/// Outer steps in which neither the residual halves nor fewer entries change sets than ever before after which the
+/// method is stuck, once the sets stand.
+const PATIENCE: usize = 4;
+
+/// What the outer steps have come to.
+#[derive(Debug)]
+pub(super) struct Progress {
+    /// The same while the sets change.
+    cycle: usize,
+    /// Entries that changed sets in the last step; as many as can be before the first.
+    pub(super) changes: usize,
+    fewest: usize,
+    best: f64,
+    without: usize,
+}
+
+impl Progress {
+    /// Before the first step; `cycle` steps without progress are a cycle.
+    pub(super) fn new(cycle: usize) -> Self {
+        Self {
+            cycle,
+            changes: usize::MAX,
+            fewest: usize::MAX,
+            best: f64::INFINITY,
+            without: 0,
+        }
+    }
+
+    /// Whether a residual to single precision is enough to go on by.
+    pub(super) fn is_early(&self) -> bool {
+        self.best > EARLY && self.without == 0
+    }
+
+    /// Takes note of a step; says if the method is stuck.
+    pub(super) fn is_stuck_at(&mut self, merit: f64) -> bool {
+        // Infinite ones do not count as halved.
+        if merit < 0.5 * self.best || self.changes < self.fewest {
+            self.best = self.best.min(merit);
+            self.fewest = self.fewest.min(self.changes);
+            self.without = 0;
+            return false;
+        }
+        self.without += 1;
+        let patience = if self.changes == 0 {
+            PATIENCE
+        } else {
+            self.cycle
+        };
+        self.without >= patience
+    }
+
+    /// How far the next inner iteration should reduce its residual.
+    pub(super) fn reduction(&self, merit: f64, tolerance: f64) -> f64 {
+        if self.changes > 0 {
+            INNER_REDUCTION
+        } else {
+            (0.3 * tolerance / merit).clamp(1e-4, INNER_REDUCTION)
+        }
+    }
+}
