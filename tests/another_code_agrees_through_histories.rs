@@ -61,7 +61,6 @@ fn every_step_agrees(text: &str, steps: usize) {
 fn scalars_agree(case: &Case, step: &Step, shift: [f64; 2], history: &History) {
     let close = |name: &str, found: f64, expected: f64, scale: f64| {
         let error = (found - expected).abs() / scale;
-        println!("{name} {error:e}");
         assert!(error < AGREED, "{name} {error:e}");
     };
     for axis in 0..2 {
@@ -98,7 +97,6 @@ fn cells_agree(case: &Case, step: &Step, history: &History) {
         let traction = case.field(step, |cell| cell.traction[axis]);
         let found = history.traction()[axis];
         let error = max_difference(found.as_slice(), traction.as_slice()) / largest;
-        println!("traction {axis} {error:e}");
         assert!(error < AGREED, "traction {axis} {error:e}");
     }
     for cell in &step.cells {

@@ -23,7 +23,7 @@ pub(super) enum Engine {
     /// The scalar model, perhaps dragged by a spring.
     Along(Axis, Stage<Sprung>),
     /// The plane model.
-    InPlane(PlaneStage),
+    InPlane(Box<PlaneStage>),
 }
 
 impl Engine {
@@ -33,7 +33,7 @@ impl Engine {
                 let stage = Stage::with(bodies, component(axis), size, Sprung::rigidly)?;
                 Self::Along(axis, stage)
             }
-            None => Self::InPlane(PlaneStage::new(bodies, size)?),
+            None => Self::InPlane(Box::new(PlaneStage::new(bodies, size)?)),
         })
     }
 
