@@ -116,6 +116,7 @@ impl<A: Split, const N: usize> Split for [A; N] {
             }
             low
         });
+        // `map` visits each part once, and there is a place for each.
         (low, high.map(|part| part.expect("every part was split")))
     }
 }

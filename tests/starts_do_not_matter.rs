@@ -10,8 +10,8 @@ use std::time::Duration;
 use common::{Random, l2_difference, press, rough, shear, unit_bodies};
 use stickslip::cgm::{Method, Status};
 use stickslip::{
-    Error, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, TangentialLoad,
-    TangentialProblem,
+    Axis, Error, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, TangentialLoad,
+    TangentialProblem, Zone, surface,
 };
 
 const TOLERANCE: f64 = 1e-9;
@@ -208,4 +208,27 @@ fn stop_after(left: &mut usize) -> ControlFlow<()> {
     }
     *left -= 1;
     ControlFlow::Continue(())
+}
+
+/// Between two loads along y a solver rests, and takes another pressure: it still knows its axis.
+#[test]
+fn a_solver_at_rest_keeps_its_axis() {
+    let grid = Grid::square(64, 8.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let ball = surface::sphere(grid, 10.0).unwrap();
+    let [light, heavy] = [0.05, 0.5].map(|force| {
+        let load = NormalLoad::Force(force);
+        press(&bodies, &ball, load, TOLERANCE, Method::ActiveSet)
+    });
+    let friction = Friction::coulomb(0.5).unwrap();
+    let along_y = |force| TangentialLoad::Force([0.0, force]);
+    let problem = TangentialProblem::builder(&bodies, &light, friction, along_y(0.01));
+    let mut solver = problem.build().unwrap().into_solver().unwrap();
+    let mut shear = solver.new_solution();
+    solver.solve_into(&mut shear).unwrap();
+    solver.set_load(along_y(0.0)).unwrap();
+    solver.set_normal(&heavy).unwrap();
+    solver.solve_into(&mut shear).unwrap();
+    assert_eq!(shear.axis(), Some(Axis::Y));
+    assert!(shear.zones().iter().all(|zone| *zone != Zone::Slip));
 }

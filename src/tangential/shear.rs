@@ -1,5 +1,7 @@
 //! The engine of a tangential contact: one traction along an axis, or both in the plane.
 
+use std::time::Instant;
+
 use crate::cgm::{Magnitude, Method};
 use crate::error::Result;
 use crate::influence::Component;
@@ -8,8 +10,6 @@ use crate::stage::{Nested, Observer, PlaneStage, Stage, nested_start, with_time_
 use crate::tangential::nested::{FrictionScene, PlaneScene};
 use crate::tangential::problem::Limits;
 use crate::tangential::{Axis, Lateral, TangentialProblem};
-
-use std::time::Instant;
 
 /// Set up on the window of the contact, with the last tractions there, the start of the next solve.
 #[derive(Debug)]
@@ -35,13 +35,19 @@ pub(super) struct Demand {
 
 impl Shear {
     pub(super) fn new(problem: &TangentialProblem) -> Result<Self> {
+        let axis = match problem.lateral {
+            Lateral::Neglected => Some(problem.load.along()?.0),
+            Lateral::Coupled => None,
+        };
+        Self::of_axis(problem, axis)
+    }
+
+    /// For the axis of the scalar model, or for the plane: no load at all has no axis of its own.
+    pub(super) fn of_axis(problem: &TangentialProblem, axis: Option<Axis>) -> Result<Self> {
         let TangentialProblem { bodies, window, .. } = problem;
-        Ok(match problem.lateral {
-            Lateral::Neglected => {
-                let (axis, _) = problem.load.along()?;
-                Self::Along(axis, Stage::new(bodies, component(axis), window.size)?)
-            }
-            Lateral::Coupled => Self::InPlane(PlaneStage::new(bodies, window.size)?),
+        Ok(match axis {
+            Some(axis) => Self::Along(axis, Stage::new(bodies, component(axis), window.size)?),
+            None => Self::InPlane(PlaneStage::new(bodies, window.size)?),
         })
     }
 

@@ -138,7 +138,7 @@ impl TangentialSolver {
         limits.set(&problem.friction, window, &pressure);
         limits.check(problem.load, cell_area)?;
         let old = std::mem::replace(&mut problem.window, window);
-        let mut shear = match Shear::new(problem) {
+        let mut shear = match Shear::of_axis(problem, self.shear.axis()) {
             Ok(shear) => shear,
             Err(error) => {
                 problem.window = old;
