@@ -65,10 +65,10 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
 
 /// Lists the free entries, and how a change of the total spreads over them: `w = M e`.
 fn list_free<C: Operator, K: Constraint, P: Operator>(run: &mut Run<'_, '_, C, K, P>) {
-    run.workspace.free_set.update(&run.workspace.state);
+    list_entries(run.workspace);
     if run.workspace.free_set.len() == 0 {
         open_empty_set(run);
-        run.workspace.free_set.update(&run.workspace.state);
+        list_entries(run.workspace);
     }
     // The engine writes `direction` on the free entries only.
     run.workspace.direction.fill(0.0);
@@ -101,6 +101,13 @@ fn list_free<C: Operator, K: Constraint, P: Operator>(run: &mut Run<'_, '_, C, K
             })
         });
     }
+}
+
+fn list_entries<C: Operator, P: Operator>(workspace: &mut Workspace<C, P>) {
+    let Workspace {
+        free_set, state, ..
+    } = workspace;
+    free_set.update(|i| state[i] == State::Free);
 }
 
 /// With no free entry nothing can move: frees the entries that want to, or all if the total asks

@@ -2,7 +2,6 @@
 
 use std::ops::Range;
 
-use crate::cgm::State;
 use crate::parallel::{self, Blocks, CHUNK, Ragged, Split, blocks};
 
 /// Where the free entries stand, chunk by chunk of the grid.
@@ -66,8 +65,9 @@ impl FreeSet {
         }
     }
 
-    /// Lists the entries now free.
-    pub(super) fn update(&mut self, state: &[State]) {
+    /// Lists the entries that are free.
+    pub(super) fn update(&mut self, is_free: impl Fn(usize) -> bool + Sync) {
+        let len = self.offsets.len();
         let data = (
             blocks(&mut self.offsets),
             Blocks {
@@ -77,15 +77,14 @@ impl FreeSet {
         );
         let work = |task: usize, (list, counts): (Blocks<'_, u16>, Blocks<'_, usize>)| {
             let mut count = 0;
-            let states = &state[chunk(task, state.len())];
             // A chunk has fewer entries than a u16 has values.
-            for (offset, state) in (0_u16..).zip(states) {
+            for (offset, entry) in (0_u16..).zip(chunk(task, len)) {
                 list.items[count] = offset;
-                count += usize::from(*state == State::Free);
+                count += usize::from(is_free(entry));
             }
             counts.items[0] = count;
         };
-        parallel::sweep(0..state.len().div_ceil(CHUNK), data, &work, &|(), ()| ());
+        parallel::sweep(0..len.div_ceil(CHUNK), data, &work, &|(), ()| ());
         let mut start = 0;
         for (next, count) in self.starts[1..].iter_mut().zip(&self.counts) {
             start += count;
@@ -99,7 +98,7 @@ impl FreeSet {
     }
 
     /// A compressed vector, of which each chunk owns its part.
-    pub(super) fn compressed<'a>(&'a self, items: &'a mut [f64]) -> Ragged<'a, f64> {
+    pub(super) fn compressed<'a, T>(&'a self, items: &'a mut [T]) -> Ragged<'a, T> {
         Ragged {
             items: &mut items[..self.len()],
             starts: &self.starts,
@@ -112,6 +111,16 @@ impl FreeSet {
         data: D,
         work: impl Fn(Entries<'_>, D) -> [f64; K] + Sync,
     ) -> [f64; K] {
+        self.sweep_into(data, work, merge)
+    }
+
+    /// The same with another way to put together what two chunks return.
+    pub(super) fn sweep_into<D: Split, T: Send>(
+        &self,
+        data: D,
+        work: impl Fn(Entries<'_>, D) -> T + Sync,
+        merge: impl Fn(T, T) -> T + Sync,
+    ) -> T {
         let work = |task: usize, data: D| {
             let entries = Entries {
                 range: self.starts[task]..self.starts[task + 1],

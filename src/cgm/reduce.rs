@@ -28,12 +28,6 @@ pub(super) fn sum(len: usize, f: impl Fn(usize) -> f64 + Sync) -> f64 {
     parallel::fold(len, |range| range.map(&f).sum::<f64>(), |a, b| a + b)
 }
 
-/// For how many of `0..len` it holds.
-pub(super) fn count(len: usize, holds: impl Fn(usize) -> bool + Sync) -> usize {
-    let leaf = |range: std::ops::Range<usize>| range.filter(|&i| holds(i)).count();
-    parallel::fold(len, leaf, |a, b| a + b)
-}
-
 /// `max f(i)` over `0..len` of non-negative quantities; NaN wins, so that it is seen.
 pub(super) fn max<const K: usize>(len: usize, f: impl Fn(usize) -> [f64; K] + Sync) -> [f64; K] {
     let larger = |mut a: [f64; K], b: [f64; K]| {

@@ -189,7 +189,7 @@ struct SinglePair {
 
 impl SinglePair {
     fn new(size: [usize; 2], torus: [usize; 2], spectrum: &PairSpectrum<f64>) -> Self {
-        let [_, largest] = spectrum.extremes(false);
+        let largest = spectrum.largest_component();
         let scale = if largest > 0.0 { largest } else { 1.0 };
         Self {
             plan: Plan::new(size, torus),

@@ -1,11 +1,13 @@
 //! The transform of an influence coefficient: one real quarter plane.
 
+use std::ops::Range;
+
 use num_complex::Complex;
 use realfft::RealFftPlanner;
 
 use crate::fft::real::Real;
 use crate::influence::{Component, Symbols, Table};
-use crate::parallel::{self, Blocks};
+use crate::parallel::{self, Blocks, CHUNK, blocks};
 
 /// The two-dimensional transform of a kernel of known parity, wrapped around an `mx` x `my` torus.
 ///
@@ -138,32 +140,61 @@ pub(super) struct PairSpectrum<T> {
 impl PairSpectrum<f64> {
     /// Smallest and largest eigenvalue of all waves, or of all but the mean.
     pub(super) fn extremes(&self, without_mean: bool) -> [f64; 2] {
-        let tensors = self.tensors().skip(usize::from(without_mean));
-        tensors.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], tensor| {
-            let [least, greatest] = eigenvalues(tensor);
+        let none = [f64::INFINITY, f64::NEG_INFINITY];
+        let wider = |[low, high]: [f64; 2], [least, greatest]: [f64; 2]| {
             [low.min(least), high.max(greatest)]
-        })
+        };
+        let first = usize::from(without_mean);
+        let leaf = |waves: Range<usize>| {
+            let waves = waves.skip_while(|&wave| wave < first);
+            waves
+                .map(|wave| eigenvalues(self.tensor(wave)))
+                .fold(none, wider)
+        };
+        parallel::fold(self.xx.values.len(), leaf, wider)
+    }
+
+    /// Largest magnitude of a component.
+    pub(super) fn largest_component(&self) -> f64 {
+        let leaf = |waves: Range<usize>| {
+            waves
+                .flat_map(|wave| self.tensor(wave))
+                .fold(0.0, |largest: f64, value| largest.max(value.abs()))
+        };
+        parallel::fold(self.xx.values.len(), leaf, f64::max)
     }
 
     /// With the tensor `[xx, yy, xy]` of every wave replaced.
-    pub(super) fn map<T: Real>(&self, f: impl Fn([f64; 3]) -> [f64; 3]) -> PairSpectrum<T> {
-        let values: Vec<[f64; 3]> = self.tensors().map(f).collect();
-        let part = |spectrum: &Spectrum<f64>, k: usize| Spectrum {
-            values: values.iter().map(|tensor| T::of(tensor[k])).collect(),
-            ..spectrum.map(|value| value)
+    pub(super) fn map<T: Real>(&self, f: impl Fn([f64; 3]) -> [f64; 3] + Sync) -> PairSpectrum<T> {
+        let like = |spectrum: &Spectrum<f64>| Spectrum {
+            values: vec![T::zero(); spectrum.values.len()],
+            height: spectrum.height,
+            is_odd_y: spectrum.is_odd_y,
+            is_imaginary: spectrum.is_imaginary,
         };
-        PairSpectrum {
-            xx: part(&self.xx, 0),
-            yy: part(&self.yy, 1),
-            xy: part(&self.xy, 2),
-        }
+        let mut mapped = PairSpectrum {
+            xx: like(&self.xx),
+            yy: like(&self.yy),
+            xy: like(&self.xy),
+        };
+        let parts = [&mut mapped.xx, &mut mapped.yy, &mut mapped.xy];
+        let work = |task: usize, mut parts: [Blocks<'_, T>; 3]| {
+            for k in 0..parts[0].items.len() {
+                let values = f(self.tensor(task * CHUNK + k));
+                for (part, value) in parts.iter_mut().zip(values) {
+                    part.items[k] = T::of(value);
+                }
+            }
+        };
+        let data = parts.map(|part| blocks(&mut part.values));
+        let tasks = self.xx.values.len().div_ceil(CHUNK);
+        parallel::sweep(0..tasks, data, &work, &|(), ()| ());
+        mapped
     }
 
-    fn tensors(&self) -> impl Iterator<Item = [f64; 3]> {
-        let diagonal = self.xx.values.iter().zip(&self.yy.values);
-        diagonal
-            .zip(&self.xy.values)
-            .map(|((&xx, &yy), &xy)| [xx, yy, xy])
+    /// `[xx, yy, xy]` of a wave.
+    fn tensor(&self, wave: usize) -> [f64; 3] {
+        [&self.xx, &self.yy, &self.xy].map(|part| part.values[wave])
     }
 }
 

@@ -1,6 +1,6 @@
 //! The tangential problem on coarser cells.
 
-use crate::cgm::plane::Disc;
+use crate::cgm::plane::{Disc, norm};
 use crate::cgm::{Magnitude, Settings};
 use crate::error::Result;
 use crate::half_space::HalfSpace;
@@ -136,8 +136,8 @@ impl Nested for PlaneScene {
         totals.map(part).concat()
     }
 
-    /// Interpolated where the coarse cell sticks, at the limit in its direction where it slips, in that of the
-    /// whole where it is apart.
+    /// Interpolated; at the limit where the coarse cell slips or is apart, and in the direction of the whole
+    /// where there is none to interpolate.
     fn refined_start(&self, size: [usize; 2], coarse: &Self, answer: &[f64]) -> Vec<f64> {
         let mut start = by_component(answer, |component| refined(size, component));
         let (cells, coarse_cells) = (self.limits.len(), coarse.limits.len());
@@ -149,12 +149,17 @@ impl Nested for PlaneScene {
             let parent = (cell / size[0] / 2) * columns + cell % size[0] / 2;
             let at_parent = [answer_x[parent], answer_y[parent]];
             let (disc, parents) = (Disc(self.limits[cell]), Disc(coarse.limits[parent]));
-            let direction = if parents.0 > 0.0 { at_parent } else { overall };
-            let length = direction[0].hypot(direction[1]);
+            let at_cell = [*x, *y];
+            let direction = if norm(at_cell) > 0.0 {
+                at_cell
+            } else {
+                overall
+            };
+            let length = norm(direction);
             [*x, *y] = if parents.is_at_limit(at_parent) && length > 0.0 {
                 direction.map(|q| q * (disc.0 / length))
             } else {
-                disc.project([*x, *y])
+                disc.project(at_cell)
             };
         }
         start

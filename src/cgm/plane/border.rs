@@ -1,11 +1,10 @@
-//! The prescribed totals, and the preconditioner that spreads them.
+//! The prescribed totals: how they spread, and the motion that keeps them.
 
-use crate::cgm::plane::disc::{at, dot, sweep_cells};
+use crate::cgm::plane::disc::{dot, halves, norm, pair};
+use crate::cgm::plane::inner::precondition;
 use crate::cgm::plane::run::Run;
-use crate::cgm::plane::{Cell, Workspace, update_cells};
-use crate::cgm::reduce;
+use crate::cgm::plane::{Cell, Inner, Workspace};
 use crate::operator::Operator;
-use crate::parallel;
 
 /// How the prescribed totals are kept: a change of total `a` spreads as `w_a = M e_a` within what the cells
 /// can do, as a flat punch would.
@@ -13,6 +12,8 @@ pub(super) struct Border {
     has_total: [bool; 2],
     /// `e_b' w_a`, one on the diagonal where no total is prescribed.
     matrix: [[f64; 2]; 2],
+    /// How a uniform motion is followed: the sum of what cells can do of it, `[xx, yy, xy]`.
+    mobility: [f64; 3],
 }
 
 impl Border {
@@ -21,43 +22,67 @@ impl Border {
         let mut border = Self {
             has_total,
             matrix: [[1.0, 0.0], [0.0, 1.0]],
+            mobility: mobility(run),
         };
         if has_total == [false, false] {
             return border;
         }
-        let cells = &run.workspace.cells;
-        if !cells.contains(&Cell::Stick) && !can_turn(cells, has_total) {
-            parallel::update(&mut run.workspace.cells, |_, chunk| {
-                for cell in chunk {
-                    if *cell != Cell::Fixed {
-                        *cell = Cell::Stick;
-                    }
-                }
-            });
+        let cells = &run.workspace.inner.cells[..run.workspace.loaded.len()];
+        if !cells.iter().any(|cell| cell.is_stick()) && !border.can_turn() {
+            run.workspace.inner.cells.fill(Cell::Stick);
+            border.mobility = mobility(run);
         }
-        for axis in (0..2).filter(|&axis| has_total[axis]) {
-            let mut unit = [0.0; 2];
-            unit[axis] = 1.0;
-            let Workspace {
-                cells, weighted, ..
-            } = &mut *run.workspace;
-            let cells = &*cells;
-            update_cells(weighted, |i, _| {
-                cells[i].project(unit).map(|e| e * cells[i].weight())
-            });
-            precondition(run);
-            let Workspace {
-                correction, spread, ..
-            } = &mut *run.workspace;
-            std::mem::swap(correction, &mut spread[axis]);
-            let spread = &spread[axis];
-            let sums: [f64; 2] = reduce::sums(cells_of(spread), |i| at(spread, i));
-            border.matrix[axis] = [0, 1].map(|b| match (has_total[b], axis == b) {
-                (true, _) => sums[b],
-                (false, _) => 0.0,
-            });
+        for axis in 0..2 {
+            border.matrix[axis] = if has_total[axis] {
+                border.spread(run, axis)
+            } else {
+                let mut unit = [0.0; 2];
+                unit[axis] = 1.0;
+                unit
+            };
         }
         border
+    }
+
+    /// Finds how a change of one total spreads, and what it changes of all of them.
+    fn spread<C: Operator, P: Operator>(
+        &self,
+        run: &mut Run<'_, '_, C, P>,
+        axis: usize,
+    ) -> [f64; 2] {
+        let mut unit = [0.0; 2];
+        unit[axis] = 1.0;
+        let Workspace {
+            inner: Inner { cells, .. },
+            loaded,
+            direction,
+            ..
+        } = &mut *run.workspace;
+        loaded.sweep(halves(direction), |entries, (x, y)| {
+            let cells = &cells[entries.range.clone()];
+            for (place, cell) in entries.places().zip(cells) {
+                [x.items[place], y.items[place]] = cell.weighted(cell.project(unit));
+            }
+            []
+        });
+        precondition(run);
+        let Workspace {
+            inner: Inner { cells, spread, .. },
+            loaded,
+            image,
+            ..
+        } = &mut *run.workspace;
+        let sums = loaded.sweep(loaded.compressed(spread), |entries, spread| {
+            let cells = &cells[entries.range.clone()];
+            let image = pair(image, &entries.chunk);
+            entries.sums(|k, place| {
+                let cell = cells[k];
+                let w = cell.preconditioned(image(place), cell.project(unit));
+                spread.items[k][axis] = w;
+                w
+            })
+        });
+        [0, 1].map(|b| if self.has_total[b] { sums[b] } else { 0.0 })
     }
 
     /// Solves `sum over b of matrix[a][b] x_b = right_a`, zero where no total is prescribed.
@@ -71,12 +96,10 @@ impl Border {
         ]
     }
 
-    /// What a cell of a vector adds to `w_a' v`.
-    pub(super) fn products(&self, spread: &[Vec<f64>; 2], i: usize, v: [f64; 2]) -> [f64; 2] {
-        match self.has_total {
-            [false, false] => [0.0; 2],
-            _ => [dot(at(&spread[0], i), v), dot(at(&spread[1], i), v)],
-        }
+    /// The square of what all cells can do of a uniform motion.
+    pub(super) fn square(&self, [x, y]: [f64; 2]) -> f64 {
+        let [xx, yy, xy] = self.mobility;
+        x * x * xx + y * y * yy + 2.0 * x * y * xy
     }
 
     /// Spreads what is missing of the totals.
@@ -84,15 +107,22 @@ impl Border {
         if self.has_total == [false, false] {
             return;
         }
+        let Workspace { inner, loaded, .. } = &*run.workspace;
         let q = &*run.q;
-        let sums: [f64; 2] = reduce::sums(cells_of(q), |i| at(q, i));
+        let sums: [f64; 2] = loaded.sweep((), |entries, ()| {
+            let q = pair(q, &entries.chunk);
+            entries.sums(|_, place| q(place))
+        });
         let missing = [0, 1].map(|a| run.problem.totals[a].map_or(0.0, |total| total - sums[a]));
-        let [x, y] = self.solve(missing);
-        if x != 0.0 || y != 0.0 {
-            let [wx, wy] = &run.workspace.spread;
-            update_cells(run.q, |i, q| {
-                let (wx, wy) = (at(wx, i), at(wy, i));
-                [0, 1].map(|b| q[b] + x * wx[b] + y * wy[b])
+        let change = self.solve(missing);
+        if norm(change) > 0.0 {
+            loaded.sweep(halves(run.q), |entries, (x, y)| {
+                let spread = &inner.spread[entries.range.clone()];
+                for (place, [wx, wy]) in entries.places().zip(spread) {
+                    x.items[place] += change[0] * wx[0] + change[1] * wy[0];
+                    y.items[place] += change[0] * wx[1] + change[1] * wy[1];
+                }
+                []
             });
             run.is_fresh = false;
         }
@@ -101,57 +131,42 @@ impl Border {
     /// The multipliers that leave no mean slip, weighted as the totals spread.
     pub(super) fn set_multiplier<C: Operator, P: Operator>(&self, run: &mut Run<'_, '_, C, P>) {
         let Workspace {
-            spread, gradient, ..
+            inner,
+            loaded,
+            gradient,
+            ..
         } = &*run.workspace;
-        let products = reduce::sums(cells_of(gradient), |i| {
-            self.products(spread, i, at(gradient, i))
+        let products = loaded.sweep((), |entries, ()| {
+            let spread = &inner.spread[entries.range.clone()];
+            let gradient = pair(gradient, &entries.chunk);
+            entries.sums(|k, place| spread[k].map(|w| dot(w, gradient(place))))
         });
         run.workspace.multiplier = self.solve(products);
+    }
+
+    /// Whether cells that can only turn can take up a change of the totals: not if they all point along it.
+    fn can_turn(&self) -> bool {
+        let [xx, yy, xy] = self.mobility;
+        let all = xx + yy;
+        let least = match self.has_total {
+            [true, true] => (xx * yy - xy * xy) / all,
+            [true, false] => xx,
+            _ => yy,
+        };
+        least > LEAST_TURN * all
     }
 }
 
 /// Part of what turning changes along a total below which it hardly changes that.
 const LEAST_TURN: f64 = 1e-2;
 
-/// Whether cells that can only turn can take up a change of the totals: not if they all point along it.
-fn can_turn(cells: &[Cell], has_total: [bool; 2]) -> bool {
-    let [xx, yy, xy] = reduce::sums(cells.len(), |i| match cells[i] {
-        Cell::Slip {
-            tangent: [x, y], ..
-        } => [x * x, y * y, x * y],
-        _ => [0.0; 3],
-    });
-    let all = xx + yy;
-    let least = match has_total {
-        [true, true] => (xx * yy - xy * xy) / all,
-        [true, false] => xx,
-        _ => yy,
-    };
-    least > LEAST_TURN * all
-}
-
-fn cells_of(vector: &[f64]) -> usize {
-    vector.len() / 2
-}
-
-/// `correction = M residual`, of the weighted residual, within what the cells can do; returns its products with
-/// the residual and with the last one.
-pub(super) fn precondition<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) -> [f64; 2] {
-    let Workspace {
-        preconditioner,
-        cells,
-        residual,
-        last_residual,
-        correction,
-        weighted,
-        ..
-    } = &mut *run.workspace;
-    let (cells, residual, last) = (&*cells, &*residual, &*last_residual);
-    run.problem
-        .preconditioner
-        .apply_roughly(weighted, correction, preconditioner);
-    sweep_cells([correction], |i, [z]| {
-        let z = cells[i].project(z).map(|z| z * cells[i].weight());
-        ([z], [dot(z, at(residual, i)), dot(z, at(last, i))])
+fn mobility<C: Operator, P: Operator>(run: &Run<'_, '_, C, P>) -> [f64; 3] {
+    let Workspace { inner, loaded, .. } = &*run.workspace;
+    loaded.sweep((), |entries, ()| {
+        let cells = &inner.cells[entries.range.clone()];
+        entries.sums(|k, _| {
+            let ([xx, xy], [_, yy]) = (cells[k].project([1.0, 0.0]), cells[k].project([0.0, 1.0]));
+            [xx, yy, xy]
+        })
     })
 }

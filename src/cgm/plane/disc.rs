@@ -1,5 +1,7 @@
 //! Discs of tractions: the nearest point, and the nearest points of given sums.
 
+use std::ops::Range;
+
 use crate::cgm::reduce;
 use crate::error::{Error, Result};
 use crate::parallel::{self, Blocks, CHUNK, blocks};
@@ -29,7 +31,7 @@ impl Disc {
 }
 
 /// Length of a vector; of a traction beyond 1e150, whose square overflows, infinite.
-pub(super) fn norm(v: [f64; 2]) -> f64 {
+pub(crate) fn norm(v: [f64; 2]) -> f64 {
     dot(v, v).sqrt()
 }
 
@@ -40,6 +42,24 @@ pub(super) fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
 /// The two components of a cell.
 pub(super) fn at(vector: &[f64], i: usize) -> [f64; 2] {
     [vector[i], vector[vector.len() / 2 + i]]
+}
+
+/// The two components of the cells of a chunk, by their place in it.
+pub(super) fn pair<'a>(
+    vector: &'a [f64],
+    chunk: &Range<usize>,
+) -> impl Fn(usize) -> [f64; 2] + use<'a> {
+    let (x, y) = vector.split_at(vector.len() / 2);
+    let (x, y) = (&x[chunk.clone()], &y[chunk.clone()]);
+    move |place| [x[place], y[place]]
+}
+
+/// Both components of a vector to write to, chunk by chunk.
+pub(super) type Halves<'a> = (Blocks<'a, f64>, Blocks<'a, f64>);
+
+pub(super) fn halves(vector: &mut [f64]) -> Halves<'_> {
+    let (x, y) = vector.split_at_mut(vector.len() / 2);
+    (blocks(x), blocks(y))
 }
 
 /// Replaces the components of every cell.

@@ -18,8 +18,10 @@
 //! Vectors hold all x components, then all y components.
 
 mod border;
+mod cell;
 mod certificate;
 mod disc;
+mod inner;
 mod newton;
 mod projected_gradient;
 mod run;
@@ -27,13 +29,14 @@ mod run;
 use std::ops::ControlFlow;
 
 use crate::cgm::Settings;
+use crate::cgm::free_set::FreeSet;
 use crate::error::{Error, Result, all_finite, length};
 use crate::operator::Operator;
 use crate::parallel;
 use crate::report::{Iteration, Report, Status};
 
-use disc::dot;
-pub(crate) use disc::{Disc, update_cells};
+use cell::Cell;
+pub(crate) use disc::{Disc, norm, update_cells};
 use run::Run;
 
 /// What to minimise. `linear` holds two numbers a cell, `limits` one, finite and not negative.
@@ -56,64 +59,30 @@ pub(crate) struct Workspace<C: Operator, P: Operator> {
     gradient: Vec<f64>,
     direction: Vec<f64>,
     image: Vec<f64>,
-    residual: Vec<f64>,
-    last_residual: Vec<f64>,
-    correction: Vec<f64>,
-    weighted: Vec<f64>,
-    /// How a change of each total spreads over the cells.
-    spread: [Vec<f64>; 2],
-    cells: Vec<Cell>,
+    inner: Inner,
+    /// The cells that can carry a traction.
+    loaded: FreeSet,
     report: Report,
     multiplier: [f64; 2],
 }
 
-/// How a cell may move.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Cell {
-    /// No limit, no traction.
-    Fixed,
-    /// In any direction.
-    Stick,
-    /// Along the circle.
-    Slip {
-        /// Direction of the circle where the traction is.
-        tangent: [f64; 2],
-        /// Slip against the traction over the limit: what the curvature of the circle adds to the stiffness.
-        stiffness: f64,
-        /// How much the preconditioner is damped for it.
-        weight: f64,
-    },
-}
-
-impl Cell {
-    /// The part of a vector along which the cell can move.
-    pub(super) fn project(self, v: [f64; 2]) -> [f64; 2] {
-        match self {
-            Self::Fixed => [0.0; 2],
-            Self::Stick => v,
-            Self::Slip { tangent, .. } => tangent.map(|t| t * dot(tangent, v)),
-        }
-    }
-
-    pub(super) fn weight(self) -> f64 {
-        match self {
-            Self::Slip { weight, .. } => weight,
-            _ => 1.0,
-        }
-    }
-
-    pub(super) fn stiffness(self) -> f64 {
-        match self {
-            Self::Slip { stiffness, .. } => stiffness,
-            _ => 0.0,
-        }
-    }
+/// What the inner iteration keeps, compressed to the loaded cells.
+#[derive(Debug)]
+struct Inner {
+    cells: Vec<Cell>,
+    residual: Vec<[f64; 2]>,
+    last_residual: Vec<[f64; 2]>,
+    correction: Vec<[f64; 2]>,
+    direction: Vec<[f64; 2]>,
+    /// How a change of each total spreads.
+    spread: Vec<[[f64; 2]; 2]>,
 }
 
 impl<C: Operator, P: Operator> Workspace<C, P> {
     pub(crate) fn new(operator: &C, preconditioner: &P) -> Self {
         let len = operator.len();
         let zeros = || vec![0.0; len];
+        let vectors = || vec![[0.0; 2]; len / 2];
         Self {
             operator: operator.workspace(),
             preconditioner: preconditioner.workspace(),
@@ -121,12 +90,15 @@ impl<C: Operator, P: Operator> Workspace<C, P> {
             gradient: zeros(),
             direction: zeros(),
             image: zeros(),
-            residual: zeros(),
-            last_residual: zeros(),
-            correction: zeros(),
-            weighted: zeros(),
-            spread: [zeros(), zeros()],
-            cells: vec![Cell::Fixed; len / 2],
+            inner: Inner {
+                cells: vec![Cell::Stick; len / 2],
+                residual: vectors(),
+                last_residual: vectors(),
+                correction: vectors(),
+                direction: vectors(),
+                spread: vec![[[0.0; 2]; 2]; len / 2],
+            },
+            loaded: FreeSet::with_capacity(len / 2),
             report: Report::unsolved(),
             multiplier: [0.0; 2],
         }
