@@ -29,6 +29,9 @@ pub(super) fn iterate<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) -> 
     let mut progress = Progress::new(CYCLE);
     let mut is_first = true;
     loop {
+        if let ControlFlow::Break(status) = run.ask() {
+            return Some(status);
+        }
         let mut border = Border::new(run);
         border.spread_missing(run);
         if !run.is_fresh {
