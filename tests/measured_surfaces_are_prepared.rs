@@ -260,7 +260,8 @@ fn gaps_need_whole_surfaces_on_one_grid() {
     assert_eq!(
         gap_between(&upper, &lower),
         Err(Error::GridMismatch {
-            quantity: "upper surface"
+            quantity: "upper surface",
+            ..
         })
     );
     let holed = with_holes(&lower, |ix, iy| (ix, iy) == (5, 1));

@@ -1,6 +1,6 @@
 //! How much shear a cell in contact can carry.
 
-use crate::error::{Error, Result, non_negative, positive, samples_obey};
+use crate::error::{Result, non_negative, positive, samples_obey};
 use crate::field::Field;
 use crate::grid::Grid;
 
@@ -78,7 +78,13 @@ impl Friction {
             Coefficient::Uniform(coefficient) => *coefficient,
             Coefficient::PerCell(field) => field.as_slice().get(index).copied().unwrap_or(f64::NAN),
         };
-        (coefficient * pressure).min(self.shear_cap)
+        let limit = coefficient * pressure;
+        // A minimum would pass over NaN.
+        if limit > self.shear_cap {
+            self.shear_cap
+        } else {
+            limit
+        }
     }
 
     /// The coefficient, and the cap of the limit (infinite where there is none).
@@ -102,10 +108,8 @@ impl Friction {
     /// `Ok` if the coefficients fit the grid.
     pub(crate) fn check(&self, grid: Grid) -> Result<()> {
         match &self.coefficient {
-            Coefficient::PerCell(field) if field.grid() != grid => Err(Error::GridMismatch {
-                quantity: "coefficient of friction",
-            }),
-            _ => Ok(()),
+            Coefficient::PerCell(field) => grid.expect("coefficient of friction", field.grid()),
+            Coefficient::Uniform(_) => Ok(()),
         }
     }
 }
