@@ -199,6 +199,26 @@ fn engine() {
         cgm::minimise(&problem, &settings, &mut x),
         Err(Error::Length { .. })
     ));
+    let problem = Problem::new(Identity::new(2), &linear, NonNegative);
+    let mut small = Problem::new(Identity::new(1), &linear[..1], NonNegative).workspace();
+    let outcome = cgm::minimise_with(&problem, &settings, &mut x, &mut small, &mut |_| {
+        std::ops::ControlFlow::Continue(())
+    });
+    assert!(matches!(
+        outcome,
+        Err(Error::Length {
+            expected: 2,
+            found: 1,
+            ..
+        })
+    ));
+    for tolerance in [0.0, 1.0, f64::NAN, f64::INFINITY, -1e300] {
+        let settings = settings.tolerance(tolerance);
+        let outcome = cgm::minimise(&problem, &settings, &mut x);
+        assert!(matches!(outcome, Err(Error::Tolerance(t)) if same(t, tolerance)));
+    }
+    let outcome = cgm::minimise(&problem, &settings.max_iterations(0), &mut x);
+    assert_eq!(outcome.err(), Some(Error::IterationLimit));
     assert_eq!(x, [1.0, 2.0], "refused before any work");
 }
 

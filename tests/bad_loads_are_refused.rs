@@ -368,3 +368,31 @@ fn loads_at_the_ends_of_the_doubles() {
         }
     }
 }
+
+/// The same of a shear: no force is held but a small one, and any shift slides at most.
+#[test]
+fn shears_at_the_ends_of_the_doubles() {
+    let bodies = bodies();
+    let normal = pressed(&bodies);
+    for value in [5e-324, 1e-310, 1e-300, 1e-200, 1e-100, 1e100, 1e200, 1e300] {
+        for lateral in [Lateral::Neglected, Lateral::Coupled] {
+            for load in [
+                TangentialLoad::Force([0.0, value]),
+                TangentialLoad::Shift([0.0, value]),
+                TangentialLoad::Shift([0.0, -value]),
+            ] {
+                let friction = Friction::coulomb(0.5).unwrap();
+                let builder = TangentialProblem::builder(&bodies, &normal, friction, load);
+                let problem = builder.lateral(lateral).build();
+                match problem.and_then(|problem| problem.solve()) {
+                    Ok(shear) => {
+                        assert!(shear.report().is_converged());
+                        assert!(shear.force()[1].abs() <= 0.5 * (1.0 + 1e-12), "{load:?}");
+                    }
+                    Err(Error::NotConverged(_) | Error::BeyondSliding { .. }) => {}
+                    Err(error) => panic!("{load:?}: {error}"),
+                }
+            }
+        }
+    }
+}
