@@ -129,8 +129,8 @@ impl ElasticPair {
     /// The pair of `body_1` (into which z points) and `body_2`.
     ///
     /// # Errors
-    /// [`Error::BothRigid`] if neither body deforms; [`Error::NotPositive`] if the moduli of the pair
-    /// over- or underflow.
+    /// [`Error::BothRigid`] if neither body deforms; [`Error::NotPositive`] or [`Error::NotFinite`] if what
+    /// the pair makes of their moduli over- or underflows.
     pub fn new(body_1: Material, body_2: Material) -> Result<Self> {
         if body_1.is_rigid() && body_2.is_rigid() {
             return Err(Error::BothRigid);

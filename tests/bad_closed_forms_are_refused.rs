@@ -109,6 +109,9 @@ fn rough_and_worn_contacts() {
     assert_checked("stick radius", NonNegative, |value| worn(1.0, 0.01, value));
 }
 
+/// What a coefficient of friction and a force come to.
+type Contact<'a> = &'a dyn Fn(f64, f64) -> Result<f64, Error>;
+
 #[test]
 fn tangential_contacts() {
     let pair = unit_pair(0.3);
@@ -117,36 +120,15 @@ fn tangential_contacts() {
     let cone = Cone::new(&pair, 0.1, 1.0).unwrap();
     let punch = FlatPunch::new(&pair, 2.0, 1.0).unwrap();
     let wavy = Westergaard::new(&pair, 0.01, 1.0, 1.0).unwrap();
-    type Contact<'a> = (&'a str, Box<dyn Fn(f64, f64) -> Result<f64, Error> + 'a>);
     let contacts: [Contact<'_>; 6] = [
-        (
-            "sphere",
-            Box::new(|mu, force| Ok(CattaneoMindlin::new(hertz, mu, force)?.shift())),
-        ),
-        (
-            "ellipse",
-            Box::new(|mu, force| Ok(CattaneoMindlinEllipse::new(ellipse, mu, force)?.shift())),
-        ),
-        (
-            "cone",
-            Box::new(|mu, force| Ok(ConePartialSlip::new(cone, mu, force)?.shift())),
-        ),
-        (
-            "punch",
-            Box::new(|mu, force| Ok(punch.full_stick(mu, force)?.shift())),
-        ),
-        (
-            "waves",
-            Box::new(|mu, force| Ok(WestergaardPartialSlip::new(wavy, mu, force)?.traction(0.0))),
-        ),
-        (
-            "path",
-            Box::new(|mu, force| {
-                Ok(MindlinDeresiewicz::new(hertz, mu, &[0.1 * mu, force])?.shift())
-            }),
-        ),
+        &|mu, force| Ok(CattaneoMindlin::new(hertz, mu, force)?.shift()),
+        &|mu, force| Ok(CattaneoMindlinEllipse::new(ellipse, mu, force)?.shift()),
+        &|mu, force| Ok(ConePartialSlip::new(cone, mu, force)?.shift()),
+        &|mu, force| Ok(punch.full_stick(mu, force)?.shift()),
+        &|mu, force| Ok(WestergaardPartialSlip::new(wavy, mu, force)?.traction(0.0)),
+        &|mu, force| Ok(MindlinDeresiewicz::new(hertz, mu, &[0.1 * mu, force])?.shift()),
     ];
-    for (_, contact) in &contacts {
+    for contact in contacts {
         assert_checked("coefficient of friction", NonNegative, |value| {
             contact(value, 0.0)
         });

@@ -204,10 +204,7 @@ impl End {
     }
 
     /// An observer that ends a solve, and the number of calls it has seen.
-    fn observer<'a>(
-        self,
-        calls: &'a mut usize,
-    ) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send + 'a {
+    fn observer(self, calls: &mut usize) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send + '_ {
         move |_| {
             *calls += 1;
             match *calls == self.call {
@@ -221,7 +218,7 @@ impl End {
 
     /// The first calls are of the coarsest cells, and what follows is not solved any more.
     fn check(self, calls: usize, report: &Report) {
-        let asked_again = if self.by_clock { 1 } else { 0 };
+        let asked_again = usize::from(self.by_clock);
         assert!(calls <= self.call + asked_again, "{self:?}: {calls} calls");
         if self.call <= 3 {
             // On the box of the contact and, of a normal contact, on the whole grid.

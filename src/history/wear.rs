@@ -40,9 +40,10 @@ use crate::parallel;
 /// <https://doi.org/10.1063/1.1721448>.
 ///
 /// # Errors
-/// [`Error::Negative`](crate::Error::Negative) for the coefficient, [`Error::Sample`](crate::Error::Sample) for a pressure or length that is negative or not
-/// finite, [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::NotFinite`](crate::Error::NotFinite) if the greatest of all three multiply to none; the depth
-/// is then as it was.
+/// [`Error::Negative`](crate::Error::Negative) for the coefficient, [`Error::Sample`](crate::Error::Sample) for a
+/// pressure or length that is negative or not finite, [`Error::GridMismatch`](crate::Error::GridMismatch),
+/// [`Error::NotFinite`](crate::Error::NotFinite) if the product of the coefficient and the greatest of both is not;
+/// the depth is then as it was.
 pub fn archard(
     coefficient: f64,
     pressure: &Field,
@@ -72,8 +73,9 @@ pub fn archard(
 /// (1996) 186, <https://doi.org/10.1016/S0043-1648(96)07306-1>.
 ///
 /// # Errors
-/// [`Error::Negative`](crate::Error::Negative) for the coefficient, [`Error::Sample`](crate::Error::Sample) for an energy that is negative or not finite,
-/// [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::NotFinite`](crate::Error::NotFinite) if the greatest depth is none; the depth is then as it was.
+/// [`Error::Negative`](crate::Error::Negative) for the coefficient, [`Error::Sample`](crate::Error::Sample) for an
+/// energy that is negative or not finite, [`Error::GridMismatch`](crate::Error::GridMismatch),
+/// [`Error::NotFinite`](crate::Error::NotFinite) if the greatest depth is not; the depth is then as it was.
 pub fn dissipated_energy(coefficient: f64, energy: &Field, depth: &mut Field) -> Result<()> {
     non_negative("wear coefficient", coefficient)?;
     check("dissipated energy", energy, depth.grid())?;
@@ -111,8 +113,9 @@ fn check(quantity: &'static str, field: &Field, grid: Grid) -> Result<()> {
 /// that of one cycle. Of the energy law, pass the coefficient times that of friction.
 ///
 /// # Errors
-/// [`Error::Negative`](crate::Error::Negative) for the coefficient, [`Error::GridMismatch`](crate::Error::GridMismatch) or [`Error::Sample`](crate::Error::Sample) for the slip length;
-/// as [`HalfSpace::operator`].
+/// [`Error::Negative`](crate::Error::Negative) for the coefficient,
+/// [`Error::GridMismatch`](crate::Error::GridMismatch) or [`Error::Sample`](crate::Error::Sample) for the slip
+/// length; as [`HalfSpace::operator`].
 ///
 /// ```
 /// use stickslip::history::wear;
@@ -165,8 +168,8 @@ impl CycleJump {
     /// The number of cycles, not rounded.
     ///
     /// # Errors
-    /// [`Error::Negative`](crate::Error::Negative) for a number that is negative or not finite; only the stable cycles may be
-    /// infinite.
+    /// [`Error::Negative`](crate::Error::Negative) for a number that is negative or not finite; only the stable
+    /// cycles may be infinite.
     pub fn cycles(&self) -> Result<f64> {
         if self.stable_cycles != f64::INFINITY {
             non_negative("number of stable cycles", self.stable_cycles)?;

@@ -34,8 +34,8 @@ pub fn mirrored_along_x(heights: &Field) -> Field {
 /// `heights` point out of the body; the gap is a length, with least value zero.
 ///
 /// # Errors
-/// [`Error::Sample`](crate::Error::Sample) for the first height that is missing or infinite; [`Error::NotFinite`](crate::Error::NotFinite) if their range is
-/// none.
+/// [`Error::Sample`](crate::Error::Sample) for the first height that is missing or infinite;
+/// [`Error::NotFinite`](crate::Error::NotFinite) if their range overflows.
 pub fn gap_of(heights: &Field) -> Result<Field> {
     complete("heights", heights)?;
     let highest = heights.max();
@@ -54,8 +54,9 @@ pub fn gap_of(heights: &Field) -> Result<Field> {
 /// [`mirrored_along_x`] first. The gap is a length, with least value zero.
 ///
 /// # Errors
-/// [`Error::GridMismatch`](crate::Error::GridMismatch) if the grids differ; [`Error::Sample`](crate::Error::Sample) for the first height that is missing
-/// or infinite.
+/// [`Error::GridMismatch`](crate::Error::GridMismatch) if the grids differ;
+/// [`Error::Sample`](crate::Error::Sample) for the first height that is missing or infinite;
+/// [`Error::NotFinite`](crate::Error::NotFinite) if the range of both together overflows.
 ///
 /// ```
 /// use stickslip::{Field, Grid, surface};
