@@ -32,7 +32,7 @@ impl Friction {
     /// One coefficient of friction mu >= 0 for all cells (dimensionless).
     ///
     /// # Errors
-    /// [`Error::Negative`].
+    /// [`Error::Negative`](crate::Error::Negative).
     pub fn coulomb(coefficient: f64) -> Result<Self> {
         Ok(Self {
             coefficient: Coefficient::Uniform(non_negative(
@@ -46,7 +46,7 @@ impl Friction {
     /// One coefficient of friction mu >= 0 per cell.
     ///
     /// # Errors
-    /// [`Error::Sample`] at the first coefficient that is negative or not finite.
+    /// [`Error::Sample`](crate::Error::Sample) at the first coefficient that is negative or not finite.
     pub fn per_cell(coefficients: Field) -> Result<Self> {
         let rule = "must be non-negative and finite";
         samples_obey(
@@ -64,7 +64,7 @@ impl Friction {
     /// With the limit capped at `tau_max` (a pressure), the shear strength of the weaker body.
     ///
     /// # Errors
-    /// [`Error::NotPositive`].
+    /// [`Error::NotPositive`](crate::Error::NotPositive).
     pub fn shear_cap(mut self, tau_max: f64) -> Result<Self> {
         self.shear_cap = positive("shear cap", tau_max)?;
         Ok(self)
