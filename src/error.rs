@@ -5,7 +5,8 @@ mod check;
 use std::fmt;
 
 pub(crate) use check::{
-    all_finite, at_least, finite, length, non_negative, not_converged, positive, samples_obey,
+    all_finite, at_least, finite, length, memory, non_negative, not_converged, positive,
+    samples_obey,
 };
 
 use crate::report::Report;
@@ -20,13 +21,21 @@ pub type Result<T> = std::result::Result<T, Error>;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// A grid needs at least one cell along each axis and a number of cells that memory can index.
-    #[error("a grid of {nx} x {ny} cells is empty or larger than memory can index")]
+    /// A grid needs at least one cell along each axis.
+    #[error("a grid of {nx} x {ny} cells is empty")]
     GridSize {
         /// Cells along x.
         nx: usize,
         /// Cells along y.
         ny: usize,
+    },
+    /// The memory something takes cannot be had. Nothing was taken.
+    #[error("{quantity} takes {bytes} bytes of memory, which cannot be had")]
+    Memory {
+        /// What takes it, in words.
+        quantity: &'static str,
+        /// Bytes needed.
+        bytes: u128,
     },
     /// A quantity that must be positive and finite is not.
     #[error("{quantity} must be positive and finite, got {value}")]
@@ -89,10 +98,20 @@ pub enum Error {
         found: usize,
     },
     /// Two fields or bodies live on different grids.
-    #[error("{quantity} lives on another grid than the rest")]
+    #[error(
+        "{quantity} lives on {found_cells:?} cells of sides {found_sides:?}, expected {expected_cells:?} of {expected_sides:?}"
+    )]
     GridMismatch {
         /// The field, in words.
         quantity: &'static str,
+        /// Cells along x and y of the rest.
+        expected_cells: [usize; 2],
+        /// Sides of the cells of the rest (lengths).
+        expected_sides: [f64; 2],
+        /// Cells along x and y of the field.
+        found_cells: [usize; 2],
+        /// Sides of the cells of the field (lengths).
+        found_sides: [f64; 2],
     },
     /// A solution belongs to bodies with another boundary.
     #[error("{quantity} belongs to bodies with another boundary")]

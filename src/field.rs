@@ -8,6 +8,9 @@ use crate::grid::Grid;
 /// The memory is that of a C-ordered NumPy array of shape `(ny, nx)`: sample `(ix, iy)` stands
 /// at index `iy * nx + ix`. The unit is that of the quantity sampled.
 ///
+/// Where memory cannot be had, fields made of a grid alone abort, as any `Vec` does; bodies and surfaces refuse such
+/// a grid with [`Error::Memory`](crate::Error::Memory).
+///
 /// ```
 /// use stickslip::{Field, Grid};
 /// let grid = Grid::new(3, 2, 1.0, 1.0)?;

@@ -25,13 +25,17 @@ impl Grid {
     /// A grid of `nx` x `ny` cells of sides `dx` x `dy` (lengths).
     ///
     /// # Errors
-    /// [`Error::GridSize`] if a number of cells is zero or the padded grid exceeds memory's
-    /// index; [`Error::NotPositive`] if a side is not positive and finite.
+    /// [`Error::GridSize`] if a number of cells is zero; [`Error::Memory`] if memory cannot index the padded
+    /// grid; [`Error::NotPositive`] if a side, the area of a cell or that of the grid is not positive and finite.
     pub fn new(nx: usize, ny: usize, dx: f64, dy: f64) -> Result<Self> {
-        // The padded transform of a grid holds up to 4 nx ny complex numbers.
-        let bytes = nx.checked_mul(ny).and_then(|cells| cells.checked_mul(128));
-        if nx == 0 || ny == 0 || bytes.is_none_or(|bytes| isize::try_from(bytes).is_err()) {
+        if nx == 0 || ny == 0 {
             return Err(Error::GridSize { nx, ny });
+        }
+        // The padded transform of a grid holds up to 4 nx ny complex numbers.
+        let bytes = (nx as u128 * ny as u128).saturating_mul(128);
+        if isize::try_from(bytes).is_err() {
+            let quantity = "a padded grid";
+            return Err(Error::Memory { quantity, bytes });
         }
         let grid = Self {
             nx,
@@ -94,6 +98,25 @@ impl Grid {
     #[must_use]
     pub fn area(&self) -> f64 {
         self.cell_area() * self.cells() as f64
+    }
+
+    /// `Ok` if a quantity that lives on the grid `found` lives on this one.
+    pub(crate) fn expect(&self, quantity: &'static str, found: Self) -> Result<()> {
+        if found == *self {
+            return Ok(());
+        }
+        Err(Error::GridMismatch {
+            quantity,
+            expected_cells: self.size(),
+            expected_sides: [self.dx, self.dy],
+            found_cells: found.size(),
+            found_sides: [found.dx, found.dy],
+        })
+    }
+
+    /// Cells along x and y.
+    pub(crate) fn size(&self) -> [usize; 2] {
+        [self.nx, self.ny]
     }
 
     /// x of the centre of column `ix` (a length); `ix` may lie outside the grid.

@@ -3,7 +3,7 @@
 use std::sync::{Arc, OnceLock};
 
 use crate::boundary::Boundary;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, memory};
 use crate::fft::{CirculantInverse, Convolution, PairConvolution, PairInverse, PairSource};
 use crate::grid::Grid;
 use crate::influence::{Component, Samples, Symbols, Table};
@@ -60,6 +60,9 @@ enum Source {
     Symbols(Symbols),
 }
 
+/// What a normal contact of all cells takes at least: operators, buffers, answer.
+const BYTES_PER_CELL: usize = 170;
+
 /// An operator and the preconditioner that goes with it.
 #[derive(Debug, Clone)]
 pub(crate) struct Compliance {
@@ -84,7 +87,7 @@ impl HalfSpace {
     ///
     /// # Errors
     /// [`Error::NotPositive`] if the sides of a cell are too far apart
-    /// to compare.
+    /// to compare; [`Error::Memory`] if what a contact of all cells takes cannot be had.
     pub fn new(grid: Grid, pair: ElasticPair) -> Result<Self> {
         Self::with_boundary(grid, pair, Boundary::Free)
     }
@@ -110,6 +113,7 @@ impl HalfSpace {
     /// # Errors
     /// As [`HalfSpace::new`].
     pub fn with_boundary(grid: Grid, pair: ElasticPair, boundary: Boundary) -> Result<Self> {
+        memory("contact of all cells", grid.size(), BYTES_PER_CELL)?;
         let samples = match boundary {
             Boundary::Free => Some(Arc::new(Convolution::samples(grid)?)),
             Boundary::Periodic => None,
@@ -258,12 +262,11 @@ impl HalfSpace {
         grid: Grid,
         boundary: Boundary,
     ) -> Result<()> {
-        if grid != self.grid() {
-            Err(Error::GridMismatch { quantity })
-        } else if boundary != self.boundary() {
-            Err(Error::BoundaryMismatch { quantity })
-        } else {
+        self.grid().expect(quantity, grid)?;
+        if boundary == self.boundary() {
             Ok(())
+        } else {
+            Err(Error::BoundaryMismatch { quantity })
         }
     }
 

@@ -1,6 +1,6 @@
 //! Elastic constants of one body and of a pair.
 
-use crate::error::{Error, Result, positive};
+use crate::error::{Error, Result, finite, positive};
 
 /// A linear elastic, isotropic, homogeneous half-space.
 ///
@@ -129,20 +129,25 @@ impl ElasticPair {
     /// The pair of `body_1` (into which z points) and `body_2`.
     ///
     /// # Errors
-    /// [`Error::BothRigid`] if neither body deforms.
+    /// [`Error::BothRigid`] if neither body deforms; [`Error::NotPositive`] or [`Error::NotFinite`] if what
+    /// the pair makes of their moduli over- or underflows.
     pub fn new(body_1: Material, body_2: Material) -> Result<Self> {
         if body_1.is_rigid() && body_2.is_rigid() {
             return Err(Error::BothRigid);
         }
         let (one, two) = (body_1.compliances(), body_2.compliances());
-        Ok(Self {
+        let pair = Self {
             bodies: [body_1, body_2],
             compliances: Compliances {
                 normal: one.normal + two.normal,
                 lateral: one.lateral + two.lateral,
                 coupling: one.coupling - two.coupling,
             },
-        })
+        };
+        positive("contact modulus of the pair", pair.contact_modulus())?;
+        positive("shear modulus of the pair", pair.shear_modulus())?;
+        finite("Dundurs' beta of the pair", pair.dundurs_beta())?;
+        Ok(pair)
     }
 
     /// The two bodies.

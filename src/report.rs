@@ -37,8 +37,9 @@ impl fmt::Display for Status {
     }
 }
 
-/// One step of an iteration, as an observer sees it: the start, then at least once for every step,
-/// also of the coarser grids of a nested start.
+/// One step of an iteration, as an observer sees it, who is asked before every product, also on the coarser
+/// grids of a nested start. Who cancels waits for one product more on each grid in use, which shows what the
+/// iterate left is worth; the same holds for limits of time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Iteration {

@@ -12,7 +12,7 @@ use crate::fft::{
 use crate::half_space::{Compliance, HalfSpace, PlaneCompliance};
 use crate::influence::Component;
 use crate::operator::Operator;
-use crate::report::Report;
+use crate::report::{Report, Status};
 use crate::window::halved;
 
 /// Who watches a solve and may cancel it.
@@ -221,35 +221,56 @@ pub(crate) fn nested_start<N: Nested>(
     scene: &N,
     total: N::Total,
     settings: &Settings,
+    start: Instant,
     observer: Observer<'_>,
 ) -> Result<Vec<f64>> {
+    descend(bodies, size, scene, total, settings, start, observer).map(|(found, _)| found)
+}
+
+/// The same, and whether it was ended on the way, by observer or clock: then nothing more is solved.
+fn descend<N: Nested>(
+    bodies: &HalfSpace,
+    size: [usize; 2],
+    scene: &N,
+    total: N::Total,
+    settings: &Settings,
+    start: Instant,
+    observer: Observer<'_>,
+) -> Result<(Vec<f64>, bool)> {
     let is_small = size[0] * size[1] <= COARSEST || size[0].min(size[1]) < 8;
     if is_small || !bodies.can_be_coarser() {
-        return Ok(scene.plain_start(total));
+        return Ok((scene.plain_start(total), false));
     }
     let coarse = scene.coarse_scene(size);
     let coarse_total = scene.coarse_total(&coarse, total);
     let (bodies, coarse_size) = (bodies.coarser()?, halved(size));
-    let start = nested_start(
+    let (coarse_start, is_over) = descend(
         bodies,
         coarse_size,
         &coarse,
         coarse_total,
         settings,
+        start,
         observer,
     )?;
+    if is_over {
+        return Ok((scene.refined_start(size, &coarse, &coarse_start), true));
+    }
 
-    let mut stage = coarse.stage(bodies, coarse_size, start)?;
-    let rough = settings
+    let mut stage = coarse.stage(bodies, coarse_size, coarse_start)?;
+    let rough = with_time_left(settings, start)
         .tolerance(settings.tolerance.max(COARSE_TOLERANCE))
         .max_iterations(settings.max_iterations.min(COARSE_STEPS));
-    match coarse.minimise(&mut stage, coarse_total, &rough, observer) {
+    let is_over = match coarse.minimise(&mut stage, coarse_total, &rough, observer) {
+        Ok(()) => false,
         // As a start an unfinished answer serves too.
-        Ok(()) | Err(Error::NotConverged(_)) => {
-            Ok(scene.refined_start(size, &coarse, N::answer(&stage)))
+        Err(Error::NotConverged(report)) => {
+            matches!(report.status, Status::Cancelled | Status::TimeLimit)
         }
-        Err(error) => Err(error),
-    }
+        Err(error) => return Err(error),
+    };
+    let found = scene.refined_start(size, &coarse, N::answer(&stage));
+    Ok((found, is_over))
 }
 
 /// An observer that goes on refusing once it has refused.

@@ -10,7 +10,8 @@ use std::ops::ControlFlow;
 use common::{rough, unit_bodies};
 use stickslip::cgm::Status;
 use stickslip::{
-    Axis, Error, Field, Friction, Grid, History, LoadStep, NormalStep, TangentialStep, surface,
+    Axis, Error, Field, Friction, Grid, History, Lateral, LoadStep, NormalStep, TangentialStep,
+    surface,
 };
 
 fn grid() -> Grid {
@@ -179,4 +180,70 @@ fn not_converged() {
     }
     assert!(failures > 0);
     assert_eq!(history.to_bytes(), twin.to_bytes());
+}
+
+/// Loads at the ends of what doubles can say: numbers, or an error and no trace.
+#[test]
+fn loads_at_the_ends_of_the_doubles() {
+    let grid = Grid::square(24, 12.0).unwrap();
+    let ball = surface::sphere(grid, 20.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    for lateral in [Lateral::Neglected, Lateral::Coupled] {
+        let friction = Friction::coulomb(0.5).unwrap();
+        let builder = History::builder(&bodies, &ball, friction).lateral(lateral);
+        let mut history = builder.build().unwrap();
+        let press = LoadStep::hold().normal(NormalStep::Force(3.0));
+        let drag = press.tangential(Axis::X, TangentialStep::Force(0.7));
+        history.step(&press).unwrap();
+        history.step(&drag).unwrap();
+        let saved = history.to_bytes();
+        for size in [5e-324, 1e-310, 1e-300, 1e-200, 1e-100, 1e100, 1e200, 1e300] {
+            let spring = |position, stiffness| TangentialStep::Spring {
+                position,
+                stiffness,
+            };
+            for tangential in [
+                TangentialStep::Force(size),
+                TangentialStep::Shift(size),
+                TangentialStep::Shift(-size),
+                spring(size, 1.0),
+                spring(1.0, size),
+            ] {
+                for step in [
+                    drag.tangential(Axis::X, tangential),
+                    drag.tangential(Axis::X, tangential).twist(size),
+                    press
+                        .normal(NormalStep::Force(size))
+                        .tangential(Axis::X, tangential),
+                    press
+                        .normal(NormalStep::Approach(size))
+                        .tangential(Axis::X, tangential),
+                    press
+                        .normal(NormalStep::Approach(-size))
+                        .tangential(Axis::X, tangential),
+                ] {
+                    if history.step(&step).is_err() {
+                        assert!(history.to_bytes() == saved, "{step:?}");
+                        continue;
+                    }
+                    assert!(is_of_numbers(&history), "{step:?}");
+                    history = History::restore(&bodies, &saved).unwrap();
+                }
+            }
+        }
+    }
+}
+
+fn is_of_numbers(history: &History) -> bool {
+    let fields = history.traction().into_iter().chain(history.slip());
+    let fields = fields.chain([history.pressure(), history.slip_path()]);
+    let energy = history.last_step().energy();
+    let scalars = [
+        history.shift(),
+        history.force(),
+        [energy.work, energy.dissipated],
+    ]
+    .concat();
+    let mut numbers = fields.flat_map(Field::as_slice).chain(&scalars);
+    numbers.all(|number| number.is_finite())
 }

@@ -20,6 +20,10 @@ use stickslip::{ElasticPair, Field, Grid, Material, Operator};
 /// 60 points of one body and 7 of a pair; the file's head names its source.
 const REFERENCE: &str = include_str!("data/influence.csv");
 
+/// 96 points of one body and 24 of a pair: cells from 1:100 to 100:1, points within, on and beside an edge, and up to
+/// a million cells away, Poisson's ratios -0.5, 0, 0.29, 0.499999 and 0.5. By another way than the first.
+const RANDOM_POINTS: &str = include_str!("data/influence/random_points.csv");
+
 fn material(modulus: &str, poisson_ratio: &str) -> Material {
     let nu = poisson_ratio.parse().unwrap();
     match modulus.split_at(1) {
@@ -33,14 +37,10 @@ fn components(t: &Tensor) -> [f64; 9] {
     [t.xx, t.xy, t.xz, t.yx, t.yy, t.yz, t.zx, t.zy, t.zz]
 }
 
-#[test]
-fn the_nine_coefficients_equal_their_exact_values() {
-    let mut points = 0;
-    for line in REFERENCE
-        .lines()
-        .filter(|line| !line.starts_with('#'))
-        .skip(1)
-    {
+/// Compares the coefficients with a table; returns its number of points.
+fn compare(table: &str) -> usize {
+    let rows = table.lines().filter(|line| !line.starts_with('#')).skip(1);
+    rows.map(|line| {
         let columns: Vec<&str> = line.split(',').collect();
         let number = |i: usize| columns[i].parse::<f64>().unwrap();
         let rectangle = Rectangle::new(number(3), number(4)).unwrap();
@@ -71,9 +71,18 @@ fn the_nine_coefficients_equal_their_exact_values() {
                 error / scale
             );
         }
-        points += 1;
-    }
-    assert_eq!(points, 67);
+    })
+    .count()
+}
+
+#[test]
+fn the_nine_coefficients_equal_their_exact_values() {
+    assert_eq!(compare(REFERENCE), 67);
+}
+
+#[test]
+fn they_do_at_random_points() {
+    assert_eq!(compare(RANDOM_POINTS), 120);
 }
 
 #[test]

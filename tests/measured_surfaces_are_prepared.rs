@@ -257,12 +257,13 @@ fn resampling_does_not_extrapolate() {
 fn gaps_need_whole_surfaces_on_one_grid() {
     let lower = noise(grid(6, 4, 1.0, 1.0), 1);
     let upper = noise(grid(6, 4, 1.0, 1.1), 2);
-    assert_eq!(
+    assert!(matches!(
         gap_between(&upper, &lower),
         Err(Error::GridMismatch {
-            quantity: "upper surface"
+            quantity: "upper surface",
+            ..
         })
-    );
+    ));
     let holed = with_holes(&lower, |ix, iy| (ix, iy) == (5, 1));
     for error in [
         gap_of(&holed).err(),

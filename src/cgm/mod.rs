@@ -261,6 +261,9 @@ pub fn minimise<C: Operator, K: Constraint, P: Operator>(
     settings: &Settings,
     x: &mut [f64],
 ) -> Result<Minimum> {
+    settings.check()?;
+    // An operator may claim any number of unknowns; the start is there.
+    problem.check(x)?;
     let mut workspace = problem.workspace();
     minimise_with(problem, settings, x, &mut workspace, &mut |_| {
         ControlFlow::Continue(())

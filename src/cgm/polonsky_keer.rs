@@ -28,6 +28,9 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
     let mut since_refresh = REFRESH;
     loop {
         if since_refresh >= REFRESH {
+            if let ControlFlow::Break(status) = run.ask(0) {
+                return Some(status);
+            }
             run.refresh();
             since_refresh = 0;
         }

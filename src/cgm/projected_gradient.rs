@@ -25,7 +25,9 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
     if let Some(total) = run.problem.total {
         balance::restore(run.x, constraint, |_| true, total);
     }
+    run.ask(0)?;
     run.refresh();
+    run.ask(0)?;
     let Some(mut length) = first_length(run) else {
         return ControlFlow::Continue(true);
     };

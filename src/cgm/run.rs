@@ -186,9 +186,14 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
         self.watch.count_step(&mut self.workspace.report);
     }
 
-    /// Asks limits and observer whether to go on; called at least once for every two products.
+    /// Asks observer, clock and limit whether to take another step.
     pub(super) fn proceed(&mut self, free: usize) -> ControlFlow<Status> {
         self.watch.proceed(free, &self.workspace.report)
+    }
+
+    /// Asks observer and clock alone whether to go on.
+    pub(super) fn ask(&mut self, free: usize) -> ControlFlow<Status> {
+        self.watch.ask(free, &self.workspace.report)
     }
 
     /// The multiplier at which nothing drives the unknowns from an allowed zero, if there is one. An

@@ -71,14 +71,21 @@ impl<'a> Watch<'a> {
         report.iterations = self.steps;
     }
 
-    /// Asks limits and observer whether to go on; called at least once for every two products.
+    /// Asks observer, clock and limit whether to take another step.
     pub(super) fn proceed(&mut self, free: usize, report: &Report) -> ControlFlow<Status> {
+        self.ask(free, report)?;
+        if self.steps >= self.settings.max_iterations {
+            return ControlFlow::Break(Status::IterationLimit);
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// Asks observer and clock whether to go on: so, or by [`Self::proceed`], before every product but the last,
+    /// which shows what the iterate returned is worth.
+    pub(super) fn ask(&mut self, free: usize, report: &Report) -> ControlFlow<Status> {
         let entry = self.entry(free, report);
         if (self.observer)(&entry).is_break() {
             return ControlFlow::Break(Status::Cancelled);
-        }
-        if self.steps >= self.settings.max_iterations {
-            return ControlFlow::Break(Status::IterationLimit);
         }
         let limit = self.settings.time_limit;
         if limit.is_some_and(|limit| self.start.elapsed() >= limit) {

@@ -77,6 +77,25 @@ pub(crate) fn length(quantity: &'static str, expected: usize, found: usize) -> R
     }
 }
 
+/// `Ok` if memory for `[columns, rows]` of `each` bytes can be had now: it is asked for and given back, never
+/// touched.
+pub(crate) fn memory(quantity: &'static str, counts: [usize; 2], each: usize) -> Result<()> {
+    let [columns, rows, each] = [counts[0], counts[1], each].map(|count| count as u128);
+    let bytes = columns.saturating_mul(rows).saturating_mul(each);
+    let can_be_had = usize::try_from(bytes).is_ok_and(|bytes| {
+        let mut probe = Vec::<u8>::new();
+        let outcome = probe.try_reserve_exact(bytes);
+        // Else the compiler may take a reservation that nobody uses for granted.
+        std::hint::black_box(&mut probe);
+        outcome.is_ok()
+    });
+    if can_be_had {
+        Ok(())
+    } else {
+        Err(Error::Memory { quantity, bytes })
+    }
+}
+
 /// The error of an iteration that reached its limit.
 pub(crate) fn not_converged(iterations: usize, residual: f64) -> Error {
     Error::NotConverged(Box::new(Report {

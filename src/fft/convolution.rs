@@ -1,6 +1,6 @@
 //! The half-space as an operator: convolution with one influence coefficient, zero-padded or periodic.
 
-use crate::error::Result;
+use crate::error::{Result, memory};
 use crate::fft::length::smooth_length;
 use crate::fft::plan::{Buffers, Plan};
 use crate::fft::single::{SingleProduct, SingleWorkspace};
@@ -85,6 +85,7 @@ impl Convolution {
 
     /// The integrals of all coefficients at every distance the padded transform of `grid` reaches.
     pub(crate) fn samples(grid: Grid) -> Result<Samples> {
+        memory("influence coefficients", grid.size(), size_of::<f64>())?;
         let reach = padded([grid.nx(), grid.ny()]).map(|m| m / 2 + 1);
         Samples::new(grid, reach)
     }

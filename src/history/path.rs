@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::error::{Error, Result, all_finite, finite};
+use crate::error::{Error, Result, all_finite, finite, memory};
 
 /// A cycle of a tangential load in the plane, as the values `[x, y]` at the ends of its steps.
 ///
@@ -35,7 +35,7 @@ impl LoadPath {
     ///
     /// # Errors
     /// [`Error::NotFinite`] for the amplitude, [`Error::StepsPerCycle`] if `steps` is not a positive
-    /// multiple of 4.
+    /// multiple of 4, [`Error::Memory`] if there are too many.
     pub fn sine(amplitude: [f64; 2], steps: usize) -> Result<Self> {
         Self::wave(amplitude, steps, |quarter| [quarter.sine(), quarter.sine()])
     }
@@ -112,6 +112,7 @@ impl LoadPath {
         if steps == 0 || steps % 4 != 0 {
             return Err(Error::StepsPerCycle(steps));
         }
+        memory("load path", [steps, 2], size_of::<f64>())?;
         let value = |step| {
             let [x, y] = shape(Quarter::of(step, steps / 4));
             [amplitudes[0] * x, amplitudes[1] * y]

@@ -24,8 +24,9 @@
 //! # Ok::<(), Error>(())
 //! ```
 
-use crate::error::{Error, Result, non_negative, samples_obey};
+use crate::error::{Result, finite, non_negative, samples_obey};
 use crate::field::Field;
+use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::influence::Component;
 use crate::operator::Operator;
@@ -39,8 +40,10 @@ use crate::parallel;
 /// <https://doi.org/10.1063/1.1721448>.
 ///
 /// # Errors
-/// [`Error::Negative`] for the coefficient, [`Error::Sample`] for a pressure or length that is negative or not
-/// finite, [`Error::GridMismatch`]; the depth is then as it was.
+/// [`Error::Negative`](crate::Error::Negative) for the coefficient, [`Error::Sample`](crate::Error::Sample) for a
+/// pressure or length that is negative or not finite, [`Error::GridMismatch`](crate::Error::GridMismatch),
+/// [`Error::NotFinite`](crate::Error::NotFinite) if the product of the coefficient and the greatest of both is not;
+/// the depth is then as it was.
 pub fn archard(
     coefficient: f64,
     pressure: &Field,
@@ -48,8 +51,10 @@ pub fn archard(
     depth: &mut Field,
 ) -> Result<()> {
     non_negative("wear coefficient", coefficient)?;
-    check("pressure", pressure, depth)?;
-    check("slip length", slip_length, depth)?;
+    check("pressure", pressure, depth.grid())?;
+    check("slip length", slip_length, depth.grid())?;
+    let deepest = coefficient * pressure.max() * slip_length.max();
+    finite("greatest depth of wear", deepest)?;
     let (pressure, slip) = (pressure.as_slice(), slip_length.as_slice());
     parallel::update(depth.as_mut_slice(), |first, chunk| {
         let cells = pressure[first..].iter().zip(&slip[first..]);
@@ -68,12 +73,16 @@ pub fn archard(
 /// (1996) 186, <https://doi.org/10.1016/S0043-1648(96)07306-1>.
 ///
 /// # Errors
-/// [`Error::Negative`] for the coefficient, [`Error::Sample`] for an energy that is negative or not finite,
-/// [`Error::GridMismatch`]; the depth is then as it was.
+/// [`Error::Negative`](crate::Error::Negative) for the coefficient, [`Error::Sample`](crate::Error::Sample) for an
+/// energy that is negative or not finite, [`Error::GridMismatch`](crate::Error::GridMismatch),
+/// [`Error::NotFinite`](crate::Error::NotFinite) if the greatest depth is not; the depth is then as it was.
 pub fn dissipated_energy(coefficient: f64, energy: &Field, depth: &mut Field) -> Result<()> {
     non_negative("wear coefficient", coefficient)?;
-    check("dissipated energy", energy, depth)?;
-    let (energy, factor) = (energy.as_slice(), coefficient / energy.grid().cell_area());
+    check("dissipated energy", energy, depth.grid())?;
+    let factor = coefficient / energy.grid().cell_area();
+    finite("wear coefficient over the area of a cell", factor)?;
+    finite("greatest depth of wear", factor * energy.max())?;
+    let energy = energy.as_slice();
     parallel::update(depth.as_mut_slice(), |first, chunk| {
         for (depth, e) in chunk.iter_mut().zip(&energy[first..]) {
             *depth += factor * e;
@@ -82,10 +91,8 @@ pub fn dissipated_energy(coefficient: f64, energy: &Field, depth: &mut Field) ->
     Ok(())
 }
 
-fn check(quantity: &'static str, field: &Field, depth: &Field) -> Result<()> {
-    if field.grid() != depth.grid() {
-        return Err(Error::GridMismatch { quantity });
-    }
+fn check(quantity: &'static str, field: &Field, grid: Grid) -> Result<()> {
+    grid.expect(quantity, field.grid())?;
     let rule = "must be non-negative and finite";
     samples_obey(quantity, field.as_slice(), rule, |value| {
         value >= 0.0 && value.is_finite()
@@ -106,8 +113,9 @@ fn check(quantity: &'static str, field: &Field, depth: &Field) -> Result<()> {
 /// that of one cycle. Of the energy law, pass the coefficient times that of friction.
 ///
 /// # Errors
-/// [`Error::Negative`] for the coefficient, [`Error::GridMismatch`] or [`Error::Sample`] for the slip length;
-/// as [`HalfSpace::operator`].
+/// [`Error::Negative`](crate::Error::Negative) for the coefficient,
+/// [`Error::GridMismatch`](crate::Error::GridMismatch) or [`Error::Sample`](crate::Error::Sample) for the slip
+/// length; as [`HalfSpace::operator`].
 ///
 /// ```
 /// use stickslip::history::wear;
@@ -122,7 +130,7 @@ fn check(quantity: &'static str, field: &Field, depth: &Field) -> Result<()> {
 /// ```
 pub fn stable_cycles(bodies: &HalfSpace, coefficient: f64, slip_length: &Field) -> Result<f64> {
     non_negative("wear coefficient", coefficient)?;
-    check("slip length", slip_length, &Field::zeros(bodies.grid()))?;
+    check("slip length", slip_length, bodies.grid())?;
     let least_compliance = bodies.operator(Component::ZZ)?.lower_bound();
     Ok(2.0 * least_compliance / (coefficient * slip_length.max()))
 }
@@ -160,8 +168,8 @@ impl CycleJump {
     /// The number of cycles, not rounded.
     ///
     /// # Errors
-    /// [`Error::Negative`] for a number that is negative or not finite; only the stable cycles may be
-    /// infinite.
+    /// [`Error::Negative`](crate::Error::Negative) for a number that is negative or not finite; only the stable
+    /// cycles may be infinite.
     pub fn cycles(&self) -> Result<f64> {
         if self.stable_cycles != f64::INFINITY {
             non_negative("number of stable cycles", self.stable_cycles)?;

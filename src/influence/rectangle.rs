@@ -20,9 +20,10 @@ use crate::material::{Compliances, ElasticPair, Material};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rectangle {
-    /// The cell in units of its longer side, so that no power of a length overflows.
+    /// The cell in a unit of its size, so that no power of a length overflows.
     pub(super) cell: Cell,
-    /// The longer side.
+    /// The greatest power of two that is not more than the longer side: dividing by it rounds nothing, so that a
+    /// point a hair beside an edge stays as far from it.
     pub(super) unit: f64,
 }
 
@@ -51,7 +52,10 @@ impl Rectangle {
     pub fn new(a: f64, b: f64) -> Result<Self> {
         positive("half side a of the cell", a)?;
         positive("half side b of the cell", b)?;
-        let unit = positive("longer side of the cell", 2.0 * a.max(b))?;
+        let longer = positive("longer side of the cell", 2.0 * a.max(b))?;
+        // Without the bits behind its point; a number too small to have its own is no unit.
+        let unit = f64::from_bits(longer.to_bits() & f64::INFINITY.to_bits());
+        positive("unit of the longer side of the cell", unit)?;
         Ok(Self {
             cell: Cell {
                 a: positive("half side a over the longer side", a / unit)?,
@@ -104,7 +108,7 @@ impl Rectangle {
         sum * self.scale()
     }
 
-    /// What turns an integral in units of the longer side into a coefficient.
+    /// What turns an integral in that unit into a coefficient.
     pub(super) fn scale(&self) -> f64 {
         self.unit / (2.0 * std::f64::consts::PI)
     }

@@ -10,7 +10,7 @@ use crate::material::ElasticPair;
 use crate::parallel::{self, get_or_make};
 
 /// The integrals over one cell at the distances `(i, j)` of a grid, `0 <= i < nx`, `0 <= j < ny`, in
-/// units of its longer side: of a cell twice as large they are the same. Each is sampled when it is
+/// the unit of its size: of a cell twice as large they are the same. Each is sampled when it is
 /// first asked for, 8 bytes per distance.
 #[derive(Debug)]
 pub(crate) struct Samples {

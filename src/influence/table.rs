@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::error::Result;
+use crate::error::{Result, memory};
 use crate::grid::Grid;
 use crate::influence::{Component, Samples};
 use crate::material::ElasticPair;
@@ -37,9 +37,11 @@ impl Table {
     /// Samples a coefficient of the pair at every cell distance of the grid.
     ///
     /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive) if the sides of a cell cannot be halved or compared.
+    /// [`Error::NotPositive`](crate::Error::NotPositive) if the sides of a cell cannot be halved or compared;
+    /// [`Error::Memory`](crate::Error::Memory).
     pub fn sample(grid: Grid, pair: &ElasticPair, component: Component) -> Result<Self> {
-        Samples::new(grid, [grid.nx(), grid.ny()])?.table(grid, pair, component)
+        memory("influence coefficients", grid.size(), size_of::<f64>())?;
+        Samples::new(grid, grid.size())?.table(grid, pair, component)
     }
 
     pub(super) fn new(

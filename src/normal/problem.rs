@@ -136,8 +136,6 @@ impl NormalProblemBuilder<'_> {
 }
 
 pub(super) fn check_gap(bodies: &HalfSpace, gap: &Field) -> Result<()> {
-    if gap.grid() != bodies.grid() {
-        return Err(Error::GridMismatch { quantity: "gap" });
-    }
+    bodies.grid().expect("gap", gap.grid())?;
     all_finite("gap", gap.as_slice())
 }

@@ -242,8 +242,7 @@ impl NormalSolver {
             self.pressure = scene.plain_start(total);
             return Engine::new(bodies, whole);
         }
-        let settings = with_time_left(settings, start);
-        self.pressure = nested_start(bodies, whole.size, &scene, total, &settings, observer)?;
+        self.pressure = nested_start(bodies, whole.size, &scene, total, settings, start, observer)?;
         match Window::around(grid, |i| self.pressure[i] > 0.0) {
             Ok(contact) => Engine::new(bodies, contact.widened(grid)),
             Err(_) => Engine::new(bodies, whole),

@@ -1,7 +1,7 @@
 //! From the heights of bodies to the gap between them.
 
 use super::heights::complete;
-use crate::error::{Error, Result};
+use crate::error::{Result, finite};
 use crate::field::Field;
 
 /// The surface turned inside out, `-z`: peaks become valleys, as in a replica.
@@ -34,10 +34,12 @@ pub fn mirrored_along_x(heights: &Field) -> Field {
 /// `heights` point out of the body; the gap is a length, with least value zero.
 ///
 /// # Errors
-/// [`Error::Sample`] for the first height that is missing or infinite.
+/// [`Error::Sample`](crate::Error::Sample) for the first height that is missing or infinite;
+/// [`Error::NotFinite`](crate::Error::NotFinite) if their range overflows.
 pub fn gap_of(heights: &Field) -> Result<Field> {
     complete("heights", heights)?;
     let highest = heights.max();
+    finite("range of the heights", highest - heights.min())?;
     let mut gap = heights.clone();
     for z in gap.as_mut_slice() {
         *z = highest - *z;
@@ -52,8 +54,9 @@ pub fn gap_of(heights: &Field) -> Result<Field> {
 /// [`mirrored_along_x`] first. The gap is a length, with least value zero.
 ///
 /// # Errors
-/// [`Error::GridMismatch`] if the grids differ; [`Error::Sample`] for the first height that is missing
-/// or infinite.
+/// [`Error::GridMismatch`](crate::Error::GridMismatch) if the grids differ;
+/// [`Error::Sample`](crate::Error::Sample) for the first height that is missing or infinite;
+/// [`Error::NotFinite`](crate::Error::NotFinite) if the range of both together overflows.
 ///
 /// ```
 /// use stickslip::{Field, Grid, surface};
@@ -66,11 +69,7 @@ pub fn gap_of(heights: &Field) -> Result<Field> {
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 pub fn gap_between(upper: &Field, lower: &Field) -> Result<Field> {
-    if upper.grid() != lower.grid() {
-        return Err(Error::GridMismatch {
-            quantity: "upper surface",
-        });
-    }
+    lower.grid().expect("upper surface", upper.grid())?;
     complete("upper surface", upper)?;
     complete("lower surface", lower)?;
     let mut sum = upper.clone();

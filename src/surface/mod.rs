@@ -5,7 +5,9 @@
 //!
 //! # Shapes and generated surfaces
 //! Shapes such as [`sphere`] are gaps. [`SelfAffine`] generates heights of a rough surface, which
-//! [`gap_of`] turns into a gap; gaps add up by [`sum`](sum()).
+//! [`gap_of`] turns into a gap; gaps add up by [`sum`](sum()). Besides what each says, all refuse a grid whose
+//! field memory cannot hold ([`Error::Memory`](crate::Error::Memory)), and a shape one of whose heights overflows
+//! ([`Error::Sample`](crate::Error::Sample)).
 //!
 //! # Measured surfaces
 //! Heights `z(x, y)` point out of the body they bound; NaN stands for a height that is missing. On the

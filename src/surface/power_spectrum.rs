@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use super::fourier::Waves;
 use super::heights::{about_mean, complete};
-use crate::error::Result;
+use crate::error::{Result, all_finite};
 use crate::field::Field;
 use crate::grid::Grid;
 
@@ -75,7 +75,8 @@ impl PowerSpectrum {
     /// The spectrum of a surface that continues periodically beyond its grid.
     ///
     /// # Errors
-    /// [`Error::Sample`](crate::Error::Sample) for the first height that is missing or infinite.
+    /// [`Error::Sample`](crate::Error::Sample) for the first height that is missing or infinite, or for the first value
+    /// or moment that overflows.
     pub fn of(heights: &Field) -> Result<Self> {
         complete("heights", heights)?;
         let (deviations, _) = about_mean(heights);
@@ -83,11 +84,15 @@ impl PowerSpectrum {
         let grid = heights.grid();
         let rings = rings(&waves, grid);
         let density = grid.area() / (TAU * TAU);
+        let values: Vec<f64> = rings.iter().map(|ring| density * ring.power()).collect();
+        let moments = moments(&waves);
+        all_finite("power spectrum", &values)?;
+        all_finite("moment of the spectrum", &moments)?;
         Ok(Self {
             wave_numbers: rings.iter().map(Ring::wave_number).collect(),
-            values: rings.iter().map(|ring| density * ring.power()).collect(),
+            values,
             modes: rings.iter().map(|ring| ring.modes).collect(),
-            moments: moments(&waves),
+            moments,
         })
     }
 

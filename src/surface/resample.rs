@@ -1,7 +1,7 @@
 //! A surface on another grid.
 
 use super::heights::complete;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, memory};
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::parallel;
@@ -25,7 +25,7 @@ const SLACK: f64 = 1e-9;
 /// # Errors
 /// [`Error::Sample`] for the first height that is missing or infinite; [`Error::BeyondSamples`] if
 /// a cell centre of the grid lies outside the source's grid, that is more than half of its cells
-/// beyond the outermost sample.
+/// beyond the outermost sample; [`Error::Memory`].
 ///
 /// ```
 /// use stickslip::{Field, Grid, surface};
@@ -39,6 +39,7 @@ const SLACK: f64 = 1e-9;
 /// ```
 pub fn resample(heights: &Field, grid: Grid) -> Result<Field> {
     complete("heights", heights)?;
+    memory("resampled surface", grid.size(), size_of::<f64>())?;
     let source = heights.grid();
     let columns = Axis {
         name: "x",

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::error::{Result, finite, non_negative, positive};
+use crate::error::{Result, all_finite, finite, memory, non_negative, positive};
 use crate::field::Field;
 use crate::grid::Grid;
 
@@ -33,9 +33,7 @@ pub fn sphere(grid: Grid, radius: f64) -> Result<Field> {
 pub fn ellipsoid(grid: Grid, radius_x: f64, radius_y: f64) -> Result<Field> {
     positive("radius along x", radius_x)?;
     positive("radius along y", radius_y)?;
-    Ok(Field::from_fn(grid, |x, y| {
-        0.5 * (x * x / radius_x + y * y / radius_y)
-    }))
+    sampled(grid, |x, y| 0.5 * (x * x / radius_x + y * y / radius_y))
 }
 
 /// A cylinder along y, touching a plane along the line `x = 0`: `h = x^2 / (2 R)`, lengths.
@@ -46,7 +44,7 @@ pub fn ellipsoid(grid: Grid, radius_x: f64, radius_y: f64) -> Result<Field> {
 /// [`Error::NotPositive`](crate::Error::NotPositive) for the radius.
 pub fn cylinder(grid: Grid, radius: f64) -> Result<Field> {
     positive("radius", radius)?;
-    Ok(Field::from_fn(grid, |x, _| 0.5 * x * x / radius))
+    sampled(grid, |x, _| 0.5 * x * x / radius)
 }
 
 /// Part of the mean curvature by which the smaller principal curvature of a cylinder may be negative,
@@ -90,9 +88,9 @@ pub fn paraboloid(grid: Grid, curvatures: [f64; 3]) -> Result<Field> {
     if smaller < -ROUND_OFF * mean {
         non_negative("smaller principal curvature", smaller)?;
     }
-    Ok(Field::from_fn(grid, |x, y| {
+    sampled(grid, |x, y| {
         0.5 * (xx * x * x + 2.0 * xy * x * y + yy * y * y)
-    }))
+    })
 }
 
 /// A cone, touching a plane with its tip at the origin: `h = slope * sqrt(x^2 + y^2)`.
@@ -103,7 +101,7 @@ pub fn paraboloid(grid: Grid, curvatures: [f64; 3]) -> Result<Field> {
 /// [`Error::NotPositive`](crate::Error::NotPositive) for the slope.
 pub fn cone(grid: Grid, slope: f64) -> Result<Field> {
     positive("slope", slope)?;
-    Ok(Field::from_fn(grid, |x, y| slope * x.hypot(y)))
+    sampled(grid, |x, y| slope * x.hypot(y))
 }
 
 /// A flat-ended cylindrical punch, centred on the origin: `h = 0` in the cells whose centre is within
@@ -117,7 +115,7 @@ pub fn cone(grid: Grid, slope: f64) -> Result<Field> {
 pub fn flat_punch(grid: Grid, radius: f64, recess: f64) -> Result<Field> {
     positive("radius", radius)?;
     positive("recess", recess)?;
-    let punch = Field::from_fn(grid, |x, y| if x.hypot(y) <= radius { 0.0 } else { recess });
+    let punch = sampled(grid, |x, y| if x.hypot(y) <= radius { 0.0 } else { recess })?;
     let covered = punch.as_slice().iter().filter(|&&h| h < recess).count();
     positive("number of cells the punch covers", covered as f64)?;
     Ok(punch)
@@ -134,9 +132,9 @@ pub fn flat_punch(grid: Grid, radius: f64, recess: f64) -> Result<Field> {
 pub fn wavy(grid: Grid, amplitude: f64, wavelength: f64) -> Result<Field> {
     positive("amplitude", amplitude)?;
     positive("wavelength", wavelength)?;
-    Ok(Field::from_fn(grid, |x, _| {
+    sampled(grid, |x, _| {
         amplitude * (1.0 - (TAU * x / wavelength).cos())
-    }))
+    })
 }
 
 /// Waves along both axes, a crest at the origin:
@@ -153,7 +151,15 @@ pub fn bisinusoidal(grid: Grid, amplitude: f64, wavelengths: [f64; 2]) -> Result
     positive("amplitude", amplitude)?;
     let along_x = positive("wavelength along x", wavelengths[0])?;
     let along_y = positive("wavelength along y", wavelengths[1])?;
-    Ok(Field::from_fn(grid, |x, y| {
+    sampled(grid, |x, y| {
         amplitude * (1.0 - (TAU * x / along_x).cos() * (TAU * y / along_y).cos())
-    }))
+    })
+}
+
+/// The heights at the cell centres.
+fn sampled(grid: Grid, height: impl FnMut(f64, f64) -> f64) -> Result<Field> {
+    memory("field of heights", grid.size(), size_of::<f64>())?;
+    let heights = Field::from_fn(grid, height);
+    all_finite("height of the shape", heights.as_slice())?;
+    Ok(heights)
 }

@@ -6,7 +6,7 @@ use super::differences::{developed_area_ratio, rms_slopes};
 use super::fourier::Waves;
 use super::heights::{about_mean, complete};
 use super::power_spectrum::moments;
-use crate::error::Result;
+use crate::error::{Result, finite};
 use crate::field::Field;
 use crate::parallel;
 
@@ -62,7 +62,8 @@ impl Statistics {
     /// The statistics of a surface.
     ///
     /// # Errors
-    /// [`Error::Sample`](crate::Error::Sample) for the first height that is missing or infinite.
+    /// [`Error::Sample`](crate::Error::Sample) for the first height that is missing or infinite;
+    /// [`Error::NotFinite`](crate::Error::NotFinite) if their range or the square of their slopes overflows.
     pub fn of(heights: &Field) -> Result<Self> {
         complete("heights", heights)?;
         let (deviations, mean_height) = about_mean(heights);
@@ -78,6 +79,17 @@ impl Statistics {
         })
         .map(|sum| sum / z.len() as f64);
         let [_, m2, _] = moments(&Waves::of(&deviations));
+        let profile_rms_slope = rms_slopes(&deviations);
+        let developed_area_ratio = developed_area_ratio(&deviations);
+        for (quantity, value) in [
+            ("range of the heights", highest_peak + deepest_valley),
+            ("second moment of the spectrum", m2),
+            ("slope along x", profile_rms_slope[0]),
+            ("slope along y", profile_rms_slope[1]),
+            ("developed area ratio", developed_area_ratio),
+        ] {
+            finite(quantity, value)?;
+        }
         Ok(Self {
             mean_height,
             arithmetic_mean_height: unit * first,
@@ -86,8 +98,8 @@ impl Statistics {
             kurtosis: fourth / (second * second),
             highest_peak,
             deepest_valley,
-            profile_rms_slope: rms_slopes(&deviations),
-            developed_area_ratio: developed_area_ratio(&deviations),
+            profile_rms_slope,
+            developed_area_ratio,
             spectral_rms_slope: (2.0 * m2).sqrt(),
         })
     }

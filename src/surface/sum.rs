@@ -27,11 +27,7 @@ pub fn sum(fields: &[&Field]) -> Result<Field> {
     })?;
     let mut sum = Field::clone(first);
     for other in others {
-        if other.grid() != sum.grid() {
-            return Err(Error::GridMismatch {
-                quantity: "a summand",
-            });
-        }
+        sum.grid().expect("a summand", other.grid())?;
         for (sum, term) in sum.as_mut_slice().iter_mut().zip(other.as_slice()) {
             *sum += term;
         }

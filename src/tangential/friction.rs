@@ -1,6 +1,6 @@
 //! How much shear a cell in contact can carry.
 
-use crate::error::{Error, Result, non_negative, positive, samples_obey};
+use crate::error::{Result, non_negative, positive, samples_obey};
 use crate::field::Field;
 use crate::grid::Grid;
 
@@ -32,7 +32,7 @@ impl Friction {
     /// One coefficient of friction mu >= 0 for all cells (dimensionless).
     ///
     /// # Errors
-    /// [`Error::Negative`].
+    /// [`Error::Negative`](crate::Error::Negative).
     pub fn coulomb(coefficient: f64) -> Result<Self> {
         Ok(Self {
             coefficient: Coefficient::Uniform(non_negative(
@@ -46,7 +46,7 @@ impl Friction {
     /// One coefficient of friction mu >= 0 per cell.
     ///
     /// # Errors
-    /// [`Error::Sample`] at the first coefficient that is negative or not finite.
+    /// [`Error::Sample`](crate::Error::Sample) at the first coefficient that is negative or not finite.
     pub fn per_cell(coefficients: Field) -> Result<Self> {
         let rule = "must be non-negative and finite";
         samples_obey(
@@ -64,7 +64,7 @@ impl Friction {
     /// With the limit capped at `tau_max` (a pressure), the shear strength of the weaker body.
     ///
     /// # Errors
-    /// [`Error::NotPositive`].
+    /// [`Error::NotPositive`](crate::Error::NotPositive).
     pub fn shear_cap(mut self, tau_max: f64) -> Result<Self> {
         self.shear_cap = positive("shear cap", tau_max)?;
         Ok(self)
@@ -78,7 +78,13 @@ impl Friction {
             Coefficient::Uniform(coefficient) => *coefficient,
             Coefficient::PerCell(field) => field.as_slice().get(index).copied().unwrap_or(f64::NAN),
         };
-        (coefficient * pressure).min(self.shear_cap)
+        let limit = coefficient * pressure;
+        // A minimum would pass over NaN.
+        if limit > self.shear_cap {
+            self.shear_cap
+        } else {
+            limit
+        }
     }
 
     /// The coefficient, and the cap of the limit (infinite where there is none).
@@ -102,10 +108,8 @@ impl Friction {
     /// `Ok` if the coefficients fit the grid.
     pub(crate) fn check(&self, grid: Grid) -> Result<()> {
         match &self.coefficient {
-            Coefficient::PerCell(field) if field.grid() != grid => Err(Error::GridMismatch {
-                quantity: "coefficient of friction",
-            }),
-            _ => Ok(()),
+            Coefficient::PerCell(field) => grid.expect("coefficient of friction", field.grid()),
+            Coefficient::Uniform(_) => Ok(()),
         }
     }
 }

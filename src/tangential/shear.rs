@@ -169,8 +169,8 @@ impl Shear {
             }
             return Ok(());
         }
+        let size = window.size;
         let is_plain = settings.method == Method::PolonskyKeer || limits.is_sliding(totals);
-        let settings = with_time_left(settings, start);
         match self {
             Self::Along(axis, stage) => {
                 let scene = FrictionScene {
@@ -182,7 +182,7 @@ impl Shear {
                 stage.x = if is_plain {
                     scene.plain_start(total)
                 } else {
-                    nested_start(bodies, window.size, &scene, total, &settings, observer)?
+                    nested_start(bodies, size, &scene, total, settings, start, observer)?
                 };
             }
             Self::InPlane(stage) => {
@@ -193,7 +193,7 @@ impl Shear {
                 stage.q = if is_plain {
                     scene.plain_start(totals)
                 } else {
-                    nested_start(bodies, window.size, &scene, totals, &settings, observer)?
+                    nested_start(bodies, size, &scene, totals, settings, start, observer)?
                 };
             }
         }

@@ -34,8 +34,9 @@ impl JaegerSuperposition {
     /// `W - F/mu` (a prescribed force, zero at sliding), the pair and the coefficient of friction.
     ///
     /// # Errors
-    /// [`Error::Negative`] for the coefficient or if `stick` carries more load than `full`, [`Error::GridMismatch`] if the two contacts differ
-    /// in grid, [`Error::EmptyContact`] if `full` carries no pressure.
+    /// [`Error::Negative`] for the coefficient or if `stick` carries more load than `full`, [`Error::GridMismatch`]
+    /// or [`Error::BoundaryMismatch`] if the two contacts differ in grid or boundary, [`Error::NotConverged`] if
+    /// either is not, with its report, [`Error::EmptyContact`] if `full` carries no pressure.
     pub fn new(
         full: &NormalSolution,
         stick: &NormalSolution,
@@ -43,11 +44,17 @@ impl JaegerSuperposition {
         friction: f64,
     ) -> Result<Self> {
         non_negative("coefficient of friction", friction)?;
-        let grid = full.pressure().grid();
-        if stick.pressure().grid() != grid {
-            return Err(Error::GridMismatch {
-                quantity: "lighter contact",
-            });
+        let grid = full.grid();
+        grid.expect("lighter contact", stick.grid())?;
+        if stick.boundary() != full.boundary() {
+            let quantity = "lighter contact";
+            return Err(Error::BoundaryMismatch { quantity });
+        }
+        if let Some(unsolved) = [full, stick]
+            .into_iter()
+            .find(|contact| !contact.report().is_converged())
+        {
+            return Err(Error::NotConverged(Box::new(unsolved.report().clone())));
         }
         if full.contact_cells() == 0 {
             return Err(Error::EmptyContact);

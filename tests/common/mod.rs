@@ -7,6 +7,7 @@
 )]
 
 pub(crate) mod contact;
+pub(crate) mod refusal;
 pub(crate) mod waves;
 
 use stickslip::cgm::Method;

@@ -23,7 +23,9 @@ const CYCLE: usize = 5;
 
 /// Ends with the status of the run; `None` if the sets cycle.
 pub(super) fn iterate<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) -> Option<Status> {
-    start(run);
+    if let ControlFlow::Break(status) = start(run) {
+        return Some(status);
+    }
     let mut border = Border::new(run);
     let mut progress = Progress::new(CYCLE);
     loop {
@@ -51,23 +53,28 @@ pub(super) fn iterate<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) -> 
         share(run);
         border = Border::new(run);
         border.spread_missing(run);
+        if let ControlFlow::Break(status) = run.ask() {
+            return Some(status);
+        }
         run.refresh(progress.is_early());
     }
 }
 
 /// Brings the start within its discs and near its totals, marks the cells, and measures how stiff the slipping
 /// ones are.
-fn start<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) {
+fn start<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) -> ControlFlow<Status> {
     let limits = run.problem.limits;
     update_cells(run.q, |i, q| Disc(limits[i]).project(q));
     mark(run);
     let totals = run.problem.totals;
     restore(run.q, limits, totals);
+    run.ask()?;
     run.refresh(true);
     let motion = mean_slip(run);
     run.workspace.multiplier = [0, 1].map(|axis| totals[axis].map_or(0.0, |_| motion[axis]));
     stiffen(run);
     share(run);
+    ControlFlow::Continue(())
 }
 
 /// The mean of the slip where cells stick, or of all if none does.

@@ -18,7 +18,9 @@ pub(super) fn iterate<C: Operator, P: Operator>(
     steps: usize,
 ) -> ControlFlow<Status, bool> {
     restore(run.q, run.problem.limits, run.problem.totals);
+    run.ask()?;
     run.refresh(false);
+    run.ask()?;
     let Workspace {
         direction,
         gradient,

@@ -104,6 +104,10 @@ impl<'a, 'b, C: Operator, P: Operator> Run<'a, 'b, C, P> {
         self.watch.proceed(free, &self.workspace.report)
     }
 
+    pub(super) fn ask(&mut self) -> ControlFlow<Status> {
+        self.watch.ask(0, &self.workspace.report)
+    }
+
     pub(super) fn judge(&mut self, merit: f64, free: usize) -> ControlFlow<Status> {
         self.watch.judge(merit, free, &mut self.workspace.report)
     }

@@ -37,19 +37,13 @@ impl<'a> Reader<'a> {
         let grid = bodies.grid();
         let cells = [self.count("cells along x")?, self.count("cells along y")?];
         let sides = [self.0.f64("the cell side")?, self.0.f64("the cell side")?];
-        let same = |a: f64, b: f64| a.to_bits() == b.to_bits();
-        let is_grid = cells == [grid.nx(), grid.ny()]
-            && same(sides[0], grid.dx())
-            && same(sides[1], grid.dy());
-        if !is_grid {
-            return Err(Error::GridMismatch { quantity: QUANTITY });
-        }
+        grid.expect(QUANTITY, Grid::new(cells[0], cells[1], sides[0], sides[1])?)?;
         let is_periodic = self.kind("boundary", 2)? == 1;
         if is_periodic != (bodies.boundary() == Boundary::Periodic) {
             return Err(Error::BoundaryMismatch { quantity: QUANTITY });
         }
         for expected in elasticity(bodies) {
-            if !same(self.0.f64("an elastic constant")?, expected) {
+            if self.0.f64("an elastic constant")?.to_bits() != expected.to_bits() {
                 return Err(Error::MaterialMismatch { quantity: QUANTITY });
             }
         }

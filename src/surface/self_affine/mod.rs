@@ -11,7 +11,7 @@ mod rough_surface;
 
 use num_complex::Complex;
 
-use crate::error::{Result, at_least, finite, positive};
+use crate::error::{Result, all_finite, at_least, finite, memory, positive};
 use crate::grid::Grid;
 use crate::surface::fourier::Waves;
 
@@ -165,6 +165,9 @@ impl Target {
     }
 }
 
+/// What it takes at least to make a surface, with all waves about it.
+const BYTES_PER_CELL: usize = 24;
+
 impl SelfAffine {
     /// A surface of the given root mean square of the heights (a length).
     #[must_use]
@@ -284,8 +287,9 @@ impl SelfAffine {
     /// - [`Error::EmptyBand`](crate::Error::EmptyBand) if no wave of the surface is within the band.
     /// - [`Error::HeightsNotReached`](crate::Error::HeightsNotReached) if no phases were found for
     ///   skewness and kurtosis.
-    /// - [`Error::GridSize`](crate::Error::GridSize) if the surface is cropped and twice the grid is
-    ///   too large.
+    /// - [`Error::Sample`](crate::Error::Sample) for the first height that overflows.
+    /// - [`Error::Memory`](crate::Error::Memory) if that of the surface, four times the cells if it is cropped,
+    ///   cannot be had.
     pub fn generate(&self, grid: Grid) -> Result<RoughSurface> {
         let wanted = self.moments()?;
         let target = self.target.checked()?;
@@ -294,6 +298,7 @@ impl SelfAffine {
         } else {
             Cut::all(grid)
         };
+        memory("rough surface", cut.whole.size(), BYTES_PER_CELL)?;
         let mut waves = self.waves(&cut)?;
         let mut iterations = 0;
         if let Some(wanted) = wanted {
@@ -309,7 +314,9 @@ impl SelfAffine {
         } else {
             1.0
         };
-        Ok(surface.scaled(target / unit))
+        let surface = surface.scaled(target / unit);
+        all_finite("height of the rough surface", surface.heights().as_slice())?;
+        Ok(surface)
     }
 
     /// Skewness and kurtosis, if either is given.
