@@ -8,6 +8,7 @@ use std::time::Duration;
 
 /// Why an iteration ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Status {
     /// Nothing was solved yet.
@@ -40,6 +41,7 @@ impl fmt::Display for Status {
 /// One step of an iteration, as an observer sees it: the start, then at least once for every step,
 /// also of the coarser grids of a nested start.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Iteration {
     /// Conjugate-gradient steps done so far; zero before the first.
@@ -47,6 +49,7 @@ pub struct Iteration {
     /// Products with the operator in double precision so far.
     pub convolutions: usize,
     /// Largest complementarity residual, relative to the largest displacement (see [`Report::residual`]).
+    #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
     pub residual: f64,
     /// Entries strictly between their bounds.
     pub free: usize,
@@ -57,6 +60,7 @@ pub struct Iteration {
 /// Every number is recomputed from a fresh product with the returned iterate,
 /// whatever the status.
 #[derive(PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Report {
     /// Why the iteration ended.
@@ -72,13 +76,16 @@ pub struct Report {
     /// `g_i` on entries at a bound, divided by the largest `|(Cx)_i|` over the entries that can
     /// move (or what the operator's smallest eigenvalue makes of the largest unknown, if that is more: a
     /// uniform traction displaces nothing on a periodic grid). Dimensionless.
+    #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
     pub residual: f64,
     /// Certified bound on the squared relative error in the energy norm:
     /// `(x - x*)' C (x - x*) <= certified_gap * x' C x` (or `lambda x' x` for `x' C x`, if that is more,
     /// with the smallest eigenvalue `lambda` the operator knows). Dimensionless.
+    #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
     pub certified_gap: f64,
     /// Relative error of the prescribed total, `|sum x - total| / sum |x|`; zero when no total
     /// is prescribed.
+    #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
     pub load_error: f64,
     /// Wall time of the solve.
     pub time: Duration,

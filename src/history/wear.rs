@@ -24,7 +24,7 @@
 //! # Ok::<(), Error>(())
 //! ```
 
-use crate::error::{Error, Result, non_negative, samples_obey};
+use crate::error::{Error, Result, all_non_negative, non_negative};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::influence::Component;
@@ -86,10 +86,7 @@ fn check(quantity: &'static str, field: &Field, depth: &Field) -> Result<()> {
     if field.grid() != depth.grid() {
         return Err(Error::GridMismatch { quantity });
     }
-    let rule = "must be non-negative and finite";
-    samples_obey(quantity, field.as_slice(), rule, |value| {
-        value >= 0.0 && value.is_finite()
-    })
+    all_non_negative(quantity, field.as_slice())
 }
 
 /// Cycles whose wear may be taken off at once without the pressure swinging up: explicit wear by Archard's
@@ -143,8 +140,10 @@ pub fn stable_cycles(bodies: &HalfSpace, coefficient: f64, slip_length: &Field) 
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CycleJump {
     /// Cycles that are stable, [`stable_cycles`]; half of them to avoid overshoot.
+    #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
     pub stable_cycles: f64,
     /// Approach of the bodies (a length).
     pub approach: f64,
