@@ -116,6 +116,15 @@ impl Report {
         self.status == Status::Converged
     }
 
+    /// Products with the operator in either precision: what a solve costs, whatever the machine.
+    ///
+    /// All count the same. One in single precision takes nine tenths of the time of one in double on 64 x 64
+    /// cells, and half to two thirds from 512 x 512 on.
+    #[must_use]
+    pub fn products(&self) -> usize {
+        self.convolutions + self.rough_convolutions
+    }
+
     /// Whether residual, load error and certified error are all at or below a tolerance.
     pub(crate) fn is_within(&self, tolerance: f64) -> bool {
         self.residual <= tolerance
