@@ -2,6 +2,7 @@
 
 /// The surroundings of the grid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Boundary {
     /// Unloaded half-space: the grid is a patch on bodies without end (default). Exact, whatever the
     /// size of the grid, as long as contact stays inside it.

@@ -5,6 +5,7 @@ use crate::grid::Grid;
 
 /// A remark on a solution that is right as computed but may not mean what it seems to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Warning {
     /// Nothing touches: no cell carries pressure.

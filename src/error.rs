@@ -5,7 +5,8 @@ mod check;
 use std::fmt;
 
 pub(crate) use check::{
-    all_finite, at_least, finite, length, memory, non_negative, not_converged, positive,
+    all_finite, all_non_negative, at_least, finite, length, memory, non_negative, not_converged,
+    positive,
     samples_obey,
 };
 

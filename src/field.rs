@@ -1,6 +1,6 @@
 //! Samples on a grid.
 
-use crate::error::{Result, length};
+use crate::error::{Error, Result, all_finite, length};
 use crate::grid::Grid;
 
 /// One number per cell of a [`Grid`], row-major with x fastest.
@@ -20,9 +20,33 @@ use crate::grid::Grid;
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "Unchecked")
+)]
 pub struct Field {
     grid: Grid,
+    #[cfg_attr(feature = "serde", serde(with = "crate::serial::numbers"))]
     samples: Vec<f64>,
+}
+
+/// What was read, before it is checked.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+struct Unchecked {
+    grid: Grid,
+    #[serde(with = "crate::serial::numbers")]
+    samples: Vec<f64>,
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<Unchecked> for Field {
+    type Error = Error;
+
+    fn try_from(read: Unchecked) -> Result<Self> {
+        Self::from_vec(read.grid, read.samples)
+    }
 }
 
 impl Field {
@@ -65,7 +89,7 @@ impl Field {
     /// Samples in row-major order, x fastest.
     ///
     /// # Errors
-    /// [`Error::Length`](crate::Error::Length) if there are not `nx * ny` samples.
+    /// [`Error::Length`] if there are not `nx * ny` samples.
     pub fn from_vec(grid: Grid, samples: Vec<f64>) -> Result<Self> {
         length("field", grid.cells(), samples.len())?;
         Ok(Self { grid, samples })
@@ -75,6 +99,12 @@ impl Field {
     #[must_use]
     pub fn grid(&self) -> Grid {
         self.grid
+    }
+
+    /// `Ok` if the field lives on a grid and all its samples are finite.
+    pub(crate) fn check(&self, quantity: &'static str, grid: Grid) -> Result<()> {
+        grid.expect(quantity, self.grid)?;
+        all_finite(quantity, &self.samples)
     }
 
     /// The sample of cell `(ix, iy)`, `None` outside the grid.

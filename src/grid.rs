@@ -14,11 +14,35 @@ use crate::error::{Error, Result, positive};
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "Unchecked")
+)]
 pub struct Grid {
     nx: usize,
     ny: usize,
     dx: f64,
     dy: f64,
+}
+
+/// What was read, before it is checked.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+struct Unchecked {
+    nx: usize,
+    ny: usize,
+    dx: f64,
+    dy: f64,
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<Unchecked> for Grid {
+    type Error = Error;
+
+    fn try_from(read: Unchecked) -> Result<Self> {
+        Self::new(read.nx, read.ny, read.dx, read.dy)
+    }
 }
 
 impl Grid {

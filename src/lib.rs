@@ -20,6 +20,8 @@ pub mod normal;
 mod operator;
 mod parallel;
 mod report;
+#[cfg(feature = "serde")]
+mod serial;
 mod stage;
 pub mod surface;
 pub mod tangential;

@@ -12,10 +12,38 @@ use crate::error::{Error, Result, finite, positive};
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "UncheckedMaterial")
+)]
 pub struct Material {
-    /// `1/G`; zero for a rigid body.
-    compliance: f64,
+    /// Infinite for a rigid body.
+    #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
+    youngs_modulus: f64,
     poisson_ratio: f64,
+}
+
+/// What was read, before it is checked.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+struct UncheckedMaterial {
+    #[serde(with = "crate::serial::number")]
+    youngs_modulus: f64,
+    poisson_ratio: f64,
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<UncheckedMaterial> for Material {
+    type Error = Error;
+
+    fn try_from(read: UncheckedMaterial) -> Result<Self> {
+        if read.youngs_modulus == f64::INFINITY {
+            check_poisson_ratio(read.poisson_ratio)?;
+            return Ok(Self::rigid());
+        }
+        Self::new(read.youngs_modulus, read.poisson_ratio)
+    }
 }
 
 impl Material {
@@ -26,8 +54,11 @@ impl Material {
     pub fn new(youngs_modulus: f64, poisson_ratio: f64) -> Result<Self> {
         positive("Young's modulus", youngs_modulus)?;
         check_poisson_ratio(poisson_ratio)?;
-        let compliance = 2.0 * (1.0 + poisson_ratio) / youngs_modulus;
-        Self::from_compliance(compliance, poisson_ratio, youngs_modulus)
+        Self {
+            youngs_modulus,
+            poisson_ratio,
+        }
+        .checked(youngs_modulus)
     }
 
     /// A body of shear modulus `shear_modulus` (a pressure) and Poisson's ratio `poisson_ratio`.
@@ -37,16 +68,17 @@ impl Material {
     pub fn from_shear_modulus(shear_modulus: f64, poisson_ratio: f64) -> Result<Self> {
         positive("shear modulus", shear_modulus)?;
         check_poisson_ratio(poisson_ratio)?;
-        Self::from_compliance(1.0 / shear_modulus, poisson_ratio, shear_modulus)
+        Self {
+            youngs_modulus: 2.0 * (1.0 + poisson_ratio) * shear_modulus,
+            poisson_ratio,
+        }
+        .checked(shear_modulus)
     }
 
-    /// Refuses a modulus whose reciprocal over- or underflows.
-    fn from_compliance(compliance: f64, poisson_ratio: f64, modulus: f64) -> Result<Self> {
-        if compliance.is_normal() {
-            Ok(Self {
-                compliance,
-                poisson_ratio,
-            })
+    /// Refuses a modulus that, or whose reciprocal, over- or underflows.
+    fn checked(self, modulus: f64) -> Result<Self> {
+        if self.youngs_modulus.is_normal() && self.compliance().is_normal() {
+            Ok(self)
         } else {
             Err(Error::NotPositive {
                 quantity: "the modulus, and its reciprocal,",
@@ -59,7 +91,7 @@ impl Material {
     #[must_use]
     pub fn rigid() -> Self {
         Self {
-            compliance: 0.0,
+            youngs_modulus: f64::INFINITY,
             poisson_ratio: 0.0,
         }
     }
@@ -67,19 +99,19 @@ impl Material {
     /// Whether the body does not deform.
     #[must_use]
     pub fn is_rigid(&self) -> bool {
-        self.compliance <= 0.0
+        self.youngs_modulus.is_infinite()
     }
 
     /// Young's modulus `E` (a pressure); infinite for a rigid body.
     #[must_use]
     pub fn youngs_modulus(&self) -> f64 {
-        2.0 * (1.0 + self.poisson_ratio) / self.compliance
+        self.youngs_modulus
     }
 
     /// Shear modulus `G = E / (2 (1 + nu))` (a pressure); infinite for a rigid body.
     #[must_use]
     pub fn shear_modulus(&self) -> f64 {
-        1.0 / self.compliance
+        1.0 / self.compliance()
     }
 
     /// Poisson's ratio; zero, and without effect, for a rigid body.
@@ -88,12 +120,18 @@ impl Material {
         self.poisson_ratio
     }
 
+    /// `1/G`; zero for a rigid body.
+    fn compliance(&self) -> f64 {
+        2.0 * (1.0 + self.poisson_ratio) / self.youngs_modulus
+    }
+
     /// The three numbers the influence coefficients need.
     pub(crate) fn compliances(&self) -> Compliances {
+        let compliance = self.compliance();
         Compliances {
-            normal: (1.0 - self.poisson_ratio) * self.compliance,
-            lateral: self.poisson_ratio * self.compliance,
-            coupling: (1.0 - 2.0 * self.poisson_ratio) * self.compliance,
+            normal: (1.0 - self.poisson_ratio) * compliance,
+            lateral: self.poisson_ratio * compliance,
+            coupling: (1.0 - 2.0 * self.poisson_ratio) * compliance,
         }
     }
 }
@@ -120,9 +158,32 @@ fn check_poisson_ratio(poisson_ratio: f64) -> Result<()> {
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "UncheckedPair")
+)]
 pub struct ElasticPair {
     bodies: [Material; 2],
+    #[cfg_attr(feature = "serde", serde(skip_serializing))]
     compliances: Compliances,
+}
+
+/// What was read, before it is checked.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+struct UncheckedPair {
+    bodies: [Material; 2],
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<UncheckedPair> for ElasticPair {
+    type Error = Error;
+
+    fn try_from(read: UncheckedPair) -> Result<Self> {
+        let [body_1, body_2] = read.bodies;
+        Self::new(body_1, body_2)
+    }
 }
 
 impl ElasticPair {

@@ -8,6 +8,7 @@ use std::time::Duration;
 
 /// Why an iteration ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Status {
     /// Nothing was solved yet.
@@ -41,6 +42,7 @@ impl fmt::Display for Status {
 /// grids of a nested start. Who cancels waits for one product more on each grid in use, which shows what the
 /// iterate left is worth; the same holds for limits of time.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Iteration {
     /// Conjugate-gradient steps done so far; zero before the first.
@@ -48,6 +50,7 @@ pub struct Iteration {
     /// Products with the operator in double precision so far.
     pub convolutions: usize,
     /// Largest complementarity residual, relative to the largest displacement (see [`Report::residual`]).
+    #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
     pub residual: f64,
     /// Entries strictly between their bounds.
     pub free: usize,
@@ -58,6 +61,7 @@ pub struct Iteration {
 /// Every number is recomputed from a fresh product with the returned iterate,
 /// whatever the status.
 #[derive(PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Report {
     /// Why the iteration ended.
@@ -73,13 +77,16 @@ pub struct Report {
     /// `g_i` on entries at a bound, divided by the largest `|(Cx)_i|` over the entries that can
     /// move (or what the operator's smallest eigenvalue makes of the largest unknown, if that is more: a
     /// uniform traction displaces nothing on a periodic grid). Dimensionless.
+    #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
     pub residual: f64,
     /// Certified bound on the squared relative error in the energy norm:
     /// `(x - x*)' C (x - x*) <= certified_gap * x' C x` (or `lambda x' x` for `x' C x`, if that is more,
     /// with the smallest eigenvalue `lambda` the operator knows). Dimensionless.
+    #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
     pub certified_gap: f64,
     /// Relative error of the prescribed total, `|sum x - total| / sum |x|`; zero when no total
     /// is prescribed.
+    #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
     pub load_error: f64,
     /// Wall time of the solve.
     pub time: Duration,
@@ -108,6 +115,15 @@ impl Report {
     #[must_use]
     pub fn is_converged(&self) -> bool {
         self.status == Status::Converged
+    }
+
+    /// Products with the operator in either precision: what a solve costs, whatever the machine.
+    ///
+    /// All count the same. One in single precision takes nine tenths of the time of one in double on 64 x 64
+    /// cells, and half to two thirds from 512 x 512 on.
+    #[must_use]
+    pub fn products(&self) -> usize {
+        self.convolutions + self.rough_convolutions
     }
 
     /// Whether residual, load error and certified error are all at or below a tolerance.

@@ -155,6 +155,7 @@ impl<'a, C: Operator, K: Constraint, P: Operator> Problem<'a, C, K, P> {
 
 /// The answer beside `x` itself.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Minimum {
     /// Multiplier of the total, so that `C x + b - multiplier` vanishes on free entries; zero when

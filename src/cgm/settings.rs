@@ -8,6 +8,7 @@ use crate::error::{Error, Result};
 ///
 /// Should the sets of either ever cycle, projected gradients lead past that place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Method {
     /// Active sets outside, preconditioned conjugate gradients without clipping inside, a fresh
@@ -28,6 +29,11 @@ pub enum Method {
 /// assert_eq!(settings.max_iterations, 10_000);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default, deny_unknown_fields)
+)]
 #[non_exhaustive]
 pub struct Settings {
     /// Which iteration (default [`Method::ActiveSet`]).

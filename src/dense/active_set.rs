@@ -17,6 +17,7 @@ use crate::report::{Report, Status};
 
 /// The minimum and its multiplier, exact up to round-off.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct DenseMinimum {
     /// The unknowns.

@@ -35,6 +35,16 @@ pub(crate) fn all_finite(quantity: &'static str, samples: &[f64]) -> Result<()> 
     samples_obey(quantity, samples, "must be finite", f64::is_finite)
 }
 
+/// `Ok` if every sample is zero or positive, and finite.
+pub(crate) fn all_non_negative(quantity: &'static str, samples: &[f64]) -> Result<()> {
+    samples_obey(
+        quantity,
+        samples,
+        "must be non-negative and finite",
+        |value| value >= 0.0 && value.is_finite(),
+    )
+}
+
 /// Samples looked at together.
 const SCANNED: usize = 512;
 

@@ -19,6 +19,7 @@
 /// ([`released`](Self::released)) and what the tolerance of the solve leaves where there should be no slip
 /// ([`residual`](Self::residual)).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct EnergyBalance {
     /// Work of the tangential load, mean force times change of the shift, and mean moment times that of the twist.

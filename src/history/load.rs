@@ -7,6 +7,7 @@ use crate::tangential::Axis;
 
 /// The normal half of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum NormalStep {
     /// The normal force W >= 0 at the end of the step; zero is first touch, or none.
     Force(f64),
@@ -18,6 +19,7 @@ pub enum NormalStep {
 
 /// The tangential half of a step, along one axis; in the plane model each axis has its own.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum TangentialStep {
     /// The tangential force that body 2 exerts on body 1 at the end of the step (a force, either
     /// sign).
@@ -47,6 +49,11 @@ pub enum TangentialStep {
 /// assert_ne!(press, drag);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default, deny_unknown_fields)
+)]
 #[must_use = "a load does nothing until a history takes the step"]
 pub struct LoadStep {
     normal: NormalStep,

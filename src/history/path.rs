@@ -26,8 +26,29 @@ use crate::error::{Error, Result, all_finite, finite, memory};
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "Unchecked")
+)]
 pub struct LoadPath {
     steps: Vec<[f64; 2]>,
+}
+
+/// What was read, before it is checked.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+struct Unchecked {
+    steps: Vec<[f64; 2]>,
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<Unchecked> for LoadPath {
+    type Error = Error;
+
+    fn try_from(read: Unchecked) -> Result<Self> {
+        Self::table(read.steps)
+    }
 }
 
 impl LoadPath {

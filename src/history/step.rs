@@ -1,15 +1,20 @@
 //! What one step of a history did.
 
+#[cfg(feature = "serde")]
+use crate::error::{all_finite, finite};
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::history::EnergyBalance;
 use crate::report::{Report, Status};
+#[cfg(feature = "serde")]
+use crate::serial::checked;
 
 /// Slip, energies, forces and reports of one step.
 ///
 /// Vectors are `[x, y]`; the scalar model leaves the component across its axis at zero. The state after
 /// the step is in the [`History`](crate::history::History).
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Step {
     pub(super) slip: [Field; 2],
     pub(super) slip_length: Field,
@@ -26,6 +31,50 @@ pub struct Step {
     pub(super) slip_cells: usize,
     pub(super) normal_report: Report,
     pub(super) tangential_report: Report,
+}
+
+/// What is read, before it is checked.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(remote = "Step")]
+struct Unchecked {
+    slip: [Field; 2],
+    slip_length: Field,
+    dissipation: Field,
+    mid_step_dissipation: Field,
+    energy: EnergyBalance,
+    normal_force: f64,
+    approach: f64,
+    force: [f64; 2],
+    moment: f64,
+    shift: [f64; 2],
+    twist: f64,
+    stick_cells: usize,
+    slip_cells: usize,
+    normal_report: Report,
+    tangential_report: Report,
+}
+
+#[cfg(feature = "serde")]
+impl<'de> serde::Deserialize<'de> for Step {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        checked(Unchecked::deserialize(deserializer)?, |read| {
+            let grid = read.slip_length.grid();
+            for slip in &read.slip {
+                slip.check("slip", grid)?;
+            }
+            read.slip_length.check("slip length", grid)?;
+            read.dissipation.check("dissipated energy", grid)?;
+            read.mid_step_dissipation.check("dissipated energy", grid)?;
+            finite("normal force", read.normal_force)?;
+            finite("approach", read.approach)?;
+            all_finite("tangential force", &read.force)?;
+            finite("moment", read.moment)?;
+            all_finite("shift", &read.shift)?;
+            finite("twist", read.twist)?;
+            Ok(())
+        })
+    }
 }
 
 impl Step {

@@ -24,7 +24,7 @@
 //! # Ok::<(), Error>(())
 //! ```
 
-use crate::error::{Result, finite, non_negative, samples_obey};
+use crate::error::{Result, all_non_negative, finite, non_negative};
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
@@ -93,10 +93,7 @@ pub fn dissipated_energy(coefficient: f64, energy: &Field, depth: &mut Field) ->
 
 fn check(quantity: &'static str, field: &Field, grid: Grid) -> Result<()> {
     grid.expect(quantity, field.grid())?;
-    let rule = "must be non-negative and finite";
-    samples_obey(quantity, field.as_slice(), rule, |value| {
-        value >= 0.0 && value.is_finite()
-    })
+    all_non_negative(quantity, field.as_slice())
 }
 
 /// Cycles whose wear may be taken off at once without the pressure swinging up: explicit wear by Archard's
@@ -151,8 +148,10 @@ pub fn stable_cycles(bodies: &HalfSpace, coefficient: f64, slip_length: &Field) 
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CycleJump {
     /// Cycles that are stable, [`stable_cycles`]; half of them to avoid overshoot.
+    #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
     pub stable_cycles: f64,
     /// Approach of the bodies (a length).
     pub approach: f64,

@@ -65,6 +65,7 @@ use integrals::Integral;
 
 /// One of the nine influence coefficients: displacement component, then traction component.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Component {
     /// Displacement along x from traction along x.
     XX,

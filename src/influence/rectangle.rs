@@ -30,6 +30,7 @@ pub struct Rectangle {
 /// The nine influence coefficients at one point (lengths over pressures): displacement component
 /// first, traction component second.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[expect(missing_docs, reason = "the type says what the two letters mean")]
 pub struct Tensor {
     pub xx: f64,

@@ -2,13 +2,14 @@
 
 use crate::boundary::Boundary;
 use crate::cgm::{Settings, settings_methods};
-use crate::error::{Error, Result, all_finite, finite, non_negative};
+use crate::error::{Error, Result, finite, non_negative};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::normal::{NormalSolution, NormalSolver};
 
 /// What presses the bodies together.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum NormalLoad {
     /// The normal force W >= 0; the approach follows. Zero force is first touch.
     Force(f64),
@@ -136,6 +137,5 @@ impl NormalProblemBuilder<'_> {
 }
 
 pub(super) fn check_gap(bodies: &HalfSpace, gap: &Field) -> Result<()> {
-    bodies.grid().expect("gap", gap.grid())?;
-    all_finite("gap", gap.as_slice())
+    gap.check("gap", bodies.grid())
 }

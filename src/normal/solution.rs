@@ -2,19 +2,48 @@
 
 use crate::boundary::Boundary;
 use crate::contact_map::{ContactMap, Warning};
+#[cfg(feature = "serde")]
+use crate::error::{all_non_negative, finite};
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::parallel;
 use crate::report::Report;
+#[cfg(feature = "serde")]
+use crate::serial::checked;
 
 /// Pressure, gap and approach of a normal contact.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct NormalSolution {
     pressure: Field,
     gap: Field,
     boundary: Boundary,
     approach: f64,
     report: Report,
+}
+
+/// What is read, before it is checked.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(remote = "NormalSolution")]
+struct Unchecked {
+    pressure: Field,
+    gap: Field,
+    boundary: Boundary,
+    approach: f64,
+    report: Report,
+}
+
+#[cfg(feature = "serde")]
+impl<'de> serde::Deserialize<'de> for NormalSolution {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        checked(Unchecked::deserialize(deserializer)?, |read| {
+            all_non_negative("pressure", read.pressure.as_slice())?;
+            read.gap.check("gap", read.grid())?;
+            finite("approach", read.approach)?;
+            Ok(())
+        })
+    }
 }
 
 impl NormalSolution {

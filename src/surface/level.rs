@@ -19,6 +19,7 @@ const REFINEMENTS: usize = 3;
 
 /// The smooth form taken off a measured surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Form {
     /// The mean height.

@@ -6,8 +6,12 @@ use std::f64::consts::TAU;
 use super::fourier::Waves;
 use super::heights::{about_mean, complete};
 use crate::error::{Result, all_finite};
+#[cfg(feature = "serde")]
+use crate::error::length;
 use crate::field::Field;
 use crate::grid::Grid;
+#[cfg(feature = "serde")]
+use crate::serial::checked;
 
 /// The radial power spectrum of a periodic surface, and its spectral moments.
 ///
@@ -64,11 +68,36 @@ use crate::grid::Grid;
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PowerSpectrum {
     wave_numbers: Vec<f64>,
     values: Vec<f64>,
     modes: Vec<usize>,
     moments: [f64; 3],
+}
+
+/// What is read, before it is checked.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(remote = "PowerSpectrum")]
+struct Unchecked {
+    wave_numbers: Vec<f64>,
+    values: Vec<f64>,
+    modes: Vec<usize>,
+    moments: [f64; 3],
+}
+
+#[cfg(feature = "serde")]
+impl<'de> serde::Deserialize<'de> for PowerSpectrum {
+    fn deserialize<D: serde::Deserializer<'de>>(
+        deserializer: D,
+    ) -> std::result::Result<Self, D::Error> {
+        checked(Unchecked::deserialize(deserializer)?, |read| {
+            let rings = read.wave_numbers.len();
+            length("values", rings, read.values.len())?;
+            length("modes", rings, read.modes.len())
+        })
+    }
 }
 
 impl PowerSpectrum {

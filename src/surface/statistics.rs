@@ -45,11 +45,14 @@ use crate::parallel;
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Statistics {
     mean_height: f64,
     arithmetic_mean_height: f64,
     rms_height: f64,
+    #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
     skewness: f64,
+    #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
     kurtosis: f64,
     highest_peak: f64,
     deepest_valley: f64,

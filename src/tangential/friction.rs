@@ -1,6 +1,6 @@
 //! How much shear a cell in contact can carry.
 
-use crate::error::{Result, non_negative, positive, samples_obey};
+use crate::error::{Result, all_non_negative, non_negative, positive};
 use crate::field::Field;
 use crate::grid::Grid;
 
@@ -16,13 +16,45 @@ use crate::grid::Grid;
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "Unchecked")
+)]
 pub struct Friction {
     coefficient: Coefficient,
-    shear_cap: f64,
+    /// `None` where there is none.
+    shear_cap: Option<f64>,
+}
+
+/// What was read, before it is checked.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Unchecked {
+    coefficient: Coefficient,
+    shear_cap: Option<f64>,
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<Unchecked> for Friction {
+    type Error = Error;
+
+    fn try_from(read: Unchecked) -> Result<Self> {
+        let friction = match read.coefficient {
+            Coefficient::Uniform(coefficient) => Self::coulomb(coefficient)?,
+            Coefficient::PerCell(coefficients) => Self::per_cell(coefficients)?,
+        };
+        match read.shear_cap {
+            Some(tau_max) => friction.shear_cap(tau_max),
+            None => Ok(friction),
+        }
+    }
 }
 
 /// The coefficient of friction.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) enum Coefficient {
     Uniform(f64),
     PerCell(Field),
@@ -39,7 +71,7 @@ impl Friction {
                 "coefficient of friction",
                 coefficient,
             )?),
-            shear_cap: f64::INFINITY,
+            shear_cap: None,
         })
     }
 
@@ -48,16 +80,10 @@ impl Friction {
     /// # Errors
     /// [`Error::Sample`](crate::Error::Sample) at the first coefficient that is negative or not finite.
     pub fn per_cell(coefficients: Field) -> Result<Self> {
-        let rule = "must be non-negative and finite";
-        samples_obey(
-            "coefficient of friction",
-            coefficients.as_slice(),
-            rule,
-            |mu| mu >= 0.0 && mu.is_finite(),
-        )?;
+        all_non_negative("coefficient of friction", coefficients.as_slice())?;
         Ok(Self {
             coefficient: Coefficient::PerCell(coefficients),
-            shear_cap: f64::INFINITY,
+            shear_cap: None,
         })
     }
 
@@ -66,7 +92,7 @@ impl Friction {
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive).
     pub fn shear_cap(mut self, tau_max: f64) -> Result<Self> {
-        self.shear_cap = positive("shear cap", tau_max)?;
+        self.shear_cap = Some(positive("shear cap", tau_max)?);
         Ok(self)
     }
 
@@ -78,18 +104,18 @@ impl Friction {
             Coefficient::Uniform(coefficient) => *coefficient,
             Coefficient::PerCell(field) => field.as_slice().get(index).copied().unwrap_or(f64::NAN),
         };
-        let limit = coefficient * pressure;
+        let (limit, cap) = (coefficient * pressure, self.cap());
         // A minimum would pass over NaN.
-        if limit > self.shear_cap {
-            self.shear_cap
-        } else {
-            limit
-        }
+        if limit > cap { cap } else { limit }
     }
 
     /// The coefficient, and the cap of the limit (infinite where there is none).
     pub(crate) fn parts(&self) -> (&Coefficient, f64) {
-        (&self.coefficient, self.shear_cap)
+        (&self.coefficient, self.cap())
+    }
+
+    fn cap(&self) -> f64 {
+        self.shear_cap.unwrap_or(f64::INFINITY)
     }
 
     /// Becomes a copy of another friction, in the memory it has where that fits.

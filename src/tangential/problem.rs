@@ -10,6 +10,7 @@ use crate::window::Window;
 /// What shears the contact, as `[x, y]`; one component must be zero, unless the model is that of the plane
 /// ([`Lateral::Coupled`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum TangentialLoad {
     /// The tangential force that body 2 exerts on body 1 (a force, either sign); the shift follows.
     Force([f64; 2]),

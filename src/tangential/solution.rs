@@ -3,9 +3,13 @@
 use crate::boundary::Boundary;
 use crate::cgm::plane::Disc;
 use crate::contact_map::{ContactMap, Warning};
+#[cfg(feature = "serde")]
+use crate::error::{all_finite, length};
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::report::Report;
+#[cfg(feature = "serde")]
+use crate::serial::checked;
 use crate::tangential::shear::Shear;
 use crate::tangential::{Axis, Zone};
 use crate::window::Window;
@@ -14,6 +18,7 @@ use crate::window::Window;
 ///
 /// Vectors are `[x, y]`; the scalar model leaves the component across the load at zero.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct TangentialSolution {
     traction: [Field; 2],
     slip: [Field; 2],
@@ -22,6 +27,35 @@ pub struct TangentialSolution {
     axis: Option<Axis>,
     shift: [f64; 2],
     report: Report,
+}
+
+/// What is read, before it is checked.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(remote = "TangentialSolution")]
+struct Unchecked {
+    traction: [Field; 2],
+    slip: [Field; 2],
+    zones: Vec<Zone>,
+    boundary: Boundary,
+    axis: Option<Axis>,
+    shift: [f64; 2],
+    report: Report,
+}
+
+#[cfg(feature = "serde")]
+impl<'de> serde::Deserialize<'de> for TangentialSolution {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        checked(Unchecked::deserialize(deserializer)?, |read| {
+            let grid = read.grid();
+            for axis in 0..2 {
+                read.traction[axis].check("traction", grid)?;
+                read.slip[axis].check("slip", grid)?;
+            }
+            length("zones", grid.cells(), read.zones.len())?;
+            all_finite("shift", &read.shift)
+        })
+    }
 }
 
 /// What a solver hands over, on the window of the contact.

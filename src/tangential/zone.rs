@@ -2,6 +2,7 @@
 
 /// The state of a cell under a tangential load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Zone {
     /// No pressure: out of contact.
     Separate,
@@ -13,6 +14,7 @@ pub enum Zone {
 
 /// The axis of a tangential load in the scalar model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Axis {
     /// Along x.
     X,
@@ -33,6 +35,7 @@ impl Axis {
 
 /// What becomes of the traction across a tangential load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Lateral {
     /// Neglected, as in the paper (default): one traction, along the axis of the load.
     #[default]
