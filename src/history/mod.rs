@@ -41,14 +41,23 @@
 //! that the next step starts from. [`History::to_bytes`] saves as much: a restored history goes on to the
 //! same bits.
 //!
+//! # Cycles
+//! A [`FrettingLoop`] takes a [`LoadPath`] again and again, until the loop is steady or as often as asked, and
+//! lets an observer wear the gap on the way. A [`Cycle`] is what its steps add up to: slip, energy, loop of force
+//! and shift, [`Regime`]. A simulator with a loop of its own over cycles calls [`FrettingLoop::cycle`]; one
+//! with a loop over steps calls [`History::step`] and [`Cycle::add`].
+//!
 //! # Wear
-//! [`wear`] turns the slip or the energy of steps into depth removed; [`History::set_gap`] gives it back,
+//! [`wear`] turns the slip or the energy of steps or cycles into depth removed; [`History::set_gap`] gives it back,
 //! with tractions and slip kept.
 
 mod builder;
 mod commit;
+mod cycle;
 mod energy;
 mod engine;
+mod fretting;
+mod hysteresis;
 mod layout;
 mod load;
 mod motion;
@@ -63,7 +72,10 @@ mod stepping;
 pub mod wear;
 
 pub use builder::HistoryBuilder;
+pub use cycle::{Cycle, Regime};
 pub use energy::EnergyBalance;
+pub use fretting::{FrettingLoop, LoopEnding, LoopOutcome};
+pub use hysteresis::LoopPoint;
 pub use load::{LoadStep, NormalStep, TangentialStep};
 pub use path::LoadPath;
 pub use step::Step;
