@@ -82,7 +82,7 @@ pub(crate) fn heights(
             let (x, y) = (grid.x(ix) - 0.5 * grid.dx(), grid.y(iy) - 0.5 * grid.dy());
             (x / scale, y / scale)
         };
-        let far = |end: usize, cells: usize| (end + block / 2).min(cells);
+        let far = |end: usize, cells: usize| (end + block.div_ceil(2)).min(cells);
         let opposite = edge(far(columns.end, grid.nx()), far(rows.end, grid.ny()));
         Rectangle::new([edge(ix, iy), opposite], grey.filled())
     });
