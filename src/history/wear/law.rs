@@ -55,9 +55,9 @@ pub fn dissipated_energy<'a>(
 }
 
 /// Adds the depth that the energy law removes beyond a threshold: what a step or a cycle adds to
-/// `alpha max(0, E/A - E_th)` (lengths), so that steps sum to the law of the total.
+/// `alpha max(0, E/A - e)` (lengths), so that steps sum to the law of the total.
 ///
-/// `threshold` E_th is the energy per area that wears nothing. `accumulated` is the energy E that each cell has
+/// `threshold` e is the energy per area that wears nothing. `accumulated` is the energy E that each cell has
 /// dissipated since the start, that of the step included, as
 /// [`History::dissipated_energy`](crate::history::History::dissipated_energy) has it after the step, and
 /// `energy` the part of the step or of the cycle. Fouvry, Liskiewicz, Kapsa, Hannel & Sauger, Wear 255 (2003) 287,
