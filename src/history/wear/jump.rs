@@ -47,7 +47,7 @@ pub fn stable_cycles<'a>(
     check("slip length", slip_length, bodies)?;
     let slip = slip_length.as_slice();
     let rate = largest(slip_length, |i| coefficient.at(i) * slip[i]);
-    Ok(2.0 * least_compliance(bodies)? / rate)
+    Ok(2.0 * cycles_without_overshoot(bodies, rate)?)
 }
 
 /// How many cycles to jump over: as many as a cycle's wear may be taken off at once, without the pressure
@@ -113,7 +113,7 @@ impl CycleJump {
             }
         });
         Ok(Self {
-            without_overshoot: least_compliance(bodies)? / rate,
+            without_overshoot: cycles_without_overshoot(bodies, rate)?,
             depth_per_cycle: depth.max(),
             largest_depth: None,
             cycles_left: None,
@@ -152,9 +152,14 @@ impl CycleJump {
     }
 }
 
-/// A lower bound of the least eigenvalue of $`C_{zz}`$.
-fn least_compliance(bodies: &HalfSpace) -> Result<f64> {
-    Ok(bodies.operator(Component::ZZ)?.lower_bound())
+/// $`\lambda_{min}`$ over the depth per pressure that a cycle removes at most.
+fn cycles_without_overshoot(bodies: &HalfSpace, rate: f64) -> Result<f64> {
+    let least_compliance = bodies.operator(Component::ZZ)?.lower_bound();
+    Ok(if rate > 0.0 {
+        least_compliance / rate
+    } else {
+        f64::INFINITY
+    })
 }
 
 fn largest(field: &Field, of: impl Fn(usize) -> f64 + Sync) -> f64 {
