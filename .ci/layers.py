@@ -7,16 +7,17 @@ import sys
 
 # Each module of the crate and the modules it may use, lowest layer first. `Item` limits a use to
 # the items named.
-FOUNDATION = {"error", "report", "boundary", "grid", "field", "material", "parallel"}
+FOUNDATION = {"error", "report", "boundary", "grid", "field", "material", "parallel", "serial"}
 ALLOWED = {
     # L0: words every layer speaks
-    "report": {"error"},
+    "serial": {"error"},
+    "report": {"error", "serial"},
     "error": {"report"},
     "parallel": {"error"},
     "boundary": set(),
     "grid": {"error"},
-    "field": {"error", "grid"},
-    "material": {"error"},
+    "field": {"error", "grid", "parallel", "serial"},
+    "material": {"error", "serial"},
     # L1: operators, kernels, transforms, closed forms, shapes; no physics of contact
     "operator": set(),
     "contact_map": {"boundary", "grid"},
@@ -24,7 +25,7 @@ ALLOWED = {
     "influence": FOUNDATION,
     "fft": FOUNDATION | {"operator", "influence"},
     "analytical": {"error", "material", "grid", "field"},
-    "surface": {"error", "grid", "field", "parallel"},
+    "surface": {"error", "grid", "field", "parallel", "serial"},
     "io": {"error", "grid", "field"},
     # L2: the engine, and what it works on
     "half_space": FOUNDATION | {"operator", "influence", "fft", "window"},

@@ -9,12 +9,13 @@
 mod support;
 
 use std::error::Error;
+use std::ops::ControlFlow;
 use std::path::Path;
 
-use stickslip::history::LoadPath;
+use stickslip::history::{FrettingLoop, LoadPath};
 use stickslip::{
-    Axis, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalStep,
-    Result, TangentialStep, surface,
+    ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalStep, Result,
+    surface,
 };
 
 // SI units: metres, newtons, pascals, joules.
@@ -25,51 +26,52 @@ const FRICTION: f64 = 0.5;
 const SHIFT_AMPLITUDE: f64 = 2.5e-6;
 const STEPS: usize = 40;
 const CYCLES: usize = 20;
-/// Energy of a square metre that wears nothing yet.
-const THRESHOLD: f64 = 3e3;
-/// Volume removed per energy beyond it (1/Pa).
-const WEAR_COEFFICIENT: f64 = 5e-11;
+/// Volume removed per energy once the surface has run in (1/Pa).
+const WEAR_COEFFICIENT: f64 = 2e-11;
+/// Depth that running in removes besides, and the energy of a square metre that it takes.
+const RUNNING_IN_DEPTH: f64 = 0.3e-6;
+const RUNNING_IN_ENERGY: f64 = 5e3;
 
-/// The law: depth worn off by the energy that a cell has dissipated beyond a threshold.
-fn worn_depth(energy: f64, cell_area: f64) -> f64 {
-    WEAR_COEFFICIENT * (energy / cell_area - THRESHOLD).max(0.0)
+/// The law: a surface that runs in wears fast at first. Depth by the energy per area that a cell has
+/// dissipated.
+fn worn_depth(energy: f64) -> f64 {
+    let run_in = 1.0 - (-energy / RUNNING_IN_ENERGY).exp();
+    WEAR_COEFFICIENT * energy + RUNNING_IN_DEPTH * run_in
 }
 
 /// What a cycle leaves behind.
-struct Cycle {
+struct Leaving {
     energy: f64,
     depth: f64,
     max_pressure: f64,
     worn_volume: f64,
 }
 
-/// The time loop: after every increment the gap is the ball's and what the law has worn off.
-fn run(history: &mut History, ball: &Field, cycles: usize) -> Result<Vec<Cycle>> {
+/// The time loop: after every step the gap is the ball's and what the law has worn off.
+fn run(history: &mut History, ball: &Field, cycles: usize) -> Result<Vec<Leaving>> {
     let path = LoadPath::sine([SHIFT_AMPLITUDE, 0.0], STEPS)?;
+    let load = |shift| LoadStep::shift(shift).normal(NormalStep::Force(NORMAL_FORCE));
     let cell_area = ball.grid().cell_area();
     let mut gap = ball.clone();
     let mut done = Vec::new();
-    for _ in 0..cycles {
-        let mut energy = 0.0;
-        for &[shift, _] in path.steps() {
-            let load = LoadStep::hold()
-                .normal(NormalStep::Force(NORMAL_FORCE))
-                .tangential(Axis::X, TangentialStep::Shift(shift));
-            energy += history.step(&load)?.energy().dissipated;
-            let dissipated = history.dissipated_energy().as_slice();
-            let unworn = ball.as_slice().iter().zip(dissipated);
-            for (gap, (ball, energy)) in gap.as_mut_slice().iter_mut().zip(unworn) {
-                *gap = ball + worn_depth(*energy, cell_area);
-            }
-            history.set_gap(&gap)?;
+    FrettingLoop::new(path, load).run_observed(history, cycles, |history, cycle| {
+        let energy = history.dissipated_energy();
+        let unworn = ball.as_slice().iter().zip(energy.as_slice());
+        for (gap, (ball, energy)) in gap.as_mut_slice().iter_mut().zip(unworn) {
+            *gap = ball + worn_depth(energy / cell_area);
         }
-        done.push(Cycle {
-            energy,
-            depth: worn_depth(history.dissipated_energy().max(), cell_area),
-            max_pressure: history.pressure().max(),
-            worn_volume: gap.integral() - ball.integral(),
-        });
-    }
+        let depth = worn_depth(energy.max() / cell_area);
+        history.set_gap(&gap)?;
+        if cycle.steps() == STEPS {
+            done.push(Leaving {
+                energy: cycle.energy().dissipated,
+                depth,
+                max_pressure: history.pressure().max(),
+                worn_volume: gap.integral() - ball.integral(),
+            });
+        }
+        Ok(ControlFlow::Continue(()))
+    })?;
     Ok(done)
 }
 
@@ -133,7 +135,7 @@ fn main() -> std::result::Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-impl Cycle {
+impl Leaving {
     fn row(&self, number: u32) -> [f64; 5] {
         [
             f64::from(number),
@@ -146,7 +148,7 @@ impl Cycle {
 }
 
 fn draw(path: &Path, rows: &[[f64; 5]]) -> std::result::Result<(), Box<dyn Error>> {
-    let title = "A wear law of one's own: nothing below a threshold of energy";
+    let title = "A wear law of one's own: a surface that runs in";
     let figure = support::figure(path, (1960, 900), title)?;
     let (left, right) = figure.split_horizontally(980);
     let cycles = 0.0..CYCLES as f64 + 1.0;

@@ -13,10 +13,9 @@ use std::path::Path;
 
 use plotters::prelude::{RGBColor, SeriesLabelPosition};
 use stickslip::analytical::{HertzSphere, MindlinDeresiewicz};
-use stickslip::history::LoadPath;
+use stickslip::history::{Cycle, LoadPath};
 use stickslip::{
-    Axis, ElasticPair, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalStep,
-    TangentialStep, surface,
+    ElasticPair, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalStep, surface,
 };
 use support::Area;
 
@@ -51,9 +50,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut forces = Vec::new();
     let mut points = Vec::new();
     let mut profiles = Vec::new();
-    for [force, _] in path.cycles(CYCLES) {
-        history.step(&LoadStep::hold().tangential(Axis::X, TangentialStep::Force(force)))?;
-        forces.push(force);
+    let mut cycle = Cycle::new(&history);
+    for force in path.cycles(CYCLES) {
+        if cycle.steps() == STEPS {
+            cycle.begin(&history)?;
+        }
+        history.step(&LoadStep::force(force))?;
+        cycle.add(&history)?;
+        forces.push(force[0]);
         let exact = MindlinDeresiewicz::new(hertz, FRICTION, &forces)?;
         points.push(Point::of(&history, &exact));
         // The turning points and both ways through zero, in the second cycle.
@@ -62,7 +66,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
 
-    print_table(&points, &profiles, hertz.max_pressure());
+    print_table(&points, &profiles, &cycle);
     let header = [
         "force_N",
         "shift_um",
@@ -154,7 +158,7 @@ impl Profile {
     }
 }
 
-fn print_table(points: &[Point], profiles: &[Profile], max_pressure: f64) {
+fn print_table(points: &[Point], profiles: &[Profile], cycle: &Cycle) {
     println!(
         "{:<34} | {:>12} | {:>12} | relative difference",
         "quantity", "computed", "closed form"
@@ -175,17 +179,22 @@ fn print_table(points: &[Point], profiles: &[Profile], max_pressure: f64) {
         print(quantity, point.shift * MICRO, point.exact_shift * MICRO);
     }
     let exact = &profiles[0].exact;
-    let energy = exact.energy_per_cycle() * MICRO;
-    let sum = |of: fn(&Point) -> f64| MICRO * last.iter().map(of).sum::<f64>();
-    print("energy of a cycle, uJ", sum(|p| p.dissipated), energy);
-    print(
-        "  by mean tractions of a step, uJ",
-        sum(|p| p.dissipated_mid_step),
-        energy,
-    );
-    print("  area of the loop, a polygon, uJ", sum(|p| p.work), energy);
-    let imbalance = sum(|p| p.dissipated_mid_step) / sum(|p| p.work) - 1.0;
+    let (energy, of_loop) = (exact.energy_per_cycle(), cycle.energy());
+    for (quantity, computed) in [
+        ("energy of a cycle, uJ", of_loop.dissipated),
+        (
+            "  by mean tractions of a step, uJ",
+            of_loop.dissipated_mid_step,
+        ),
+        ("  area of the loop, a polygon, uJ", of_loop.work),
+    ] {
+        print(quantity, computed * MICRO, energy * MICRO);
+    }
+    let rectangle = 4.0 * AMPLITUDE * points[STEPS / 4 - 1].exact_shift;
+    print("energy ratio", cycle.energy_ratio(), energy / rectangle);
+    let imbalance = of_loop.dissipated_mid_step / of_loop.work - 1.0;
     println!("\nmean tractions over area of the loop, less one: {imbalance:.1e}");
+    println!("the loop closes to {:.1e}", cycle.closure());
 
     let farthest = points
         .iter()
@@ -197,7 +206,8 @@ fn print_table(points: &[Point], profiles: &[Profile], max_pressure: f64) {
         farthest / amplitude
     );
     for profile in profiles {
-        let difference = profile.mean_difference() / (FRICTION * max_pressure);
+        let max_traction = FRICTION * profile.exact.hertz().max_pressure();
+        let difference = profile.mean_difference() / max_traction;
         // Adding zero turns a negative zero into a positive one.
         let force = profile.exact.force() + 0.0;
         println!("traction at {force:>5.1} N, mean difference over mu p0: {difference:.1e}");

@@ -19,9 +19,9 @@ use std::path::Path;
 use plotters::prelude::{RGBColor, SeriesLabelPosition};
 use stickslip::analytical::{CattaneoMindlin, HertzSphere, PopovLimitingShape};
 use stickslip::history::wear::{self, CycleJump};
+use stickslip::history::{Cycle, FrettingLoop, LoadPath};
 use stickslip::{
-    Axis, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalStep,
-    TangentialStep, surface,
+    ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalStep, surface,
 };
 
 // SI units: metres, newtons, pascals.
@@ -60,12 +60,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut history = History::builder(&bodies, &gap, Friction::coulomb(FRICTION)?)
         .tolerance(TOLERANCE)
         .build()?;
-    let shift = |shift| {
-        LoadStep::hold()
-            .normal(NormalStep::Approach(approach))
-            .tangential(Axis::X, TangentialStep::Shift(shift))
-    };
-    history.step(&shift(-amplitude))?;
+    let load = |shift| LoadStep::shift(shift).normal(NormalStep::Approach(approach));
+    let path = LoadPath::table(vec![[amplitude, 0.0], [-amplitude, 0.0]])?;
+    history.step(&load(path.end()))?;
+    let fretting = FrettingLoop::new(path, load);
+    let mut cycle = Cycle::new(&history);
 
     let mut stages = Vec::new();
     let (mut cycles, mut energy) = (0.0, 0.0);
@@ -80,24 +79,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     );
     loop {
         // One cycle, with the pressure that the worn gap leaves.
-        let mut slip = Field::zeros(grid);
-        let mut energy_per_cycle = 0.0;
-        for end in [amplitude, -amplitude] {
-            let step = history.step(&shift(end))?;
-            energy_per_cycle += step.energy().dissipated;
-            add(&mut slip, step.slip_length());
-        }
+        fretting.cycle(&mut history, &mut cycle)?;
         let mut depth = Field::zeros(grid);
-        wear::archard(1.0, history.pressure(), &slip, &mut depth)?;
-        let jump = CycleJump {
-            // Half, to avoid overshoot.
-            stable_cycles: 0.5 * wear::stable_cycles(&bodies, WEAR_COEFFICIENT, &slip)?,
-            approach,
-            approach_fraction: APPROACH_FRACTION,
-            depth_per_cycle: WEAR_COEFFICIENT * depth.max(),
-            cycles_left: CYCLES - cycles,
-        };
-        let jump = jump.cycles()?;
+        let (pressure, slip) = (cycle.slip_pressure(), cycle.slip_length());
+        wear::archard(WEAR_COEFFICIENT, pressure, slip, &mut depth)?;
+        let jump = CycleJump::new(&bodies, &cycle, &depth)?
+            .largest_depth(APPROACH_FRACTION * approach)
+            .cycles_left(CYCLES - cycles)
+            .cycles()?;
         let shown = stages
             .iter()
             .filter(|stage: &&Stage| stage.is_shown)
@@ -112,10 +101,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         if jump <= 0.0 {
             break;
         }
-        wear::archard(jump * WEAR_COEFFICIENT, history.pressure(), &slip, &mut gap)?;
+        gap.add_scaled(jump, &depth)?;
         history.set_gap(&gap)?;
         cycles += jump;
-        energy += jump * energy_per_cycle;
+        energy += jump * cycle.energy().dissipated;
     }
     print_end(&stages, &history, &limit);
     write(&stages, &limit)
@@ -210,12 +199,6 @@ impl Stage {
             self.largest_off_edge,
             self.mean,
         ]
-    }
-}
-
-fn add(sum: &mut Field, field: &Field) {
-    for (sum, value) in sum.as_mut_slice().iter_mut().zip(field.as_slice()) {
-        *sum += value;
     }
 }
 

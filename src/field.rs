@@ -1,7 +1,8 @@
 //! Samples on a grid.
 
-use crate::error::{Error, Result, all_finite, length};
+use crate::error::{Error, Result, all_finite, finite, length};
 use crate::grid::Grid;
+use crate::parallel;
 
 /// One number per cell of a [`Grid`], row-major with x fastest.
 ///
@@ -127,6 +128,31 @@ impl Field {
     #[must_use]
     pub fn as_mut_slice(&mut self) -> &mut [f64] {
         &mut self.samples
+    }
+
+    /// Adds `factor` times another field.
+    ///
+    /// ```
+    /// use stickslip::{Field, Grid};
+    /// let grid = Grid::square(8, 1.0)?;
+    /// let (mut gap, depth) = (Field::constant(grid, 3.0), Field::constant(grid, 0.5));
+    /// gap.add_scaled(100.0, &depth)?;
+    /// assert_eq!(gap, Field::constant(grid, 53.0));
+    /// # Ok::<(), stickslip::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for the factor, [`Error::GridMismatch`]; the field is then as it was.
+    pub fn add_scaled(&mut self, factor: f64, other: &Self) -> Result<()> {
+        finite("factor", factor)?;
+        self.grid.expect("field to be added", other.grid)?;
+        let other = other.as_slice();
+        parallel::update(&mut self.samples, |first, chunk| {
+            for (sample, other) in chunk.iter_mut().zip(&other[first..]) {
+                *sample += factor * other;
+            }
+        });
+        Ok(())
     }
 
     /// The samples, without the grid.

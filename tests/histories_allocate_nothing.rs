@@ -1,12 +1,12 @@
 //! After the first cycle, a step of a history within its window allocates nothing: no buffer, no plan, no
-//! spectrum; nor does a change of gap or friction, nor a law of wear.
+//! spectrum; nor does a change of gap or friction, nor a law of wear, nor what adds a cycle up.
 #![allow(clippy::unwrap_used, reason = "a test fails loudly")]
 #![cfg(feature = "parallel")]
 
 mod common;
 
 use common::{rough, unit_bodies};
-use stickslip::history::wear;
+use stickslip::history::{Cycle, FrettingLoop, LoadPath, wear};
 use stickslip::{
     Axis, Field, Friction, Grid, History, Lateral, LoadStep, NormalStep, TangentialStep, surface,
 };
@@ -41,6 +41,9 @@ fn check(gap: &Field, load: f64, lateral: Lateral) {
             .twist(1e-3),
     };
     let (mut worn, mut depth) = (gap.clone(), Field::zeros(grid));
+    let mut total = Cycle::new(&history);
+    let path = LoadPath::triangle([0.3 * load, 0.0], 8).unwrap();
+    let fretting = FrettingLoop::new(path, LoadStep::force);
     let mut cycle = || {
         let along = |tangential| LoadStep::hold().tangential(Axis::X, tangential);
         for (part, step) in [
@@ -60,8 +63,12 @@ fn check(gap: &Field, load: f64, lateral: Lateral) {
             wear::archard(1e-4, history.pressure(), slip, &mut worn).unwrap();
             let energy = history.last_step().dissipation();
             wear::dissipated_energy(1e-4, energy, &mut depth).unwrap();
+            let so_far = history.dissipated_energy();
+            wear::threshold_energy(1e-4, 1.0, so_far, energy, &mut depth).unwrap();
             history.set_gap(&worn).unwrap();
         }
+        fretting.cycle(&mut history, &mut total).unwrap();
+        worn.add_scaled(1e-6, total.dissipation()).unwrap();
         worn.as_mut_slice().copy_from_slice(gap.as_slice());
         history.set_gap(&worn).unwrap();
     };

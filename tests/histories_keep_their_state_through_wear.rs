@@ -6,7 +6,7 @@
 mod common;
 
 use common::{Table2, rough, unit_bodies};
-use stickslip::history::wear::{self, CycleJump};
+use stickslip::history::wear;
 use stickslip::{
     Axis, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalStep, Operator,
     TangentialStep, influence::Component, surface,
@@ -188,62 +188,4 @@ fn stable_cycles_are_stable() {
         let [least, most] = [history.pressure().min(), history.pressure().max()];
         assert_eq!(least > 0.09 && most < 0.11, settles, "{least} {most}");
     }
-}
-
-#[test]
-fn a_jump_is_the_least_of_its_limits() {
-    let jump = CycleJump {
-        stable_cycles: 20.0,
-        approach: 1.0,
-        approach_fraction: 0.01,
-        depth_per_cycle: 1e-3,
-        cycles_left: 500.0,
-    };
-    let cycles = |jump: CycleJump| jump.cycles().unwrap();
-    assert!((cycles(jump) - 10.0).abs() < 1e-12);
-    let shallow = CycleJump {
-        depth_per_cycle: 0.0,
-        ..jump
-    };
-    assert!(cycles(shallow) == 20.0);
-    let still = CycleJump {
-        stable_cycles: f64::INFINITY,
-        ..shallow
-    };
-    assert!(cycles(still) == 500.0);
-    for bad in [
-        CycleJump {
-            approach: -1.0,
-            ..jump
-        },
-        CycleJump {
-            stable_cycles: f64::NAN,
-            ..jump
-        },
-        CycleJump {
-            cycles_left: f64::INFINITY,
-            ..jump
-        },
-    ] {
-        assert!(bad.cycles().is_err());
-    }
-}
-
-#[test]
-fn laws_of_wear_refuse_bad_fields() {
-    let grid = Grid::square(4, 1.0).unwrap();
-    let (one, other) = (
-        Field::constant(grid, 1.0),
-        Field::zeros(Grid::square(5, 1.0).unwrap()),
-    );
-    let bad = Field::constant(grid, -1.0);
-    let mut depth = Field::constant(grid, 3.0);
-    assert!(wear::archard(f64::NAN, &one, &one, &mut depth).is_err());
-    assert!(wear::archard(1.0, &bad, &one, &mut depth).is_err());
-    assert!(wear::archard(1.0, &one, &bad, &mut depth).is_err());
-    assert!(wear::archard(1.0, &other, &one, &mut depth).is_err());
-    assert!(wear::dissipated_energy(-1.0, &one, &mut depth).is_err());
-    assert!(wear::dissipated_energy(1.0, &bad, &mut depth).is_err());
-    assert!(wear::dissipated_energy(1.0, &other, &mut depth).is_err());
-    assert_eq!(depth, Field::constant(grid, 3.0));
 }

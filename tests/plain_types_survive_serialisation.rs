@@ -13,8 +13,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 use stickslip::cgm::{Method, Settings};
-use stickslip::history::LoadPath;
-use stickslip::history::wear::CycleJump;
+use stickslip::history::{Cycle, FrettingLoop, LoadPath};
 use stickslip::influence::{Component, Rectangle};
 use stickslip::surface::{self, Amplitudes, PowerSpectrum, SelfAffine, Statistics};
 use stickslip::{
@@ -112,15 +111,6 @@ fn loads_and_options() {
         let settings = Settings::default().method(method).tolerance(1e-7 / 3.0);
         survives(&settings);
         survives(&settings.time_limit(Duration::new(3, 141_592_653)));
-    }
-    for stable_cycles in [12.5, f64::INFINITY] {
-        survives(&CycleJump {
-            stable_cycles,
-            approach: 5e-6,
-            approach_fraction: 0.01,
-            depth_per_cycle: 4e-9,
-            cycles_left: 1000.0,
-        });
     }
     for component in Component::ALL {
         survives(&component);
@@ -242,6 +232,17 @@ fn steps_of_a_history_and_what_it_goes_on_from() {
     let [bytes, _] = read_back(&history.to_bytes());
     let restored = History::restore(&again, &bytes).unwrap();
     assert_eq!(restored.traction(), history.traction());
+
+    let path = LoadPath::sine([0.5, 0.0], 4).unwrap();
+    let outcome = FrettingLoop::new(path, LoadStep::force)
+        .run(&mut history, 1)
+        .unwrap();
+    survives(&outcome);
+    survives(&outcome.last.regime());
+    let mut written = serde_json::to_value(&outcome.last).unwrap();
+    written["points"] = json!([]);
+    let refused = serde_json::from_value::<Cycle>(written).unwrap_err();
+    assert!(refused.to_string().contains("points"), "{refused}");
 }
 
 #[test]

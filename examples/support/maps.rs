@@ -78,13 +78,16 @@ pub(crate) fn heights(
         };
         let mean = cells().sum::<f64>() / cells().count() as f64;
         let grey = HSLColor(0.0, 0.0, (mean - low) / (high - low));
-        let edge = |ix: usize, iy: usize| {
-            let (x, y) = (grid.x(ix) - 0.5 * grid.dx(), grid.y(iy) - 0.5 * grid.dy());
+        let edge = |ix: f64, iy: f64| {
+            let (x, y) = (
+                grid.x(0) + (ix - 0.5) * grid.dx(),
+                grid.y(0) + (iy - 0.5) * grid.dy(),
+            );
             (x / scale, y / scale)
         };
-        let far = |end: usize, cells: usize| (end + block / 2).min(cells);
+        let far = |end: usize, cells: usize| (end as f64 + 0.5 * block as f64).min(cells as f64);
         let opposite = edge(far(columns.end, grid.nx()), far(rows.end, grid.ny()));
-        Rectangle::new([edge(ix, iy), opposite], grey.filled())
+        Rectangle::new([edge(ix as f64, iy as f64), opposite], grey.filled())
     });
     chart.draw_series(rectangles)?;
     Ok(())

@@ -1,6 +1,7 @@
-//! The energy of a tangential step.
+//! The energy of a tangential step, or of the steps of a cycle.
 
-/// Where the work of the tangential load in a step went (energies: force times length).
+/// Where the work of the tangential load in a step went (energies: force times length), or in the steps of a
+/// [`Cycle`](crate::history::Cycle).
 ///
 /// With q and u the tractions and displacements before (n) and after (n+1) the step, $`\bar q`$ their
 /// mean, $`\Delta u`$ and $`\Delta\delta`$ the changes of displacement and shift, and A the area of a
@@ -42,6 +43,16 @@ pub struct EnergyBalance {
 }
 
 impl EnergyBalance {
+    /// Goes on by the step that followed.
+    pub(super) fn extend(&mut self, next: &Self) {
+        self.work += next.work;
+        self.elastic_after = next.elastic_after;
+        self.dissipated += next.dissipated;
+        self.dissipated_mid_step += next.dissipated_mid_step;
+        self.released += next.released;
+        self.residual += next.residual;
+    }
+
     /// What is missing in the balance: round-off.
     #[must_use]
     pub fn imbalance(&self) -> f64 {

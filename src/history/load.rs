@@ -47,6 +47,8 @@ pub enum TangentialStep {
 /// let press = LoadStep::hold().normal(NormalStep::Force(100.0));
 /// let drag = LoadStep::hold().tangential(Axis::X, TangentialStep::Shift(1e-6));
 /// assert_ne!(press, drag);
+/// // Both components by one name, as a load path has them.
+/// assert_eq!(LoadStep::shift([1e-6, 0.0]), drag.tangential(Axis::Y, TangentialStep::Shift(0.0)));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
@@ -69,6 +71,25 @@ impl LoadStep {
             normal: NormalStep::Hold,
             tangential: [TangentialStep::Hold; 2],
             twist: None,
+        }
+    }
+
+    /// The tangential force `[x, y]` at the end of the step, all else held. Along an axis the force across must
+    /// be zero.
+    pub fn force(force: [f64; 2]) -> Self {
+        Self::both(force.map(TangentialStep::Force))
+    }
+
+    /// The shift `[x, y]` at the end of the step, since the start of the history (lengths), all else held.
+    /// Along an axis the shift across must be zero.
+    pub fn shift(shift: [f64; 2]) -> Self {
+        Self::both(shift.map(TangentialStep::Shift))
+    }
+
+    fn both(tangential: [TangentialStep; 2]) -> Self {
+        Self {
+            tangential,
+            ..Self::hold()
         }
     }
 

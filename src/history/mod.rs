@@ -28,7 +28,9 @@
 //! load does not depend on the steps that led there. This is the transient shift of
 //! CONTACT (Kalker, *Three-Dimensional Elastic Bodies in Rolling Contact*, 1990,
 //! <https://doi.org/10.1007/978-94-015-7889-9>); on the sphere it follows Mindlin & Deresiewicz, J. Appl. Mech. 20
-//! (1953) 327, <https://doi.org/10.1115/1.4010702>.
+//! (1953) 327, <https://doi.org/10.1115/1.4010702>. Where the load turns in the plane, the error of a step is in
+//! proportion to its length: round a circle of force, four fifths of the sliding one, cycles of 32, 64 and 128
+//! steps dissipate 14, 7 and 3.5 % too little; extrapolated from the first two or the last two, they agree to 0.2 %.
 //!
 //! Tractions are along one axis, those across neglected, as in the paper, unless
 //! [`HistoryBuilder::lateral`] asks for both. Then each component of the load is prescribed on its own, as force or as
@@ -41,14 +43,23 @@
 //! that the next step starts from. [`History::to_bytes`] saves as much: a restored history goes on to the
 //! same bits.
 //!
+//! # Cycles
+//! A [`FrettingLoop`] takes a [`LoadPath`] again and again, until the loop is steady or as often as asked, and
+//! lets an observer wear the gap on the way. A [`Cycle`] is what its steps add up to: slip, energy, loop of force
+//! and shift, [`Regime`]. A simulator with a loop of its own over cycles calls [`FrettingLoop::cycle`]; one
+//! with a loop over steps calls [`History::step`] and [`Cycle::add`].
+//!
 //! # Wear
-//! [`wear`] turns the slip or the energy of steps into depth removed; [`History::set_gap`] gives it back,
+//! [`wear`] turns the slip or the energy of steps or cycles into depth removed; [`History::set_gap`] gives it back,
 //! with tractions and slip kept.
 
 mod builder;
 mod commit;
+mod cycle;
 mod energy;
 mod engine;
+mod fretting;
+mod hysteresis;
 mod layout;
 mod load;
 mod motion;
@@ -63,7 +74,10 @@ mod stepping;
 pub mod wear;
 
 pub use builder::HistoryBuilder;
+pub use cycle::{Cycle, Regime};
 pub use energy::EnergyBalance;
+pub use fretting::{FrettingLoop, LoopEnding, LoopOutcome};
+pub use hysteresis::LoopPoint;
 pub use load::{LoadStep, NormalStep, TangentialStep};
 pub use path::LoadPath;
 pub use step::Step;

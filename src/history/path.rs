@@ -6,9 +6,10 @@ use crate::error::{Error, Result, all_finite, finite, memory};
 
 /// A cycle of a tangential load in the plane, as the values `[x, y]` at the ends of its steps.
 ///
-/// Forces or shifts, as the caller means them. Where a cycle ends the next begins. Of `n` steps made by
-/// formula the k-th ends at $`t = k/n`$, so that [`sine`](Self::sine) and [`triangle`](Self::triangle)
-/// begin and end without load.
+/// Forces or shifts, as the caller means them: [`LoadStep::force`](crate::history::LoadStep::force) and
+/// [`LoadStep::shift`](crate::history::LoadStep::shift) make a step of a value. Where a cycle ends the next
+/// begins. Of `n` steps made by formula the k-th ends at $`t = k/n`$, so that [`sine`](Self::sine) and
+/// [`triangle`](Self::triangle) begin and end without load.
 ///
 /// ```
 /// use stickslip::history::LoadPath;

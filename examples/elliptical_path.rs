@@ -1,0 +1,278 @@
+//! The paper's ball (its Table 2) under a constant normal force, dragged round ellipses of force in the plane:
+//! paths of force and shift, slip and traction of the steady loop, and what a cycle dissipates, from a line
+//! to a circle.
+//!
+//! Where tractions turn, the error of a step is in proportion to its length, so that each loop is run with half as
+//! many steps too, and what follows for steps of no length is printed beside.
+//!
+//! `cargo run --release --example elliptical_path [cells]` (default 64, at least 32)
+//! writes `target/gallery/elliptical_path.csv`, `elliptical_path_energy.csv` and `elliptical_path.svg`.
+
+#![allow(clippy::print_stdout, reason = "an example shows its numbers")]
+
+mod support;
+
+use std::error::Error;
+use std::f64::consts::FRAC_PI_2;
+use std::path::Path;
+
+use plotters::element::PathElement;
+use plotters::prelude::{Color, RGBColor, SeriesLabelPosition};
+use stickslip::analytical::{CattaneoMindlin, HertzSphere};
+use stickslip::history::{FrettingLoop, LoadPath, LoopOutcome, LoopPoint};
+use stickslip::{
+    ElasticPair, Field, Friction, Grid, HalfSpace, History, Lateral, LoadStep, Material,
+    NormalStep, Result, surface,
+};
+use support::{Area, Chart};
+
+// SI units: metres, newtons, pascals.
+const BALL_RADIUS: f64 = 3.5e-3;
+const NORMAL_FORCE: f64 = 100.0;
+const FRICTION: f64 = 0.5;
+/// Along x; the contact slides at 50 N.
+const AMPLITUDE: f64 = 40.0;
+const STEPS: usize = 64;
+/// Of the amplitude, that along y.
+const ASPECTS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
+/// Drawn as paths: a line, an ellipse, a circle.
+const SHOWN: [(usize, &str, RGBColor); 3] = [
+    (0, "line", support::BLUE),
+    (2, "ellipse", support::ORANGE),
+    (4, "circle", support::GREEN),
+];
+/// Drawn as a map.
+const MAPPED: usize = 2;
+/// A loop is steady when no traction changes by more, of the largest, in a cycle.
+const STEADY: f64 = 1e-3;
+const MAX_CYCLES: usize = 20;
+const TOLERANCE: f64 = 1e-6;
+
+const MICRO: f64 = 1e6;
+/// Half the width shown, in contact radii.
+const VIEW: f64 = 1.2;
+
+fn main() -> std::result::Result<(), Box<dyn Error>> {
+    let cells = std::env::args()
+        .nth(1)
+        .map_or(Ok(64), |cells| cells.parse())?;
+    let steel = Material::new(213e9, 0.29)?;
+    let pair = ElasticPair::new(steel, steel)?;
+    let hertz = HertzSphere::new(&pair, BALL_RADIUS, NORMAL_FORCE)?;
+    let grid = Grid::square(cells, 2.0 * VIEW * hertz.contact_radius())?;
+    let bodies = HalfSpace::new(grid, pair)?;
+    let ball = surface::sphere(grid, BALL_RADIUS)?;
+
+    let loops: Vec<_> = ASPECTS
+        .iter()
+        .map(|&aspect| Loop::run(&bodies, &ball, aspect))
+        .collect::<Result<_>>()?;
+    print_table(&loops);
+
+    let paths = loops.iter().flat_map(|of| {
+        let points = of.outcome.last.points().iter();
+        points.map(|point| {
+            let ([fx, fy], [x, y]) = (point.force, point.shift);
+            [of.aspect, fx, fy, x * MICRO, y * MICRO]
+        })
+    });
+    let header = [
+        "aspect",
+        "force_x_N",
+        "force_y_N",
+        "shift_x_um",
+        "shift_y_um",
+    ];
+    let csv = support::table::csv("elliptical_path.csv", header, paths)?;
+    let header = [
+        "aspect",
+        "energy_uJ",
+        "energy_extrapolated_uJ",
+        "energy_ratio",
+        "longest_path_slipped_um",
+        "least_stick_ratio",
+        "cycles",
+    ];
+    let rows = loops.iter().map(Loop::row);
+    let energies = support::table::csv("elliptical_path_energy.csv", header, rows)?;
+    let svg = support::gallery("elliptical_path.svg")?;
+    draw(&svg, &loops, &CattaneoMindlin::new(hertz, FRICTION, 0.0)?)?;
+    println!(
+        "\ntables: {}, {}\nfigure: {}",
+        csv.display(),
+        energies.display(),
+        svg.display()
+    );
+    Ok(())
+}
+
+/// A steady loop.
+struct Loop {
+    aspect: f64,
+    outcome: LoopOutcome,
+    /// At its end, where the force is along y.
+    traction: [Field; 2],
+    /// What a cycle of infinitely many steps dissipates, by cycles of all steps and of half as many.
+    extrapolated_energy: f64,
+}
+
+impl Loop {
+    fn run(bodies: &HalfSpace, ball: &Field, aspect: f64) -> Result<Self> {
+        let (_, half) = steady_loop(bodies, ball, aspect, STEPS / 2)?;
+        let (history, outcome) = steady_loop(bodies, ball, aspect, STEPS)?;
+        let [few, many] = [&half, &outcome].map(|of| of.last.energy().dissipated);
+        Ok(Self {
+            aspect,
+            outcome,
+            traction: history.traction().map(Clone::clone),
+            extrapolated_energy: 2.0 * many - few,
+        })
+    }
+
+    fn row(&self) -> [f64; 7] {
+        let cycle = &self.outcome.last;
+        [
+            self.aspect,
+            cycle.energy().dissipated * MICRO,
+            self.extrapolated_energy * MICRO,
+            cycle.energy_ratio(),
+            cycle.slip_length().max() * MICRO,
+            cycle.stick_ratios()[0],
+            self.outcome.cycles as f64,
+        ]
+    }
+}
+
+/// The ball pressed, then dragged until the loop is steady.
+fn steady_loop(
+    bodies: &HalfSpace,
+    ball: &Field,
+    aspect: f64,
+    steps: usize,
+) -> Result<(History, LoopOutcome)> {
+    let mut history = History::builder(bodies, ball, Friction::coulomb(FRICTION)?)
+        .lateral(Lateral::Coupled)
+        .tolerance(TOLERANCE)
+        .build()?;
+    history.step(&LoadStep::hold().normal(NormalStep::Force(NORMAL_FORCE)))?;
+    let path = LoadPath::ellipse([AMPLITUDE, aspect * AMPLITUDE], FRAC_PI_2, steps)?;
+    let outcome = FrettingLoop::new(path, LoadStep::force)
+        .until_steady(STEADY)
+        .run(&mut history, MAX_CYCLES)?;
+    Ok((history, outcome))
+}
+
+fn print_table(loops: &[Loop]) {
+    println!(
+        "aspect | energy, uJ  extrapolated  energy ratio  longest path slipped, um  least stick ratio | cycles"
+    );
+    for of in loops {
+        let [aspect, energy, extrapolated, ratio, slip, stick, cycles] = of.row();
+        println!(
+            "{aspect:>6.2} | {energy:>10.4}  {extrapolated:>12.4}  {ratio:>12.4}  {slip:>24.4}  {stick:>17.4} | {cycles:>3} {:?}",
+            of.outcome.ending
+        );
+    }
+}
+
+fn draw(
+    path: &Path,
+    loops: &[Loop],
+    sliding: &CattaneoMindlin,
+) -> std::result::Result<(), Box<dyn Error>> {
+    let title = "Steel ball on steel, W = 100 N, dragged round ellipses of force of 40 N along x";
+    let figure = support::figure(path, (1960, 2000), title)?;
+    let panels = figure.split_evenly((2, 2));
+    let limit = FRICTION * NORMAL_FORCE;
+    let name = ["x", "y"].map(|axis| format!("F{axis} / μW"));
+    let mut chart = support::axes(&panels[0], (-1.0..1.0, &name[0]), (-1.0..1.0, &name[1]))?;
+    draw_paths(&mut chart, loops, |point| point.force.map(|f| f / limit))?;
+    let scale = sliding.sliding_shift();
+    let name = ["x", "y"].map(|axis| format!("δ{axis} / δ₀"));
+    let mut chart = support::axes(&panels[1], (-0.8..0.8, &name[0]), (-0.8..0.8, &name[1]))?;
+    draw_paths(&mut chart, loops, |point| point.shift.map(|x| x / scale))?;
+    draw_map(&panels[2], &loops[MAPPED], &sliding.hertz())?;
+    draw_energy(&panels[3], loops)?;
+    figure.present()?;
+    Ok(())
+}
+
+fn draw_paths(
+    chart: &mut Chart<'_>,
+    loops: &[Loop],
+    of: impl Fn(&LoopPoint) -> [f64; 2],
+) -> std::result::Result<(), Box<dyn Error>> {
+    for (number, name, colour) in SHOWN {
+        let points = loops[number].outcome.last.points().iter().map(&of);
+        let points: Vec<_> = points.map(|[x, y]| (x, y)).collect();
+        support::curve(chart, name, (colour, true), &points)?;
+    }
+    support::legend(chart, SeriesLabelPosition::UpperLeft)
+}
+
+/// Path slipped in a cycle, the darker the longer, and traction as arrows.
+fn draw_map(
+    area: &Area<'_>,
+    of: &Loop,
+    hertz: &HertzSphere,
+) -> std::result::Result<(), Box<dyn Error>> {
+    let (a, longest) = (hertz.contact_radius(), FRICTION * hertz.max_pressure());
+    let view = -VIEW..VIEW;
+    let mut chart = support::axes(area, (view.clone(), "x / a"), (view, "y / a"))?;
+    let slip = of.outcome.last.slip_length();
+    let grid = slip.grid();
+    let mut brightness = Field::zeros(grid);
+    brightness.add_scaled(-1.0, slip)?;
+    support::maps::heights(&mut chart, &brightness, a)?;
+
+    let stride = grid.nx() / 16;
+    let first = stride / 2;
+    let length = 2.0 * stride as f64 * grid.dx() / a / longest;
+    let [x, y] = &of.traction;
+    let mut arrows = Vec::new();
+    for iy in (first..grid.ny()).step_by(stride) {
+        for ix in (first..grid.nx()).step_by(stride) {
+            let traction = [x.get(ix, iy), y.get(ix, iy)].map(Option::unwrap_or_default);
+            if traction[0].hypot(traction[1]) > 0.0 {
+                let tail = grid.position(ix, iy).map(|x| x / a);
+                arrows.push(arrow(tail, traction.map(|q| q * length)));
+            }
+        }
+    }
+    chart.draw_series(arrows)?;
+    Ok(())
+}
+
+/// From a tail by a vector, with a head in proportion.
+fn arrow([x, y]: [f64; 2], [u, v]: [f64; 2]) -> PathElement<(f64, f64)> {
+    let at = |along: f64, across: f64| (x + along * u - across * v, y + along * v + across * u);
+    let line = [
+        at(0.0, 0.0),
+        at(1.0, 0.0),
+        at(0.7, 0.15),
+        at(0.7, -0.15),
+        at(1.0, 0.0),
+    ];
+    PathElement::new(line, support::ORANGE.stroke_width(3))
+}
+
+fn draw_energy(area: &Area<'_>, loops: &[Loop]) -> std::result::Result<(), Box<dyn Error>> {
+    let mut chart = support::axes(
+        area,
+        (0.0..1.0, "aspect"),
+        (0.0..6.0, "over that of the line"),
+    )?;
+    let relative = |column: usize| -> Vec<(f64, f64)> {
+        let of_line = loops[0].row()[column];
+        let rows = loops.iter().map(Loop::row);
+        rows.map(|row| (row[0], row[column] / of_line)).collect()
+    };
+    for (name, column, colour, is_full) in [
+        ("energy of a cycle", 1, support::BLUE, true),
+        ("  extrapolated", 2, support::BLUE, false),
+        ("longest path slipped", 4, support::ORANGE, true),
+    ] {
+        support::curve(&mut chart, name, (colour, is_full), &relative(column))?;
+    }
+    support::legend(&mut chart, SeriesLabelPosition::UpperLeft)
+}

@@ -1,0 +1,374 @@
+//! What the steps of a cycle add up to.
+
+use std::ops::Range;
+
+use crate::error::Result;
+#[cfg(feature = "serde")]
+use crate::error::positive;
+use crate::field::Field;
+use crate::history::hysteresis::{LoopPoint, half_range, total_energy};
+use crate::history::{EnergyBalance, History};
+use crate::parallel::{self, Blocks, CHUNK, blocks};
+#[cfg(feature = "serde")]
+use crate::serial::checked;
+
+/// The sliding regime of a cycle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Regime {
+    /// No cell slipped.
+    FullStick,
+    /// Some cells slipped, but some stuck at the end of each step.
+    PartialSlip,
+    /// The whole contact was at its friction limit at the end of a step.
+    GrossSlip,
+}
+
+/// Slip, energy and the loop of force and shift, added up over the steps of a cycle.
+///
+/// It begins where the history is, and [takes](Self::add) each step after it was done; a
+/// [`FrettingLoop`](crate::history::FrettingLoop) does so by itself. It holds nine numbers per cell, and
+/// allocates nothing in a cycle of no more steps than one before.
+///
+/// ```
+/// use stickslip::history::{Cycle, LoadPath, Regime};
+/// use stickslip::*;
+/// let grid = Grid::square(48, 0.30e-3)?;
+/// let steel = Material::new(213e9, 0.29)?;
+/// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
+/// let ball = surface::sphere(grid, 3.5e-3)?;
+/// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.5)?).build()?;
+/// history.step(&LoadStep::hold().normal(NormalStep::Force(100.0)))?;
+///
+/// let path = LoadPath::sine([40.0, 0.0], 16)?;
+/// let mut cycle = Cycle::new(&history);
+/// for _ in 0..2 {
+///     cycle.begin(&history)?;
+///     for &force in path.steps() {
+///         history.step(&LoadStep::force(force))?;
+///         cycle.add(&history)?;
+///     }
+/// }
+/// assert_eq!(cycle.regime(), Regime::PartialSlip);
+/// assert!((cycle.force_amplitude()[0] / 40.0 - 1.0).abs() < 1e-12);
+/// // The second cycle ends as it began, and all its work is dissipated.
+/// assert!(cycle.closure() < 1e-6);
+/// let energy = cycle.energy();
+/// assert!((energy.work / energy.dissipated_mid_step - 1.0).abs() < 1e-6);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Cycle {
+    slip_length: Field,
+    slip_pressure: Field,
+    dissipation: Field,
+    slip_amplitude: [Field; 2],
+    /// The least slip since the start of the history, which the amplitude rises from.
+    least_slip: [Field; 2],
+    first_traction: [Field; 2],
+    /// The largest magnitude of a traction in the cycle.
+    largest_traction: f64,
+    /// The largest magnitude of what a traction has changed since the beginning.
+    traction_change: f64,
+    energy: EnergyBalance,
+    points: Vec<LoopPoint>,
+    stick_ratios: [f64; 2],
+    slides: bool,
+}
+
+/// What is read, before it is checked.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(remote = "Cycle")]
+struct Unchecked {
+    slip_length: Field,
+    slip_pressure: Field,
+    dissipation: Field,
+    slip_amplitude: [Field; 2],
+    least_slip: [Field; 2],
+    first_traction: [Field; 2],
+    largest_traction: f64,
+    traction_change: f64,
+    energy: EnergyBalance,
+    points: Vec<LoopPoint>,
+    stick_ratios: [f64; 2],
+    slides: bool,
+}
+
+#[cfg(feature = "serde")]
+impl<'de> serde::Deserialize<'de> for Cycle {
+    fn deserialize<D: serde::Deserializer<'de>>(
+        deserializer: D,
+    ) -> std::result::Result<Self, D::Error> {
+        checked(Unchecked::deserialize(deserializer)?, |read| {
+            let grid = read.slip_length.grid();
+            let sums = [&read.slip_length, &read.slip_pressure, &read.dissipation];
+            let vectors = [&read.slip_amplitude, &read.least_slip, &read.first_traction];
+            for field in sums.into_iter().chain(vectors.into_iter().flatten()) {
+                field.check("field of the cycle", grid)?;
+            }
+            positive("points of the cycle", read.points.len() as f64)?;
+            Ok(())
+        })
+    }
+}
+
+impl Cycle {
+    /// No steps yet, from where the history is.
+    #[must_use]
+    pub fn new(history: &History) -> Self {
+        let zeros = || Field::zeros(history.grid());
+        let mut cycle = Self {
+            slip_length: zeros(),
+            slip_pressure: zeros(),
+            dissipation: zeros(),
+            slip_amplitude: [zeros(), zeros()],
+            least_slip: [zeros(), zeros()],
+            first_traction: [zeros(), zeros()],
+            largest_traction: 0.0,
+            traction_change: 0.0,
+            energy: EnergyBalance::default(),
+            points: Vec::new(),
+            stick_ratios: [1.0, 0.0],
+            slides: false,
+        };
+        cycle.restart(history);
+        cycle
+    }
+
+    /// Forgets all steps and begins anew where the history is.
+    ///
+    /// # Errors
+    /// [`Error::GridMismatch`](crate::Error::GridMismatch); the cycle is then as it was.
+    pub fn begin(&mut self, history: &History) -> Result<()> {
+        self.check(history)?;
+        self.restart(history);
+        Ok(())
+    }
+
+    fn restart(&mut self, history: &History) {
+        let sums = [
+            &mut self.slip_length,
+            &mut self.slip_pressure,
+            &mut self.dissipation,
+        ];
+        for sum in sums.into_iter().chain(&mut self.slip_amplitude) {
+            sum.as_mut_slice().fill(0.0);
+        }
+        let slips = self.least_slip.iter_mut().zip(history.slip());
+        let tractions = self.first_traction.iter_mut().zip(history.traction());
+        for (first, of_history) in slips.chain(tractions) {
+            first.as_mut_slice().copy_from_slice(of_history.as_slice());
+        }
+        (self.largest_traction, self.traction_change) = (0.0, 0.0);
+        self.energy = EnergyBalance::default();
+        self.points.clear();
+        self.points.push(LoopPoint::of(history));
+        (self.stick_ratios, self.slides) = ([1.0, 0.0], false);
+    }
+
+    /// Adds the last step of the history: to be called once after each.
+    ///
+    /// # Errors
+    /// [`Error::GridMismatch`](crate::Error::GridMismatch); the cycle is then as it was.
+    pub fn add(&mut self, history: &History) -> Result<()> {
+        self.check(history)?;
+        let step = history.last_step();
+        self.slip_length.add_scaled(1.0, step.slip_length())?;
+        self.dissipation.add_scaled(1.0, step.dissipation())?;
+        self.average_pressure(history);
+        for (axis, slip) in history.slip().into_iter().enumerate() {
+            widen(
+                &mut self.least_slip[axis],
+                &mut self.slip_amplitude[axis],
+                slip,
+            );
+        }
+        self.compare_traction(history);
+        if self.steps() == 0 {
+            self.energy = *step.energy();
+        } else {
+            self.energy.extend(step.energy());
+        }
+        let (ratio, [least, largest]) = (step.stick_ratio(), self.stick_ratios);
+        self.stick_ratios = [least.min(ratio), largest.max(ratio)];
+        self.slides |= step.is_gross_sliding();
+        self.points.push(LoopPoint::of(history));
+        Ok(())
+    }
+
+    fn check(&self, history: &History) -> Result<()> {
+        let grid = self.slip_length.grid();
+        grid.expect("history of the cycle", history.grid())
+    }
+
+    /// Takes the step into the mean of the pressure, which weighs by the length of slip.
+    fn average_pressure(&mut self, history: &History) {
+        let [pressure, slip, path] = [
+            history.pressure(),
+            history.last_step().slip_length(),
+            &self.slip_length,
+        ]
+        .map(Field::as_slice);
+        parallel::update(self.slip_pressure.as_mut_slice(), |first, chunk| {
+            for (i, mean) in (first..).zip(chunk) {
+                if slip[i] > 0.0 {
+                    *mean += slip[i] / path[i] * (pressure[i] - *mean);
+                }
+            }
+        });
+    }
+
+    /// Sees how far the tractions are from those at the beginning.
+    fn compare_traction(&mut self, history: &History) {
+        let [x, y] = history.traction().map(Field::as_slice);
+        let [first_x, first_y] = self.first_traction.each_ref().map(Field::as_slice);
+        let squares = |i: usize| {
+            let change = [x[i] - first_x[i], y[i] - first_y[i]];
+            [
+                x[i] * x[i] + y[i] * y[i],
+                change[0] * change[0] + change[1] * change[1],
+            ]
+        };
+        let larger = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].max(b[1])];
+        let leaf = |range: Range<usize>| range.map(squares).fold([0.0; 2], larger);
+        let [traction, change] = parallel::fold(x.len(), leaf, larger).map(f64::sqrt);
+        self.traction_change = change;
+        self.largest_traction = self.largest_traction.max(traction);
+    }
+
+    /// Steps added.
+    #[must_use]
+    pub fn steps(&self) -> usize {
+        self.points.len() - 1
+    }
+
+    /// Length of the path that each cell slipped in the cycle (lengths, non-negative).
+    #[must_use]
+    pub fn slip_length(&self) -> &Field {
+        &self.slip_length
+    }
+
+    /// Pressure that each cell slipped under, the mean over the length of its path
+    /// $`\sum p\,|s| / \sum |s|`$; zero where nothing slipped.
+    ///
+    /// [`wear::archard`](crate::history::wear::archard) of this and of [`slip_length`](Self::slip_length) is
+    /// the sum over the steps, whatever the pressure did.
+    #[must_use]
+    pub fn slip_pressure(&self) -> &Field {
+        &self.slip_pressure
+    }
+
+    /// Slip amplitude: half the range of each component of the slip of each cell (lengths, non-negative).
+    #[must_use]
+    pub fn slip_amplitude(&self) -> [&Field; 2] {
+        self.slip_amplitude.each_ref()
+    }
+
+    /// Energy that each cell dissipated in the cycle, by its traction at the end of each step (energies).
+    #[must_use]
+    pub fn dissipation(&self) -> &Field {
+        &self.dissipation
+    }
+
+    /// Work, elastic energy and dissipation of the cycle.
+    #[must_use]
+    pub fn energy(&self) -> &EnergyBalance {
+        &self.energy
+    }
+
+    /// The loop of force and shift: the beginning, and the end of each step.
+    #[must_use]
+    pub fn points(&self) -> &[LoopPoint] {
+        &self.points
+    }
+
+    /// Half the range of each component of the force.
+    #[must_use]
+    pub fn force_amplitude(&self) -> [f64; 2] {
+        [0, 1].map(|axis| half_range(&self.points, |point| point.force[axis]))
+    }
+
+    /// Half the range of each component of the shift (lengths).
+    #[must_use]
+    pub fn shift_amplitude(&self) -> [f64; 2] {
+        [0, 1].map(|axis| half_range(&self.points, |point| point.shift[axis]))
+    }
+
+    /// The least and the largest stick ratio at the end of a step; one and zero before the first.
+    #[must_use]
+    pub fn stick_ratios(&self) -> [f64; 2] {
+        self.stick_ratios
+    }
+
+    /// Whether the contact stuck, slipped in part, or slid.
+    #[must_use]
+    pub fn regime(&self) -> Regime {
+        if self.slides {
+            Regime::GrossSlip
+        } else if self.slip_length.max() > 0.0 {
+            Regime::PartialSlip
+        } else {
+            Regime::FullStick
+        }
+    }
+
+    /// Energy ratio $`E_d / (4\,Q^*\delta^*)`$ of the energy dissipated, by tractions at the end of each step,
+    /// to that of a rectangle around the loop; zero of an empty loop.
+    ///
+    /// $`Q^*`$ is half the longest chord of the path of force in the plane, and $`\delta^*`$ half the range
+    /// of the shift along it; where body 2 turns, the product of the half ranges of moment and twist comes to
+    /// theirs. On a sphere pressed by a constant force the ratio grows to 1/5 at the limit of sliding
+    /// (Mindlin & Deresiewicz), and by sliding to one: Fouvry, Kapsa & Vincent, Wear 185 (1995) 35,
+    /// <https://doi.org/10.1016/0043-1648(94)06582-9>, take 1/5 for the transition from partial to gross
+    /// slip. Loops round an ellipse may exceed one.
+    #[must_use]
+    pub fn energy_ratio(&self) -> f64 {
+        part_of(self.energy.dissipated, total_energy(&self.points))
+    }
+
+    /// How far the cycle is from closing: the largest change of a traction from beginning to end over the
+    /// largest traction in between, or that of the shift over its half range, whichever is more.
+    ///
+    /// A cycle that closes repeats itself under the same loads.
+    #[must_use]
+    pub fn closure(&self) -> f64 {
+        let (first, last) = (self.points[0], self.points[self.steps()]);
+        let moved = (last.shift[0] - first.shift[0]).hypot(last.shift[1] - first.shift[1]);
+        let [x, y] = self.shift_amplitude();
+        let of_shift = part_of(moved, x.hypot(y));
+        of_shift.max(part_of(self.traction_change, self.largest_traction))
+    }
+
+    /// Room for the points of a cycle of so many steps.
+    pub(super) fn reserve(&mut self, steps: usize) {
+        self.points.reserve(steps);
+    }
+}
+
+/// Takes a slip into the range that reaches from the least by twice the amplitude.
+fn widen(least: &mut Field, amplitude: &mut Field, slip: &Field) {
+    let slip = slip.as_slice();
+    let work = |task: usize, (least, amplitude): (Blocks<'_, f64>, Blocks<'_, f64>)| {
+        let ranges = least.items.iter_mut().zip(amplitude.items);
+        for (slip, (least, amplitude)) in slip[task * CHUNK..].iter().zip(ranges) {
+            if slip < least {
+                *amplitude += 0.5 * (*least - slip);
+                *least = *slip;
+            } else {
+                *amplitude = amplitude.max(0.5 * (slip - *least));
+            }
+        }
+    };
+    let data = (
+        blocks(least.as_mut_slice()),
+        blocks(amplitude.as_mut_slice()),
+    );
+    parallel::sweep(0..slip.len().div_ceil(CHUNK), data, &work, &|(), ()| ());
+}
+
+/// A part over the whole; zero of nothing.
+fn part_of(part: f64, whole: f64) -> f64 {
+    if part > 0.0 { part / whole } else { 0.0 }
+}

@@ -1,0 +1,68 @@
+//! The loop that force and shift describe in a cycle.
+
+use crate::history::History;
+
+/// A point of the loop of force and shift: the beginning of a cycle, or the end of a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub struct LoopPoint {
+    /// Tangential force that body 2 exerts on body 1.
+    pub force: [f64; 2],
+    /// Shift of body 2 relative to body 1 since the start of the history (lengths).
+    pub shift: [f64; 2],
+    /// Moment about z, at the origin of the grid, that the tractions of body 2 exert on body 1.
+    pub moment: f64,
+    /// Rotation of body 2 relative to body 1 since the start of the history (radians).
+    pub twist: f64,
+}
+
+impl LoopPoint {
+    /// Where the history is.
+    pub(super) fn of(history: &History) -> Self {
+        Self {
+            force: history.force(),
+            shift: history.shift(),
+            moment: history.moment(),
+            twist: history.twist(),
+        }
+    }
+}
+
+/// Half of what lies between the least and the largest value over the loop.
+pub(super) fn half_range(points: &[LoopPoint], value: impl Fn(&LoopPoint) -> f64) -> f64 {
+    let values = points.iter().map(value);
+    let ends = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+        [low.min(value), high.max(value)]
+    });
+    0.5 * (ends[1] - ends[0])
+}
+
+/// $`4 (Q^* \delta^* + M^* \varphi^*)`$: what the loop would dissipate if it filled the rectangles around it.
+///
+/// Force and shift are taken along the longest chord of the path of force.
+pub(super) fn total_energy(points: &[LoopPoint]) -> f64 {
+    let chord = longest_chord(points);
+    let length = chord[0].hypot(chord[1]);
+    let along = chord.map(|component| component / length.max(f64::MIN_POSITIVE));
+    let shift = half_range(points, |point| {
+        along[0] * point.shift[0] + along[1] * point.shift[1]
+    });
+    let moment = half_range(points, |point| point.moment);
+    let twist = half_range(points, |point| point.twist);
+    4.0 * (0.5 * length * shift + moment * twist)
+}
+
+/// From one point of the path of force to that farthest from it, of all pairs.
+fn longest_chord(points: &[LoopPoint]) -> [f64; 2] {
+    let mut longest = [0.0_f64; 2];
+    for (later, to) in points.iter().enumerate() {
+        for from in &points[..later] {
+            let chord = [0, 1].map(|axis| to.force[axis] - from.force[axis]);
+            if chord[0].hypot(chord[1]) > longest[0].hypot(longest[1]) {
+                longest = chord;
+            }
+        }
+    }
+    longest
+}

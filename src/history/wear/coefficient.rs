@@ -1,0 +1,66 @@
+//! A wear coefficient, uniform or per cell.
+
+use crate::error::{Result, non_negative};
+use crate::field::Field;
+use crate::grid::Grid;
+use crate::history::wear::check;
+
+/// A wear coefficient: one for all cells, or one per cell. The laws take a number or a field for it.
+///
+/// ```
+/// use stickslip::history::wear;
+/// use stickslip::{Field, Grid};
+/// let grid = Grid::square(16, 1.0)?;
+/// // Only the half at positive x wears.
+/// let soft = Field::from_fn(grid, |x, _| if x > 0.0 { 0.2 } else { 0.0 });
+/// let (energy, mut depth) = (Field::constant(grid, 5.0), Field::zeros(grid));
+/// wear::dissipated_energy(&soft, &energy, &mut depth)?;
+/// assert!((depth.integral() - 0.2 * 5.0 * 128.0).abs() < 1e-12);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Coefficient<'a> {
+    /// One for all cells.
+    Uniform(f64),
+    /// One per cell.
+    PerCell(&'a Field),
+}
+
+impl From<f64> for Coefficient<'_> {
+    fn from(coefficient: f64) -> Self {
+        Self::Uniform(coefficient)
+    }
+}
+
+impl<'a> From<&'a Field> for Coefficient<'a> {
+    fn from(coefficients: &'a Field) -> Self {
+        Self::PerCell(coefficients)
+    }
+}
+
+impl Coefficient<'_> {
+    /// `Ok` if it is non-negative and finite in the cells of the grid.
+    pub(super) fn check(self, grid: Grid) -> Result<()> {
+        let quantity = "wear coefficient";
+        match self {
+            Self::Uniform(coefficient) => non_negative(quantity, coefficient).map(|_| ()),
+            Self::PerCell(field) => check(quantity, field, grid),
+        }
+    }
+
+    /// The largest of all cells.
+    pub(super) fn largest(self) -> f64 {
+        match self {
+            Self::Uniform(coefficient) => coefficient,
+            Self::PerCell(field) => field.max(),
+        }
+    }
+
+    /// That of a cell.
+    pub(super) fn at(self, index: usize) -> f64 {
+        match self {
+            Self::Uniform(coefficient) => coefficient,
+            Self::PerCell(field) => field.as_slice()[index],
+        }
+    }
+}

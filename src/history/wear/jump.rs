@@ -1,0 +1,174 @@
+//! How many cycles may be jumped.
+
+use crate::error::{Result, non_negative};
+use crate::field::Field;
+use crate::half_space::HalfSpace;
+use crate::history::Cycle;
+use crate::history::wear::{Coefficient, check};
+use crate::influence::Component;
+use crate::operator::Operator;
+use crate::parallel;
+
+/// Cycles whose wear may be taken off at once without the pressure swinging up: explicit wear by Archard's
+/// law is stable below (infinite where nothing slips).
+///
+/// Taking off $`N k s\,p`$ changes a pattern of pressure of compliance $`\lambda`$, an eigenvalue of
+/// $`C_{zz}`$, by the factor $`1 - N k s / \lambda`$. All patterns decay if
+///
+/// ```math
+/// N\,k\,s < 2\,\lambda_{min} \qquad (= 1.16\,h/E^* \text{ on square cells of side } h),
+/// ```
+///
+/// and none changes sign below half of that, where a [`CycleJump`] stays. `coefficient` is the sum of both
+/// bodies, `slip_length` that of one cycle. Of the energy law, pass the coefficient times that of friction.
+///
+/// # Errors
+/// [`Error::Negative`](crate::Error::Negative) for the coefficient,
+/// [`Error::GridMismatch`](crate::Error::GridMismatch) or [`Error::Sample`](crate::Error::Sample) for
+/// coefficients and slip length; as [`HalfSpace::operator`].
+///
+/// ```
+/// use stickslip::history::wear;
+/// use stickslip::{ElasticPair, Field, Grid, HalfSpace, Material};
+/// // E* = 115 GPa, cells of a micrometre, k = 1e-14 1/Pa and 40 um of slip a cycle.
+/// let grid = Grid::square(64, 64e-6)?;
+/// let pair = ElasticPair::new(Material::new(115e9, 0.0)?, Material::rigid())?;
+/// let bodies = HalfSpace::new(grid, pair)?;
+/// let cycles = wear::stable_cycles(&bodies, 1e-14, &Field::constant(grid, 40e-6))?;
+/// assert!((cycles - 25.2).abs() < 0.1);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+pub fn stable_cycles<'a>(
+    bodies: &HalfSpace,
+    coefficient: impl Into<Coefficient<'a>>,
+    slip_length: &Field,
+) -> Result<f64> {
+    let coefficient = coefficient.into();
+    coefficient.check(bodies.grid())?;
+    check("slip length", slip_length, bodies.grid())?;
+    let slip = slip_length.as_slice();
+    let rate = largest(slip_length, |i| coefficient.at(i) * slip[i]);
+    Ok(2.0 * cycles_without_overshoot(bodies, rate)?)
+}
+
+/// How many cycles to jump over: as many as a cycle's wear may be taken off at once, without the pressure
+/// swinging.
+///
+/// The depth $`h`$ that a cycle removes, by any law that is proportional to the pressure $`p`$ it slipped
+/// under, changes with it by $`h/p`$, and $`N h / p < \lambda_{min}`$ in every cell lets no pattern of
+/// pressure change sign: half of what is [stable](stable_cycles). The shape of the contact and the cycles
+/// left set other limits.
+///
+/// ```
+/// use stickslip::history::wear::{self, CycleJump};
+/// use stickslip::history::{Cycle, FrettingLoop, LoadPath};
+/// use stickslip::*;
+/// let grid = Grid::square(32, 8.0)?;
+/// let rubber = Material::new(1.0, 0.5)?;
+/// let bodies = HalfSpace::new(grid, ElasticPair::new(rubber, Material::rigid())?)?;
+/// let mut gap = surface::sphere(grid, 10.0)?;
+/// let mut history = History::builder(&bodies, &gap, Friction::coulomb(0.3)?).build()?;
+/// let fretting = FrettingLoop::new(LoadPath::triangle([0.1, 0.0], 4)?, |shift| {
+///     LoadStep::shift(shift).normal(NormalStep::Force(0.5))
+/// });
+///
+/// let (mut cycle, mut done) = (Cycle::new(&history), 0.0);
+/// while done < 1000.0 {
+///     fretting.cycle(&mut history, &mut cycle)?;
+///     let mut depth = Field::zeros(grid);
+///     wear::dissipated_energy(1e-2, cycle.dissipation(), &mut depth)?;
+///     let jump = CycleJump::new(&bodies, &cycle, &depth)?
+///         .largest_depth(0.05 * history.approach())
+///         .cycles_left(1000.0 - done)
+///         .cycles()?;
+///     gap.add_scaled(jump, &depth)?;
+///     history.set_gap(&gap)?;
+///     done += jump;
+/// }
+/// assert_eq!(done, 1000.0);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use = "a jump is a number only by cycles()"]
+pub struct CycleJump {
+    without_overshoot: f64,
+    depth_per_cycle: f64,
+    largest_depth: Option<f64>,
+    cycles_left: Option<f64>,
+}
+
+impl CycleJump {
+    /// A jump over cycles like this one, which removed this depth (lengths), of both bodies together.
+    ///
+    /// # Errors
+    /// [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::Sample`](crate::Error::Sample) for a
+    /// depth that is negative or not finite; as [`HalfSpace::operator`].
+    pub fn new(bodies: &HalfSpace, cycle: &Cycle, depth: &Field) -> Result<Self> {
+        check(
+            "pressure of the cycle",
+            cycle.slip_pressure(),
+            bodies.grid(),
+        )?;
+        check("depth of the cycle", depth, bodies.grid())?;
+        let (pressure, removed) = (cycle.slip_pressure().as_slice(), depth.as_slice());
+        let rate = largest(depth, |i| {
+            if pressure[i] > 0.0 {
+                removed[i] / pressure[i]
+            } else {
+                0.0
+            }
+        });
+        Ok(Self {
+            without_overshoot: cycles_without_overshoot(bodies, rate)?,
+            depth_per_cycle: depth.max(),
+            largest_depth: None,
+            cycles_left: None,
+        })
+    }
+
+    /// With no more than this depth worn off at once (a length; default: without limit). A hundredth of the
+    /// approach keeps a ball's shape.
+    pub fn largest_depth(mut self, depth: f64) -> Self {
+        self.largest_depth = Some(depth);
+        self
+    }
+
+    /// With no more than the cycles left to simulate (default: without limit).
+    pub fn cycles_left(mut self, cycles: f64) -> Self {
+        self.cycles_left = Some(cycles);
+        self
+    }
+
+    /// The number of cycles, not rounded: the least of what the limits allow, infinite where there is none.
+    ///
+    /// # Errors
+    /// [`Error::Negative`](crate::Error::Negative) for a limit that is negative or not finite.
+    pub fn cycles(&self) -> Result<f64> {
+        let mut cycles = self.without_overshoot;
+        if let Some(depth) = self.largest_depth {
+            let depth = non_negative("largest depth", depth)?;
+            if self.depth_per_cycle > 0.0 {
+                cycles = cycles.min(depth / self.depth_per_cycle);
+            }
+        }
+        if let Some(left) = self.cycles_left {
+            cycles = cycles.min(non_negative("number of cycles left", left)?);
+        }
+        Ok(cycles)
+    }
+}
+
+/// $`\lambda_{min}`$ over the depth per pressure that a cycle removes at most.
+fn cycles_without_overshoot(bodies: &HalfSpace, rate: f64) -> Result<f64> {
+    let least_compliance = bodies.operator(Component::ZZ)?.lower_bound();
+    Ok(if rate > 0.0 {
+        least_compliance / rate
+    } else {
+        f64::INFINITY
+    })
+}
+
+fn largest(field: &Field, of: impl Fn(usize) -> f64 + Sync) -> f64 {
+    let cells = field.as_slice().len();
+    parallel::fold(cells, |range| range.map(&of).fold(0.0, f64::max), f64::max)
+}

@@ -1,0 +1,50 @@
+//! Depth removed by wear, and how many cycles may be jumped.
+//!
+//! The laws add to a field of the caller, so that they serve a body's own depth, the depth of a cycle, and
+//! the gap itself: removal from either body opens it. Their [`Coefficient`] is a number or a field. A
+//! law of one's own needs no more than slip, pressure or energy of a [step](crate::history::Step) or a
+//! [cycle](crate::history::Cycle). [`CycleJump`] tells how many cycles may be worn off at once.
+//!
+//! Here the gap is worn after every step:
+//!
+//! ```
+//! use std::ops::ControlFlow;
+//! use stickslip::history::{FrettingLoop, LoadPath, wear};
+//! use stickslip::*;
+//! let grid = Grid::square(32, 8.0)?;
+//! let rubber = Material::new(1.0, 0.5)?;
+//! let bodies = HalfSpace::new(grid, ElasticPair::new(rubber, Material::rigid())?)?;
+//! let mut gap = surface::sphere(grid, 10.0)?;
+//! let mut history = History::builder(&bodies, &gap, Friction::coulomb(0.3)?).build()?;
+//! history.step(&LoadStep::hold().normal(NormalStep::Force(0.5)))?;
+//! let before = history.pressure().max();
+//!
+//! let path = LoadPath::sine([0.4, 0.0], 8)?;
+//! let fretting = FrettingLoop::new(path, |shift| LoadStep::shift(shift).normal(NormalStep::Force(0.5)));
+//! fretting.run_observed(&mut history, 2, |history, _| {
+//!     let slip = history.last_step().slip_length();
+//!     wear::archard(1e-2, history.pressure(), slip, &mut gap)?;
+//!     history.set_gap(&gap)?;
+//!     Ok(ControlFlow::Continue(()))
+//! })?;
+//! assert!(history.pressure().max() < before);
+//! # Ok::<(), Error>(())
+//! ```
+
+mod coefficient;
+mod jump;
+mod law;
+
+pub use coefficient::Coefficient;
+pub use jump::{CycleJump, stable_cycles};
+pub use law::{archard, dissipated_energy, threshold_energy};
+
+use crate::error::{Result, all_non_negative};
+use crate::field::Field;
+use crate::grid::Grid;
+
+/// `Ok` if the field lives on the grid, and no sample is negative or not finite.
+fn check(quantity: &'static str, field: &Field, grid: Grid) -> Result<()> {
+    grid.expect(quantity, field.grid())?;
+    all_non_negative(quantity, field.as_slice())
+}
