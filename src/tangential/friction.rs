@@ -38,7 +38,7 @@ struct Unchecked {
 
 #[cfg(feature = "serde")]
 impl TryFrom<Unchecked> for Friction {
-    type Error = Error;
+    type Error = crate::error::Error;
 
     fn try_from(read: Unchecked) -> Result<Self> {
         let friction = match read.coefficient {
