@@ -6,8 +6,7 @@ use std::fmt;
 
 pub(crate) use check::{
     all_finite, all_non_negative, at_least, finite, length, memory, non_negative, not_converged,
-    positive,
-    samples_obey,
+    positive, samples_obey,
 };
 
 use crate::report::Report;

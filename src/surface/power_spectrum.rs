@@ -5,9 +5,9 @@ use std::f64::consts::TAU;
 
 use super::fourier::Waves;
 use super::heights::{about_mean, complete};
-use crate::error::{Result, all_finite};
 #[cfg(feature = "serde")]
 use crate::error::length;
+use crate::error::{Result, all_finite};
 use crate::field::Field;
 use crate::grid::Grid;
 #[cfg(feature = "serde")]
