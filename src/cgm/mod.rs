@@ -247,7 +247,7 @@ impl<C: Operator, P: Operator> Workspace<C, P> {
             },
             free_set: FreeSet::with_capacity(len),
             state: vec![State::Fixed; len],
-            report: Report::unsolved(),
+            report: Report::with_room(),
             multiplier: 0.0,
         }
     }

@@ -40,7 +40,7 @@ impl Shear {
             patch: None,
             wider: None,
             motion: Motion::default(),
-            report: Report::unsolved(),
+            report: Report::with_room(),
         }
     }
 

@@ -107,7 +107,7 @@ impl NormalSolver {
             engine: None,
             pressure: vec![0.0; cells],
             linear: vec![0.0; cells],
-            report: Report::unsolved(),
+            report: Report::with_room(),
         })
     }
 

@@ -58,7 +58,7 @@ impl TangentialSolver {
         Ok(Self {
             shear: Shear::new(&problem)?,
             is_warm: false,
-            report: Report::unsolved(),
+            report: Report::with_room(),
             spare: problem.limits.clone(),
             spare_pressure: problem.pressure.clone(),
             problem,

@@ -99,7 +99,7 @@ impl<C: Operator, P: Operator> Workspace<C, P> {
                 spread: vec![[[0.0; 2]; 2]; len / 2],
             },
             loaded: FreeSet::with_capacity(len / 2),
-            report: Report::unsolved(),
+            report: Report::with_room(),
             multiplier: [0.0; 2],
         }
     }
