@@ -245,7 +245,7 @@ fn a_solver_at_rest_keeps_its_axis() {
     let mut shear = solver.new_solution();
     solver.solve_into(&mut shear).unwrap();
     solver.set_load(along_y(0.0)).unwrap();
-    solver.set_normal(&heavy).unwrap();
+    solver.set_pressure(&heavy).unwrap();
     solver.solve_into(&mut shear).unwrap();
     assert_eq!(shear.axis(), Some(Axis::Y));
     assert!(shear.zones().iter().all(|zone| *zone != Zone::Slip));
