@@ -1,6 +1,6 @@
 //! Samples on a grid.
 
-use crate::error::{Error, Result, all_finite, finite, length};
+use crate::error::{Result, all_finite, finite, length};
 use crate::grid::Grid;
 use crate::parallel;
 
@@ -43,7 +43,7 @@ struct Unchecked {
 
 #[cfg(feature = "serde")]
 impl TryFrom<Unchecked> for Field {
-    type Error = Error;
+    type Error = crate::error::Error;
 
     fn try_from(read: Unchecked) -> Result<Self> {
         Self::from_vec(read.grid, read.samples)
@@ -90,7 +90,7 @@ impl Field {
     /// Samples in row-major order, x fastest.
     ///
     /// # Errors
-    /// [`Error::Length`] if there are not `nx * ny` samples.
+    /// [`Error::Length`](crate::Error::Length) if there are not `nx * ny` samples.
     pub fn from_vec(grid: Grid, samples: Vec<f64>) -> Result<Self> {
         length("field", grid.cells(), samples.len())?;
         Ok(Self { grid, samples })
@@ -142,7 +142,8 @@ impl Field {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for the factor, [`Error::GridMismatch`]; the field is then as it was.
+    /// [`Error::NotFinite`](crate::Error::NotFinite) for the factor,
+    /// [`Error::GridMismatch`](crate::Error::GridMismatch); the field is then as it was.
     pub fn add_scaled(&mut self, factor: f64, other: &Self) -> Result<()> {
         finite("factor", factor)?;
         self.grid.expect("field to be added", other.grid)?;
