@@ -368,12 +368,6 @@ fn a_failed_step_leaves_every_bit() {
     let (mut history, mut twin) = (ball(0.3, 1e-8), ball(0.3, 1e-8));
     run(&mut history, 2);
     run(&mut twin, 2);
-    let spring = TangentialStep::Spring {
-        position: 0.1,
-        stiffness: 2.0,
-    };
-    let refused = history.step(&LoadStep::hold().tangential(Axis::Y, spring));
-    assert!(matches!(refused, Err(Error::NotModelled { value, .. }) if value == 2.0));
     assert!(history.step(&LoadStep::hold().twist(f64::NAN)).is_err());
     assert!(history.step(&forces([0.0, f64::NAN])).is_err());
     let wide = forces([30.0, 40.0]).normal(NormalStep::Force(20.0 * LOAD));

@@ -96,7 +96,7 @@ mod run;
 mod settings;
 mod watch;
 
-pub(crate) use certificate::examine;
+pub(crate) use certificate::{Certificate, examine};
 pub use constraint::{Constraint, Interval, Magnitude, NonNegative};
 pub(crate) use settings::settings_methods;
 pub use settings::{Method, Settings};

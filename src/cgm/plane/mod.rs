@@ -36,6 +36,7 @@ use crate::parallel;
 use crate::report::{Iteration, Report, Status};
 
 use cell::Cell;
+pub(crate) use certificate::examine;
 pub(crate) use disc::{Disc, norm, update_cells};
 use run::Run;
 
