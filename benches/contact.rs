@@ -108,7 +108,7 @@ fn fretting_step(criterion: &mut Criterion) {
                 step += 1;
                 press.set_gap(&worn[step % worn.len()]).expect("gap");
                 press.solve_into(&mut pressed).expect("converged");
-                shear.set_normal(&pressed).expect("contact");
+                shear.set_pressure(&pressed).expect("contact");
                 let fraction = 0.2 * (0.3 * step as f64).sin();
                 let load = TangentialLoad::Force([fraction * force, 0.0]);
                 shear.set_load(load).expect("below sliding");

@@ -202,7 +202,7 @@ pub use normal::{NormalLoad, NormalProblem, NormalSolution, NormalSolver};
 pub use operator::{Identity, Operator};
 pub use report::{Iteration, Report, Status};
 pub use tangential::{
-    Axis, Friction, Lateral, TangentialLoad, TangentialProblem, TangentialSolution,
+    Axis, Friction, Lateral, Pressure, TangentialLoad, TangentialProblem, TangentialSolution,
     TangentialSolver, Zone,
 };
 

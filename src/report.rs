@@ -95,6 +95,9 @@ pub struct Report {
     pub history: Vec<Iteration>,
 }
 
+/// Outer steps of which few solves take more.
+const ENTRIES: usize = 64;
+
 impl Report {
     /// Before any solve.
     pub(crate) fn unsolved() -> Self {
@@ -108,6 +111,14 @@ impl Report {
             load_error: 0.0,
             time: Duration::ZERO,
             history: Vec::new(),
+        }
+    }
+
+    /// Before any solve, with room for what a solver commonly has to say: of one that solves again and again.
+    pub(crate) fn with_room() -> Self {
+        Self {
+            history: Vec::with_capacity(ENTRIES),
+            ..Self::unsolved()
         }
     }
 

@@ -8,6 +8,7 @@ use crate::cgm::{self, Constraint, Iteration, Problem, Settings, Workspace, plan
 use crate::error::{Error, Result};
 use crate::fft::{
     CirculantInverse, Convolution, ConvolutionWorkspace, PairConvolution, PairInverse,
+    PairWorkspace,
 };
 use crate::half_space::{Compliance, HalfSpace, PlaneCompliance};
 use crate::influence::Component;
@@ -108,9 +109,10 @@ impl<C: Operator<Workspace = ConvolutionWorkspace> + Clone> Stage<C> {
 
 /// The same with two unknowns a cell: all along x, then all along y.
 #[derive(Debug)]
-pub(crate) struct PlaneStage {
-    compliance: PlaneCompliance,
-    workspace: plane::Workspace<Arc<PairConvolution>, Arc<PairInverse>>,
+pub(crate) struct PlaneStage<C: Operator<Workspace = PairWorkspace> = Arc<PairConvolution>> {
+    pub(crate) operator: C,
+    inverse: Arc<PairInverse>,
+    workspace: plane::Workspace<C, Arc<PairInverse>>,
     /// The start of the next solve, and the answer of the last.
     pub(crate) q: Vec<f64>,
     pub(crate) linear: Vec<f64>,
@@ -118,19 +120,28 @@ pub(crate) struct PlaneStage {
 
 impl PlaneStage {
     pub(crate) fn new(bodies: &HalfSpace, size: [usize; 2]) -> Result<Self> {
-        let compliance = bodies.plane_compliance(size)?;
-        let workspace = plane::Workspace::new(&compliance.operator, &compliance.inverse);
+        Self::with(bodies, size, |operator| operator)
+    }
+}
+
+impl<C: Operator<Workspace = PairWorkspace> + Clone> PlaneStage<C> {
+    /// With what `wrap` makes of the operator.
+    pub(crate) fn with(
+        bodies: &HalfSpace,
+        size: [usize; 2],
+        wrap: impl FnOnce(Arc<PairConvolution>) -> C,
+    ) -> Result<Self> {
+        let PlaneCompliance { operator, inverse } = bodies.plane_compliance(size)?;
+        let operator = wrap(operator);
+        let workspace = plane::Workspace::new(&operator, &inverse);
         let len = 2 * size[0] * size[1];
         Ok(Self {
-            compliance,
+            operator,
+            inverse,
             workspace,
             q: vec![0.0; len],
             linear: vec![0.0; len],
         })
-    }
-
-    pub(crate) fn operator(&self) -> &PairConvolution {
-        &self.compliance.operator
     }
 
     /// Minimises from `q` into `q`; the rest is in the accessors, converged or not.
@@ -142,8 +153,8 @@ impl PlaneStage {
         observer: Observer<'_>,
     ) -> Result<()> {
         let problem = plane::Problem {
-            operator: Arc::clone(&self.compliance.operator),
-            preconditioner: Arc::clone(&self.compliance.inverse),
+            operator: self.operator.clone(),
+            preconditioner: Arc::clone(&self.inverse),
             linear: &self.linear,
             limits,
             totals,

@@ -16,8 +16,8 @@ use proptest::prelude::*;
 use stickslip::cgm::Method;
 use stickslip::tangential::JaegerSuperposition;
 use stickslip::{
-    Boundary, Error, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, TangentialLoad,
-    TangentialProblem, TangentialSolution, surface,
+    Boundary, Error, Field, Friction, Grid, HalfSpace, Lateral, NormalLoad, NormalProblem,
+    TangentialLoad, TangentialProblem, TangentialSolution, surface,
 };
 
 const METHODS: [Method; 2] = [Method::ActiveSet, Method::PolonskyKeer];
@@ -129,6 +129,33 @@ fn flat_bodies_share_the_load_evenly() {
             assert!(shear.is_gross_sliding());
             assert!((shear.force()[1] - 1.0_f64.copysign(shift)).abs() < 1e-12);
         }
+    }
+}
+
+/// A single cell that repeats is displaced by nothing, and carries what it is given.
+#[test]
+fn a_single_cell_carries_its_share() {
+    let grid = Grid::new(1, 1, 2.0, 3.0).unwrap();
+    let bodies = repeated(grid, 0.3);
+    let gap = Field::zeros(grid);
+    let normal = press(
+        &bodies,
+        &gap,
+        NormalLoad::Force(6.0),
+        1e-8,
+        Method::ActiveSet,
+    );
+    for lateral in [Lateral::Neglected, Lateral::Coupled] {
+        let load = TangentialLoad::Force([0.0, -0.5]);
+        let friction = Friction::coulomb(0.5).unwrap();
+        let shear = TangentialProblem::builder(&bodies, &normal, friction, load)
+            .lateral(lateral)
+            .build()
+            .unwrap()
+            .solve()
+            .unwrap();
+        assert!((shear.traction()[1].max() + 0.5 / 6.0).abs() < 1e-15);
+        assert_eq!(shear.stick_ratio(), 1.0);
     }
 }
 

@@ -59,7 +59,7 @@ fn check(gap: &Field, load: f64, lateral: Lateral) {
             press.set_load(NormalLoad::Force(part * load)).unwrap();
             press.set_gap(gap).unwrap();
             press.solve_into(&mut normal).unwrap();
-            shear.set_normal(&normal).unwrap();
+            shear.set_pressure(&normal).unwrap();
             shear.set_friction(friction).unwrap();
             shear
                 .set_load(TangentialLoad::Force([0.2 * part * load, 0.0]))

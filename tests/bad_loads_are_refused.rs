@@ -308,13 +308,13 @@ fn a_refused_pressure_changes_nothing() {
         let expected = problem.solve().unwrap();
         let mut solver = problem.into_solver().unwrap();
         let sliding = solver.sliding_force();
-        let refused = solver.set_normal(&pressed(&other)).unwrap_err();
+        let refused = solver.set_pressure(&pressed(&other)).unwrap_err();
         assert_eq!(
             refused,
             mismatch("normal solution", bodies.grid(), other.grid())
         );
-        assert_eq!(solver.set_normal(&light(0.0)), Err(Error::EmptyContact));
-        let refused = solver.set_normal(&light(0.3));
+        assert_eq!(solver.set_pressure(&light(0.0)), Err(Error::EmptyContact));
+        let refused = solver.set_pressure(&light(0.3));
         assert!(
             matches!(refused, Err(Error::BeyondSliding { .. })),
             "{refused:?}"
@@ -327,7 +327,7 @@ fn a_refused_pressure_changes_nothing() {
             .unwrap()
             .new_solution();
         assert!(matches!(
-            solver.set_normal(&unsolved),
+            solver.set_pressure(&unsolved),
             Err(Error::NotConverged(_))
         ));
         let superposed = JaegerSuperposition::new(&normal, &unsolved, bodies.pair(), 0.5);

@@ -6,11 +6,11 @@ mod common;
 use common::refusal::Rule::{Finite, NonNegative, Positive};
 use common::refusal::{assert_checked, extreme, mismatch};
 use common::unit_bodies;
-use stickslip::history::LoadPath;
 use stickslip::history::wear::{self, CycleJump};
+use stickslip::history::{Cycle, LoadPath};
 use stickslip::io::{csv, npy};
 use stickslip::surface::{self, PowerSpectrum, SelfAffine, Statistics};
-use stickslip::{Error, Field, Grid};
+use stickslip::{Error, Field, Friction, Grid, History};
 
 fn grid() -> Grid {
     Grid::new(12, 9, 0.5, 0.7).unwrap()
@@ -213,6 +213,12 @@ fn wear_laws_leave_the_depth_as_it_was() {
     assert_checked("dissipated energy", NonNegative, |e| {
         kept(&|d| wear::dissipated_energy(1.0, &with(e), d))
     });
+    assert_checked("threshold of dissipated energy", NonNegative, |e| {
+        kept(&|d| wear::threshold_energy(1.0, e, &ones, &ones, d))
+    });
+    assert_checked("accumulated energy", NonNegative, |e| {
+        kept(&|d| wear::threshold_energy(1.0, 0.5, &with(e), &ones, d))
+    });
     let greatest = kept(&|d| wear::archard(1e200, &with(1e200), &ones, d));
     assert!(matches!(greatest, Err(Error::NotFinite { .. })));
     let small = Grid::new(12, 9, 1e-160, 1e-140).unwrap();
@@ -231,57 +237,19 @@ fn wear_laws_leave_the_depth_as_it_was() {
 
 #[test]
 fn cycle_jumps() {
-    let jump = CycleJump {
-        stable_cycles: 25.0,
-        approach: 5e-6,
-        approach_fraction: 0.01,
-        depth_per_cycle: 4e-9,
-        cycles_left: 1000.0,
-    };
-    assert_checked("approach", NonNegative, |approach| {
-        CycleJump { approach, ..jump }.cycles()
+    let bodies = unit_bodies(grid(), 0.3);
+    let (gap, friction) = (Field::zeros(grid()), Friction::coulomb(0.5).unwrap());
+    let history = History::builder(&bodies, &gap, friction).build().unwrap();
+    let cycle = Cycle::new(&history);
+    let jump = CycleJump::new(&bodies, &cycle, &Field::constant(grid(), 4e-9)).unwrap();
+    assert_checked("largest depth", NonNegative, |depth| {
+        jump.largest_depth(depth).cycles_left(1000.0).cycles()
     });
-    assert_checked(
-        "fraction of the approach",
-        NonNegative,
-        |approach_fraction| {
-            CycleJump {
-                approach_fraction,
-                ..jump
-            }
-            .cycles()
-        },
-    );
-    assert_checked("depth per cycle", NonNegative, |depth_per_cycle| {
-        CycleJump {
-            depth_per_cycle,
-            ..jump
-        }
-        .cycles()
+    assert_checked("number of cycles left", NonNegative, |left| {
+        jump.cycles_left(left).cycles()
     });
-    assert_checked("number of cycles left", NonNegative, |cycles_left| {
-        CycleJump {
-            cycles_left,
-            ..jump
-        }
-        .cycles()
+    assert_checked("depth of the cycle", NonNegative, |depth| {
+        let jump = CycleJump::new(&bodies, &cycle, &Field::constant(grid(), depth))?;
+        jump.largest_depth(1.0).cycles_left(1000.0).cycles()
     });
-    for stable_cycles in [-1.0, f64::NAN, f64::NEG_INFINITY] {
-        assert!(
-            CycleJump {
-                stable_cycles,
-                ..jump
-            }
-            .cycles()
-            .is_err()
-        );
-    }
-    assert!(
-        CycleJump {
-            stable_cycles: f64::INFINITY,
-            ..jump
-        }
-        .cycles()
-        .is_ok()
-    );
 }

@@ -27,16 +27,15 @@ fn check(gap: &Field, load: f64, lateral: Lateral) {
     let friction = [0.4, 0.5].map(|mu| Friction::per_cell(Field::constant(grid, mu)).unwrap());
     let builder = History::builder(&bodies, gap, friction[0].clone()).tolerance(1e-6);
     let mut history = builder.lateral(lateral).build().unwrap();
+    let spring = TangentialStep::Spring {
+        position: 0.1,
+        stiffness: 0.2 * load,
+    };
+    let dragged = LoadStep::hold().tangential(Axis::X, spring);
     // What only one model has.
     let last = match lateral {
-        Lateral::Neglected => LoadStep::hold().tangential(
-            Axis::X,
-            TangentialStep::Spring {
-                position: 0.1,
-                stiffness: 0.2 * load,
-            },
-        ),
-        Lateral::Coupled => LoadStep::hold()
+        Lateral::Neglected => dragged,
+        Lateral::Coupled => dragged
             .tangential(Axis::Y, TangentialStep::Force(-0.2 * load))
             .twist(1e-3),
     };

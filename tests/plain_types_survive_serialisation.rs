@@ -332,7 +332,10 @@ fn answers_that_contradict_themselves_are_refused() {
     let (bodies, normal) = pressed();
     let is = |problem: String, words: &str| assert!(problem.contains(words), "{problem}");
     let dx = "/gap/grid/dx";
-    is(spoilt(&normal, dx, json!(0.4)), "gap lives on another grid");
+    is(
+        spoilt(&normal, dx, json!(0.4)),
+        "gap lives on [24, 20] cells of sides [0.4, 0.6], expected [24, 20] of [0.5, 0.6]",
+    );
     let first = "/pressure/samples/0";
     is(
         spoilt(&normal, first, json!(-2.5)),
@@ -355,7 +358,10 @@ fn answers_that_contradict_themselves_are_refused() {
     let length = spoilt(history.last_step(), "/slip_length/samples/2", json!("NaN"));
     is(length, "slip length at index 2 is NaN");
     let grid = spoilt(history.last_step(), "/dissipation/grid/dy", json!(1.0));
-    is(grid, "dissipated energy lives on another grid");
+    is(
+        grid,
+        "dissipated energy lives on [24, 20] cells of sides [0.5, 1.0], expected [24, 20]",
+    );
 
     let spectrum = PowerSpectrum::of(&ball).unwrap();
     let modes = spoilt(&spectrum, "/modes", json!([]));

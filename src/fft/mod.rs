@@ -22,5 +22,5 @@ mod tiles;
 pub use circulant::CirculantInverse;
 pub use convolution::Convolution;
 pub use convolution::ConvolutionWorkspace;
-pub(crate) use pair::{PairConvolution, PairInverse, PairSource};
+pub(crate) use pair::{PairConvolution, PairInverse, PairSource, PairWorkspace};
 pub use single::SingleWorkspace;

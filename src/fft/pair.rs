@@ -133,6 +133,8 @@ impl PairInverse {
         };
         let spectrum = source.spectrum(torus);
         let [_, high] = spectrum.extremes(false);
+        // A single cell that repeats has no wave but the mean: anything will do.
+        let high = if high > 0.0 { high } else { 1.0 };
         let floor = floor.max(1e-12 * high);
         let inverse = spectrum.map(|tensor| inverted(tensor, floor, high));
         Self {

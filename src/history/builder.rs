@@ -44,7 +44,7 @@ impl HistoryBuilder<'_> {
     }
 
     /// What becomes of the traction across the load (default [`Lateral::Neglected`]). With
-    /// [`Lateral::Coupled`] a history takes loads of any direction and twist, but no springs, and the tangential
+    /// [`Lateral::Coupled`] a history takes loads of any direction and twist, and the tangential
     /// [`method`](Self::method) is always the active-set one.
     ///
     /// ```

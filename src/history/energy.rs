@@ -18,7 +18,8 @@
 /// $`\delta + \varphi\,(-y, x)`$. The rest is what slip dissipates
 /// ([`dissipated_mid_step`](Self::dissipated_mid_step)), what cells that leave the contact let go
 /// ([`released`](Self::released)) and what the tolerance of the solve leaves where there should be no slip
-/// ([`residual`](Self::residual)).
+/// ([`residual`](Self::residual)). What a spring stores, $`F^2 / 2k`$, is not among these: work is what it does to
+/// body 2.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]

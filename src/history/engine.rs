@@ -1,10 +1,12 @@
 //! The engine of a history: one traction along an axis, or both in the plane.
 
+use std::sync::Arc;
 use std::time::Instant;
 
-use crate::cgm::plane::Disc;
-use crate::cgm::{self, Magnitude, Settings};
+use crate::cgm::plane::{self, Disc};
+use crate::cgm::{self, Certificate, Magnitude, Settings};
 use crate::error::{Error, Result};
+use crate::fft::{Convolution, PairConvolution};
 use crate::half_space::HalfSpace;
 use crate::history::layout::Layout;
 use crate::history::spring::Sprung;
@@ -20,10 +22,10 @@ use crate::tangential::{Axis, component};
     reason = "there is one per history, beside megabytes of fields"
 )]
 pub(super) enum Engine {
-    /// The scalar model, perhaps dragged by a spring.
-    Along(Axis, Stage<Sprung>),
+    /// The scalar model.
+    Along(Axis, Stage<Sprung<Arc<Convolution>, 1>>),
     /// The plane model.
-    InPlane(Box<PlaneStage>),
+    InPlane(Box<PlaneStage<Sprung<Arc<PairConvolution>, 2>>>),
 }
 
 impl Engine {
@@ -33,7 +35,7 @@ impl Engine {
                 let stage = Stage::with(bodies, component(axis), size, Sprung::rigidly)?;
                 Self::Along(axis, stage)
             }
-            None => Self::InPlane(Box::new(PlaneStage::new(bodies, size)?)),
+            None => Self::InPlane(Box::new(PlaneStage::with(bodies, size, Sprung::rigidly)?)),
         })
     }
 
@@ -68,8 +70,8 @@ impl Engine {
     /// The displacement of the bodies by the tractions, computed anew.
     pub(super) fn displacement(&self) -> Vec<f64> {
         match self {
-            Self::Along(_, stage) => product(&stage.operator, &stage.x),
-            Self::InPlane(stage) => product(stage.operator(), &stage.q),
+            Self::Along(_, stage) => product(&stage.operator.bodies, &stage.x),
+            Self::InPlane(stage) => product(&stage.operator.bodies, &stage.q),
         }
     }
 
@@ -81,26 +83,38 @@ impl Engine {
         }
     }
 
-    /// Drags body 2 by a spring of this compliance, cell area over stiffness; zero for none.
-    pub(super) fn set_compliance(&mut self, compliance: f64) {
-        if let Self::Along(_, stage) = self {
-            stage.operator.compliance = compliance;
+    /// Drags body 2 by springs of these compliances along the axes, cell area over stiffness; zero for none.
+    pub(super) fn set_compliance(&mut self, compliance: [f64; 2]) {
+        match self {
+            Self::Along(axis, stage) => stage.operator.compliance = [compliance[axis.index()]],
+            Self::InPlane(stage) => stage.operator.compliance = compliance,
         }
     }
 
-    /// The motion that the forces cause beyond what is prescribed.
-    pub(super) fn multiplier(&self) -> [f64; 2] {
-        let mut multiplier = [0.0; 2];
+    /// What the springs stretch under the tractions.
+    fn stretch(&self) -> [f64; 2] {
         match self {
             Self::Along(axis, stage) => {
-                multiplier[axis.index()] = stage.multiplier() - stage.operator.stretch(&stage.x);
+                let [along] = stage.operator.stretch(&stage.x);
+                component_of(*axis, along)
             }
-            Self::InPlane(stage) => multiplier = stage.multiplier(),
+            Self::InPlane(stage) => stage.operator.stretch(&stage.q),
         }
-        multiplier
     }
 
-    /// Solves from the present tractions, and writes the displacement they cause.
+    /// The motion that forces and springs cause beyond what is prescribed.
+    pub(super) fn multiplier(&self) -> [f64; 2] {
+        let stretch = self.stretch();
+        let multiplier = match self {
+            Self::Along(axis, stage) => component_of(*axis, stage.multiplier()),
+            Self::InPlane(stage) => stage.multiplier(),
+        };
+        [0, 1].map(|axis| multiplier[axis] - stretch[axis])
+    }
+
+    /// Solves from the present tractions, and writes the displacement of the bodies they cause: again and more
+    /// closely while errors measured by that alone are too large, as the engine's measure holds the stretch of
+    /// springs too, which may be far more.
     pub(super) fn minimise(
         &mut self,
         limits: &[f64],
@@ -110,87 +124,123 @@ impl Engine {
         displacement: &mut [f64],
         report: &mut Report,
     ) -> Result<()> {
+        let start = Instant::now();
+        let (mut aim, mut earlier) = (settings.tolerance, [0; 3]);
+        loop {
+            let left = with_time_left(settings, start).tolerance(aim);
+            let outcome = self.minimise_once(limits, totals, &left, observer);
+            if !matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
+                return outcome;
+            }
+            report.clone_from(self.report());
+            report.iterations += earlier[0];
+            report.convolutions += earlier[1];
+            report.rough_convolutions += earlier[2];
+            report.time = start.elapsed();
+            if outcome.is_err() {
+                return Err(Error::NotConverged(Box::new(report.clone())));
+            }
+            let stretch = self.stretch();
+            displacement.copy_from_slice(self.product());
+            if stretch.iter().all(|stretch| *stretch == 0.0) {
+                // Then the two measures are the same.
+                return Ok(());
+            }
+            for (axis, part) in self.layout().parts_mut(displacement) {
+                for value in part {
+                    *value -= stretch[axis.index()];
+                }
+            }
+            self.examine(displacement, limits, totals).write_to(report);
+            if report.is_within(settings.tolerance) {
+                return Ok(());
+            }
+            aim *= 0.1;
+            earlier = [
+                report.iterations,
+                report.convolutions,
+                report.rough_convolutions,
+            ];
+        }
+    }
+
+    /// Solves once, to a tolerance measured by bodies and springs together.
+    fn minimise_once(
+        &mut self,
+        limits: &[f64],
+        totals: [Option<f64>; 2],
+        settings: &Settings,
+        observer: Observer<'_>,
+    ) -> Result<()> {
         match self {
             Self::Along(axis, stage) => {
-                let (limits, total) = (Magnitude(limits), totals[axis.index()]);
-                minimise_sprung(
-                    stage,
-                    &limits,
-                    total,
-                    settings,
-                    observer,
-                    displacement,
-                    report,
-                )
+                stage.minimise(Magnitude(limits), totals[axis.index()], settings, observer)
             }
+            Self::InPlane(stage) => stage.minimise(limits, totals, settings, observer),
+        }
+    }
+
+    fn report(&self) -> &Report {
+        match self {
+            Self::Along(_, stage) => stage.report(),
+            Self::InPlane(stage) => stage.report(),
+        }
+    }
+
+    fn product(&self) -> &[f64] {
+        match self {
+            Self::Along(_, stage) => stage.product(),
+            Self::InPlane(stage) => stage.product(),
+        }
+    }
+
+    /// Errors measured by the displacement of the bodies alone.
+    fn examine(
+        &self,
+        displacement: &[f64],
+        limits: &[f64],
+        totals: [Option<f64>; 2],
+    ) -> Certificate {
+        let beyond = self.multiplier();
+        match self {
+            Self::Along(axis, stage) => cgm::examine(
+                &stage.x,
+                displacement,
+                &stage.linear,
+                &Magnitude(limits),
+                totals[axis.index()],
+                beyond[axis.index()],
+                stage.operator.lower_bound(),
+            ),
             Self::InPlane(stage) => {
-                let outcome = stage.minimise(limits, totals, settings, observer);
-                report.clone_from(stage.report());
-                displacement.copy_from_slice(stage.product());
-                outcome
+                let layout = self.layout();
+                let slip = |cell: usize| {
+                    let (u, asked) = (
+                        layout.at(displacement, cell),
+                        layout.at(&stage.linear, cell),
+                    );
+                    [0, 1].map(|axis| u[axis] + asked[axis] - beyond[axis])
+                };
+                plane::examine(
+                    &stage.q,
+                    displacement,
+                    slip,
+                    limits,
+                    totals,
+                    stage.operator.lower_bound(),
+                )
             }
         }
     }
+}
+
+/// `[x, y]` of what is along an axis.
+fn component_of(axis: Axis, value: f64) -> [f64; 2] {
+    Layout::new(Some(axis), 1).at(&[value], 0)
 }
 
 fn product(operator: &impl Operator, traction: &[f64]) -> Vec<f64> {
     let mut product = vec![0.0; traction.len()];
     operator.apply(traction, &mut product, &mut operator.workspace());
     product
-}
-
-/// Solves, and again more closely while errors measured by the displacement of the bodies alone are too
-/// large: the engine's measure holds the stretch of a spring too, which may be far more.
-fn minimise_sprung(
-    stage: &mut Stage<Sprung>,
-    limits: &Magnitude<'_>,
-    total: Option<f64>,
-    settings: &Settings,
-    observer: Observer<'_>,
-    displacement: &mut [f64],
-    report: &mut Report,
-) -> Result<()> {
-    let start = Instant::now();
-    let (mut aim, mut earlier) = (settings.tolerance, [0; 3]);
-    loop {
-        let left = with_time_left(settings, start).tolerance(aim);
-        let outcome = stage.minimise(Magnitude(limits.0), total, &left, observer);
-        if !matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
-            return outcome;
-        }
-        report.clone_from(stage.report());
-        report.iterations += earlier[0];
-        report.convolutions += earlier[1];
-        report.rough_convolutions += earlier[2];
-        report.time = start.elapsed();
-        if outcome.is_err() {
-            return Err(Error::NotConverged(Box::new(report.clone())));
-        }
-        let stretch = stage.operator.stretch(&stage.x);
-        for (displacement, product) in displacement.iter_mut().zip(stage.product()) {
-            *displacement = product - stretch;
-        }
-        if stage.operator.compliance == 0.0 {
-            return Ok(());
-        }
-        let findings = cgm::examine(
-            &stage.x,
-            displacement,
-            &stage.linear,
-            limits,
-            None,
-            -stretch,
-            stage.operator.lower_bound(),
-        );
-        findings.write_to(report);
-        if report.is_within(settings.tolerance) {
-            return Ok(());
-        }
-        aim *= 0.1;
-        earlier = [
-            report.iterations,
-            report.convolutions,
-            report.rough_convolutions,
-        ];
-    }
 }

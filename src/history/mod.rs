@@ -33,10 +33,10 @@
 //! steps dissipate 14, 7 and 3.5 % too little; extrapolated from the first two or the last two, they agree to 0.2 %.
 //!
 //! Tractions are along one axis, those across neglected, as in the paper, unless
-//! [`HistoryBuilder::lateral`] asks for both. Then each component of the load is prescribed on its own, as force or as
-//! shift, slip opposes traction in direction, and body 2 may turn: a twist $`\varphi`$ about the origin of the grid
-//! makes of the shift the motion $`\delta + \varphi\,(-y, x)`$ of each cell. Signs are those of the crate: traction on
-//! body 1, shift and twist of body 2 relative to body 1.
+//! [`HistoryBuilder::lateral`] asks for both. Then each component of the load is prescribed on its own, as force, as
+//! shift or by a spring of its own, slip opposes traction in direction, and body 2 may turn: a twist
+//! $`\varphi`$ about the origin of the grid makes of the shift the motion $`\delta + \varphi\,(-y, x)`$ of each
+//! cell. Signs are those of the crate: traction on body 1, shift and twist of body 2 relative to body 1.
 //!
 //! # All or nothing
 //! A step that is refused, cancelled or does not converge leaves the history bit for bit as it was, with all

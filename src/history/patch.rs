@@ -125,9 +125,9 @@ impl Patch {
         }
     }
 
-    /// Poses the problem of a step: from the last traction, with a prescribed motion and the compliance
-    /// of a spring.
-    pub(super) fn pose(&mut self, state: &State, prescribed: Motion, compliance: f64) {
+    /// Poses the problem of a step: from the last traction, with a prescribed motion and the compliances
+    /// of springs.
+    pub(super) fn pose(&mut self, state: &State, prescribed: Motion, compliance: [f64; 2]) {
         self.take(state);
         self.engine.set_compliance(compliance);
         let layout = self.layout();

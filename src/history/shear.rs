@@ -4,7 +4,7 @@
 //! [`Shear::solve`], then [`Shear::commit`], or [`Shear::abandon`] to leave no trace.
 
 use crate::cgm::Settings;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, finite};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::layout::Layout;
@@ -40,7 +40,7 @@ impl Shear {
             patch: None,
             wider: None,
             motion: Motion::default(),
-            report: Report::unsolved(),
+            report: Report::with_room(),
         }
     }
 
@@ -106,7 +106,7 @@ impl Shear {
             limits.totals(force, cell_area),
             patch.datum(state, motion.twist),
         );
-        let (mut totals, mut compliance) = ([None; 2], 0.0);
+        let (mut totals, mut compliance) = ([None; 2], [0.0; 2]);
         for axis in axes {
             let component = axis.index();
             let shift = &mut motion.shift[component];
@@ -120,7 +120,11 @@ impl Shear {
                 TangentialStep::Spring {
                     position,
                     stiffness,
-                } => (*shift, compliance) = (position, cell_area / stiffness),
+                } => {
+                    let quantity = "cell area over the stiffness of the spring";
+                    let softness = finite(quantity, cell_area / stiffness)?;
+                    (*shift, compliance[component]) = (position, softness);
+                }
             }
         }
         patch.pose(state, motion, compliance);

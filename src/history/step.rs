@@ -95,8 +95,8 @@ impl Step {
             twist: 0.0,
             stick_cells: 0,
             slip_cells: 0,
-            normal_report: Report::unsolved(),
-            tangential_report: Report::unsolved(),
+            normal_report: Report::with_room(),
+            tangential_report: Report::with_room(),
         }
     }
 

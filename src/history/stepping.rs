@@ -9,14 +9,16 @@ use crate::field::Field;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::history::builder::HistoryBuilder;
-use crate::history::engine::Engine;
+use crate::history::layout::Layout;
 use crate::history::shear::Shear;
 use crate::history::state::State;
 use crate::history::{LoadStep, Step};
+use crate::influence::Component;
 use crate::normal::{NormalLoad, NormalProblem, NormalSolution, NormalSolver};
+use crate::operator::Operator;
 use crate::report::Report;
 use crate::stage::{Observer, with_memory};
-use crate::tangential::{Axis, Friction, Zone};
+use crate::tangential::{Axis, Friction, Zone, component};
 
 /// Two bodies in contact that remember their load: pressure, traction, slip and energy, step by step.
 ///
@@ -263,22 +265,23 @@ impl History {
     }
 
     /// Displacement of the surface of body 1 relative to that of body 2 by the tractions (lengths), of all
-    /// cells, in contact or not: computed by one product when asked for.
+    /// cells, in contact or not: computed when asked for, by the operators that the bodies then keep.
     ///
     /// # Errors
     /// As [`HalfSpace::operator`].
     pub fn displacement(&self) -> Result<[Field; 2]> {
-        let grid = self.grid();
-        let mut engine = Engine::new(&self.bodies, self.axis(), [grid.nx(), grid.ny()])?;
-        let layout = engine.layout();
-        for (axis, part) in layout.parts_mut(engine.traction_mut()) {
-            part.copy_from_slice(self.state.traction[axis.index()].as_slice());
-        }
-        let mut displacement = [Field::zeros(grid), Field::zeros(grid)];
-        for (axis, part) in layout.parts(&engine.displacement()) {
-            displacement[axis.index()]
-                .as_mut_slice()
-                .copy_from_slice(part);
+        let zeros = || Field::zeros(self.grid());
+        let (mut displacement, mut part) = ([zeros(), zeros()], zeros());
+        let axes = Layout::new(self.axis(), 0).axes;
+        for (moved, pulled) in axes.iter().flat_map(|a| axes.iter().map(move |b| (*a, *b))) {
+            let operator = self.bodies.operator(if moved == pulled {
+                component(moved)
+            } else {
+                Component::XY
+            })?;
+            let traction = self.state.traction[pulled.index()].as_slice();
+            operator.apply(traction, part.as_mut_slice(), &mut operator.workspace());
+            displacement[moved.index()].add_scaled(1.0, &part)?;
         }
         Ok(displacement)
     }

@@ -54,7 +54,7 @@ impl NormalSolution {
             gap: gap.clone(),
             boundary,
             approach: 0.0,
-            report: Report::unsolved(),
+            report: Report::with_room(),
         }
     }
 

@@ -107,7 +107,7 @@ impl NormalSolver {
             engine: None,
             pressure: vec![0.0; cells],
             linear: vec![0.0; cells],
-            report: Report::unsolved(),
+            report: Report::with_room(),
         })
     }
 
@@ -303,7 +303,10 @@ impl NormalSolver {
                 operator.lower_bound(),
             );
             findings.write_to(&mut self.report);
-            outcome?;
+            // What has stalled may have done so because the contact is elsewhere.
+            if !matches!(self.report.status, Status::Converged | Status::Stalled) {
+                return outcome;
+            }
 
             let round_off = ROUND_OFF * findings.displacement;
             let overlaps = |i: usize| {
@@ -312,6 +315,8 @@ impl NormalSolver {
             if let Ok(missed) = Window::around(bodies.grid(), overlaps) {
                 let wider = window.union(missed).widened(bodies.grid());
                 *engine = Engine::new(bodies, wider)?;
+            } else if outcome.is_err() {
+                return outcome;
             } else if self.report.is_within(settings.tolerance) {
                 return Ok(());
             } else if aim < 0.1 * settings.tolerance {

@@ -32,6 +32,7 @@
 
 mod friction;
 mod nested;
+mod pressure;
 mod problem;
 mod shear;
 mod solution;
@@ -41,6 +42,7 @@ mod zone;
 
 pub(crate) use friction::Coefficient;
 pub use friction::Friction;
+pub use pressure::Pressure;
 pub(crate) use problem::{Limits, check_coupling};
 pub use problem::{TangentialLoad, TangentialProblem, TangentialProblemBuilder};
 pub(crate) use shear::component;

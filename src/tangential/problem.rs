@@ -3,8 +3,8 @@
 use crate::cgm::{Settings, settings_methods};
 use crate::error::{Error, Result, finite};
 use crate::half_space::HalfSpace;
-use crate::normal::NormalSolution;
-use crate::tangential::{Axis, Friction, Lateral, TangentialSolution, TangentialSolver};
+use crate::tangential::pressure::contact_window;
+use crate::tangential::{Axis, Friction, Lateral, Pressure, TangentialSolution, TangentialSolver};
 use crate::window::Window;
 
 /// What shears the contact, as `[x, y]`; one component must be zero, unless the model is that of the plane
@@ -90,7 +90,7 @@ pub struct TangentialProblem {
 #[must_use = "a builder does nothing until build() is called"]
 pub struct TangentialProblemBuilder<'a> {
     bodies: &'a HalfSpace,
-    normal: &'a NormalSolution,
+    pressure: Pressure<'a>,
     friction: Friction,
     load: TangentialLoad,
     lateral: Lateral,
@@ -99,16 +99,17 @@ pub struct TangentialProblemBuilder<'a> {
 }
 
 impl TangentialProblem {
-    /// Starts from what is required: bodies, a solved normal contact on them, friction, load.
+    /// Starts from what is required: bodies, a solved normal contact on them or a field of pressure, friction,
+    /// load.
     pub fn builder<'a>(
         bodies: &'a HalfSpace,
-        normal: &'a NormalSolution,
+        pressure: impl Into<Pressure<'a>>,
         friction: Friction,
         load: TangentialLoad,
     ) -> TangentialProblemBuilder<'a> {
         TangentialProblemBuilder {
             bodies,
-            normal,
+            pressure: pressure.into(),
             friction,
             load,
             lateral: Lateral::default(),
@@ -164,8 +165,8 @@ impl TangentialProblemBuilder<'_> {
     /// Checks everything and cuts out the contact.
     ///
     /// # Errors
-    /// [`Error::NotConverged`] if the normal contact is not, with its report;
-    /// [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CoupledMaterials`], [`Error::ObliqueLoad`],
+    /// [`Error::NotConverged`] if the normal contact is not, with its report; [`Error::Sample`] for a prescribed
+    /// pressure that is negative or not finite; [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CoupledMaterials`], [`Error::ObliqueLoad`],
     /// [`Error::NotFinite`], [`Error::EmptyContact`], [`Error::BeyondSliding`],
     /// [`Error::Tolerance`], [`Error::IterationLimit`].
     pub fn build(self) -> Result<TangentialProblem> {
@@ -174,9 +175,10 @@ impl TangentialProblemBuilder<'_> {
         self.lateral.check(self.load)?;
         self.settings.check()?;
         check_coupling(self.bodies, self.neglect_coupling)?;
-        let window = contact_window(self.bodies, self.normal)?;
+        let samples = self.pressure.checked(self.bodies)?;
+        let window = contact_window(self.bodies, samples)?;
         let mut pressure = vec![0.0; window.cells()];
-        window.gather(self.normal.pressure().as_slice(), &mut pressure);
+        window.gather(samples, &mut pressure);
         let mut limits = Limits::new(pressure.len());
         limits.set(&self.friction, window, &pressure);
         limits.check(self.load, grid.cell_area())?;
@@ -210,17 +212,6 @@ impl Lateral {
             Self::Coupled => load.components().map(|_| ()),
         }
     }
-}
-
-/// The smallest window around the contact of a converged normal solution on the same grid; all of a
-/// grid that repeats.
-pub(super) fn contact_window(bodies: &HalfSpace, normal: &NormalSolution) -> Result<Window> {
-    bodies.check_host("normal solution", normal.grid(), normal.boundary())?;
-    if !normal.report().is_converged() {
-        return Err(Error::NotConverged(Box::new(normal.report().clone())));
-    }
-    let samples = normal.pressure().as_slice();
-    Window::around(normal.grid(), |i| samples[i] > 0.0).map(|window| bodies.confined(window))
 }
 
 /// The friction limit of every cell of a window, and their sum.

@@ -79,7 +79,7 @@ impl TangentialSolution {
             boundary,
             axis: Some(Axis::X),
             shift: [0.0; 2],
-            report: Report::unsolved(),
+            report: Report::with_room(),
         }
     }
 

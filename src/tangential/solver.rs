@@ -5,13 +5,15 @@ use std::time::Instant;
 
 use crate::cgm::Iteration;
 use crate::error::{Error, Result};
-use crate::normal::NormalSolution;
 use crate::report::Report;
 use crate::stage::with_memory;
-use crate::tangential::problem::{Limits, contact_window};
+use crate::tangential::pressure::contact_window;
+use crate::tangential::problem::Limits;
 use crate::tangential::shear::{Demand, Shear};
 use crate::tangential::solution::Answer;
-use crate::tangential::{Axis, Friction, TangentialLoad, TangentialProblem, TangentialSolution};
+use crate::tangential::{
+    Axis, Friction, Pressure, TangentialLoad, TangentialProblem, TangentialSolution,
+};
 
 /// Solves tangential contacts again and again, each time from the last answer.
 ///
@@ -58,7 +60,7 @@ impl TangentialSolver {
         Ok(Self {
             shear: Shear::new(&problem)?,
             is_warm: false,
-            report: Report::unsolved(),
+            report: Report::with_room(),
             spare: problem.limits.clone(),
             spare_pressure: problem.pressure.clone(),
             problem,
@@ -108,17 +110,17 @@ impl TangentialSolver {
         Ok(())
     }
 
-    /// Changes the pressure of the next solve, as wear or another normal load does. Allocates only if
-    /// the contact has left the bounding box it had.
+    /// Changes the pressure of the next solve to that of a solved normal contact or a field, as wear or another
+    /// normal load does. Allocates only if the contact has left the bounding box it had.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`], [`Error::NotConverged`], [`Error::EmptyContact`], or
+    /// [`Error::GridMismatch`], [`Error::NotConverged`], [`Error::Sample`], [`Error::EmptyContact`], or
     /// [`Error::BeyondSliding`] if the present load is more than friction now holds; the pressure is
     /// then as it was.
-    pub fn set_normal(&mut self, normal: &NormalSolution) -> Result<()> {
-        let contact = contact_window(&self.problem.bodies, normal)?;
+    pub fn set_pressure<'a>(&mut self, pressure: impl Into<Pressure<'a>>) -> Result<()> {
+        let samples = pressure.into().checked(&self.problem.bodies)?;
+        let contact = contact_window(&self.problem.bodies, samples)?;
         let cell_area = self.problem.bodies.grid().cell_area();
-        let samples = normal.pressure().as_slice();
         let problem = &mut self.problem;
         if problem.window.union(contact) == problem.window {
             self.spare_pressure.resize(problem.window.cells(), 0.0);

@@ -85,11 +85,11 @@ fn npy() {
     for (shape, expected) in [
         (
             "(9999999999, 9999999999)",
-            "NPY, at byte 10: a grid of 9999999999 x 9999999999 cells",
+            "NPY, at byte 10: a padded grid takes 12799999997440000000128 bytes",
         ),
         (
             "(18446744073709551615, 2)",
-            "NPY, at byte 10: a grid of 2 x 18446744073709551615 cells",
+            "NPY, at byte 10: a padded grid takes 4722366482869645213440 bytes",
         ),
         (
             "(99999999999999999999, 2)",

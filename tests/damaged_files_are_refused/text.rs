@@ -214,7 +214,7 @@ fn sdf_in_text() {
         ),
         (
             with("NumPoints = 9999999999999999999"),
-            "SDF, on line 8: a grid of 9999999999999999999 x 2",
+            "SDF, on line 8: a padded grid takes 2559999999999999999744 bytes",
         ),
         (
             with("NumProfiles = 1000000000"),

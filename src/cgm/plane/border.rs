@@ -157,8 +157,9 @@ impl Border {
     }
 }
 
-/// Part of what turning changes along a total below which it hardly changes that.
-const LEAST_TURN: f64 = 1e-2;
+/// Part of what turning changes along a total below which it is round-off: close to the limit, cells that all slide
+/// are turned away from the total by very little, and it is that which carries it.
+const LEAST_TURN: f64 = 1e-13;
 
 fn mobility<C: Operator, P: Operator>(run: &Run<'_, '_, C, P>) -> [f64; 3] {
     let Workspace { inner, loaded, .. } = &*run.workspace;

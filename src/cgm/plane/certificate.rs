@@ -78,7 +78,7 @@ impl Findings {
 }
 
 /// Examines a feasible `q` with its fresh product `C q` and its slip `g = C q + b - delta`.
-pub(super) fn examine(
+pub(crate) fn examine(
     q: &[f64],
     product: &[f64],
     slip: impl Fn(usize) -> [f64; 2] + Sync,

@@ -36,6 +36,7 @@ use crate::parallel;
 use crate::report::{Iteration, Report, Status};
 
 use cell::Cell;
+pub(crate) use certificate::examine;
 pub(crate) use disc::{Disc, norm, update_cells};
 use run::Run;
 
@@ -99,7 +100,7 @@ impl<C: Operator, P: Operator> Workspace<C, P> {
                 spread: vec![[[0.0; 2]; 2]; len / 2],
             },
             loaded: FreeSet::with_capacity(len / 2),
-            report: Report::unsolved(),
+            report: Report::with_room(),
             multiplier: [0.0; 2],
         }
     }

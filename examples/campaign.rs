@@ -1,0 +1,116 @@
+//! Random hard scenes: `campaign FIRST COUNT` solves those from index FIRST, and prints what is wrong.
+
+#![allow(
+    clippy::print_stdout,
+    clippy::print_stderr,
+    reason = "an example shows its numbers, and how far it is"
+)]
+
+mod scenes;
+
+use std::collections::BTreeMap;
+use std::error::Error;
+use std::process::ExitCode;
+
+use rayon::prelude::*;
+use scenes::campaign;
+use scenes::row::Row;
+
+fn main() -> Result<ExitCode, Box<dyn Error>> {
+    let mut arguments = std::env::args().skip(1);
+    let mut number = |default: u64| arguments.next().map_or(Ok(default), |word| word.parse());
+    let (first, count) = (number(0)?, number(200)?);
+
+    let indices: Vec<u64> = (first..first + count).collect();
+    let mut summary = Summary::default();
+    for part in indices.chunks(500) {
+        let found: Vec<(u64, Vec<Row>)> = part
+            .par_iter()
+            .map(|&index| (index, campaign::rows(index)))
+            .collect();
+        for (index, rows) in found {
+            for row in &rows {
+                summary.add(index, row);
+            }
+        }
+        eprintln!(
+            "{} scenes, {} faults",
+            part[part.len() - 1] + 1 - first,
+            summary.faults
+        );
+    }
+    println!("{summary}");
+    Ok(if summary.faults == 0 {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
+    })
+}
+
+/// What all the scenes came to.
+#[derive(Debug, Default)]
+struct Summary {
+    endings: BTreeMap<String, usize>,
+    compared: BTreeMap<&'static str, usize>,
+    /// Largest part of the certified error that the true one is, and the scene.
+    tightest: (f64, u64),
+    slowest: (f64, u64),
+    steps: (usize, u64),
+    faults: usize,
+}
+
+impl Summary {
+    fn add(&mut self, index: u64, row: &Row) {
+        *self.endings.entry(row.ending.clone()).or_default() += 1;
+        if let (Some(error), Some(report)) = (row.error, &row.report) {
+            *self.compared.entry(error.against).or_default() += 1;
+            let ratio = (error.value - error.slack).max(0.0) / report.energy_error_bound();
+            if ratio > self.tightest.0 {
+                self.tightest = (ratio, index);
+            }
+        }
+        let seconds = row.time.as_secs_f64();
+        if seconds > self.slowest.0 {
+            self.slowest = (seconds, index);
+        }
+        if let Some(report) = &row.report
+            && report.iterations > self.steps.0
+        {
+            self.steps = (report.iterations, index);
+        }
+        if let Some(fault) = &row.fault {
+            self.faults += 1;
+            println!(
+                "campaign {index} 1 | {} | {} | {fault}",
+                row.half, row.ending
+            );
+        }
+    }
+}
+
+impl std::fmt::Display for Summary {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        for (ending, count) in &self.endings {
+            writeln!(formatter, "{count:>8}  {ending}")?;
+        }
+        for (against, count) in &self.compared {
+            writeln!(formatter, "{count:>8}  compared with: {against}")?;
+        }
+        writeln!(
+            formatter,
+            "true error / certified error: at most {:.3}, scene {}",
+            self.tightest.0, self.tightest.1
+        )?;
+        writeln!(
+            formatter,
+            "slowest solve: {:.2} s, scene {}",
+            self.slowest.0, self.slowest.1
+        )?;
+        writeln!(
+            formatter,
+            "most steps: {}, scene {}",
+            self.steps.0, self.steps.1
+        )?;
+        write!(formatter, "faults: {}", self.faults)
+    }
+}

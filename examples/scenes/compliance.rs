@@ -1,0 +1,88 @@
+//! Energies and displacements on the whole grid, by the public operators alone.
+
+use std::sync::Arc;
+
+use stickslip::fft::Convolution;
+use stickslip::influence::Component;
+use stickslip::{HalfSpace, Operator, Result};
+
+/// Displacement by one traction, or by two in the plane: all x components, then all y components.
+#[derive(Debug)]
+pub(crate) struct Compliance {
+    cells: usize,
+    blocks: usize,
+    /// Row, column, and the operator between them.
+    parts: Vec<(usize, usize, Arc<Convolution>)>,
+    /// Of the eigenvalues; in the plane that of the axes alone, which may be a little more.
+    pub(crate) lower_bound: f64,
+}
+
+impl Compliance {
+    pub(crate) fn of(bodies: &HalfSpace, components: &[Component]) -> Result<Self> {
+        let place = |component: &Component| match component {
+            Component::XY => (0, 1),
+            Component::YX => (1, 0),
+            Component::YY if components.len() > 1 => (1, 1),
+            _ => (0, 0),
+        };
+        let mut parts = Vec::new();
+        let mut lower_bound = f64::INFINITY;
+        for component in components {
+            let (row, column) = place(component);
+            let operator = bodies.operator(*component)?;
+            if row == column {
+                lower_bound = lower_bound.min(operator.lower_bound());
+            }
+            parts.push((row, column, operator));
+        }
+        let blocks = if parts.len() > 1 { 2 } else { 1 };
+        Ok(Self {
+            cells: bodies.grid().cells(),
+            blocks,
+            parts,
+            lower_bound,
+        })
+    }
+
+    pub(crate) fn pressure(bodies: &HalfSpace) -> Result<Self> {
+        Self::of(bodies, &[Component::ZZ])
+    }
+
+    /// Along an axis, or in the plane.
+    pub(crate) fn shear(bodies: &HalfSpace, axis: Option<usize>) -> Result<Self> {
+        match axis {
+            Some(0) => Self::of(bodies, &[Component::XX]),
+            Some(_) => Self::of(bodies, &[Component::YY]),
+            None => Self::of(
+                bodies,
+                &[Component::XX, Component::XY, Component::YX, Component::YY],
+            ),
+        }
+    }
+
+    pub(crate) fn cells(&self) -> usize {
+        self.cells
+    }
+
+    pub(crate) fn product(&self, x: &[f64]) -> Vec<f64> {
+        let mut sum = vec![0.0; self.blocks * self.cells];
+        let mut part = vec![0.0; self.cells];
+        for (row, column, operator) in &self.parts {
+            let traction = &x[column * self.cells..][..self.cells];
+            operator.apply(traction, &mut part, &mut operator.workspace());
+            for (sum, part) in sum[row * self.cells..].iter_mut().zip(&part) {
+                *sum += part;
+            }
+        }
+        sum
+    }
+
+    /// `sqrt(x' C x)`.
+    pub(crate) fn norm(&self, x: &[f64]) -> f64 {
+        dot(x, &self.product(x)).max(0.0).sqrt()
+    }
+}
+
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}

@@ -1,0 +1,73 @@
+//! The pressure that a tangential contact is under.
+
+use crate::error::{Error, Result, all_non_negative};
+use crate::field::Field;
+use crate::half_space::HalfSpace;
+use crate::normal::NormalSolution;
+use crate::window::Window;
+
+/// The pressure of a tangential contact: that of a solved normal contact, or one from elsewhere.
+///
+/// A prescribed pressure (pressures, zero where nothing touches) comes from a closed form, a measurement, or a code
+/// that knows more of the normal contact than elasticity.
+///
+/// ```
+/// use stickslip::analytical::{CattaneoMindlin, HertzSphere};
+/// use stickslip::*;
+/// let grid = Grid::square(64, 0.30e-3)?;
+/// let steel = Material::new(213e9, 0.29)?;
+/// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
+/// let hertz = HertzSphere::new(bodies.pair(), 3.5e-3, 100.0)?;
+/// let pressure = Field::from_fn(grid, |x, y| hertz.pressure(x.hypot(y)));
+/// let load = TangentialLoad::Force([20.0, 0.0]);
+/// let shear = TangentialProblem::builder(&bodies, &pressure, Friction::coulomb(0.5)?, load)
+///     .build()?
+///     .solve()?;
+/// let exact = CattaneoMindlin::new(hertz, 0.5, 20.0)?;
+/// assert!((shear.shift()[0] / exact.shift() - 1.0).abs() < 1e-3);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy)]
+pub enum Pressure<'a> {
+    /// Of a normal contact on the same bodies, which must have converged.
+    Solved(&'a NormalSolution),
+    /// Of each cell, non-negative and finite.
+    Prescribed(&'a Field),
+}
+
+impl<'a> From<&'a NormalSolution> for Pressure<'a> {
+    fn from(solution: &'a NormalSolution) -> Self {
+        Self::Solved(solution)
+    }
+}
+
+impl<'a> From<&'a Field> for Pressure<'a> {
+    fn from(pressure: &'a Field) -> Self {
+        Self::Prescribed(pressure)
+    }
+}
+
+impl<'a> Pressure<'a> {
+    /// The pressure of every cell, if it is one on these bodies.
+    pub(super) fn checked(self, bodies: &HalfSpace) -> Result<&'a [f64]> {
+        match self {
+            Self::Solved(normal) => {
+                bodies.check_host("normal solution", normal.grid(), normal.boundary())?;
+                if !normal.report().is_converged() {
+                    return Err(Error::NotConverged(Box::new(normal.report().clone())));
+                }
+                Ok(normal.pressure().as_slice())
+            }
+            Self::Prescribed(pressure) => {
+                bodies.grid().expect("pressure", pressure.grid())?;
+                all_non_negative("pressure", pressure.as_slice())?;
+                Ok(pressure.as_slice())
+            }
+        }
+    }
+}
+
+/// The smallest window around all pressure; all of a grid that repeats.
+pub(super) fn contact_window(bodies: &HalfSpace, pressure: &[f64]) -> Result<Window> {
+    Window::around(bodies.grid(), |i| pressure[i] > 0.0).map(|window| bodies.confined(window))
+}
