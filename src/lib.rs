@@ -6,8 +6,9 @@
 //! give displacements from tractions, a constrained conjugate-gradient engine solves
 //!
 //! ```math
-//! g = h + C_{zz}\,p - \delta \ge 0, \quad p \ge 0, \quad p\,g = 0
-//! \qquad\text{and}\qquad
+//! g = h + C_{zz}\,p - \delta \ge 0, \quad p \ge 0, \quad p\,g = 0,
+//! ```
+//! ```math
 //! s = C_{xx}\,q - \delta_x, \quad |q| \le \mu p, \quad
 //! s = 0 \text{ where } |q| < \mu p, \quad q\,s \le 0 \text{ elsewhere,}
 //! ```
@@ -21,21 +22,22 @@
 //!     ElasticPair, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
 //!     TangentialLoad, TangentialProblem, analytical, surface,
 //! };
-//! // A steel ball of radius 3.5 mm on steel; 128 x 128 cells on a square of side 0.40 mm. SI units.
+//! // A steel ball of radius 3.5 mm on steel: 128 x 128 cells of a square of 0.40 mm, in SI units.
 //! let grid = Grid::square(128, 0.40e-3)?;
 //! let steel = Material::new(213e9, 0.29)?;
 //! let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
 //! let ball = surface::sphere(grid, 3.5e-3)?; // the gap before loading
 //!
 //! // Pressed by 100 N: Hertz.
-//! let normal = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(100.0)).build()?.solve()?;
+//! let load = NormalLoad::Force(100.0);
+//! let normal = NormalProblem::builder(&bodies, &ball, load).build()?.solve()?;
 //! let hertz = analytical::HertzSphere::new(bodies.pair(), 3.5e-3, 100.0)?;
 //! assert!((normal.approach() / hertz.approach() - 1.0).abs() < 1e-4);
 //! assert!((normal.pressure().max() / hertz.max_pressure() - 1.0).abs() < 1e-3);
 //!
 //! // Sheared by 20 N, where friction holds 50 N: Cattaneo and Mindlin.
-//! let load = TangentialLoad::Force([20.0, 0.0]);
-//! let shear = TangentialProblem::builder(&bodies, &normal, Friction::coulomb(0.5)?, load).build()?.solve()?;
+//! let (friction, load) = (Friction::coulomb(0.5)?, TangentialLoad::Force([20.0, 0.0]));
+//! let shear = TangentialProblem::builder(&bodies, &normal, friction, load).build()?.solve()?;
 //! let exact = analytical::CattaneoMindlin::new(hertz, 0.5, 20.0)?;
 //! assert!((shear.stick_ratio() - exact.stick_ratio()).abs() < 0.01);
 //! assert!((shear.shift()[0] / exact.shift() - 1.0).abs() < 1e-3);
@@ -120,13 +122,22 @@
 //!
 //! # Features
 //!
-//! | feature | default | brings | crates with it | compiles in |
-//! |---|---|---|---|---|
-//! | none | | transforms, solvers, histories, surfaces, plain files | CR0 | CT0 |
-//! | `parallel` | yes | threads, in the caller's rayon pool; the same bits on any number of them | CR1 | CT1 |
-//! | `dense` | yes | explicit matrices, the direct solution of small scenes and the levelling of surfaces, through faer | CR2, both defaults | CT2 |
-//! | `x3p` | no | surfaces in X3P files, through `miniz_oxide` and `quick-xml` | CR3, all four | CT3 |
-//! | `serde` | no | scenes, loads, options, fields and answers in any format of `serde` | | |
+//! | feature | default | brings |
+//! |---|---|---|
+//! | `parallel` | yes | threads, in the caller's rayon pool; the same bits on any number of them |
+//! | `dense` | yes | explicit matrices, the direct solution of small scenes and the levelling of surfaces, through faer |
+//! | `x3p` | no | surfaces in X3P files, through `miniz_oxide` and `quick-xml` |
+//! | `serde` | no | scenes, loads, options, fields and answers in any format of `serde` |
+//!
+//! What each costs an embedder, measured on the program of the page on [embedding](guide::embedding), compiled from nothing
+//! (seconds of one core, rustc 1.95):
+//!
+//! | features | other crates | release | debug |
+//! |---|---|---|---|
+//! | none (`default-features = false`): transforms, solvers, histories, surfaces, plain files | 15 | 50 s | 33 s |
+//! | `parallel` | 21 | 71 s | 42 s |
+//! | `parallel`, `dense` (default) | 57 | 169 s | 120 s |
+//! | all | 64 | 182 s | 127 s |
 //!
 //! With `serde`, what a constructor would refuse is refused on reading, by the same words, and numbers keep their bits.
 //! In formats for humans, as JSON, what is not finite is a word: `"NaN"` (a missing height), `"Infinity"` (the modulus of a
