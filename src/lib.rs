@@ -177,6 +177,7 @@
 pub mod analytical;
 mod boundary;
 pub mod cgm;
+mod clock;
 mod contact_map;
 #[cfg(feature = "dense")]
 pub mod dense;

@@ -2,9 +2,9 @@
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
-use std::time::Instant;
 
 use crate::cgm::{self, Constraint, Iteration, Problem, Settings, Workspace, plane};
+use crate::clock::Instant;
 use crate::error::{Error, Result};
 use crate::fft::{
     CirculantInverse, Convolution, ConvolutionWorkspace, PairConvolution, PairInverse,

@@ -1,9 +1,9 @@
 //! Who watches an iteration, counts its steps and ends it.
 
 use std::ops::ControlFlow;
-use std::time::Instant;
 
 use crate::cgm::Settings;
+use crate::clock::Instant;
 use crate::report::{Iteration, Report, Status};
 
 /// A residual at which sets change by round-off alone.

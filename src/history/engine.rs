@@ -1,10 +1,10 @@
 //! The engine of a history: one traction along an axis, or both in the plane.
 
 use std::sync::Arc;
-use std::time::Instant;
 
 use crate::cgm::plane::{self, Disc};
 use crate::cgm::{self, Certificate, Magnitude, Settings};
+use crate::clock::Instant;
 use crate::error::{Error, Result};
 use crate::fft::{Convolution, PairConvolution};
 use crate::half_space::HalfSpace;

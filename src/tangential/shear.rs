@@ -1,8 +1,7 @@
 //! The engine of a tangential contact: one traction along an axis, or both in the plane.
 
-use std::time::Instant;
-
 use crate::cgm::{Magnitude, Method};
+use crate::clock::Instant;
 use crate::error::Result;
 use crate::influence::Component;
 use crate::report::Report;

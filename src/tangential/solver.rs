@@ -1,9 +1,9 @@
 //! The reusable solver of a tangential contact.
 
 use std::ops::ControlFlow;
-use std::time::Instant;
 
 use crate::cgm::Iteration;
+use crate::clock::Instant;
 use crate::error::{Error, Result};
 use crate::report::Report;
 use crate::stage::with_memory;

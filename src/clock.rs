@@ -1,0 +1,21 @@
+//! The clock behind wall times and time limits.
+
+#[cfg(not(all(target_family = "wasm", target_os = "unknown")))]
+pub(crate) use std::time::Instant;
+
+/// The clock of a platform without one stands still: solves take no time, and time limits never end them.
+#[cfg(all(target_family = "wasm", target_os = "unknown"))]
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Instant;
+
+#[cfg(all(target_family = "wasm", target_os = "unknown"))]
+impl Instant {
+    pub(crate) fn now() -> Self {
+        Self
+    }
+
+    #[allow(clippy::unused_self, reason = "as the clock of std has it")]
+    pub(crate) fn elapsed(self) -> std::time::Duration {
+        std::time::Duration::ZERO
+    }
+}
