@@ -18,12 +18,13 @@ ALLOWED = {
     "grid": {"error"},
     "field": {"error", "grid", "parallel", "serial"},
     "material": {"error", "serial"},
-    # L1: operators, kernels, transforms, closed forms, shapes; no physics of contact
+    # L1: operators, kernels, transforms, closed forms, shapes; no physics of contact; and pages to read
     "operator": set(),
     "contact_map": {"boundary", "grid"},
     "window": {"error", "grid", "parallel"},
     "influence": FOUNDATION,
     "fft": FOUNDATION | {"operator", "influence"},
+    "guide": set(),
     "analytical": {"error", "material", "grid", "field"},
     "surface": {"error", "grid", "field", "parallel", "serial"},
     "io": {"error", "grid", "field"},

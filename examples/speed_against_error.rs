@@ -220,8 +220,8 @@ fn draw(path: &Path, rows: &[Row]) -> Result<(), Box<dyn Error>> {
     let (least, most) = exponents.fold((f64::MAX, f64::MIN), |(least, most), exponent| {
         (least.min(exponent), most.max(exponent))
     });
-    // Room for the legend below the curves.
-    let (bottom, top) = (least - 1.0, most + 0.2);
+    // Two fifths of the height for the legend below the curves.
+    let (bottom, top) = (least - 0.7 * (most - least), most + 0.2);
 
     let title = format!("{SHOWN} x {SHOWN} cells: tolerances 1e-2 (right), 1e-4, .. 1e-10 (left)");
     let figure = support::figure(path, (1960, 1000), &title)?;

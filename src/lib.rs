@@ -1,4 +1,177 @@
-#![doc = include_str!("../README.md")]
+//! Normal and stick-slip contact of smooth and rough elastic bodies: fast, and with a certified error.
+//!
+//! Press two elastic bodies together and shear them: this crate finds the pressure and the contact area, then the
+//! shear traction, the stick zone and the slip zone under Coulomb friction, for one load or a history of loads. The
+//! surfaces are half-spaces cut into rectangular cells; influence coefficients and a zero-padded FFT convolution
+//! give displacements from tractions, a constrained conjugate-gradient engine solves
+//!
+//! ```math
+//! g = h + C_{zz}\,p - \delta \ge 0, \quad p \ge 0, \quad p\,g = 0,
+//! ```
+//! ```math
+//! s = C_{xx}\,q - \delta_x, \quad |q| \le \mu p, \quad
+//! s = 0 \text{ where } |q| < \mu p, \quad q\,s \le 0 \text{ elsewhere,}
+//! ```
+//!
+//! and a certificate bounds the error of every answer. The model is that of Wang, De Boer, Neville & Ghanbarzadeh
+//! (Tribology International 159 (2021) 106947, <https://doi.org/10.1016/j.triboint.2021.106947>), with
+//! [the slips of its printed formulas mended](guide::errata).
+//!
+//! ```
+//! use stickslip::{
+//!     ElasticPair, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
+//!     TangentialLoad, TangentialProblem, analytical, surface,
+//! };
+//! // A steel ball of radius 3.5 mm on steel: 128 x 128 cells of a square of 0.40 mm, in SI units.
+//! let grid = Grid::square(128, 0.40e-3)?;
+//! let steel = Material::new(213e9, 0.29)?;
+//! let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
+//! let ball = surface::sphere(grid, 3.5e-3)?; // the gap before loading
+//!
+//! // Pressed by 100 N: Hertz.
+//! let load = NormalLoad::Force(100.0);
+//! let normal = NormalProblem::builder(&bodies, &ball, load).build()?.solve()?;
+//! let hertz = analytical::HertzSphere::new(bodies.pair(), 3.5e-3, 100.0)?;
+//! assert!((normal.approach() / hertz.approach() - 1.0).abs() < 1e-4);
+//! assert!((normal.pressure().max() / hertz.max_pressure() - 1.0).abs() < 1e-3);
+//!
+//! // Sheared by 20 N, where friction holds 50 N: Cattaneo and Mindlin.
+//! let (friction, load) = (Friction::coulomb(0.5)?, TangentialLoad::Force([20.0, 0.0]));
+//! let shear = TangentialProblem::builder(&bodies, &normal, friction, load).build()?.solve()?;
+//! let exact = analytical::CattaneoMindlin::new(hertz, 0.5, 20.0)?;
+//! assert!((shear.stick_ratio() - exact.stick_ratio()).abs() < 0.01);
+//! assert!((shear.shift()[0] / exact.shift() - 1.0).abs() < 1e-3);
+//! assert!(shear.report().energy_error_bound() < 1e-8);
+//! # Ok::<(), stickslip::Error>(())
+//! ```
+//!
+//! # Which type do I need
+//!
+//! | to | use |
+//! |---|---|
+//! | press two bodies | [`NormalProblem`], by [`NormalLoad::Force`] or [`Approach`](NormalLoad::Approach) |
+//! | shear a contact along x or y | [`TangentialProblem`], by [`TangentialLoad::Force`] or [`Shift`](TangentialLoad::Shift) |
+//! | shear it in any direction, with the traction across | the same, with [`Lateral::Coupled`] |
+//! | do either many times | [`NormalSolver`], [`TangentialSolver`] |
+//! | load step by step, remember slip, save and restore | [`History`], [`LoadStep`] |
+//! | load to and fro, until steady or with wear | [`history::FrettingLoop`], [`history::LoadPath`], [`history::Cycle`], [`history::wear`] |
+//! | put a contact into a simulator | the page on [embedding](guide::embedding) |
+//! | know how good an answer is | its [`Report`], and its [`Warning`]s |
+//! | make a rough surface, or a smooth shape | [`surface::SelfAffine`]; [`surface::sphere`], [`cone`](surface::cone), [`sum`](surface::sum()) ... |
+//! | measure a surface, prepare a measured one | [`surface::Statistics`], [`fill_missing`](surface::fill_missing), [`gap_of`](surface::gap_of) ... and the page on [rough surfaces](guide::rough_surfaces) |
+//! | read a surface, write fields for other programs | [`io`] |
+//! | press nominally flat surfaces without edges | [`HalfSpace::with_boundary`], [`Boundary::Periodic`] |
+//! | compare with a closed form: spheres, cones, punches, waves, rough surfaces | [`analytical`], [`tangential::JaegerSuperposition`] |
+//! | use the engine on an operator of your own | [`cgm`], with your [`Operator`] |
+//! | get influence coefficients alone | [`influence::Rectangle`], [`influence::Table`] |
+//! | check it all the slow way | `dense::DenseOperator`, with the feature `dense` |
+//!
+//! # Units and signs
+//!
+//! Any consistent system; nothing in the code has a length or a pressure of its own.
+//!
+//! | length | force | pressure, modulus |
+//! |---|---|---|
+//! | m | N | Pa |
+//! | mm | N | MPa |
+//!
+//! z points into body 1. Pressure is positive when it pushes into the bodies. Traction and tangential force
+//! are those that body 2 exerts on body 1 through the contact, positive along the axis. Displacements are
+//! relative, body 1 minus body 2; the shift is the rigid motion of body 2 relative to body 1, far from the
+//! contact. So a body 2 dragged along +x has a positive shift and pulls body 1 along with a positive force. Slip
+//! is `s = u - shift`, the motion of the surface of body 1 over that of body 2, against the traction. Fields are
+//! row-major with x fastest: the memory of a NumPy array of shape `(ny, nx)`.
+//!
+//! # Accuracy and cost
+//!
+//! A solve ends as [`Converged`](Status::Converged) only if a fresh product shows what was asked: the largest complementarity
+//! residual, relative to the displacement of the contact, and a bound on the error in the energy norm, both below the
+//! tolerance. Anything else is an error that carries the report, with the last feasible iterate in the caller's
+//! solution. The bound is rigorous up to the round-off of the product; it comes from the smallest eigenvalue of the
+//! periodic continuation of the operator, which its spectrum shows, and from the duality gap, as the page of [`cgm`]
+//! derives. (An operator of your own that knows no such eigenvalue is judged by its residual alone.)
+//!
+//! For the sphere of the example the discretisation, not the solver, sets the error. At 512 x 512 cells and
+//! the default tolerance 1e-8:
+//!
+//! | quantity | relative difference from the closed form |
+//! |---|---|
+//! | maximum pressure | -7.1e-6 |
+//! | approach | -1.4e-6 |
+//! | contact area, perimeter corrected | -1.7e-4 |
+//! | shift | 9.9e-7 |
+//! | stick ratio | -5.0e-5 |
+//!
+//! Summed over the cells their error is, for the same sphere, 1e-4 in the pressure and 5e-4 in the shear traction, far
+//! more where cells barely resolve a roughness. A tolerance a hundred times below that buys nothing, unless steps are
+//! subtracted from one another, as wear and friction histories do. What each leaves, at worst over the sphere and the
+//! rough surface at 2, 10 and 40 % contact on 256 x 256 cells:
+//!
+//! | tolerance | approach, shift | contact and stick cells | one cell's pressure, of the largest | good for |
+//! |---|---|---|---|---|
+//! | 1e-2 | 2e-4 | 0.7 % | 8e-2 | a start, a sketch |
+//! | 1e-4 | 1e-6 | two cells | 4e-4 | area, approach and stick ratio of any surface |
+//! | 1e-6 | 2e-9 | none | 1e-5 | fields; steps of a few per cent |
+//! | 1e-8 (default) | 2e-11 | none | 2e-8 | histories, derivatives, comparison with other codes |
+//!
+//! Two more digits cost ten to thirty per cent more time. Below 1e-13 or so a solve ends as [`Stalled`](Status::Stalled), at its round-off.
+//!
+//! On two shared cores, 512 x 512 cells and from a cold start, the pressure of the sphere took 26 ms to 1e-4 and 39 ms to
+//! 1e-10, the shear traction 22 and 33; on a rough surface at 10 % contact 65 and 53 ms to 1e-4, 85 and 70 to 1e-6. The
+//! example `speed_against_error` measures this on your machine.
+//!
+//! # Features
+//!
+//! | feature | default | brings |
+//! |---|---|---|
+//! | `parallel` | yes | threads, in the caller's rayon pool; the same bits on any number of them |
+//! | `dense` | yes | explicit matrices, the direct solution of small scenes and the levelling of surfaces, through faer |
+//! | `x3p` | no | surfaces in X3P files, through `miniz_oxide` and `quick-xml` |
+//! | `serde` | no | scenes, loads, options, fields and answers in any format of `serde` |
+//!
+//! What each costs an embedder, measured on the program of the page on [embedding](guide::embedding), compiled from nothing
+//! (seconds of one core, rustc 1.95):
+//!
+//! | features | other crates | release | debug |
+//! |---|---|---|---|
+//! | none (`default-features = false`): transforms, solvers, histories, surfaces, plain files | 15 | 50 s | 33 s |
+//! | `parallel` | 21 | 71 s | 42 s |
+//! | `parallel`, `dense` (default) | 57 | 169 s | 120 s |
+//! | all | 64 | 182 s | 127 s |
+//!
+//! With `serde`, what a constructor would refuse is refused on reading, by the same words, and numbers keep their bits.
+//! In formats for humans, as JSON, what is not finite is a word: `"NaN"` (a missing height), `"Infinity"` (the modulus of a
+//! rigid body) or `"-Infinity"`. A [`HalfSpace`] is made anew from grid, pair and boundary, a closed form from its
+//! parameters; a generated or levelled surface is saved as its heights; and a [`History`], which needs its bodies, has
+//! bytes of its own ([`History::to_bytes`]).
+//!
+//! # What is modelled, and what is not
+//!
+//! Elastic half-spaces, small slopes and strains, free surroundings or a grid that repeats, any history of
+//! load along one axis or in the plane, twist included.
+//! Along an axis the traction across the load is neglected, as in the paper, which costs the sphere of Poisson's ratio
+//! 0.29 less than 0.1 % of the force; the plane model ([`Lateral::Coupled`]) finds both, at about six times the time.
+//! Materials whose pressure and shear are coupled (Dundurs' beta not zero) are refused until the coupling is neglected
+//! explicitly. In the plane model the histories of CONTACT's test bench, 21 steps of a moving sphere among them, come out to
+//! 1e-9 of the largest pressure (`tests/another_code_agrees_through_histories.rs`).
+//!
+//! Not modelled: the coupling of pressure and shear itself, rolling, layers, plasticity, adhesion, viscosity, heat.
+//!
+//! # Where the formulas come from
+//!
+//! | what | source |
+//! |---|---|
+//! | model, influence coefficients, rough spheres | Wang, De Boer, Neville & Ghanbarzadeh (2021), <https://doi.org/10.1016/j.triboint.2021.106947>; [errata](guide::errata) |
+//! | zero-padded convolution ([`fft`]) | Liu, Wang & Liu (2000), <https://doi.org/10.1016/S0043-1648(00)00427-0> |
+//! | single-loop conjugate gradients ([`cgm`]) | Polonsky & Keer (1999), <https://doi.org/10.1016/S0043-1648(99)00113-1> |
+//! | duality gap ([`cgm`]) | Frank & Wolfe (1956), <https://doi.org/10.1002/nav.3800030109> |
+//! | transient shift ([`history`]) | Kalker (1990), <https://doi.org/10.1007/978-94-015-7889-9> |
+//! | wear by dissipated energy ([`history::wear`]) | Fouvry, Kapsa & Vincent (1996), <https://doi.org/10.1016/S0043-1648(96)07306-1> |
+//! | closed forms | each on its page, listed in [`analytical`] |
+//!
+//! The derivations stand on the pages of the modules, at length in [`cgm`], [`influence`], [`normal`], [`tangential`] and
+//! [`history`].
+
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 pub mod analytical;
@@ -11,6 +184,7 @@ mod error;
 pub mod fft;
 mod field;
 mod grid;
+pub mod guide;
 mod half_space;
 pub mod history;
 pub mod influence;
@@ -42,3 +216,8 @@ pub use tangential::{
     Axis, Friction, Lateral, Pressure, TangentialLoad, TangentialProblem, TangentialSolution,
     TangentialSolver, Zone,
 };
+
+/// The examples of the front page run as tests too.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
