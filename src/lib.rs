@@ -114,7 +114,8 @@
 //! | 1e-6 | 2e-9 | none | 1e-5 | fields; steps of a few per cent |
 //! | 1e-8 (default) | 2e-11 | none | 2e-8 | histories, derivatives, comparison with other codes |
 //!
-//! Two more digits cost ten to thirty per cent more time. Below 1e-13 or so a solve ends as [`Stalled`](Status::Stalled), at its round-off.
+//! Two more digits cost ten to thirty per cent more time. Below 1e-13 or so a solve ends as
+//! [`Stalled`](Status::Stalled), at its round-off. What [hard scenes](guide::hard_cases) come to has a page.
 //!
 //! On two shared cores, 512 x 512 cells and from a cold start, the pressure of the sphere took 26 ms to 1e-4 and 39 ms to
 //! 1e-10, the shear traction 22 and 33; on a rough surface at 10 % contact 65 and 53 ms to 1e-4, 85 and 70 to 1e-6. The
@@ -150,7 +151,7 @@
 //! Elastic half-spaces, small slopes and strains, free surroundings or a grid that repeats, any history of
 //! load along one axis or in the plane, twist included.
 //! Along an axis the traction across the load is neglected, as in the paper, which costs the sphere of Poisson's ratio
-//! 0.29 less than 0.1 % of the force; the plane model ([`Lateral::Coupled`]) finds both, at about six times the time.
+//! 0.29 less than 0.1 % of the force; the plane model ([`Lateral::Coupled`]) finds both, at about three times the time.
 //! Materials whose pressure and shear are coupled (Dundurs' beta not zero) are refused until the coupling is neglected
 //! explicitly. In the plane model the histories of CONTACT's test bench, 21 steps of a moving sphere among them, come out to
 //! 1e-9 of the largest pressure (`tests/another_code_agrees_through_histories.rs`).

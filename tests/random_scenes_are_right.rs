@@ -38,3 +38,16 @@ fn those_found_wrong_before_are_right() {
     ]);
     assert!(found.is_empty(), "{}", found.join("\n"));
 }
+
+/// A small shift of a grid that repeats and touches everywhere, to the last digit: all of it slides.
+#[test]
+fn those_that_stalled_before_converge() {
+    for index in [13459, 16149] {
+        for row in campaign::rows(index) {
+            assert!(
+                row.is_right() && row.ending == "converged",
+                "{index}: {row}"
+            );
+        }
+    }
+}

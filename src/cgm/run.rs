@@ -12,7 +12,7 @@ use crate::report::{Iteration, Status};
 /// Of the least stiffness there is but for constants: less is none, in single precision; and what is
 /// taken for none, to get to the bounds in a step.
 pub(super) const FLAT: f64 = 1e-3;
-pub(super) const FLATTEST: f64 = 1e-12;
+pub(super) const FLATTEST: f64 = 1e-30;
 
 /// One solve under way.
 pub(super) struct Run<'a, 'b, C: Operator, K, P: Operator> {
