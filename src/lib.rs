@@ -22,7 +22,7 @@
 //!     ElasticPair, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
 //!     TangentialLoad, TangentialProblem, analytical, surface,
 //! };
-//! // A steel ball of radius 3.5 mm on steel: 128 x 128 cells of a square of 0.40 mm, in SI units.
+//! // A steel ball of 3.5 mm on steel: 128 x 128 cells of a square of 0.40 mm. SI units.
 //! let grid = Grid::square(128, 0.40e-3)?;
 //! let steel = Material::new(213e9, 0.29)?;
 //! let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
