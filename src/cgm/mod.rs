@@ -62,8 +62,8 @@
 //! | 1024 x 1024 | 1.2e-14, 5.7e-15, 4.7e-15 | 4.6e-15, 2.7e-15, 1.1e-15 | not measured |
 //!
 //! That of the first two grows about as the root of the cells along a side, as what the smallest eigenvalue makes
-//! of the residual. In the plane, a force within 1e-7 of sliding may stall much earlier on some scenes, where the last digits of
-//! the force decide on the motion.
+//! of the residual. In the plane, a force within 1e-7 of sliding may stall much earlier on some scenes, where the
+//! last digits of the force decide on the motion.
 //!
 //! # Example
 //!
