@@ -3,7 +3,7 @@
 #[cfg(not(all(target_family = "wasm", target_os = "unknown")))]
 pub(crate) use std::time::Instant;
 
-/// The clock of a platform without one stands still: solves take no time, and time limits never end them.
+/// The clock of a platform without one stands still: solves take no time, and no limit above zero ends them.
 #[cfg(all(target_family = "wasm", target_os = "unknown"))]
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Instant;

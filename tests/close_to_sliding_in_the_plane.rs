@@ -6,8 +6,8 @@ mod common;
 
 use common::unit_bodies;
 use stickslip::{
-    Friction, Grid, HalfSpace, Lateral, NormalLoad, NormalProblem, NormalSolution, TangentialLoad,
-    TangentialProblem, TangentialSolution, Zone, surface,
+    Field, Friction, Grid, HalfSpace, Lateral, NormalLoad, NormalProblem, NormalSolution,
+    TangentialLoad, TangentialProblem, TangentialSolution, Zone, surface,
 };
 
 const FRICTION: f64 = 0.5;
@@ -71,4 +71,37 @@ fn without_lateral_contraction_a_cell_sticks_to_the_end() {
         let solution = shear(&bodies, &normal, missing);
         assert!(solution.zones().contains(&Zone::Stick));
     }
+}
+
+/// A sum of so many equal limits depends on its order: the engine must take the one that is told.
+#[test]
+fn the_sliding_force_is_a_force_that_slides() {
+    let grid = Grid::square(330, 1.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let pressure = Field::constant(grid, 0.1);
+    for lateral in [Lateral::Neglected, Lateral::Coupled] {
+        let problem = |force| {
+            let load = TangentialLoad::Force([force, 0.0]);
+            let friction = Friction::coulomb(0.7).unwrap();
+            let problem = TangentialProblem::builder(&bodies, &pressure, friction, load);
+            problem.lateral(lateral).build().unwrap()
+        };
+        let limit = problem(0.0).sliding_force();
+        let solution = problem(limit).solve().unwrap();
+        assert_eq!(solution.stick_ratio(), 0.0);
+    }
+}
+
+/// Limits whose squares underflow beside others.
+#[test]
+fn pressures_next_to_nothing() {
+    let grid = Grid::square(48, 100.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let bowl = |x: f64, y: f64| 1.0 - (x * x + y * y) / 900.0;
+    let pressure = Field::from_fn(grid, |x, y| bowl(x, y).max(1e-200));
+    let friction = Friction::coulomb(0.7).unwrap();
+    let load = TangentialLoad::Force([0.3 * pressure.integral(), 0.0]);
+    let problem = TangentialProblem::builder(&bodies, &pressure, friction, load);
+    let solution = problem.lateral(Lateral::Coupled).build().unwrap().solve();
+    assert!(solution.unwrap().report().is_converged());
 }

@@ -6,7 +6,7 @@ use crate::parallel;
 pub(super) use crate::parallel::sums;
 
 /// The sum of a slice.
-pub(super) fn total(values: &[f64]) -> f64 {
+pub(crate) fn total(values: &[f64]) -> f64 {
     parallel::fold(values.len(), |range| in_lanes(&values[range]), |a, b| a + b)
 }
 

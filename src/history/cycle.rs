@@ -166,6 +166,7 @@ impl Cycle {
         self.points.clear();
         self.points.push(LoopPoint::of(history));
         (self.stick_ratios, self.slides) = ([1.0, 0.0], false);
+        self.compare_traction(history);
     }
 
     /// Adds the last step of the history: to be called once after each.
@@ -315,7 +316,8 @@ impl Cycle {
     }
 
     /// Energy ratio $`E_d / (4\,Q^*\delta^*)`$ of the energy dissipated, by tractions at the end of each step,
-    /// to that of a rectangle around the loop; zero of an empty loop.
+    /// to that of a rectangle around the loop; zero where nothing was dissipated, infinite where force or shift
+    /// stood still meanwhile.
     ///
     /// $`Q^*`$ is half the longest chord of the path of force in the plane, and $`\delta^*`$ half the range
     /// of the shift along it; where body 2 turns, the product of the half ranges of moment and twist comes to
@@ -368,7 +370,7 @@ fn widen(least: &mut Field, amplitude: &mut Field, slip: &Field) {
     parallel::sweep(0..slip.len().div_ceil(CHUNK), data, &work, &|(), ()| ());
 }
 
-/// A part over the whole; zero of nothing.
+/// A part over the whole; no part is zero, and a part of nothing infinite.
 fn part_of(part: f64, whole: f64) -> f64 {
     if part > 0.0 { part / whole } else { 0.0 }
 }

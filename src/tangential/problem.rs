@@ -1,6 +1,6 @@
 //! The scene of a tangential contact, checked once.
 
-use crate::cgm::{Settings, settings_methods};
+use crate::cgm::{Settings, settings_methods, sum_of_chunks};
 use crate::error::{Error, Result, finite};
 use crate::half_space::HalfSpace;
 use crate::tangential::pressure::contact_window;
@@ -214,6 +214,9 @@ impl Lateral {
     }
 }
 
+/// Part of the largest limit below which a limit is none.
+const NOTHING: f64 = 1e-30;
+
 /// The friction limit of every cell of a window, and their sum.
 #[derive(Debug, Clone)]
 pub(crate) struct Limits {
@@ -238,7 +241,12 @@ impl Limits {
                 0.0
             };
         }
-        self.sum = self.cells.iter().sum();
+        // Beside the largest these carry nothing, and their squares would underflow.
+        let least = NOTHING * self.cells.iter().copied().fold(0.0, f64::max);
+        for limit in &mut self.cells {
+            *limit = if *limit < least { 0.0 } else { *limit };
+        }
+        self.sum = sum_of_chunks(&self.cells);
     }
 
     /// Refuses a force that friction cannot hold.

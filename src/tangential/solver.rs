@@ -225,8 +225,10 @@ impl TangentialSolver {
         let outcome = self
             .shear
             .minimise(&self.problem, demand, start, &mut observer);
-        self.is_warm = matches!(outcome, Ok(()) | Err(Error::NotConverged(_)));
-        if !self.is_warm {
+        let is_answered = matches!(outcome, Ok(()) | Err(Error::NotConverged(_)));
+        // From numbers that are none there is no start.
+        self.is_warm = is_answered && self.shear.report().residual.is_finite();
+        if !is_answered {
             return outcome;
         }
         self.report.clone_from(self.shear.report());

@@ -30,7 +30,7 @@ impl Disc {
     }
 }
 
-/// Length of a vector; of a traction beyond 1e150, whose square overflows, infinite.
+/// Length of a vector; infinite of one beyond 1e150, whose square overflows, and zero below 1e-160.
 pub(crate) fn norm(v: [f64; 2]) -> f64 {
     dot(v, v).sqrt()
 }
@@ -64,41 +64,14 @@ pub(super) fn halves(vector: &mut [f64]) -> Halves<'_> {
 
 /// Replaces the components of every cell.
 pub(crate) fn update_cells(vector: &mut [f64], f: impl Fn(usize, [f64; 2]) -> [f64; 2] + Sync) {
-    let [] = sweep_cells([vector], |i, [v]| ([f(i, v)], []));
-}
-
-/// Replaces the components of every cell in several vectors, and adds up what else is returned.
-pub(super) fn sweep_cells<const N: usize, const K: usize>(
-    vectors: [&mut [f64]; N],
-    f: impl Fn(usize, [[f64; 2]; N]) -> ([[f64; 2]; N], [f64; K]) + Sync,
-) -> [f64; K] {
-    let cells = vectors.first().map_or(0, |vector| vector.len() / 2);
-    let data = vectors.map(|vector| {
-        let (x, y) = vector.split_at_mut(cells);
-        (blocks(x), blocks(y))
-    });
-    let work = |task: usize, mut parts: [(Blocks<'_, f64>, Blocks<'_, f64>); N]| {
-        let mut sums = [0.0; K];
-        let count = parts.first().map_or(0, |(x, _)| x.items.len());
-        for k in 0..count {
-            let values = parts.each_ref().map(|(x, y)| [x.items[k], y.items[k]]);
-            let (next, terms) = f(task * CHUNK + k, values);
-            for ((x, y), value) in parts.iter_mut().zip(next) {
-                [x.items[k], y.items[k]] = value;
-            }
-            for (sum, term) in sums.iter_mut().zip(terms) {
-                *sum += term;
-            }
+    let tasks = (vector.len() / 2).div_ceil(CHUNK);
+    let work = |task: usize, (x, y): Halves<'_>| {
+        let cells = x.items.iter_mut().zip(y.items);
+        for (i, (x, y)) in (task * CHUNK..).zip(cells) {
+            [*x, *y] = f(i, [*x, *y]);
         }
-        sums
     };
-    let merge = |mut a: [f64; K], b: [f64; K]| {
-        for (a, b) in a.iter_mut().zip(b) {
-            *a += b;
-        }
-        a
-    };
-    parallel::sweep(0..cells.div_ceil(CHUNK), data, &work, &merge)
+    parallel::sweep(0..tasks, halves(vector), &work, &|(), ()| ());
 }
 
 /// Where prescribed totals lie in what the discs allow together.
@@ -126,13 +99,13 @@ pub(super) fn reach(totals: [Option<f64>; 2], limit: f64) -> Result<Reach> {
 }
 
 /// Moves every cell to the nearest traction within its disc that gives the totals:
-/// `q_i = P_i(q_i + t)`, with one `t` for all. Returns whether the totals were reached.
+/// `q_i = P_i(q_i + t)`, with one `t` for all.
 ///
 /// The totals are the gradient of a convex function of `t`: Newton's method, damped.
-pub(super) fn restore(q: &mut [f64], limits: &[f64], totals: [Option<f64>; 2]) -> bool {
+pub(super) fn restore(q: &mut [f64], limits: &[f64], totals: [Option<f64>; 2]) {
     if totals == [None, None] {
         update_cells(q, |i, q| Disc(limits[i]).project(q));
-        return true;
+        return;
     }
     let miss = |t: [f64; 2]| -> ([f64; 2], [f64; 3], f64) {
         let old = &*q;
@@ -182,7 +155,6 @@ pub(super) fn restore(q: &mut [f64], limits: &[f64], totals: [Option<f64>; 2]) -
         }
     }
     update_cells(q, |i, [x, y]| Disc(limits[i]).project([x + t[0], y + t[1]]));
-    norm(missing) <= 1e-12 * size
 }
 
 /// Solves for the components whose total is prescribed.

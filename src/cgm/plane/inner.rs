@@ -39,7 +39,7 @@ pub(super) fn solve<C: Operator, P: Operator>(
         previous = product;
         turn(run, change, conjugation);
 
-        run.proceed(0)?;
+        run.proceed()?;
         run.apply_to_direction(true);
         run.count_step();
         let [curvature, square] = curvature(run);

@@ -13,7 +13,7 @@
 //! gradients inside, as for one unknown a cell. If the sets cycle, projected gradients lead past.
 //!
 //! The certificate is that of [`crate::cgm`]: of the slip of a cell at its limit the part against the traction
-//! is allowed, and only the rest counts.
+//! is allowed, and only the rest counts. A limit is meant to 1e-12 of it.
 //!
 //! Vectors hold all x components, then all y components.
 

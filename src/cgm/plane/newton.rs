@@ -68,6 +68,7 @@ fn start<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) -> ControlFlow<S
     mark(run);
     let totals = run.problem.totals;
     restore(run.q, limits, totals);
+    run.is_fresh = false;
     run.ask()?;
     run.refresh(true);
     let motion = mean_slip(run);
@@ -123,8 +124,9 @@ fn mark<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) {
         ..
     } = &mut *run.workspace;
     loaded.update(|i| limits[i] > 0.0);
-    // The inner iteration writes it on the loaded cells only.
+    // The inner iteration writes it on the loaded cells only; what has no total spreads nothing.
     direction.fill(0.0);
+    inner.spread.fill([[0.0; 2]; 2]);
     let q = &*run.q;
     loaded.sweep(loaded.compressed(&mut inner.cells), |entries, cells| {
         let (q, limits) = (pair(q, &entries.chunk), &limits[entries.chunk.clone()]);

@@ -18,6 +18,7 @@ pub(super) fn iterate<C: Operator, P: Operator>(
     steps: usize,
 ) -> ControlFlow<Status, bool> {
     restore(run.q, run.problem.limits, run.problem.totals);
+    run.is_fresh = false;
     run.ask()?;
     run.refresh(false);
     run.ask()?;
@@ -57,7 +58,7 @@ pub(super) fn iterate<C: Operator, P: Operator>(
         if descent.is_nan() || descent >= 0.0 {
             return ControlFlow::Continue(true);
         }
-        run.proceed(0)?;
+        run.proceed()?;
         run.apply_to_direction(false);
         run.count_step();
         let [square, curvature] = squares(run);

@@ -20,6 +20,8 @@ pub(super) struct Run<'a, 'b, C: Operator, P: Operator> {
     /// Whether `workspace.product` belongs to `q`.
     pub(super) is_fresh: bool,
     pub(super) lower_bound: f64,
+    /// Cells within their limits, as last examined.
+    free: usize,
     /// Whether the totals leave no choice.
     is_at_limit: bool,
 }
@@ -40,6 +42,7 @@ impl<'a, 'b, C: Operator, P: Operator> Run<'a, 'b, C, P> {
             q,
             workspace,
             is_fresh: false,
+            free: 0,
             is_at_limit: false,
         }
     }
@@ -100,19 +103,19 @@ impl<'a, 'b, C: Operator, P: Operator> Run<'a, 'b, C, P> {
         self.watch.count_step(&mut self.workspace.report);
     }
 
-    pub(super) fn proceed(&mut self, free: usize) -> ControlFlow<Status> {
-        self.watch.proceed(free, &self.workspace.report)
+    pub(super) fn proceed(&mut self) -> ControlFlow<Status> {
+        self.watch.proceed(self.free, &self.workspace.report)
     }
 
     pub(super) fn ask(&mut self) -> ControlFlow<Status> {
-        self.watch.ask(0, &self.workspace.report)
+        self.watch.ask(self.free, &self.workspace.report)
     }
 
     pub(super) fn judge(&mut self, merit: f64, free: usize) -> ControlFlow<Status> {
         self.watch.judge(merit, free, &mut self.workspace.report)
     }
 
-    /// Examines the iterate, whose product must be fresh, and writes the findings to the report.
+    /// Examines the iterate with the product at hand, and writes the findings to the report.
     pub(super) fn examine(&mut self) -> Certificate {
         let Workspace {
             product,
@@ -128,6 +131,7 @@ impl<'a, 'b, C: Operator, P: Operator> Run<'a, 'b, C, P> {
         let Problem { limits, totals, .. } = *self.problem;
         let findings = examine(self.q, product, slip, limits, totals, self.lower_bound);
         findings.write_to(&mut self.workspace.report);
+        self.free = findings.free;
         findings
     }
 
