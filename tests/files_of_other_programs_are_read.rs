@@ -83,7 +83,7 @@ fn npy_of_every_whole_number() {
     macro_rules! check {
         ($($number:ty: $kind:literal),*) => {$(
             let ends = [<$number>::MIN, <$number>::MAX];
-            let expected = ends.map(|end| end as f64);
+            let expected = ends.map(|end| i128::from(end) as f64);
             for (order, bytes) in [
                 ("<", ends.map(<$number>::to_le_bytes)),
                 (">", ends.map(<$number>::to_be_bytes)),
