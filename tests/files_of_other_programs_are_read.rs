@@ -1,6 +1,7 @@
 //! Files that other programs wrote or confirmed are read as these read them; tests/data/README.md names
 //! the program behind each file.
 #![allow(clippy::unwrap_used, reason = "a test fails loudly")]
+#![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 use std::path::PathBuf;
 
@@ -66,6 +67,34 @@ fn npy_of_numpy() {
     let samples = field.as_slice().iter().map(eighths).collect();
     let field = Field::from_vec(field.grid(), samples);
     check(name, &field, 1.0, 0.0, false);
+}
+
+/// An NPY file of two numbers of a kind, in the header that its format prescribes.
+fn npy_of(kind: &str, numbers: &[u8]) -> Result<Field> {
+    let header = format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': (1, 2), }}\n");
+    let length = u16::try_from(header.len()).unwrap().to_le_bytes();
+    let parts: [&[u8]; 4] = [b"\x93NUMPY\x01\x00", &length, header.as_bytes(), numbers];
+    io::npy::parse(&parts.concat(), [1.0, 1.0])
+}
+
+/// The least and the greatest of every whole number, in both orders of bytes.
+#[test]
+fn npy_of_every_whole_number() {
+    macro_rules! check {
+        ($($number:ty: $kind:literal),*) => {$(
+            let ends = [<$number>::MIN, <$number>::MAX];
+            let expected = ends.map(|end| i128::from(end) as f64);
+            for (order, bytes) in [
+                ("<", ends.map(<$number>::to_le_bytes)),
+                (">", ends.map(<$number>::to_be_bytes)),
+            ] {
+                let kind = format!("{order}{}", $kind);
+                let field = npy_of(&kind, bytes.as_flattened()).unwrap();
+                assert_eq!(field.as_slice(), expected, "{kind}");
+            }
+        )*};
+    }
+    check!(i8: "i1", i16: "i2", i32: "i4", i64: "i8", u8: "u1", u16: "u2", u32: "u4", u64: "u8");
 }
 
 #[test]

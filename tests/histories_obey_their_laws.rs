@@ -196,6 +196,49 @@ fn new_contact_begins_unsheared() {
     assert!((history.shift()[0] - 3.0).abs() < 1e-9);
 }
 
+/// Before anything has touched, the shift follows the machine, and no force has anything to act on.
+#[test]
+fn nothing_acts_before_the_first_touch() {
+    let grid = Grid::square(32, 16.0).unwrap();
+    for axis in [Axis::X, Axis::Y] {
+        let mut history = history(&surface::sphere(grid, 20.0).unwrap(), axis);
+        let step = |tangential| {
+            let apart = LoadStep::hold().normal(NormalStep::Force(0.0));
+            apart.tangential(axis, tangential)
+        };
+        let position = -0.75;
+        let spring = TangentialStep::Spring {
+            position,
+            stiffness: 2.0,
+        };
+        for (tangential, shift) in [
+            (TangentialStep::Force(0.0), 0.0),
+            (TangentialStep::Shift(0.5), 0.5),
+            (TangentialStep::Hold, 0.5),
+            (spring, position),
+            (TangentialStep::Force(-0.0), position),
+        ] {
+            history.step(&step(tangential)).unwrap();
+            assert_eq!(history.shift()[axis.index()], shift, "{tangential:?}");
+            let refused = history.step(&step(TangentialStep::Force(-0.1)));
+            assert!(matches!(
+                refused,
+                Err(Error::BeyondSliding {
+                    force: 0.1,
+                    limit: 0.0
+                })
+            ));
+            assert_eq!(history.shift()[axis.index()], shift);
+        }
+        // Brought together there, they stick there.
+        let hold = TangentialStep::Hold;
+        run(&mut history, &[(NormalStep::Force(2.0), hold)], 1.0);
+        assert_eq!(history.shift()[axis.index()], position);
+        assert_eq!(max_abs(history.traction()[axis.index()].as_slice()), 0.0);
+        assert_eq!(history.slip_path().max(), 0.0);
+    }
+}
+
 /// At the friction limit the contact slides by the least shift, and stays there under the same force.
 #[test]
 fn a_force_at_the_limit_slides() {

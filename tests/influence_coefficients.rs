@@ -132,6 +132,28 @@ fn a_table_holds_the_coefficients_at_every_distance() {
     }
 }
 
+/// On an axis across which a coefficient is odd it is zero, and no round-off, at any distance.
+#[test]
+fn what_is_odd_vanishes_on_its_axes() {
+    let pair = common::unit_pair(0.3);
+    let soft = ElasticPair::new(Material::new(1.0, 0.2).unwrap(), Material::rigid()).unwrap();
+    let grid = Grid::new(30, 26, 0.3, 0.7).unwrap();
+    for pair in [pair, soft] {
+        for component in Component::ALL {
+            let table = Table::sample(grid, &pair, component).unwrap();
+            let [odd_x, odd_y] = component.is_odd();
+            assert!(
+                !odd_y || (0..30).all(|i| table.get(i, 0) == Some(0.0)),
+                "{component:?}"
+            );
+            assert!(
+                !odd_x || (0..26).all(|j| table.get(0, j) == Some(0.0)),
+                "{component:?}"
+            );
+        }
+    }
+}
+
 fn body() -> impl Strategy<Value = Material> {
     (-3.0..12.0_f64, -0.9..0.5_f64)
         .prop_map(|(decade, nu)| Material::new(10_f64.powf(decade), nu).unwrap())

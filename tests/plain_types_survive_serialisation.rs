@@ -298,6 +298,16 @@ fn by_the_words_of_their_constructors() {
     );
 }
 
+/// People and other programs write a whole number without a point.
+#[test]
+fn whole_numbers_are_numbers() {
+    let grid = json!({"nx": 2, "ny": 1, "dx": 1, "dy": 2});
+    let field: Field = read(&json!({"grid": grid, "samples": [7, -3]})).unwrap();
+    assert_eq!(field.as_slice(), [7.0, -3.0]);
+    let steel: Material = read(&json!({"youngs_modulus": 213, "poisson_ratio": 0})).unwrap();
+    assert_eq!(steel, Material::new(213.0, 0.0).unwrap());
+}
+
 #[test]
 fn what_is_left_out_has_its_default() {
     let friction: Friction = read(&json!({"coefficient": {"Uniform": 0.5}})).unwrap();

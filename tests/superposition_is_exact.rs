@@ -15,8 +15,8 @@ use common::{max_abs, max_difference, rough, unit_bodies};
 use stickslip::cgm::Method;
 use stickslip::tangential::JaegerSuperposition;
 use stickslip::{
-    Field, Friction, Grid, HalfSpace, NormalLoad, NormalSolution, TangentialLoad,
-    TangentialSolution,
+    Boundary, Error, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution,
+    TangentialLoad, TangentialSolution, surface,
 };
 
 const FRICTION: f64 = 0.4;
@@ -100,5 +100,42 @@ fn at_other_poisson_ratios_it_is_near() {
             common::l2_difference(near.traction().as_slice(), found.traction()[0].as_slice());
         assert!((least..most).contains(&error), "nu = {nu}: {error}");
         assert!((near.shift() / found.shift()[0] - 1.0).abs() < 0.03);
+    }
+}
+
+/// Contacts of two scenes, of loads the wrong way round, or not solved have no difference that means anything.
+#[test]
+fn contacts_that_do_not_belong_together_are_refused() {
+    let grid = Grid::square(32, 16.0).unwrap();
+    let gap = surface::sphere(grid, 20.0).unwrap();
+    let bodies = unit_bodies(grid, 0.0);
+    let (full, stick) = (press(&bodies, &gap, 2.0), press(&bodies, &gap, 1.0));
+    let refused =
+        |full, stick| JaegerSuperposition::new(full, stick, bodies.pair(), FRICTION).unwrap_err();
+
+    let Error::Negative { value, .. } = refused(&stick, &full) else {
+        panic!("a lighter contact that is the heavier one is accepted");
+    };
+    assert!((value + FRICTION).abs() < 1e-9);
+    // The same load twice is no force, not one of the wrong sign.
+    let none = JaegerSuperposition::new(&full, &full, bodies.pair(), FRICTION).unwrap();
+    assert_eq!(none.force(), 0.0);
+
+    let repeated = HalfSpace::with_boundary(grid, *bodies.pair(), Boundary::Periodic).unwrap();
+    let repeated = press(&repeated, &gap, 1.0);
+    assert!(matches!(
+        refused(&full, &repeated),
+        Error::BoundaryMismatch { .. }
+    ));
+
+    let problem = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(1.0));
+    let unsolved = problem
+        .build()
+        .unwrap()
+        .into_solver()
+        .unwrap()
+        .new_solution();
+    for error in [refused(&full, &unsolved), refused(&unsolved, &stick)] {
+        assert!(matches!(error, Error::NotConverged(_)), "{error}");
     }
 }

@@ -110,3 +110,82 @@ pub(crate) fn examine(
         free,
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::examine;
+    use crate::cgm::certificate::Certificate;
+
+    /// Cells of the traction (3, 4) and the displacement (1, 2): limit and slip of each.
+    fn examined(
+        cells: &[(f64, [f64; 2])],
+        totals: [Option<f64>; 2],
+        lower_bound: f64,
+    ) -> Certificate {
+        let both = |[x, y]: [f64; 2]| [vec![x; cells.len()], vec![y; cells.len()]].concat();
+        let limits: Vec<f64> = cells.iter().map(|(limit, _)| *limit).collect();
+        let slip = |i: usize| cells[i].1;
+        let (q, u) = (both([3.0, 4.0]), both([1.0, 2.0]));
+        examine(&q, &u, slip, &limits, totals, lower_bound)
+    }
+
+    fn assert_near(a: f64, b: f64) {
+        assert!((a - b).abs() <= 1e-13 * b.abs(), "{a} is not {b}");
+    }
+
+    /// Slip of length 5/4 along the traction and against it, and one against it and half as much across.
+    const ALONG: [f64; 2] = [0.75, 1.0];
+    const AGAINST: [f64; 2] = [-0.75, -1.0];
+    const ASKEW: [f64; 2] = [-0.25, -1.375];
+    const ASKEW_SQUARED: f64 = 1.953125;
+
+    /// What is forbidden of the slip, and by how much the traction could still give way, `g.q + limit |g|`.
+    #[test]
+    fn each_share_is_its_formula() {
+        let askew = ASKEW_SQUARED.sqrt();
+        for (limit, slip, forbidden, dual) in [
+            (10.0, ALONG, 1.25, 18.75),
+            (10.0, AGAINST, 1.25, 6.25),
+            (5.0, ALONG, 1.25, 12.5),
+            (5.0, AGAINST, 0.0, 0.0),
+            (5.0, ASKEW, 0.625, 5.0 * askew - 6.25),
+            (10.0, ASKEW, askew, 10.0 * askew - 6.25),
+        ] {
+            let cell = [(limit, slip)];
+            // By the gap, of an energy of 11 and a displacement of the root of 5.
+            let found = examined(&cell, [None, None], 1e-3);
+            assert_near(found.gap, dual / 11.0);
+            assert_near(found.residual, forbidden / 5.0_f64.sqrt());
+            assert_eq!(found.free, usize::from(limit > 5.0));
+            // By the eigenvalue, which makes 4 * 5 and 4 * 25 of the traction.
+            let found = examined(&cell, [None, None], 4.0);
+            assert_near(found.gap, (forbidden * forbidden / 4.0).min(dual) / 100.0);
+            assert_near(found.residual, forbidden / 20.0);
+        }
+    }
+
+    #[test]
+    fn shares_of_both_kinds_add_up() {
+        // The third cell carries nothing, and shows nothing.
+        let cells = [(200.0, ALONG), (5.0, ASKEW), (0.0, [1e9; 2])];
+        let found = examined(&cells, [Some(7.0), None], 0.1);
+        let dual = 5.0 * ASKEW_SQUARED.sqrt() - 6.25;
+        let eigen = 15.625_f64;
+        let bound = 0.5 * eigen.sqrt() + (0.25 * eigen + dual).sqrt();
+        assert_near(found.gap, bound * bound / 22.0);
+        assert_near(found.residual, 1.25 / 5.0_f64.sqrt());
+        assert_near(found.load_error, 0.1);
+        assert_eq!(found.free, 1);
+        // The loads of both axes, missed by 3 and by 4.
+        let found = examined(&cells, [Some(9.0), Some(12.0)], 0.1);
+        assert_near(found.load_error, 0.5);
+
+        // More cells than one task examines.
+        let mut cells = vec![(10.0, ALONG); 5000];
+        cells[4500..].fill((5.0, ALONG));
+        let found = examined(&cells, [Some(15002.0), None], 1e-3);
+        assert_near(found.gap, (4500.0 * 18.75 + 500.0 * 12.5) / (5000.0 * 11.0));
+        assert_near(found.load_error, 2.0 / 25000.0);
+        assert_eq!(found.free, 4500);
+    }
+}
