@@ -2,7 +2,8 @@
 
 #![allow(
     clippy::unwrap_used,
-    reason = "a test fails loudly, and counts small things"
+    clippy::float_cmp,
+    reason = "a test fails loudly and compares exact results"
 )]
 
 mod common;
@@ -180,4 +181,21 @@ fn without_an_eigenvalue_the_residual_decides() {
         assert!(report.residual > 0.0 && report.residual <= 1e-6, "{report}");
         assert!(report.certified_gap.is_infinite(), "{report}");
     }
+}
+
+/// An energy below zero, of an operator that is not what it should be, bounds nothing.
+#[test]
+fn no_gap_is_negative() {
+    let chain = Chain {
+        len: 3,
+        coupling: -2.0,
+        lower_bound: 0.0,
+    };
+    let interval = Interval {
+        lower: &[1.0; 3],
+        upper: &[3.0; 3],
+    };
+    let report = examined(&chain, &[0.0; 3], &interval, &mut [2.0; 3]);
+    assert_eq!(report.certified_gap, f64::INFINITY);
+    assert!(report.energy_error_bound().is_infinite());
 }

@@ -145,6 +145,7 @@ mod tests {
         let askew = ASKEW_SQUARED.sqrt();
         for (limit, slip, forbidden, dual) in [
             (10.0, ALONG, 1.25, 18.75),
+            (10.0, [1.5, 2.0], 2.5, 37.5),
             (10.0, AGAINST, 1.25, 6.25),
             (5.0, ALONG, 1.25, 12.5),
             (5.0, AGAINST, 0.0, 0.0),
