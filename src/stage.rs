@@ -20,7 +20,7 @@ use crate::window::halved;
 pub(crate) type Observer<'a> = &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send);
 
 /// Operator, buffers, linear term and unknowns on `size` cells.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct Stage<C: Operator<Workspace = ConvolutionWorkspace> = Arc<Convolution>> {
     pub(crate) operator: C,
     inverse: Arc<CirculantInverse>,
@@ -108,7 +108,7 @@ impl<C: Operator<Workspace = ConvolutionWorkspace> + Clone> Stage<C> {
 }
 
 /// The same with two unknowns a cell: all along x, then all along y.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct PlaneStage<C: Operator<Workspace = PairWorkspace> = Arc<PairConvolution>> {
     pub(crate) operator: C,
     inverse: Arc<PairInverse>,

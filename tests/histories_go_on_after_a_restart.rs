@@ -1,4 +1,4 @@
-//! A history saved and restored goes on to the same bits; bytes that are no such history are refused.
+//! A history saved and restored, or copied, goes on to the same bits; bytes that are no such history are refused.
 #![allow(clippy::unwrap_used, reason = "a test fails loudly")]
 
 mod common;
@@ -57,6 +57,11 @@ fn to_the_same_bits() {
                     whole = History::restore(&bodies, &whole.to_bytes()).unwrap();
                 }
                 assert_eq!(whole.to_bytes(), restored.to_bytes());
+
+                let mut copy = history.clone();
+                run(&mut copy, &THEN);
+                assert_eq!(copy.to_bytes(), restored.to_bytes());
+                assert_eq!(history.to_bytes(), saved);
 
                 let mut uninterrupted = builder_run(&bodies, &gap, &friction, axis, &history);
                 run(&mut uninterrupted, &THEN);

@@ -328,7 +328,7 @@ impl Answer<'_> {
     /// What round-off of a product may hide, relative in the energy norm.
     fn round_off(&self) -> f64 {
         let noise = 16.0 * f64::EPSILON * dot(self.product, self.product).sqrt();
-        5e-12 + 2.0 * noise / (self.compliance.lower_bound * self.energy()).sqrt()
+        1e-12 + 2.0 * noise / (self.compliance.lower_bound * self.energy()).sqrt()
     }
 
     /// What a total missed by round-off may change, if one cell has to make up for it.

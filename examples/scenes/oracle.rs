@@ -59,6 +59,7 @@ pub(crate) fn pressure(
             (scene.gap.min(), Some(total))
         }
         NormalLoad::Approach(approach) => (approach, None),
+        _ => return None,
     };
     if grid.cells() <= dense_limit {
         let linear: Vec<f64> = scene.gap.as_slice().iter().map(|h| h - datum).collect();
@@ -110,6 +111,7 @@ pub(crate) fn tractions(
     if let Some(truth) = sliding(&limits, load, cell_area, found) {
         return Some(truth);
     }
+    let blur = blur(&limits, load, cell_area);
     let contact: Vec<usize> = (0..limits.len()).filter(|&i| limits[i] > 0.0).collect();
     if let Some(axis) = found.axis()
         && contact.len() <= dense_limit
@@ -130,10 +132,22 @@ pub(crate) fn tractions(
     let mut solution = solver.new_solution();
     let _ = solver.solve_into(&mut solution);
     Some(Truth {
-        error: solution.report().energy_error_bound(),
+        error: solution.report().energy_error_bound() + blur,
         x: gathered(&solution),
         against: "finer solve",
     })
+}
+
+/// What the rounding of a force leaves open of the tractions: near sliding in the plane, they turn by the root of
+/// what is missing of the limit.
+fn blur(limits: &[f64], load: TangentialLoad, cell_area: f64) -> f64 {
+    match load {
+        TangentialLoad::Force([x, y]) => {
+            let missing = 1.0 - x.hypot(y) / (limits.iter().sum::<f64>() * cell_area);
+            2.0 * f64::EPSILON / missing.max(f64::EPSILON).sqrt()
+        }
+        _ => 0.0,
+    }
 }
 
 /// All cells at their limits along the force, if that is as good as the limit.
@@ -174,6 +188,7 @@ fn exact_traction(
     let (shift, total) = match load {
         TangentialLoad::Force(force) => (0.0, Some(force[axis] / cell_area)),
         TangentialLoad::Shift(shift) => (shift[axis], None),
+        _ => return None,
     };
     let component = [Component::XX, Component::YY][axis];
     let upper: Vec<f64> = contact.iter().map(|&i| limits[i]).collect();

@@ -339,7 +339,7 @@ pub(crate) fn story(index: u64) -> Result<Story> {
     let grid = scene.gap.grid();
     let force = match scene.load {
         NormalLoad::Force(force) => force,
-        NormalLoad::Approach(_) => 1e-2 * scene.bodies.pair().contact_modulus() * grid.area(),
+        _ => 1e-2 * scene.bodies.pair().contact_modulus() * grid.area(),
     };
     let is_in_plane = random.chance(0.4);
     let with_presses = random.chance(0.3);

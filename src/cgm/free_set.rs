@@ -8,7 +8,7 @@ use crate::parallel::{self, Blocks, CHUNK, Ragged, Split, blocks};
 ///
 /// A compressed vector holds their values in order; chunk `t` of the grid owns the range
 /// `starts[t]..starts[t + 1]` of it.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct FreeSet {
     /// How far from the chunk's first entry the free ones lie; chunk `t` keeps its list at `t * CHUNK`.
     offsets: Vec<u16>,

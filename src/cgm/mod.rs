@@ -186,7 +186,7 @@ pub struct Minimum {
 }
 
 /// Everything an iteration writes to besides `x`; made once, reused by every solve of one size.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Workspace<C: Operator, P: Operator = Identity> {
     operator: C::Workspace,
     preconditioner: P::Workspace,
@@ -202,7 +202,7 @@ pub struct Workspace<C: Operator, P: Operator = Identity> {
 }
 
 /// Vectors of the inner iteration, compressed to the free entries.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Inner {
     residual: Vec<f64>,
     last_residual: Vec<f64>,

@@ -156,7 +156,8 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
         });
     }
 
-    /// Examines the iterate, whose product must be fresh, and writes the findings to the report.
+    /// Examines the iterate by the product at hand, and writes the findings to the report. They are certain only if
+    /// that product is [fresh](Self::is_fresh).
     pub(super) fn examine(&mut self) -> Certificate {
         let findings = certificate::examine(
             self.x,

@@ -80,8 +80,8 @@ impl<'a> Watch<'a> {
         ControlFlow::Continue(())
     }
 
-    /// Asks observer and clock whether to go on: so, or by [`Self::proceed`], before every product but the last,
-    /// which shows what the iterate returned is worth.
+    /// Asks observer and clock whether to go on. So, or by [`Self::proceed`], they are asked before every product
+    /// that moves the iterate or a step; one that only shows what the iterate is worth is due anyway.
     pub(super) fn ask(&mut self, free: usize, report: &Report) -> ControlFlow<Status> {
         let entry = self.entry(free, report);
         if (self.observer)(&entry).is_break() {

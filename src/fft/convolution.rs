@@ -137,7 +137,7 @@ pub(super) fn padded(size: [usize; 2]) -> [usize; 2] {
 
 /// Buffers of products: 16 bytes per cell, 8 more from the first product in single precision on, and
 /// a little for each task.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct ConvolutionWorkspace {
     double: Buffers<f64>,
     /// Made by the first product in single precision: many users never ask for one.

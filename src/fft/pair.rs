@@ -70,14 +70,14 @@ impl PairConvolution {
 }
 
 /// Buffers of products with a tensor.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct PairWorkspace {
     double: [Buffers<f64>; 2],
     single: Option<PairSingleWorkspace>,
 }
 
 /// Buffers of products in single precision.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct PairSingleWorkspace([Buffers<f32>; 2]);
 
 impl Operator for PairConvolution {

@@ -41,7 +41,7 @@ impl<T: Real> fmt::Debug for Plan<T> {
 }
 
 /// Buffers of one transform: two numbers per cell of the field, and a little for each task.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Buffers<T> {
     /// All tiles of a band of rows, then of the next band; a task owns bands of rows.
     pub(super) by_rows: Vec<Tile<T>>,

@@ -15,7 +15,7 @@ pub(super) struct SingleProduct {
 }
 
 /// Buffers of products in single precision: 8 bytes per cell for an operator, 4 for a preconditioner.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct SingleWorkspace(Buffers<f32>);
 
 impl SingleProduct {

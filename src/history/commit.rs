@@ -1,5 +1,6 @@
 //! A solved step enters state and account.
 
+use crate::cgm::plane::dot;
 use crate::history::motion::{Motion, centre};
 use crate::history::patch::Patch;
 use crate::history::state::State;
@@ -70,10 +71,6 @@ impl Patch {
         state.moment = cell_area * moment;
         std::mem::swap(&mut self.displacement, &mut self.next);
     }
-}
-
-fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
 }
 
 fn difference(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {

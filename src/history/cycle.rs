@@ -15,6 +15,7 @@ use crate::serial::checked;
 /// The sliding regime of a cycle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub enum Regime {
     /// No cell slipped.
     FullStick,

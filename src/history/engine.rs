@@ -16,7 +16,7 @@ use crate::stage::{Observer, PlaneStage, Stage, with_time_left};
 use crate::tangential::{Axis, component};
 
 /// Set up on the window of the contact, with the tractions of the step under way.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 #[expect(
     clippy::large_enum_variant,
     reason = "there is one per history, beside megabytes of fields"

@@ -137,6 +137,7 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
 /// Why a fretting loop ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub enum LoopEnding {
     /// The last cycle closed, to the tolerance asked for.
     Steady,

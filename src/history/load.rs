@@ -8,6 +8,7 @@ use crate::tangential::Axis;
 /// The normal half of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub enum NormalStep {
     /// The normal force W >= 0 at the end of the step; zero is first touch, or none.
     Force(f64),
@@ -20,6 +21,7 @@ pub enum NormalStep {
 /// The tangential half of a step, along one axis; in the plane model each axis has its own.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub enum TangentialStep {
     /// The tangential force that body 2 exerts on body 1 at the end of the step (a force, either
     /// sign).

@@ -13,7 +13,7 @@ use crate::window::Window;
 /// The engine on the window of the contact, and the state of the cells there.
 ///
 /// Vectors have the [layout](Layout) of the engine.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Patch {
     pub(super) window: Window,
     pub(super) engine: Engine,

@@ -19,7 +19,7 @@ use crate::tangential::{Axis, Friction, TangentialLoad};
 use crate::window::Window;
 
 /// Tractions on the window of the contact, which is made wider when the contact leaves it.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Shear {
     bodies: HalfSpace,
     /// The axis of the scalar model, `None` in that of the plane.

@@ -6,7 +6,7 @@ use crate::history::motion::Motion;
 use crate::tangential::Zone;
 
 /// Tangential state of all cells, and what has added up since the start.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct State {
     pub(super) traction: [Field; 2],
     pub(super) slip: [Field; 2],

@@ -29,7 +29,8 @@ use crate::tangential::{Axis, Friction, Zone, component};
 /// whatever the size. A contact that outgrows the box takes a wider one, and in that step a quarter more in all,
 /// in the plane two fifths. After the first steps, a step within it allocates nothing.
 ///
-/// It is saved by [`to_bytes`](Self::to_bytes) and goes on by [`restore`](Self::restore), on bodies made anew.
+/// It is saved by [`to_bytes`](Self::to_bytes) and goes on by [`restore`](Self::restore), on bodies made anew. A
+/// clone keeps it in memory, buffers and all: to go back by, or to try what comes of another load.
 /// Many histories may share one [`HalfSpace`] on many threads: each comes to the bits it has alone.
 ///
 /// ```
@@ -58,7 +59,7 @@ use crate::tangential::{Axis, Friction, Zone, component};
 /// assert!(history.shift()[0] > 0.0 && history.traction()[0].max() > 0.0);
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct History {
     pub(super) bodies: HalfSpace,
     pub(super) friction: Friction,

@@ -10,6 +10,7 @@ use crate::normal::{NormalSolution, NormalSolver};
 /// What presses the bodies together.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub enum NormalLoad {
     /// The normal force W >= 0; the approach follows. Zero force is first touch.
     Force(f64),

@@ -37,7 +37,7 @@ use crate::window::Window;
 /// }
 /// # Ok::<(), stickslip::Error>(())
 /// ```
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct NormalSolver {
     problem: NormalProblem,
     /// What the last solve worked with; `None` before the first.
@@ -50,7 +50,7 @@ pub struct NormalSolver {
 }
 
 /// The engine, set up where it works: around the contact, if that is much smaller than the grid.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Engine {
     window: Window,
     stage: Stage,
@@ -58,7 +58,7 @@ struct Engine {
     whole: Option<Whole>,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Whole {
     operator: Arc<Convolution>,
     workspace: ConvolutionWorkspace,

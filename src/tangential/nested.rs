@@ -8,17 +8,22 @@ use crate::influence::Component;
 use crate::stage::{Nested, Observer, PlaneStage, Stage};
 use crate::window::{coarsened, refined};
 
+/// What friction holds, as a traction times cells.
+fn capacity(limits: &[f64]) -> f64 {
+    limits.iter().sum()
+}
+
+/// A total spread in proportion to the limits: feasible, and close near sliding.
+fn in_proportion(limits: &[f64], total: Option<f64>) -> Vec<f64> {
+    let fraction = total.map_or(0.0, |total| total / capacity(limits));
+    limits.iter().map(|limit| fraction * limit).collect()
+}
+
 /// Friction limits, and minus the shift where that is prescribed.
 pub(super) struct FrictionScene {
     pub(super) component: Component,
     pub(super) limits: Vec<f64>,
     pub(super) linear: Vec<f64>,
-}
-
-impl FrictionScene {
-    fn capacity(&self) -> f64 {
-        self.limits.iter().sum()
-    }
 }
 
 impl Nested for FrictionScene {
@@ -35,16 +40,12 @@ impl Nested for FrictionScene {
 
     /// The same part of what friction holds.
     fn coarse_total(&self, coarse: &Self, total: Option<f64>) -> Option<f64> {
-        total.map(|total| total * (coarse.capacity() / self.capacity()))
+        let ratio = capacity(&coarse.limits) / capacity(&self.limits);
+        total.map(|total| total * ratio)
     }
 
-    /// In proportion to the limits: feasible, and close near sliding.
     fn plain_start(&self, total: Option<f64>) -> Vec<f64> {
-        let fraction = total.map_or(0.0, |total| total / self.capacity());
-        self.limits
-            .iter()
-            .map(|limit| fraction * limit)
-            .collect::<Vec<_>>()
+        in_proportion(&self.limits, total)
     }
 
     /// Interpolated where the coarse cell sticks, at the limit where it slips or is apart: the zone
@@ -95,12 +96,6 @@ pub(super) struct PlaneScene {
     pub(super) linear: Vec<f64>,
 }
 
-impl PlaneScene {
-    fn capacity(&self) -> f64 {
-        self.limits.iter().sum()
-    }
-}
-
 /// A function of each component of a vector of the plane.
 fn by_component(vector: &[f64], f: impl Fn(&[f64]) -> Vec<f64>) -> Vec<f64> {
     let (x, y) = vector.split_at(vector.len() / 2);
@@ -120,20 +115,14 @@ impl Nested for PlaneScene {
 
     /// The same part of what friction holds.
     fn coarse_total(&self, coarse: &Self, totals: [Option<f64>; 2]) -> [Option<f64>; 2] {
-        let ratio = coarse.capacity() / self.capacity();
+        let ratio = capacity(&coarse.limits) / capacity(&self.limits);
         totals.map(|total| total.map(|total| total * ratio))
     }
 
-    /// In proportion to the limits: feasible, and close near sliding.
     fn plain_start(&self, totals: [Option<f64>; 2]) -> Vec<f64> {
-        let part = |total: Option<f64>| {
-            let fraction = total.map_or(0.0, |total| total / self.capacity());
-            self.limits
-                .iter()
-                .map(|limit| fraction * limit)
-                .collect::<Vec<_>>()
-        };
-        totals.map(part).concat()
+        totals
+            .map(|total| in_proportion(&self.limits, total))
+            .concat()
     }
 
     /// Interpolated; at the limit where the coarse cell slips or is apart, and in the direction of the whole

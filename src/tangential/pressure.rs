@@ -28,6 +28,7 @@ use crate::window::Window;
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy)]
+#[non_exhaustive]
 pub enum Pressure<'a> {
     /// Of a normal contact on the same bodies, which must have converged.
     Solved(&'a NormalSolution),

@@ -11,6 +11,7 @@ use crate::window::Window;
 /// ([`Lateral::Coupled`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub enum TangentialLoad {
     /// The tangential force that body 2 exerts on body 1 (a force, either sign); the shift follows.
     Force([f64; 2]),

@@ -11,7 +11,7 @@ use crate::tangential::problem::Limits;
 use crate::tangential::{Axis, Lateral, TangentialProblem};
 
 /// Set up on the window of the contact, with the last tractions there, the start of the next solve.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 #[expect(
     clippy::large_enum_variant,
     reason = "there is one per solver, beside megabytes of fields"
@@ -169,7 +169,7 @@ impl Shear {
             return Ok(());
         }
         let size = window.size;
-        let is_plain = settings.method == Method::PolonskyKeer || limits.is_sliding(totals);
+        let is_sliding = limits.is_sliding(totals);
         match self {
             Self::Along(axis, stage) => {
                 let scene = FrictionScene {
@@ -178,7 +178,7 @@ impl Shear {
                     linear: stage.linear.clone(),
                 };
                 let total = totals[axis.index()];
-                stage.x = if is_plain {
+                stage.x = if is_sliding || settings.method == Method::PolonskyKeer {
                     scene.plain_start(total)
                 } else {
                     nested_start(bodies, size, &scene, total, settings, start, observer)?
@@ -189,7 +189,7 @@ impl Shear {
                     limits: limits.cells.clone(),
                     linear: stage.linear.clone(),
                 };
-                stage.q = if is_plain {
+                stage.q = if is_sliding {
                     scene.plain_start(totals)
                 } else {
                     nested_start(bodies, size, &scene, totals, settings, start, observer)?

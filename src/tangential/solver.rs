@@ -43,7 +43,7 @@ use crate::tangential::{
 /// assert!(stick[0] == 1.0 && stick.is_sorted_by(|a, b| a > b));
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct TangentialSolver {
     problem: TangentialProblem,
     /// The engine on the contact's bounding box, with the last traction, the start of the next.

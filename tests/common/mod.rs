@@ -7,38 +7,18 @@
 )]
 
 pub(crate) mod contact;
+#[path = "../../examples/scenes/random.rs"]
+mod random;
 pub(crate) mod refusal;
 pub(crate) mod waves;
 
+pub(crate) use random::Random;
 use stickslip::cgm::Method;
 use stickslip::influence::Component;
 use stickslip::{
     ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
     NormalSolution, Operator, TangentialLoad, TangentialProblem, TangentialSolution,
 };
-
-/// A small deterministic generator (splitmix64): the same scenes on every machine.
-pub(crate) struct Random(pub(crate) u64);
-
-impl Random {
-    pub(crate) fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// Uniform in `[low, high)`.
-    pub(crate) fn uniform(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    /// Uniform in `low..=high`.
-    pub(crate) fn integer(&mut self, low: usize, high: usize) -> usize {
-        low + (self.bits() % (high - low + 1) as u64) as usize
-    }
-}
 
 /// A rough gap: waves of all directions down to eight cells, amplitudes falling as for a Hurst
 /// exponent of 0.8, root-mean-square height one, least value zero.

@@ -35,7 +35,7 @@ pub(crate) fn norm(v: [f64; 2]) -> f64 {
     dot(v, v).sqrt()
 }
 
-pub(super) fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
+pub(crate) fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 

@@ -37,7 +37,7 @@ use crate::report::{Iteration, Report, Status};
 
 use cell::Cell;
 pub(crate) use certificate::examine;
-pub(crate) use disc::{Disc, norm, update_cells};
+pub(crate) use disc::{Disc, dot, norm, update_cells};
 use run::Run;
 
 /// What to minimise. `linear` holds two numbers a cell, `limits` one, finite and not negative.
@@ -52,7 +52,7 @@ pub(crate) struct Problem<'a, C, P> {
 }
 
 /// Everything an iteration writes to besides `q`.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct Workspace<C: Operator, P: Operator> {
     operator: C::Workspace,
     preconditioner: P::Workspace,
@@ -68,7 +68,7 @@ pub(crate) struct Workspace<C: Operator, P: Operator> {
 }
 
 /// What the inner iteration keeps, compressed to the loaded cells.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Inner {
     cells: Vec<Cell>,
     residual: Vec<[f64; 2]>,

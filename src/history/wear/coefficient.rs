@@ -19,6 +19,7 @@ use crate::history::wear::check;
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Coefficient<'a> {
     /// One for all cells.
     Uniform(f64),

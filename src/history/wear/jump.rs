@@ -47,7 +47,7 @@ pub fn stable_cycles<'a>(
     coefficient.check(bodies.grid())?;
     check("slip length", slip_length, bodies.grid())?;
     let slip = slip_length.as_slice();
-    let rate = largest(slip_length, |i| coefficient.at(i) * slip[i]);
+    let rate = largest(slip.len(), |i| coefficient.at(i) * slip[i]);
     Ok(2.0 * cycles_without_overshoot(bodies, rate)?)
 }
 
@@ -111,7 +111,7 @@ impl CycleJump {
         )?;
         check("depth of the cycle", depth, bodies.grid())?;
         let (pressure, removed) = (cycle.slip_pressure().as_slice(), depth.as_slice());
-        let rate = largest(depth, |i| {
+        let rate = largest(removed.len(), |i| {
             if pressure[i] > 0.0 {
                 removed[i] / pressure[i]
             } else {
@@ -168,7 +168,6 @@ fn cycles_without_overshoot(bodies: &HalfSpace, rate: f64) -> Result<f64> {
     })
 }
 
-fn largest(field: &Field, of: impl Fn(usize) -> f64 + Sync) -> f64 {
-    let cells = field.as_slice().len();
+fn largest(cells: usize, of: impl Fn(usize) -> f64 + Sync) -> f64 {
     parallel::fold(cells, |range| range.map(&of).fold(0.0, f64::max), f64::max)
 }
