@@ -64,6 +64,15 @@ impl Cell {
         }
     }
 
+    /// Lets go of a traction beyond the limit: as stiff as if its own compliance alone had held what is beyond. Were
+    /// it not stiff before its slip is measured, a total that is spread in the meantime would turn it right round.
+    pub(super) fn let_go(q: [f64; 2], limit: f64, lower_bound: f64) -> Self {
+        let excess = SINGLE * lower_bound * (1.0 - limit / norm(q));
+        let mut cell = Self::slipping(q);
+        cell.stiffen(q.map(|q| -excess * q), limit);
+        cell
+    }
+
     /// At its limit with this traction, as stiff as it was.
     pub(super) fn turned_to(self, q: [f64; 2]) -> Self {
         match (self, Self::slipping(q)) {

@@ -182,6 +182,7 @@ fn reclassify<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>, largest: f6
     // Below this a wrong sign is noise of the inner solution, and would come and go.
     let threshold = (0.01 * run.watch.settings.tolerance).max(f64::EPSILON) * largest;
     run.is_fresh = false;
+    let lower_bound = run.lower_bound;
     let Workspace {
         inner: Inner { cells, .. },
         loaded,
@@ -209,7 +210,11 @@ fn reclassify<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>, largest: f6
                 *cell = Cell::Stick;
                 Disc(limit).project(traction)
             } else {
-                *cell = cell.turned_to(traction);
+                *cell = if cell.is_stick() {
+                    Cell::let_go(traction, limit, lower_bound)
+                } else {
+                    cell.turned_to(traction)
+                };
                 traction.map(|q| q * (limit / size))
             };
         }
