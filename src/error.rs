@@ -16,8 +16,8 @@ pub type Result<T> = std::result::Result<T, Error>;
 
 /// What was wrong: one variant per rule broken, with the offending number.
 ///
-/// Arguments are checked before any work, and the caller's state is then as it was. Only
-/// [`Error::NotConverged`] comes after work.
+/// Arguments are checked before any work, and a call that fails leaves the caller's state as it was; except that on
+/// [`Error::NotConverged`] `solve_into` and `solve_observed` leave the last feasible iterate in the solution.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -180,7 +180,8 @@ pub enum Error {
         /// What was saved, in words.
         quantity: &'static str,
     },
-    /// An approach that leaves a periodic contact no gap anywhere: any pressure, however large, does.
+    /// The approach is not below the mean gap of a periodic contact: the surfaces then touch everywhere, and the pressure
+    /// is not determined.
     #[error(
         "an approach of {approach:e} is not below the mean gap {mean_gap:e} of a periodic contact, which it would close everywhere under any pressure"
     )]
@@ -223,7 +224,7 @@ pub enum Error {
         limit: usize,
     },
     /// A range of rows or columns is empty or leaves the grid.
-    #[error("the {quantity} {start}..{end} are none, or leave the {count} of the grid")]
+    #[error("the {quantity} {start}..{end} are an empty range, or reach beyond the {count} of the grid")]
     Range {
         /// Rows or columns.
         quantity: &'static str,
@@ -304,8 +305,8 @@ pub enum Error {
     /// A path of no steps.
     #[error("the load path has no steps")]
     EmptyPath,
-    /// The iteration ended before the tolerance was reached. The caller's solution holds the
-    /// last feasible iterate.
+    /// The iteration ended before the tolerance was reached. After `solve_into` or `solve_observed` the solution holds
+    /// the last feasible iterate; a [`History`](crate::History) is as it was before the step.
     #[error("not converged: {0}")]
     NotConverged(Box<Report>),
 }

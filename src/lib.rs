@@ -1,4 +1,4 @@
-//! Normal and stick-slip contact of smooth and rough elastic bodies: fast, and with a certified error.
+//! Normal and stick-slip (partial-slip) contact of smooth and rough elastic bodies: fast, and with a certified error.
 //!
 //! Press two elastic bodies together and shear them: this crate finds the pressure and the contact area, then the
 //! shear traction, the stick zone and the slip zone under Coulomb friction, for one load or a history of loads. The
@@ -15,7 +15,7 @@
 //!
 //! and a certificate bounds the error of every answer. The model is that of Wang, De Boer, Neville & Ghanbarzadeh
 //! (Tribology International 159 (2021) 106947, <https://doi.org/10.1016/j.triboint.2021.106947>), with
-//! [the slips of its printed formulas mended](guide::errata).
+//! [the errors in its printed formulas corrected](guide::errata).
 //!
 //! ```
 //! use stickslip::{
@@ -74,8 +74,10 @@
 //! |---|---|---|
 //! | m | N | Pa |
 //! | mm | N | MPa |
+//! | um | uN | MPa |
 //!
-//! z points into body 1. Pressure is positive when it pushes into the bodies. Traction and tangential force
+//! z points into body 1. Pressure is positive when it pushes into the bodies. A gap is positive where the surfaces are
+//! apart, the approach when the bodies come together; heights point out of their body. Traction and tangential force
 //! are those that body 2 exerts on body 1 through the contact, positive along the axis. Displacements are
 //! relative, body 1 minus body 2; the shift is the rigid motion of body 2 relative to body 1, far from the
 //! contact. So a body 2 dragged along +x has a positive shift and pulls body 1 along with a positive force. Slip
@@ -86,8 +88,8 @@
 //!
 //! A solve ends as [`Converged`](Status::Converged) only if a fresh product shows what was asked: the largest complementarity
 //! residual, relative to the displacement of the contact, and a bound on the error in the energy norm, both below the
-//! tolerance. Anything else is an error that carries the report, with the last feasible iterate in the caller's
-//! solution. The bound is rigorous up to the round-off of the product; it comes from the smallest eigenvalue of the
+//! tolerance. Anything else is an error that carries the report; the last feasible iterate is then in the solution that
+//! the caller handed over. The bound is rigorous up to the round-off of the product; it comes from the smallest eigenvalue of the
 //! periodic continuation of the operator, which its spectrum shows, and from the duality gap, as the page of [`cgm`]
 //! derives. (An operator of your own that knows no such eigenvalue is judged by its residual alone.)
 //!
@@ -102,10 +104,10 @@
 //! | shift | 9.9e-7 |
 //! | stick ratio | -5.0e-5 |
 //!
-//! Summed over the cells their error is, for the same sphere, 1e-4 in the pressure and 5e-4 in the shear traction, far
-//! more where cells barely resolve a roughness. A tolerance a hundred times below that buys nothing, unless steps are
-//! subtracted from one another, as wear and friction histories do. What each leaves, at worst over the sphere and the
-//! rough surface at 2, 10 and 40 % contact on 256 x 256 cells:
+//! The error of discretisation of the fields, summed over the cells, is 1e-4 in the pressure and 5e-4 in the shear
+//! traction of the same sphere, and far more where cells barely resolve a roughness. A tolerance a hundred times below
+//! that buys nothing, unless steps are subtracted from one another, as wear and friction histories do. What each
+//! tolerance leaves, at worst over the sphere and the rough surface at 2, 10 and 40 % contact on 256 x 256 cells:
 //!
 //! | tolerance | approach, shift | contact and stick cells | one cell's pressure, of the largest | good for |
 //! |---|---|---|---|---|
@@ -114,8 +116,9 @@
 //! | 1e-6 | 2e-9 | none | 1e-5 | fields; steps of a few per cent |
 //! | 1e-8 (default) | 2e-11 | none | 2e-8 | histories, derivatives, comparison with other codes |
 //!
-//! Two more digits cost ten to thirty per cent more time. Below 1e-13 or so a solve ends as
-//! [`Stalled`](Status::Stalled), at its round-off. What [hard scenes](guide::hard_cases) come to has a page.
+//! Two more digits cost ten to thirty per cent more time. A tolerance below round-off ends as
+//! [`Stalled`](Status::Stalled): below about 1e-14 on spheres and rough surfaces, 1e-12 on flat ones (a table on the page
+//! of [`cgm`]). What [hard scenes](guide::hard_cases) come to has a page.
 //!
 //! On two shared cores, 512 x 512 cells and from a cold start, the pressure of the sphere took 26 ms to 1e-4 and 39 ms to
 //! 1e-10, the shear traction 22 and 33; on a rough surface at 10 % contact 65 and 53 ms to 1e-4, 85 and 70 to 1e-6. The
@@ -128,17 +131,17 @@
 //! | `parallel` | yes | threads, in the caller's rayon pool; the same bits on any number of them |
 //! | `dense` | yes | explicit matrices, the direct solution of small scenes and the levelling of surfaces, through faer |
 //! | `x3p` | no | surfaces in X3P files, through `miniz_oxide` and `quick-xml` |
-//! | `serde` | no | scenes, loads, options, fields and answers in any format of `serde` |
+//! | `serde` | no | grids, materials, friction, loads, options, fields and answers in any format of `serde` |
 //!
 //! What each costs an embedder, measured on the program of the page on [embedding](guide::embedding), compiled from nothing
 //! (seconds of one core, rustc 1.95):
 //!
 //! | features | other crates | release | debug |
 //! |---|---|---|---|
-//! | none (`default-features = false`): transforms, solvers, histories, surfaces, plain files | 15 | 50 s | 33 s |
-//! | `parallel` | 21 | 71 s | 42 s |
-//! | `parallel`, `dense` (default) | 57 | 169 s | 120 s |
-//! | all | 64 | 182 s | 127 s |
+//! | none (`default-features = false`): transforms, solvers, histories, surfaces, plain files | 16 | 50 s | 33 s |
+//! | `parallel` | 22 | 71 s | 42 s |
+//! | `parallel`, `dense` (default) | 63 | 169 s | 120 s |
+//! | all | 70 | 182 s | 127 s |
 //!
 //! With `serde`, what a constructor would refuse is refused on reading, by the same words, and numbers keep their bits.
 //! In formats for humans, as JSON, what is not finite is a word: `"NaN"` (a missing height), `"Infinity"` (the modulus of a
@@ -152,8 +155,8 @@
 //! load along one axis or in the plane, twist included.
 //! Along an axis the traction across the load is neglected, as in the paper, which costs the sphere of Poisson's ratio
 //! 0.29 less than 0.1 % of the force; the plane model ([`Lateral::Coupled`]) finds both, at about three times the time.
-//! Materials whose pressure and shear are coupled (Dundurs' beta not zero) are refused until the coupling is neglected
-//! explicitly. In the plane model the histories of CONTACT's test bench, 21 steps of a moving sphere among them, come out to
+//! Materials whose pressure and shear are coupled (Dundurs' beta not zero) are refused by tangential problems and
+//! histories until the coupling is neglected explicitly. In the plane model the histories of CONTACT's test bench, 21 steps of a moving sphere among them, come out to
 //! 1e-9 of the largest pressure (`tests/another_code_agrees_through_histories.rs`).
 //!
 //! Not modelled: the coupling of pressure and shear itself, rolling, layers, plasticity, adhesion, viscosity, heat.

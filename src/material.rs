@@ -238,7 +238,7 @@ impl ElasticPair {
     /// Dundurs' second parameter `beta`: the strength of the coupling between pressure and shear.
     ///
     /// `beta = ((1-2 nu_1)/G_1 - (1-2 nu_2)/G_2) / (2 ((1-nu_1)/G_1 + (1-nu_2)/G_2))`. It vanishes
-    /// for identical bodies and for two incompressible ones.
+    /// for identical bodies, for two incompressible ones, and for one such on a rigid body.
     #[must_use]
     pub fn dundurs_beta(&self) -> f64 {
         0.5 * self.compliances.coupling / self.compliances.normal

@@ -38,9 +38,11 @@ impl fmt::Display for Status {
     }
 }
 
-/// One step of an iteration, as an observer sees it, who is asked before every product, also on the coarser
-/// grids of a nested start. Who cancels waits for one product more on each grid in use, which shows what the
-/// iterate left is worth; the same holds for limits of time.
+/// One step of an iteration, as an observer sees it.
+///
+/// The observer is asked before every product, also on the coarser grids of a nested start. After it cancels, or a limit
+/// of time has passed, one more product is made on each grid in use, to measure the error of the iterate that is left.
+/// Residual and free entries are those last measured: between two outer steps of the active-set method they stand still.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -52,7 +54,7 @@ pub struct Iteration {
     /// Largest complementarity residual, relative to the largest displacement (see [`Report::residual`]).
     #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
     pub residual: f64,
-    /// Entries strictly between their bounds.
+    /// Entries strictly between their bounds: cells in contact of a normal problem, sticking cells of a tangential one.
     pub free: usize,
 }
 
@@ -81,7 +83,7 @@ pub struct Report {
     pub residual: f64,
     /// Certified bound on the squared relative error in the energy norm:
     /// `(x - x*)' C (x - x*) <= certified_gap * x' C x` (or `lambda x' x` for `x' C x`, if that is more,
-    /// with the smallest eigenvalue `lambda` the operator knows). Dimensionless.
+    /// with the smallest eigenvalue `lambda` the operator knows). Dimensionless: a duality gap, not a distance.
     #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
     pub certified_gap: f64,
     /// Relative error of the prescribed total, `|sum x - total| / sum |x|`; zero when no total

@@ -128,7 +128,7 @@ macro_rules! settings_methods {
             self
         }
 
-        /// Wall time allowed per solve (default: any).
+        /// Wall time allowed per solve (default: any). A step of a history has two, pressure and traction.
         pub fn time_limit(mut self, time_limit: std::time::Duration) -> Self {
             self.settings.time_limit = Some(time_limit);
             self

@@ -5,8 +5,9 @@
 //! zeros to at least `2 n - 1` cells an axis, so that no image of the contact wraps around (Liu,
 //! Wang & Liu, Wear 243 (2000) 101, <https://doi.org/10.1016/S0043-1648(00)00427-0>).
 //!
-//! - [`Convolution`] is the operator of a free half-space, exact up to round-off.
-//! - [`CirculantInverse`] is its approximate inverse on the unpadded grid: a preconditioner.
+//! - [`Convolution`] is the operator of a half-space, free (padded with zeros) or periodic (not padded), exact up to
+//!   round-off.
+//! - [`CirculantInverse`] is its approximate inverse on the unpadded grid, exact on a periodic one: a preconditioner.
 
 mod aligned;
 mod circulant;

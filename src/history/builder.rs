@@ -44,8 +44,8 @@ impl HistoryBuilder<'_> {
     }
 
     /// What becomes of the traction across the load (default [`Lateral::Neglected`]). With
-    /// [`Lateral::Coupled`] a history takes loads of any direction and twist, and the tangential
-    /// [`method`](Self::method) is always the active-set one.
+    /// [`Lateral::Coupled`] a history takes loads of any direction and twist; on its tractions, which have a
+    /// semi-smooth Newton method of their own, [`method`](Self::method) is without effect.
     ///
     /// ```
     /// use stickslip::*;

@@ -10,7 +10,7 @@ use crate::tangential::Axis;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum NormalStep {
-    /// The normal force W >= 0 at the end of the step; zero is first touch, or none.
+    /// The normal force W >= 0 at the end of the step; with zero the bodies just touch, or are apart.
     Force(f64),
     /// The approach of the bodies at the end of the step, from the datum of the gap (a length).
     Approach(f64),
@@ -30,8 +30,8 @@ pub enum TangentialStep {
     /// (a length, either sign).
     Shift(f64),
     /// A machine that drags body 2 by a spring: the force is $`F = k\,(X - \delta)`$. One a million times
-    /// softer than the contact prescribes the force, and is better given as one: in its stretch the slip is
-    /// lost to round-off.
+    /// softer than the contact in effect prescribes the force: give that instead, because slip is lost in the round-off
+    /// of the stretch.
     Spring {
         /// Where the far end of the spring is at the end of the step, since the start of the history
         /// (a length, either sign).

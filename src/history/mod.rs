@@ -13,9 +13,10 @@
 //! s = 0 \text{ where } |q| < m, \qquad q\,s \le 0 \text{ where } |q| = m .
 //! ```
 //!
-//! This is the problem of [`crate::tangential`] with a linear term: the minimum of
-//! $`\tfrac12 q' C q - S' q`$ over $`|q| \le m`$, in which a cell remembers the offset
-//! $`S = u - \delta`$ it slipped to last, so that errors of one step are not handed to the next. A cell
+//! This is the problem of [`crate::tangential`] with a linear term: the minimum over $`|q| \le m`$ of
+//! $`\tfrac12 q' C q - S' q`$ under a force, or of $`\tfrac12 q' C q - (S + \delta)' q`$ under a shift, in which a
+//! cell remembers the offset $`S = u - \delta`$ it slipped to last, so that errors of one step are not handed to the
+//! next. A cell
 //! that comes into contact takes the offset it has then: it begins without slip. A cell that leaves
 //! drops its traction. If the pressure alone changes, tractions are found anew under the
 //! same force or the same shift, never cut.

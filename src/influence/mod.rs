@@ -31,8 +31,8 @@
 //! C_{zy} = -C_{yz} = \frac{(1-2\nu) D_Y}{4 \pi G}.
 //! ```
 //!
-//! On a periodic grid a wave of traction of wave vector `k` causes a wave of displacement, larger by the
-//! symbol (theirs is the Fourier transform of the kernels, continuous and without an average over cells)
+//! On a periodic grid a wave of traction with the wave vector `k` causes a wave of displacement; the ratio of their
+//! amplitudes is the symbol (the Fourier transform of the displacement under a point force, not averaged over cells)
 //!
 //! ```math
 //! \hat C_{xx} = \frac{1 - \nu k_x^2/k^2}{G k}, \quad
@@ -45,7 +45,7 @@
 //! `zy` and `yz` likewise; the wave of zero wave number, a mean traction, has none and is given zero.
 //!
 //! Source: Appendix A of Wang, De Boer, Neville & Ghanbarzadeh, Tribology International 159
-//! (2021) 106947, with the printed slips mended: in `C_xx`, `C_yy` and `C_zz` the numerator of the
+//! (2021) 106947, with the printed errors corrected: in `C_xx`, `C_yy` and `C_zz` the numerator of the
 //! second logarithm is `(x+a) + hypot(x+a, y+b)`, the stray terms before the third are dropped,
 //! and the third term of `C_xx` carries `(1 - nu)(x - a)`.
 

@@ -6,8 +6,9 @@
 //! ```
 //!
 //! (eqs 10-12 of Wang et al. 2021): `h` is the initial gap, `p` the pressure, `delta` the approach
-//! of the bodies, `g` the gap under load, `Delta` the area of a cell. It is the minimum of
-//! `1/2 p'Cp + h'p` over non-negative pressures, which the engine of [`crate::cgm`] finds.
+//! of the bodies, `g` the gap under load, `Delta` the area of a cell. It is the minimum over `p >= 0` of
+//! `1/2 p'Cp + h'p` with `Delta sum p = W` under a force, or of `1/2 p'Cp + (h - delta)'p` under an approach; the
+//! engine of [`crate::cgm`] finds it.
 //!
 //! [`NormalProblem`] checks and holds a scene; [`NormalSolver`] owns the buffers and starts from
 //! its last answer; [`NormalSolution`] is the answer.

@@ -16,8 +16,8 @@ pub enum NormalLoad {
     Force(f64),
     /// The approach delta of the bodies from the datum of the gap (a length, positive when they
     /// come together); the force follows. At or below the least gap nothing touches. On a periodic grid
-    /// it must stay below the mean gap, which it would close; certified is then the error against the
-    /// contact under the force found.
+    /// it must stay below the mean gap, which it would close, and the certified error is measured against the exact
+    /// contact under the force that was found.
     Approach(f64),
 }
 

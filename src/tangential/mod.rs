@@ -9,7 +9,8 @@
 //! (eqs 13-16 of Wang et al. 2021): `q` is the traction on body 1 along one axis, `C` is `C_xx` or
 //! `C_yy`, `delta` the shift of the bodies, `s` the slip, `m = min(mu p, tau_max)` the friction
 //! limit of each cell, `Delta` the area of a cell. For one monotonic load step with a pressure that
-//! shear does not change it is the minimum of `1/2 q'Cq` over `|q| <= m`.
+//! shear does not change it is the minimum over `|q| <= m` of `1/2 q'Cq` with `Delta sum q = F`, if the force is
+//! prescribed, or of `1/2 q'Cq - delta sum q`, if the shift is.
 //!
 //! The traction across the load is neglected, as in the paper, unless [`Lateral::Coupled`] asks for both:
 //!

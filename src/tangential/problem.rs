@@ -17,7 +17,7 @@ pub enum TangentialLoad {
     Force([f64; 2]),
     /// The shift: the rigid motion of body 2 relative to body 1, far from the contact (a length,
     /// either sign); the force follows, of the same sign. On a periodic grid it is measured from the mean
-    /// plane of the surface; certified is then the error against the contact under the force found.
+    /// plane of the surface, and the certified error against the exact contact under the force that was found.
     Shift([f64; 2]),
 }
 
@@ -149,8 +149,8 @@ impl TangentialProblem {
 impl TangentialProblemBuilder<'_> {
     settings_methods!();
 
-    /// What becomes of the traction across the load (default [`Lateral::Neglected`]). With
-    /// [`Lateral::Coupled`] the [`method`](Self::method) is always the active-set one.
+    /// What becomes of the traction across the load (default [`Lateral::Neglected`]). [`Lateral::Coupled`] has a
+    /// semi-smooth Newton method of its own: [`method`](Self::method) is then without effect.
     pub fn lateral(mut self, lateral: Lateral) -> Self {
         self.lateral = lateral;
         self

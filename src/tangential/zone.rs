@@ -37,10 +37,13 @@ impl Axis {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Lateral {
-    /// Neglected, as in the paper (default): one traction, along the axis of the load.
+    /// Neglected, as in the paper (default): only the traction along the load is found. These pages call it the scalar
+    /// model.
     #[default]
     Neglected,
-    /// Found with the other: slip opposes traction in direction, and loads may have any. Each product costs
-    /// twice as much, and it takes two to three times as many.
+    /// Both are found, within `hypot(q_x, q_y) <= m`: slip opposes traction in direction, and loads may have any. These
+    /// pages call it the plane model: two components in the plane of the contact, not plane strain. It takes about three
+    /// times the time. The coupling of pressure and shear that dissimilar bodies have is another matter, see
+    /// [`neglect_coupling`](crate::tangential::TangentialProblemBuilder::neglect_coupling).
     Coupled,
 }

@@ -16,11 +16,12 @@ use crate::parallel;
 /// $`C_{zz}`$, by the factor $`1 - N k s / \lambda`$. All patterns decay if
 ///
 /// ```math
-/// N\,k\,s < 2\,\lambda_{min} \qquad (= 1.16\,h/E^* \text{ on square cells of side } h),
+/// N\,k\,s < 2\,\lambda_{min} \qquad (= 1.16\,h/E^* \text{ on square cells of side } h;\ 0.90\,h/E^* \text{ on a periodic grid}),
 /// ```
 ///
 /// and none changes sign below half of that, where a [`CycleJump`] stays. `coefficient` is the sum of both
-/// bodies, `slip_length` that of one cycle. Of the energy law, pass the coefficient times that of friction.
+/// bodies, `slip_length` that of one cycle. For the energy law, pass its coefficient times that of
+/// friction.
 ///
 /// # Errors
 /// [`Error::Negative`](crate::Error::Negative) for the coefficient,

@@ -7,8 +7,8 @@ use crate::parallel;
 
 /// Adds the depth that Archard's law removes, `k p |s|` (lengths).
 ///
-/// `coefficient` is that of the body, or the sum of both: hardness under wear number, the volume removed per
-/// work of the normal force (one over a pressure; 1 mm3/(N m) is 1e-9 1/Pa). `slip_length` is that of
+/// `coefficient` is k = K/H, Archard's dimensionless coefficient over the hardness, of the body or the sum of both: the
+/// volume removed per normal force and sliding distance (one over a pressure; 1 mm3/(N m) is 1e-9 1/Pa). `slip_length` is that of
 /// a [step](crate::history::Step::slip_length), or that of a [cycle](crate::history::Cycle::slip_length) with
 /// the [pressure](crate::history::Cycle::slip_pressure) it slipped under. Archard, J. Appl. Phys. 24 (1953)
 /// 981, <https://doi.org/10.1063/1.1721448>.
@@ -39,7 +39,7 @@ pub fn archard<'a>(
 /// Adds the depth that the energy law removes, `alpha E / A` with the area A of a cell (lengths).
 ///
 /// `coefficient` alpha is that of the body, or the sum of both: the volume removed per energy dissipated (one
-/// over a pressure); in full slip Archard's over the coefficient of friction. `energy` is what each cell
+/// over a pressure); in gross slip it is Archard's k over the coefficient of friction. `energy` is what each cell
 /// dissipates in a [step](crate::history::Step::dissipation) or a [cycle](crate::history::Cycle::dissipation).
 /// Fouvry, Kapsa & Vincent, Wear 200 (1996) 186, <https://doi.org/10.1016/S0043-1648(96)07306-1>.
 ///
