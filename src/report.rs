@@ -13,7 +13,8 @@ use std::time::Duration;
 pub enum Status {
     /// Nothing was solved yet.
     Unsolved,
-    /// A fresh product shows residual and certified error at or below the tolerance.
+    /// A fresh product shows residual and certified error at or below the tolerance; the residual alone, where an
+    /// operator of one's own knows no [`lower_bound`](crate::Operator::lower_bound).
     Converged,
     /// The limit of iterations was reached first.
     IterationLimit,
@@ -177,17 +178,25 @@ impl fmt::Debug for Report {
 
 impl fmt::Display for Report {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.status == Status::Unsolved {
+            return write!(formatter, "{}", self.status);
+        }
         write!(
             formatter,
-            "{} in {} iterations, {} + {} convolutions (double + single), {:.3} s: residual {:.1e}, energy error <= {:.1e}, load error {:.1e}",
+            "{} in {} iterations, {} + {} convolutions (double + single), {:.3} s: residual {:.1e}, ",
             self.status,
             self.iterations,
             self.convolutions,
             self.rough_convolutions,
             self.time.as_secs_f64(),
             self.residual,
-            self.energy_error_bound(),
-            self.load_error,
-        )
+        )?;
+        let bound = self.energy_error_bound();
+        if bound.is_infinite() {
+            write!(formatter, "energy error not bounded")?;
+        } else {
+            write!(formatter, "energy error <= {bound:.1e}")?;
+        }
+        write!(formatter, ", load error {:.1e}", self.load_error)
     }
 }

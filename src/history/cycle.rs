@@ -268,7 +268,8 @@ impl Cycle {
         self.slip_amplitude.each_ref()
     }
 
-    /// Energy that each cell dissipated in the cycle, by its traction at the end of each step (energies).
+    /// Energy that each cell dissipated in the cycle, by its traction at the end of each step (energies): what
+    /// [`wear::dissipated_energy`](crate::history::wear::dissipated_energy) takes.
     #[must_use]
     pub fn dissipation(&self) -> &Field {
         &self.dissipation
@@ -280,7 +281,8 @@ impl Cycle {
         &self.energy
     }
 
-    /// The loop of force and shift: the beginning, and the end of each step.
+    /// The loop of force and shift: the beginning, and the end of each step. It encloses the
+    /// [`work`](EnergyBalance::work).
     #[must_use]
     pub fn points(&self) -> &[LoopPoint] {
         &self.points

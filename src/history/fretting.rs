@@ -51,7 +51,7 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
     }
 
     /// Stops after the first cycle whose [closure](Cycle::closure) is no more than `tolerance`, in `(0, 1)`
-    /// (default: never).
+    /// (default: never). That is the largest of all cells: energies stand still cycles earlier.
     pub fn until_steady(mut self, tolerance: f64) -> Self {
         self.tolerance = Some(tolerance);
         self

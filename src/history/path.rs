@@ -78,7 +78,7 @@ impl LoadPath {
     ///
     /// A phase of $`\pi/2`$ and equal amplitudes make a circle. Neither amplitude is exceeded. The
     /// cycle begins and ends at $`[0, A_y\sin\varphi]`$: from an unloaded contact its first step is
-    /// that much longer.
+    /// that much longer. Energies are of first order in the length of a step here, see [`history`](crate::history).
     ///
     /// # Errors
     /// As [`sine`](Self::sine); [`Error::NotFinite`] for the phase.

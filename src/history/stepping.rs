@@ -26,8 +26,8 @@ use crate::tangential::{Axis, Friction, Zone, component};
 ///
 /// Beside its bodies it takes 180 bytes per cell of the grid and 350 per cell of the contact's bounding box,
 /// in the plane model ([`HistoryBuilder::lateral`]) 580 there, operators included, and one or two megabytes
-/// whatever the size. A contact that outgrows the box takes a wider one, and in that step a quarter more in all,
-/// in the plane two fifths. After the first steps, a step within it allocates nothing.
+/// whatever the size. A contact that outgrows the box takes a wider one for good, and in that step a quarter more in
+/// all, in the plane two fifths. After the first steps, a step within it allocates nothing.
 ///
 /// It is saved by [`to_bytes`](Self::to_bytes) and goes on by [`restore`](Self::restore), on bodies made anew. A
 /// clone keeps it in memory, buffers and all: to go back by, or to try what comes of another load.
