@@ -202,6 +202,7 @@ impl NormalSolver {
                 *linear = gap - datum;
             }
         });
+        let is_cold = self.engine.is_none();
         let mut engine = match self.engine.take() {
             Some(engine) => engine,
             None => self.start_cold(total, start, &mut observer)?,
@@ -220,7 +221,11 @@ impl NormalSolver {
             approach,
             &self.report,
         );
-        self.engine = Some(engine);
+        // From numbers that are none there is no start, and a first solve without contact has not found where to
+        // work.
+        let touches = self.pressure.iter().any(|&p| p > 0.0);
+        let is_start = self.report.certified_gap.is_finite() && (touches || !is_cold);
+        self.engine = is_start.then_some(engine);
         outcome.map_err(|_| Error::NotConverged(Box::new(self.report.clone())))
     }
 
