@@ -249,8 +249,8 @@ impl NormalSolver {
         }
         self.pressure = nested_start(bodies, whole.size, &scene, total, settings, start, observer)?;
         match Window::around(grid, |i| self.pressure[i] > 0.0) {
-            Ok(contact) => Engine::new(bodies, contact.widened(grid)),
-            Err(_) => Engine::new(bodies, whole),
+            Some(contact) => Engine::new(bodies, contact.widened(grid)),
+            None => Engine::new(bodies, whole),
         }
     }
 
@@ -317,7 +317,7 @@ impl NormalSolver {
             let overlaps = |i: usize| {
                 displacement[i] + self.linear[i] - multiplier < -round_off && !window.contains(i)
             };
-            if let Ok(missed) = Window::around(bodies.grid(), overlaps) {
+            if let Some(missed) = Window::around(bodies.grid(), overlaps) {
                 let wider = window.union(missed).widened(bodies.grid());
                 *engine = Engine::new(bodies, wider)?;
             } else if outcome.is_err() {

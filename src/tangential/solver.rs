@@ -122,7 +122,7 @@ impl TangentialSolver {
         let contact = contact_window(&self.problem.bodies, samples)?;
         let cell_area = self.problem.bodies.grid().cell_area();
         let problem = &mut self.problem;
-        if problem.window.union(contact) == problem.window {
+        if problem.window.covers(contact) {
             self.spare_pressure.resize(problem.window.cells(), 0.0);
             problem.window.gather(samples, &mut self.spare_pressure);
             self.spare
