@@ -220,13 +220,12 @@ impl HalfSpace {
     /// Operator and preconditioner of both tractions in the plane, on a rectangle as above.
     pub(crate) fn plane_compliance(&self, size: [usize; 2]) -> Result<PlaneCompliance> {
         const PARTS: [Component; 3] = [Component::XX, Component::YY, Component::XY];
-        let [xx, yy, xy] = PARTS.map(|component| self.kernel(component));
-        let (xx, yy, xy) = (&xx?.source, &yy?.source, &xy?.source);
-        let source = match (xx, yy, xy) {
-            (Source::Table(xx), Source::Table(yy), Source::Table(xy)) => {
-                PairSource::Tables([xx, yy, xy])
+        let source = match self.boundary() {
+            Boundary::Free => {
+                let [xx, yy, xy] = PARTS.map(|component| self.table(component));
+                PairSource::Tables([xx?, yy?, xy?])
             }
-            _ => PairSource::Symbols(
+            Boundary::Periodic => PairSource::Symbols(
                 PARTS.map(|component| Symbols::new(self.shared.grid, &self.shared.pair, component)),
             ),
         };
@@ -285,6 +284,14 @@ impl HalfSpace {
 
     fn size(&self) -> [usize; 2] {
         [self.shared.grid.nx(), self.shared.grid.ny()]
+    }
+
+    /// The coefficients of a component, of free surroundings only.
+    fn table(&self, component: Component) -> Result<&Table> {
+        match &self.kernel(component)?.source {
+            Source::Table(table) => Ok(table),
+            Source::Symbols(_) => unreachable!("free surroundings have tables"),
+        }
     }
 
     fn kernel(&self, component: Component) -> Result<&Kernel> {

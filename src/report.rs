@@ -59,6 +59,17 @@ pub struct Iteration {
     pub free: usize,
 }
 
+impl Iteration {
+    /// As a step of a solve that had done so many steps and products before.
+    pub(crate) fn after(self, (iterations, convolutions): (usize, usize)) -> Self {
+        Self {
+            iteration: iterations + self.iteration,
+            convolutions: convolutions + self.convolutions,
+            ..self
+        }
+    }
+}
+
 /// How a solve ended, what it cost and how large its error can be.
 ///
 /// Every number is recomputed from a fresh product with the returned iterate,
@@ -138,6 +149,20 @@ impl Report {
     #[must_use]
     pub fn products(&self) -> usize {
         self.convolutions + self.rough_convolutions
+    }
+
+    /// Goes on with what a further pass did: its history behind that before it, its counts on top, the rest its own.
+    pub(crate) fn go_on(&mut self, pass: &Self) {
+        let before = (self.iterations, self.convolutions);
+        let mut history = std::mem::take(&mut self.history);
+        history.extend(pass.history.iter().map(|step| step.after(before)));
+        *self = Self {
+            iterations: self.iterations + pass.iterations,
+            convolutions: self.convolutions + pass.convolutions,
+            rough_convolutions: self.rough_convolutions + pass.rough_convolutions,
+            history,
+            ..*pass
+        };
     }
 
     /// Whether residual, load error and certified error are all at or below a tolerance.

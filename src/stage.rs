@@ -298,6 +298,31 @@ pub(crate) fn with_memory(
     }
 }
 
+/// An observer of a further pass, whose counts go on from those before it.
+pub(crate) fn with_counts_of(
+    earlier: &Report,
+    observer: Observer<'_>,
+) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send {
+    let before = (earlier.iterations, earlier.convolutions);
+    move |step| observer(&step.after(before))
+}
+
+/// `Ok` if a limit of iterations leaves some for a further pass, else the report of a solve that it ends.
+pub(crate) fn may_go_on(settings: &Settings, report: &mut Report) -> Result<()> {
+    if report.iterations < settings.max_iterations {
+        return Ok(());
+    }
+    report.status = Status::IterationLimit;
+    Err(Error::NotConverged(Box::new(report.clone())))
+}
+
+/// The settings with what earlier passes have left of their limits, of which [`may_go_on`] has seen that there is
+/// some.
+pub(crate) fn with_limits_left(settings: &Settings, start: Instant, earlier: &Report) -> Settings {
+    let left = settings.max_iterations - earlier.iterations;
+    with_time_left(settings, start).max_iterations(left)
+}
+
 /// The settings with what is left of their time limit.
 pub(crate) fn with_time_left(settings: &Settings, start: Instant) -> Settings {
     Settings {

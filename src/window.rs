@@ -1,6 +1,5 @@
 //! A rectangle of cells around a contact.
 
-use crate::error::{Error, Result};
 use crate::grid::Grid;
 use crate::parallel;
 
@@ -22,11 +21,8 @@ impl Window {
         }
     }
 
-    /// Around all cells of a grid that are in a set.
-    ///
-    /// # Errors
-    /// [`Error::EmptyContact`] if none is.
-    pub(crate) fn around(grid: Grid, contains: impl Fn(usize) -> bool) -> Result<Self> {
+    /// Around all cells of a grid that are in a set; `None` if none is.
+    pub(crate) fn around(grid: Grid, contains: impl Fn(usize) -> bool) -> Option<Self> {
         let nx = grid.nx();
         let (mut low, mut high) = ([usize::MAX; 2], [0; 2]);
         for iy in 0..grid.ny() {
@@ -38,10 +34,7 @@ impl Window {
                 high = [high[0].max(last), iy];
             }
         }
-        if low[0] == usize::MAX {
-            return Err(Error::EmptyContact);
-        }
-        Ok(Self {
+        (low[0] < usize::MAX).then(|| Self {
             columns: nx,
             corner: low,
             size: [high[0] - low[0] + 1, high[1] - low[1] + 1],
@@ -76,6 +69,11 @@ impl Window {
             both.size[axis] = end(self).max(end(other)) - both.corner[axis];
         }
         both
+    }
+
+    /// Whether all of another window lies inside.
+    pub(crate) fn covers(self, other: Self) -> bool {
+        self.union(other) == self
     }
 
     /// Whether a cell of the whole grid lies inside.

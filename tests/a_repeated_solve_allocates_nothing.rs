@@ -74,6 +74,26 @@ fn check(gap: &Field, load: f64, lateral: Lateral) {
     assert_eq!(allocations(&mut cycle), 0);
 }
 
+/// A contact that has left its bounding box takes a wider one, and fits into that from then on.
+#[test]
+fn after_the_contact_has_grown() {
+    let grid = Grid::square(64, 100.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let ball = surface::sphere(grid, 300.0).unwrap();
+    let [light, heavy] = [5.0, 20.0].map(|force| {
+        let press = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(force));
+        press.build().unwrap().solve().unwrap()
+    });
+    let (friction, load) = (
+        Friction::coulomb(0.4).unwrap(),
+        TangentialLoad::Force([1.0, 0.0]),
+    );
+    let shear = TangentialProblem::builder(&bodies, &light, friction, load);
+    let mut shear = shear.build().unwrap().into_solver().unwrap();
+    shear.set_pressure(&heavy).unwrap();
+    assert_eq!(allocations(|| shear.set_pressure(&light).unwrap()), 0);
+}
+
 #[test]
 fn on_a_sphere_and_on_a_rough_surface() {
     let grid = Grid::square(96, 100.0).unwrap();

@@ -1,4 +1,5 @@
-//! Who cancels, or sets a limit of time, waits for one product more and then has a feasible, labelled iterate.
+//! Who cancels, or sets a limit of time, waits for one product more and then has a feasible, labelled iterate; a
+//! limit of iterations is one for all a solve does on its grid.
 #![allow(clippy::unwrap_used, reason = "a test fails loudly")]
 
 mod common;
@@ -13,8 +14,9 @@ use stickslip::cgm::{self, Iteration, Magnitude, Method, NonNegative, Problem, S
 use stickslip::fft::{Convolution, ConvolutionWorkspace};
 use stickslip::influence::Component;
 use stickslip::{
-    Error, Field, Friction, Grid, HalfSpace, Lateral, NormalLoad, NormalProblem, NormalSolution,
-    Operator, Report, Status, TangentialLoad, TangentialProblem, TangentialSolution,
+    Axis, Error, Field, Friction, Grid, HalfSpace, History, Lateral, LoadStep, NormalLoad,
+    NormalProblem, NormalSolution, NormalStep, Operator, Report, Status, TangentialLoad,
+    TangentialProblem, TangentialSolution, TangentialStep, surface,
 };
 
 /// An operator that counts its products.
@@ -300,4 +302,112 @@ fn assert_feasible(normal: &NormalSolution, solution: &TangentialSolution, frict
     }
     let [x, y] = solution.force();
     assert!((x / 13.0 - 1.0).abs() < 1e-12 && y.abs() < 1e-11);
+}
+
+/// What a solve of several passes has done, and what its observer saw.
+struct Passes {
+    report: Report,
+    seen: Vec<Iteration>,
+}
+
+impl Passes {
+    fn new(outcome: Result<Report, Error>, seen: Vec<Iteration>) -> Self {
+        let report = outcome.unwrap_or_else(|error| match error {
+            Error::NotConverged(report) => *report,
+            other => panic!("{other}"),
+        });
+        Self { report, seen }
+    }
+
+    /// The counts go on from pass to pass, and what the history ends with is what was done.
+    fn assert_counted_once(&self) {
+        let Self { report, seen } = self;
+        for steps in [seen, &report.history] {
+            assert!(steps.is_sorted_by_key(|step| step.iteration));
+            assert!(steps.is_sorted_by_key(|step| step.convolutions));
+            assert!(steps.last().is_some_and(|last| {
+                last.iteration <= report.iterations && last.convolutions <= report.convolutions
+            }));
+        }
+    }
+}
+
+/// Solves under every limit, and looks whether it is kept.
+fn assert_limited(least: usize, solve: impl Fn(usize) -> Passes) {
+    let whole = solve(10_000);
+    assert_eq!(whole.report.status, Status::Converged);
+    whole.assert_counted_once();
+    let free = whole.report.iterations;
+    assert!(least < free, "{least}, {}", whole.report);
+    for limit in least..free {
+        let Passes { report, .. } = &solve(limit);
+        assert_eq!(
+            (report.status, report.iterations),
+            (Status::IterationLimit, limit)
+        );
+    }
+    assert_eq!(solve(free + 1).report.status, Status::Converged);
+}
+
+/// A load that outgrows the window is solved again in a wider one.
+#[test]
+fn a_window_made_wider_has_the_iterations_that_are_left() {
+    let grid = Grid::square(64, 100.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let ball = surface::sphere(grid, 300.0).unwrap();
+    let light = NormalLoad::Force(0.02);
+    let builder = || NormalProblem::builder(&bodies, &ball, light).tolerance(1e-10);
+    let alone = builder().build().unwrap().solve().unwrap();
+    assert_limited(alone.report().iterations.max(1), |limit| {
+        let problem = builder().max_iterations(limit).build().unwrap();
+        let mut solver = problem.into_solver().unwrap();
+        let mut solution = solver.new_solution();
+        solver.solve_into(&mut solution).unwrap();
+        solver.set_load(NormalLoad::Force(50.0)).unwrap();
+        let mut seen = Vec::new();
+        let outcome = solver.solve_observed(&mut solution, |step| {
+            seen.push(*step);
+            ControlFlow::Continue(())
+        });
+        assert!((solution.force() / 50.0 - 1.0).abs() < 1e-11 && solution.pressure().min() >= 0.0);
+        Passes::new(outcome.map(|()| solution.report().clone()), seen)
+    });
+}
+
+/// Behind a spring far softer than the contact a step is solved again, more closely.
+#[test]
+fn a_closer_look_behind_a_spring_has_the_iterations_that_are_left() {
+    let grid = Grid::square(48, 8.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let ball = surface::sphere(grid, 10.0).unwrap();
+    let press = LoadStep::hold().normal(NormalStep::Force(0.5));
+    let stiffness = 1e-4;
+    let drag = LoadStep::hold().tangential(
+        Axis::X,
+        TangentialStep::Spring {
+            position: 0.1 / stiffness,
+            stiffness,
+        },
+    );
+    for lateral in [Lateral::Neglected, Lateral::Coupled] {
+        let builder = || {
+            let friction = Friction::coulomb(0.3).unwrap();
+            History::builder(&bodies, &ball, friction)
+                .lateral(lateral)
+                .tolerance(1e-6)
+        };
+        let mut alone = builder().build().unwrap();
+        let pressed = alone.step(&press).unwrap().normal_report().unwrap();
+        assert_limited(pressed.iterations, |limit| {
+            let mut history = builder().max_iterations(limit).build().unwrap();
+            history.step(&press).unwrap();
+            let mut seen = Vec::new();
+            let outcome = history.step_observed(&drag, |step| {
+                seen.push(*step);
+                ControlFlow::Continue(())
+            });
+            let report = outcome.map(|step| step.tangential_report().unwrap().clone());
+            Passes::new(report, seen)
+        });
+    }
 }

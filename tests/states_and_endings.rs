@@ -14,11 +14,11 @@ use std::ops::ControlFlow;
 use std::time::Duration;
 
 use common::{Table2, max_abs, rough, unit_bodies};
-use stickslip::cgm::{self, Magnitude, Method, Problem, Settings, Status};
+use stickslip::cgm::{self, Iteration, Magnitude, Method, Problem, Settings, Status};
 use stickslip::influence::Component;
 use stickslip::{
-    Error, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution,
-    TangentialLoad, TangentialProblem, Warning, Zone, surface,
+    Error, Field, Friction, Grid, HalfSpace, Lateral, NormalLoad, NormalProblem, NormalSolution,
+    NormalSolver, TangentialLoad, TangentialProblem, Warning, Zone, surface,
 };
 
 fn table_2(n: usize) -> (HalfSpace, NormalSolution) {
@@ -386,6 +386,105 @@ fn a_warm_start_changes_the_cost_only() {
     solver.reset();
     solver.solve_into(&mut solution).unwrap();
     assert_eq!(solution.pressure(), cold.pressure());
+}
+
+/// An observer that keeps the first step it sees.
+fn keep_first(
+    kept: &mut Option<Iteration>,
+) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send + '_ {
+    |step| {
+        kept.get_or_insert(*step);
+        ControlFlow::Continue(())
+    }
+}
+
+/// Before its first product a solve has nothing to show, least of all what the last one found.
+#[test]
+fn an_observer_sees_nothing_of_the_last_solve() {
+    let grid = Grid::square(48, 100.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let gap = rough(grid, 10);
+    let assert_blank = |first: Option<Iteration>| {
+        let first = first.unwrap();
+        assert_eq!((first.iteration, first.convolutions, first.free), (0, 0, 0));
+        assert!(first.residual.is_infinite());
+    };
+    for method in [Method::ActiveSet, Method::PolonskyKeer] {
+        let builder = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(15.0));
+        let mut press = builder
+            .method(method)
+            .build()
+            .unwrap()
+            .into_solver()
+            .unwrap();
+        let mut normal = press.new_solution();
+        press.solve_into(&mut normal).unwrap();
+        let mut first = None;
+        press.set_load(NormalLoad::Force(16.0)).unwrap();
+        press
+            .solve_observed(&mut normal, keep_first(&mut first))
+            .unwrap();
+        assert_blank(first);
+        for lateral in [Lateral::Neglected, Lateral::Coupled] {
+            let friction = Friction::coulomb(0.5).unwrap();
+            let load = |force| TangentialLoad::Force([force, 0.0]);
+            let builder = TangentialProblem::builder(&bodies, &normal, friction, load(3.0));
+            let builder = builder.lateral(lateral).method(method);
+            let mut shear = builder.build().unwrap().into_solver().unwrap();
+            let mut solution = shear.new_solution();
+            shear.solve_into(&mut solution).unwrap();
+            let mut first = None;
+            shear.set_load(load(4.0)).unwrap();
+            shear
+                .solve_observed(&mut solution, keep_first(&mut first))
+                .unwrap();
+            assert_blank(first);
+        }
+    }
+}
+
+/// What a solve without contact knows is nothing to go on by, and neither is what an absurd load leaves: the next
+/// solve is that of a new solver, to the last bit.
+#[test]
+fn what_is_no_start_is_not_started_from() {
+    let grid = Grid::square(96, 8.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let ball = surface::sphere(grid, 10.0).unwrap();
+    for method in [Method::ActiveSet, Method::PolonskyKeer] {
+        let solver = |load| {
+            let builder = NormalProblem::builder(&bodies, &ball, load).method(method);
+            builder.build().unwrap().into_solver().unwrap()
+        };
+        let mut cold = solver(NormalLoad::Force(0.5));
+        let mut expected = cold.new_solution();
+        cold.solve_into(&mut expected).unwrap();
+        let assert_cold = |solver: &mut NormalSolver, solution: &mut NormalSolution| {
+            solver.set_load(NormalLoad::Force(0.5)).unwrap();
+            solver.solve_into(solution).unwrap();
+            assert_eq!(solution.pressure(), expected.pressure());
+            assert_eq!(solution.report().history, expected.report().history);
+        };
+
+        for apart in [NormalLoad::Force(0.0), NormalLoad::Approach(-0.1)] {
+            let mut solver = solver(apart);
+            let mut solution = solver.new_solution();
+            for _ in 0..2 {
+                solver.solve_into(&mut solution).unwrap();
+                assert_eq!(solution.contact_cells(), 0);
+            }
+            assert_cold(&mut solver, &mut solution);
+        }
+
+        for absurd in [1e160, 1e305] {
+            let mut solver = solver(NormalLoad::Force(0.4));
+            let mut solution = solver.new_solution();
+            solver.solve_into(&mut solution).unwrap();
+            solver.set_load(NormalLoad::Force(absurd)).unwrap();
+            let refused = solver.solve_into(&mut solution);
+            assert!(matches!(refused, Err(Error::NotConverged(_))));
+            assert_cold(&mut solver, &mut solution);
+        }
+    }
 }
 
 /// A fretting loop passes through zero again and again.

@@ -29,7 +29,7 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
     let mut progress = Progress::new(CYCLE);
     let mut sum = reduce::total(run.x);
     loop {
-        if let ControlFlow::Break(status) = run.ask(run.workspace.free_set.len()) {
+        if let ControlFlow::Break(status) = run.ask() {
             return Some(status);
         }
         if progress.changes > 0 {

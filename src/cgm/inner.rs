@@ -37,7 +37,7 @@ pub(super) fn solve_free<C: Operator, K: Constraint, P: Operator>(
         previous = product;
         let along = turn(run, change, conjugation);
 
-        run.proceed(free)?;
+        run.proceed()?;
         run.apply_roughly_to_direction();
         run.count_step();
         let [curvature, square] = curvature(run);

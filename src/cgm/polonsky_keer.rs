@@ -28,7 +28,7 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
     let mut since_refresh = REFRESH;
     loop {
         if since_refresh >= REFRESH {
-            if let ControlFlow::Break(status) = run.ask(0) {
+            if let ControlFlow::Break(status) = run.ask() {
                 return Some(status);
             }
             run.refresh();

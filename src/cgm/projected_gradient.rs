@@ -25,9 +25,9 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
     if let Some(total) = run.problem.total {
         balance::restore(run.x, constraint, |_| true, total);
     }
-    run.ask(0)?;
+    run.ask()?;
     run.refresh();
-    run.ask(0)?;
+    run.ask()?;
     let Some(mut length) = first_length(run) else {
         return ControlFlow::Continue(true);
     };
@@ -36,7 +36,7 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
         if descent.is_nan() || descent >= 0.0 {
             return ControlFlow::Continue(true);
         }
-        run.proceed(0)?;
+        run.proceed()?;
         run.apply_to_direction();
         run.count_step();
         let Workspace {

@@ -22,6 +22,8 @@ pub(super) struct Run<'a, 'b, C: Operator, K, P: Operator> {
     pub(super) workspace: &'a mut Workspace<C, P>,
     /// Whether `workspace.product` belongs to `x`.
     pub(super) is_fresh: bool,
+    /// Free entries, as last examined.
+    free: usize,
     /// Of the eigenvalues; zero if none is known.
     lower_bound: f64,
     /// Whether the total leaves no choice: the unknowns stand at their bounds.
@@ -44,6 +46,7 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
             x,
             workspace,
             is_fresh: false,
+            free: 0,
             // A bound that is no number, or negative, is none.
             lower_bound: problem.operator.lower_bound().max(0.0),
             is_extreme: false,
@@ -169,6 +172,7 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
             self.lower_bound,
         );
         findings.write_to(&mut self.workspace.report);
+        self.free = findings.free;
         findings
     }
 
@@ -188,13 +192,13 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
     }
 
     /// Asks observer, clock and limit whether to take another step.
-    pub(super) fn proceed(&mut self, free: usize) -> ControlFlow<Status> {
-        self.watch.proceed(free, &self.workspace.report)
+    pub(super) fn proceed(&mut self) -> ControlFlow<Status> {
+        self.watch.proceed(self.free, &self.workspace.report)
     }
 
     /// Asks observer and clock alone whether to go on.
-    pub(super) fn ask(&mut self, free: usize) -> ControlFlow<Status> {
-        self.watch.ask(free, &self.workspace.report)
+    pub(super) fn ask(&mut self) -> ControlFlow<Status> {
+        self.watch.ask(self.free, &self.workspace.report)
     }
 
     /// The multiplier at which nothing drives the unknowns from an allowed zero, if there is one. An

@@ -12,7 +12,7 @@ use crate::history::layout::Layout;
 use crate::history::spring::Sprung;
 use crate::operator::Operator;
 use crate::report::Report;
-use crate::stage::{Observer, PlaneStage, Stage, with_time_left};
+use crate::stage::{Observer, PlaneStage, Stage, may_go_on, with_counts_of, with_limits_left};
 use crate::tangential::{Axis, component};
 
 /// Set up on the window of the contact, with the tractions of the step under way.
@@ -125,17 +125,16 @@ impl Engine {
         report: &mut Report,
     ) -> Result<()> {
         let start = Instant::now();
-        let (mut aim, mut earlier) = (settings.tolerance, [0; 3]);
+        let mut aim = settings.tolerance;
+        report.clone_from(&Report::unsolved());
         loop {
-            let left = with_time_left(settings, start).tolerance(aim);
-            let outcome = self.minimise_once(limits, totals, &left, observer);
+            let left = with_limits_left(settings, start, report).tolerance(aim);
+            let outcome =
+                self.minimise_once(limits, totals, &left, &mut with_counts_of(report, observer));
             if !matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
                 return outcome;
             }
-            report.clone_from(self.report());
-            report.iterations += earlier[0];
-            report.convolutions += earlier[1];
-            report.rough_convolutions += earlier[2];
+            report.go_on(self.report());
             report.time = start.elapsed();
             if outcome.is_err() {
                 return Err(Error::NotConverged(Box::new(report.clone())));
@@ -155,12 +154,8 @@ impl Engine {
             if report.is_within(settings.tolerance) {
                 return Ok(());
             }
+            may_go_on(settings, report)?;
             aim *= 0.1;
-            earlier = [
-                report.iterations,
-                report.convolutions,
-                report.rough_convolutions,
-            ];
         }
     }
 

@@ -121,9 +121,11 @@ impl LoadStep {
     /// `Ok` if a history along `axis`, or in the plane, can take the step; what pressure and friction have to
     /// say comes later.
     pub(super) fn check(&self, axis: Option<Axis>, boundary: Boundary) -> Result<()> {
-        let names = ["tangential load along x", "tangential load along y"];
-        for (quantity, tangential) in names.into_iter().zip(self.tangential) {
-            let value = match tangential {
+        for (along, quantity) in [
+            (Axis::X, "tangential load along x"),
+            (Axis::Y, "tangential load along y"),
+        ] {
+            let value = match self.along(along) {
                 TangentialStep::Force(value) | TangentialStep::Shift(value) => value,
                 TangentialStep::Spring {
                     position,
@@ -135,7 +137,7 @@ impl LoadStep {
                 TangentialStep::Hold => 0.0,
             };
             finite(quantity, value)?;
-            let is_across = axis.is_some_and(|axis| quantity != names[axis.index()]);
+            let is_across = axis.is_some_and(|axis| axis != along);
             if is_across && value != 0.0 {
                 return Err(Error::NotModelled { quantity, value });
             }

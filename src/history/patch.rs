@@ -89,10 +89,6 @@ impl Patch {
         self.engine.layout()
     }
 
-    pub(super) fn covers(&self, contact: Window) -> bool {
-        self.window.union(contact) == self.window
-    }
-
     pub(super) fn set_limits(&mut self, pressure: &Field, friction: &Friction) {
         self.window.gather(pressure.as_slice(), &mut self.pressure);
         self.limits.set(friction, self.window, &self.pressure);

@@ -57,10 +57,10 @@ impl Shear {
     ) -> Result<()> {
         let samples = pressure.as_slice();
         let contact = Window::around(pressure.grid(), |i| samples[i] > 0.0);
-        if let Ok(contact) = contact.map(|window| self.bodies.confined(window)) {
+        if let Some(contact) = contact.map(|window| self.bodies.confined(window)) {
             self.wider = match &self.patch {
                 None => Some(Patch::first(&self.bodies, self.axis, contact, state)?),
-                Some(patch) if !patch.covers(contact) => {
+                Some(patch) if !patch.window.covers(contact) => {
                     Some(patch.widened(&self.bodies, self.axis, contact, state)?)
                 }
                 Some(_) => None,

@@ -16,7 +16,9 @@ use crate::normal::{NormalLoad, NormalProblem, NormalSolution};
 use crate::operator::Operator;
 use crate::parallel;
 use crate::report::{Report, Status};
-use crate::stage::{Nested, Observer, Stage, nested_start, with_memory, with_time_left};
+use crate::stage::{
+    Nested, Observer, Stage, may_go_on, nested_start, with_counts_of, with_limits_left, with_memory,
+};
 use crate::window::Window;
 
 /// Solves normal contacts on one grid again and again, each time from the last answer.
@@ -202,6 +204,7 @@ impl NormalSolver {
                 *linear = gap - datum;
             }
         });
+        let is_cold = self.engine.is_none();
         let mut engine = match self.engine.take() {
             Some(engine) => engine,
             None => self.start_cold(total, start, &mut observer)?,
@@ -220,7 +223,11 @@ impl NormalSolver {
             approach,
             &self.report,
         );
-        self.engine = Some(engine);
+        // From numbers that are none there is no start, and a first solve without contact has not found where to
+        // work.
+        let touches = self.pressure.iter().any(|&p| p > 0.0);
+        let is_start = self.report.certified_gap.is_finite() && (touches || !is_cold);
+        self.engine = is_start.then_some(engine);
         outcome.map_err(|_| Error::NotConverged(Box::new(self.report.clone())))
     }
 
@@ -244,8 +251,8 @@ impl NormalSolver {
         }
         self.pressure = nested_start(bodies, whole.size, &scene, total, settings, start, observer)?;
         match Window::around(grid, |i| self.pressure[i] > 0.0) {
-            Ok(contact) => Engine::new(bodies, contact.widened(grid)),
-            Err(_) => Engine::new(bodies, whole),
+            Some(contact) => Engine::new(bodies, contact.widened(grid)),
+            None => Engine::new(bodies, whole),
         }
     }
 
@@ -261,7 +268,8 @@ impl NormalSolver {
         let NormalProblem {
             bodies, settings, ..
         } = &self.problem;
-        let (mut aim, mut earlier) = (settings.tolerance, [0; 3]);
+        let mut aim = settings.tolerance;
+        self.report.clone_from(&Report::unsolved());
         loop {
             let Engine {
                 window,
@@ -270,17 +278,19 @@ impl NormalSolver {
             } = &mut *engine;
             window.gather(&self.linear, &mut stage.linear);
             window.gather(&self.pressure, &mut stage.x);
-            let left = with_time_left(settings, start).tolerance(aim);
-            let outcome = stage.minimise(NonNegative, total, &left, observer);
+            let left = with_limits_left(settings, start, &self.report).tolerance(aim);
+            let outcome = stage.minimise(
+                NonNegative,
+                total,
+                &left,
+                &mut with_counts_of(&self.report, observer),
+            );
             if !matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
                 return outcome;
             }
             self.pressure.fill(0.0);
             window.scatter(&stage.x, &mut self.pressure);
-            self.report.clone_from(stage.report());
-            self.report.iterations += earlier[0];
-            self.report.convolutions += earlier[1];
-            self.report.rough_convolutions += earlier[2];
+            self.report.go_on(stage.report());
             let Some(Whole {
                 operator,
                 workspace,
@@ -312,13 +322,15 @@ impl NormalSolver {
             let overlaps = |i: usize| {
                 displacement[i] + self.linear[i] - multiplier < -round_off && !window.contains(i)
             };
-            if let Ok(missed) = Window::around(bodies.grid(), overlaps) {
+            let missed = Window::around(bodies.grid(), overlaps);
+            if missed.is_none() && (outcome.is_err() || self.report.is_within(settings.tolerance)) {
+                return outcome;
+            }
+            // While the engine can still show what the iterate does.
+            may_go_on(settings, &mut self.report)?;
+            if let Some(missed) = missed {
                 let wider = window.union(missed).widened(bodies.grid());
                 *engine = Engine::new(bodies, wider)?;
-            } else if outcome.is_err() {
-                return outcome;
-            } else if self.report.is_within(settings.tolerance) {
-                return Ok(());
             } else if aim < 0.1 * settings.tolerance {
                 self.report.status = Status::Stalled;
                 return Err(Error::NotConverged(Box::new(self.report.clone())));
@@ -326,13 +338,6 @@ impl NormalSolver {
                 // The bound for the whole grid is a little wider than that for the window.
                 aim *= 0.5;
             }
-            let Report {
-                iterations,
-                convolutions,
-                rough_convolutions,
-                ..
-            } = self.report;
-            earlier = [iterations, convolutions, rough_convolutions];
         }
     }
 }

@@ -70,5 +70,8 @@ impl<'a> Pressure<'a> {
 
 /// The smallest window around all pressure; all of a grid that repeats.
 pub(super) fn contact_window(bodies: &HalfSpace, pressure: &[f64]) -> Result<Window> {
-    Window::around(bodies.grid(), |i| pressure[i] > 0.0).map(|window| bodies.confined(window))
+    let contact = Window::around(bodies.grid(), |i| pressure[i] > 0.0);
+    contact
+        .map(|window| bodies.confined(window))
+        .ok_or(Error::EmptyContact)
 }

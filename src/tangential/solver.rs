@@ -122,8 +122,7 @@ impl TangentialSolver {
         let contact = contact_window(&self.problem.bodies, samples)?;
         let cell_area = self.problem.bodies.grid().cell_area();
         let problem = &mut self.problem;
-        if problem.window.union(contact) == problem.window {
-            self.spare_pressure.resize(problem.window.cells(), 0.0);
+        if problem.window.covers(contact) {
             problem.window.gather(samples, &mut self.spare_pressure);
             self.spare
                 .set(&problem.friction, problem.window, &self.spare_pressure);
@@ -159,7 +158,7 @@ impl TangentialSolver {
             window.gather(&whole, next);
         }
         self.shear = shear;
-        self.spare = limits.clone();
+        (self.spare, self.spare_pressure) = (limits.clone(), pressure.clone());
         (problem.pressure, problem.limits) = (pressure, limits);
         Ok(())
     }

@@ -32,6 +32,7 @@ pub struct JaegerSuperposition {
 impl JaegerSuperposition {
     /// From the contact `full` under the load W, the contact `stick` under the load
     /// `W - F/mu` (a prescribed force, zero at sliding), the pair and the coefficient of friction.
+    /// The coupling between pressure and shear of dissimilar bodies is neglected.
     ///
     /// # Errors
     /// [`Error::Negative`] for the coefficient or if `stick` carries more load than `full`, [`Error::GridMismatch`]

@@ -4,7 +4,7 @@ use crate::boundary::Boundary;
 use crate::cgm::{Method, Settings};
 use crate::half_space::HalfSpace;
 use crate::history::snapshot::elasticity;
-use crate::report::Report;
+use crate::report::{Report, Status};
 use crate::tangential::{Axis, Coefficient, Friction, Zone};
 use crate::window::Window;
 
@@ -42,7 +42,10 @@ impl Writer {
         self.count(grid.nx());
         self.count(grid.ny());
         self.numbers(&[grid.dx(), grid.dy()]);
-        self.byte(u8::from(bodies.boundary() == Boundary::Periodic));
+        self.byte(match bodies.boundary() {
+            Boundary::Free => 0,
+            Boundary::Periodic => 1,
+        });
         self.numbers(&elasticity(bodies));
     }
 
@@ -52,7 +55,10 @@ impl Writer {
             Some(Axis::Y) => 1,
             None => 2,
         });
-        self.byte(u8::from(settings.method == Method::PolonskyKeer));
+        self.byte(match settings.method {
+            Method::ActiveSet => 0,
+            Method::PolonskyKeer => 1,
+        });
         self.number(settings.tolerance);
         self.count(settings.max_iterations);
         self.byte(u8::from(settings.time_limit.is_some()));
@@ -75,7 +81,15 @@ impl Writer {
     }
 
     pub(super) fn report(&mut self, report: &Report) {
-        self.byte(u8::from(report.is_converged()));
+        self.byte(match report.status {
+            Status::Converged => 1,
+            // A step that ends otherwise leaves no trace.
+            Status::Unsolved
+            | Status::IterationLimit
+            | Status::TimeLimit
+            | Status::Stalled
+            | Status::Cancelled => 0,
+        });
         self.count(report.iterations);
         self.count(report.convolutions);
         self.count(report.rough_convolutions);
