@@ -22,7 +22,7 @@ ALLOWED = {
     # L1: operators, kernels, transforms, closed forms, shapes; no physics of contact; and pages to read
     "operator": set(),
     "contact_map": {"boundary", "grid"},
-    "window": {"error", "grid", "parallel"},
+    "window": {"grid", "parallel"},
     "influence": FOUNDATION,
     "fft": FOUNDATION | {"operator", "influence"},
     "guide": set(),

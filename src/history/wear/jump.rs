@@ -1,6 +1,6 @@
 //! How many cycles may be jumped.
 
-use crate::error::{Error, Result, non_negative};
+use crate::error::{Result, non_negative};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::Cycle;
@@ -24,8 +24,9 @@ use crate::parallel;
 /// friction.
 ///
 /// # Errors
-/// [`Error::Negative`] for the coefficient, [`Error::GridMismatch`] or [`Error::Sample`] for coefficients and
-/// slip length; as [`HalfSpace::operator`].
+/// [`Error::Negative`](crate::Error::Negative) for the coefficient,
+/// [`Error::GridMismatch`](crate::Error::GridMismatch) or [`Error::Sample`](crate::Error::Sample) for
+/// coefficients and slip length; as [`HalfSpace::operator`].
 ///
 /// ```
 /// use stickslip::history::wear;
@@ -98,12 +99,12 @@ pub struct CycleJump {
 }
 
 impl CycleJump {
-    /// A jump over cycles like this one, which removed this depth (lengths), of both bodies together. The depth must
-    /// be zero where nothing slipped under pressure in the cycle: what removed it there would have no limit.
+    /// A jump over cycles like this one, which removed this depth (lengths), of both bodies together. Where nothing
+    /// slipped under pressure, as beside the contact after smoothing the depth, it sets no limit.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`], [`Error::Sample`] for a depth that is negative or not finite, or not zero where
-    /// the [slip pressure](Cycle::slip_pressure) is; as [`HalfSpace::operator`].
+    /// [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::Sample`](crate::Error::Sample) for a
+    /// depth that is negative or not finite; as [`HalfSpace::operator`].
     pub fn new(bodies: &HalfSpace, cycle: &Cycle, depth: &Field) -> Result<Self> {
         check(
             "pressure of the cycle",
@@ -112,15 +113,6 @@ impl CycleJump {
         )?;
         check("depth of the cycle", depth, bodies.grid())?;
         let (pressure, removed) = (cycle.slip_pressure().as_slice(), depth.as_slice());
-        let unexplained = (0..removed.len()).find(|&i| removed[i] > 0.0 && pressure[i] <= 0.0);
-        if let Some(index) = unexplained {
-            return Err(Error::Sample {
-                quantity: "depth of the cycle where it slipped under no pressure",
-                index,
-                value: removed[index],
-                rule: "must be zero",
-            });
-        }
         let rate = largest(removed.len(), |i| {
             if pressure[i] > 0.0 {
                 removed[i] / pressure[i]
@@ -152,7 +144,7 @@ impl CycleJump {
     /// The number of cycles, not rounded: the least of what the limits allow, infinite where there is none.
     ///
     /// # Errors
-    /// [`Error::Negative`] for a limit that is negative or not finite.
+    /// [`Error::Negative`](crate::Error::Negative) for a limit that is negative or not finite.
     pub fn cycles(&self) -> Result<f64> {
         let mut cycles = self.without_overshoot;
         if let Some(depth) = self.largest_depth {
