@@ -224,7 +224,9 @@ pub enum Error {
         limit: usize,
     },
     /// A range of rows or columns is empty or leaves the grid.
-    #[error("the {quantity} {start}..{end} are an empty range, or reach beyond the {count} of the grid")]
+    #[error(
+        "the {quantity} {start}..{end} are an empty range, or reach beyond the {count} of the grid"
+    )]
     Range {
         /// Rows or columns.
         quantity: &'static str,

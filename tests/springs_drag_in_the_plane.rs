@@ -25,9 +25,13 @@ fn pressed(poisson_ratio: f64, lateral: Lateral) -> History {
 }
 
 fn press(bodies: &HalfSpace, gap: &Field, lateral: Lateral) -> History {
+    press_to(TOLERANCE, bodies, gap, lateral)
+}
+
+fn press_to(tolerance: f64, bodies: &HalfSpace, gap: &Field, lateral: Lateral) -> History {
     let friction = Friction::coulomb(FRICTION).unwrap();
     let builder = History::builder(bodies, gap, friction).lateral(lateral);
-    let mut history = builder.tolerance(TOLERANCE).build().unwrap();
+    let mut history = builder.tolerance(tolerance).build().unwrap();
     let press = LoadStep::hold().normal(NormalStep::Force(LOAD));
     history.step(&press).unwrap();
     history
@@ -146,6 +150,32 @@ fn flat_surfaces_that_repeat_yield_by_their_springs() {
                 assert!(error.abs() < 1e-12, "{stiffness}, {lateral:?}: {error:e}");
                 assert!(history.slip_path().max() == 0.0);
             }
+        }
+    }
+}
+
+/// Beside how little they yield, what a tolerance leaves of the shift may be much; of the force it must not.
+#[test]
+fn stiff_springs_tell_the_force_of_flat_surfaces_or_say_they_cannot() {
+    let grid = Grid::square(16, 12.0).unwrap();
+    let bodies = HalfSpace::with_boundary(grid, unit_pair(0.3), Boundary::Periodic).unwrap();
+    for lateral in [Lateral::Neglected, Lateral::Coupled] {
+        for tolerance in [1e-4, 1e-6, 1e-8] {
+            let mut answered = 0;
+            for stiffness in [1e3, 1e5, 1e7, 1e9, 1e11] {
+                let mut history = press_to(tolerance, &bodies, &Field::zeros(grid), lateral);
+                let pull = spring(0.5 * LIMIT / stiffness, stiffness);
+                let step = LoadStep::hold().tangential(Axis::X, pull);
+                if history.step(&step).is_ok() {
+                    answered += 1;
+                    let error = (history.force()[0] / (0.5 * LIMIT) - 1.0).abs();
+                    assert!(
+                        error < 2.0 * tolerance,
+                        "{stiffness}, {lateral:?}: {error:e}"
+                    );
+                }
+            }
+            assert!(answered >= 2, "{lateral:?}, {tolerance}");
         }
     }
 }

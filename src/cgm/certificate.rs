@@ -63,6 +63,11 @@ impl Certificate {
         parts.into_iter().fold(0.0, f64::max)
     }
 
+    /// The residual measured by another displacement.
+    pub(crate) fn residual_over(&self, displacement: f64) -> f64 {
+        ratio(self.residual * self.displacement, displacement)
+    }
+
     pub(crate) fn write_to(&self, report: &mut Report) {
         report.residual = self.residual;
         report.certified_gap = self.gap;
