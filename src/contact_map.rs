@@ -23,6 +23,8 @@ pub enum Warning {
         /// All spots.
         spots: usize,
     },
+    /// A step of a history held the pressure although the gap had changed: it is still that of the old gap.
+    StalePressure,
 }
 
 impl std::fmt::Display for Warning {
@@ -38,6 +40,10 @@ impl std::fmt::Display for Warning {
             Self::UnresolvedSpots { unresolved, spots } => write!(
                 formatter,
                 "{unresolved} of {spots} contact spots are smaller than {RESOLVED} cells"
+            ),
+            Self::StalePressure => write!(
+                formatter,
+                "the pressure was held, but the gap has changed: it is that of the old gap"
             ),
         }
     }

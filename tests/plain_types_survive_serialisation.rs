@@ -203,6 +203,7 @@ fn answers_and_what_is_said_about_them() {
             unresolved: 1,
             spots: 2,
         },
+        Warning::StalePressure,
     ] {
         survives(&warning);
     }

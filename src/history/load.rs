@@ -80,12 +80,18 @@ impl LoadStep {
 
     /// The tangential force `[x, y]` at the end of the step, all else held. Along an axis the force across must
     /// be zero.
+    ///
+    /// After the gap has changed, give the normal load again in every step,
+    /// [`.normal(NormalStep::Force(w))`](Self::normal): else the pressure stays that of the old gap.
     pub fn force(force: [f64; 2]) -> Self {
         Self::both(force.map(TangentialStep::Force))
     }
 
     /// The shift `[x, y]` at the end of the step, since the start of the history (lengths), all else held.
     /// Along an axis the shift across must be zero.
+    ///
+    /// After the gap has changed, give the normal load again in every step,
+    /// [`.normal(NormalStep::Force(w))`](Self::normal): else the pressure stays that of the old gap.
     pub fn shift(shift: [f64; 2]) -> Self {
         Self::both(shift.map(TangentialStep::Shift))
     }

@@ -16,7 +16,7 @@ use crate::history::{LoadStep, Step};
 use crate::influence::Component;
 use crate::normal::{NormalLoad, NormalProblem, NormalSolution, NormalSolver};
 use crate::operator::Operator;
-use crate::report::Report;
+use crate::report::{Report, Status};
 use crate::stage::{Observer, with_memory};
 use crate::tangential::{Axis, Friction, Zone, component};
 
@@ -67,6 +67,8 @@ pub struct History {
     pub(super) press: NormalSolver,
     /// The normal contact after the last step.
     pub(super) normal: NormalSolution,
+    /// Whether the gap has changed since.
+    is_pressure_stale: bool,
     /// That of the step under way.
     candidate: NormalSolution,
     pub(super) shear: Shear,
@@ -112,6 +114,7 @@ impl History {
             friction,
             settings,
             normal: press.new_solution(),
+            is_pressure_stale: false,
             candidate: press.new_solution(),
             press,
             shear: Shear::new(bodies, axis),
@@ -152,10 +155,12 @@ impl History {
         }
         if load.normal_load().is_some() {
             std::mem::swap(&mut self.normal, &mut self.candidate);
+            self.is_pressure_stale = false;
             self.step.normal_report.clone_from(self.normal.report());
         } else {
             self.step.normal_report.clone_from(&Report::unsolved());
         }
+        self.step.is_pressure_stale = self.is_pressure_stale;
         self.step.normal_force = self.normal.force();
         self.step.approach = self.normal.approach();
         self.shear.commit(&mut self.state, &mut self.step);
@@ -177,8 +182,9 @@ impl History {
         shear.solve(load, state, &self.settings, observer)
     }
 
-    /// Changes the gap before loading, as wear does; all else stays, the pressure too until a step
-    /// that does not hold it. Copies without allocating.
+    /// Changes the gap before loading, as wear does; all else stays, the pressure too until a step that does not
+    /// hold it: give the normal load in the next step again. One that holds it carries
+    /// [`Warning::StalePressure`](crate::Warning::StalePressure). Copies without allocating.
     ///
     /// # Errors
     /// [`Error::GridMismatch`](crate::Error::GridMismatch) or [`Error::Sample`](crate::Error::Sample); the gap
@@ -186,7 +192,11 @@ impl History {
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
         // The load of the last step has no say: the next brings its own.
         self.press.set_load(NormalLoad::Force(0.0))?;
-        self.press.set_gap(gap)
+        let is_pressed = self.normal.report().status != Status::Unsolved;
+        let changes = self.gap().as_slice().iter().ne(gap.as_slice());
+        self.press.set_gap(gap)?;
+        self.is_pressure_stale |= is_pressed && changes;
+        Ok(())
     }
 
     /// Changes the friction from the next step on; all else stays.
