@@ -174,10 +174,10 @@ pub enum Error {
         /// The value given.
         value: f64,
     },
-    /// A saved history belongs to bodies of other materials.
+    /// A solution or a saved history belongs to bodies of other materials.
     #[error("{quantity} belongs to bodies of other materials")]
     MaterialMismatch {
-        /// What was saved, in words.
+        /// The solution, or what was saved, in words.
         quantity: &'static str,
     },
     /// The approach is not below the mean gap of a periodic contact: the surfaces then touch everywhere, and the pressure

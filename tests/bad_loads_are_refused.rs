@@ -250,6 +250,41 @@ fn what_a_tangential_problem_stands_on() {
     );
 }
 
+/// A pressure solved for on other materials is refused; as a field it is anyone's.
+#[test]
+fn solutions_of_other_materials() {
+    let bodies = bodies();
+    let normal = pressed(&bodies);
+    let softer = unit_bodies(bodies.grid(), 0.2);
+    let foreign = pressed(&softer);
+    assert_eq!(foreign.pair(), softer.pair());
+    let refused = |quantity| Err(Error::MaterialMismatch { quantity });
+    let friction = Friction::coulomb(0.5).unwrap();
+    let load = TangentialLoad::Force([0.1, 0.0]);
+    let builder = TangentialProblem::builder(&bodies, &foreign, friction.clone(), load);
+    assert_eq!(builder.build().map(drop), refused("normal solution"));
+    let builder = TangentialProblem::builder(&bodies, &normal, friction, load);
+    let mut solver = builder.build().unwrap().into_solver().unwrap();
+    assert_eq!(solver.set_pressure(&foreign), refused("normal solution"));
+    assert_eq!(solver.set_pressure(foreign.pressure()), Ok(()));
+
+    let superposed = |full, stick| JaegerSuperposition::new(full, stick, bodies.pair(), 0.5);
+    for (full, stick, quantity) in [
+        (&foreign, &normal, "full contact"),
+        (&normal, &foreign, "lighter contact"),
+    ] {
+        assert_eq!(superposed(full, stick).map(drop), refused(quantity));
+    }
+
+    // A solution that is solved into anew belongs to the bodies of the solver.
+    let (mut solution, gap) = (foreign, ball(&bodies));
+    let problem = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(1.0));
+    let mut solver = problem.build().unwrap().into_solver().unwrap();
+    solver.solve_into(&mut solution).unwrap();
+    assert_eq!(solution.pair(), normal.pair());
+    assert_eq!(solution.pressure(), normal.pressure());
+}
+
 /// In the plane a load may have any direction, but no other number.
 #[test]
 fn loads_in_the_plane() {

@@ -6,6 +6,8 @@ use crate::contact_map::{ContactMap, Warning};
 use crate::error::{all_non_negative, finite};
 use crate::field::Field;
 use crate::grid::Grid;
+use crate::half_space::HalfSpace;
+use crate::material::ElasticPair;
 use crate::parallel;
 use crate::report::Report;
 #[cfg(feature = "serde")]
@@ -18,6 +20,7 @@ pub struct NormalSolution {
     pressure: Field,
     gap: Field,
     boundary: Boundary,
+    pair: ElasticPair,
     approach: f64,
     report: Report,
 }
@@ -30,6 +33,7 @@ struct Unchecked {
     pressure: Field,
     gap: Field,
     boundary: Boundary,
+    pair: ElasticPair,
     approach: f64,
     report: Report,
 }
@@ -48,11 +52,12 @@ impl<'de> serde::Deserialize<'de> for NormalSolution {
 
 impl NormalSolution {
     /// No contact yet.
-    pub(super) fn empty(gap: &Field, boundary: Boundary) -> Self {
+    pub(super) fn empty(gap: &Field, bodies: &HalfSpace) -> Self {
         Self {
             pressure: Field::zeros(gap.grid()),
             gap: gap.clone(),
-            boundary,
+            boundary: bodies.boundary(),
+            pair: *bodies.pair(),
             approach: 0.0,
             report: Report::with_room(),
         }
@@ -60,12 +65,14 @@ impl NormalSolution {
 
     pub(super) fn fill(
         &mut self,
+        pair: &ElasticPair,
         initial_gap: &Field,
         pressure: &[f64],
         displacement: &[f64],
         approach: f64,
         report: &Report,
     ) {
+        self.pair = *pair;
         self.pressure.as_mut_slice().copy_from_slice(pressure);
         let initial = initial_gap.as_slice();
         parallel::update(self.gap.as_mut_slice(), |first, chunk| {
@@ -129,6 +136,12 @@ impl NormalSolution {
     #[must_use]
     pub fn boundary(&self) -> Boundary {
         self.boundary
+    }
+
+    /// The two bodies.
+    #[must_use]
+    pub fn pair(&self) -> &ElasticPair {
+        &self.pair
     }
 
     /// Cells that carry pressure.
