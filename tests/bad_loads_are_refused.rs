@@ -250,6 +250,40 @@ fn what_a_tangential_problem_stands_on() {
     );
 }
 
+/// Cells whose sides differ by round-off are the same cells; those that differ by more are not.
+#[test]
+fn sides_are_compared_to_round_off() {
+    let own = Grid::new(8, 6, 0.8 / 8.0, 0.6 / 6.0).unwrap();
+    let bodies = unit_bodies(own, 0.3);
+    let contact = |gap: &Field| {
+        let problem = NormalProblem::builder(&bodies, gap, NormalLoad::Force(0.01));
+        problem.tolerance(1e-12).build()?.solve()
+    };
+    let expected = contact(&surface::sphere(own, 2.0).unwrap()).unwrap();
+    let near = Grid::new(8, 6, 0.09999999999999999, 0.1 * (1.0 + 9e-13)).unwrap();
+    assert_ne!(own, near);
+    let found = contact(&surface::sphere(near, 2.0).unwrap()).unwrap();
+    let most = expected.pressure().max();
+    let pairs = found.pressure().as_slice().iter();
+    for (found, expected) in pairs.zip(expected.pressure().as_slice()) {
+        assert!(
+            (found - expected).abs() < 1e-10 * most,
+            "{found} {expected}"
+        );
+    }
+    let friction = Friction::per_cell(Field::constant(near, 0.5)).unwrap();
+    let load = TangentialLoad::Force([0.001, 0.0]);
+    let problem = TangentialProblem::builder(&bodies, &found, friction, load).build();
+    assert!(problem.unwrap().solve().is_ok());
+    let mut sum = surface::sphere(own, 2.0).unwrap();
+    assert_eq!(sum.add_scaled(1.0, &Field::zeros(near)), Ok(()));
+
+    let far = Grid::new(8, 6, 0.1, 0.1 * (1.0 + 3e-12)).unwrap();
+    assert_eq!(contact(&Field::zeros(far)), Err(mismatch("gap", own, far)));
+    let other = Grid::new(6, 8, 0.1, 0.1).unwrap();
+    assert!(contact(&Field::zeros(other)).is_err());
+}
+
 /// A pressure solved for on other materials is refused; as a field it is anyone's.
 #[test]
 fn solutions_of_other_materials() {
