@@ -132,14 +132,11 @@ fn surfaces() {
     survives(&PowerSpectrum::of(&heights).unwrap());
     // A flat surface has no skewness.
     read_back(&Statistics::of(&Field::zeros(grid())).unwrap());
-    #[cfg(feature = "dense")]
-    for form in [
-        surface::Form::Mean,
-        surface::Form::Plane,
-        surface::Form::Polynomial(3),
-    ] {
+    for form in [surface::Form::Mean, surface::Form::Plane] {
         survives(&form);
     }
+    #[cfg(feature = "dense")]
+    survives(&surface::Form::Polynomial(3));
 }
 
 /// A contact, pressed and not yet sheared.
