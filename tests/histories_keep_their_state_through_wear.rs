@@ -167,13 +167,16 @@ fn a_new_friction_is_obeyed() {
     let ball = surface::sphere(grid, 20.0).unwrap();
     let builder = History::builder(&bodies, &ball, Friction::coulomb(0.4).unwrap());
     let mut history = builder.build().unwrap();
+    assert_eq!(history.sliding_force(), 0.0);
     press(&mut history, NormalStep::Force(4.0));
     shear(&mut history, TangentialStep::Force(1.2));
     let (shift, path) = (history.shift()[0], history.slip_path().integral());
+    assert!((history.sliding_force() - 1.6).abs() < 1e-12);
 
     history
         .set_friction(&Friction::coulomb(0.8).unwrap())
         .unwrap();
+    assert!((history.sliding_force() - 3.2).abs() < 1e-12);
     shear(&mut history, TangentialStep::Force(1.2));
     assert!((history.shift()[0] / shift - 1.0).abs() < 1e-7);
     assert!((history.slip_path().integral() / path - 1.0).abs() < 1e-7);
@@ -186,11 +189,14 @@ fn a_new_friction_is_obeyed() {
     history
         .set_friction(&Friction::coulomb(0.2).unwrap())
         .unwrap();
+    let holds = history.sliding_force();
     let held = LoadStep::hold().tangential(Axis::X, TangentialStep::Force(1.2));
-    assert!(matches!(
-        history.step(&held),
-        Err(Error::BeyondSliding { .. })
-    ));
+    let refused = history.step(&held);
+    assert!(
+        matches!(refused, Err(Error::BeyondSliding { limit, .. }) if (limit - holds).abs() < 1e-12)
+    );
+    shear(&mut history, TangentialStep::Force(holds));
+    assert!(history.last_step().is_gross_sliding());
 }
 
 #[test]

@@ -96,6 +96,36 @@ impl LoadStep {
         Self::both(shift.map(TangentialStep::Shift))
     }
 
+    /// Springs of one stiffness along both axes (a force over a length), whose far ends are at `[x, y]` at the end of
+    /// the step, since the start of the history (lengths), all else held: see [`TangentialStep::Spring`]. Along an
+    /// axis the position across must be zero.
+    ///
+    /// After the gap has changed, give the normal load in every step, as with [`shift`](Self::shift).
+    ///
+    /// ```
+    /// use stickslip::history::LoadPath;
+    /// use stickslip::*;
+    /// let grid = Grid::square(32, 0.30e-3)?;
+    /// let steel = Material::new(213e9, 0.29)?;
+    /// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
+    /// let ball = surface::sphere(grid, 3.5e-3)?;
+    /// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.5)?).build()?;
+    /// let stiffness = 1e7;
+    /// for &position in LoadPath::sine([5e-6, 0.0], 8)?.steps() {
+    ///     let drag = LoadStep::spring(position, stiffness).normal(NormalStep::Force(100.0));
+    ///     let step = history.step(&drag)?;
+    ///     let stretch = position[0] - step.shift()[0];
+    ///     assert!((step.force()[0] - stiffness * stretch).abs() < 1e-6);
+    /// }
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn spring(position: [f64; 2], stiffness: f64) -> Self {
+        Self::both(position.map(|position| TangentialStep::Spring {
+            position,
+            stiffness,
+        }))
+    }
+
     fn both(tangential: [TangentialStep; 2]) -> Self {
         Self {
             tangential,

@@ -18,7 +18,8 @@ use crate::normal::{NormalLoad, NormalProblem, NormalSolution, NormalSolver};
 use crate::operator::Operator;
 use crate::report::{Report, Status};
 use crate::stage::{Observer, with_memory};
-use crate::tangential::{Axis, Friction, Zone, component};
+use crate::tangential::{Axis, Friction, Limits, Zone, component};
+use crate::window::Window;
 
 /// Two bodies in contact that remember their load: pressure, traction, slip and energy, step by step.
 ///
@@ -338,6 +339,15 @@ impl History {
     #[must_use]
     pub fn force(&self) -> [f64; 2] {
         self.state.force
+    }
+
+    /// Largest tangential force friction holds at the present pressure: the integral of the friction limit.
+    #[must_use]
+    pub fn sliding_force(&self) -> f64 {
+        let (grid, pressure) = (self.grid(), self.pressure().as_slice());
+        let mut limits = Limits::new(grid.cells());
+        limits.set(&self.friction, Window::whole(grid), pressure);
+        limits.sum * grid.cell_area()
     }
 
     /// Moment about z, at the origin of the grid, that the tractions of body 2 exert on body 1.

@@ -164,6 +164,32 @@ impl NormalSolution {
         self.contact_map().corrected_area()
     }
 
+    /// Width of the whole contact along x and along y (lengths), between the outer edges of its outermost cells; `None`
+    /// without contact.
+    ///
+    /// On a periodic grid it is the least width that holds all of the contact, across the edges too: the side of the
+    /// grid less its longest stretch of columns, or rows, without contact.
+    ///
+    /// ```
+    /// use stickslip::*;
+    /// let grid = Grid::new(96, 64, 0.1, 0.1)?;
+    /// let rubber = Material::new(1.0, 0.5)?;
+    /// let bodies = HalfSpace::new(grid, ElasticPair::new(rubber, Material::rigid())?)?;
+    /// let (gap, load) = (surface::ellipsoid(grid, 8.0, 2.0)?, NormalLoad::Force(0.6));
+    /// let contact = NormalProblem::builder(&bodies, &gap, load).build()?.solve()?;
+    /// let hertz = analytical::HertzEllipse::new(bodies.pair(), 8.0, 2.0, 0.6)?;
+    /// let [a, b] = hertz.semi_axes();
+    /// let extent = contact.contact_extent();
+    /// assert!(extent.is_some_and(|[x, y]| (x - 2.0 * a).abs() < 0.2 && (y - 2.0 * b).abs() < 0.2));
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub fn contact_extent(&self) -> Option<[f64; 2]> {
+        let [columns, rows] = self.contact_map().extent()?;
+        let grid = self.grid();
+        Some([columns as f64 * grid.dx(), rows as f64 * grid.dy()])
+    }
+
     /// Cells of each contact spot, the largest spot first; a spot is a set of contact cells connected
     /// through their sides, across the edges of a periodic grid too.
     #[must_use]
