@@ -307,6 +307,16 @@ pub enum Error {
     /// A path of no steps.
     #[error("the load path has no steps")]
     EmptyPath,
+    /// A cycle holds the steps of its history up to one already, and this one is not after it.
+    #[error(
+        "step {step} of the history is not after step {last}, the last the cycle has seen: it takes each once"
+    )]
+    StepNotNew {
+        /// The number of the step, from 1; zero for none.
+        step: u64,
+        /// The number of the last step the cycle holds or begins after.
+        last: u64,
+    },
     /// The iteration ended before the tolerance was reached. After `solve_into` or `solve_observed` the solution holds
     /// the last feasible iterate; a [`History`](crate::History) is as it was before the step.
     #[error("not converged: {0}")]
