@@ -169,7 +169,7 @@ fn opened(bytes: &[u8]) -> Result<Cursor<'_>> {
     }
     let (contents, sum) = bytes.split_at(found - SUM);
     if checksum(contents).to_le_bytes() != sum {
-        return Err(FORMAT.at_byte(found - SUM, "the sum of the bytes is another"));
+        return Err(FORMAT.at_byte(found - SUM, "the checksum of the bytes is another"));
     }
     let mut contents = Cursor::new(FORMAT, contents);
     contents.take("the header", HEADER)?;
