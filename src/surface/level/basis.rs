@@ -126,10 +126,12 @@ impl Basis {
     }
 }
 
-/// Sums of two parts, together.
-#[expect(clippy::needless_pass_by_value, reason = "what a fold joins is spent")]
-fn added(a: Vec<f64>, b: Vec<f64>) -> Vec<f64> {
-    a.iter().zip(b).map(|(a, b)| a + b).collect()
+/// The sums of two parts, together.
+fn added(mut sums: Vec<f64>, others: Vec<f64>) -> Vec<f64> {
+    for (sum, other) in sums.iter_mut().zip(others) {
+        *sum += other;
+    }
+    sums
 }
 
 /// First and last column, and first and last row, of the rectangle that holds every known height.

@@ -11,7 +11,6 @@ use basis::Basis;
 use triangle::Triangle;
 
 /// Highest degree of a form: 231 coefficients.
-#[cfg(feature = "dense")]
 const HIGHEST_DEGREE: usize = 20;
 
 /// Steps of refinement: the first finds the coefficients, the others bring them to round-off.
@@ -33,17 +32,12 @@ pub enum Form {
 }
 
 impl Form {
-    fn degree(self) -> Result<usize> {
+    fn degree(self) -> usize {
         match self {
-            Self::Mean => Ok(0),
-            Self::Plane => Ok(1),
+            Self::Mean => 0,
+            Self::Plane => 1,
             #[cfg(feature = "dense")]
-            Self::Polynomial(degree) if degree > HIGHEST_DEGREE => Err(Error::Degree {
-                degree,
-                limit: HIGHEST_DEGREE,
-            }),
-            #[cfg(feature = "dense")]
-            Self::Polynomial(degree) => Ok(degree),
+            Self::Polynomial(degree) => degree,
         }
     }
 
@@ -121,8 +115,12 @@ impl Levelled {
 /// ```
 pub fn level(heights: &Field, form: Form) -> Result<Levelled> {
     finite_or_missing(heights)?;
+    let (degree, limit) = (form.degree(), HIGHEST_DEGREE);
+    if degree > limit {
+        return Err(Error::Degree { degree, limit });
+    }
     let z = heights.as_slice();
-    let basis = Basis::new(heights, form.degree()?);
+    let basis = Basis::new(heights, degree);
     let (unknowns, known) = (basis.terms(), z.iter().filter(|z| !z.is_nan()).count());
     let undetermined = Error::Undetermined {
         quantity: "form",
