@@ -64,8 +64,10 @@ impl Basis {
             |range| {
                 let mut sums = vec![0.0; count * count];
                 for cell in range.filter(|&cell| !z[cell].is_nan()) {
-                    for (place, sum) in sums.iter_mut().enumerate() {
-                        *sum += self.at(cell, place / count) * self.at(cell, place % count);
+                    for (first, row) in sums.chunks_exact_mut(count).enumerate() {
+                        for (second, sum) in row.iter_mut().enumerate() {
+                            *sum += self.at(cell, first) * self.at(cell, second);
+                        }
                     }
                 }
                 sums
