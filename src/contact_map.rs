@@ -23,6 +23,8 @@ pub enum Warning {
         /// All spots.
         spots: usize,
     },
+    /// A step of a history held the pressure although the gap had changed: it is still that of the old gap.
+    StalePressure,
 }
 
 impl std::fmt::Display for Warning {
@@ -38,6 +40,10 @@ impl std::fmt::Display for Warning {
             Self::UnresolvedSpots { unresolved, spots } => write!(
                 formatter,
                 "{unresolved} of {spots} contact spots are smaller than {RESOLVED} cells"
+            ),
+            Self::StalePressure => write!(
+                formatter,
+                "the pressure was held, but the gap has changed: it is that of the old gap"
             ),
         }
     }
@@ -73,6 +79,30 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
         let share = (std::f64::consts::PI - 1.0 + std::f64::consts::LN_2) / 24.0;
         let cells = self.cells() as f64 - share * self.switches() as f64;
         cells.max(0.0) * self.grid.cell_area()
+    }
+
+    /// Columns and rows that the set spans from its first to its last; on a grid that repeats as few as hold all of it,
+    /// across its edges too. `None` if it is empty.
+    pub(crate) fn extent(&self) -> Option<[usize; 2]> {
+        let (nx, ny) = (self.grid.nx(), self.grid.ny());
+        let (mut columns, mut rows) = (vec![false; nx], vec![false; ny]);
+        for i in (0..self.grid.cells()).filter(|&i| (self.contains)(i)) {
+            (columns[i % nx], rows[i / nx]) = (true, true);
+        }
+        Some([self.span(&columns)?, self.span(&rows)?])
+    }
+
+    /// Places from the first taken one to the last; on a grid that repeats all but the longest run that is not.
+    fn span(&self, taken: &[bool]) -> Option<usize> {
+        let first = taken.iter().position(|taken| *taken)?;
+        let last = taken.iter().rposition(|taken| *taken)?;
+        let within = last + 1 - first;
+        if self.boundary == Boundary::Free {
+            return Some(within);
+        }
+        let runs = taken[first..=last].split(|taken| *taken).map(<[bool]>::len);
+        let longest = runs.max().unwrap_or(0).max(taken.len() - within);
+        Some(taken.len() - longest)
     }
 
     /// Pairs of neighbours, along x or y, of which exactly one is in the set.
@@ -189,6 +219,7 @@ mod tests {
         assert_eq!(map.cells(), 9);
         assert_eq!(map.spot_sizes(), [3, 2, 4]);
         assert_eq!(map.cells_on_edge(), 2 + 4);
+        assert_eq!(map.extent(), Some([7, 4]));
         // 3 + 2 around the L within the grid, 6 around the bar, 5 beside the row at the bottom.
         assert_eq!(map.switches(), 6 + 6 + 5);
         let unresolved = Warning::UnresolvedSpots {
@@ -203,6 +234,8 @@ mod tests {
         // Repeated, the row at the bottom meets the L at the top; two of its cells and one end do not.
         map.boundary = Boundary::Periodic;
         assert_eq!(map.spot_sizes(), [7, 2]);
+        // Columns 4, 5 and 7 are free, and no row.
+        assert_eq!(map.extent(), Some([6, 4]));
         assert_eq!(map.switches(), 6 + 6 + 5 + 3);
         let unresolved = Warning::UnresolvedSpots {
             unresolved: 1,
@@ -220,5 +253,6 @@ mod tests {
         };
         assert_eq!(map.spot_sizes(), [2]);
         assert_eq!(map.switches(), 2);
+        assert_eq!(map.extent(), Some([2, 1]));
     }
 }

@@ -87,14 +87,14 @@ pub enum Error {
         /// Dundurs' second parameter of the pair.
         beta: f64,
     },
-    /// A slice or field has the wrong number of samples.
-    #[error("{quantity} has {found} samples, expected {expected}")]
+    /// A slice, field or list has the wrong number of entries.
+    #[error("{quantity} has {found} entries, expected {expected}")]
     Length {
-        /// The slice, in words.
+        /// The slice or list, in words.
         quantity: &'static str,
-        /// Samples needed.
+        /// Entries needed.
         expected: usize,
-        /// Samples given.
+        /// Entries given.
         found: usize,
     },
     /// Two fields or bodies live on different grids.
@@ -146,7 +146,9 @@ pub enum Error {
         upper: f64,
     },
     /// The bodies do not touch: there is no contact to shear.
-    #[error("the contact is empty: no cell carries pressure")]
+    #[error(
+        "the contact is empty: no cell carries pressure, as under no load or an approach that does not close the least gap"
+    )]
     EmptyContact,
     /// More tangential force than friction can hold: no equilibrium exists.
     #[error("a tangential force of {force:e} exceeds the friction limit {limit:e}")]
@@ -167,17 +169,19 @@ pub enum Error {
         y: f64,
     },
     /// A load that the model of a history does not have.
-    #[error("a {quantity} of {value:e} is not part of the model of this history")]
+    #[error("a {quantity} of {value:e} is not part of the model of this history: {remedy}")]
     NotModelled {
         /// The load, in words.
         quantity: &'static str,
         /// The value given.
         value: f64,
+        /// The options that bring it in, or that none does, in words.
+        remedy: &'static str,
     },
-    /// A saved history belongs to bodies of other materials.
+    /// A solution or a saved history belongs to bodies of other materials.
     #[error("{quantity} belongs to bodies of other materials")]
     MaterialMismatch {
-        /// What was saved, in words.
+        /// The solution, or what was saved, in words.
         quantity: &'static str,
     },
     /// The approach is not below the mean gap of a periodic contact: the surfaces then touch everywhere, and the pressure
@@ -307,6 +311,16 @@ pub enum Error {
     /// A path of no steps.
     #[error("the load path has no steps")]
     EmptyPath,
+    /// A cycle holds the steps of its history up to one already, and this one is not after it.
+    #[error(
+        "step {step} of the history is not after step {last}, the last the cycle has seen: it takes each once"
+    )]
+    StepNotNew {
+        /// The number of the step, from 1; zero for none.
+        step: u64,
+        /// The number of the last step the cycle holds or begins after.
+        last: u64,
+    },
     /// The iteration ended before the tolerance was reached. After `solve_into` or `solve_observed` the solution holds
     /// the last feasible iterate; a [`History`](crate::History) is as it was before the step.
     #[error("not converged: {0}")]

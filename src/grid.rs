@@ -7,6 +7,10 @@ use crate::error::{Error, Result, positive};
 /// The centre of cell `(ix, iy)` is `x = (ix - (nx - 1)/2) dx`, `y = (iy - (ny - 1)/2) dy`.
 /// The paper writes the sides as 2a and 2b. Lengths are in any consistent unit.
 ///
+/// Fields and bodies live on the same grid if their cells are as many and the sides equal to 1e-12 of them: one
+/// divided by hand, or read from a file, need not have the last bits of another. Answers differ by no more than
+/// that. `==` is exact.
+///
 /// ```
 /// let grid = stickslip::Grid::new(4, 2, 0.5, 1.0)?;
 /// assert_eq!(grid.position(0, 0), [-0.75, -0.5]);
@@ -126,7 +130,7 @@ impl Grid {
 
     /// `Ok` if a quantity that lives on the grid `found` lives on this one.
     pub(crate) fn expect(&self, quantity: &'static str, found: Self) -> Result<()> {
-        if found == *self {
+        if self.agrees_with(found) {
             return Ok(());
         }
         Err(Error::GridMismatch {
@@ -136,6 +140,12 @@ impl Grid {
             found_cells: found.size(),
             found_sides: [found.dx, found.dy],
         })
+    }
+
+    /// Whether the cells are as many and the sides equal, to round-off.
+    pub(crate) fn agrees_with(&self, other: Self) -> bool {
+        let is_near = |own: f64, other: f64| (own - other).abs() <= SAME_SIDE * own;
+        self.size() == other.size() && is_near(self.dx, other.dx) && is_near(self.dy, other.dy)
     }
 
     /// Cells along x and y.
@@ -161,6 +171,9 @@ impl Grid {
         [self.x(ix), self.y(iy)]
     }
 }
+
+/// Part of a side by which the sides of the same grid may differ.
+const SAME_SIDE: f64 = 1e-12;
 
 /// `(i - (n - 1)/2) d`, exactly antisymmetric about the middle of the grid.
 fn centre(i: usize, n: usize, d: f64) -> f64 {

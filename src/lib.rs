@@ -129,7 +129,7 @@
 //! | feature | default | brings |
 //! |---|---|---|
 //! | `parallel` | yes | threads, in the caller's rayon pool; the same bits on any number of them |
-//! | `dense` | yes | explicit matrices, the direct solution of small scenes and the levelling of surfaces, through faer |
+//! | `dense` | yes | explicit matrices, the direct solution of small scenes and polynomials taken off surfaces, through faer |
 //! | `x3p` | no | surfaces in X3P files, through `miniz_oxide` and `quick-xml` |
 //! | `serde` | no | grids, materials, friction, loads, options, fields and answers in any format of `serde` |
 //!

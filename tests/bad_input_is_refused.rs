@@ -268,4 +268,8 @@ fn messages_name_the_number() {
     );
     let message = Friction::coulomb(-0.25).unwrap_err().to_string();
     assert!(message.contains("coefficient of friction") && message.contains("-0.25"));
+    let message = surface::sum(&[]).unwrap_err().to_string();
+    assert_eq!(message, "list of fields has 0 entries, expected 1");
+    let message = Error::EmptyContact.to_string();
+    assert!(message.contains("no load") && message.contains("least gap"));
 }

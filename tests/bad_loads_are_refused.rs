@@ -250,6 +250,75 @@ fn what_a_tangential_problem_stands_on() {
     );
 }
 
+/// Cells whose sides differ by round-off are the same cells; those that differ by more are not.
+#[test]
+fn sides_are_compared_to_round_off() {
+    let own = Grid::new(8, 6, 0.8 / 8.0, 0.6 / 6.0).unwrap();
+    let bodies = unit_bodies(own, 0.3);
+    let contact = |gap: &Field| {
+        let problem = NormalProblem::builder(&bodies, gap, NormalLoad::Force(0.01));
+        problem.tolerance(1e-12).build()?.solve()
+    };
+    let expected = contact(&surface::sphere(own, 2.0).unwrap()).unwrap();
+    let near = Grid::new(8, 6, 0.09999999999999999, 0.1 * (1.0 + 9e-13)).unwrap();
+    assert_ne!(own, near);
+    let found = contact(&surface::sphere(near, 2.0).unwrap()).unwrap();
+    let most = expected.pressure().max();
+    let pairs = found.pressure().as_slice().iter();
+    for (found, expected) in pairs.zip(expected.pressure().as_slice()) {
+        assert!(
+            (found - expected).abs() < 1e-10 * most,
+            "{found} {expected}"
+        );
+    }
+    let friction = Friction::per_cell(Field::constant(near, 0.5)).unwrap();
+    let load = TangentialLoad::Force([0.001, 0.0]);
+    let problem = TangentialProblem::builder(&bodies, &found, friction, load).build();
+    assert!(problem.unwrap().solve().is_ok());
+    let mut sum = surface::sphere(own, 2.0).unwrap();
+    assert_eq!(sum.add_scaled(1.0, &Field::zeros(near)), Ok(()));
+
+    let far = Grid::new(8, 6, 0.1, 0.1 * (1.0 + 3e-12)).unwrap();
+    assert_eq!(contact(&Field::zeros(far)), Err(mismatch("gap", own, far)));
+    let other = Grid::new(6, 8, 0.1, 0.1).unwrap();
+    assert!(contact(&Field::zeros(other)).is_err());
+}
+
+/// A pressure solved for on other materials is refused; as a field it is anyone's.
+#[test]
+fn solutions_of_other_materials() {
+    let bodies = bodies();
+    let normal = pressed(&bodies);
+    let softer = unit_bodies(bodies.grid(), 0.2);
+    let foreign = pressed(&softer);
+    assert_eq!(foreign.pair(), softer.pair());
+    let refused = |quantity| Err(Error::MaterialMismatch { quantity });
+    let friction = Friction::coulomb(0.5).unwrap();
+    let load = TangentialLoad::Force([0.1, 0.0]);
+    let builder = TangentialProblem::builder(&bodies, &foreign, friction.clone(), load);
+    assert_eq!(builder.build().map(drop), refused("normal solution"));
+    let builder = TangentialProblem::builder(&bodies, &normal, friction, load);
+    let mut solver = builder.build().unwrap().into_solver().unwrap();
+    assert_eq!(solver.set_pressure(&foreign), refused("normal solution"));
+    assert_eq!(solver.set_pressure(foreign.pressure()), Ok(()));
+
+    let superposed = |full, stick| JaegerSuperposition::new(full, stick, bodies.pair(), 0.5);
+    for (full, stick, quantity) in [
+        (&foreign, &normal, "full contact"),
+        (&normal, &foreign, "lighter contact"),
+    ] {
+        assert_eq!(superposed(full, stick).map(drop), refused(quantity));
+    }
+
+    // A solution that is solved into anew belongs to the bodies of the solver.
+    let (mut solution, gap) = (foreign, ball(&bodies));
+    let problem = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(1.0));
+    let mut solver = problem.build().unwrap().into_solver().unwrap();
+    solver.solve_into(&mut solution).unwrap();
+    assert_eq!(solution.pair(), normal.pair());
+    assert_eq!(solution.pressure(), normal.pressure());
+}
+
 /// In the plane a load may have any direction, but no other number.
 #[test]
 fn loads_in_the_plane() {

@@ -20,7 +20,7 @@ fn grid() -> Grid {
 fn shapes() {
     let grid = grid();
     let size = |shape: Result<Field, Error>| shape.map(|field| extreme(&field));
-    assert_checked("radius along x", Positive, |value| {
+    assert_checked("radius must", Positive, |value| {
         size(surface::sphere(grid, value))
     });
     assert_checked("radius along x", Positive, |value| {

@@ -280,3 +280,30 @@ fn a_history_on_another_grid_is_refused() {
     }
     assert_eq!(cycle, untouched);
 }
+
+/// A step enters once; steps may be left out, but none is added twice, nor before it was taken.
+#[test]
+fn a_step_that_is_not_new_is_refused() {
+    let mut history = ball(1e-6);
+    let mut cycle = Cycle::new(&history);
+    let not_new = |step, last| Err(Error::StepNotNew { step, last });
+    assert_eq!(cycle.add(&history), not_new(1, 1));
+    let drag = LoadStep::force([0.5 * LIMIT, 0.0]);
+    history.step(&drag).unwrap();
+    assert_eq!(cycle.add(&history), Ok(()));
+    let once = cycle.clone();
+    assert_eq!(cycle.add(&history), not_new(2, 2));
+    // Of another history, and of this one after a restart.
+    assert_eq!(cycle.add(&ball(1e-6)), not_new(1, 2));
+    let bodies = unit_bodies(history.grid(), 0.3);
+    let mut restored = History::restore(&bodies, &history.to_bytes()).unwrap();
+    assert_eq!(cycle.add(&restored), not_new(2, 2));
+    assert_eq!(cycle, once);
+
+    restored.step(&drag).unwrap();
+    restored.step(&drag).unwrap();
+    assert_eq!(cycle.add(&restored), Ok(()));
+    assert_eq!(cycle.steps(), 2);
+    cycle.begin(&history).unwrap();
+    assert_eq!(cycle.add(&history), not_new(2, 2));
+}

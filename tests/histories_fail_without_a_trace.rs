@@ -92,10 +92,20 @@ fn refused_loads() {
             assert!(history.step(&bad).is_err(), "{bad:?}");
         }
         let refused = history.step(&load(12.0, across, TangentialStep::Force(1.5)));
-        let Err(Error::NotModelled { value, .. }) = refused else {
+        let Err(error @ Error::NotModelled { value, .. }) = refused else {
             panic!("{refused:?}")
         };
         assert!(value == 1.5);
+        let message = error.to_string();
+        let remedy = format!(".axis(Axis::{across:?}) or .lateral(Lateral::Coupled)");
+        assert!(message.contains(&remedy), "{message}");
+        let message = |load| history.clone().step(&load).unwrap_err().to_string();
+        let turned = message(load(12.0, axis, hold).twist(0.1));
+        assert!(turned.contains("twist of 1e-1") && turned.contains(".lateral(Lateral::Coupled)"));
+        let dragged = message(LoadStep::hold().tangential(axis, spring(f64::NAN, 1.0)));
+        let end = format!("position of the spring along {axis:?}").to_lowercase();
+        assert!(dragged.contains(&end), "{dragged}");
+        assert!(message(LoadStep::spring([1.0; 2], 1.0)).contains("position of the spring"));
 
         // A far wider contact first, then a force it does not hold.
         let refused = history.step(&load(400.0, axis, TangentialStep::Force(-250.0)));

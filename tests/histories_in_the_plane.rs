@@ -418,5 +418,9 @@ fn what_repeats_does_not_turn() {
     let bodies = HalfSpace::with_boundary(grid, unit_pair(0.3), Boundary::Periodic).unwrap();
     let mut history = pressed(&bodies, &rough(grid, 6), Lateral::Coupled, 1e-6);
     let refused = history.step(&LoadStep::hold().twist(0.1));
-    assert!(matches!(refused, Err(Error::NotModelled { value, .. }) if value == 0.1));
+    let Err(error @ Error::NotModelled { value, .. }) = refused else {
+        panic!("{refused:?}")
+    };
+    let message = error.to_string();
+    assert!(value == 0.1 && message.contains("repeats") && !message.contains("Lateral"));
 }

@@ -5,11 +5,13 @@
 
 mod common;
 
+use std::ops::ControlFlow;
+
 use common::{Table2, rough, unit_bodies};
-use stickslip::history::wear;
+use stickslip::history::{Cycle, FrettingLoop, LoadPath, wear};
 use stickslip::{
     Axis, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalStep, Operator,
-    TangentialStep, influence::Component, surface,
+    TangentialStep, Warning, influence::Component, surface,
 };
 
 fn shear(history: &mut History, tangential: TangentialStep) {
@@ -109,6 +111,54 @@ fn a_new_gap_keeps_the_state() {
     assert!(twin.force()[0] != 0.5 && twin.force()[0].abs() < 1.6);
 }
 
+/// A wear loop that forgets the normal load is told so in every step; one that gives it is not.
+#[test]
+fn a_held_pressure_of_an_old_gap_is_remarked() {
+    let grid = Grid::square(32, 12.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let ball = surface::sphere(grid, 20.0).unwrap();
+    let builder = History::builder(&bodies, &ball, Friction::coulomb(0.4).unwrap());
+    let mut history = builder.build().unwrap();
+    let worn = Field::from_fn(grid, |x, y| 0.025 * (x * x + y * y) + 0.01);
+    // A gap that changes before anything is pressed makes no pressure old.
+    history.set_gap(&worn).unwrap();
+    history.step(&LoadStep::hold()).unwrap();
+    assert_eq!(history.last_step().warnings(), []);
+    press(&mut history, NormalStep::Force(4.0));
+    // Nor does one that is set again.
+    history.set_gap(&worn).unwrap();
+    shear(&mut history, TangentialStep::Shift(0.1));
+    assert_eq!(history.last_step().warnings(), []);
+
+    let path = LoadPath::sine([0.1, 0.0], 4).unwrap();
+    let forgetful = FrettingLoop::new(path.clone(), LoadStep::shift);
+    let load = |shift| LoadStep::shift(shift).normal(NormalStep::Force(4.0));
+    let mindful = FrettingLoop::new(path, load);
+    let mut warnings = Vec::new();
+    let mut wear = |history: &mut History, _: &Cycle| {
+        warnings.push(history.last_step().warnings());
+        let mut gap = history.gap().clone();
+        gap.add_scaled(0.1, history.pressure())?;
+        history.set_gap(&gap)?;
+        Ok(ControlFlow::Continue(()))
+    };
+    forgetful.run_observed(&mut history, 1, &mut wear).unwrap();
+    mindful.run_observed(&mut history, 1, &mut wear).unwrap();
+    let held = vec![Warning::StalePressure];
+    let mut expected = vec![held; 4];
+    // The gap is worn after each step: the first was taken with that of the pressure.
+    expected[0].clear();
+    expected.resize(8, Vec::new());
+    assert_eq!(warnings, expected);
+
+    // A step that is refused leaves the pressure as old as it was.
+    let refused = history.step(&LoadStep::force([99.0, 0.0]).normal(NormalStep::Force(4.0)));
+    assert!(refused.is_err());
+    let step = history.step(&LoadStep::hold()).unwrap();
+    assert_eq!(step.warnings(), [Warning::StalePressure]);
+    assert!(step.warnings()[0].to_string().contains("old gap"));
+}
+
 /// Less friction lets go what more held; more friction changes nothing.
 #[test]
 fn a_new_friction_is_obeyed() {
@@ -117,13 +167,16 @@ fn a_new_friction_is_obeyed() {
     let ball = surface::sphere(grid, 20.0).unwrap();
     let builder = History::builder(&bodies, &ball, Friction::coulomb(0.4).unwrap());
     let mut history = builder.build().unwrap();
+    assert_eq!(history.sliding_force(), 0.0);
     press(&mut history, NormalStep::Force(4.0));
     shear(&mut history, TangentialStep::Force(1.2));
     let (shift, path) = (history.shift()[0], history.slip_path().integral());
+    assert!((history.sliding_force() - 1.6).abs() < 1e-12);
 
     history
         .set_friction(&Friction::coulomb(0.8).unwrap())
         .unwrap();
+    assert!((history.sliding_force() - 3.2).abs() < 1e-12);
     shear(&mut history, TangentialStep::Force(1.2));
     assert!((history.shift()[0] / shift - 1.0).abs() < 1e-7);
     assert!((history.slip_path().integral() / path - 1.0).abs() < 1e-7);
@@ -136,11 +189,14 @@ fn a_new_friction_is_obeyed() {
     history
         .set_friction(&Friction::coulomb(0.2).unwrap())
         .unwrap();
+    let holds = history.sliding_force();
     let held = LoadStep::hold().tangential(Axis::X, TangentialStep::Force(1.2));
-    assert!(matches!(
-        history.step(&held),
-        Err(Error::BeyondSliding { .. })
-    ));
+    let refused = history.step(&held);
+    assert!(
+        matches!(refused, Err(Error::BeyondSliding { limit, .. }) if (limit - holds).abs() < 1e-12)
+    );
+    shear(&mut history, TangentialStep::Force(holds));
+    assert!(history.last_step().is_gross_sliding());
 }
 
 #[test]

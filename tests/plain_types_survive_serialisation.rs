@@ -132,14 +132,11 @@ fn surfaces() {
     survives(&PowerSpectrum::of(&heights).unwrap());
     // A flat surface has no skewness.
     read_back(&Statistics::of(&Field::zeros(grid())).unwrap());
-    #[cfg(feature = "dense")]
-    for form in [
-        surface::Form::Mean,
-        surface::Form::Plane,
-        surface::Form::Polynomial(3),
-    ] {
+    for form in [surface::Form::Mean, surface::Form::Plane] {
         survives(&form);
     }
+    #[cfg(feature = "dense")]
+    survives(&surface::Form::Polynomial(3));
 }
 
 /// A contact, pressed and not yet sheared.
@@ -203,6 +200,7 @@ fn answers_and_what_is_said_about_them() {
             unresolved: 1,
             spots: 2,
         },
+        Warning::StalePressure,
     ] {
         survives(&warning);
     }
@@ -356,9 +354,9 @@ fn answers_that_contradict_themselves_are_refused() {
 
     let shear = sheared(&bodies, &normal, Lateral::Neglected).unwrap();
     let slip = spoilt(&shear, "/slip/1/grid/ny", json!(19));
-    is(slip, "field has 480 samples, expected 456");
+    is(slip, "field has 480 entries, expected 456");
     let zones = spoilt(&shear, "/zones", json!(["Stick", "Slip"]));
-    is(zones, "zones has 2 samples, expected 480");
+    is(zones, "zones has 2 entries, expected 480");
     let slip = spoilt(&shear, "/slip/1/samples/7", json!("Infinity"));
     is(slip, "slip at index 7 is inf");
 
@@ -375,7 +373,7 @@ fn answers_that_contradict_themselves_are_refused() {
 
     let spectrum = PowerSpectrum::of(&ball).unwrap();
     let modes = spoilt(&spectrum, "/modes", json!([]));
-    is(modes, "modes has 0 samples");
+    is(modes, "modes has 0 entries");
     let word = spoilt(&ball, "/samples/0", json!("nothing"));
     is(word, "\"NaN\", \"Infinity\" or \"-Infinity\"");
 }

@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
-use crate::error::Result;
 #[cfg(feature = "serde")]
 use crate::error::positive;
+use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::history::hysteresis::{LoopPoint, half_range, total_energy};
 use crate::history::{EnergyBalance, History};
@@ -27,7 +27,7 @@ pub enum Regime {
 
 /// Slip, energy and the loop of force and shift, added up over the steps of a cycle.
 ///
-/// It begins where the history is, and [takes](Self::add) each step after it was done; a
+/// It begins where the history is, and [takes](Self::add) each step once, after it was done; a
 /// [`FrettingLoop`](crate::history::FrettingLoop) does so by itself. It holds nine numbers per cell, and
 /// allocates nothing in a cycle of no more steps than one before.
 ///
@@ -76,6 +76,8 @@ pub struct Cycle {
     points: Vec<LoopPoint>,
     stick_ratios: [f64; 2],
     slides: bool,
+    /// The number of the last step in it, or of that it begins after.
+    last_step: u64,
 }
 
 /// What is read, before it is checked.
@@ -95,6 +97,7 @@ struct Unchecked {
     points: Vec<LoopPoint>,
     stick_ratios: [f64; 2],
     slides: bool,
+    last_step: u64,
 }
 
 #[cfg(feature = "serde")]
@@ -133,6 +136,7 @@ impl Cycle {
             points: Vec::new(),
             stick_ratios: [1.0, 0.0],
             slides: false,
+            last_step: 0,
         };
         cycle.restart(history);
         cycle
@@ -141,7 +145,7 @@ impl Cycle {
     /// Forgets all steps and begins anew where the history is.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch); the cycle is then as it was.
+    /// [`Error::GridMismatch`]; the cycle is then as it was.
     pub fn begin(&mut self, history: &History) -> Result<()> {
         self.check(history)?;
         self.restart(history);
@@ -167,15 +171,23 @@ impl Cycle {
         self.points.clear();
         self.points.push(LoopPoint::of(history));
         (self.stick_ratios, self.slides) = ([1.0, 0.0], false);
+        self.last_step = history.steps();
         self.compare_traction(history);
     }
 
-    /// Adds the last step of the history: to be called once after each.
+    /// Adds the last step of the history: to be called once after each. Steps that are never added are left out.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch); the cycle is then as it was.
+    /// [`Error::GridMismatch`]; [`Error::StepNotNew`] if the history has taken no step since the last one added, or
+    /// since the beginning. That is known by [`History::steps`] alone: a step of another history that has taken more
+    /// passes. The cycle is then as it was.
     pub fn add(&mut self, history: &History) -> Result<()> {
         self.check(history)?;
+        let (step, last) = (history.steps(), self.last_step);
+        if step <= last {
+            return Err(Error::StepNotNew { step, last });
+        }
+        self.last_step = step;
         let step = history.last_step();
         self.slip_length.add_scaled(1.0, step.slip_length())?;
         self.dissipation.add_scaled(1.0, step.dissipation())?;

@@ -8,7 +8,9 @@ use crate::history::{Cycle, History, LoadPath, LoadStep};
 /// A path of load, taken again and again.
 ///
 /// `load` turns each value of the path into a [`LoadStep`]: [`LoadStep::force`] and [`LoadStep::shift`] do, a
-/// closure adds normal load, spring or twist. A history along an axis takes a path along that axis.
+/// closure makes a [`LoadStep::spring`], or adds normal load or twist. A history along an axis takes a path along
+/// that axis. In a loop that changes the gap, give the normal load in every step, `.normal(NormalStep::Force(w))`:
+/// else the pressure stays that of the old gap, and the [step](crate::history::Step::warnings) says so.
 ///
 /// ```
 /// use stickslip::history::{FrettingLoop, LoadPath, LoopEnding, Regime};

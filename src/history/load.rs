@@ -43,6 +43,30 @@ pub enum TangentialStep {
     Hold,
 }
 
+impl TangentialStep {
+    /// What is prescribed along `axis`, in words and as a number; zero if held.
+    fn checked(self, axis: Axis) -> Result<(&'static str, f64)> {
+        let by_axis = |names: [&'static str; 2]| names[axis.index()];
+        let load = by_axis(["tangential load along x", "tangential load along y"]);
+        let (quantity, value) = match self {
+            Self::Force(value) | Self::Shift(value) => (load, value),
+            Self::Spring {
+                position,
+                stiffness,
+            } => {
+                positive("stiffness of the spring", stiffness)?;
+                let ends = [
+                    "position of the spring along x",
+                    "position of the spring along y",
+                ];
+                (by_axis(ends), position)
+            }
+            Self::Hold => (load, 0.0),
+        };
+        Ok((quantity, finite(quantity, value)?))
+    }
+}
+
 /// What a step does: normal load, tangential load along each axis, twist. Whatever is not named is held.
 ///
 /// ```
@@ -80,14 +104,50 @@ impl LoadStep {
 
     /// The tangential force `[x, y]` at the end of the step, all else held. Along an axis the force across must
     /// be zero.
+    ///
+    /// After the gap has changed, give the normal load again in every step,
+    /// [`.normal(NormalStep::Force(w))`](Self::normal): else the pressure stays that of the old gap.
     pub fn force(force: [f64; 2]) -> Self {
         Self::both(force.map(TangentialStep::Force))
     }
 
     /// The shift `[x, y]` at the end of the step, since the start of the history (lengths), all else held.
     /// Along an axis the shift across must be zero.
+    ///
+    /// After the gap has changed, give the normal load again in every step,
+    /// [`.normal(NormalStep::Force(w))`](Self::normal): else the pressure stays that of the old gap.
     pub fn shift(shift: [f64; 2]) -> Self {
         Self::both(shift.map(TangentialStep::Shift))
+    }
+
+    /// Springs of one stiffness along both axes (a force over a length), whose far ends are at `[x, y]` at the end of
+    /// the step, since the start of the history (lengths), all else held: see [`TangentialStep::Spring`]. Along an
+    /// axis the position across must be zero.
+    ///
+    /// After the gap has changed, give the normal load in every step, as with [`shift`](Self::shift).
+    ///
+    /// ```
+    /// use stickslip::history::LoadPath;
+    /// use stickslip::*;
+    /// let grid = Grid::square(32, 0.30e-3)?;
+    /// let steel = Material::new(213e9, 0.29)?;
+    /// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
+    /// let ball = surface::sphere(grid, 3.5e-3)?;
+    /// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.5)?).build()?;
+    /// let stiffness = 1e7;
+    /// for &position in LoadPath::sine([5e-6, 0.0], 8)?.steps() {
+    ///     let drag = LoadStep::spring(position, stiffness).normal(NormalStep::Force(100.0));
+    ///     let step = history.step(&drag)?;
+    ///     let stretch = position[0] - step.shift()[0];
+    ///     assert!((step.force()[0] - stiffness * stretch).abs() < 1e-6);
+    /// }
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn spring(position: [f64; 2], stiffness: f64) -> Self {
+        Self::both(position.map(|position| TangentialStep::Spring {
+            position,
+            stiffness,
+        }))
     }
 
     fn both(tangential: [TangentialStep; 2]) -> Self {
@@ -121,33 +181,34 @@ impl LoadStep {
     /// `Ok` if a history along `axis`, or in the plane, can take the step; what pressure and friction have to
     /// say comes later.
     pub(super) fn check(&self, axis: Option<Axis>, boundary: Boundary) -> Result<()> {
-        for (along, quantity) in [
-            (Axis::X, "tangential load along x"),
-            (Axis::Y, "tangential load along y"),
-        ] {
-            let value = match self.along(along) {
-                TangentialStep::Force(value) | TangentialStep::Shift(value) => value,
-                TangentialStep::Spring {
-                    position,
-                    stiffness,
-                } => {
-                    positive("stiffness of the spring", stiffness)?;
-                    position
-                }
-                TangentialStep::Hold => 0.0,
-            };
-            finite(quantity, value)?;
-            let is_across = axis.is_some_and(|axis| axis != along);
-            if is_across && value != 0.0 {
-                return Err(Error::NotModelled { quantity, value });
+        for along in [Axis::X, Axis::Y] {
+            let (quantity, value) = self.along(along).checked(along)?;
+            if value != 0.0 && axis.is_some_and(|axis| axis != along) {
+                let remedy = match along {
+                    Axis::X => "build it with .axis(Axis::X) or .lateral(Lateral::Coupled)",
+                    Axis::Y => "build it with .axis(Axis::Y) or .lateral(Lateral::Coupled)",
+                };
+                return Err(Error::NotModelled {
+                    quantity,
+                    value,
+                    remedy,
+                });
             }
         }
         let (quantity, value) = ("twist", finite("twist", self.twist_from(0.0))?);
-        let can_turn = axis.is_none() && boundary == Boundary::Free;
-        if value != 0.0 && !can_turn {
-            return Err(Error::NotModelled { quantity, value });
+        let remedy = match (axis, boundary) {
+            (_, Boundary::Periodic) => "a grid that repeats cannot turn, with any option",
+            (Some(_), Boundary::Free) => "build it with .lateral(Lateral::Coupled)",
+            (None, Boundary::Free) => return Ok(()),
+        };
+        if value == 0.0 {
+            return Ok(());
         }
-        Ok(())
+        Err(Error::NotModelled {
+            quantity,
+            value,
+            remedy,
+        })
     }
 
     /// What is to be solved in the normal direction, if anything.

@@ -1,5 +1,6 @@
 //! What one step of a history did.
 
+use crate::contact_map::Warning;
 #[cfg(feature = "serde")]
 use crate::error::{all_finite, finite};
 use crate::field::Field;
@@ -29,6 +30,8 @@ pub struct Step {
     pub(super) twist: f64,
     pub(super) stick_cells: usize,
     pub(super) slip_cells: usize,
+    /// Whether the pressure was held although the gap had changed.
+    pub(super) is_pressure_stale: bool,
     pub(super) normal_report: Report,
     pub(super) tangential_report: Report,
 }
@@ -51,6 +54,7 @@ struct Unchecked {
     twist: f64,
     stick_cells: usize,
     slip_cells: usize,
+    is_pressure_stale: bool,
     normal_report: Report,
     tangential_report: Report,
 }
@@ -95,6 +99,7 @@ impl Step {
             twist: 0.0,
             stick_cells: 0,
             slip_cells: 0,
+            is_pressure_stale: false,
             normal_report: Report::with_room(),
             tangential_report: Report::with_room(),
         }
@@ -192,6 +197,15 @@ impl Step {
     #[must_use]
     pub fn tangential_report(&self) -> Option<&Report> {
         solved(&self.tangential_report)
+    }
+
+    /// Remarks on the step: [`Warning::StalePressure`] if it held the pressure although
+    /// [`set_gap`](crate::History::set_gap) had changed the gap. Those on the contact are in
+    /// [`History::normal`](crate::History::normal).
+    #[must_use]
+    pub fn warnings(&self) -> Vec<Warning> {
+        let stale = self.is_pressure_stale.then_some(Warning::StalePressure);
+        stale.into_iter().collect()
     }
 }
 

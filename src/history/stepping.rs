@@ -16,9 +16,10 @@ use crate::history::{LoadStep, Step};
 use crate::influence::Component;
 use crate::normal::{NormalLoad, NormalProblem, NormalSolution, NormalSolver};
 use crate::operator::Operator;
-use crate::report::Report;
+use crate::report::{Report, Status};
 use crate::stage::{Observer, with_memory};
-use crate::tangential::{Axis, Friction, Zone, component};
+use crate::tangential::{Axis, Friction, Limits, Zone, component};
+use crate::window::Window;
 
 /// Two bodies in contact that remember their load: pressure, traction, slip and energy, step by step.
 ///
@@ -67,6 +68,8 @@ pub struct History {
     pub(super) press: NormalSolver,
     /// The normal contact after the last step.
     pub(super) normal: NormalSolution,
+    /// Whether the gap has changed since.
+    is_pressure_stale: bool,
     /// That of the step under way.
     candidate: NormalSolution,
     pub(super) shear: Shear,
@@ -112,6 +115,7 @@ impl History {
             friction,
             settings,
             normal: press.new_solution(),
+            is_pressure_stale: false,
             candidate: press.new_solution(),
             press,
             shear: Shear::new(bodies, axis),
@@ -152,10 +156,12 @@ impl History {
         }
         if load.normal_load().is_some() {
             std::mem::swap(&mut self.normal, &mut self.candidate);
+            self.is_pressure_stale = false;
             self.step.normal_report.clone_from(self.normal.report());
         } else {
             self.step.normal_report.clone_from(&Report::unsolved());
         }
+        self.step.is_pressure_stale = self.is_pressure_stale;
         self.step.normal_force = self.normal.force();
         self.step.approach = self.normal.approach();
         self.shear.commit(&mut self.state, &mut self.step);
@@ -177,8 +183,9 @@ impl History {
         shear.solve(load, state, &self.settings, observer)
     }
 
-    /// Changes the gap before loading, as wear does; all else stays, the pressure too until a step
-    /// that does not hold it. Copies without allocating.
+    /// Changes the gap before loading, as wear does; all else stays, the pressure too until a step that does not
+    /// hold it: give the normal load in the next step again. One that holds it carries
+    /// [`Warning::StalePressure`](crate::Warning::StalePressure). Copies without allocating.
     ///
     /// # Errors
     /// [`Error::GridMismatch`](crate::Error::GridMismatch) or [`Error::Sample`](crate::Error::Sample); the gap
@@ -186,7 +193,11 @@ impl History {
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
         // The load of the last step has no say: the next brings its own.
         self.press.set_load(NormalLoad::Force(0.0))?;
-        self.press.set_gap(gap)
+        let is_pressed = self.normal.report().status != Status::Unsolved;
+        let changes = self.gap().as_slice().iter().ne(gap.as_slice());
+        self.press.set_gap(gap)?;
+        self.is_pressure_stale |= is_pressed && changes;
+        Ok(())
     }
 
     /// Changes the friction from the next step on; all else stays.
@@ -328,6 +339,15 @@ impl History {
     #[must_use]
     pub fn force(&self) -> [f64; 2] {
         self.state.force
+    }
+
+    /// Largest tangential force friction holds at the present pressure: the integral of the friction limit.
+    #[must_use]
+    pub fn sliding_force(&self) -> f64 {
+        let (grid, pressure) = (self.grid(), self.pressure().as_slice());
+        let mut limits = Limits::new(grid.cells());
+        limits.set(&self.friction, Window::whole(grid), pressure);
+        limits.sum * grid.cell_area()
     }
 
     /// Moment about z, at the origin of the grid, that the tractions of body 2 exert on body 1.

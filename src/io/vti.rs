@@ -41,7 +41,7 @@ pub fn to_bytes(fields: &[(&str, &Field)]) -> Result<Vec<u8>> {
     };
     let grid = first.grid();
     for (index, (name, field)) in fields.iter().enumerate() {
-        let problem = if field.grid() != grid {
+        let problem = if !grid.agrees_with(field.grid()) {
             "the field lives on another grid than the first"
         } else if name.is_empty() || name.contains(char::is_control) {
             "the name is empty or holds control characters"

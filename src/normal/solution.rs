@@ -6,6 +6,8 @@ use crate::contact_map::{ContactMap, Warning};
 use crate::error::{all_non_negative, finite};
 use crate::field::Field;
 use crate::grid::Grid;
+use crate::half_space::HalfSpace;
+use crate::material::ElasticPair;
 use crate::parallel;
 use crate::report::Report;
 #[cfg(feature = "serde")]
@@ -18,6 +20,7 @@ pub struct NormalSolution {
     pressure: Field,
     gap: Field,
     boundary: Boundary,
+    pair: ElasticPair,
     approach: f64,
     report: Report,
 }
@@ -30,6 +33,7 @@ struct Unchecked {
     pressure: Field,
     gap: Field,
     boundary: Boundary,
+    pair: ElasticPair,
     approach: f64,
     report: Report,
 }
@@ -48,11 +52,12 @@ impl<'de> serde::Deserialize<'de> for NormalSolution {
 
 impl NormalSolution {
     /// No contact yet.
-    pub(super) fn empty(gap: &Field, boundary: Boundary) -> Self {
+    pub(super) fn empty(gap: &Field, bodies: &HalfSpace) -> Self {
         Self {
             pressure: Field::zeros(gap.grid()),
             gap: gap.clone(),
-            boundary,
+            boundary: bodies.boundary(),
+            pair: *bodies.pair(),
             approach: 0.0,
             report: Report::with_room(),
         }
@@ -60,12 +65,14 @@ impl NormalSolution {
 
     pub(super) fn fill(
         &mut self,
+        pair: &ElasticPair,
         initial_gap: &Field,
         pressure: &[f64],
         displacement: &[f64],
         approach: f64,
         report: &Report,
     ) {
+        self.pair = *pair;
         self.pressure.as_mut_slice().copy_from_slice(pressure);
         let initial = initial_gap.as_slice();
         parallel::update(self.gap.as_mut_slice(), |first, chunk| {
@@ -131,6 +138,12 @@ impl NormalSolution {
         self.boundary
     }
 
+    /// The two bodies.
+    #[must_use]
+    pub fn pair(&self) -> &ElasticPair {
+        &self.pair
+    }
+
     /// Cells that carry pressure.
     #[must_use]
     pub fn contact_cells(&self) -> usize {
@@ -149,6 +162,32 @@ impl NormalSolution {
     #[must_use]
     pub fn contact_area_corrected(&self) -> f64 {
         self.contact_map().corrected_area()
+    }
+
+    /// Width of the whole contact along x and along y (lengths), between the outer edges of its outermost cells; `None`
+    /// without contact.
+    ///
+    /// On a periodic grid it is the least width that holds all of the contact, across the edges too: the side of the
+    /// grid less its longest stretch of columns, or rows, without contact.
+    ///
+    /// ```
+    /// use stickslip::*;
+    /// let grid = Grid::new(96, 64, 0.1, 0.1)?;
+    /// let rubber = Material::new(1.0, 0.5)?;
+    /// let bodies = HalfSpace::new(grid, ElasticPair::new(rubber, Material::rigid())?)?;
+    /// let (gap, load) = (surface::ellipsoid(grid, 8.0, 2.0)?, NormalLoad::Force(0.6));
+    /// let contact = NormalProblem::builder(&bodies, &gap, load).build()?.solve()?;
+    /// let hertz = analytical::HertzEllipse::new(bodies.pair(), 8.0, 2.0, 0.6)?;
+    /// let [a, b] = hertz.semi_axes();
+    /// let extent = contact.contact_extent();
+    /// assert!(extent.is_some_and(|[x, y]| (x - 2.0 * a).abs() < 0.2 && (y - 2.0 * b).abs() < 0.2));
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub fn contact_extent(&self) -> Option<[f64; 2]> {
+        let [columns, rows] = self.contact_map().extent()?;
+        let grid = self.grid();
+        Some([columns as f64 * grid.dx(), rows as f64 * grid.dy()])
     }
 
     /// Cells of each contact spot, the largest spot first; a spot is a set of contact cells connected

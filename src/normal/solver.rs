@@ -167,7 +167,7 @@ impl NormalSolver {
     /// An empty solution of the right size for [`NormalSolver::solve_into`].
     #[must_use]
     pub fn new_solution(&self) -> NormalSolution {
-        NormalSolution::empty(&self.problem.gap, self.problem.bodies.boundary())
+        NormalSolution::empty(&self.problem.gap, &self.problem.bodies)
     }
 
     /// Solves into `solution`, whose last content does not matter.
@@ -217,6 +217,7 @@ impl NormalSolver {
         let approach = datum + engine.stage.multiplier();
         let displacement = engine.displacement();
         solution.fill(
+            self.problem.bodies.pair(),
             &self.problem.gap,
             &self.pressure,
             displacement,

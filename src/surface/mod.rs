@@ -11,7 +11,7 @@
 //!
 //! # Measured surfaces
 //! Heights `z(x, y)` point out of the body they bound; NaN stands for a height that is missing. On the
-//! way to a gap a measurement is levelled (`level`, with the feature `dense`), its holes are closed
+//! way to a gap a measurement is levelled ([`level`](level())), its holes are closed
 //! by [`fill_missing`], the part wanted is taken by [`crop()`] or [`resample()`], and [`gap_of`] sets it on a
 //! plane or [`gap_between`] on another surface. [`Statistics`] and [`PowerSpectrum`] measure it.
 
@@ -21,7 +21,6 @@ mod fill;
 mod fourier;
 mod gap;
 mod heights;
-#[cfg(feature = "dense")]
 mod level;
 mod power_spectrum;
 mod resample;
@@ -33,7 +32,6 @@ mod sum;
 pub use crop::crop;
 pub use fill::{Filled, fill_missing};
 pub use gap::{gap_between, gap_of, inverted, mirrored_along_x};
-#[cfg(feature = "dense")]
 pub use level::{Form, Levelled, level};
 pub use power_spectrum::PowerSpectrum;
 pub use resample::resample;

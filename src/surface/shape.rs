@@ -22,6 +22,7 @@ use crate::grid::Grid;
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 pub fn sphere(grid: Grid, radius: f64) -> Result<Field> {
+    positive("radius", radius)?;
     ellipsoid(grid, radius, radius)
 }
 

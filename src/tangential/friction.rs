@@ -123,7 +123,7 @@ impl Friction {
         self.shear_cap = other.shear_cap;
         match (&mut self.coefficient, &other.coefficient) {
             (Coefficient::PerCell(own), Coefficient::PerCell(field))
-                if own.grid() == field.grid() =>
+                if own.grid().agrees_with(field.grid()) =>
             {
                 own.as_mut_slice().copy_from_slice(field.as_slice());
             }

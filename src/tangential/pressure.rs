@@ -30,9 +30,9 @@ use crate::window::Window;
 #[derive(Debug, Clone, Copy)]
 #[non_exhaustive]
 pub enum Pressure<'a> {
-    /// Of a normal contact on the same bodies, which must have converged.
+    /// Of a normal contact on the same bodies, materials too, which must have converged.
     Solved(&'a NormalSolution),
-    /// Of each cell, non-negative and finite.
+    /// Of each cell, non-negative and finite, whatever bodies it was found on.
     Prescribed(&'a Field),
 }
 
@@ -53,7 +53,11 @@ impl<'a> Pressure<'a> {
     pub(super) fn checked(self, bodies: &HalfSpace) -> Result<&'a [f64]> {
         match self {
             Self::Solved(normal) => {
-                bodies.check_host("normal solution", normal.grid(), normal.boundary())?;
+                let quantity = "normal solution";
+                bodies.check_host(quantity, normal.grid(), normal.boundary())?;
+                if normal.pair() != bodies.pair() {
+                    return Err(Error::MaterialMismatch { quantity });
+                }
                 if !normal.report().is_converged() {
                     return Err(Error::NotConverged(Box::new(normal.report().clone())));
                 }

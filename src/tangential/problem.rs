@@ -167,7 +167,8 @@ impl TangentialProblemBuilder<'_> {
     ///
     /// # Errors
     /// [`Error::NotConverged`] if the normal contact is not, with its report; [`Error::Sample`] for a prescribed
-    /// pressure that is negative or not finite; [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CoupledMaterials`], [`Error::ObliqueLoad`],
+    /// pressure that is negative or not finite; [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or
+    /// [`Error::MaterialMismatch`] for one of other bodies; [`Error::CoupledMaterials`], [`Error::ObliqueLoad`],
     /// [`Error::NotFinite`], [`Error::EmptyContact`], [`Error::BeyondSliding`],
     /// [`Error::Tolerance`], [`Error::IterationLimit`].
     pub fn build(self) -> Result<TangentialProblem> {

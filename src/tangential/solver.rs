@@ -114,7 +114,8 @@ impl TangentialSolver {
     /// normal load does. Allocates only if the contact has left the bounding box it had.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`], [`Error::NotConverged`], [`Error::Sample`], [`Error::EmptyContact`], or
+    /// [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::MaterialMismatch`],
+    /// [`Error::NotConverged`], [`Error::Sample`], [`Error::EmptyContact`], or
     /// [`Error::BeyondSliding`] if the present load is more than friction now holds; the pressure is
     /// then as it was.
     pub fn set_pressure<'a>(&mut self, pressure: impl Into<Pressure<'a>>) -> Result<()> {

@@ -36,8 +36,9 @@ impl JaegerSuperposition {
     ///
     /// # Errors
     /// [`Error::Negative`] for the coefficient or if `stick` carries more load than `full`, [`Error::GridMismatch`]
-    /// or [`Error::BoundaryMismatch`] if the two contacts differ in grid or boundary, [`Error::NotConverged`] if
-    /// either is not, with its report, [`Error::EmptyContact`] if `full` carries no pressure.
+    /// or [`Error::BoundaryMismatch`] if the two contacts differ in grid or boundary, [`Error::MaterialMismatch`] if
+    /// either is of another pair, [`Error::NotConverged`] if either is not, with its report,
+    /// [`Error::EmptyContact`] if `full` carries no pressure.
     pub fn new(
         full: &NormalSolution,
         stick: &NormalSolution,
@@ -50,6 +51,11 @@ impl JaegerSuperposition {
         if stick.boundary() != full.boundary() {
             let quantity = "lighter contact";
             return Err(Error::BoundaryMismatch { quantity });
+        }
+        for (quantity, contact) in [("full contact", full), ("lighter contact", stick)] {
+            if contact.pair() != pair {
+                return Err(Error::MaterialMismatch { quantity });
+            }
         }
         if let Some(unsolved) = [full, stick]
             .into_iter()

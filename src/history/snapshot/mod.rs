@@ -34,8 +34,10 @@ const SUM: usize = 8;
 impl History {
     /// All that the next step needs, as bytes: [`History::restore`] goes on from them to the same bits.
     ///
-    /// The bodies are not among them, but enough to know them again. Some 60 bytes per cell, 80 of
-    /// a history in the plane.
+    /// The bodies are not among them, but enough to know them again. Nor is that the gap has changed since the
+    /// pressure was found: after a restart a step that holds it carries no
+    /// [`Warning::StalePressure`](crate::Warning::StalePressure). Some 60 bytes per cell, 80 of a history in the
+    /// plane.
     #[must_use]
     pub fn to_bytes(&self) -> Vec<u8> {
         let mut bytes = Writer::default();
@@ -167,7 +169,7 @@ fn opened(bytes: &[u8]) -> Result<Cursor<'_>> {
     }
     let (contents, sum) = bytes.split_at(found - SUM);
     if checksum(contents).to_le_bytes() != sum {
-        return Err(FORMAT.at_byte(found - SUM, "the sum of the bytes is another"));
+        return Err(FORMAT.at_byte(found - SUM, "the checksum of the bytes is another"));
     }
     let mut contents = Cursor::new(FORMAT, contents);
     contents.take("the header", HEADER)?;

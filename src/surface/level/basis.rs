@@ -1,0 +1,171 @@
+//! The polynomials a form is made of.
+
+#[cfg(feature = "dense")]
+use faer::Mat;
+
+#[cfg(feature = "dense")]
+use super::triangle::Triangle;
+use crate::field::Field;
+use crate::grid::Grid;
+use crate::parallel;
+
+/// Products of Legendre polynomials up to a total degree.
+pub(super) struct Basis {
+    nx: usize,
+    degree: usize,
+    /// Degrees along x and along y of each product.
+    terms: Vec<[usize; 2]>,
+    /// The polynomials of degrees `0..=degree` at each column, and at each row.
+    along_x: Vec<f64>,
+    along_y: Vec<f64>,
+}
+
+impl Basis {
+    pub(super) fn new(heights: &Field, degree: usize) -> Self {
+        let grid = heights.grid();
+        let (nx, ny) = (grid.nx(), grid.ny());
+        let terms = (0..=degree)
+            .flat_map(|total| (0..=total).map(move |j| [total - j, j]))
+            .filter(|&[i, j]| (nx > 1 || i == 0) && (ny > 1 || j == 0))
+            .collect();
+        let [columns, rows] = known_extent(grid, heights.as_slice());
+        Self {
+            nx,
+            degree,
+            terms,
+            along_x: legendre(nx, columns, degree),
+            along_y: legendre(ny, rows, degree),
+        }
+    }
+
+    /// Number of products.
+    pub(super) fn terms(&self) -> usize {
+        self.terms.len()
+    }
+
+    /// The product of a term in a cell.
+    fn at(&self, cell: usize, term: usize) -> f64 {
+        let [i, j] = self.terms[term];
+        let width = self.degree + 1;
+        self.along_x[cell % self.nx * width + i] * self.along_y[cell / self.nx * width + j]
+    }
+
+    /// The sum of the products in a cell.
+    pub(super) fn value(&self, coefficients: &[f64], cell: usize) -> f64 {
+        let terms = coefficients.iter().enumerate();
+        terms.map(|(term, c)| c * self.at(cell, term)).sum()
+    }
+
+    /// `A'A`, row by row, where `A` has a row for each known height and a column for each term.
+    pub(super) fn products(&self, z: &[f64]) -> Vec<f64> {
+        let count = self.terms();
+        parallel::fold(
+            z.len(),
+            |range| {
+                let mut sums = vec![0.0; count * count];
+                for cell in range.filter(|&cell| !z[cell].is_nan()) {
+                    for (first, row) in sums.chunks_exact_mut(count).enumerate() {
+                        for (second, sum) in row.iter_mut().enumerate() {
+                            *sum += self.at(cell, first) * self.at(cell, second);
+                        }
+                    }
+                }
+                sums
+            },
+            added,
+        )
+    }
+
+    /// `R` of `A = QR`, by reduction of blocks of rows.
+    #[cfg(feature = "dense")]
+    pub(super) fn reduced(&self, z: &[f64]) -> Triangle {
+        let count = self.terms();
+        let reduced = |matrix: Mat<f64>| {
+            if matrix.nrows() > count {
+                matrix.qr().thin_R().to_owned()
+            } else {
+                matrix
+            }
+        };
+        let rows = parallel::fold(
+            z.len(),
+            |range| {
+                let known: Vec<usize> = range.filter(|&cell| !z[cell].is_nan()).collect();
+                let entry = |row: usize, term| self.at(known[row], term);
+                reduced(Mat::from_fn(known.len(), count, entry))
+            },
+            |a, b| {
+                let height = a.nrows();
+                reduced(Mat::from_fn(height + b.nrows(), count, |row, term| {
+                    if row < height {
+                        a[(row, term)]
+                    } else {
+                        b[(row - height, term)]
+                    }
+                }))
+            },
+        );
+        let triangle = rows.qr().thin_R().to_owned();
+        Triangle::from_fn(count, |row, term| triangle[(row, term)])
+    }
+
+    /// `A' (z - A c)`: what the terms still find in the known heights.
+    pub(super) fn projection_of_rest(&self, z: &[f64], coefficients: &[f64]) -> Vec<f64> {
+        parallel::fold(
+            z.len(),
+            |range| {
+                let mut sums = vec![0.0; coefficients.len()];
+                for cell in range.filter(|&cell| !z[cell].is_nan()) {
+                    let rest = z[cell] - self.value(coefficients, cell);
+                    for (term, sum) in sums.iter_mut().enumerate() {
+                        *sum += rest * self.at(cell, term);
+                    }
+                }
+                sums
+            },
+            added,
+        )
+    }
+}
+
+/// The sums of two parts, together.
+fn added(mut sums: Vec<f64>, others: Vec<f64>) -> Vec<f64> {
+    for (sum, other) in sums.iter_mut().zip(others) {
+        *sum += other;
+    }
+    sums
+}
+
+/// First and last column, and first and last row, of the rectangle that holds every known height.
+fn known_extent(grid: Grid, z: &[f64]) -> [[usize; 2]; 2] {
+    let known = |cell: &usize| !z[*cell].is_nan();
+    let extent = |places: &mut dyn Iterator<Item = usize>| {
+        places.fold([usize::MAX, 0], |[first, last], place| {
+            [first.min(place), last.max(place)]
+        })
+    };
+    let cells = || (0..grid.cells()).filter(known);
+    [
+        extent(&mut cells().map(|cell| cell % grid.nx())),
+        extent(&mut cells().map(|cell| cell / grid.nx())),
+    ]
+}
+
+/// Legendre polynomials of degrees `0..=degree` at the places `0..count`, on the interval from the
+/// first known place to the last.
+fn legendre(count: usize, [first, last]: [usize; 2], degree: usize) -> Vec<f64> {
+    let (first, last) = (first as f64, last as f64);
+    let half = (0.5 * (last - first)).max(0.5);
+    let mut table = Vec::with_capacity(count * (degree + 1));
+    for place in 0..count {
+        let x = (place as f64 - 0.5 * (first + last)) / half;
+        let (mut before, mut here) = (0.0, 1.0);
+        for n in 0..=degree {
+            table.push(here);
+            let n = n as f64;
+            // (n + 1) P_{n+1} = (2n + 1) x P_n - n P_{n-1}
+            (before, here) = (here, ((2.0 * n + 1.0) * x * here - n * before) / (n + 1.0));
+        }
+    }
+    table
+}

@@ -1,0 +1,156 @@
+//! Removal of tilt and curvature from a measured surface.
+
+mod basis;
+mod triangle;
+
+use super::heights::finite_or_missing;
+use crate::error::{Error, Result};
+use crate::field::Field;
+use crate::parallel;
+use basis::Basis;
+use triangle::Triangle;
+
+/// Highest degree of a form: 231 coefficients.
+const HIGHEST_DEGREE: usize = 20;
+
+/// Steps of refinement: the first finds the coefficients, the others bring them to round-off.
+const REFINEMENTS: usize = 3;
+
+/// The smooth form taken off a measured surface.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub enum Form {
+    /// The mean height.
+    Mean,
+    /// The plane $`c_0 + c_1 x + c_2 y`$: the tilt of the specimen.
+    Plane,
+    /// A polynomial in x and y of this total degree, at most 20; degree 2 takes off the curvature of a
+    /// ball or a cylinder. With the feature `dense`.
+    #[cfg(feature = "dense")]
+    Polynomial(usize),
+}
+
+impl Form {
+    fn degree(self) -> usize {
+        match self {
+            Self::Mean => 0,
+            Self::Plane => 1,
+            #[cfg(feature = "dense")]
+            Self::Polynomial(degree) => degree,
+        }
+    }
+
+    /// `R` of `A = QR`, with a row of `A` for each known height and a column for each term.
+    fn triangle(self, basis: &Basis, z: &[f64]) -> Triangle {
+        match self {
+            Self::Mean | Self::Plane => Triangle::of_products(basis.terms(), &basis.products(z)),
+            #[cfg(feature = "dense")]
+            Self::Polynomial(_) => basis.reduced(z),
+        }
+    }
+}
+
+/// A levelled surface and the form that was taken off it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Levelled {
+    heights: Field,
+    form: Field,
+}
+
+impl Levelled {
+    /// The heights above the form (lengths); missing where they were missing.
+    #[must_use]
+    pub fn heights(&self) -> &Field {
+        &self.heights
+    }
+
+    /// The form (lengths) in every cell, also where heights are missing.
+    #[must_use]
+    pub fn form(&self) -> &Field {
+        &self.form
+    }
+
+    /// The heights, without the form.
+    #[must_use]
+    pub fn into_heights(self) -> Field {
+        self.heights
+    }
+}
+
+/// Takes a form off a measured surface, by least squares over the heights that are not NaN.
+///
+/// What remains is orthogonal to every polynomial of the form, to round-off. On a profile, a grid of
+/// one row or one column, the form varies along it only. Missing heights stay missing:
+/// [`fill_missing`](super::fill_missing) comes after.
+///
+/// The form is a sum of products of Legendre polynomials over the rectangle of the known heights. Of its matrix
+/// $`A`$, which is never held at once, a triangular factor is made: for a mean or a plane by Cholesky from the few
+/// numbers of $`A^T A = R^T R`$; for a polynomial blocks of 4096 cells are reduced to their factors, and these in
+/// pairs to one, $`A = QR`$ (Demmel et al. 2012). Then $`R^T R\,\Delta c = A^T (z - A c)`$ is solved until the
+/// coefficients $`c`$ no longer change (corrected seminormal equations, Björck 1987).
+///
+/// # Errors
+/// [`Error::Sample`] for the first infinite height; [`Error::Degree`] above degree 20;
+/// [`Error::Undetermined`] if the known heights are too few for the form, or lie too nearly on a curve
+/// that the form cannot tell from zero.
+///
+/// # References
+/// - Å. Björck, *Linear Algebra Appl.* 88-89 (1987) 31-48,
+///   [doi:10.1016/0024-3795(87)90101-7](https://doi.org/10.1016/0024-3795(87)90101-7).
+/// - J. Demmel, L. Grigori, M. Hoemmen, J. Langou, *SIAM J. Sci. Comput.* 34 (2012) A206-A239,
+///   [doi:10.1137/080731992](https://doi.org/10.1137/080731992).
+///
+/// ```
+/// use stickslip::{Field, Grid, surface};
+/// let grid = Grid::new(40, 30, 1.0, 1.0)?;
+/// let mut measured = Field::from_fn(grid, |x, y| 3.0 + 0.1 * x - 0.2 * y + (x * y).sin());
+/// measured.as_mut_slice()[17] = f64::NAN;
+/// let levelled = surface::level(&measured, surface::Form::Plane)?;
+/// let [left, right] = [0, 39].map(|ix| levelled.form().get(ix, 7));
+/// let tilt = right.zip(left).map(|(right, left)| (right - left) / 39.0);
+/// assert!(tilt.is_some_and(|tilt| (tilt - 0.1).abs() < 0.01));
+/// assert!(levelled.heights().as_slice()[17].is_nan());
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+pub fn level(heights: &Field, form: Form) -> Result<Levelled> {
+    finite_or_missing(heights)?;
+    let (degree, limit) = (form.degree(), HIGHEST_DEGREE);
+    if degree > limit {
+        return Err(Error::Degree { degree, limit });
+    }
+    let z = heights.as_slice();
+    let basis = Basis::new(heights, degree);
+    let (unknowns, known) = (basis.terms(), z.iter().filter(|z| !z.is_nan()).count());
+    let undetermined = Error::Undetermined {
+        quantity: "form",
+        unknowns,
+        known,
+    };
+    if known < unknowns {
+        return Err(undetermined);
+    }
+    let triangle = form.triangle(&basis, z);
+    if !triangle.is_independent() {
+        return Err(undetermined);
+    }
+    let mut coefficients = vec![0.0; unknowns];
+    for _ in 0..REFINEMENTS {
+        let mut change = basis.projection_of_rest(z, &coefficients);
+        triangle.solve_squared(&mut change);
+        for (coefficient, change) in coefficients.iter_mut().zip(change) {
+            *coefficient += change;
+        }
+    }
+    let mut form = Field::zeros(heights.grid());
+    parallel::update(form.as_mut_slice(), |first, chunk| {
+        for (cell, value) in (first..).zip(chunk) {
+            *value = basis.value(&coefficients, cell);
+        }
+    });
+    let mut heights = heights.clone();
+    for (height, form) in heights.as_mut_slice().iter_mut().zip(form.as_slice()) {
+        *height -= form;
+    }
+    Ok(Levelled { heights, form })
+}

@@ -1,0 +1,66 @@
+//! The triangular factor of a least-squares problem.
+
+/// Least part of a column that must be independent of the columns before it.
+const INDEPENDENT: f64 = 1e-5;
+
+/// An upper triangle `R`.
+pub(super) struct Triangle {
+    count: usize,
+    /// Row by row, zeros below the diagonal included.
+    entries: Vec<f64>,
+}
+
+impl Triangle {
+    /// By row and column, of which those below the diagonal are not asked for.
+    pub(super) fn from_fn(count: usize, mut entry: impl FnMut(usize, usize) -> f64) -> Self {
+        let mut entries = vec![0.0; count * count];
+        for row in 0..count {
+            for column in row..count {
+                entries[row * count + column] = entry(row, column);
+            }
+        }
+        Self { count, entries }
+    }
+
+    /// Cholesky's factor of `A'A = R'R`, given row by row; not a number where the columns of `A` depend on one
+    /// another.
+    pub(super) fn of_products(count: usize, products: &[f64]) -> Self {
+        let mut factor = Self::from_fn(count, |row, column| products[row * count + column]);
+        for row in 0..count {
+            for column in row..count {
+                let above = (0..row).map(|k| factor.at(k, row) * factor.at(k, column));
+                let rest = factor.at(row, column) - above.sum::<f64>();
+                factor.entries[row * count + column] = if column == row {
+                    rest.sqrt()
+                } else {
+                    rest / factor.at(row, row)
+                };
+            }
+        }
+        factor
+    }
+
+    fn at(&self, row: usize, column: usize) -> f64 {
+        self.entries[row * self.count + column]
+    }
+
+    /// Whether every column of `A` has enough of its own beside those before it.
+    pub(super) fn is_independent(&self) -> bool {
+        (0..self.count).all(|column| {
+            let squares = (0..=column).map(|row| self.at(row, column).powi(2));
+            self.at(column, column).abs() > INDEPENDENT * squares.sum::<f64>().sqrt()
+        })
+    }
+
+    /// Solves `R'R x = b` in the place of `b`.
+    pub(super) fn solve_squared(&self, x: &mut [f64]) {
+        for row in 0..self.count {
+            let known: f64 = (0..row).map(|k| self.at(k, row) * x[k]).sum();
+            x[row] = (x[row] - known) / self.at(row, row);
+        }
+        for row in (0..self.count).rev() {
+            let known: f64 = (row + 1..self.count).map(|k| self.at(row, k) * x[k]).sum();
+            x[row] = (x[row] - known) / self.at(row, row);
+        }
+    }
+}
