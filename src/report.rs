@@ -52,6 +52,8 @@ pub struct Iteration {
     pub iteration: usize,
     /// Products with the operator in double precision so far.
     pub convolutions: usize,
+    /// Products in single precision so far.
+    pub rough_convolutions: usize,
     /// Largest complementarity residual, relative to the largest displacement (see [`Report::residual`]).
     #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
     pub residual: f64,
@@ -60,11 +62,12 @@ pub struct Iteration {
 }
 
 impl Iteration {
-    /// As a step of a solve that had done so many steps and products before.
-    pub(crate) fn after(self, (iterations, convolutions): (usize, usize)) -> Self {
+    /// As a step of a solve that had done so many steps and products, double and single, before.
+    pub(crate) fn after(self, [iterations, double, single]: [usize; 3]) -> Self {
         Self {
             iteration: iterations + self.iteration,
-            convolutions: convolutions + self.convolutions,
+            convolutions: double + self.convolutions,
+            rough_convolutions: single + self.rough_convolutions,
             ..self
         }
     }
@@ -151,15 +154,20 @@ impl Report {
         self.convolutions + self.rough_convolutions
     }
 
+    /// Steps and products, double and single.
+    pub(crate) fn counts(&self) -> [usize; 3] {
+        [self.iterations, self.convolutions, self.rough_convolutions]
+    }
+
     /// Goes on with what a further pass did: its history behind that before it, its counts on top, the rest its own.
     pub(crate) fn go_on(&mut self, pass: &Self) {
-        let before = (self.iterations, self.convolutions);
+        let before = self.counts();
         let mut history = std::mem::take(&mut self.history);
         history.extend(pass.history.iter().map(|step| step.after(before)));
         *self = Self {
-            iterations: self.iterations + pass.iterations,
-            convolutions: self.convolutions + pass.convolutions,
-            rough_convolutions: self.rough_convolutions + pass.rough_convolutions,
+            iterations: before[0] + pass.iterations,
+            convolutions: before[1] + pass.convolutions,
+            rough_convolutions: before[2] + pass.rough_convolutions,
             history,
             ..*pass
         };

@@ -303,7 +303,7 @@ pub(crate) fn with_counts_of(
     earlier: &Report,
     observer: Observer<'_>,
 ) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send {
-    let before = (earlier.iterations, earlier.convolutions);
+    let before = earlier.counts();
     move |step| observer(&step.after(before))
 }
 

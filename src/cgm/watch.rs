@@ -110,6 +110,7 @@ impl<'a> Watch<'a> {
         Iteration {
             iteration: self.steps,
             convolutions: report.convolutions,
+            rough_convolutions: report.rough_convolutions,
             residual: report.residual,
             free,
         }

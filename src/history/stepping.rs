@@ -16,10 +16,10 @@ use crate::history::{LoadStep, Step};
 use crate::influence::Component;
 use crate::normal::{NormalLoad, NormalProblem, NormalSolution, NormalSolver};
 use crate::operator::Operator;
+use crate::parallel;
 use crate::report::{Report, Status};
 use crate::stage::{Observer, with_memory};
-use crate::tangential::{Axis, Friction, Limits, Zone, component};
-use crate::window::Window;
+use crate::tangential::{Axis, Friction, Zone, component};
 
 /// Two bodies in contact that remember their load: pressure, traction, slip and energy, step by step.
 ///
@@ -344,10 +344,9 @@ impl History {
     /// Largest tangential force friction holds at the present pressure: the integral of the friction limit.
     #[must_use]
     pub fn sliding_force(&self) -> f64 {
-        let (grid, pressure) = (self.grid(), self.pressure().as_slice());
-        let mut limits = Limits::new(grid.cells());
-        limits.set(&self.friction, Window::whole(grid), pressure);
-        limits.sum * grid.cell_area()
+        let pressure = self.pressure().as_slice();
+        let [sum] = parallel::sums(pressure.len(), |i| [self.friction.limit(i, pressure[i])]);
+        sum * self.grid().cell_area()
     }
 
     /// Moment about z, at the origin of the grid, that the tractions of body 2 exert on body 1.
