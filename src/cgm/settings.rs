@@ -109,6 +109,12 @@ impl Settings {
 /// field `settings`.
 macro_rules! settings_methods {
     () => {
+        /// All of the following at once, as another solver or a file has them.
+        pub fn settings(mut self, settings: crate::cgm::Settings) -> Self {
+            self.settings = settings;
+            self
+        }
+
         /// Error accepted: certified in the energy norm, and as a residual relative to the largest
         /// displacement (default 1e-8; see [`Settings::tolerance`](crate::cgm::Settings::tolerance)).
         pub fn tolerance(mut self, tolerance: f64) -> Self {

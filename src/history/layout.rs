@@ -9,14 +9,19 @@ pub(super) struct Layout {
     pub(super) cells: usize,
 }
 
+/// The axes along which there are tractions: one, or both in the plane.
+pub(super) fn axes_of(axis: Option<Axis>) -> &'static [Axis] {
+    match axis {
+        Some(Axis::X) => &[Axis::X],
+        Some(Axis::Y) => &[Axis::Y],
+        None => &[Axis::X, Axis::Y],
+    }
+}
+
 impl Layout {
     /// Along an axis, or in the plane.
     pub(super) fn new(axis: Option<Axis>, cells: usize) -> Self {
-        let axes: &[Axis] = match axis {
-            Some(Axis::X) => &[Axis::X],
-            Some(Axis::Y) => &[Axis::Y],
-            None => &[Axis::X, Axis::Y],
-        };
+        let axes = axes_of(axis);
         Self { axes, cells }
     }
 

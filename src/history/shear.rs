@@ -7,7 +7,7 @@ use crate::cgm::Settings;
 use crate::error::{Error, Result, finite};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
-use crate::history::layout::Layout;
+use crate::history::layout::axes_of;
 use crate::history::motion::Motion;
 use crate::history::patch::Patch;
 use crate::history::state::State;
@@ -85,7 +85,7 @@ impl Shear {
         let mut motion = state.motion;
         motion.twist = load.twist_from(motion.twist);
         let Some(patch) = self.wider.as_mut().or(self.patch.as_mut()) else {
-            for axis in Layout::new(self.axis, 0).axes {
+            for axis in axes_of(self.axis) {
                 let shift = &mut motion.shift[axis.index()];
                 *shift = shift_without_contact(load.along(*axis), *shift)?;
             }

@@ -9,7 +9,7 @@ use crate::field::Field;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::history::builder::HistoryBuilder;
-use crate::history::layout::Layout;
+use crate::history::layout::axes_of;
 use crate::history::shear::Shear;
 use crate::history::state::State;
 use crate::history::{LoadStep, Step};
@@ -102,14 +102,10 @@ impl History {
     ) -> Result<Self> {
         let grid = bodies.grid();
         friction.check(grid)?;
-        let mut press = NormalProblem::builder(bodies, gap, NormalLoad::Force(0.0))
-            .tolerance(settings.tolerance)
-            .method(settings.method)
-            .max_iterations(settings.max_iterations);
-        if let Some(limit) = settings.time_limit {
-            press = press.time_limit(limit);
-        }
-        let press = press.build()?.into_solver()?;
+        let press = NormalProblem::builder(bodies, gap, NormalLoad::Force(0.0))
+            .settings(settings)
+            .build()?
+            .into_solver()?;
         Ok(Self {
             bodies: bodies.clone(),
             friction,
@@ -210,6 +206,23 @@ impl History {
         Ok(())
     }
 
+    /// The settings of the next step.
+    #[must_use]
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// Changes tolerance, method and limits from the next step on, as after a restart; the state stays. A tolerance
+    /// that is tightened bounds what is still to come, not the errors of steps done.
+    ///
+    /// # Errors
+    /// As [`Settings::check`]; the settings are then as they were.
+    pub fn set_settings(&mut self, settings: Settings) -> Result<()> {
+        self.press.set_settings(settings)?;
+        self.settings = settings;
+        Ok(())
+    }
+
     /// What the last step did; all zero before the first.
     #[must_use]
     pub fn last_step(&self) -> &Step {
@@ -284,7 +297,7 @@ impl History {
     pub fn displacement(&self) -> Result<[Field; 2]> {
         let zeros = || Field::zeros(self.grid());
         let (mut displacement, mut part) = ([zeros(), zeros()], zeros());
-        let axes = Layout::new(self.axis(), 0).axes;
+        let axes = axes_of(self.axis());
         for (moved, pulled) in axes.iter().flat_map(|a| axes.iter().map(move |b| (*a, *b))) {
             let operator = self.bodies.operator(if moved == pulled {
                 component(moved)

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::cgm::{self, Iteration, Method, NonNegative};
+use crate::cgm::{self, Iteration, Method, NonNegative, Settings};
 use crate::clock::Instant;
 use crate::error::{Error, Result};
 use crate::fft::{Convolution, ConvolutionWorkspace};
@@ -156,6 +156,22 @@ impl NormalSolver {
             let remake = |window| Engine::new(&self.problem.bodies, window);
             self.engine = window.map(remake).transpose()?;
         }
+        Ok(())
+    }
+
+    /// The settings of the next solve.
+    #[must_use]
+    pub fn settings(&self) -> &Settings {
+        &self.problem.settings
+    }
+
+    /// Changes tolerance, method and limits of the next solve, which starts from the last answer all the same.
+    ///
+    /// # Errors
+    /// As [`Settings::check`]; the settings are then as they were.
+    pub fn set_settings(&mut self, settings: Settings) -> Result<()> {
+        settings.check()?;
+        self.problem.settings = settings;
         Ok(())
     }
 

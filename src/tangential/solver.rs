@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use crate::cgm::Iteration;
+use crate::cgm::{Iteration, Settings};
 use crate::clock::Instant;
 use crate::error::{Error, Result};
 use crate::report::Report;
@@ -168,6 +168,22 @@ impl TangentialSolver {
     #[must_use]
     pub fn sliding_force(&self) -> f64 {
         self.problem.sliding_force()
+    }
+
+    /// The settings of the next solve.
+    #[must_use]
+    pub fn settings(&self) -> &Settings {
+        &self.problem.settings
+    }
+
+    /// Changes tolerance, method and limits of the next solve, which starts from the last answer all the same.
+    ///
+    /// # Errors
+    /// As [`Settings::check`]; the settings are then as they were.
+    pub fn set_settings(&mut self, settings: Settings) -> Result<()> {
+        settings.check()?;
+        self.problem.settings = settings;
+        Ok(())
     }
 
     /// Forgets the last answer: the next solve starts as the first did.

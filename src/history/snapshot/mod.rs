@@ -16,7 +16,7 @@ mod writer;
 use crate::error::Result;
 use crate::half_space::HalfSpace;
 use crate::history::History;
-use crate::history::layout::Layout;
+use crate::history::layout::axes_of;
 use crate::history::motion::Motion;
 use crate::history::patch::Patch;
 use crate::io::{Cursor, Format};
@@ -61,7 +61,7 @@ impl History {
         for field in [self.gap(), normal.pressure(), normal.gap()] {
             bytes.numbers(field.as_slice());
         }
-        for axis in Layout::new(self.axis(), 0).axes {
+        for axis in axes_of(self.axis()) {
             bytes.numbers(state.traction[axis.index()].as_slice());
             bytes.numbers(state.slip[axis.index()].as_slice());
         }
@@ -132,7 +132,7 @@ impl History {
         state.steps = steps;
         state.motion = Motion { shift, twist };
         (state.force, state.moment) = (force, moment);
-        for axis in Layout::new(axis, 0).axes {
+        for axis in axes_of(axis) {
             state.traction[axis.index()] = reader.field("traction", grid, FINITE)?;
             state.slip[axis.index()] = reader.field("slip", grid, FINITE)?;
         }
