@@ -70,7 +70,7 @@ impl DenseOperator {
     /// added to every entry, which changes no answer under a total.
     ///
     /// # Errors
-    /// [`Error::TooManyCells`] above 4096 cells.
+    /// [`Error::TooManyCells`] above 4096 cells; as [`HalfSpace::operator`].
     pub fn of_half_space(bodies: &HalfSpace, component: Component) -> Result<Self> {
         let grid = bodies.grid();
         check_size(grid.cells())?;

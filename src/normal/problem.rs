@@ -97,8 +97,8 @@ impl NormalProblem {
     /// Solves once, with buffers of its own.
     ///
     /// # Errors
-    /// [`Error::NotConverged`] with the report; use [`NormalSolver::solve_into`] to keep the last
-    /// iterate.
+    /// [`Error::NotConverged`] with the report, use [`NormalSolver::solve_into`] to keep the last iterate; as
+    /// [`HalfSpace::operator`].
     pub fn solve(&self) -> Result<NormalSolution> {
         let mut solver = NormalSolver::new(self.clone())?;
         let mut solution = solver.new_solution();

@@ -189,8 +189,8 @@ impl NormalSolver {
     /// Solves into `solution`, whose last content does not matter.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`] if the solution is of another grid, nothing changed;
-    /// [`Error::NotConverged`] with the last feasible iterate in `solution`.
+    /// [`Error::GridMismatch`] or [`Error::BoundaryMismatch`] if the solution is of another grid or boundary, nothing
+    /// changed; as [`HalfSpace::operator`]; [`Error::NotConverged`] with the last feasible iterate in `solution`.
     pub fn solve_into(&mut self, solution: &mut NormalSolution) -> Result<()> {
         self.solve_observed(solution, |_| ControlFlow::Continue(()))
     }

@@ -122,8 +122,8 @@ impl TangentialProblem {
     /// Solves once, with buffers of its own.
     ///
     /// # Errors
-    /// [`Error::NotConverged`] with the report; use [`TangentialSolver::solve_into`] to keep the
-    /// last iterate.
+    /// [`Error::NotConverged`] with the report, use [`TangentialSolver::solve_into`] to keep the last iterate; as
+    /// [`HalfSpace::operator`].
     pub fn solve(&self) -> Result<TangentialSolution> {
         let mut solver = TangentialSolver::new(self.clone())?;
         let mut solution = solver.new_solution();

@@ -71,8 +71,8 @@ impl TangentialSolver {
     /// operator, the one change that allocates.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::ObliqueLoad`] or [`Error::BeyondSliding`]; the load is then
-    /// as it was.
+    /// [`Error::NotFinite`], [`Error::ObliqueLoad`] or [`Error::BeyondSliding`]; for one along the other axis as
+    /// [`HalfSpace::operator`](crate::HalfSpace::operator); the load is then as it was.
     pub fn set_load(&mut self, load: TangentialLoad) -> Result<()> {
         self.problem.lateral.check(load)?;
         let cell_area = self.problem.bodies.grid().cell_area();
@@ -97,8 +97,8 @@ impl TangentialSolver {
     /// Changes the friction of the next solve.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`], or [`Error::BeyondSliding`] if the present load is more than the
-    /// new friction holds; the friction is then as it was.
+    /// [`Error::GridMismatch`], [`Error::NotFinite`] if the limits overflow, or [`Error::BeyondSliding`] if the present
+    /// load is more than the new friction holds; the friction is then as it was.
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
         let grid = self.problem.bodies.grid();
         friction.check(grid)?;
@@ -115,9 +115,9 @@ impl TangentialSolver {
     ///
     /// # Errors
     /// [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::MaterialMismatch`],
-    /// [`Error::NotConverged`], [`Error::Sample`], [`Error::EmptyContact`], or
-    /// [`Error::BeyondSliding`] if the present load is more than friction now holds; the pressure is
-    /// then as it was.
+    /// [`Error::NotConverged`], [`Error::Sample`], [`Error::EmptyContact`], [`Error::NotFinite`] if the limits
+    /// overflow, or [`Error::BeyondSliding`] if the present load is more than friction now holds; as
+    /// [`HalfSpace::operator`](crate::HalfSpace::operator) where the contact has left its box; the pressure is then as it was.
     pub fn set_pressure<'a>(&mut self, pressure: impl Into<Pressure<'a>>) -> Result<()> {
         let samples = pressure.into().checked(&self.problem.bodies)?;
         let contact = contact_window(&self.problem.bodies, samples)?;
@@ -201,8 +201,9 @@ impl TangentialSolver {
     /// Solves into `solution`, whose last content does not matter.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`] if the solution is of another grid, nothing changed;
-    /// [`Error::NotConverged`] with the last feasible iterate in `solution`.
+    /// [`Error::GridMismatch`] or [`Error::BoundaryMismatch`] if the solution is of another grid or boundary, nothing
+    /// changed; as [`HalfSpace::operator`](crate::HalfSpace::operator); [`Error::NotConverged`] with the last feasible
+    /// iterate in `solution`.
     pub fn solve_into(&mut self, solution: &mut TangentialSolution) -> Result<()> {
         self.solve_observed(solution, |_| ControlFlow::Continue(()))
     }
