@@ -73,10 +73,9 @@ impl Summary {
         if seconds > self.slowest.0 {
             self.slowest = (seconds, index);
         }
-        if let Some(report) = &row.report
-            && report.iterations > self.steps.0
-        {
-            self.steps = (report.iterations, index);
+        let steps = row.report.as_ref().map_or(0, |report| report.iterations);
+        if steps > self.steps.0 {
+            self.steps = (steps, index);
         }
         if let Some(fault) = &row.fault {
             self.faults += 1;

@@ -113,11 +113,11 @@ pub(crate) fn tractions(
     }
     let blur = blur(&limits, load, cell_area);
     let contact: Vec<usize> = (0..limits.len()).filter(|&i| limits[i] > 0.0).collect();
-    if let Some(axis) = found.axis()
-        && contact.len() <= dense_limit
-        && limits.len() <= 8 * dense_limit.min(512)
-        && let Some(x) = exact_traction(scene, &limits, &contact, load, axis.index(), cell_area)
-    {
+    let is_small = contact.len() <= dense_limit && limits.len() <= 8 * dense_limit.min(512);
+    let along = found.axis().filter(|_| is_small);
+    let exact = along
+        .and_then(|axis| exact_traction(scene, &limits, &contact, load, axis.index(), cell_area));
+    if let Some(x) = exact {
         return Some(Truth::exact(x));
     }
     let solver = TangentialProblem::builder(&scene.bodies, normal, shear.friction.clone(), load)

@@ -215,10 +215,10 @@ fn check(
     if !is_all_turned {
         answer.check_residual(row, violated, moved.max(shifted));
     }
-    if let Some(axis) = history.axis()
-        && let Some(truth) = exact(story, history, before, &limits, axis, act)
-    {
-        answer.check_error(row, Some(truth));
+    let along = history.axis();
+    let truth = along.and_then(|axis| exact(story, history, before, &limits, axis, act));
+    if truth.is_some() {
+        answer.check_error(row, truth);
     }
 }
 

@@ -106,7 +106,7 @@ impl TangentialSolution {
             self.zones[i] = if slips { Zone::Slip } else { Zone::Stick };
             for component in 0..2 {
                 self.traction[component].as_mut_slice()[i] = q[component];
-                if slips && let Some(displacement) = displacements[component] {
+                if let Some(displacement) = displacements[component].filter(|_| slips) {
                     let slip = displacement[k] - answer.shift[component];
                     self.slip[component].as_mut_slice()[i] = slip;
                 }

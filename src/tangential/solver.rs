@@ -78,10 +78,12 @@ impl TangentialSolver {
         let cell_area = self.problem.bodies.grid().cell_area();
         self.problem.limits.check(load, cell_area)?;
         let last = std::mem::replace(&mut self.problem.load, load);
-        if let (Some(own), Ok((axis, value))) = (self.shear.axis(), load.along())
-            && axis != own
-            && value != 0.0
-        {
+        // A solver at rest keeps its axis.
+        let turns = match (self.shear.axis(), load.along()) {
+            (Some(own), Ok((axis, value))) => axis != own && value != 0.0,
+            _ => false,
+        };
+        if turns {
             match Shear::new(&self.problem) {
                 Ok(shear) => self.shear = shear,
                 Err(error) => {
