@@ -98,8 +98,8 @@ mod watch;
 pub(crate) use certificate::{Certificate, examine};
 pub use constraint::{Constraint, Interval, Magnitude, NonNegative};
 pub(crate) use reduce::total as sum_of_chunks;
-pub(crate) use settings::settings_methods;
 pub use settings::{Method, Settings};
+pub(crate) use settings::{settings_methods, solver_settings};
 
 pub use crate::report::{Iteration, Report, Status};
 

@@ -142,4 +142,26 @@ macro_rules! settings_methods {
     };
 }
 
+/// Reading and changing the settings of a solver, which keeps them in its `problem`.
+macro_rules! solver_settings {
+    () => {
+        /// The settings of the next solve.
+        #[must_use]
+        pub fn settings(&self) -> &crate::cgm::Settings {
+            &self.problem.settings
+        }
+
+        /// Changes tolerance, method and limits of the next solve, which starts from the last answer all the same.
+        ///
+        /// # Errors
+        /// As [`Settings::check`](crate::cgm::Settings::check); the settings are then as they were.
+        pub fn set_settings(&mut self, settings: crate::cgm::Settings) -> Result<()> {
+            settings.check()?;
+            self.problem.settings = settings;
+            Ok(())
+        }
+    };
+}
+
 pub(crate) use settings_methods;
+pub(crate) use solver_settings;

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::cgm::{self, Iteration, Method, NonNegative, Settings};
+use crate::cgm::{self, Iteration, Method, NonNegative, solver_settings};
 use crate::clock::Instant;
 use crate::error::{Error, Result};
 use crate::fft::{Convolution, ConvolutionWorkspace};
@@ -159,21 +159,7 @@ impl NormalSolver {
         Ok(())
     }
 
-    /// The settings of the next solve.
-    #[must_use]
-    pub fn settings(&self) -> &Settings {
-        &self.problem.settings
-    }
-
-    /// Changes tolerance, method and limits of the next solve, which starts from the last answer all the same.
-    ///
-    /// # Errors
-    /// As [`Settings::check`]; the settings are then as they were.
-    pub fn set_settings(&mut self, settings: Settings) -> Result<()> {
-        settings.check()?;
-        self.problem.settings = settings;
-        Ok(())
-    }
+    solver_settings!();
 
     /// Forgets the last answer: the next solve starts as the first did.
     pub fn reset(&mut self) {

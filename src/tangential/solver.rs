@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use crate::cgm::{Iteration, Settings};
+use crate::cgm::{Iteration, solver_settings};
 use crate::clock::Instant;
 use crate::error::{Error, Result};
 use crate::report::Report;
@@ -172,21 +172,7 @@ impl TangentialSolver {
         self.problem.sliding_force()
     }
 
-    /// The settings of the next solve.
-    #[must_use]
-    pub fn settings(&self) -> &Settings {
-        &self.problem.settings
-    }
-
-    /// Changes tolerance, method and limits of the next solve, which starts from the last answer all the same.
-    ///
-    /// # Errors
-    /// As [`Settings::check`]; the settings are then as they were.
-    pub fn set_settings(&mut self, settings: Settings) -> Result<()> {
-        settings.check()?;
-        self.problem.settings = settings;
-        Ok(())
-    }
+    solver_settings!();
 
     /// Forgets the last answer: the next solve starts as the first did.
     pub fn reset(&mut self) {
