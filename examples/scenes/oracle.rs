@@ -104,14 +104,20 @@ pub(crate) fn tractions(
     let limits = limits(&shear.friction, normal);
     let cell_area = normal.grid().cell_area();
     let is_periodic = scene.bodies.boundary() == Boundary::Periodic;
-    let load = match load {
-        TangentialLoad::Shift(_) if is_periodic => TangentialLoad::Force(found.force()),
-        load => load,
+    let is_found = is_periodic && matches!(load, TangentialLoad::Shift(_));
+    let load = if is_found {
+        TangentialLoad::Force(found.force())
+    } else {
+        load
     };
     if let Some(truth) = sliding(&limits, load, cell_area, found) {
         return Some(truth);
     }
-    let blur = blur(&limits, load, cell_area);
+    let blur = if is_found && found.axis().is_none() {
+        blur(&limits, found.force(), cell_area)
+    } else {
+        0.0
+    };
     let contact: Vec<usize> = (0..limits.len()).filter(|&i| limits[i] > 0.0).collect();
     let is_small = contact.len() <= dense_limit && limits.len() <= 8 * dense_limit.min(512);
     let along = found.axis().filter(|_| is_small);
@@ -138,16 +144,11 @@ pub(crate) fn tractions(
     })
 }
 
-/// What the rounding of a force leaves open of the tractions: near sliding in the plane, they turn by the root of
-/// what is missing of the limit.
-fn blur(limits: &[f64], load: TangentialLoad, cell_area: f64) -> f64 {
-    match load {
-        TangentialLoad::Force([x, y]) => {
-            let missing = 1.0 - x.hypot(y) / (limits.iter().sum::<f64>() * cell_area);
-            2.0 * f64::EPSILON / missing.max(f64::EPSILON).sqrt()
-        }
-        _ => 0.0,
-    }
+/// What the rounding of a force that was found leaves open of the tractions in the plane: near sliding they turn by
+/// the root of what is missing of the limit.
+fn blur(limits: &[f64], [x, y]: [f64; 2], cell_area: f64) -> f64 {
+    let missing = 1.0 - x.hypot(y) / (limits.iter().sum::<f64>() * cell_area);
+    2.0 * f64::EPSILON / missing.max(f64::EPSILON).sqrt()
 }
 
 /// All cells at their limits along the force, if that is as good as the limit.

@@ -31,7 +31,8 @@ pub enum TangentialStep {
     Shift(f64),
     /// A machine that drags body 2 by a spring: the force is $`F = k\,(X - \delta)`$. One a million times
     /// softer than the contact in effect prescribes the force: give that instead, because slip is lost in the round-off
-    /// of the stretch.
+    /// of the stretch. Residuals are measured by the displacement of the bodies, or by the stretch of the stiffest
+    /// spring where that is more.
     Spring {
         /// Where the far end of the spring is at the end of the step, since the start of the history
         /// (a length, either sign).

@@ -354,7 +354,7 @@ impl History {
         self.state.force
     }
 
-    /// Largest tangential force friction holds at the present pressure: the integral of the friction limit.
+    /// Largest tangential force friction holds at the present pressure (a force): the integral of the friction limit.
     #[must_use]
     pub fn sliding_force(&self) -> f64 {
         let pressure = self.pressure().as_slice();

@@ -119,7 +119,8 @@ impl TangentialSolver {
     /// [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::MaterialMismatch`],
     /// [`Error::NotConverged`], [`Error::Sample`], [`Error::EmptyContact`], [`Error::NotFinite`] if the limits
     /// overflow, or [`Error::BeyondSliding`] if the present load is more than friction now holds; as
-    /// [`HalfSpace::operator`](crate::HalfSpace::operator) where the contact has left its box; the pressure is then as it was.
+    /// [`HalfSpace::operator`](crate::HalfSpace::operator) where the contact has left its box; the pressure is then as
+    /// it was.
     pub fn set_pressure<'a>(&mut self, pressure: impl Into<Pressure<'a>>) -> Result<()> {
         let samples = pressure.into().checked(&self.problem.bodies)?;
         let contact = contact_window(&self.problem.bodies, samples)?;
