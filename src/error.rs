@@ -125,6 +125,14 @@ pub enum Error {
     /// A limit of zero iterations leaves nothing to report.
     #[error("the iteration limit must be at least 1")]
     IterationLimit,
+    /// The method is not defined for the problem.
+    #[error("the method {method} does not solve problems with {quantity}: use ActiveSet")]
+    Method {
+        /// The method asked for.
+        method: &'static str,
+        /// What it does not know, in words.
+        quantity: &'static str,
+    },
     /// The bounds of one entry leave it no value.
     #[error("the bounds [{lower}, {upper}] of entry {index} hold no finite value")]
     Bounds {

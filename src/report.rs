@@ -159,8 +159,8 @@ impl Report {
         [self.iterations, self.convolutions, self.rough_convolutions]
     }
 
-    /// Goes on with what a further pass did: its history behind that before it, its counts on top, the rest its own.
-    pub(crate) fn go_on(&mut self, pass: &Self) {
+    /// Adds what a further pass did: its history behind that before it, its counts on top, the rest its own.
+    pub(crate) fn add_pass(&mut self, pass: &Self) {
         let before = self.counts();
         let mut history = std::mem::take(&mut self.history);
         history.extend(pass.history.iter().map(|step| step.after(before)));

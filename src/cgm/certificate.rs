@@ -4,49 +4,29 @@
 
 use std::ops::Range;
 
-use crate::cgm::constraint::Constraint;
-use crate::parallel;
+use crate::cgm::motion::Linearised;
+use crate::cgm::reduce::{self, Tally, larger};
+use crate::cgm::totals::Total;
+use crate::cgm::vector::{at, dot, norm, within};
+use crate::cgm::{Admissible, Constraint};
 use crate::report::Report;
 
-/// What one fresh product says about an iterate.
+/// What one recomputed product says about an iterate.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Certificate {
-    /// Largest displacement among the entries that can move, what all residuals are measured by.
+    /// Largest displacement among the cells that can move, what all residuals are measured by.
     pub(crate) displacement: f64,
     /// Largest complementarity residual over that.
     pub(super) residual: f64,
     /// Bound on `E^2 / (x' C x)`.
     pub(super) gap: f64,
-    /// `|sum x - total| / sum |x|`.
+    /// What is missing of the prescribed sums, over `sum |x|`.
     pub(super) load_error: f64,
-    /// Entries strictly between their bounds.
+    /// Cells inside their bounds.
     pub(super) free: usize,
 }
 
 impl Certificate {
-    /// From the largest displacement, violation and unknown; the sums `x'Cx`, `x'x` and `|x|`; the bound of
-    /// the error `E`; what is missing of the total; the smallest eigenvalue known; and the free entries.
-    pub(super) fn new(
-        [displacement, violated, largest]: [f64; 3],
-        [energy, squares, magnitude]: [f64; 3],
-        bound: f64,
-        missing: f64,
-        lower_bound: f64,
-        free: usize,
-    ) -> Self {
-        // An operator that maps constants to zero leaves a uniform answer neither displacement nor energy
-        // to measure by; what its smallest eigenvalue would make of it takes their place.
-        let displacement = larger(displacement, lower_bound * largest);
-        let energy = larger(energy, lower_bound * squares);
-        Self {
-            displacement,
-            residual: ratio(violated, displacement),
-            gap: ratio(bound * bound, energy),
-            load_error: ratio(missing, magnitude),
-            free,
-        }
-    }
-
     /// What has to fall to the tolerance: residual, load error and, where the operator knows its smallest
     /// eigenvalue, the certified error. Without that the duality gap alone is left, whose root falls only
     /// with the root of the residual.
@@ -63,11 +43,6 @@ impl Certificate {
         parts.into_iter().fold(0.0, f64::max)
     }
 
-    /// The residual measured by another displacement.
-    pub(crate) fn residual_over(&self, displacement: f64) -> f64 {
-        ratio(self.residual * self.displacement, displacement)
-    }
-
     pub(crate) fn write_to(&self, report: &mut Report) {
         report.residual = self.residual;
         report.certified_gap = self.gap;
@@ -75,102 +50,132 @@ impl Certificate {
     }
 }
 
-/// The part of a gradient that complementarity forbids at this value.
-pub(super) fn violation(value: f64, [lower, upper]: [f64; 2], gradient: f64) -> f64 {
-    if lower >= upper {
-        0.0
-    } else if value <= lower {
-        gradient.min(0.0)
-    } else if value >= upper {
-        gradient.max(0.0)
-    } else {
-        gradient
+/// An iterate and the product that belongs to it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Iterate<'a, const N: usize> {
+    /// The unknowns, each in its set.
+    pub(crate) x: [&'a [f64]; N],
+    /// `C x`.
+    pub(crate) product: [&'a [f64]; N],
+    /// `b`, from the datum.
+    pub(crate) linear: [&'a [f64]; N],
+    pub(crate) datum: [f64; N],
+    pub(crate) totals: [Total; N],
+    pub(crate) multiplier: [f64; N],
+}
+
+/// Examines a feasible iterate with its recomputed product.
+pub(crate) fn examine<const N: usize>(
+    iterate: &Iterate<'_, N>,
+    constraint: &impl Constraint<N>,
+    lower_bound: f64,
+) -> Certificate {
+    let Iterate {
+        x,
+        product,
+        linear,
+        datum,
+        totals,
+        multiplier,
+    } = *iterate;
+    let (sums, found) = reduce::fold(
+        x[0].len(),
+        |range| {
+            let [x, product] = [&x, &product].map(|vector| within(vector, &range));
+            let linear = within(&linear, &range);
+            let mut found = Findings::default();
+            for (k, cell) in range.enumerate() {
+                let (u, b) = (at(&product, k), at(&linear, k));
+                let g = std::array::from_fn(|c| u[c] + (b[c] - datum[c]) - multiplier[c]);
+                found.add(at(&x, k), u, g, constraint.of(cell), lower_bound);
+            }
+            (Sums::of(&x, &product), found)
+        },
+        |a, b| (a.0.plus(b.0), a.1.merge(b.1)),
+    );
+    let missing: [f64; N] =
+        std::array::from_fn(|c| totals[c].sum().map_or(0.0, |total| sums.sum[c] - total));
+    let bound = 0.5 * found.squares.sqrt() + (0.25 * found.squares + found.dual).sqrt();
+    // An operator that maps constants to zero leaves a uniform answer neither displacement nor energy to measure by.
+    // What a spring stretches, or what the smallest eigenvalue would make of the answer, takes their place.
+    let springs = totals.iter().filter_map(|total| match total {
+        Total::Spring { compliance, .. } => Some(*compliance),
+        Total::Free | Total::Sum(_) => None,
+    });
+    let stretch = springs
+        .reduce(f64::min)
+        .map(|compliance| compliance * sums.magnitude);
+    let floor = stretch.unwrap_or(lower_bound * found.largest);
+    let displacement = larger(found.displacement, floor);
+    let energy = larger(sums.energy, lower_bound * sums.squares);
+    Certificate {
+        displacement,
+        residual: ratio(found.forbidden, displacement),
+        gap: ratio(bound * bound, energy),
+        load_error: ratio(norm(missing), sums.magnitude),
+        free: found.free,
     }
 }
 
-/// Examines a feasible `x` with its fresh product `C x`.
-pub(crate) fn examine(
-    x: &[f64],
-    product: &[f64],
-    linear: &[f64],
-    constraint: &impl Constraint,
-    total: Option<f64>,
-    multiplier: f64,
-    lower_bound: f64,
-) -> Certificate {
-    let leaf = |range: Range<usize>| {
-        let sums = Sums::of(&x[range.clone()], &product[range.clone()]);
-        let cells = x[range.clone()]
-            .iter()
-            .zip(&product[range.clone()])
-            .zip(&linear[range.clone()]);
-        let mut found = Findings::default();
-        for (i, ((&x, &u), &b)) in range.zip(cells) {
-            found.add(i, x, u, u + b - multiplier, constraint, lower_bound);
-        }
-        (sums, found)
-    };
-    let (sums, found) = parallel::fold(x.len(), leaf, |a, b| (a.0.merge(b.0), a.1.merge(b.1)));
-    let load = total.map_or(0.0, |total| (sums.sum - total).abs());
-    let bound = 0.5 * found.squares.sqrt() + (0.25 * found.squares + found.dual).sqrt();
-    Certificate::new(
-        [found.displacement, found.violated, found.largest],
-        [sums.energy, sums.squares, sums.magnitude],
-        bound,
-        load,
-        lower_bound,
-        found.free,
-    )
-}
-
-/// What all entries add up to.
+/// What all cells add up to.
 #[derive(Clone, Copy)]
-struct Sums {
+struct Sums<const N: usize> {
     /// `x' C x`.
     energy: f64,
     squares: f64,
-    sum: f64,
+    sum: [f64; N],
+    /// `sum |x|`.
     magnitude: f64,
 }
 
-impl Sums {
-    /// In lanes, so that many are added at a time.
-    fn of(x: &[f64], product: &[f64]) -> Self {
-        const LANES: usize = 4;
-        let (mut energy, mut squares) = ([0.0; LANES], [0.0; LANES]);
-        let (mut sum, mut magnitude) = ([0.0; LANES], [0.0; LANES]);
-        for (xs, us) in x.chunks(LANES).zip(product.chunks(LANES)) {
-            for (lane, (x, u)) in xs.iter().zip(us).enumerate() {
-                energy[lane] += x * u;
-                squares[lane] += x * x;
-                sum[lane] += x;
-                magnitude[lane] += x.abs();
-            }
-        }
-        Self {
-            energy: energy.iter().sum(),
-            squares: squares.iter().sum(),
-            sum: sum.iter().sum(),
-            magnitude: magnitude.iter().sum(),
-        }
-    }
+impl<const N: usize> Tally for Sums<N> {
+    const ZERO: Self = Self {
+        energy: 0.0,
+        squares: 0.0,
+        sum: [0.0; N],
+        magnitude: 0.0,
+    };
 
-    fn merge(self, other: Self) -> Self {
+    #[inline]
+    fn plus(self, other: Self) -> Self {
         Self {
             energy: self.energy + other.energy,
             squares: self.squares + other.squares,
-            sum: self.sum + other.sum,
+            sum: self.sum.plus(other.sum),
             magnitude: self.magnitude + other.magnitude,
         }
     }
 }
 
-/// What the entries that can move show.
+impl<const N: usize> Sums<N> {
+    /// In lanes, so that many are added at a time.
+    fn of(x: &[&[f64]; N], product: &[&[f64]; N]) -> Self {
+        const LANES: usize = 4;
+        let mut lanes = [Self::ZERO; LANES];
+        let mut first = 0;
+        while first < x[0].len() {
+            let group: Range<usize> = first..(first + LANES).min(x[0].len());
+            for (lane, k) in lanes.iter_mut().zip(group) {
+                let (x, u) = (at(x, k), at(product, k));
+                *lane = lane.plus(Self {
+                    energy: dot(x, u),
+                    squares: dot(x, x),
+                    sum: x,
+                    magnitude: norm(x),
+                });
+            }
+            first += LANES;
+        }
+        lanes.into_iter().fold(Self::ZERO, Self::plus)
+    }
+}
+
+/// What the cells that can move show.
 #[derive(Clone, Copy, Default)]
 struct Findings {
-    /// Largest displacement, largest violation and largest unknown.
+    /// Largest displacement, forbidden gradient and unknown.
     displacement: f64,
-    violated: f64,
+    forbidden: f64,
     largest: f64,
     free: usize,
     /// The two shares of the bound, `A` and `B^2`.
@@ -179,36 +184,31 @@ struct Findings {
 }
 
 impl Findings {
-    fn add(
+    #[inline]
+    fn add<S: Admissible<N>, const N: usize>(
         &mut self,
-        i: usize,
-        x: f64,
-        u: f64,
-        g: f64,
-        constraint: &impl Constraint,
+        x: [f64; N],
+        u: [f64; N],
+        g: [f64; N],
+        set: S,
         lower_bound: f64,
     ) {
-        let bounds = constraint.bounds(i);
-        if bounds[0] < bounds[1] {
-            // The minimum or maximum of a NaN and a number is the number: pass it on by hand.
-            let violated = if g.is_nan() {
-                g
+        if !set.can_move() {
+            return;
+        }
+        let forbidden = norm(set.forbidden(x, g));
+        self.displacement = larger(self.displacement, norm(u));
+        self.forbidden = larger(self.forbidden, forbidden);
+        self.largest = larger(self.largest, norm(x));
+        self.free += usize::from(set.is_inside(x));
+        if forbidden != 0.0 {
+            // Either share is valid; each is taken where it is the smaller.
+            let dual = set.duality_gap(x, g);
+            let square = forbidden * forbidden / lower_bound;
+            if dual <= square {
+                self.dual += dual.max(0.0);
             } else {
-                violation(x, bounds, g)
-            };
-            self.displacement = larger(self.displacement, u.abs());
-            self.violated = larger(self.violated, violated.abs());
-            self.largest = larger(self.largest, x.abs());
-            self.free += usize::from(x > bounds[0] && x < bounds[1]);
-            if violated != 0.0 {
-                // Either share is valid; each is taken where it is the smaller.
-                let dual = g * x - constraint.least_product(i, g);
-                let square = violated * violated / lower_bound;
-                if dual <= square {
-                    self.dual += dual.max(0.0);
-                } else {
-                    self.squares += square;
-                }
+                self.squares += square;
             }
         }
     }
@@ -216,18 +216,13 @@ impl Findings {
     fn merge(self, other: Self) -> Self {
         Self {
             displacement: larger(self.displacement, other.displacement),
-            violated: larger(self.violated, other.violated),
+            forbidden: larger(self.forbidden, other.forbidden),
             largest: larger(self.largest, other.largest),
             free: self.free + other.free,
             dual: self.dual + other.dual,
             squares: self.squares + other.squares,
         }
     }
-}
-
-/// The larger of two numbers; NaN if either is.
-fn larger(a: f64, b: f64) -> f64 {
-    if b > a || b.is_nan() { b } else { a }
 }
 
 /// `a / b`, zero when `a` is; NaN if either is, so that a broken product is seen.

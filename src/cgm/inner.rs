@@ -1,250 +1,298 @@
-//! Preconditioned conjugate gradients on the free entries, unclipped: the inner solution of the
-//! active-set method. Between two products each vector is read once.
+//! Preconditioned conjugate gradients on the cells that move, unclipped: the inner solution of Newton's method.
+//! Between two products each vector is read once.
 
 use std::ops::ControlFlow;
 
+use crate::cgm::motion::Motion;
 use crate::cgm::run::Run;
-use crate::cgm::{Constraint, Inner, Workspace};
+use crate::cgm::totals::TotalsSystem;
+use crate::cgm::vector::{at, chunks, dot, held, minus, norm, plus, put, slices, slices_mut, within};
+use crate::cgm::{Constraint, MotionOf, Workspace};
 use crate::operator::Operator;
-use crate::parallel::blocks;
 use crate::report::Status;
 
 /// Steps before the sets are looked at again.
 const INNER_LIMIT: usize = 60;
 
-/// Conjugate gradients on the free entries, from `r = delta - (C x + b)`, with approximate
-/// products: what they miss the next outer step sees.
-pub(super) fn solve_free<C: Operator, K: Constraint, P: Operator>(
-    run: &mut Run<'_, '_, C, K, P>,
+/// From the residual `delta - (C x + b)`, with approximate products: what they miss the next outer step sees.
+///
+/// The multipliers of sums are eliminated: each preconditioned residual carries the change that keeps the sums, at
+/// once. Those of springs are unknowns that move along the direction, as far as it goes.
+pub(super) fn solve<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
+    run: &mut Run<'_, '_, C, K, P, N>,
+    totals: &TotalsSystem<N>,
     reduction: f64,
 ) -> ControlFlow<Status> {
-    let free = run.workspace.free_set.len();
-    let first = advance(run, None);
-    let mut previous = 0.0;
+    let first = advance(run, totals, None);
+    let (mut products, mut last_products) = (first.products, [0.0; N]);
+    let (mut previous, mut turning) = (0.0, [0.0; N]);
     for step in 0..INNER_LIMIT {
         precondition(run);
         let Correction {
             change,
             product,
             overlap,
-        } = correct(run);
-        run.workspace.multiplier += change;
-        if product <= 0.0 {
+        } = correct(run, totals, products, last_products);
+        let at_once = only(totals.has_sum(), change);
+        add_to_multiplier(run, at_once);
+        if product.is_nan() || product <= 0.0 {
             break;
         }
         // Polak-Ribiere forgives the noise of single precision.
         let conjugation = (step > 0).then(|| ((product - overlap) / previous).max(0.0));
         previous = product;
-        let along = turn(run, change, conjugation);
+        let along = turn(run, change, at_once, conjugation);
+        turning = plus(
+            only(totals.has_spring(), change),
+            conjugation.unwrap_or(0.0),
+            turning,
+        );
 
         run.proceed()?;
-        run.apply_roughly_to_direction();
+        run.apply_f32_to_direction();
         run.count_step();
-        let [curvature, square] = curvature(run);
-        if let Some(flattest) = run.slide(free, curvature, square) {
-            advance(run, Some(along / flattest));
+        let (curvature, square) = curvature(run);
+        let curvature = curvature + totals.curvature(turning);
+        let (length, is_last) = match run.slide(curvature, square) {
+            Some(flattest) => (along / flattest, true),
+            None => (along / curvature, step + 1 == INNER_LIMIT),
+        };
+        if !(length.is_finite() && (is_last || curvature > 0.0)) {
             break;
         }
-        if !(curvature > 0.0 && along.is_finite()) {
-            break;
-        }
-        let residual = advance(run, Some(along / curvature));
-        let is_small = residual.square <= reduction * reduction * first.square;
-        if is_small || step + 1 == INNER_LIMIT {
-            run.workspace.multiplier += residual.change;
+        let moved = turning.map(|change| length * change);
+        add_to_multiplier(run, moved);
+        let change = plus(at_once, 1.0, moved);
+        let residual = advance(run, totals, Some(&Move { length, change }));
+        (last_products, products) = (products, residual.products);
+        if is_last || residual.square <= reduction * reduction * first.square {
+            add_to_multiplier(run, residual.change);
             break;
         }
     }
     ControlFlow::Continue(())
 }
 
-/// What is left to solve, measured without the preconditioner.
-struct Residual {
-    /// The change of the multiplier that leaves no weighted mean: `w' (r + change) = 0`.
-    change: f64,
-    /// `|r + change|^2`.
-    square: f64,
+/// The components of a kind, zero elsewhere.
+fn only<const N: usize>(kind: [bool; N], values: [f64; N]) -> [f64; N] {
+    std::array::from_fn(|c| if kind[c] { values[c] } else { 0.0 })
 }
 
-/// Moves by a length along the direction, if one is given, and takes the residual there: compressed,
-/// and in `direction` to be preconditioned.
-fn advance<C: Operator, K: Constraint, P: Operator>(
-    run: &mut Run<'_, '_, C, K, P>,
-    length: Option<f64>,
-) -> Residual {
-    let has_total = run.problem.total.is_some();
+fn add_to_multiplier<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
+    run: &mut Run<'_, '_, C, K, P, N>,
+    change: [f64; N],
+) {
+    run.workspace.multiplier = plus(run.workspace.multiplier, 1.0, change);
+}
+
+/// A step along the direction, at multipliers changed since the last residual.
+struct Move<const N: usize> {
+    length: f64,
+    change: [f64; N],
+}
+
+/// What is left to solve, measured without the preconditioner.
+struct Residual<const N: usize> {
+    /// The change of the multipliers of the sums that leaves no weighted mean: `w_a' (r + change) = 0`.
+    change: [f64; N],
+    /// `|r + change|^2`.
+    square: f64,
+    /// `w_a' r`.
+    products: [f64; N],
+}
+
+/// Takes the step, if one is given, and the residual there: compressed, and weighted in `direction` to be
+/// preconditioned. The stiffness of curved bounds is part of the residual, not of the gradient.
+fn advance<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
+    run: &mut Run<'_, '_, C, K, P, N>,
+    totals: &TotalsSystem<N>,
+    step: Option<&Move<N>>,
+) -> Residual<N> {
     let Workspace {
         inner,
+        motions,
+        moving,
         gradient,
         direction,
         image,
-        free_set,
+        spread,
         multiplier,
         ..
     } = &mut *run.workspace;
     std::mem::swap(&mut inner.residual, &mut inner.last_residual);
-    let (image, directions, multiplier) = (&*image, &inner.direction, *multiplier);
-    let residual = free_set.compressed(&mut inner.residual);
+    run.is_fresh &= step.is_none();
+    let (image, multiplier) = (slices(image), *multiplier);
+    let (directions, last, spread) = (&*inner.direction, &*inner.last_residual, &*spread);
     let data = (
-        (blocks(run.x), blocks(gradient)),
-        (blocks(direction), residual),
+        (chunks(&mut run.x), chunks(gradient)),
+        (chunks(direction), moving.compressed(&mut inner.residual)),
     );
-    let spread = &inner.spread;
-    let sums = free_set.sweep(data, |entries, ((x, gradient), (full, residual))| {
-        if let Some(length) = length {
-            let images = &image[entries.chunk.clone()];
-            for (g, u) in gradient.items.iter_mut().zip(images) {
-                *g += length * u;
+    let (sum, square, products) = moving.sweep(data, |entries, ((mut x, mut gradient), (mut full, residual))| {
+        let images = within(&image, &entries.chunk);
+        let directions = &directions[entries.range.clone()];
+        if let Some(&Move { length, .. }) = step {
+            for (gradient, images) in gradient.iter_mut().zip(images) {
+                for (g, u) in gradient.items.iter_mut().zip(images) {
+                    *g += length * u;
+                }
             }
-            let directions = &directions[entries.range.clone()];
             for (place, d) in entries.places().zip(directions) {
-                x.items[place] += length * d;
+                let moved = plus(held(&x, place), length, *d);
+                put(&mut x, place, moved);
             }
         }
-        let spread = &spread[entries.range.clone()];
+        let motions = &motions[entries.chunk.clone()];
+        let (spread, last) = (&spread[entries.range.clone()], &last[entries.range.clone()]);
         entries.sums(|k, place| {
-            let r = multiplier - gradient.items[place];
+            let motion = motion_at::<K, N>(motions, place);
+            let r = match step {
+                // The residual of a curved bound is not the gradient's: it is followed from step to step.
+                Some(&Move { length, change }) if MotionOf::<K, N>::IS_CURVED => {
+                    let moved = motion.project(plus(change, -length, at(&images, place)));
+                    let bend = length * motion.stiffness();
+                    std::array::from_fn(|c| last[k][c] + moved[c] - bend * directions[k][c])
+                }
+                _ => motion.project(minus(multiplier, held(&gradient, place))),
+            };
             residual.items[k] = r;
-            full.items[place] = r;
-            [r, r * r, spread[k] * r]
+            put(&mut full, place, motion.weighted(r));
+            (r, dot(r, r), spread[k].map(|w| dot(w, r)))
         })
     });
-    run.is_fresh &= length.is_none();
-    let [sum, square, weighted] = sums;
-    let change = if has_total {
-        -weighted / inner.weight
-    } else {
-        0.0
-    };
-    let free = free_set.len() as f64;
+    let change = totals.without_mean(products);
     Residual {
         change,
-        square: square + change * (2.0 * sum + change * free),
+        products,
+        square: square + 2.0 * dot(change, sum) + totals.square(change),
+    }
+}
+
+/// How a cell that moves may move.
+#[inline]
+fn motion_at<K: Constraint<N>, const N: usize>(
+    motions: &[MotionOf<K, N>],
+    place: usize,
+) -> MotionOf<K, N> {
+    if MotionOf::<K, N>::IS_CURVED {
+        motions[place]
+    } else {
+        Motion::FREE
     }
 }
 
 /// The preconditioned residual `z = M r + change w`, of which `M r` is kept.
-struct Correction {
-    /// The change of the multiplier that keeps the total: `e' z = 0`.
-    change: f64,
+struct Correction<const N: usize> {
+    /// The change of the multipliers that keeps the totals.
+    change: [f64; N],
     /// `z' (r + change)`.
     product: f64,
     /// `z' r_last`.
     overlap: f64,
 }
 
-/// Gathers `M r` from `image`, and what it comes to with every product formed on the way.
-fn correct<C: Operator, K: Constraint, P: Operator>(run: &mut Run<'_, '_, C, K, P>) -> Correction {
-    let has_total = run.problem.total.is_some();
+/// Gathers `M r` from `image`, with the `w_a' r` and `w_a' r_last`.
+fn correct<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
+    run: &mut Run<'_, '_, C, K, P, N>,
+    totals: &TotalsSystem<N>,
+    products: [f64; N],
+    last_products: [f64; N],
+) -> Correction<N> {
     let Workspace {
         inner,
+        motions,
+        moving,
         image,
-        free_set,
         ..
     } = &mut *run.workspace;
-    let Inner {
-        residual,
-        last_residual,
-        correction,
-        spread,
-        weight,
-        ..
-    } = inner;
-    let image = &*image;
-    let sums = free_set.sweep(free_set.compressed(correction), |entries, correction| {
-        let image = &image[entries.chunk.clone()];
-        let residual = &residual[entries.range.clone()];
-        let last_residual = &last_residual[entries.range.clone()];
-        let spread = &spread[entries.range.clone()];
+    let image = slices(image);
+    let (residual, last) = (&*inner.residual, &*inner.last_residual);
+    let data = moving.compressed(&mut inner.correction);
+    let (sum, product, overlap): ([f64; N], f64, f64) = moving.sweep(data, |entries, correction| {
+        let image = within(&image, &entries.chunk);
+        let motions = &motions[entries.chunk.clone()];
+        let (residual, last) = (&residual[entries.range.clone()], &last[entries.range.clone()]);
         entries.sums(|k, place| {
-            let z = image[place];
+            let motion = motion_at::<K, N>(motions, place);
+            let z = motion.preconditioned(at(&image, place), residual[k]);
             correction.items[k] = z;
-            let (r, last, w) = (residual[k], last_residual[k], spread[k]);
-            [z, z * r, z * last, w * r, w * last]
+            (z, dot(z, residual[k]), dot(z, last[k]))
         })
     });
-    let [sum, product, overlap, spread_product, spread_overlap] = sums;
-    if has_total {
-        let change = -sum / *weight;
-        Correction {
-            change,
-            // e' z = 0, so the change of the residual adds nothing.
-            product: product + change * spread_product,
-            overlap: overlap + change * spread_overlap,
-        }
-    } else {
-        Correction {
-            change: 0.0,
-            product,
-            overlap,
-        }
+    let change = totals.balance(sum);
+    Correction {
+        change,
+        // Without a sum, z makes nothing of the change of a sum's multiplier.
+        product: product + dot(change, products),
+        overlap: overlap + dot(change, last_products),
     }
 }
 
-/// The next direction `d = z + conjugation d`, compressed and full; returns `d' (r + change)`.
-fn turn<C: Operator, K: Constraint, P: Operator>(
-    run: &mut Run<'_, '_, C, K, P>,
-    change: f64,
+/// The next direction `d = z + conjugation d`, compressed and full; returns `d' (r + at_once)`.
+fn turn<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
+    run: &mut Run<'_, '_, C, K, P, N>,
+    change: [f64; N],
+    at_once: [f64; N],
     conjugation: Option<f64>,
 ) -> f64 {
-    let has_total = run.problem.total.is_some();
     let Workspace {
         inner,
+        moving,
         direction,
-        free_set,
-        ..
-    } = &mut *run.workspace;
-    let Inner {
-        residual,
-        correction,
-        direction: compressed,
         spread,
         ..
-    } = inner;
-    let data = (blocks(direction), free_set.compressed(compressed));
-    let [along] = free_set.sweep(data, |entries, (full, compressed)| {
+    } = &mut *run.workspace;
+    let (residual, correction, spread) = (&*inner.residual, &*inner.correction, &*spread);
+    let has_change = norm(change) != 0.0;
+    let data = (chunks(direction), moving.compressed(&mut inner.direction));
+    moving.sweep(data, |entries, (mut full, compressed)| {
         let residual = &residual[entries.range.clone()];
         let correction = &correction[entries.range.clone()];
         let spread = &spread[entries.range.clone()];
         entries.sums(|k, place| {
             let mut d = correction[k];
-            if has_total {
-                d += change * spread[k];
+            if has_change {
+                for (change, w) in change.iter().zip(spread[k]) {
+                    d = plus(d, *change, w);
+                }
             }
             if let Some(conjugation) = conjugation {
-                d += conjugation * compressed.items[k];
+                d = plus(d, conjugation, compressed.items[k]);
             }
             compressed.items[k] = d;
-            full.items[place] = d;
-            [d * (residual[k] + change)]
+            put(&mut full, place, d);
+            dot(d, plus(residual[k], 1.0, at_once))
         })
-    });
-    along
+    })
 }
 
-/// `d' C d`, of the product in `image`, and `d' d`.
-fn curvature<C: Operator, K: Constraint, P: Operator>(run: &Run<'_, '_, C, K, P>) -> [f64; 2] {
+/// `d' (C + K) d`, of the product in `image` and the stiffness `K` of curved bounds, and `d' d`.
+fn curvature<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
+    run: &Run<'_, '_, C, K, P, N>,
+) -> (f64, f64) {
     let Workspace {
         inner,
+        motions,
+        moving,
         image,
-        free_set,
         ..
     } = &*run.workspace;
-    free_set.sweep((), |entries, ()| {
-        let (directions, image) = (
-            &inner.direction[entries.range.clone()],
-            &image[entries.chunk.clone()],
-        );
+    let image = slices(image);
+    moving.sweep((), |entries, ()| {
+        let motions = &motions[entries.chunk.clone()];
+        let directions = &inner.direction[entries.range.clone()];
+        let image = within(&image, &entries.chunk);
         entries.sums(|k, place| {
             let d = directions[k];
-            [d * image[place], d * d]
+            let square = dot(d, d);
+            let stiffness = motion_at::<K, N>(motions, place).stiffness();
+            (dot(d, at(&image, place)) + stiffness * square, square)
         })
     })
 }
 
 /// `image = M direction`.
-pub(super) fn precondition<C: Operator, K: Constraint, P: Operator>(
-    run: &mut Run<'_, '_, C, K, P>,
+pub(super) fn precondition<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
+    run: &mut Run<'_, '_, C, K, P, N>,
 ) {
     let Workspace {
         preconditioner,
@@ -254,5 +302,5 @@ pub(super) fn precondition<C: Operator, K: Constraint, P: Operator>(
     } = &mut *run.workspace;
     run.problem
         .preconditioner
-        .apply_roughly(direction, image, preconditioner);
+        .apply_f32(slices(direction), slices_mut(image), preconditioner);
 }

@@ -80,289 +80,42 @@
 //! # Ok::<(), stickslip::Error>(())
 //! ```
 
-mod active_set;
-mod balance;
 mod certificate;
-mod constraint;
-mod free_set;
+mod disc;
 mod inner;
-pub(crate) mod plane;
+mod interval;
+mod monitor;
+mod motion;
+mod moving;
+mod newton;
 mod polonsky_keer;
+mod problem;
 mod progress;
 mod projected_gradient;
-mod reduce;
+pub(crate) mod reduce;
 mod run;
+mod set;
 mod settings;
-mod watch;
+mod totals;
+pub(crate) mod vector;
+mod workspace;
 
-pub(crate) use certificate::{Certificate, examine};
-pub use constraint::{Constraint, Interval, Magnitude, NonNegative};
-pub(crate) use reduce::total as sum_of_chunks;
+pub(crate) use certificate::{Certificate, Iterate, examine};
+pub use disc::Disc;
+pub use interval::Interval;
+pub use problem::{Minimum, Problem, minimise, minimise_with};
+pub use set::{Admissible, Ball, Bounds, Constraint, Magnitude, NonNegative, Within};
 pub use settings::{Method, Settings};
 pub(crate) use settings::{settings_methods, solver_settings};
+pub use totals::Total;
+pub use workspace::Workspace;
 
 pub use crate::report::{Iteration, Report, Status};
 
-use std::ops::ControlFlow;
+/// How a cell of a constraint may move.
+pub(crate) type MotionOf<K, const N: usize> =
+    <<K as Constraint<N>>::Set as motion::Linearised<N>>::Motion;
 
-use crate::error::{Error, Result, all_finite, length};
-use crate::operator::{Identity, Operator};
-use crate::parallel;
-use free_set::FreeSet;
-use run::Run;
-
-/// What to minimise: `1/2 x'Cx + b'x` over `x_i` in `K_i`, optionally with `sum x = S`.
-#[derive(Debug, Clone)]
-pub struct Problem<'a, C, K, P = Identity> {
-    operator: C,
-    preconditioner: P,
-    linear: &'a [f64],
-    constraint: K,
-    total: Option<f64>,
-}
-
-impl<'a, C: Operator, K: Constraint> Problem<'a, C, K> {
-    /// Operator `C`, linear term `b` and constraint `K`; no total prescribed, no preconditioner.
-    pub fn new(operator: C, linear: &'a [f64], constraint: K) -> Self {
-        let preconditioner = Identity::new(operator.len());
-        Self {
-            operator,
-            preconditioner,
-            linear,
-            constraint,
-            total: None,
-        }
-    }
-}
-
-impl<'a, C: Operator, K: Constraint, P: Operator> Problem<'a, C, K, P> {
-    /// With a prescribed total, `sum x = total`.
-    #[must_use]
-    pub fn total(mut self, total: f64) -> Self {
-        self.total = Some(total);
-        self
-    }
-
-    /// With an approximate inverse of `C`, symmetric and positive definite; only
-    /// [`Method::ActiveSet`] uses it.
-    #[must_use]
-    pub fn preconditioner<Q: Operator>(self, preconditioner: Q) -> Problem<'a, C, K, Q> {
-        Problem {
-            operator: self.operator,
-            preconditioner,
-            linear: self.linear,
-            constraint: self.constraint,
-            total: self.total,
-        }
-    }
-
-    /// Buffers for solving this problem and all of its size.
-    #[must_use]
-    pub fn workspace(&self) -> Workspace<C, P> {
-        Workspace::new(&self.operator, &self.preconditioner)
-    }
-
-    fn check(&self, x: &[f64]) -> Result<()> {
-        let len = self.operator.len();
-        length("preconditioner", len, self.preconditioner.len())?;
-        length("linear term", len, self.linear.len())?;
-        length("start", len, x.len())?;
-        all_finite("linear term", self.linear)?;
-        all_finite("start", x)?;
-        self.constraint.check(len)
-    }
-}
-
-/// The answer beside `x` itself.
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[non_exhaustive]
-pub struct Minimum {
-    /// Multiplier of the total, so that `C x + b - multiplier` vanishes on free entries; zero when
-    /// no total is prescribed.
-    pub multiplier: f64,
-    /// Status, cost and certified error.
-    pub report: Report,
-}
-
-/// Everything an iteration writes to besides `x`; made once, reused by every solve of one size.
-#[derive(Debug, Clone)]
-pub struct Workspace<C: Operator, P: Operator = Identity> {
-    operator: C::Workspace,
-    preconditioner: P::Workspace,
-    product: Vec<f64>,
-    gradient: Vec<f64>,
-    direction: Vec<f64>,
-    image: Vec<f64>,
-    inner: Inner,
-    free_set: FreeSet,
-    state: Vec<State>,
-    report: Report,
-    multiplier: f64,
-}
-
-/// Vectors of the inner iteration, compressed to the free entries.
-#[derive(Debug, Clone)]
-struct Inner {
-    residual: Vec<f64>,
-    last_residual: Vec<f64>,
-    correction: Vec<f64>,
-    direction: Vec<f64>,
-    /// How a change of the total spreads, `w = M e`.
-    spread: Vec<f64>,
-    /// Its sum.
-    weight: f64,
-}
-
-/// Where an entry stands.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum State {
-    Free,
-    Lower,
-    Upper,
-    /// Equal bounds: it never moves.
-    Fixed,
-}
-
-impl<C: Operator, P: Operator> Workspace<C, P> {
-    /// Buffers for an operator and its preconditioner: nine numbers per entry besides their own.
-    #[must_use]
-    pub fn new(operator: &C, preconditioner: &P) -> Self {
-        let len = operator.len();
-        let zeros = || vec![0.0; len];
-        Self {
-            operator: operator.workspace(),
-            preconditioner: preconditioner.workspace(),
-            product: zeros(),
-            gradient: zeros(),
-            direction: zeros(),
-            image: zeros(),
-            inner: Inner {
-                residual: zeros(),
-                last_residual: zeros(),
-                correction: zeros(),
-                direction: zeros(),
-                spread: zeros(),
-                weight: 1.0,
-            },
-            free_set: FreeSet::with_capacity(len),
-            state: vec![State::Fixed; len],
-            report: Report::with_room(),
-            multiplier: 0.0,
-        }
-    }
-
-    /// The product `C x` with the iterate last returned.
-    #[must_use]
-    pub fn product(&self) -> &[f64] {
-        &self.product
-    }
-
-    /// The report of the last solve, converged or not.
-    #[must_use]
-    pub fn report(&self) -> &Report {
-        &self.report
-    }
-
-    /// The multiplier of the last solve, converged or not.
-    #[must_use]
-    pub fn multiplier(&self) -> f64 {
-        self.multiplier
-    }
-}
-
-/// Finds the minimum from the start `x` and leaves it in `x`.
-///
-/// # Errors
-/// [`Error::Length`], [`Error::Sample`], [`Error::Bounds`], [`Error::Total`],
-/// [`Error::Tolerance`] or [`Error::IterationLimit`] before any work, with `x` as it was;
-/// [`Error::NotConverged`] with the last feasible iterate in `x`.
-pub fn minimise<C: Operator, K: Constraint, P: Operator>(
-    problem: &Problem<'_, C, K, P>,
-    settings: &Settings,
-    x: &mut [f64],
-) -> Result<Minimum> {
-    settings.check()?;
-    // An operator may claim any number of unknowns; the start is there.
-    problem.check(x)?;
-    let mut workspace = problem.workspace();
-    minimise_with(problem, settings, x, &mut workspace, &mut |_| {
-        ControlFlow::Continue(())
-    })?;
-    Ok(Minimum {
-        multiplier: workspace.multiplier,
-        report: workspace.report,
-    })
-}
-
-/// [`minimise`] with the caller's workspace, which also keeps the product, the multiplier and the
-/// report, and with an observer: it sees every step and may cancel. Allocates nothing once the
-/// workspace has seen a solve as long as this one.
-///
-/// # Errors
-/// As [`minimise`].
-pub fn minimise_with<C: Operator, K: Constraint, P: Operator>(
-    problem: &Problem<'_, C, K, P>,
-    settings: &Settings,
-    x: &mut [f64],
-    workspace: &mut Workspace<C, P>,
-    observer: &mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
-) -> Result<()> {
-    settings.check()?;
-    problem.check(x)?;
-    length("workspace", x.len(), workspace.product.len())?;
-    let solve = || -> Result<Status> {
-        let reach = match problem.total {
-            Some(total) => Some(balance::reach(x.len(), &problem.constraint, total)?),
-            None => None,
-        };
-        let mut run = Run::new(problem, settings, x, workspace, observer);
-        let status = match (run.multiplier_at_zero(), reach) {
-            (Some(multiplier), _) => run.at_zero(multiplier),
-            (None, Some(balance::Reach::AtLower)) => run.at_extreme(State::Lower),
-            (None, Some(balance::Reach::AtUpper)) => run.at_extreme(State::Upper),
-            (None, Some(balance::Reach::Inside) | None) => iterate(&mut run),
-        };
-        Ok(run.finish(status))
-    };
-    let status = parallel::enter(solve)?;
-    if status == Status::Converged {
-        Ok(())
-    } else {
-        Err(Error::NotConverged(Box::new(workspace.report.clone())))
-    }
-}
-
-/// The chosen method; each time its sets cycle, twice as many steps of a method that has none, until
-/// that does not help any more.
-fn iterate<C: Operator, K: Constraint, P: Operator>(run: &mut Run<'_, '_, C, K, P>) -> Status {
-    let (mut detour, mut in_vain) = (32, 0);
-    loop {
-        let before = run.watch.best;
-        let ended = match run.watch.settings.method {
-            Method::ActiveSet => active_set::iterate(run),
-            Method::PolonskyKeer => polonsky_keer::iterate(run),
-        };
-        if let Some(status) = ended {
-            return status;
-        }
-        in_vain = if run.watch.best < 0.5 * before {
-            0
-        } else {
-            in_vain + 1
-        };
-        if in_vain > DETOURS_IN_VAIN {
-            return Status::Stalled;
-        }
-        match projected_gradient::iterate(run, detour) {
-            ControlFlow::Break(status) => return status,
-            // The objective no longer falls: one look by the method, and that is all.
-            ControlFlow::Continue(true) => in_vain = DETOURS_IN_VAIN,
-            ControlFlow::Continue(false) => {}
-        }
-        detour = (2 * detour).min(run.watch.settings.max_iterations);
-    }
-}
-
-/// Detours after which the residual was not halved before the iteration counts as stalled.
-const DETOURS_IN_VAIN: usize = 6;
+/// The buffers for an operator, a preconditioner and a kind of set.
+pub(crate) type WorkspaceOf<C, P, S, const N: usize> =
+    Workspace<C, P, <S as motion::Linearised<N>>::Motion, N>;

@@ -7,7 +7,8 @@
 use std::ops::ControlFlow;
 
 use crate::cgm::run::Run;
-use crate::cgm::{Constraint, State, Workspace, balance, reduce};
+use crate::cgm::interval::{Side, shift_to_total};
+use crate::cgm::{Admissible, Constraint, Interval, Workspace, reduce};
 use crate::operator::Operator;
 use crate::parallel::{self, Blocks, CHUNK, blocks};
 use crate::report::Status;
@@ -18,8 +19,8 @@ const REFRESH: usize = 25;
 const PATIENCE: usize = 200;
 
 /// Ends with the status of the run; `None` if the sets cycle.
-pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
-    run: &mut Run<'_, '_, C, K, P>,
+pub(super) fn iterate<C: Operator, K: Constraint<1, Set = Interval>, P: Operator>(
+    run: &mut Run<'_, '_, C, K, P, 1>,
 ) -> Option<Status> {
     run.mark_start();
     restore_total(run);
@@ -37,7 +38,7 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
         let free = set_multiplier(run);
         let findings = run.examine();
         let merit = run.merit(&findings);
-        if merit <= run.watch.settings.tolerance && !run.is_fresh {
+        if merit <= run.monitor.settings.tolerance && !run.is_fresh {
             since_refresh = REFRESH;
             continue;
         }
@@ -49,7 +50,7 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
         } else {
             without_progress += 1;
             if without_progress >= PATIENCE {
-                return run.watch.stuck();
+                return run.monitor.stuck();
             }
         }
 
@@ -61,23 +62,23 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
         run.apply_to_direction();
         run.count_step();
         let Workspace {
-            state,
-            gradient,
-            direction,
-            image,
+            motions: state,
+            gradient: [gradient],
+            direction: [direction],
+            image: [image],
+            multiplier: [multiplier],
             ..
         } = &*run.workspace;
-        let multiplier = run.workspace.multiplier;
-        let [along, curvature, square] = reduce::sums(run.len(), |i| {
-            let r = if state[i] == State::Free {
-                gradient[i] - multiplier
+        let [along, curvature, square] = reduce::sums(run.cells(), |i| {
+            let r = if state[i] == Side::Free {
+                gradient[i] - *multiplier
             } else {
                 0.0
             };
             let d = direction[i];
             [r * d, d * image[i], d * d]
         });
-        let curvature = run.slide(free, curvature, square).unwrap_or(curvature);
+        let curvature = run.slide(curvature, square).unwrap_or(curvature);
         let length = if curvature > 0.0 && along.is_finite() {
             along / curvature
         } else {
@@ -98,38 +99,36 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
 
 /// The mean gradient on the free entries (eq 18), which a prescribed total makes the multiplier.
 /// Returns the number of free entries.
-fn set_multiplier<C: Operator, K: Constraint, P: Operator>(
-    run: &mut Run<'_, '_, C, K, P>,
+fn set_multiplier<C: Operator, K: Constraint<1, Set = Interval>, P: Operator>(
+    run: &mut Run<'_, '_, C, K, P, 1>,
 ) -> usize {
     let Workspace {
-        state, gradient, ..
+        motions: state,
+        gradient: [gradient],
+        ..
     } = &*run.workspace;
-    let (count, sum) = parallel::fold(
-        run.len(),
-        |range| {
-            let free = range.filter(|&i| state[i] == State::Free);
-            free.fold((0_usize, 0.0), |(count, sum), i| {
-                (count + 1, sum + gradient[i])
-            })
-        },
-        |a, b| (a.0 + b.0, a.1 + b.1),
-    );
-    if run.problem.total.is_some() && count > 0 {
-        run.workspace.multiplier = sum / count as f64;
+    let (count, sum) = reduce::over_chunks(run.cells(), |range| {
+        let free = range.filter(|&i| state[i] == Side::Free);
+        free.fold((0_usize, 0.0), |(count, sum), i| {
+            (count + 1, sum + gradient[i])
+        })
+    });
+    if run.sums() != [None] && count > 0 {
+        run.workspace.multiplier = [sum / count as f64];
     }
     count
 }
 
 /// `R = sum r^2` on the free entries (eq 20).
-fn residual_squares<C: Operator, K: Constraint, P: Operator>(run: &Run<'_, '_, C, K, P>) -> f64 {
+fn residual_squares<C: Operator, K: Constraint<1, Set = Interval>, P: Operator>(run: &Run<'_, '_, C, K, P, 1>) -> f64 {
     let Workspace {
-        state,
-        gradient,
-        multiplier,
+        motions: state,
+        gradient: [gradient],
+        multiplier: [multiplier],
         ..
     } = &*run.workspace;
-    reduce::sum(run.len(), |i| {
-        if state[i] == State::Free {
+    reduce::sum(run.cells(), |i| {
+        if state[i] == Side::Free {
             (gradient[i] - multiplier).powi(2)
         } else {
             0.0
@@ -137,33 +136,34 @@ fn residual_squares<C: Operator, K: Constraint, P: Operator>(run: &Run<'_, '_, C
     })
 }
 
-fn set_direction<C: Operator, K: Constraint, P: Operator>(
-    run: &mut Run<'_, '_, C, K, P>,
+fn set_direction<C: Operator, K: Constraint<1, Set = Interval>, P: Operator>(
+    run: &mut Run<'_, '_, C, K, P, 1>,
     conjugation: f64,
     free: usize,
 ) {
+    let has_total = run.sums() != [None];
     let Workspace {
-        state,
-        gradient,
-        direction,
-        multiplier,
+        motions: state,
+        gradient: [gradient],
+        direction: [direction],
+        multiplier: [multiplier],
         ..
     } = &mut *run.workspace;
     let (state, gradient, multiplier) = (&*state, &*gradient, *multiplier);
     parallel::update(direction, |first, chunk| {
         for (i, d) in (first..).zip(chunk) {
-            *d = if state[i] == State::Free {
+            *d = if state[i] == Side::Free {
                 gradient[i] - multiplier + conjugation * *d
             } else {
                 0.0
             };
         }
     });
-    if run.problem.total.is_some() && free > 0 {
+    if has_total && free > 0 {
         let mean = reduce::sum(state.len(), |i| direction[i]) / free as f64;
         parallel::update(direction, |first, chunk| {
             for (i, d) in (first..).zip(chunk) {
-                if state[i] == State::Free {
+                if state[i] == Side::Free {
                     *d -= mean;
                 }
             }
@@ -179,49 +179,50 @@ struct Moves {
 
 /// `x -= tau d` on the free entries, clipped (eq 21'); entries at a bound whose residual points
 /// inward follow theirs and become free (eqs 22, 23).
-fn step<C: Operator, K: Constraint, P: Operator>(
-    run: &mut Run<'_, '_, C, K, P>,
+fn step<C: Operator, K: Constraint<1, Set = Interval>, P: Operator>(
+    run: &mut Run<'_, '_, C, K, P, 1>,
     length: f64,
 ) -> Moves {
+    let len = run.cells();
     let constraint = &run.problem.constraint;
     let Workspace {
-        state,
-        gradient,
-        direction,
-        multiplier,
+        motions: state,
+        gradient: [gradient],
+        direction: [direction],
+        multiplier: [multiplier],
         ..
     } = &mut *run.workspace;
     let (gradient, direction, multiplier) = (&*gradient, &*direction, *multiplier);
-    let len = run.x.len();
-    let work = |task: usize, (x, state): (Blocks<'_, f64>, Blocks<'_, State>)| {
+    let work = |task: usize, (x, state): (Blocks<'_, f64>, Blocks<'_, Side>)| {
         let mut moves = Moves {
             clipped: 0,
             entered: 0,
         };
         for ((i, x), state) in (task * CHUNK..).zip(x.items).zip(state.items) {
             let r = gradient[i] - multiplier;
-            let [lower, upper] = constraint.bounds(i);
+            let interval = constraint.of(i);
+            let Interval { lower, upper } = interval;
             match *state {
-                State::Free => {
+                Side::Free => {
                     *x -= length * direction[i];
                     if *x <= lower || *x >= upper {
                         *state = if *x <= lower {
-                            State::Lower
+                            Side::Lower
                         } else {
-                            State::Upper
+                            Side::Upper
                         };
-                        *x = constraint.project(i, *x);
+                        [*x] = interval.project([*x]);
                         moves.clipped += 1;
                     }
                 }
-                State::Lower if r < 0.0 => {
-                    *x = constraint.project(i, *x - length * r);
-                    *state = State::Free;
+                Side::Lower if r < 0.0 => {
+                    [*x] = interval.project([*x - length * r]);
+                    *state = Side::Free;
                     moves.entered += 1;
                 }
-                State::Upper if r > 0.0 => {
-                    *x = constraint.project(i, *x - length * r);
-                    *state = State::Free;
+                Side::Upper if r > 0.0 => {
+                    [*x] = interval.project([*x - length * r]);
+                    *state = Side::Free;
                     moves.entered += 1;
                 }
                 _ => {}
@@ -229,7 +230,8 @@ fn step<C: Operator, K: Constraint, P: Operator>(
         }
         moves
     };
-    let data = (blocks(run.x), blocks(state));
+    let [x] = &mut run.x;
+    let data = (blocks(x), blocks(state));
     run.is_fresh = false;
     parallel::sweep(0..len.div_ceil(CHUNK), data, &work, &|a, b| Moves {
         clipped: a.clipped + b.clipped,
@@ -238,11 +240,11 @@ fn step<C: Operator, K: Constraint, P: Operator>(
 }
 
 /// The product after a step that clipped nothing, without a new one.
-fn follow<C: Operator, K: Constraint, P: Operator>(run: &mut Run<'_, '_, C, K, P>, length: f64) {
+fn follow<C: Operator, K: Constraint<1, Set = Interval>, P: Operator>(run: &mut Run<'_, '_, C, K, P, 1>, length: f64) {
     let Workspace {
-        product,
-        gradient,
-        image,
+        product: [product],
+        gradient: [gradient],
+        image: [image],
         ..
     } = &mut *run.workspace;
     let (len, image) = (product.len(), &*image);
@@ -259,15 +261,15 @@ fn follow<C: Operator, K: Constraint, P: Operator>(run: &mut Run<'_, '_, C, K, P
 
 /// Moves the free entries to the total (eqs 25, 26) without leaving the bounds; all entries if
 /// the free ones cannot reach it.
-fn restore_total<C: Operator, K: Constraint, P: Operator>(run: &mut Run<'_, '_, C, K, P>) {
-    let Some(total) = run.problem.total else {
+fn restore_total<C: Operator, K: Constraint<1, Set = Interval>, P: Operator>(run: &mut Run<'_, '_, C, K, P, 1>) {
+    let [Some(total)] = run.sums() else {
         return;
     };
-    let state = &run.workspace.state;
+    let state = &run.workspace.motions;
     let constraint = &run.problem.constraint;
-    let reached = balance::restore(run.x, constraint, |i| state[i] == State::Free, total);
-    if !reached {
-        balance::restore(run.x, constraint, |_| true, total);
+    let [x] = &mut run.x;
+    if !shift_to_total(x, constraint, |i| state[i] == Side::Free, total) {
+        shift_to_total(x, constraint, |_| true, total);
         run.mark_start();
     }
 }

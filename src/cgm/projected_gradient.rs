@@ -1,6 +1,6 @@
 //! The way out when sets cycle: projected gradients with Barzilai-Borwein lengths.
 //!
-//! Every step goes along `P(x - a g) - x`, with the exact projection on bounds and total, to the
+//! Every step goes along `P(x - a g) - x`, with the exact projection on sets and sums, to the
 //! minimum of the objective on it: the objective falls at every step, from any start, whatever the
 //! sets do (Dai & Fletcher, Mathematical Programming 106 (2006) 403,
 //! <https://doi.org/10.1007/s10107-005-0595-2>). Slow, so it only leads the other methods past the
@@ -8,23 +8,23 @@
 
 use std::ops::ControlFlow;
 
+use crate::cgm::motion::Linearised;
 use crate::cgm::run::Run;
-use crate::cgm::{Constraint, Workspace, balance, reduce};
+use crate::cgm::totals::{Total, sums_of};
+use crate::cgm::vector::{at, chunks, dot, held, minus, plus, put, slices, slices_mut, update_cells};
+use crate::cgm::{Admissible, Constraint, Workspace, reduce};
 use crate::operator::Operator;
-use crate::parallel::{self, Blocks, CHUNK, blocks};
+use crate::parallel::{self, Blocks, CHUNK};
 use crate::report::Status;
 
 /// At most `steps` steps from the present iterate; says whether they ended at a point where the
 /// objective no longer falls.
-pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
-    run: &mut Run<'_, '_, C, K, P>,
+pub(super) fn iterate<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
+    run: &mut Run<'_, '_, C, K, P, N>,
     steps: usize,
 ) -> ControlFlow<Status, bool> {
     run.mark_start();
-    let constraint = &run.problem.constraint;
-    if let Some(total) = run.problem.total {
-        balance::restore(run.x, constraint, |_| true, total);
-    }
+    run.restore_totals(|_| true);
     run.ask()?;
     run.refresh();
     run.ask()?;
@@ -32,6 +32,7 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
         return ControlFlow::Continue(true);
     };
     for _ in 0..steps {
+        set_multiplier(run);
         let [descent, square] = set_direction(run, length);
         if descent.is_nan() || descent >= 0.0 {
             return ControlFlow::Continue(true);
@@ -39,111 +40,127 @@ pub(super) fn iterate<C: Operator, K: Constraint, P: Operator>(
         run.proceed()?;
         run.apply_to_direction();
         run.count_step();
-        let Workspace {
-            direction,
-            image,
-            gradient,
-            ..
-        } = &mut *run.workspace;
-        let (direction, image) = (&*direction, &*image);
-        let [curvature] = reduce::sums(direction.len(), |i| [direction[i] * image[i]]);
+        let curvature = curvature(run);
         if curvature.is_nan() || curvature <= 0.0 {
             return ControlFlow::Continue(true);
         }
-        let step = (-descent / curvature).min(1.0);
+        advance(run, (-descent / curvature).min(1.0));
         length = square / curvature;
-        let work = |task: usize, (x, gradient): (Blocks<'_, f64>, Blocks<'_, f64>)| {
-            for ((i, x), gradient) in (task * CHUNK..).zip(x.items).zip(gradient.items) {
-                *x = arrive(*x, step * direction[i], constraint.bounds(i));
-                *gradient += step * image[i];
-            }
-        };
-        let tasks = direction.len().div_ceil(CHUNK);
-        parallel::sweep(
-            0..tasks,
-            (blocks(run.x), blocks(gradient)),
-            &work,
-            &|(), ()| (),
-        );
-        run.is_fresh = false;
     }
     ControlFlow::Continue(false)
 }
 
-/// `x + d`, exactly at a bound that it reaches up to round-off.
-fn arrive(x: f64, d: f64, [lower, upper]: [f64; 2]) -> f64 {
-    let (next, noise) = (x + d, 2.0 * f64::EPSILON * (x.abs() + d.abs()));
-    if next <= lower + noise {
-        lower
-    } else if next >= upper - noise {
-        upper
-    } else {
-        next
-    }
-}
-
 /// A step length of the right size: that of the steepest descent without bounds.
-fn first_length<C: Operator, K: Constraint, P: Operator>(
-    run: &mut Run<'_, '_, C, K, P>,
+fn first_length<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
+    run: &mut Run<'_, '_, C, K, P, N>,
 ) -> Option<f64> {
     let Workspace {
         gradient,
         direction,
         ..
     } = &mut *run.workspace;
-    direction.copy_from_slice(gradient);
+    for (direction, gradient) in direction.iter_mut().zip(gradient) {
+        direction.copy_from_slice(gradient);
+    }
     run.apply_to_direction();
-    let Workspace {
-        direction, image, ..
-    } = &*run.workspace;
-    let [square, curvature] = reduce::sums(direction.len(), |i| {
-        [direction[i].powi(2), direction[i] * image[i]]
-    });
+    let direction = slices(&run.workspace.direction);
+    let square = reduce::sum(run.cells(), |i| dot(at(&direction, i), at(&direction, i)));
+    let curvature = curvature(run);
     (curvature > 0.0).then(|| square / curvature)
 }
 
-/// `d = P(x - a g) - x`; returns `[g'd, d'd]`. With a total the mean of `g` changes nothing, and goes:
-/// beside it the products would drown in round-off.
-fn set_direction<C: Operator, K: Constraint, P: Operator>(
-    run: &mut Run<'_, '_, C, K, P>,
+/// The multipliers of springs, and the mean of the gradient for those of sums: it changes nothing, but beside it the
+/// products would drown in round-off.
+fn set_multiplier<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
+    run: &mut Run<'_, '_, C, K, P, N>,
+) {
+    if run.problem.totals == [Total::Free; N] {
+        return;
+    }
+    let constraint = &run.problem.constraint;
+    let gradient = slices(&run.workspace.gradient);
+    let (sum, count): ([f64; N], f64) = reduce::sum(run.cells(), |i| {
+        if constraint.of(i).can_move() {
+            (at(&gradient, i), 1.0)
+        } else {
+            ([0.0; N], 0.0)
+        }
+    });
+    let sums = sums_of(&slices(&run.x));
+    run.workspace.multiplier =
+        std::array::from_fn(|c| run.problem.totals[c].held(sum[c] / count, sums[c]));
+}
+
+/// `d = P(x - a g) - x`; returns `[g'd, d'd]`.
+fn set_direction<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
+    run: &mut Run<'_, '_, C, K, P, N>,
     length: f64,
 ) -> [f64; 2] {
-    let constraint = &run.problem.constraint;
+    let (constraint, sums) = (&run.problem.constraint, run.sums());
     let Workspace {
         gradient,
         direction,
+        multiplier,
         ..
     } = &mut *run.workspace;
-    let (x, gradient) = (&*run.x, &*gradient);
-    let mean = match run.problem.total {
-        Some(_) => {
-            let [sum, count] = reduce::sums(x.len(), |i| {
-                let [lower, upper] = constraint.bounds(i);
-                if lower < upper {
-                    [gradient[i], 1.0]
-                } else {
-                    [0.0, 0.0]
-                }
-            });
-            sum / count
-        }
-        None => 0.0,
-    };
-    parallel::update(direction, |first, chunk| {
-        for (i, d) in (first..).zip(chunk) {
-            *d = x[i] - length * (gradient[i] - mean);
-        }
-    });
-    if let Some(total) = run.problem.total {
-        balance::restore(direction, constraint, |_| true, total);
+    let (x, gradient, multiplier) = (slices(&run.x), slices(gradient), *multiplier);
+    let slope = |i: usize| minus(at(&gradient, i), multiplier);
+    update_cells(direction, |i, _| plus(at(&x, i), -length, slope(i)));
+    if sums != [None; N] {
+        K::Set::restore(slices_mut(direction), constraint, |_| true, sums);
     }
-    parallel::update(direction, |first, chunk| {
-        for (i, d) in (first..).zip(chunk) {
-            *d = constraint.project(i, *d) - x[i];
-        }
-    });
-    let direction = &*direction;
-    reduce::sums(x.len(), |i| {
-        [(gradient[i] - mean) * direction[i], direction[i].powi(2)]
+    update_cells(direction, |i, d| minus(constraint.of(i).project(d), at(&x, i)));
+    let direction = slices(direction);
+    reduce::sums(x[0].len(), |i| {
+        let d = at(&direction, i);
+        [dot(slope(i), d), dot(d, d)]
     })
+}
+
+/// `d' C d` of the direction, and what the springs add to it.
+fn curvature<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
+    run: &Run<'_, '_, C, K, P, N>,
+) -> f64 {
+    let Workspace {
+        direction, image, ..
+    } = &*run.workspace;
+    let (direction, image) = (slices(direction), slices(image));
+    let (bodies, sums): (f64, [f64; N]) = reduce::sum(run.cells(), |i| {
+        let d = at(&direction, i);
+        (dot(d, at(&image, i)), d)
+    });
+    let springs = run.problem.totals.iter().zip(sums);
+    springs.fold(bodies, |curvature, (total, sum)| match total {
+        Total::Spring { compliance, .. } => curvature + compliance * sum * sum,
+        Total::Free | Total::Sum(_) => curvature,
+    })
+}
+
+/// Takes a part of the direction.
+fn advance<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
+    run: &mut Run<'_, '_, C, K, P, N>,
+    step: f64,
+) {
+    let constraint = &run.problem.constraint;
+    let Workspace {
+        direction,
+        image,
+        gradient,
+        ..
+    } = &mut *run.workspace;
+    let (direction, image) = (slices(direction), slices(image));
+    let tasks = direction[0].len().div_ceil(CHUNK);
+    let work = |task: usize, (mut x, mut gradient): ([Blocks<'_, f64>; N], [Blocks<'_, f64>; N])| {
+        for place in 0..x[0].items.len() {
+            let cell = task * CHUNK + place;
+            let moved = at(&direction, cell).map(|d| step * d);
+            let arrived = constraint.of(cell).arrive(held(&x, place), moved);
+            put(&mut x, place, arrived);
+            let next = plus(held(&gradient, place), step, at(&image, cell));
+            put(&mut gradient, place, next);
+        }
+    };
+    let data = (chunks(&mut run.x), chunks(gradient));
+    parallel::sweep(0..tasks, data, &work, &|(), ()| ());
+    run.is_fresh = false;
 }

@@ -142,22 +142,26 @@ macro_rules! settings_methods {
     };
 }
 
-/// Reading and changing the settings of a solver, which keeps them in its `problem`.
+/// Reading and changing the settings of a solver, which keeps them in `$($path).+` and accepts those that pass
+/// `$check`.
 macro_rules! solver_settings {
-    () => {
+    ($($path:ident).+, $check:expr) => {
         /// The settings of the next solve.
         #[must_use]
         pub fn settings(&self) -> &crate::cgm::Settings {
-            &self.problem.settings
+            &self.$($path).+
         }
 
         /// Changes tolerance, method and limits of the next solve, which starts from the last answer all the same.
         ///
         /// # Errors
-        /// As [`Settings::check`](crate::cgm::Settings::check); the settings are then as they were.
+        /// As [`Settings::check`](crate::cgm::Settings::check), and [`Error::Method`](crate::Error::Method) for a method
+        /// that the model does not have; the settings are then as they were.
         pub fn set_settings(&mut self, settings: crate::cgm::Settings) -> Result<()> {
             settings.check()?;
-            self.problem.settings = settings;
+            let check: fn(&Self, &crate::cgm::Settings) -> Result<()> = $check;
+            check(self, &settings)?;
+            self.$($path).+ = settings;
             Ok(())
         }
     };

@@ -1,56 +1,49 @@
 //! The normal problem on coarser cells.
 
-use crate::cgm::{NonNegative, Settings};
-use crate::error::Result;
-use crate::half_space::HalfSpace;
-use crate::influence::Component;
-use crate::stage::{Nested, Observer, Stage};
+use crate::cascade::Scene;
+use crate::cgm::{Constraint, Interval, NonNegative, Total};
+use crate::influence::Direction;
 use crate::window::{coarsened, refined};
 
-/// The gap from a datum: all a pressure has to know.
+/// The gap from a datum, and the sum of pressures: all a normal contact depends on.
 pub(super) struct PressureScene {
     pub(super) linear: Vec<f64>,
+    pub(super) total: Total,
 }
 
-impl Nested for PressureScene {
-    type Stage = Stage;
-    type Total = Option<f64>;
+impl Scene<1> for PressureScene {
+    type Set = Interval;
 
-    fn coarse_scene(&self, size: [usize; 2]) -> Self {
+    fn directions(&self) -> [Direction; 1] {
+        [Direction::Z]
+    }
+
+    fn constraint(&self) -> impl Constraint<1, Set = Interval> {
+        NonNegative
+    }
+
+    fn linear(&self) -> [&[f64]; 1] {
+        [&self.linear]
+    }
+
+    fn totals(&self) -> [Total; 1] {
+        [self.total]
+    }
+
+    fn coarsened(&self, size: [usize; 2]) -> Self {
         Self {
             linear: coarsened(size, &self.linear),
+            total: self.total.scaled(0.25),
         }
     }
 
-    fn coarse_total(&self, _: &Self, total: Option<f64>) -> Option<f64> {
-        total.map(|total| 0.25 * total)
-    }
-
-    /// Uniform pressure under a force, none under an approach.
-    fn plain_start(&self, total: Option<f64>) -> Vec<f64> {
+    /// Uniform pressure under a force, zero under an approach.
+    fn plain_start(&self) -> [Vec<f64>; 1] {
         let cells = self.linear.len();
-        vec![total.unwrap_or(0.0) / cells as f64; cells]
+        [vec![self.total.sum().unwrap_or(0.0) / cells as f64; cells]]
     }
 
-    fn refined_start(&self, size: [usize; 2], _: &Self, answer: &[f64]) -> Vec<f64> {
-        refined(size, answer)
-    }
-
-    fn stage(&self, bodies: &HalfSpace, size: [usize; 2], start: Vec<f64>) -> Result<Stage> {
-        Stage::with_start(bodies, Component::ZZ, size, &self.linear, start)
-    }
-
-    fn minimise(
-        &self,
-        stage: &mut Stage,
-        total: Option<f64>,
-        settings: &Settings,
-        observer: Observer<'_>,
-    ) -> Result<()> {
-        stage.minimise(NonNegative, total, settings, observer)
-    }
-
-    fn answer(stage: &Stage) -> &[f64] {
-        &stage.x
+    fn refined_start(&self, size: [usize; 2], _: &Self, [answer]: &[Vec<f64>; 1]) -> [Vec<f64>; 1] {
+        [refined(size, answer)]
     }
 }

@@ -1,5 +1,7 @@
 //! The scene of a normal contact, checked once.
 
+use std::sync::Arc;
+
 use crate::boundary::Boundary;
 use crate::cgm::{Settings, settings_methods};
 use crate::error::{Error, Result, finite, non_negative};
@@ -63,7 +65,7 @@ impl NormalLoad {
 #[derive(Debug, Clone)]
 pub struct NormalProblem {
     pub(super) bodies: HalfSpace,
-    pub(super) gap: Field,
+    pub(super) gap: Arc<Field>,
     pub(super) load: NormalLoad,
     pub(super) settings: Settings,
 }
@@ -130,7 +132,7 @@ impl NormalProblemBuilder<'_> {
         self.settings.check()?;
         Ok(NormalProblem {
             bodies: self.bodies.clone(),
-            gap: self.gap.clone(),
+            gap: Arc::new(self.gap.clone()),
             load: self.load,
             settings: self.settings,
         })

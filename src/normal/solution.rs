@@ -8,6 +8,7 @@ use crate::field::Field;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::material::ElasticPair;
+use crate::normal::NormalProblem;
 use crate::parallel;
 use crate::report::Report;
 #[cfg(feature = "serde")]
@@ -52,12 +53,12 @@ impl<'de> serde::Deserialize<'de> for NormalSolution {
 
 impl NormalSolution {
     /// No contact yet.
-    pub(super) fn empty(gap: &Field, bodies: &HalfSpace) -> Self {
+    pub(super) fn empty(problem: &NormalProblem) -> Self {
         Self {
-            pressure: Field::zeros(gap.grid()),
-            gap: gap.clone(),
-            boundary: bodies.boundary(),
-            pair: *bodies.pair(),
+            pressure: Field::zeros(problem.gap.grid()),
+            gap: Field::clone(&problem.gap),
+            boundary: problem.bodies.boundary(),
+            pair: *problem.bodies.pair(),
             approach: 0.0,
             report: Report::with_room(),
         }
@@ -65,16 +66,15 @@ impl NormalSolution {
 
     pub(super) fn fill(
         &mut self,
-        pair: &ElasticPair,
-        initial_gap: &Field,
+        problem: &NormalProblem,
         pressure: &[f64],
         displacement: &[f64],
         approach: f64,
         report: &Report,
     ) {
-        self.pair = *pair;
+        self.pair = *problem.bodies.pair();
         self.pressure.as_mut_slice().copy_from_slice(pressure);
-        let initial = initial_gap.as_slice();
+        let initial = problem.gap.as_slice();
         parallel::update(self.gap.as_mut_slice(), |first, chunk| {
             let samples = initial[first..].iter().zip(&displacement[first..]);
             for (gap, (initial, displacement)) in chunk.iter_mut().zip(samples) {

@@ -3,22 +3,25 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::cgm::{self, Iteration, Method, NonNegative, solver_settings};
+use crate::cascade::{Conditions, Scene, nested_start};
+use crate::cgm::reduce;
+use crate::cgm::{
+    self, Interval, Iterate, Iteration, Method, NonNegative, Total, solver_settings,
+};
 use crate::clock::Instant;
+use crate::elastic::{ElasticSolver, Observer};
 use crate::error::{Error, Result};
 use crate::fft::{Convolution, ConvolutionWorkspace};
 use crate::field::Field;
-use crate::half_space::HalfSpace;
-use crate::influence::Component;
+use crate::half_space::{Compliance, HalfSpace};
+use crate::influence::Direction;
 use crate::normal::nested::PressureScene;
 use crate::normal::problem::check_gap;
 use crate::normal::{NormalLoad, NormalProblem, NormalSolution};
 use crate::operator::Operator;
 use crate::parallel;
+use crate::passes::{check_iterations_left, with_counts_of, with_limits_left, with_memory};
 use crate::report::{Report, Status};
-use crate::stage::{
-    Nested, Observer, Stage, may_go_on, nested_start, with_counts_of, with_limits_left, with_memory,
-};
 use crate::window::Window;
 
 /// Solves normal contacts on one grid again and again, each time from the last answer.
@@ -46,8 +49,6 @@ pub struct NormalSolver {
     engine: Option<Engine>,
     /// The last pressure on the whole grid, the start of the next solve.
     pressure: Vec<f64>,
-    /// The gap from its least value, or from the approach where that is prescribed.
-    linear: Vec<f64>,
     report: Report,
 }
 
@@ -55,15 +56,19 @@ pub struct NormalSolver {
 #[derive(Debug, Clone)]
 struct Engine {
     window: Window,
-    stage: Stage,
+    solver: ElasticSolver<Interval, 1>,
+    /// The gap of the window from the datum.
+    linear: Vec<f64>,
+    /// Pressure of the window.
+    x: Vec<f64>,
     /// What it takes to see the rest of the grid, if there is a rest.
     whole: Option<Whole>,
 }
 
 #[derive(Debug, Clone)]
 struct Whole {
-    operator: Arc<Convolution>,
-    workspace: ConvolutionWorkspace,
+    operator: Arc<Convolution<1>>,
+    workspace: ConvolutionWorkspace<1>,
     displacement: Vec<f64>,
 }
 
@@ -73,20 +78,22 @@ impl Engine {
         let (window, whole) = (bodies.confined(window), Window::whole(bodies.grid()));
         let is_whole = 5 * window.cells() > 4 * whole.cells();
         let window = if is_whole { whole } else { window };
-        let whole = if is_whole {
+        let beyond = if is_whole {
             None
         } else {
-            let operator = bodies.operator(Component::ZZ)?;
+            let Compliance { operator, .. } = bodies.compliance([Direction::Z], whole.size)?;
             Some(Whole {
                 workspace: operator.workspace(),
-                displacement: vec![0.0; operator.len()],
+                displacement: vec![0.0; whole.cells()],
                 operator,
             })
         };
         Ok(Self {
+            solver: ElasticSolver::new(bodies, [Direction::Z], window.size)?,
+            linear: vec![0.0; window.cells()],
+            x: vec![0.0; window.cells()],
             window,
-            stage: Stage::new(bodies, Component::ZZ, window.size)?,
-            whole,
+            whole: beyond,
         })
     }
 
@@ -94,21 +101,22 @@ impl Engine {
     fn displacement(&self) -> &[f64] {
         match &self.whole {
             Some(whole) => &whole.displacement,
-            None => self.stage.product(),
+            None => self.solver.product()[0],
         }
     }
 }
 
 impl NormalSolver {
     pub(super) fn new(problem: NormalProblem) -> Result<Self> {
-        let cells = problem.gap.grid().cells();
-        // A kernel that cannot be had is better known now.
-        problem.bodies.operator(Component::ZZ)?;
+        let grid = problem.bodies.grid();
+        // A kernel that cannot be computed is better known now.
+        problem
+            .bodies
+            .compliance([Direction::Z], [grid.nx(), grid.ny()])?;
         Ok(Self {
             problem,
             engine: None,
-            pressure: vec![0.0; cells],
-            linear: vec![0.0; cells],
+            pressure: vec![0.0; grid.cells()],
             report: Report::with_room(),
         })
     }
@@ -132,8 +140,7 @@ impl NormalSolver {
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
         check_gap(&self.problem.bodies, gap)?;
         self.problem.load.check(&self.problem.bodies, gap)?;
-        self.problem
-            .gap
+        Arc::make_mut(&mut self.problem.gap)
             .as_mut_slice()
             .copy_from_slice(gap.as_slice());
         Ok(())
@@ -159,7 +166,7 @@ impl NormalSolver {
         Ok(())
     }
 
-    solver_settings!();
+    solver_settings!(problem.settings, |_, _| Ok(()));
 
     /// Forgets the last answer: the next solve starts as the first did.
     pub fn reset(&mut self) {
@@ -169,7 +176,7 @@ impl NormalSolver {
     /// An empty solution of the right size for [`NormalSolver::solve_into`].
     #[must_use]
     pub fn new_solution(&self) -> NormalSolution {
-        NormalSolution::empty(&self.problem.gap, &self.problem.bodies)
+        NormalSolution::empty(&self.problem)
     }
 
     /// Solves into `solution`, whose last content does not matter.
@@ -190,69 +197,65 @@ impl NormalSolver {
         solution: &mut NormalSolution,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<()> {
-        let gap = &self.problem.gap;
-        let bodies = &self.problem.bodies;
+        let NormalProblem { bodies, gap, .. } = &self.problem;
         bodies.check_host("solution", solution.grid(), solution.boundary())?;
-        let start = Instant::now();
-        let mut observer = with_memory(&mut observer);
-        // Without a datum far from the contact the sums keep their last digits.
-        let (datum, total) = match self.problem.load {
-            NormalLoad::Force(force) => (gap.min(), Some(force / gap.grid().cell_area())),
-            NormalLoad::Approach(approach) => (approach, None),
+        let (settings, mut observer) = (self.problem.settings, with_memory(&mut observer));
+        let mut conditions = Conditions {
+            settings: &settings,
+            start: Instant::now(),
+            observer: &mut observer,
         };
-        let samples = gap.as_slice();
-        parallel::update(&mut self.linear, |first, chunk| {
-            for (linear, gap) in chunk.iter_mut().zip(&samples[first..]) {
-                *linear = gap - datum;
-            }
-        });
+        // Without a datum far from the contact the sums keep their last digits.
+        let load = match self.problem.load {
+            NormalLoad::Force(force) => Load {
+                datum: gap.min(),
+                total: Total::Sum(force / gap.grid().cell_area()),
+            },
+            NormalLoad::Approach(approach) => Load {
+                datum: approach,
+                total: Total::Free,
+            },
+        };
         let is_cold = self.engine.is_none();
         let mut engine = match self.engine.take() {
             Some(engine) => engine,
-            None => self.start_cold(total, start, &mut observer)?,
+            None => self.start_cold(load, &mut conditions)?,
         };
-        let outcome = self.solve_on_window(&mut engine, total, start, &mut observer);
+        let outcome = self.solve_on_window(&mut engine, load, &mut conditions);
         if !matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
             return outcome;
         }
-        self.report.time = start.elapsed();
-        let approach = datum + engine.stage.multiplier();
-        let displacement = engine.displacement();
+        self.report.time = conditions.start.elapsed();
+        let [multiplier] = engine.solver.multiplier();
         solution.fill(
-            self.problem.bodies.pair(),
-            &self.problem.gap,
+            &self.problem,
             &self.pressure,
-            displacement,
-            approach,
+            engine.displacement(),
+            load.datum + multiplier,
             &self.report,
         );
-        // From numbers that are none there is no start, and a first solve without contact has not found where to
-        // work.
-        let touches = self.pressure.iter().any(|&p| p > 0.0);
+        // Do not warm-start from NaN; and a first solve without contact has not found where to work.
+        let pressure = &self.pressure;
+        let touches = reduce::first(pressure.len(), |i| pressure[i] > 0.0).is_some();
         let is_start = self.report.certified_gap.is_finite() && (touches || !is_cold);
         self.engine = is_start.then_some(engine);
         outcome.map_err(|_| Error::NotConverged(Box::new(self.report.clone())))
     }
 
     /// From nothing: the answer on coarser cells, and the engine set up around its contact.
-    fn start_cold(
-        &mut self,
-        total: Option<f64>,
-        start: Instant,
-        observer: Observer<'_>,
-    ) -> Result<Engine> {
-        let NormalProblem {
-            bodies, settings, ..
-        } = &self.problem;
+    fn start_cold(&mut self, load: Load, conditions: &mut Conditions<'_, '_>) -> Result<Engine> {
+        let NormalProblem { bodies, gap, .. } = &self.problem;
         let (grid, whole) = (bodies.grid(), Window::whole(bodies.grid()));
+        let gaps = gap.as_slice().iter();
         let scene = PressureScene {
-            linear: self.linear.clone(),
+            linear: gaps.map(|gap| gap - load.datum).collect(),
+            total: load.total,
         };
-        if settings.method == Method::PolonskyKeer {
-            self.pressure = scene.plain_start(total);
+        if conditions.settings.method == Method::PolonskyKeer {
+            [self.pressure] = scene.plain_start();
             return Engine::new(bodies, whole);
         }
-        self.pressure = nested_start(bodies, whole.size, &scene, total, settings, start, observer)?;
+        [self.pressure] = nested_start(bodies, whole.size, &scene, conditions)?;
         match Window::around(grid, |i| self.pressure[i] > 0.0) {
             Some(contact) => Engine::new(bodies, contact.widened(grid)),
             None => Engine::new(bodies, whole),
@@ -260,79 +263,48 @@ impl NormalSolver {
     }
 
     /// Solves on the window and looks at the whole grid; where bodies overlap beyond the window it
-    /// was too small, and the work goes on in a larger one.
+    /// was too small, and the work continues in a larger one.
     fn solve_on_window(
         &mut self,
         engine: &mut Engine,
-        total: Option<f64>,
-        start: Instant,
-        observer: Observer<'_>,
+        load: Load,
+        conditions: &mut Conditions<'_, '_>,
     ) -> Result<()> {
-        let NormalProblem {
-            bodies, settings, ..
-        } = &self.problem;
+        let NormalProblem { bodies, gap, .. } = &self.problem;
+        let Conditions {
+            settings,
+            start,
+            observer,
+        } = conditions;
+        let gap = gap.as_slice();
         let mut aim = settings.tolerance;
         self.report.clone_from(&Report::unsolved());
         loop {
-            let Engine {
-                window,
-                stage,
-                whole,
-            } = &mut *engine;
-            window.gather(&self.linear, &mut stage.linear);
-            window.gather(&self.pressure, &mut stage.x);
-            let left = with_limits_left(settings, start, &self.report).tolerance(aim);
-            let outcome = stage.minimise(
-                NonNegative,
-                total,
-                &left,
-                &mut with_counts_of(&self.report, observer),
-            );
+            let left = with_limits_left(settings, *start, &self.report).tolerance(aim);
+            let mut observer = with_counts_of(&self.report, &mut **observer);
+            let outcome = engine.solve(gap, load, &mut self.pressure, &left, &mut observer);
             if !matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
                 return outcome;
             }
-            self.pressure.fill(0.0);
-            window.scatter(&stage.x, &mut self.pressure);
-            self.report.go_on(stage.report());
-            let Some(Whole {
-                operator,
-                workspace,
-                displacement,
-            }) = whole
-            else {
+            drop(observer);
+            self.report.add_pass(engine.solver.report());
+            let Some(findings) = engine.examine(gap, load, &self.pressure) else {
                 return outcome;
             };
-
-            operator.apply(&self.pressure, displacement, workspace);
             self.report.convolutions += 1;
-            let multiplier = stage.multiplier();
-            let findings = cgm::examine(
-                &self.pressure,
-                displacement,
-                &self.linear,
-                &NonNegative,
-                total,
-                multiplier,
-                operator.lower_bound(),
-            );
             findings.write_to(&mut self.report);
             // What has stalled may have done so because the contact is elsewhere.
             if !matches!(self.report.status, Status::Converged | Status::Stalled) {
                 return outcome;
             }
-
-            let round_off = ROUND_OFF * findings.displacement;
-            let overlaps = |i: usize| {
-                displacement[i] + self.linear[i] - multiplier < -round_off && !window.contains(i)
-            };
-            let missed = Window::around(bodies.grid(), overlaps);
+            let missed = engine.missed(gap, load, ROUND_OFF * findings.displacement, bodies);
             if missed.is_none() && (outcome.is_err() || self.report.is_within(settings.tolerance)) {
                 return outcome;
             }
             // While the engine can still show what the iterate does.
-            may_go_on(settings, &mut self.report)?;
+            check_iterations_left(settings, &mut self.report)?;
             if let Some(missed) = missed {
-                let wider = window.union(missed).widened(bodies.grid());
+                let wider = engine.window.union(missed).widened(bodies.grid());
                 *engine = Engine::new(bodies, wider)?;
             } else if aim < 0.1 * settings.tolerance {
                 self.report.status = Status::Stalled;
@@ -342,6 +314,83 @@ impl NormalSolver {
                 aim *= 0.5;
             }
         }
+    }
+}
+
+/// The load as the engine takes it.
+#[derive(Debug, Clone, Copy)]
+struct Load {
+    /// What the gap is measured from: its least value, or the approach where that is prescribed.
+    datum: f64,
+    /// The sum of the pressures, where the force is prescribed.
+    total: Total,
+}
+
+impl Engine {
+    /// Solves on the window, from the pressure of the whole grid into it.
+    fn solve(
+        &mut self,
+        gap: &[f64],
+        load: Load,
+        pressure: &mut [f64],
+        settings: &cgm::Settings,
+        observer: Observer<'_>,
+    ) -> Result<()> {
+        self.window.gather(gap, &mut self.linear);
+        parallel::update(&mut self.linear, |_, chunk| {
+            for gap in chunk {
+                *gap -= load.datum;
+            }
+        });
+        self.window.gather(pressure, &mut self.x);
+        let outcome = self.solver.minimise(
+            [&self.linear],
+            NonNegative,
+            [load.total],
+            [&mut self.x],
+            settings,
+            observer,
+        );
+        if matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
+            pressure.fill(0.0);
+            self.window.scatter(&self.x, pressure);
+        }
+        outcome
+    }
+
+    /// Examines the pressure on the whole grid; `None` if the window is the grid.
+    fn examine(&mut self, gap: &[f64], load: Load, pressure: &[f64]) -> Option<cgm::Certificate> {
+        let multiplier = self.solver.multiplier();
+        let Whole {
+            operator,
+            workspace,
+            displacement,
+        } = self.whole.as_mut()?;
+        operator.apply([pressure], [displacement], workspace);
+        let iterate = Iterate {
+            x: [pressure],
+            product: [displacement],
+            linear: [gap],
+            datum: [load.datum],
+            totals: [load.total],
+            multiplier,
+        };
+        Some(cgm::examine(&iterate, &NonNegative, operator.lower_bound()))
+    }
+
+    /// The cells beyond the window where bodies overlap by more than round-off.
+    fn missed(
+        &self,
+        gap: &[f64],
+        load: Load,
+        round_off: f64,
+        bodies: &HalfSpace,
+    ) -> Option<Window> {
+        let ([multiplier], displacement) = (self.solver.multiplier(), self.displacement());
+        Window::around(bodies.grid(), |i| {
+            let overlap = displacement[i] + (gap[i] - load.datum) - multiplier;
+            overlap < -round_off && !self.window.contains(i)
+        })
     }
 }
 

@@ -12,7 +12,7 @@
 //! shear does not change it is the minimum over `|q| <= m` of `1/2 q'Cq` with `Delta sum q = F`, if the force is
 //! prescribed, or of `1/2 q'Cq - delta sum q`, if the shift is.
 //!
-//! The traction across the load is neglected, as in the paper, unless [`Lateral::Coupled`] asks for both:
+//! The traction across the load is neglected, as in the paper, unless [`TangentialModel::Vector`] asks for both:
 //!
 //! ```math
 //! s = \begin{pmatrix} C_{xx} & C_{xy} \\ C_{xy} & C_{yy} \end{pmatrix} q - \delta, \qquad |q| \le m, \qquad
@@ -31,23 +31,32 @@
 //! from its last answer; [`TangentialSolution`] is the answer, with one [`Zone`] per cell.
 //! [`JaegerSuperposition`] is the exact answer where the two compliances are proportional.
 
+mod control;
+mod engine;
 mod friction;
+mod increment;
+mod limits;
+mod motion;
 mod nested;
 mod pressure;
 mod problem;
-mod shear;
 mod solution;
 mod solver;
 mod superposition;
 mod zone;
 
+pub(crate) use control::Demand;
+pub use control::{TangentialControl, TangentialLoad};
+pub(crate) use engine::PlaneVector;
 pub(crate) use friction::Coefficient;
 pub use friction::Friction;
+pub(crate) use increment::{Increment, Start, at, zeros};
+pub(crate) use limits::Pressed;
+pub(crate) use motion::{Motion, centre};
 pub use pressure::Pressure;
-pub(crate) use problem::{Limits, check_coupling};
-pub use problem::{TangentialLoad, TangentialProblem, TangentialProblemBuilder};
-pub(crate) use shear::component;
+pub(crate) use problem::check_coupling;
+pub use problem::{TangentialProblem, TangentialProblemBuilder};
 pub use solution::TangentialSolution;
 pub use solver::TangentialSolver;
 pub use superposition::JaegerSuperposition;
-pub use zone::{Axis, Lateral, Zone};
+pub use zone::{Axis, TangentialModel, Zone};

@@ -19,7 +19,7 @@ use crate::window::Window;
 /// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
 /// let hertz = HertzSphere::new(bodies.pair(), 3.5e-3, 100.0)?;
 /// let pressure = Field::from_fn(grid, |x, y| hertz.pressure(x.hypot(y)));
-/// let load = TangentialLoad::Force([20.0, 0.0]);
+/// let load = TangentialLoad::force([20.0, 0.0]);
 /// let shear = TangentialProblem::builder(&bodies, &pressure, Friction::coulomb(0.5)?, load)
 ///     .build()?
 ///     .solve()?;

@@ -1,18 +1,17 @@
 //! The answer to a tangential contact.
 
 use crate::boundary::Boundary;
-use crate::cgm::plane::Disc;
 use crate::contact_map::{ContactMap, Warning};
 #[cfg(feature = "serde")]
-use crate::error::{all_finite, length};
+use crate::error::{all_finite, finite, length};
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::report::Report;
 #[cfg(feature = "serde")]
 use crate::serial::checked;
-use crate::tangential::shear::Shear;
+use crate::tangential::increment::Increment;
+use crate::tangential::motion::centre;
 use crate::tangential::{Axis, Zone};
-use crate::window::Window;
 
 /// Traction, slip, zones and shift of a tangential contact.
 ///
@@ -26,6 +25,7 @@ pub struct TangentialSolution {
     boundary: Boundary,
     axis: Option<Axis>,
     shift: [f64; 2],
+    twist: f64,
     report: Report,
 }
 
@@ -40,6 +40,7 @@ struct Unchecked {
     boundary: Boundary,
     axis: Option<Axis>,
     shift: [f64; 2],
+    twist: f64,
     report: Report,
 }
 
@@ -53,19 +54,10 @@ impl<'de> serde::Deserialize<'de> for TangentialSolution {
                 read.slip[axis].check("slip", grid)?;
             }
             length("zones", grid.cells(), read.zones.len())?;
-            all_finite("shift", &read.shift)
+            all_finite("shift", &read.shift)?;
+            finite("twist", read.twist).map(|_| ())
         })
     }
-}
-
-/// What a solver hands over, on the window of the contact.
-pub(super) struct Answer<'a> {
-    pub(super) window: Window,
-    pub(super) pressure: &'a [f64],
-    pub(super) limits: &'a [f64],
-    pub(super) shear: &'a Shear,
-    pub(super) shift: [f64; 2],
-    pub(super) report: &'a Report,
 }
 
 impl TangentialSolution {
@@ -79,36 +71,33 @@ impl TangentialSolution {
             boundary,
             axis: Some(Axis::X),
             shift: [0.0; 2],
+            twist: 0.0,
             report: Report::with_room(),
         }
     }
 
-    pub(super) fn fill(&mut self, answer: &Answer<'_>) {
+    pub(super) fn fill(&mut self, increment: &Increment, report: &Report) {
         self.zones.fill(Zone::Separate);
         for field in self.traction.iter_mut().chain(&mut self.slip) {
             field.as_mut_slice().fill(0.0);
         }
-        self.axis = answer.shear.axis();
-        self.shift = answer.shift;
-        self.report.clone_from(answer.report);
-        let (tractions, displacements) = (answer.shear.tractions(), answer.shear.displacements());
-        let at = |vector: Option<&[f64]>, k: usize| vector.map_or(0.0, |vector| vector[k]);
-        for (k, i) in answer.window.indices().enumerate() {
-            if answer.pressure[k] <= 0.0 {
+        let motion = increment.motion();
+        self.axis = Axis::only(increment.axes());
+        (self.shift, self.twist) = (motion.shift, motion.twist);
+        self.report.clone_from(report);
+        let (grid, pressed) = (self.grid(), &increment.pressed);
+        for (k, i) in pressed.window.indices().enumerate() {
+            if pressed.pressure[k] <= 0.0 {
                 continue;
             }
-            let q = tractions.map(|traction| at(traction, k));
-            let limit = answer.limits[k];
-            let slips = match self.axis {
-                Some(axis) => q[axis.index()].abs() >= limit,
-                None => Disc(limit).is_at_limit(q),
-            };
+            let slips = increment.is_at_limit(k);
             self.zones[i] = if slips { Zone::Slip } else { Zone::Stick };
-            for component in 0..2 {
-                self.traction[component].as_mut_slice()[i] = q[component];
-                if let Some(displacement) = displacements[component].filter(|_| slips) {
-                    let slip = displacement[k] - answer.shift[component];
-                    self.slip[component].as_mut_slice()[i] = slip;
+            let (traction, displacement) = (increment.traction(k), increment.displacement(k));
+            let moved = motion.at(centre(grid, i));
+            for axis in increment.axes().iter().map(|axis| axis.index()) {
+                self.traction[axis].as_mut_slice()[i] = traction[axis];
+                if slips {
+                    self.slip[axis].as_mut_slice()[i] = displacement[axis] - moved[axis];
                 }
             }
         }
@@ -160,6 +149,12 @@ impl TangentialSolution {
     #[must_use]
     pub fn shift(&self) -> [f64; 2] {
         self.shift
+    }
+
+    /// Rotation of body 2 relative to body 1 about the origin of the grid, as prescribed (radians, positive from x to y).
+    #[must_use]
+    pub fn twist(&self) -> f64 {
+        self.twist
     }
 
     /// Tangential force that body 2 exerts on body 1, the integral of the traction.

@@ -2,17 +2,19 @@
 
 use std::ops::ControlFlow;
 
-use crate::cgm::{Iteration, solver_settings};
+use crate::cascade::Conditions;
+use crate::cgm::{Iteration, Settings, solver_settings};
 use crate::clock::Instant;
 use crate::error::{Error, Result};
+use crate::half_space::HalfSpace;
+use crate::passes::with_memory;
 use crate::report::Report;
-use crate::stage::with_memory;
+use crate::tangential::increment::{Increment, Start};
+use crate::tangential::motion::Motion;
 use crate::tangential::pressure::contact_window;
-use crate::tangential::problem::Limits;
-use crate::tangential::shear::{Demand, Shear};
-use crate::tangential::solution::Answer;
 use crate::tangential::{
-    Axis, Friction, Pressure, TangentialLoad, TangentialProblem, TangentialSolution,
+    Friction, Pressed, Pressure, TangentialLoad, TangentialModel, TangentialProblem,
+    TangentialSolution,
 };
 
 /// Solves tangential contacts again and again, each time from the last answer.
@@ -30,13 +32,13 @@ use crate::tangential::{
 /// let normal = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(0.5)).build()?.solve()?;
 /// let friction = Friction::coulomb(0.3)?;
 /// let mut solver =
-///     TangentialProblem::builder(&bodies, &normal, friction, TangentialLoad::Force([0.0, 0.0]))
+///     TangentialProblem::builder(&bodies, &normal, friction, TangentialLoad::force([0.0, 0.0]))
 ///         .build()?
 ///         .into_solver()?;
 /// let mut shear = solver.new_solution();
 /// let mut stick = Vec::new();
 /// for force in [0.0, 0.05, 0.10, 0.149] {
-///     solver.set_load(TangentialLoad::Force([0.0, force]))?;
+///     solver.set_load(TangentialLoad::force([0.0, force]))?;
 ///     solver.solve_into(&mut shear)?;
 ///     stick.push(shear.stick_ratio());
 /// }
@@ -45,25 +47,39 @@ use crate::tangential::{
 /// ```
 #[derive(Debug, Clone)]
 pub struct TangentialSolver {
-    problem: TangentialProblem,
-    /// The engine on the contact's bounding box, with the last traction, the start of the next.
-    shear: Shear,
+    bodies: HalfSpace,
+    friction: Friction,
+    load: TangentialLoad,
+    model: TangentialModel,
+    settings: Settings,
+    /// The step on the contact's bounding box, with the last traction, the start of the next.
+    increment: Increment,
     is_warm: bool,
     report: Report,
-    /// Limits under examination, not yet in force.
-    spare: Limits,
-    spare_pressure: Vec<f64>,
+    /// Pressure and limits under examination, not yet in force.
+    candidate: Pressed,
 }
 
 impl TangentialSolver {
     pub(super) fn new(problem: TangentialProblem) -> Result<Self> {
+        let TangentialProblem {
+            bodies,
+            pressed,
+            friction,
+            load,
+            model,
+            settings,
+        } = problem;
         Ok(Self {
-            shear: Shear::new(&problem)?,
+            candidate: pressed.clone(),
+            increment: Increment::new(&bodies, load.axes(model)?, pressed)?,
             is_warm: false,
             report: Report::with_room(),
-            spare: problem.limits.clone(),
-            spare_pressure: problem.pressure.clone(),
-            problem,
+            bodies,
+            friction,
+            load,
+            model,
+            settings,
         })
     }
 
@@ -71,28 +87,25 @@ impl TangentialSolver {
     /// operator, the one change that allocates.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::ObliqueLoad`] or [`Error::BeyondSliding`]; for one along the other axis as
+    /// [`Error::NotFinite`], [`Error::NotPositive`], [`Error::ObliqueLoad`], [`Error::NotModelled`] or
+    /// [`Error::BeyondSliding`]; for one along the other axis as
     /// [`HalfSpace::operator`](crate::HalfSpace::operator); the load is then as it was.
     pub fn set_load(&mut self, load: TangentialLoad) -> Result<()> {
-        self.problem.lateral.check(load)?;
-        let cell_area = self.problem.bodies.grid().cell_area();
-        self.problem.limits.check(load, cell_area)?;
-        let last = std::mem::replace(&mut self.problem.load, load);
+        let demand = load.demand();
+        let mut axes = load.axes(self.model)?;
         // A solver at rest keeps its axis.
-        let turns = match (self.shear.axis(), load.along()) {
-            (Some(own), Ok((axis, value))) => axis != own && value != 0.0,
-            _ => false,
-        };
-        if turns {
-            match Shear::new(&self.problem) {
-                Ok(shear) => self.shear = shear,
-                Err(error) => {
-                    self.problem.load = last;
-                    return Err(error);
-                }
-            }
+        if demand.check(self.increment.axes(), self.bodies.boundary()).is_ok() {
+            axes = self.increment.axes();
+        }
+        demand.check(axes, self.bodies.boundary())?;
+        let limits = &self.increment.pressed.limits;
+        limits.check(demand.force(), self.bodies.grid().cell_area())?;
+        if axes != self.increment.axes() {
+            let pressed = self.increment.pressed.clone();
+            self.increment = Increment::new(&self.bodies, axes, pressed)?;
             self.is_warm = false;
         }
+        self.load = load;
         Ok(())
     }
 
@@ -102,13 +115,12 @@ impl TangentialSolver {
     /// [`Error::GridMismatch`], [`Error::NotFinite`] if the limits overflow, or [`Error::BeyondSliding`] if the present
     /// load is more than the new friction holds; the friction is then as it was.
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
-        let grid = self.problem.bodies.grid();
-        friction.check(grid)?;
-        self.spare
-            .set(friction, self.problem.window, &self.problem.pressure);
-        self.spare.check(self.problem.load, grid.cell_area())?;
-        std::mem::swap(&mut self.spare, &mut self.problem.limits);
-        self.problem.friction.copy_from(friction);
+        friction.check(self.bodies.grid())?;
+        let pressure = &self.increment.pressed.pressure;
+        self.candidate.pressure.copy_from_slice(pressure);
+        self.candidate.set_friction(friction);
+        self.take_candidate()?;
+        self.friction.copy_from(friction);
         Ok(())
     }
 
@@ -122,58 +134,42 @@ impl TangentialSolver {
     /// [`HalfSpace::operator`](crate::HalfSpace::operator) where the contact has left its box; the pressure is then as
     /// it was.
     pub fn set_pressure<'a>(&mut self, pressure: impl Into<Pressure<'a>>) -> Result<()> {
-        let samples = pressure.into().checked(&self.problem.bodies)?;
-        let contact = contact_window(&self.problem.bodies, samples)?;
-        let cell_area = self.problem.bodies.grid().cell_area();
-        let problem = &mut self.problem;
-        if problem.window.covers(contact) {
-            problem.window.gather(samples, &mut self.spare_pressure);
-            self.spare
-                .set(&problem.friction, problem.window, &self.spare_pressure);
-            self.spare.check(problem.load, cell_area)?;
-            std::mem::swap(&mut self.spare, &mut problem.limits);
-            std::mem::swap(&mut self.spare_pressure, &mut problem.pressure);
-            return Ok(());
+        let samples = pressure.into().checked(&self.bodies)?;
+        let contact = contact_window(&self.bodies, samples)?;
+        if self.increment.pressed.window.covers(contact) {
+            self.candidate.set(samples, &self.friction);
+            return self.take_candidate();
         }
         // A little wider than the contact, so that it may grow some more.
-        let window = contact.widened(problem.bodies.grid());
-        let mut pressure = vec![0.0; window.cells()];
-        window.gather(samples, &mut pressure);
-        let mut limits = Limits::new(window.cells());
-        limits.set(&problem.friction, window, &pressure);
-        limits.check(problem.load, cell_area)?;
-        let old = std::mem::replace(&mut problem.window, window);
-        let mut shear = match Shear::of_axis(problem, self.shear.axis()) {
-            Ok(shear) => shear,
-            Err(error) => {
-                problem.window = old;
-                return Err(error);
-            }
-        };
-        let mut whole = vec![0.0; problem.bodies.grid().cells()];
-        let tractions = self
-            .shear
-            .tractions()
-            .into_iter()
-            .zip(shear.tractions_mut());
-        for (last, next) in tractions.filter_map(|(last, next)| last.zip(next)) {
-            whole.fill(0.0);
-            old.scatter(last, &mut whole);
-            window.gather(&whole, next);
-        }
-        self.shear = shear;
-        (self.spare, self.spare_pressure) = (limits.clone(), pressure.clone());
-        (problem.pressure, problem.limits) = (pressure, limits);
+        let mut pressed = Pressed::new(contact.widened(self.bodies.grid()));
+        pressed.set(samples, &self.friction);
+        self.check_load(&pressed)?;
+        let candidate = pressed.clone();
+        let mut wider = Increment::new(&self.bodies, self.increment.axes(), pressed)?;
+        self.increment.hand_over(&mut wider);
+        (self.increment, self.candidate) = (wider, candidate);
         Ok(())
+    }
+
+    /// Puts pressure and limits under examination in force, if they hold the load.
+    fn take_candidate(&mut self) -> Result<()> {
+        self.check_load(&self.candidate)?;
+        std::mem::swap(&mut self.candidate, &mut self.increment.pressed);
+        Ok(())
+    }
+
+    fn check_load(&self, pressed: &Pressed) -> Result<()> {
+        let cell_area = self.bodies.grid().cell_area();
+        pressed.limits.check(self.load.demand().force(), cell_area)
     }
 
     /// Largest tangential force friction holds: the integral of the friction limit.
     #[must_use]
     pub fn sliding_force(&self) -> f64 {
-        self.problem.sliding_force()
+        self.increment.pressed.limits.sum * self.bodies.grid().cell_area()
     }
 
-    solver_settings!();
+    solver_settings!(settings, |solver, settings| solver.model.check(settings));
 
     /// Forgets the last answer: the next solve starts as the first did.
     pub fn reset(&mut self) {
@@ -183,8 +179,7 @@ impl TangentialSolver {
     /// An empty solution of the right size for [`TangentialSolver::solve_into`].
     #[must_use]
     pub fn new_solution(&self) -> TangentialSolution {
-        let bodies = &self.problem.bodies;
-        TangentialSolution::empty(bodies.grid(), bodies.boundary())
+        TangentialSolution::empty(self.bodies.grid(), self.bodies.boundary())
     }
 
     /// Solves into `solution`, whose last content does not matter.
@@ -206,57 +201,32 @@ impl TangentialSolver {
         solution: &mut TangentialSolution,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<()> {
-        let bodies = &self.problem.bodies;
-        bodies.check_host("solution", solution.grid(), solution.boundary())?;
-        let grid = bodies.grid();
-        let start = Instant::now();
+        let (grid, boundary) = (solution.grid(), solution.boundary());
+        self.bodies.check_host("solution", grid, boundary)?;
         let mut observer = with_memory(&mut observer);
-        let limits = &self.problem.limits;
-        let demand = match self.problem.load {
-            TangentialLoad::Force(force) => Demand {
-                totals: self.prescribed(limits.totals(force, grid.cell_area())),
-                shift: [0.0; 2],
-            },
-            TangentialLoad::Shift(shift) => Demand {
-                totals: [None, None],
-                shift,
-            },
+        let mut conditions = Conditions {
+            settings: &self.settings,
+            start: Instant::now(),
+            observer: &mut observer,
         };
-        self.shear.set_shift(demand.shift);
-        if !self.is_warm {
-            self.shear
-                .start_cold(&self.problem, demand, start, &mut observer)?;
-        }
-
-        let outcome = self
-            .shear
-            .minimise(&self.problem, demand, start, &mut observer);
+        let start = if self.is_warm {
+            Start::Present
+        } else {
+            Start::Nested
+        };
+        let demand = self.load.demand();
+        let outcome =
+            self.increment
+                .solve(&demand, Motion::default(), None, start, &mut conditions);
         let is_answered = matches!(outcome, Ok(()) | Err(Error::NotConverged(_)));
-        // From numbers that are none there is no start.
-        self.is_warm = is_answered && self.shear.report().residual.is_finite();
+        // Do not warm-start from NaN.
+        self.is_warm = is_answered && self.increment.report().residual.is_finite();
         if !is_answered {
             return outcome;
         }
-        self.report.clone_from(self.shear.report());
-        self.report.time = start.elapsed();
-        let multiplier = self.shear.multiplier();
-        solution.fill(&Answer {
-            window: self.problem.window,
-            pressure: &self.problem.pressure,
-            limits: &self.problem.limits.cells,
-            shear: &self.shear,
-            shift: [0, 1].map(|axis| demand.shift[axis] + multiplier[axis]),
-            report: &self.report,
-        });
+        self.report.clone_from(self.increment.report());
+        self.report.time = conditions.start.elapsed();
+        solution.fill(&self.increment, &self.report);
         outcome.map_err(|_| Error::NotConverged(Box::new(self.report.clone())))
-    }
-
-    /// The totals the model carries.
-    fn prescribed(&self, [x, y]: [f64; 2]) -> [Option<f64>; 2] {
-        match self.shear.axis() {
-            Some(Axis::X) => [Some(x), None],
-            Some(Axis::Y) => [None, Some(y)],
-            None => [Some(x), Some(y)],
-        }
     }
 }

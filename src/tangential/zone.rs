@@ -1,4 +1,4 @@
-//! What a cell does, along which axis, and what is modelled across it.
+//! What a cell does, along which axis, and which tractions a model has.
 
 /// The state of a cell under a tangential load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -23,6 +23,8 @@ pub enum Axis {
 }
 
 impl Axis {
+    pub(crate) const BOTH: &'static [Self] = &[Self::X, Self::Y];
+
     /// Its place in a pair `[x, y]`.
     #[must_use]
     pub const fn index(self) -> usize {
@@ -31,19 +33,33 @@ impl Axis {
             Self::Y => 1,
         }
     }
+
+    /// The axes of tractions along this one alone.
+    pub(crate) const fn alone(self) -> &'static [Self] {
+        match self {
+            Self::X => &[Self::X],
+            Self::Y => &[Self::Y],
+        }
+    }
+
+    /// The one axis of the tractions, if there is one.
+    pub(crate) fn only(axes: &[Self]) -> Option<Self> {
+        match axes {
+            [axis] => Some(*axis),
+            _ => None,
+        }
+    }
 }
 
-/// What becomes of the traction across a tangential load.
+/// Which tractions are found under a tangential load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub enum Lateral {
-    /// Neglected, as in the paper (default): only the traction along the load is found. These pages call it the scalar
-    /// model.
+pub enum TangentialModel {
+    /// The traction along the load alone, as in the paper (default); the traction across it is neglected.
     #[default]
-    Neglected,
-    /// Both are found, within `hypot(q_x, q_y) <= m`: slip opposes traction in direction, and loads may have any. These
-    /// pages call it the plane model: two components in the plane of the contact, not plane strain. It takes about three
-    /// times the time. The coupling of pressure and shear that dissimilar bodies have is another matter, see
-    /// [`neglect_coupling`](crate::tangential::TangentialProblemBuilder::neglect_coupling).
-    Coupled,
+    Scalar,
+    /// Both components, within `hypot(q_x, q_y) <= m`: slip opposes traction in direction, and loads may have any.
+    /// It takes about three times the time. The coupling of pressure and shear that dissimilar bodies have is another
+    /// matter, see [`neglect_coupling`](crate::tangential::TangentialProblemBuilder::neglect_coupling).
+    Vector,
 }

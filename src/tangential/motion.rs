@@ -3,16 +3,16 @@
 use crate::grid::Grid;
 
 /// Motion of body 2 relative to body 1 since the start: a shift, and a rotation about the origin of the grid.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Motion {
-    pub(super) shift: [f64; 2],
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(crate) struct Motion {
+    pub(crate) shift: [f64; 2],
     /// In radians, positive from x to y.
-    pub(super) twist: f64,
+    pub(crate) twist: f64,
 }
 
 impl Motion {
     /// What it moves a point.
-    pub(super) fn at(self, [x, y]: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn at(self, [x, y]: [f64; 2]) -> [f64; 2] {
         [
             self.shift[0] - self.twist * y,
             self.shift[1] + self.twist * x,
@@ -20,7 +20,7 @@ impl Motion {
     }
 
     /// From the motion before to this.
-    pub(super) fn since(self, before: Self) -> Self {
+    pub(crate) fn since(self, before: Self) -> Self {
         Self {
             shift: [0, 1].map(|axis| self.shift[axis] - before.shift[axis]),
             twist: self.twist - before.twist,
@@ -29,6 +29,6 @@ impl Motion {
 }
 
 /// The centre of a cell.
-pub(super) fn centre(grid: Grid, index: usize) -> [f64; 2] {
+pub(crate) fn centre(grid: Grid, index: usize) -> [f64; 2] {
     [grid.x(index % grid.nx()), grid.y(index / grid.nx())]
 }

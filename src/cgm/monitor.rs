@@ -10,7 +10,7 @@ use crate::report::{Iteration, Report, Status};
 const ROUND_OFF: f64 = 1e-12;
 
 /// Settings, observer and clock of one solve.
-pub(super) struct Watch<'a> {
+pub(super) struct Monitor<'a> {
     pub(super) settings: &'a Settings,
     observer: &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
     start: Instant,
@@ -20,7 +20,7 @@ pub(super) struct Watch<'a> {
     pub(super) best: f64,
 }
 
-impl<'a> Watch<'a> {
+impl<'a> Monitor<'a> {
     /// A clean report, and the clock set.
     pub(super) fn new(
         settings: &'a Settings,

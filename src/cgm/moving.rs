@@ -1,26 +1,27 @@
-//! The free entries as a list, so that vector work costs what they are and not what the grid is.
+//! The cells that move as a list, so that vector work costs what they are and not what the grid is.
 
 use std::ops::Range;
 
+use crate::cgm::reduce::Tally;
 use crate::parallel::{self, Blocks, CHUNK, Ragged, Split, blocks};
 
-/// Where the free entries stand, chunk by chunk of the grid.
+/// Where the cells that move stand, chunk by chunk of the grid.
 ///
 /// A compressed vector holds their values in order; chunk `t` of the grid owns the range
 /// `starts[t]..starts[t + 1]` of it.
 #[derive(Debug, Clone)]
-pub(super) struct FreeSet {
-    /// How far from the chunk's first entry the free ones lie; chunk `t` keeps its list at `t * CHUNK`.
+pub(super) struct MovingCells {
+    /// How far from the chunk's first cell they lie; chunk `t` keeps its list at `t * CHUNK`.
     offsets: Vec<u16>,
     counts: Vec<usize>,
     starts: Vec<usize>,
 }
 
-/// The free entries of one chunk.
+/// The cells that move of one chunk.
 pub(super) struct Entries<'a> {
     /// Where they stand in a compressed vector.
     pub(super) range: Range<usize>,
-    /// The chunk's entries in a full vector.
+    /// The chunk's cells in a full vector.
     pub(super) chunk: Range<usize>,
     offsets: &'a [u16],
 }
@@ -33,29 +34,27 @@ impl Entries<'_> {
 
     /// Sums of `f(place in the compressed part, place in the chunk)`, in lanes so that additions
     /// overlap.
-    pub(super) fn sums<const K: usize>(
-        &self,
-        mut f: impl FnMut(usize, usize) -> [f64; K],
-    ) -> [f64; K] {
-        let mut lanes = [[0.0; K]; 4];
+    #[inline]
+    pub(super) fn sums<T: Tally>(&self, mut f: impl FnMut(usize, usize) -> T) -> T {
+        let mut lanes = [T::ZERO; 4];
         let groups = self.offsets.chunks_exact(lanes.len());
         let rest = groups.remainder();
         let mut k = 0;
         for group in groups {
             for (lane, &offset) in lanes.iter_mut().zip(group) {
-                *lane = merge(*lane, f(k, usize::from(offset)));
+                *lane = lane.plus(f(k, usize::from(offset)));
                 k += 1;
             }
         }
         for (lane, &offset) in lanes.iter_mut().zip(rest) {
-            *lane = merge(*lane, f(k, usize::from(offset)));
+            *lane = lane.plus(f(k, usize::from(offset)));
             k += 1;
         }
-        lanes.into_iter().fold([0.0; K], merge)
+        lanes.into_iter().fold(T::ZERO, T::plus)
     }
 }
 
-impl FreeSet {
+impl MovingCells {
     pub(super) fn with_capacity(len: usize) -> Self {
         let chunks = len.div_ceil(CHUNK);
         Self {
@@ -65,8 +64,8 @@ impl FreeSet {
         }
     }
 
-    /// Lists the entries that are free.
-    pub(super) fn update(&mut self, is_free: impl Fn(usize) -> bool + Sync) {
+    /// Lists the cells that move.
+    pub(super) fn update(&mut self, moves: impl Fn(usize) -> bool + Sync) {
         let len = self.offsets.len();
         let data = (
             blocks(&mut self.offsets),
@@ -77,10 +76,10 @@ impl FreeSet {
         );
         let work = |task: usize, (list, counts): (Blocks<'_, u16>, Blocks<'_, usize>)| {
             let mut count = 0;
-            // A chunk has fewer entries than a u16 has values.
-            for (offset, entry) in (0_u16..).zip(chunk(task, len)) {
+            // A chunk has fewer cells than a u16 has values.
+            for (offset, cell) in (0_u16..).zip(chunk(task, len)) {
                 list.items[count] = offset;
-                count += usize::from(is_free(entry));
+                count += usize::from(moves(cell));
             }
             counts.items[0] = count;
         };
@@ -92,7 +91,7 @@ impl FreeSet {
         }
     }
 
-    /// Free entries.
+    /// Cells that move.
     pub(super) fn len(&self) -> usize {
         self.starts[self.counts.len()]
     }
@@ -105,21 +104,11 @@ impl FreeSet {
         }
     }
 
-    /// Runs `work(free entries, its part of data)` for every chunk and sums what it returns.
-    pub(super) fn sweep<D: Split, const K: usize>(
-        &self,
-        data: D,
-        work: impl Fn(Entries<'_>, D) -> [f64; K] + Sync,
-    ) -> [f64; K] {
-        self.sweep_into(data, work, merge)
-    }
-
-    /// The same with another way to put together what two chunks return.
-    pub(super) fn sweep_into<D: Split, T: Send>(
+    /// Runs `work(entries, its part of data)` for every chunk and sums what it returns.
+    pub(super) fn sweep<D: Split, T: Tally>(
         &self,
         data: D,
         work: impl Fn(Entries<'_>, D) -> T + Sync,
-        merge: impl Fn(T, T) -> T + Sync,
     ) -> T {
         let work = |task: usize, data: D| {
             let entries = Entries {
@@ -129,17 +118,10 @@ impl FreeSet {
             };
             work(entries, data)
         };
-        parallel::sweep(0..self.counts.len(), data, &work, &merge)
+        parallel::sweep(0..self.counts.len(), data, &work, &T::plus)
     }
 }
 
 fn chunk(task: usize, len: usize) -> Range<usize> {
     task * CHUNK..((task + 1) * CHUNK).min(len)
-}
-
-fn merge<const K: usize>(mut a: [f64; K], b: [f64; K]) -> [f64; K] {
-    for (a, b) in a.iter_mut().zip(b) {
-        *a += b;
-    }
-    a
 }

@@ -1,0 +1,121 @@
+//! Starts from coarser cells: far fewer steps are then left to do on the finest ones (Bornemann & Deuflhard's
+//! cascade, Numer. Math. 75 (1996) 135, <https://doi.org/10.1007/s002110050234>).
+
+use crate::cgm::{Admissible, Constraint, Settings, Total};
+use crate::clock::Instant;
+use crate::elastic::{ElasticSolver, Observer};
+use crate::error::{Error, Result};
+use crate::half_space::HalfSpace;
+use crate::influence::Direction;
+use crate::passes::with_time_left;
+use crate::report::Status;
+use crate::window::halved;
+
+/// Relative accuracy of a coarse answer: its own discretisation error is not smaller.
+const COARSE_TOLERANCE: f64 = 1e-2;
+/// Steps a coarse answer may take: one that is hard to find is not worth more.
+const COARSE_STEPS: usize = 100;
+/// Cells at or below which a grid is solved from a plain start.
+const COARSEST: usize = 40 * 40;
+
+/// A scene that can be posed on cells twice as large, whose answer is a start for its own.
+pub(crate) trait Scene<const N: usize>: Sized {
+    /// What a cell may carry.
+    type Set: Admissible<N>;
+
+    /// Directions of the unknowns.
+    fn directions(&self) -> [Direction; N];
+
+    fn constraint(&self) -> impl Constraint<N, Set = Self::Set>;
+
+    fn linear(&self) -> [&[f64]; N];
+
+    fn totals(&self) -> [Total; N];
+
+    /// The scene on cells twice as large, of `size` cells.
+    fn coarsened(&self, size: [usize; 2]) -> Self;
+
+    /// A start without any other answer.
+    fn plain_start(&self) -> [Vec<f64>; N];
+
+    /// A start from the coarser scene's answer.
+    fn refined_start(
+        &self,
+        size: [usize; 2],
+        coarse: &Self,
+        answer: &[Vec<f64>; N],
+    ) -> [Vec<f64>; N];
+}
+
+/// Settings, clock and observer of the solve that a start is for.
+pub(crate) struct Conditions<'a, 'b> {
+    pub(crate) settings: &'a Settings,
+    pub(crate) start: Instant,
+    pub(crate) observer: Observer<'b>,
+}
+
+/// A start from the answer on cells twice as large, itself found so.
+pub(crate) fn nested_start<S: Scene<N>, const N: usize>(
+    bodies: &HalfSpace,
+    size: [usize; 2],
+    scene: &S,
+    conditions: &mut Conditions<'_, '_>,
+) -> Result<[Vec<f64>; N]> {
+    descend(bodies, size, scene, conditions).map(|(found, _)| found)
+}
+
+/// The same, and whether it was ended on the way, by observer or clock: then nothing more is solved.
+fn descend<S: Scene<N>, const N: usize>(
+    bodies: &HalfSpace,
+    size: [usize; 2],
+    scene: &S,
+    conditions: &mut Conditions<'_, '_>,
+) -> Result<([Vec<f64>; N], bool)> {
+    let is_small = size[0] * size[1] <= COARSEST || size[0].min(size[1]) < 8;
+    if is_small || !bodies.can_be_coarser() {
+        return Ok((scene.plain_start(), false));
+    }
+    let coarse = scene.coarsened(size);
+    let (bodies, coarse_size) = (bodies.coarser()?, halved(size));
+    let (mut x, mut is_over) = descend(bodies, coarse_size, &coarse, conditions)?;
+    if !is_over {
+        is_over = solve(bodies, coarse_size, &coarse, &mut x, conditions)?;
+    }
+    Ok((scene.refined_start(size, &coarse, &x), is_over))
+}
+
+/// Solves a coarse scene roughly; returns whether observer or clock ended it.
+fn solve<S: Scene<N>, const N: usize>(
+    bodies: &HalfSpace,
+    size: [usize; 2],
+    scene: &S,
+    x: &mut [Vec<f64>; N],
+    conditions: &mut Conditions<'_, '_>,
+) -> Result<bool> {
+    let Conditions {
+        settings,
+        start,
+        observer,
+    } = conditions;
+    let rough = with_time_left(settings, *start)
+        .tolerance(settings.tolerance.max(COARSE_TOLERANCE))
+        .max_iterations(settings.max_iterations.min(COARSE_STEPS));
+    let mut solver = ElasticSolver::<S::Set, N>::new(bodies, scene.directions(), size)?;
+    let outcome = solver.minimise(
+        scene.linear(),
+        scene.constraint(),
+        scene.totals(),
+        x.each_mut().map(Vec::as_mut_slice),
+        &rough,
+        &mut **observer,
+    );
+    match outcome {
+        Ok(()) => Ok(false),
+        // As a start an unfinished answer serves too.
+        Err(Error::NotConverged(report)) => Ok(matches!(
+            report.status,
+            Status::Cancelled | Status::TimeLimit
+        )),
+        Err(error) => Err(error),
+    }
+}

@@ -1,0 +1,414 @@
+//! Discs: two unknowns a cell, a vector no longer than a limit.
+//!
+//! At its limit a cell keeps one unknown, the angle of its traction `q`. With the gradient `g = C q + b - delta` (the
+//! slip) and the tangent $`t`$ and outward normal $`n = q/m`$ of the circle, the condition $`t \cdot g = 0`$ has the
+//! derivative
+//!
+//! ```math
+//! t' \frac{\partial g}{\partial q}\, t - \frac{n \cdot g}{m} ,
+//! ```
+//!
+//! the stiffness of the operator along the circle and $`|g|/m`$ more, because turning the traction turns the tangent
+//! too. Without the second term iterations of clipped gradients stall (Zhao, Vollebregt & Oosterlee, J. Comput. Phys.
+//! 284 (2015), the same remark for rolling contact).
+
+use crate::cgm::interval::EDGE;
+use crate::cgm::motion::{Linearised, Motion, Reach};
+use crate::cgm::run::Run;
+use crate::cgm::totals::Small;
+use crate::cgm::vector::{at, dot, norm, plus, slices, update_cells};
+use crate::cgm::{Admissible, Constraint, newton, reduce};
+use crate::error::{Error, Result, non_negative};
+use crate::operator::Operator;
+use crate::report::Status;
+
+/// The vectors no longer than `radius`, finite and not negative; zero fixes the cell.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Disc {
+    /// Greatest length.
+    pub radius: f64,
+}
+
+/// Relative distance from the circle within which a traction is on it.
+const RIM: f64 = 1e-12;
+
+impl Disc {
+    /// Whether a vector is at the limit.
+    pub(crate) fn is_at_limit(self, q: [f64; 2]) -> bool {
+        norm(q) >= self.radius * (1.0 - RIM)
+    }
+
+    /// The vector of the full length in the direction of another, which is not zero.
+    pub(crate) fn rim_along(self, q: [f64; 2]) -> [f64; 2] {
+        let scale = self.radius / norm(q);
+        q.map(|q| q * scale)
+    }
+}
+
+/// How a cell of a disc may move.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Turn {
+    /// In any direction: it sticks.
+    Free,
+    /// Along the circle: it slips.
+    Along {
+        /// Direction of the circle where the vector is.
+        tangent: [f64; 2],
+        /// Gradient against the vector over the radius: what the curvature of the circle adds to the stiffness.
+        stiffness: f64,
+        /// What the preconditioner makes of a residual here.
+        weight: Weight,
+    },
+    /// Not at all.
+    Fixed,
+}
+
+/// What of a residual the preconditioner answers as a smooth pattern, and what the cell alone.
+///
+/// The inverse operator $`M`$ does not know the stiffness $`k`$ of the circles. Were the operator a number $`c`$, the
+/// inverse of $`c + k`$ would be $`w^2 / c + (1 - w^2) / k'`$ for suitable shares: a part $`w^2 = c / (c + k)`$ of the
+/// residual is answered through $`M`$, weighted by $`w`$ on both sides so that the preconditioner stays symmetric, and
+/// the rest by the cell's own compliance, $`1 / (c_1 + k)`$ with $`c_1`$ that of a cell that moves alone.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Weight {
+    /// Of the residual before, and of the answer after the inverse operator.
+    pattern: f64,
+    /// Answer of the cell alone.
+    own: f64,
+}
+
+/// The stiffness at which pattern and cell share evenly, and the compliance of a cell that moves alone, in
+/// least eigenvalues of the operator: of the half-space a cell's own compliance is about two of them, and
+/// the mean about four. Measured on spheres: half as much of either changes little, twice as much costs a third more
+/// steps.
+const EVEN: f64 = 2.0;
+const SINGLE: f64 = 4.0;
+
+impl Weight {
+    const PATTERN: Self = Self {
+        pattern: 1.0,
+        own: 0.0,
+    };
+
+    /// For a stiffness of the circle beside an operator of this least eigenvalue.
+    fn new(stiffness: f64, lower_bound: f64) -> Self {
+        let even = EVEN * lower_bound;
+        if even <= 0.0 {
+            return Self::PATTERN;
+        }
+        let pattern = even / (even + stiffness);
+        Self {
+            pattern: pattern.sqrt(),
+            own: (1.0 - pattern) / (SINGLE * lower_bound + stiffness),
+        }
+    }
+}
+
+impl Turn {
+    /// At its limit with this traction, of this stiffness.
+    fn along(q: [f64; 2], stiffness: f64, weight: Weight) -> Self {
+        let size = norm(q);
+        Self::Along {
+            tangent: [-q[1] / size, q[0] / size],
+            stiffness,
+            weight,
+        }
+    }
+}
+
+impl Motion<2> for Turn {
+    const IS_CURVED: bool = true;
+    const FREE: Self = Self::Free;
+    const FIXED: Self = Self::Fixed;
+
+    fn moves(self) -> bool {
+        self != Self::Fixed
+    }
+
+    fn is_free(self) -> bool {
+        self == Self::Free
+    }
+
+    #[inline]
+    fn project(self, v: [f64; 2]) -> [f64; 2] {
+        match self {
+            Self::Free => v,
+            Self::Along { tangent, .. } => tangent.map(|t| t * dot(tangent, v)),
+            Self::Fixed => [0.0; 2],
+        }
+    }
+
+    #[inline]
+    fn stiffness(self) -> f64 {
+        match self {
+            Self::Along { stiffness, .. } => stiffness,
+            Self::Free | Self::Fixed => 0.0,
+        }
+    }
+
+    #[inline]
+    fn weighted(self, r: [f64; 2]) -> [f64; 2] {
+        match self {
+            Self::Along { weight, .. } => r.map(|r| weight.pattern * r),
+            Self::Free | Self::Fixed => r,
+        }
+    }
+
+    #[inline]
+    fn preconditioned(self, answer: [f64; 2], r: [f64; 2]) -> [f64; 2] {
+        match self {
+            Self::Free => answer,
+            Self::Along {
+                tangent, weight, ..
+            } => {
+                let along = weight.pattern * dot(tangent, answer);
+                [0, 1].map(|c| tangent[c] * along + weight.own * r[c])
+            }
+            Self::Fixed => [0.0; 2],
+        }
+    }
+
+    fn weighed(mut self, lower_bound: f64) -> Self {
+        if let Self::Along {
+            stiffness, weight, ..
+        } = &mut self
+        {
+            *weight = Weight::new(*stiffness, lower_bound);
+        }
+        self
+    }
+
+    fn released(self, _: [f64; 2], _: bool) -> Self {
+        self
+    }
+}
+
+impl Admissible<2> for Disc {
+    #[inline]
+    fn project(self, q: [f64; 2]) -> [f64; 2] {
+        let size = norm(q);
+        if size > self.radius {
+            q.map(|q| q * (self.radius / size))
+        } else {
+            q
+        }
+    }
+
+    #[inline]
+    fn forbidden(self, q: [f64; 2], g: [f64; 2]) -> [f64; 2] {
+        if self.radius <= 0.0 {
+            [0.0; 2]
+        } else if dot(g, q) < 0.0 && self.is_at_limit(q) {
+            let across = (g[0] * q[1] - g[1] * q[0]) / dot(q, q);
+            [across * q[1], -across * q[0]]
+        } else {
+            g
+        }
+    }
+
+    #[inline]
+    fn duality_gap(self, q: [f64; 2], g: [f64; 2]) -> f64 {
+        let (size, slip) = (norm(q), norm(g));
+        let (along, across) = (dot(g, q), g[0] * q[1] - g[1] * q[0]);
+        // `g.q + |g| |q|` with all its digits where the two are opposite, as in every slipping cell.
+        let turned = if along < 0.0 {
+            across * across / (slip * size - along)
+        } else {
+            slip * size + along
+        };
+        slip * (self.radius - size).max(0.0) + turned
+    }
+}
+
+impl Linearised<2> for Disc {
+    type Motion = Turn;
+    const HAS_SINGLE_LOOP: bool = false;
+
+    fn check(self, _: usize) -> Result<()> {
+        non_negative("radius of a disc", self.radius).map(|_| ())
+    }
+
+    #[inline]
+    fn can_move(self) -> bool {
+        self.radius > 0.0
+    }
+
+    #[inline]
+    fn is_inside(self, q: [f64; 2]) -> bool {
+        !self.is_at_limit(q)
+    }
+
+    fn excess(self, q: [f64; 2]) -> f64 {
+        // A vector put on its circle may be a rounding outside.
+        (norm(q) - self.radius - 4.0 * f64::EPSILON * self.radius).max(0.0)
+    }
+
+    fn extreme(self, direction: [f64; 2]) -> [f64; 2] {
+        direction.map(|n| n * self.radius)
+    }
+
+    fn arrive(self, q: [f64; 2], d: [f64; 2]) -> [f64; 2] {
+        plus(q, 1.0, d)
+    }
+
+    fn motion(self, q: [f64; 2]) -> Turn {
+        if self.radius <= 0.0 {
+            Turn::Fixed
+        } else if self.is_at_limit(q) {
+            Turn::along(q, 0.0, Weight::PATTERN)
+        } else {
+            Turn::Free
+        }
+    }
+
+    fn measured(self, mut motion: Turn, g: [f64; 2]) -> Turn {
+        if let Turn::Along {
+            tangent, stiffness, ..
+        } = &mut motion
+        {
+            let outwards = [tangent[1], -tangent[0]];
+            *stiffness = (-dot(g, outwards)).max(0.0) / self.radius;
+        }
+        motion
+    }
+
+    fn next(
+        self,
+        was: Turn,
+        q: [f64; 2],
+        g: [f64; 2],
+        noise: f64,
+        lower_bound: f64,
+    ) -> (Turn, [f64; 2]) {
+        let size = norm(q);
+        match was {
+            Turn::Fixed => (was, self.project(q)),
+            Turn::Free if size <= self.radius => (was, self.project(q)),
+            // As stiff as if its own compliance alone had held what is beyond the limit. Were it not stiff before its
+            // slip is measured, a total that is spread in the meantime would turn it right round.
+            Turn::Free => {
+                let excess = SINGLE * lower_bound * (1.0 - self.radius / size);
+                let slips = Turn::along(q, 0.0, Weight::PATTERN);
+                (
+                    self.measured(slips, q.map(|q| -excess * q)),
+                    self.rim_along(q),
+                )
+            }
+            Turn::Along { .. } if dot(g, q) > noise * size => (Turn::Free, self.project(q)),
+            Turn::Along {
+                stiffness, weight, ..
+            } => (Turn::along(q, stiffness, weight), self.rim_along(q)),
+        }
+    }
+
+    fn reach(
+        cells: usize,
+        constraint: &impl Constraint<2, Set = Self>,
+        sums: [Option<f64>; 2],
+    ) -> Result<Reach<2>> {
+        let limit = reduce::total_of(cells, |i| constraint.of(i).radius);
+        let total = sums.map(|sum| sum.unwrap_or(0.0));
+        let size = norm(total);
+        if size.is_nan() || size > limit * (1.0 + EDGE) {
+            return Err(Error::BeyondSliding { force: size, limit });
+        }
+        Ok(if size > 0.0 && size >= limit * (1.0 - EDGE) {
+            Reach::Extreme(total.map(|total| total / size))
+        } else {
+            Reach::Inside
+        })
+    }
+
+    /// `q_i = P_i(q_i + t)`, with one `t` for all. The sums are the gradient of a convex function of `t`: Newton's
+    /// method, damped.
+    fn restore(
+        mut q: [&mut [f64]; 2],
+        constraint: &impl Constraint<2, Set = Self>,
+        _: impl Fn(usize) -> bool + Sync,
+        sums: [Option<f64>; 2],
+    ) {
+        let mut t = [0.0; 2];
+        if sums != [None, None] {
+            let old = slices(&q);
+            let mut best = shifted(&old, constraint, sums, t);
+            for _ in 0..100 {
+                if norm(best.missing) <= 1e-14 * best.size {
+                    break;
+                }
+                let step = best.step(sums);
+                // Half as far until the sums come nearer.
+                let parts = std::iter::successors(Some(1.0), |part| Some(0.5 * part));
+                let nearer = parts.take_while(|part| *part >= 1e-9).find_map(|part| {
+                    let next = plus(t, part, step);
+                    let found = shifted(&old, constraint, sums, next);
+                    (norm(found.missing) < norm(best.missing)).then_some((next, found))
+                });
+                match nearer {
+                    Some(found) => (t, best) = found,
+                    None => break,
+                }
+            }
+        }
+        update_cells(&mut q, |i, q| constraint.of(i).project(plus(q, 1.0, t)));
+    }
+
+    /// Refused before any work.
+    fn single_loop<C: Operator<2>, K: Constraint<2, Set = Self>, P: Operator<2>>(
+        run: &mut Run<'_, '_, C, K, P, 2>,
+    ) -> Option<Status> {
+        newton::iterate(run)
+    }
+}
+
+/// What the sums become when every vector is moved by the same amount and projected.
+struct Shifted {
+    /// What is left to the prescribed sums.
+    missing: [f64; 2],
+    /// Derivative of the sums.
+    slope: Small<2>,
+    /// Sum of the lengths.
+    size: f64,
+}
+
+fn shifted(
+    q: &[&[f64]; 2],
+    constraint: &impl Constraint<2, Set = Disc>,
+    sums: [Option<f64>; 2],
+    t: [f64; 2],
+) -> Shifted {
+    let (found, slope, size) = reduce::sum(q[0].len(), |i| {
+        let moved = plus(at(q, i), 1.0, t);
+        let (disc, length) = (constraint.of(i), norm(moved));
+        let nearest = disc.project(moved);
+        // The derivative of the projection: along the circle, shrunk, once outside.
+        let slope = if disc.radius <= 0.0 {
+            [[0.0; 2]; 2]
+        } else if length > disc.radius {
+            let [nx, ny] = moved.map(|q| q / length);
+            let shrunk = disc.radius / length;
+            let across = -nx * ny * shrunk;
+            [[ny * ny * shrunk, across], [across, nx * nx * shrunk]]
+        } else {
+            [[1.0, 0.0], [0.0, 1.0]]
+        };
+        (nearest, slope, norm(nearest))
+    });
+    Shifted {
+        missing: [0, 1].map(|c| sums[c].map_or(0.0, |sum| sum - found[c])),
+        slope: Small(slope),
+        size,
+    }
+}
+
+impl Shifted {
+    /// Newton's step in the components whose sum is prescribed.
+    fn step(&self, sums: [Option<f64>; 2]) -> [f64; 2] {
+        let prescribed = sums.map(|sum| sum.is_some());
+        let trace = self.slope.0[0][0] + self.slope.0[1][1];
+        if self.slope.least(prescribed) > f64::EPSILON * trace {
+            self.slope.solve(self.missing, prescribed)
+        } else {
+            self.missing.map(|missing| missing / trace.max(f64::MIN_POSITIVE))
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! How a cell may move at a state of its set, and what the engine asks of each kind of set.
+//!
+//! Newton's method linearises the law of every cell: a cell that cannot move leaves the linear system, one inside
+//! its set moves freely, and one on a curved bound moves along the tangent, against the curvature of the bound.
+
+use crate::cgm::run::Run;
+use crate::cgm::{Admissible, Constraint};
+use crate::error::Result;
+use crate::operator::Operator;
+use crate::report::Status;
+
+/// How one cell may move, in the linear system of an outer step.
+pub trait Motion<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static {
+    /// Whether a cell that can move may move in less than all directions.
+    const IS_CURVED: bool;
+    /// In any direction.
+    const FREE: Self;
+    /// Not at all.
+    const FIXED: Self;
+
+    /// Whether the cell takes part in the linear system.
+    fn moves(self) -> bool;
+
+    /// Whether the cell moves in any direction.
+    fn is_free(self) -> bool;
+
+    /// The part of a vector along which the cell can move.
+    fn project(self, v: [f64; N]) -> [f64; N];
+
+    /// The stiffness that the curvature of the bound adds along the tangent.
+    fn stiffness(self) -> f64;
+
+    /// What of a residual goes to the inverse operator.
+    fn weighted(self, r: [f64; N]) -> [f64; N];
+
+    /// The preconditioned residual, with the `answer` of the inverse operator.
+    fn preconditioned(self, answer: [f64; N], r: [f64; N]) -> [f64; N];
+
+    /// With the stiffness in force known to the preconditioner, beside an operator of this least eigenvalue.
+    #[must_use]
+    fn weighed(self, lower_bound: f64) -> Self;
+
+    /// A cell that has to move although its bound holds it, under a gradient `g` that pushes it, or if `always`.
+    #[must_use]
+    fn released(self, g: [f64; N], always: bool) -> Self;
+}
+
+/// Where prescribed sums lie in what the sets allow together.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Reach<const N: usize> {
+    /// Strictly between the extremes: multipliers exist.
+    Inside,
+    /// Every cell at the extreme point of its set along this direction.
+    Extreme([f64; N]),
+}
+
+/// What the engine asks of a kind of set, beside what [`Admissible`] says of it.
+pub trait Linearised<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static {
+    /// How a cell of this set may move.
+    type Motion: Motion<N>;
+    /// Whether [`Method::PolonskyKeer`](crate::cgm::Method::PolonskyKeer) is defined for it.
+    const HAS_SINGLE_LOOP: bool;
+
+    /// `Ok` if the set has a point.
+    fn check(self, cell: usize) -> Result<()>;
+
+    /// Whether the set has more than one point.
+    fn can_move(self) -> bool;
+
+    /// Whether a point is inside its bounds, where the whole gradient must vanish.
+    fn is_inside(self, x: [f64; N]) -> bool;
+
+    /// How far a point lies outside, by more than round-off.
+    fn excess(self, x: [f64; N]) -> f64;
+
+    /// The extreme point along a direction.
+    fn extreme(self, direction: [f64; N]) -> [f64; N];
+
+    /// `x + d`, exactly on a bound that it reaches up to round-off.
+    fn arrive(self, x: [f64; N], d: [f64; N]) -> [f64; N];
+
+    /// How a cell at `x` may move before anything is known of its gradient.
+    fn motion(self, x: [f64; N]) -> Self::Motion;
+
+    /// With the curvature that a gradient `g` gives the bound.
+    fn measured(self, motion: Self::Motion, g: [f64; N]) -> Self::Motion;
+
+    /// How the cell moves next, and where it stands, after the linear system has left it at `x` with the gradient
+    /// `g`; a gradient of the wrong sign below `noise` is not taken for one.
+    fn next(
+        self,
+        was: Self::Motion,
+        x: [f64; N],
+        g: [f64; N],
+        noise: f64,
+        lower_bound: f64,
+    ) -> (Self::Motion, [f64; N]);
+
+    /// Where prescribed sums lie, or an error if the sets cannot hold them.
+    fn reach(
+        cells: usize,
+        constraint: &impl Constraint<N, Set = Self>,
+        sums: [Option<f64>; N],
+    ) -> Result<Reach<N>>
+    where
+        Self: Admissible<N>;
+
+    /// Moves the cells within their sets to the nearest points that have the sums, those of `preferred` alone if
+    /// they suffice.
+    fn restore(
+        x: [&mut [f64]; N],
+        constraint: &impl Constraint<N, Set = Self>,
+        preferred: impl Fn(usize) -> bool + Sync,
+        sums: [Option<f64>; N],
+    ) where
+        Self: Admissible<N>;
+
+    /// The iteration of [`Method::PolonskyKeer`](crate::cgm::Method::PolonskyKeer): ends with the status of the run,
+    /// or `None` if the sets cycle.
+    fn single_loop<C: Operator<N>, K: Constraint<N, Set = Self>, P: Operator<N>>(
+        run: &mut Run<'_, '_, C, K, P, N>,
+    ) -> Option<Status>
+    where
+        Self: Admissible<N>;
+}

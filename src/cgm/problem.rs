@@ -1,0 +1,221 @@
+//! What to minimise, and the one loop that does.
+
+use std::ops::ControlFlow;
+
+use crate::cgm::motion::{Linearised, Reach};
+use crate::cgm::run::Run;
+use crate::cgm::totals::Total;
+use crate::cgm::{
+    Constraint, Method, MotionOf, Settings, Workspace, newton, projected_gradient, set,
+};
+use crate::error::{Error, Result, all_finite, finite, length, positive};
+use crate::operator::{Identity, Operator};
+use crate::parallel;
+use crate::report::{Iteration, Report, Status};
+
+/// What to minimise: `1/2 x'Cx + b'x` over `x_i` in `K_i`, optionally with totals of the components.
+#[derive(Debug, Clone)]
+pub struct Problem<'a, C, K, P = Identity, const N: usize = 1> {
+    pub(super) operator: C,
+    pub(super) preconditioner: P,
+    pub(super) linear: [&'a [f64]; N],
+    pub(super) constraint: K,
+    pub(super) totals: [Total; N],
+}
+
+impl<'a, C: Operator<N>, K: Constraint<N>, const N: usize> Problem<'a, C, K, Identity, N> {
+    /// Operator `C`, linear term `b`, component by component, and constraint `K`; no total prescribed, no
+    /// preconditioner.
+    pub fn new(operator: C, linear: [&'a [f64]; N], constraint: K) -> Self {
+        let preconditioner = Identity::new(operator.cells());
+        Self {
+            operator,
+            preconditioner,
+            linear,
+            constraint,
+            totals: [Total::Free; N],
+        }
+    }
+}
+
+impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
+    Problem<'a, C, K, P, N>
+{
+    /// With the totals of the components (default: free).
+    #[must_use]
+    pub fn totals(mut self, totals: [Total; N]) -> Self {
+        self.totals = totals;
+        self
+    }
+
+    /// With an approximate inverse of `C`, symmetric and positive definite; only
+    /// [`Method::ActiveSet`] uses it.
+    #[must_use]
+    pub fn preconditioner<Q: Operator<N>>(self, preconditioner: Q) -> Problem<'a, C, K, Q, N> {
+        Problem {
+            operator: self.operator,
+            preconditioner,
+            linear: self.linear,
+            constraint: self.constraint,
+            totals: self.totals,
+        }
+    }
+
+    /// Buffers for solving this problem and all of its size.
+    #[must_use]
+    pub fn workspace(&self) -> Workspace<C, P, MotionOf<K, N>, N> {
+        Workspace::new(&self.operator, &self.preconditioner)
+    }
+
+    fn check(&self, settings: &Settings, x: &[&mut [f64]; N]) -> Result<()> {
+        settings.check()?;
+        if settings.method == Method::PolonskyKeer {
+            self.check_single_loop()?;
+        }
+        let cells = self.operator.cells();
+        length("preconditioner", cells, self.preconditioner.cells())?;
+        for linear in self.linear {
+            length("linear term", cells, linear.len())?;
+            all_finite("linear term", linear)?;
+        }
+        for x in x {
+            length("start", cells, x.len())?;
+            all_finite("start", x)?;
+        }
+        for total in self.totals {
+            if let Total::Spring {
+                far_end,
+                compliance,
+            } = total
+            {
+                finite("far end of a spring", far_end)?;
+                positive("compliance of a spring", compliance)?;
+            }
+        }
+        set::check(&self.constraint, cells)
+    }
+
+    /// The single loop knows intervals, and no springs.
+    fn check_single_loop(&self) -> Result<()> {
+        let has_spring = self.totals.iter().any(|total| total.is_spring());
+        if K::Set::HAS_SINGLE_LOOP && !has_spring {
+            return Ok(());
+        }
+        Err(Error::Method {
+            method: "PolonskyKeer",
+            quantity: if has_spring {
+                "springs"
+            } else {
+                "several components a cell"
+            },
+        })
+    }
+}
+
+/// The answer beside `x` itself.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub struct Minimum<const N: usize = 1> {
+    /// Multipliers of the totals, so that `C x + b - multiplier` vanishes on free cells; zero where no total is
+    /// prescribed.
+    #[cfg_attr(feature = "serde", serde(with = "crate::serial::array"))]
+    pub multiplier: [f64; N],
+    /// Status, cost and certified error.
+    pub report: Report,
+}
+
+/// Finds the minimum from the start `x` and leaves it in `x`.
+///
+/// # Errors
+/// [`Error::Length`], [`Error::Sample`], [`Error::Bounds`], [`Error::Negative`], [`Error::Total`] or
+/// [`Error::BeyondSliding`] for sums the sets cannot hold, [`Error::NotPositive`] or [`Error::NotFinite`] for a
+/// spring, [`Error::Method`] for a method that does not know the sets,
+/// [`Error::Tolerance`] or [`Error::IterationLimit`] before any work, with `x` as it was;
+/// [`Error::NotConverged`] with the last feasible iterate in `x`.
+pub fn minimise<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
+    problem: &Problem<'_, C, K, P, N>,
+    settings: &Settings,
+    x: [&mut [f64]; N],
+) -> Result<Minimum<N>> {
+    // An operator may claim any number of unknowns; the start is there.
+    problem.check(settings, &x)?;
+    let mut workspace = problem.workspace();
+    minimise_with(problem, settings, x, &mut workspace, &mut |_| {
+        ControlFlow::Continue(())
+    })?;
+    Ok(Minimum {
+        multiplier: workspace.multiplier,
+        report: workspace.report,
+    })
+}
+
+/// [`minimise`] with the caller's workspace, which also keeps the product, the multiplier and the
+/// report, and with an observer: it sees every step and may cancel. Allocates nothing once the
+/// workspace has seen a solve as long as this one.
+///
+/// # Errors
+/// As [`minimise`].
+pub fn minimise_with<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
+    problem: &Problem<'_, C, K, P, N>,
+    settings: &Settings,
+    x: [&mut [f64]; N],
+    workspace: &mut Workspace<C, P, MotionOf<K, N>, N>,
+    observer: &mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
+) -> Result<()> {
+    problem.check(settings, &x)?;
+    let cells = x[0].len();
+    length("workspace", cells, workspace.motions.len())?;
+    let solve = || -> Result<Status> {
+        let sums = problem.totals.map(Total::sum);
+        let reach = K::Set::reach(cells, &problem.constraint, sums)?;
+        let mut run = Run::new(problem, settings, x, workspace, observer);
+        let status = match (run.multiplier_at_zero(), reach) {
+            (Some(multiplier), _) => run.at_zero(multiplier),
+            (None, Reach::Extreme(direction)) => run.at_extreme(direction),
+            (None, Reach::Inside) => iterate(&mut run),
+        };
+        Ok(run.finish(status))
+    };
+    if parallel::enter(solve)? == Status::Converged {
+        Ok(())
+    } else {
+        Err(Error::NotConverged(Box::new(workspace.report.clone())))
+    }
+}
+
+/// Rounds of fallback steps after which the residual was not halved before the iteration counts as stalled.
+const STALLS: usize = 6;
+
+/// The chosen method; each time its sets cycle, twice as many steps of a method that has none, until
+/// that does not help any more.
+fn iterate<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
+    run: &mut Run<'_, '_, C, K, P, N>,
+) -> Status {
+    let (mut fallback_steps, mut stalls) = (32, 0);
+    loop {
+        let before = run.monitor.best;
+        let ended = match run.monitor.settings.method {
+            Method::ActiveSet => newton::iterate(run),
+            Method::PolonskyKeer => K::Set::single_loop(run),
+        };
+        if let Some(status) = ended {
+            return status;
+        }
+        stalls = if run.monitor.best < 0.5 * before {
+            0
+        } else {
+            stalls + 1
+        };
+        if stalls > STALLS {
+            return Status::Stalled;
+        }
+        match projected_gradient::iterate(run, fallback_steps) {
+            ControlFlow::Break(status) => return status,
+            // The objective no longer falls: one look by the method, and that is all.
+            ControlFlow::Continue(true) => stalls = STALLS,
+            ControlFlow::Continue(false) => {}
+        }
+        fallback_steps = (2 * fallback_steps).min(run.monitor.settings.max_iterations);
+    }
+}

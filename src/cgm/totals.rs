@@ -1,0 +1,401 @@
+//! The prescribed totals: forces and springs, how they spread, and the multipliers that keep them.
+//!
+//! A step of the linear problem changes the unknowns by `d` and the multipliers by `eta`, so that
+//!
+//! ```math
+//! \begin{pmatrix} C & -e \\ e' & D \end{pmatrix} \begin{pmatrix} d \\ \eta \end{pmatrix}
+//! = \begin{pmatrix} r \\ \varrho \end{pmatrix}, \qquad r = e\,\delta - (C x + b),
+//! ```
+//!
+//! where the columns of $`e`$ are ones in one component each, $`\varrho`$ is what is missing of the totals, and the
+//! diagonal $`D`$ is zero for a prescribed sum. A spring of compliance `c` from the far end `X` carries
+//! $`\sum x = (X - \delta)/c`$: there $`D = 1/c`$. Eliminating $`d`$ with the preconditioner $`M`$ for $`C^{-1}`$
+//! leaves, with the patterns $`w_a = M e_a`$, by which a change of each multiplier moves the unknowns as a flat punch
+//! would, one small system for the multipliers,
+//!
+//! ```math
+//! (e_b' w_a + D_{ab})\,\eta_a = \varrho_b - e_b' M r .
+//! ```
+//!
+//! It is symmetric and positive definite, and tends to that of a prescribed sum for a soft spring, to a prescribed
+//! multiplier for a stiff one. Directions `z = M r + w eta` of the conjugate gradients then keep the totals exactly.
+//! (A constraint preconditioner: Keller, Gould & Wathen, SIAM J. Matrix Anal. Appl. 21 (2000) 1300,
+//! <https://doi.org/10.1137/S0895479899351805>.)
+
+use crate::cgm::inner::precondition;
+use crate::cgm::motion::Motion;
+use crate::cgm::reduce;
+use crate::cgm::run::Run;
+use crate::cgm::vector::{at, chunks, dot, held, norm, plus, put, slices, within};
+use crate::cgm::{Constraint, MotionOf, Workspace};
+use crate::operator::Operator;
+
+/// What is prescribed of the sum of one component over all cells.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub enum Total {
+    /// Nothing: the multiplier is zero.
+    Free,
+    /// The sum; the multiplier follows.
+    Sum(f64),
+    /// A spring: the multiplier is `far_end - compliance * sum`.
+    Spring {
+        /// The multiplier at which the spring is slack.
+        far_end: f64,
+        /// Change of the multiplier per sum, positive and finite.
+        compliance: f64,
+    },
+}
+
+impl Total {
+    /// The sum, where that is prescribed.
+    pub(crate) fn sum(self) -> Option<f64> {
+        match self {
+            Self::Sum(sum) => Some(sum),
+            Self::Free | Self::Spring { .. } => None,
+        }
+    }
+
+    /// Whether it asks for nothing.
+    pub(crate) fn is_idle(self) -> bool {
+        match self {
+            Self::Free => true,
+            Self::Sum(value) | Self::Spring { far_end: value, .. } => value == 0.0,
+        }
+    }
+
+    /// What asks the same of this part of the unknowns.
+    pub(crate) fn scaled(self, part: f64) -> Self {
+        match self {
+            Self::Free => Self::Free,
+            Self::Sum(sum) => Self::Sum(part * sum),
+            Self::Spring {
+                far_end,
+                compliance,
+            } => Self::Spring {
+                far_end,
+                compliance: compliance / part,
+            },
+        }
+    }
+
+    pub(super) fn is_spring(self) -> bool {
+        matches!(self, Self::Spring { .. })
+    }
+
+    /// What a multiplier may be beside a sum: that of the spring, and round-off; anything else where there is no
+    /// spring.
+    pub(super) fn held(self, multiplier: f64, [sum, magnitude]: [f64; 2]) -> f64 {
+        match self {
+            Self::Free => 0.0,
+            Self::Sum(_) => multiplier,
+            Self::Spring {
+                far_end,
+                compliance,
+            } => {
+                let exact = far_end - compliance * sum;
+                let noise = 4.0 * f64::EPSILON * (far_end.abs() + compliance * magnitude);
+                // A bound of NaN would panic, and NaN would stay.
+                if (multiplier - exact).abs() <= noise {
+                    multiplier
+                } else {
+                    exact + noise.copysign(multiplier - exact)
+                }
+            }
+        }
+    }
+}
+
+/// The sum of each component over all cells, and the sum of its magnitudes.
+pub(super) fn sums_of<const N: usize>(x: &[&[f64]; N]) -> [[f64; 2]; N] {
+    reduce::sum(x[0].len(), |i| at(x, i).map(|x| [x, x.abs()]))
+}
+
+/// A small symmetric matrix.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Small<const N: usize>(pub(super) [[f64; N]; N]);
+
+impl<const N: usize> Small<N> {
+    /// Solves for the active unknowns, the others being zero, by elimination.
+    pub(super) fn solve(&self, right: [f64; N], active: [bool; N]) -> [f64; N] {
+        let (mut rows, mut x) = (self.0, right);
+        let is_below = |row: usize, pivot: usize| active[row] && row > pivot;
+        for pivot in (0..N).filter(|&pivot| active[pivot]) {
+            for row in (0..N).filter(|&row| is_below(row, pivot)) {
+                let part = rows[row][pivot] / rows[pivot][pivot];
+                for column in pivot..N {
+                    rows[row][column] -= part * rows[pivot][column];
+                }
+                x[row] -= part * x[pivot];
+            }
+        }
+        for row in (0..N).rev() {
+            if !active[row] {
+                x[row] = 0.0;
+                continue;
+            }
+            for column in (0..N).filter(|&column| is_below(column, row)) {
+                x[row] -= rows[row][column] * x[column];
+            }
+            x[row] /= rows[row][row];
+        }
+        x
+    }
+
+    /// One over the trace of the inverse among the active unknowns: about the least eigenvalue.
+    pub(super) fn least(&self, active: [bool; N]) -> f64 {
+        let inverse = (0..N).filter(|&a| active[a]).map(|a| {
+            let mut unit = [0.0; N];
+            unit[a] = 1.0;
+            self.solve(unit, active)[a]
+        });
+        1.0 / inverse.sum::<f64>()
+    }
+
+    fn square(&self, v: [f64; N]) -> f64 {
+        dot(v, self.0.map(|row| dot(row, v)))
+    }
+}
+
+/// The totals beside the cells as they may move at present.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct TotalsSystem<const N: usize> {
+    totals: [Total; N],
+    /// `e_b' w_a`.
+    patterns: Small<N>,
+    /// The same with one over the compliance of a spring on the diagonal.
+    matrix: Small<N>,
+    /// How a uniform motion is followed: the sum of what cells can do of it.
+    mobility: Small<N>,
+}
+
+impl<const N: usize> TotalsSystem<N> {
+    /// Finds how changes of the multipliers spread over the cells that move.
+    pub(super) fn new<C: Operator<N>, K: Constraint<N>, P: Operator<N>>(
+        run: &mut Run<'_, '_, C, K, P, N>,
+    ) -> Self {
+        let mut system = Self {
+            totals: run.problem.totals,
+            patterns: Small([[0.0; N]; N]),
+            matrix: Small([[0.0; N]; N]),
+            mobility: mobility(run),
+        };
+        let prescribed = system.prescribed();
+        if prescribed == [false; N] {
+            return system;
+        }
+        if MotionOf::<K, N>::IS_CURVED && !system.can_follow(run) {
+            let motions = &mut run.workspace.motions;
+            for motion in motions.iter_mut().filter(|motion| motion.moves()) {
+                *motion = Motion::FREE;
+            }
+            system.mobility = mobility(run);
+        }
+        for a in (0..N).filter(|&a| prescribed[a]) {
+            system.patterns.0[a] = spread(run, a);
+            system.matrix.0[a] = system.patterns.0[a];
+            if let Total::Spring { compliance, .. } = system.totals[a] {
+                system.matrix.0[a][a] += 1.0 / compliance;
+            }
+        }
+        system
+    }
+
+    /// Components whose sum is prescribed or held by a spring.
+    fn prescribed(&self) -> [bool; N] {
+        self.totals.map(|total| total != Total::Free)
+    }
+
+    /// Components whose sum is prescribed: their multipliers are unknowns of their own.
+    pub(super) fn has_sum(&self) -> [bool; N] {
+        self.totals.map(|total| total.sum().is_some())
+    }
+
+    /// Components held by a spring: their multipliers change with the sums.
+    pub(super) fn has_spring(&self) -> [bool; N] {
+        self.totals.map(Total::is_spring)
+    }
+
+    /// The change of all multipliers that makes up for what a preconditioned residual adds to the sums.
+    pub(super) fn balance(&self, added: [f64; N]) -> [f64; N] {
+        self.matrix.solve(added.map(|sum| -sum), self.prescribed())
+    }
+
+    /// The change of the multipliers of the sums that leaves no mean residual, weighted as they spread.
+    pub(super) fn without_mean(&self, products: [f64; N]) -> [f64; N] {
+        self.matrix
+            .solve(products.map(|product| -product), self.has_sum())
+    }
+
+    /// The square of what all cells can do of a uniform motion.
+    pub(super) fn square(&self, motion: [f64; N]) -> f64 {
+        self.mobility.square(motion)
+    }
+
+    /// What the springs add to the curvature along a direction that changes their multipliers so.
+    pub(super) fn curvature(&self, change: [f64; N]) -> f64 {
+        let springs = self.totals.iter().zip(change);
+        springs.fold(0.0, |sum, (total, change)| match total {
+            Total::Spring { compliance, .. } => sum + change * change / compliance,
+            Total::Free | Total::Sum(_) => sum,
+        })
+    }
+
+    /// Spreads what is missing of the totals, with the present sums of the components.
+    pub(super) fn spread_missing<C: Operator<N>, K: Constraint<N>, P: Operator<N>>(
+        &self,
+        run: &mut Run<'_, '_, C, K, P, N>,
+        sums: [f64; N],
+    ) {
+        let prescribed = self.prescribed();
+        if prescribed == [false; N] {
+            return;
+        }
+        let multiplier = run.workspace.multiplier;
+        let missing = std::array::from_fn(|a| match self.totals[a] {
+            Total::Free => 0.0,
+            Total::Sum(total) => total - sums[a],
+            Total::Spring {
+                far_end,
+                compliance,
+            } => (far_end - multiplier[a]) / compliance - sums[a],
+        });
+        let change = self.matrix.solve(missing, prescribed);
+        if norm(change) == 0.0 {
+            return;
+        }
+        let Workspace { spread, moving, .. } = &*run.workspace;
+        moving.sweep(chunks(&mut run.x), |entries, mut x| {
+            let spread = &spread[entries.range.clone()];
+            for (place, w) in entries.places().zip(spread) {
+                let moved = (0..N).fold(held(&x, place), |x, a| plus(x, change[a], w[a]));
+                put(&mut x, place, moved);
+            }
+        });
+        for a in (0..N).filter(|&a| self.totals[a].is_spring()) {
+            run.workspace.multiplier[a] += change[a];
+        }
+        run.is_fresh = false;
+    }
+
+    /// The multipliers that leave no mean residual, weighted as the totals spread; those of springs within the
+    /// round-off of what the springs make of the sums.
+    pub(super) fn set_multiplier<C: Operator<N>, K: Constraint<N>, P: Operator<N>>(
+        &self,
+        run: &mut Run<'_, '_, C, K, P, N>,
+    ) {
+        let prescribed = self.prescribed();
+        if prescribed == [false; N] {
+            return;
+        }
+        let Workspace {
+            spread,
+            moving,
+            gradient,
+            multiplier,
+            ..
+        } = &mut *run.workspace;
+        let gradient = slices(gradient);
+        let products: [f64; N] = moving.sweep((), |entries, ()| {
+            let spread = &spread[entries.range.clone()];
+            let gradient = within(&gradient, &entries.chunk);
+            entries.sums(|k, place| spread[k].map(|w| dot(w, at(&gradient, place))))
+        });
+        let mean = self.patterns.solve(products, prescribed);
+        if self.has_spring() == [false; N] {
+            *multiplier = mean;
+            return;
+        }
+        let sums = sums_of(&slices(&run.x));
+        for a in (0..N).filter(|&a| self.totals[a].is_spring()) {
+            multiplier[a] = self.totals[a].held(mean[a], sums[a]);
+        }
+        // The sums' multipliers beside those.
+        let right = std::array::from_fn(|b| {
+            let springs = (0..N).filter(|&a| self.totals[a].is_spring());
+            springs.fold(products[b], |sum, a| {
+                sum - self.patterns.0[a][b] * multiplier[a]
+            })
+        });
+        let free = self.patterns.solve(right, self.has_sum());
+        for a in (0..N).filter(|&a| self.has_sum()[a]) {
+            multiplier[a] = free[a];
+        }
+    }
+
+    /// Whether the cells can take up a change of the totals: not if all can only turn, and all point along it.
+    fn can_follow<C: Operator<N>, K: Constraint<N>, P: Operator<N>>(
+        &self,
+        run: &Run<'_, '_, C, K, P, N>,
+    ) -> bool {
+        let motions = &run.workspace.motions;
+        if reduce::first(motions.len(), |i| motions[i].is_free()).is_some() {
+            return true;
+        }
+        let all: f64 = (0..N).map(|a| self.mobility.0[a][a]).sum();
+        self.mobility.least(self.has_sum()) > LEAST_TURN * all
+    }
+}
+
+/// Part of what turning changes along a total below which it is round-off: close to the limit, cells that all slide
+/// are turned away from the total by very little, and it is that which carries it.
+const LEAST_TURN: f64 = 1e-13;
+
+/// Finds how a change of one multiplier spreads over the cells, and what it changes of all sums.
+fn spread<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
+    run: &mut Run<'_, '_, C, K, P, N>,
+    a: usize,
+) -> [f64; N] {
+    let mut unit = [0.0; N];
+    unit[a] = 1.0;
+    let Workspace {
+        motions,
+        moving,
+        direction,
+        ..
+    } = &mut *run.workspace;
+    moving.sweep(chunks(direction), |entries, mut full| {
+        let motions = &motions[entries.chunk.clone()];
+        for place in entries.places() {
+            let motion = motions[place];
+            put(&mut full, place, motion.weighted(motion.project(unit)));
+        }
+    });
+    precondition(run);
+    let Workspace {
+        motions,
+        moving,
+        spread,
+        image,
+        ..
+    } = &mut *run.workspace;
+    let image = slices(image);
+    moving.sweep(moving.compressed(spread), |entries, spread| {
+        let motions = &motions[entries.chunk.clone()];
+        let image = within(&image, &entries.chunk);
+        entries.sums(|k, place| {
+            let motion = motions[place];
+            let w = motion.preconditioned(at(&image, place), motion.project(unit));
+            spread.items[k][a] = w;
+            w
+        })
+    })
+}
+
+fn mobility<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
+    run: &Run<'_, '_, C, K, P, N>,
+) -> Small<N> {
+    let Workspace {
+        motions, moving, ..
+    } = &*run.workspace;
+    let unit = |a: usize| std::array::from_fn(|c| if a == c { 1.0 } else { 0.0 });
+    if !MotionOf::<K, N>::IS_CURVED {
+        let count = moving.len() as f64;
+        return Small(std::array::from_fn(|a| unit(a).map(|one: f64| one * count)));
+    }
+    Small(moving.sweep((), |entries, ()| {
+        let motions = &motions[entries.chunk.clone()];
+        entries.sums(|_, place| std::array::from_fn(|a| motions[place].project(unit(a))))
+    }))
+}

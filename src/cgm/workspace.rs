@@ -1,0 +1,81 @@
+//! What an iteration writes to.
+
+use crate::cgm::motion::Motion;
+use crate::cgm::moving::MovingCells;
+use crate::operator::{Identity, Operator};
+use crate::report::Report;
+
+/// Everything an iteration writes to besides `x`; made once, reused by every solve of one size.
+///
+/// `M` is how cells of the constraint move: [`Problem::workspace`](crate::cgm::Problem::workspace) names it.
+#[derive(Debug, Clone)]
+pub struct Workspace<C: Operator<N>, P: Operator<N>, M, const N: usize = 1> {
+    pub(super) operator: C::Workspace,
+    pub(super) preconditioner: P::Workspace,
+    pub(super) product: [Vec<f64>; N],
+    pub(super) gradient: [Vec<f64>; N],
+    pub(super) direction: [Vec<f64>; N],
+    pub(super) image: [Vec<f64>; N],
+    pub(super) inner: Inner<N>,
+    /// How a change of each multiplier spreads, `w_a = M e_a`, on the cells that move.
+    pub(super) spread: Vec<[[f64; N]; N]>,
+    pub(super) motions: Vec<M>,
+    pub(super) moving: MovingCells,
+    pub(super) report: Report,
+    pub(super) multiplier: [f64; N],
+}
+
+/// Vectors of the inner iteration, compressed to the cells that move.
+#[derive(Debug, Clone)]
+pub(super) struct Inner<const N: usize> {
+    pub(super) residual: Vec<[f64; N]>,
+    pub(super) last_residual: Vec<[f64; N]>,
+    pub(super) correction: Vec<[f64; N]>,
+    pub(super) direction: Vec<[f64; N]>,
+}
+
+impl<C: Operator<N>, P: Operator<N>, M: Motion<N>, const N: usize> Workspace<C, P, M, N> {
+    /// Buffers for an operator and its preconditioner: `8 N + N^2` numbers and a motion per cell besides their own.
+    pub(crate) fn new(operator: &C, preconditioner: &P) -> Self {
+        let cells = operator.cells();
+        let zeros = || std::array::from_fn(|_| vec![0.0; cells]);
+        let vectors = || vec![[0.0; N]; cells];
+        Self {
+            operator: operator.workspace(),
+            preconditioner: preconditioner.workspace(),
+            product: zeros(),
+            gradient: zeros(),
+            direction: zeros(),
+            image: zeros(),
+            inner: Inner {
+                residual: vectors(),
+                last_residual: vectors(),
+                correction: vectors(),
+                direction: vectors(),
+            },
+            spread: vec![[[0.0; N]; N]; cells],
+            motions: vec![M::FIXED; cells],
+            moving: MovingCells::with_capacity(cells),
+            report: Report::with_room(),
+            multiplier: [0.0; N],
+        }
+    }
+
+    /// The product `C x` with the iterate last returned.
+    #[must_use]
+    pub fn product(&self) -> [&[f64]; N] {
+        self.product.each_ref().map(Vec::as_slice)
+    }
+
+    /// The report of the last solve, converged or not.
+    #[must_use]
+    pub fn report(&self) -> &Report {
+        &self.report
+    }
+
+    /// The multipliers of the last solve, converged or not.
+    #[must_use]
+    pub fn multiplier(&self) -> [f64; N] {
+        self.multiplier
+    }
+}

@@ -1,0 +1,202 @@
+//! The engine of a tangential contact behind one face, for one traction or two.
+
+use std::borrow::Cow;
+use std::fmt::Debug;
+
+use crate::cascade::{Conditions, Scene, nested_start};
+use crate::cgm::{Ball, Magnitude, Method, Settings, Total, Within};
+use crate::elastic::{ElasticSolver, Observer};
+use crate::error::Result;
+use crate::half_space::HalfSpace;
+use crate::influence::Direction;
+use crate::operator::Operator;
+use crate::report::Report;
+use crate::tangential::Axis;
+use crate::tangential::nested::FrictionScene;
+
+/// A vector of the plane on the cells of a window, `[x, y]`; a component that the model leaves out has no cells.
+pub(crate) type PlaneVector = [Vec<f64>; 2];
+
+/// What is asked of a solve.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Task<'a> {
+    pub(super) limits: &'a [f64],
+    pub(super) linear: &'a PlaneVector,
+    pub(super) totals: [Total; 2],
+}
+
+/// An engine, whatever the number of tractions.
+pub(super) trait ShearEngine: Debug + Send + Sync {
+    /// Minimises from the tractions into them.
+    fn minimise(
+        &mut self,
+        task: Task<'_>,
+        traction: &mut PlaneVector,
+        settings: &Settings,
+        observer: Observer<'_>,
+    ) -> Result<()>;
+
+    /// Tractions to start from: the answer on coarser cells, or the plain start of a method that has no other, and of
+    /// a contact that slides as a whole.
+    fn start(
+        &self,
+        bodies: &HalfSpace,
+        size: [usize; 2],
+        task: Task<'_>,
+        is_sliding: bool,
+        conditions: &mut Conditions<'_, '_>,
+    ) -> Result<PlaneVector>;
+
+    /// The displacements that tractions cause, computed anew.
+    fn displacement(&self, traction: &PlaneVector) -> PlaneVector;
+
+    /// The displacements of the last answer.
+    fn product(&self) -> [&[f64]; 2];
+
+    /// The shift that forces and springs cause beyond what is prescribed.
+    fn multiplier(&self) -> [f64; 2];
+
+    fn report(&self) -> &Report;
+
+    fn boxed(&self) -> Box<dyn ShearEngine>;
+}
+
+impl Clone for Box<dyn ShearEngine> {
+    fn clone(&self) -> Self {
+        self.boxed()
+    }
+}
+
+/// The engine for tractions along these axes, x first: the one place that chooses.
+pub(super) fn engine_along(
+    bodies: &HalfSpace,
+    axes: &[Axis],
+    size: [usize; 2],
+) -> Result<Box<dyn ShearEngine>> {
+    Ok(match axes {
+        [axis] => Box::new(Engine::new(bodies, [*axis], size)?),
+        _ => Box::new(Engine::new(bodies, [Axis::X, Axis::Y], size)?),
+    })
+}
+
+/// The engine for `N` tractions.
+#[derive(Debug, Clone)]
+struct Engine<const N: usize>
+where
+    Within: Ball<N>,
+{
+    axes: [Axis; N],
+    solver: ElasticSolver<<Within as Ball<N>>::Set, N>,
+}
+
+impl<const N: usize> Engine<N>
+where
+    Within: Ball<N>,
+{
+    fn new(bodies: &HalfSpace, axes: [Axis; N], size: [usize; 2]) -> Result<Self> {
+        let solver = ElasticSolver::new(bodies, axes.map(Axis::direction), size)?;
+        Ok(Self { axes, solver })
+    }
+
+    /// The components that the model has.
+    fn of<'a>(&self, both: &'a PlaneVector) -> [&'a [f64]; N] {
+        self.axes.map(|axis| both[axis.index()].as_slice())
+    }
+
+    /// `[x, y]` of these components, nothing where the model has none.
+    fn both<T: Default>(&self, values: [T; N]) -> [T; 2] {
+        let mut both = <[T; 2]>::default();
+        for (axis, value) in self.axes.iter().zip(values) {
+            both[axis.index()] = value;
+        }
+        both
+    }
+}
+
+/// The components along these axes, to write to.
+fn of_mut<'a, const N: usize>(axes: [Axis; N], both: &'a mut PlaneVector) -> [&'a mut [f64]; N] {
+    let mut parts = both.each_mut().map(Some);
+    // Each axis occurs once.
+    axes.map(|axis| parts[axis.index()].take().map_or(&mut [][..], |part| part))
+}
+
+impl<const N: usize> ShearEngine for Engine<N>
+where
+    Within: Ball<N>,
+{
+    fn minimise(
+        &mut self,
+        task: Task<'_>,
+        traction: &mut PlaneVector,
+        settings: &Settings,
+        observer: Observer<'_>,
+    ) -> Result<()> {
+        let (linear, totals) = (
+            self.of(task.linear),
+            self.axes.map(|axis| task.totals[axis.index()]),
+        );
+        let traction = of_mut(self.axes, traction);
+        let limits = Magnitude(task.limits);
+        self.solver
+            .minimise(linear, limits, totals, traction, settings, observer)
+    }
+
+    fn start(
+        &self,
+        bodies: &HalfSpace,
+        size: [usize; 2],
+        task: Task<'_>,
+        is_sliding: bool,
+        conditions: &mut Conditions<'_, '_>,
+    ) -> Result<PlaneVector> {
+        let scene = FrictionScene {
+            directions: self.axes.map(Axis::direction),
+            limits: task.limits.into(),
+            linear: self.of(task.linear).map(Cow::from),
+            totals: self.axes.map(|axis| task.totals[axis.index()]),
+        };
+        let found = if is_sliding || conditions.settings.method == Method::PolonskyKeer {
+            scene.plain_start()
+        } else {
+            nested_start(bodies, size, &scene, conditions)?
+        };
+        Ok(self.both(found))
+    }
+
+    fn displacement(&self, traction: &PlaneVector) -> PlaneVector {
+        let mut displacement = traction.each_ref().map(|part| vec![0.0; part.len()]);
+        let operator = self.solver.operator();
+        operator.apply(
+            self.of(traction),
+            of_mut(self.axes, &mut displacement),
+            &mut operator.workspace(),
+        );
+        displacement
+    }
+
+    fn product(&self) -> [&[f64]; 2] {
+        self.both(self.solver.product())
+    }
+
+    fn multiplier(&self) -> [f64; 2] {
+        self.both(self.solver.multiplier())
+    }
+
+    fn report(&self) -> &Report {
+        self.solver.report()
+    }
+
+    fn boxed(&self) -> Box<dyn ShearEngine> {
+        Box::new(self.clone())
+    }
+}
+
+impl Axis {
+    /// The direction of tractions along it.
+    pub(crate) const fn direction(self) -> Direction {
+        match self {
+            Self::X => Direction::X,
+            Self::Y => Direction::Y,
+        }
+    }
+}

@@ -1,0 +1,248 @@
+//! One step of a tangential contact, of a problem from rest or of a history.
+
+use crate::cascade::Conditions;
+use crate::cgm::Total;
+use crate::cgm::vector::norm;
+use crate::error::{Result, finite};
+use crate::half_space::HalfSpace;
+use crate::passes::with_time_left;
+use crate::report::Report;
+use crate::tangential::control::Demand;
+use crate::tangential::engine::{PlaneVector, ShearEngine, Task, engine_along};
+use crate::tangential::limits::is_at_limit;
+use crate::tangential::motion::{Motion, centre};
+use crate::tangential::{Axis, Pressed, TangentialControl};
+use crate::window::Window;
+
+/// The tangential contact on a window: pressure, limits and tractions of its cells, and the engine that solves a step.
+///
+/// A step finds tractions $`q`$ and a motion $`\delta`$ of body 2 with $`s = C q - S - \delta`$ for the slip of the
+/// step. The offset $`S`$ is what $`u - \delta`$ is in a cell while it sticks, zero from rest.
+#[derive(Debug, Clone)]
+pub(crate) struct Increment {
+    bodies: HalfSpace,
+    axes: &'static [Axis],
+    pub(crate) pressed: Pressed,
+    engine: Box<dyn ShearEngine>,
+    /// The start of the next step, and the answer of the last.
+    traction: PlaneVector,
+    linear: PlaneVector,
+    /// Motion of body 2 at the end of the last step.
+    motion: Motion,
+}
+
+/// How a step begins.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Start {
+    /// From the answer on coarser cells.
+    Nested,
+    /// From the present tractions.
+    Present,
+}
+
+impl Increment {
+    /// Without traction.
+    pub(crate) fn new(
+        bodies: &HalfSpace,
+        axes: &'static [Axis],
+        pressed: Pressed,
+    ) -> Result<Self> {
+        let Window { size, .. } = pressed.window;
+        Ok(Self {
+            bodies: bodies.clone(),
+            axes,
+            engine: engine_along(bodies, axes, size)?,
+            traction: zeros(axes, pressed.window.cells()),
+            linear: zeros(axes, pressed.window.cells()),
+            motion: Motion::default(),
+            pressed,
+        })
+    }
+
+    pub(crate) fn axes(&self) -> &'static [Axis] {
+        self.axes
+    }
+
+    pub(crate) fn report(&self) -> &Report {
+        self.engine.report()
+    }
+
+    /// Motion of body 2 at the end of the last step solved, converged or not.
+    pub(crate) fn motion(&self) -> Motion {
+        self.motion
+    }
+
+    /// Takes the tractions of the whole grid as the present ones.
+    pub(crate) fn set_traction(&mut self, traction: [&[f64]; 2]) {
+        for axis in self.axes {
+            let axis = axis.index();
+            let part = &mut self.traction[axis];
+            self.pressed.window.gather(traction[axis], part);
+        }
+    }
+
+    /// The present tractions, zero beyond the window, for another increment.
+    pub(crate) fn hand_over(&self, other: &mut Self) {
+        let mut whole = vec![0.0; self.bodies.grid().cells()];
+        for axis in self.axes.iter().map(|axis| axis.index()) {
+            whole.fill(0.0);
+            self.pressed
+                .window
+                .scatter(&self.traction[axis], &mut whole);
+            other
+                .pressed
+                .window
+                .gather(&whole, &mut other.traction[axis]);
+        }
+    }
+
+    /// The traction of a cell of the window.
+    pub(crate) fn traction(&self, cell: usize) -> [f64; 2] {
+        at(&self.traction, cell)
+    }
+
+    /// The displacement that the tractions found last cause in a cell of the window.
+    pub(crate) fn displacement(&self, cell: usize) -> [f64; 2] {
+        at(&self.engine.product(), cell)
+    }
+
+    /// The displacement that the present tractions cause, computed anew.
+    pub(crate) fn fresh_displacement(&self) -> PlaneVector {
+        self.engine.displacement(&self.traction)
+    }
+
+    /// Whether a cell of the window carries all that friction holds there.
+    pub(crate) fn is_at_limit(&self, cell: usize) -> bool {
+        is_at_limit(norm(self.traction(cell)), self.pressed.limits.cells[cell])
+    }
+
+    /// Finds the tractions at the end of a step, and the motion of body 2 there, which was `before` at its beginning.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`](crate::Error::NotConverged) with the last feasible tractions and their motion; what is
+    /// wrong with the demand before any work.
+    pub(crate) fn solve(
+        &mut self,
+        demand: &Demand,
+        before: Motion,
+        offset: Option<&PlaneVector>,
+        start: Start,
+        conditions: &mut Conditions<'_, '_>,
+    ) -> Result<()> {
+        self.motion = Motion {
+            twist: demand.twist,
+            ..before
+        };
+        let totals = self.prescribe(demand, offset)?;
+        self.set_linear(offset);
+        let Pressed { window, limits, .. } = &self.pressed;
+        let task = Task {
+            limits: &limits.cells,
+            linear: &self.linear,
+            totals,
+        };
+        if start == Start::Nested {
+            let is_at_rest = self.motion == Motion::default();
+            let is_idle = is_at_rest && totals.iter().all(|total| total.is_idle());
+            self.traction = if is_idle || limits.sum <= 0.0 {
+                zeros(self.axes, window.cells())
+            } else {
+                let [x, y] = totals.map(|total| total.sum().unwrap_or(0.0));
+                let is_sliding = x.hypot(y) >= limits.sum;
+                self.engine
+                    .start(&self.bodies, window.size, task, is_sliding, conditions)?
+            };
+        }
+        let settings = with_time_left(conditions.settings, conditions.start);
+        let observer = &mut *conditions.observer;
+        let outcome = self
+            .engine
+            .minimise(task, &mut self.traction, &settings, observer);
+        let beyond = self.engine.multiplier();
+        self.motion.shift = [0, 1].map(|axis| self.motion.shift[axis] + beyond[axis]);
+        outcome
+    }
+
+    /// What is prescribed of the sums of the tractions; the motion becomes the one they are measured from.
+    fn prescribe(&mut self, demand: &Demand, offset: Option<&PlaneVector>) -> Result<[Total; 2]> {
+        let cell_area = self.bodies.grid().cell_area();
+        let limits = &self.pressed.limits;
+        limits.check(demand.force(), cell_area)?;
+        let sums = limits.sums(demand.force(), cell_area);
+        let can_carry = limits.sum > 0.0;
+        let datum = self.datum(offset);
+        let mut totals = [Total::Free; 2];
+        for &axis in self.axes {
+            let component = axis.index();
+            let (shift, total) = (&mut self.motion.shift[component], &mut totals[component]);
+            match demand.control(axis) {
+                Some(TangentialControl::Shift(prescribed)) => *shift = prescribed,
+                // Where nothing can be carried the shift is free, and stays.
+                Some(TangentialControl::Force(_)) if can_carry => {
+                    (*shift, *total) = (datum[component], Total::Sum(sums[component]));
+                }
+                Some(TangentialControl::Force(_)) | None => {}
+                Some(TangentialControl::Spring {
+                    position,
+                    stiffness,
+                }) => {
+                    let quantity = "cell area over the stiffness of the spring";
+                    *shift = datum[component];
+                    *total = Total::Spring {
+                        far_end: position - datum[component],
+                        compliance: finite(quantity, cell_area / stiffness)?,
+                    };
+                }
+            }
+        }
+        Ok(totals)
+    }
+
+    /// The shift that, with a twist, would leave the cell of the largest limit without traction: measured from
+    /// there, a contact that has nowhere slipped asks for exactly none.
+    fn datum(&self, offset: Option<&PlaneVector>) -> [f64; 2] {
+        let Pressed { window, limits, .. } = &self.pressed;
+        let cells = limits.cells.iter().zip(window.indices());
+        let strongest = cells
+            .enumerate()
+            .max_by(|(_, a), (_, b)| a.0.total_cmp(b.0));
+        let Some((cell, (_, index))) = strongest else {
+            return [0.0; 2];
+        };
+        let turned = Motion {
+            shift: offset.map_or([0.0; 2], |offset| at(offset, cell)),
+            ..self.motion
+        }
+        .at(centre(self.bodies.grid(), index));
+        turned.map(|motion| -motion)
+    }
+
+    /// Asks every cell to follow the motion, from its offset.
+    fn set_linear(&mut self, offset: Option<&PlaneVector>) {
+        let grid = self.bodies.grid();
+        for (k, i) in self.pressed.window.indices().enumerate() {
+            let (offset, motion) = (
+                offset.map_or([0.0; 2], |offset| at(offset, k)),
+                self.motion.at(centre(grid, i)),
+            );
+            for axis in self.axes.iter().map(|axis| axis.index()) {
+                self.linear[axis][k] = -(offset[axis] + motion[axis]);
+            }
+        }
+    }
+}
+
+/// Zero in the components along these axes.
+pub(crate) fn zeros(axes: &[Axis], cells: usize) -> PlaneVector {
+    let mut both = PlaneVector::default();
+    for axis in axes {
+        both[axis.index()] = vec![0.0; cells];
+    }
+    both
+}
+
+/// `[x, y]` of a cell, zero where the model has no component.
+pub(crate) fn at<V: AsRef<[f64]>>(vector: &[V; 2], cell: usize) -> [f64; 2] {
+    let part = |axis: usize| vector[axis].as_ref().get(cell).copied().unwrap_or(0.0);
+    [part(0), part(1)]
+}

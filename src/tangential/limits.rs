@@ -1,0 +1,99 @@
+//! The friction limits of a contact, and the one rule of what is at them.
+
+use crate::cgm::reduce;
+use crate::error::{Error, Result, finite};
+use crate::tangential::Friction;
+use crate::window::Window;
+
+/// Relative distance from the friction limit within which a force slides the contact, and a cell slips.
+const SLIDING: f64 = 1e-12;
+
+/// Part of the largest limit below which a limit counts as zero.
+const NOTHING: f64 = 1e-30;
+
+/// The part of a normal contact that a tangential one needs: a window around it, pressure and limits there.
+#[derive(Debug, Clone)]
+pub(crate) struct Pressed {
+    pub(crate) window: Window,
+    /// Pressure of the cells of the window.
+    pub(crate) pressure: Vec<f64>,
+    pub(crate) limits: Limits,
+}
+
+impl Pressed {
+    /// Without pressure.
+    pub(crate) fn new(window: Window) -> Self {
+        Self {
+            window,
+            pressure: vec![0.0; window.cells()],
+            limits: Limits {
+                cells: vec![0.0; window.cells()],
+                sum: 0.0,
+            },
+        }
+    }
+
+    /// Takes the pressure of the whole grid, and what friction makes of it.
+    pub(crate) fn set(&mut self, pressure: &[f64], friction: &Friction) {
+        self.window.gather(pressure, &mut self.pressure);
+        self.limits.set(friction, self.window, &self.pressure);
+    }
+
+    /// Changes the friction alone.
+    pub(crate) fn set_friction(&mut self, friction: &Friction) {
+        self.limits.set(friction, self.window, &self.pressure);
+    }
+}
+
+/// The friction limit of every cell of a window, and their sum.
+#[derive(Debug, Clone)]
+pub(crate) struct Limits {
+    pub(crate) cells: Vec<f64>,
+    pub(crate) sum: f64,
+}
+
+/// Whether a traction or force of this size uses up a limit.
+pub(crate) fn is_at_limit(size: f64, limit: f64) -> bool {
+    size >= limit * (1.0 - SLIDING)
+}
+
+impl Limits {
+    fn set(&mut self, friction: &Friction, window: Window, pressure: &[f64]) {
+        let limits = self.cells.iter_mut().zip(window.indices());
+        for ((limit, index), &pressure) in limits.zip(pressure) {
+            *limit = if pressure > 0.0 {
+                friction.limit(index, pressure)
+            } else {
+                0.0
+            };
+        }
+        // Beside the largest these carry nothing, and their squares would underflow.
+        let cells = &mut self.cells;
+        let least = NOTHING * reduce::max(cells.len(), |i| cells[i]);
+        for limit in &mut *cells {
+            *limit = if *limit < least { 0.0 } else { *limit };
+        }
+        self.sum = reduce::total(cells);
+    }
+
+    /// Refuses a force that friction cannot hold, and limits that overflow.
+    pub(crate) fn check(&self, [x, y]: [f64; 2], cell_area: f64) -> Result<()> {
+        finite("sum of the friction limits", self.sum)?;
+        let (force, limit) = (x.hypot(y), self.sum * cell_area);
+        if force > limit * (1.0 + SLIDING) {
+            return Err(Error::BeyondSliding { force, limit });
+        }
+        Ok(())
+    }
+
+    /// The sums of tractions a force asks for; exactly at the limit when the force is within round-off of it.
+    pub(crate) fn sums(&self, force: [f64; 2], cell_area: f64) -> [f64; 2] {
+        let sums = force.map(|force| force / cell_area);
+        let size = sums[0].hypot(sums[1]);
+        if size > 0.0 && is_at_limit(size, self.sum) {
+            sums.map(|sum| sum * (self.sum / size))
+        } else {
+            sums
+        }
+    }
+}
