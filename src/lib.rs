@@ -130,7 +130,7 @@
 //! |---|---|---|
 //! | `parallel` | yes | threads, in the caller's rayon pool; the same bits on any number of them |
 //! | `dense` | yes | explicit matrices, the direct solution of small scenes and polynomials taken off surfaces, through faer |
-//! | `x3p` | no | surfaces in X3P files, through `miniz_oxide` and `quick-xml` |
+//! | `x3p` | no | surfaces in X3P files, through `rawzip`, `miniz_oxide` and `quick-xml` |
 //! | `serde` | no | grids, materials, friction, loads, options, fields and answers in any format of `serde` |
 //!
 //! What each costs an embedder, measured on the program of the page on [embedding](guide::embedding), compiled from nothing
@@ -141,7 +141,7 @@
 //! | none (`default-features = false`): transforms, solvers, histories, surfaces, plain files | 16 | 50 s | 33 s |
 //! | `parallel` | 22 | 71 s | 42 s |
 //! | `parallel`, `dense` (default) | 63 | 169 s | 120 s |
-//! | all | 70 | 182 s | 127 s |
+//! | all | 71 | 182 s | 127 s |
 //!
 //! With `serde`, what a constructor would refuse is refused on reading, by the same words, and numbers keep their bits.
 //! In formats for humans, as JSON, what is not finite is a word: `"NaN"` (a missing height), `"Infinity"` (the modulus of a
