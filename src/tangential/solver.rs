@@ -108,7 +108,7 @@ impl TangentialSolver {
             .set(friction, self.problem.window, &self.problem.pressure);
         self.spare.check(self.problem.load, grid.cell_area())?;
         std::mem::swap(&mut self.spare, &mut self.problem.limits);
-        self.problem.friction.copy_from(friction);
+        self.problem.friction.clone_from(friction);
         Ok(())
     }
 
