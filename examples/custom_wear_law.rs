@@ -91,7 +91,7 @@ fn main() -> std::result::Result<(), Box<dyn Error>> {
     let mut first_half = build()?;
     run(&mut first_half, &ball, CYCLES / 2)?;
     let saved = first_half.to_bytes();
-    let mut restored = History::restore(&bodies, &saved)?;
+    let mut restored = History::from_bytes(&bodies, &saved)?;
     run(&mut restored, &ball, CYCLES - CYCLES / 2)?;
 
     println!("cycle | energy, uJ  deepest wear, um  largest pressure, GPa  worn volume, um3");

@@ -12,7 +12,21 @@ pub(crate) use check::{
 use crate::report::Report;
 
 /// The result of a call that can be refused.
-pub type Result<T> = std::result::Result<T, Error>;
+///
+/// A second parameter replaces the error, so that a glob import of this crate leaves the two-parameter `Result` of the
+/// standard library usable.
+///
+/// ```
+/// use stickslip::*;
+/// fn cells(text: &str) -> Result<usize, std::num::ParseIntError> {
+///     text.parse()
+/// }
+/// fn grid(cells: usize) -> Result<Grid> {
+///     Grid::square(cells, 1.0)
+/// }
+/// assert!(cells("many").is_err() && grid(0).is_err());
+/// ```
+pub type Result<T, E = Error> = std::result::Result<T, E>;
 
 /// What was wrong: one variant per rule broken, with the offending number.
 ///

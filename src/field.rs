@@ -20,7 +20,7 @@ use crate::parallel;
 /// assert_eq!(field.as_slice()[5], 6.0);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
@@ -31,6 +31,25 @@ pub struct Field {
     #[cfg_attr(feature = "serde", serde(with = "crate::serial::numbers"))]
     samples: Vec<f64>,
 }
+
+/// `Clone` field by field, so that `clone_from` keeps the memory that each field has; `derive` would give it up.
+macro_rules! clone_in_place {
+    ($type:ident { $($field:ident),* $(,)? }) => {
+        impl Clone for $type {
+            fn clone(&self) -> Self {
+                Self { $($field: self.$field.clone()),* }
+            }
+
+            fn clone_from(&mut self, source: &Self) {
+                $(self.$field.clone_from(&source.$field);)*
+            }
+        }
+    };
+}
+
+pub(crate) use clone_in_place;
+
+clone_in_place!(Field { grid, samples });
 
 /// What was read, before it is checked.
 #[cfg(feature = "serde")]

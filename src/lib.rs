@@ -53,7 +53,8 @@
 //! | shear a contact along x or y | [`TangentialProblem`], by [`TangentialLoad::Force`] or [`Shift`](TangentialLoad::Shift) |
 //! | shear it in any direction, with the traction across | the same, with [`Lateral::Coupled`] |
 //! | do either many times | [`NormalSolver`], [`TangentialSolver`] |
-//! | load step by step, remember slip, save and restore | [`History`], [`LoadStep`] |
+//! | load step by step, remember slip | [`History`], [`LoadStep`] |
+//! | keep a history's state, return to it, save it | [`history::State`] |
 //! | load to and fro, until steady or with wear | [`history::FrettingLoop`], [`history::LoadPath`], [`history::Cycle`], [`history::wear`] |
 //! | put a contact into a simulator | the page on [embedding](guide::embedding) |
 //! | know how good an answer is | its [`Report`], and its [`Warning`]s |
@@ -130,8 +131,8 @@
 //! |---|---|---|
 //! | `parallel` | yes | threads, in the caller's rayon pool; the same bits on any number of them |
 //! | `dense` | yes | explicit matrices, the direct solution of small scenes and polynomials taken off surfaces, through faer |
-//! | `x3p` | no | surfaces in X3P files, through `miniz_oxide` and `quick-xml` |
-//! | `serde` | no | grids, materials, friction, loads, options, fields and answers in any format of `serde` |
+//! | `x3p` | no | surfaces in X3P files, through `rawzip`, `miniz_oxide` and `quick-xml` |
+//! | `serde` | no | grids, materials, friction, loads, options, fields, answers and states in any format of `serde` |
 //!
 //! What each costs an embedder, measured on the program of the page on [embedding](guide::embedding), compiled from nothing
 //! (seconds of one core, rustc 1.95):
@@ -141,13 +142,13 @@
 //! | none (`default-features = false`): transforms, solvers, histories, surfaces, plain files | 16 | 50 s | 33 s |
 //! | `parallel` | 22 | 71 s | 42 s |
 //! | `parallel`, `dense` (default) | 63 | 169 s | 120 s |
-//! | all | 70 | 182 s | 127 s |
+//! | all | 71 | 182 s | 127 s |
 //!
 //! With `serde`, what a constructor would refuse is refused on reading, by the same words, and numbers keep their bits.
 //! In formats for humans, as JSON, what is not finite is a word: `"NaN"` (a missing height), `"Infinity"` (the modulus of a
 //! rigid body) or `"-Infinity"`. A [`HalfSpace`] is made anew from grid, pair and boundary, a closed form from its
-//! parameters; a generated or levelled surface is saved as its heights; and a [`History`], which needs its bodies, has
-//! bytes of its own ([`History::to_bytes`]).
+//! parameters; a generated or levelled surface is saved as its heights; and a [`History`] from its bodies and its
+//! [`State`](history::State), which is written as bytes.
 //!
 //! # What is modelled, and what is not
 //!

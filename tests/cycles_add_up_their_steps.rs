@@ -296,7 +296,7 @@ fn a_step_that_is_not_new_is_refused() {
     // Of another history, and of this one after a restart.
     assert_eq!(cycle.add(&ball(1e-6)), not_new(1, 2));
     let bodies = unit_bodies(history.grid(), 0.3);
-    let mut restored = History::restore(&bodies, &history.to_bytes()).unwrap();
+    let mut restored = History::from_bytes(&bodies, &history.to_bytes()).unwrap();
     assert_eq!(cycle.add(&restored), not_new(2, 2));
     assert_eq!(cycle, once);
 

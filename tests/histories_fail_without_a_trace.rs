@@ -237,7 +237,7 @@ fn loads_at_the_ends_of_the_doubles() {
                         continue;
                     }
                     assert!(is_of_numbers(&history), "{step:?}");
-                    history = History::restore(&bodies, &saved).unwrap();
+                    history = History::from_bytes(&bodies, &saved).unwrap();
                 }
             }
         }

@@ -4,9 +4,11 @@
 mod common;
 
 use common::{rough, unit_bodies, unit_pair};
+use stickslip::history::State;
+use stickslip::io::Place;
 use stickslip::{
     Axis, Boundary, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalStep,
-    TangentialStep, surface,
+    TangentialStep, Warning, surface,
 };
 
 fn run(history: &mut History, forces: &[[f64; 2]]) {
@@ -46,15 +48,15 @@ fn to_the_same_bits() {
             for forces in [&[][..], &FIRST, &THEN[..2]] {
                 run(&mut history, forces);
                 let saved = history.to_bytes();
-                let mut restored = History::restore(&bodies, &saved).unwrap();
+                let mut restored = History::from_bytes(&bodies, &saved).unwrap();
                 assert_eq!(restored.to_bytes(), saved);
                 assert_eq!(restored.steps(), history.steps());
                 run(&mut restored, &THEN);
 
-                let mut whole = History::restore(&bodies, &saved).unwrap();
+                let mut whole = History::from_bytes(&bodies, &saved).unwrap();
                 for force in &THEN {
                     run(&mut whole, std::slice::from_ref(force));
-                    whole = History::restore(&bodies, &whole.to_bytes()).unwrap();
+                    whole = History::from_bytes(&bodies, &whole.to_bytes()).unwrap();
                 }
                 assert_eq!(whole.to_bytes(), restored.to_bytes());
 
@@ -98,15 +100,17 @@ fn saved() -> (HalfSpace, Vec<u8>) {
 #[test]
 fn damaged_bytes_are_refused() {
     let (bodies, bytes) = saved();
-    let problem = |bytes: &[u8]| match History::restore(&bodies, bytes) {
+    let problem = |bytes: &[u8]| match History::from_bytes(&bodies, bytes) {
         Err(Error::Format { problem, .. }) => problem,
         other => panic!("{other:?}"),
     };
     assert!(problem(b"").contains("magic"));
     assert!(problem(b"nothing of the kind").contains("do not begin"));
     let mut newer = bytes.clone();
-    newer[8] = 3;
-    assert!(problem(&newer).contains("version 3"));
+    for version in [2, 4] {
+        newer[8] = version;
+        assert!(problem(&newer).contains(&format!("version {version} is unknown")));
+    }
     for length in [9, 15, 20, 27, 100, bytes.len() / 2, bytes.len() - 1] {
         problem(&bytes[..length]);
     }
@@ -133,24 +137,87 @@ fn sealed(mut bytes: Vec<u8>) -> Vec<u8> {
 #[test]
 fn contents_are_checked_behind_a_right_sum() {
     let (bodies, bytes) = saved();
-    assert!(History::restore(&bodies, &sealed(bytes.clone())).is_ok());
+    assert!(History::from_bytes(&bodies, &sealed(bytes.clone())).is_ok());
     // Not a number, wherever it falls: it is found in scalars, windows and fields.
     let mut accepted = 0;
     for place in (20..bytes.len() - 24).step_by(61) {
         let mut damaged = bytes.clone();
         damaged[place..place + 16].copy_from_slice(&[0xff; 16]);
-        accepted += usize::from(History::restore(&bodies, &sealed(damaged)).is_ok());
+        match State::from_bytes(&sealed(damaged)) {
+            Ok(_) => accepted += 1,
+            Err(Error::Format {
+                place: Place::Byte(byte),
+                ..
+            }) => assert!((20..place as u64 + 16).contains(&byte), "{byte}, {place}"),
+            Err(error) => panic!("{error}"),
+        }
     }
-    // What no number can be wrong in: counts of the report.
+    // What no number can be wrong in: the limit of iterations.
     assert!(accepted <= 1, "{accepted}");
     let mut longer = bytes.clone();
     longer.splice(bytes.len() - 8..bytes.len() - 8, [0; 8]);
     let length = (longer.len() as u64).to_le_bytes();
     longer[12..20].copy_from_slice(&length);
     assert!(matches!(
-        History::restore(&bodies, &sealed(longer)),
+        History::from_bytes(&bodies, &sealed(longer)),
         Err(Error::Format { .. })
     ));
+}
+
+/// The number of steps follows bodies, options and a uniform friction with a cap.
+const STEPS: usize = 20 + (32 + 1 + 32) + (1 + 1 + 8 + 8 + 1) + (1 + 8 + 1 + 8);
+
+#[test]
+fn no_number_of_steps_overflows_later() {
+    let (bodies, bytes) = saved();
+    let with_steps = |steps: u64| {
+        let mut bytes = bytes.clone();
+        assert_eq!(bytes[STEPS..][..8], 3_u64.to_le_bytes());
+        bytes[STEPS..][..8].copy_from_slice(&steps.to_le_bytes());
+        History::from_bytes(&bodies, &sealed(bytes))
+    };
+    for steps in [u64::MAX, (1 << 53) + 1] {
+        let Err(Error::Format { place, problem, .. }) = with_steps(steps) else {
+            panic!("{steps} steps are accepted")
+        };
+        assert_eq!(place, Place::Byte(STEPS as u64));
+        assert!(problem.contains(&steps.to_string()), "{problem}");
+    }
+    let mut history = with_steps(1 << 53).unwrap();
+    run(&mut history, &THEN[..1]);
+    assert_eq!(history.steps(), (1 << 53) + 1);
+}
+
+#[test]
+fn a_claim_of_many_cells_takes_no_memory() {
+    let (_, mut bytes) = saved();
+    bytes[20..28].copy_from_slice(&(1_u64 << 40).to_le_bytes());
+    let bytes = sealed(bytes);
+    let mut refused = None;
+    let work = || refused = State::from_bytes(&bytes).err();
+    let memory = allocation_counter::measure(work).bytes_max;
+    let message = refused.unwrap().to_string();
+    assert!(
+        message.contains("the file ends within the cells"),
+        "{message}"
+    );
+    assert!(memory < 1000, "{memory}");
+}
+
+#[test]
+fn a_pressure_older_than_its_gap_is_still_known_to_be() {
+    let (bodies, gap, friction) = scenes().swap_remove(0);
+    let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
+    run(&mut history, &FIRST);
+    let mut worn = gap;
+    worn.as_mut_slice()[0] += 1.0;
+    history.set_gap(&worn).unwrap();
+    let mut restored = History::from_bytes(&bodies, &history.to_bytes()).unwrap();
+    for history in [&mut history, &mut restored] {
+        assert!(history.state().is_pressure_stale());
+        let step = history.step(&LoadStep::hold()).unwrap();
+        assert_eq!(step.warnings(), [Warning::StalePressure]);
+    }
 }
 
 #[test]
@@ -161,12 +228,12 @@ fn other_bodies_are_refused() {
         Grid::new(49, 60, 0.5, 0.7).unwrap(),
         Grid::new(60, 49, 0.7, 0.5).unwrap(),
     ] {
-        let outcome = History::restore(&unit_bodies(other, 0.3), &bytes);
+        let outcome = History::from_bytes(&unit_bodies(other, 0.3), &bytes);
         assert!(matches!(outcome, Err(Error::GridMismatch { .. })));
     }
-    let outcome = History::restore(&unit_bodies(grid, 0.31), &bytes);
+    let outcome = History::from_bytes(&unit_bodies(grid, 0.31), &bytes);
     assert!(matches!(outcome, Err(Error::MaterialMismatch { .. })));
     let periodic = HalfSpace::with_boundary(grid, *bodies.pair(), Boundary::Periodic).unwrap();
-    let outcome = History::restore(&periodic, &bytes);
+    let outcome = History::from_bytes(&periodic, &bytes);
     assert!(matches!(outcome, Err(Error::BoundaryMismatch { .. })));
 }

@@ -376,7 +376,7 @@ fn a_restored_history_goes_on_to_the_same_bits() {
     let mut whole = pressed(&bodies, &gap, Lateral::Coupled, 1e-8);
     run(&mut whole, 3);
     let saved = whole.to_bytes();
-    let mut restored = History::restore(&bodies, &saved).unwrap();
+    let mut restored = History::from_bytes(&bodies, &saved).unwrap();
     assert_eq!(restored.to_bytes(), saved);
     assert!(restored.twist() != 0.0 && restored.moment() == whole.moment());
     run(&mut whole, 0);

@@ -154,7 +154,7 @@ fn restored_on_another_thread() {
             let elsewhere = bodies.clone();
             let restored = thread::scope(|scope| {
                 let restored = scope.spawn(move || {
-                    let mut restored = History::restore(&elsewhere, &saved).unwrap();
+                    let mut restored = History::from_bytes(&elsewhere, &saved).unwrap();
                     go_on(&mut restored, then);
                     bits(&restored)
                 });

@@ -109,7 +109,7 @@ fn a_history_takes_others_for_both_halves() {
     }
 
     // A restored one has them too, and can be given others.
-    let mut restored = History::restore(&bodies, &history.to_bytes()).unwrap();
+    let mut restored = History::from_bytes(&bodies, &history.to_bytes()).unwrap();
     assert_eq!(*restored.settings(), fine);
     restored.set_settings(rough).unwrap();
     assert_eq!(*restored.settings(), rough);

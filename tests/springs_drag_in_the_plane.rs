@@ -359,7 +359,7 @@ fn a_restored_history_goes_on_to_the_same_bits() {
     whole.step(&steps[0]).unwrap();
     let mut restored = {
         let grid = whole.grid();
-        History::restore(&unit_bodies(grid, 0.3), &whole.to_bytes()).unwrap()
+        History::from_bytes(&unit_bodies(grid, 0.3), &whole.to_bytes()).unwrap()
     };
     for load in &steps[1..] {
         whole.step(load).unwrap();

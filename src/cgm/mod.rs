@@ -103,6 +103,7 @@ mod workspace;
 pub(crate) use certificate::{Certificate, Iterate, examine};
 pub use disc::Disc;
 pub use interval::Interval;
+pub(crate) use motion::Linearised;
 pub use problem::{Minimum, Problem, minimise, minimise_with};
 pub use set::{Admissible, Ball, Bounds, Constraint, Magnitude, NonNegative, Within};
 pub use settings::{Method, Settings};

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`rough_surfaces`] | a surface, generated or measured, pressed and sheared |
 //! | [`fretting_and_wear`] | load to and fro, wear, cycle jumps |
-//! | [`embedding`] | a simulator that takes contacts in: ownership, threads, allocation, snapshots, errors |
+//! | [`embedding`] | a simulator that takes contacts in: ownership, threads, allocation, states, errors |
 //! | [`hard_cases`] | scenes that break solvers, each judged, and what random ones came to |
 //! | [`errata`] | the formulas of Wang et al. (2021) that are not as printed, and how each was checked |
 //!

@@ -5,6 +5,7 @@ use crate::error::Result;
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::History;
+use crate::history::state::State;
 use crate::tangential::{Axis, Friction, Lateral, check_coupling};
 
 /// Options of a [`History`]; each has a default.
@@ -93,6 +94,12 @@ impl HistoryBuilder<'_> {
             Lateral::Neglected => Some(self.axis),
             Lateral::Coupled => None,
         };
-        History::new(self.bodies, self.gap, self.friction, axis, self.settings)
+        let bodies = self.bodies;
+        self.gap.check("gap", bodies.grid())?;
+        self.friction.check(bodies.grid())?;
+        let (gap, boundary) = (self.gap.clone(), bodies.boundary());
+        let (pair, settings) = (bodies.pair(), self.settings);
+        let state = State::new(gap, boundary, pair, self.friction, axis, settings);
+        History::from_state(bodies, state)
     }
 }

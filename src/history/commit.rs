@@ -1,6 +1,7 @@
 //! A solved step enters state and account.
 
 use crate::cgm::plane::dot;
+use crate::history::memory::Memory;
 use crate::history::motion::{Motion, centre};
 use crate::history::patch::Patch;
 use crate::history::state::State;
@@ -8,8 +9,14 @@ use crate::history::step::Step;
 use crate::tangential::Zone;
 
 impl Patch {
-    /// Enters the solved step, from the motion `before` to that of the state, into state and step.
-    pub(super) fn commit(&mut self, before: Motion, state: &mut State, step: &mut Step) {
+    /// Enters the solved step, from the motion `before` to that of the state, into memory, state and step.
+    pub(super) fn commit(
+        &mut self,
+        before: Motion,
+        memory: &mut Memory,
+        state: &mut State,
+        step: &mut Step,
+    ) {
         let (grid, layout) = (state.grid(), self.layout());
         let cell_area = grid.cell_area();
         let change = state.motion.since(before);
@@ -19,16 +26,16 @@ impl Patch {
             let traction = layout.at(self.engine.traction(), k);
             let before = state.traction.each_ref().map(|field| field.as_slice()[i]);
             let mean = [0, 1].map(|axis| 0.5 * (before[axis] + traction[axis]));
-            let (u_before, u) = (layout.at(&self.displacement, k), layout.at(&self.next, k));
+            let (u_before, u) = (layout.at(&memory.displacement, k), layout.at(&self.next, k));
             let relative = difference(u, state.motion.at(centre));
-            let moved = difference(relative, layout.at(&self.offset, k));
+            let moved = difference(relative, layout.at(&memory.offset, k));
             let is_contact = self.pressure[k] > 0.0;
             let sticks = !self.engine.is_at_limit(traction, self.limits.cells[k]);
             // Slip along the traction is none, but what the tolerance leaves.
             let slips = is_contact && !sticks && dot(traction, moved) <= 0.0;
             let slip = if slips { moved } else { [0.0; 2] };
             if slips || !is_contact {
-                layout.set(&mut self.offset, k, relative);
+                layout.set(&mut memory.offset, k, relative);
             }
             state.zones[i] = match (is_contact, sticks) {
                 (false, _) => Zone::Separate,
@@ -69,7 +76,7 @@ impl Patch {
         }
         state.force = sum.map(|sum| cell_area * sum);
         state.moment = cell_area * moment;
-        std::mem::swap(&mut self.displacement, &mut self.next);
+        std::mem::swap(&mut memory.displacement, &mut self.next);
     }
 }
 

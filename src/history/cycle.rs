@@ -102,9 +102,7 @@ struct Unchecked {
 
 #[cfg(feature = "serde")]
 impl<'de> serde::Deserialize<'de> for Cycle {
-    fn deserialize<D: serde::Deserializer<'de>>(
-        deserializer: D,
-    ) -> std::result::Result<Self, D::Error> {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         checked(Unchecked::deserialize(deserializer)?, |read| {
             let grid = read.slip_length.grid();
             let sums = [&read.slip_length, &read.slip_pressure, &read.dissipation];

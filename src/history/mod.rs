@@ -41,8 +41,8 @@
 //!
 //! # All or nothing
 //! A step that is refused, cancelled or does not converge leaves the history bit for bit as it was, with all
-//! that the next step starts from. [`History::to_bytes`] saves as much: a restored history goes on to the
-//! same bits.
+//! that the next step starts from: its [`State`]. A step that succeeded is taken back by [`History::set_state`].
+//! [`State::to_bytes`] saves a state, and a history that is made from it continues to the same bits.
 //!
 //! # Cycles
 //! A [`FrettingLoop`] takes a [`LoadPath`] again and again, until the loop is steady or as often as asked, and
@@ -63,6 +63,7 @@ mod fretting;
 mod hysteresis;
 mod layout;
 mod load;
+mod memory;
 mod motion;
 mod patch;
 mod path;
@@ -81,5 +82,6 @@ pub use fretting::{FrettingLoop, LoopEnding, LoopOutcome};
 pub use hysteresis::LoopPoint;
 pub use load::{LoadStep, NormalStep, TangentialStep};
 pub use path::LoadPath;
+pub use state::State;
 pub use step::Step;
 pub use stepping::History;

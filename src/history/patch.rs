@@ -1,78 +1,64 @@
-//! The window of the contact, with all that a history keeps there.
+//! The window of the contact, with the engine that works there.
 
 use crate::error::Result;
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::engine::Engine;
 use crate::history::layout::Layout;
+use crate::history::memory::Memory;
 use crate::history::motion::{Motion, centre};
 use crate::history::state::State;
 use crate::tangential::{Axis, Friction, Limits, Zone};
 use crate::window::Window;
 
-/// The engine on the window of the contact, and the state of the cells there.
+/// The engine on the window of the contact, and the step under way there.
 ///
 /// Vectors have the [layout](Layout) of the engine.
 #[derive(Debug, Clone)]
 pub(super) struct Patch {
     pub(super) window: Window,
     pub(super) engine: Engine,
-    /// Displacement u after the last step, and after the one under way.
-    pub(super) displacement: Vec<f64>,
+    /// Displacement u after the step under way.
     pub(super) next: Vec<f64>,
-    /// What u less the motion is in a cell while it sticks: where its last slip has left it or, outside
-    /// the contact, where it would touch now.
-    pub(super) offset: Vec<f64>,
     pub(super) pressure: Vec<f64>,
     pub(super) limits: Limits,
 }
 
 impl Patch {
-    /// At the first touch, of bodies that have no displacement.
-    pub(super) fn first(
-        bodies: &HalfSpace,
-        axis: Option<Axis>,
-        window: Window,
-        state: &State,
-    ) -> Result<Self> {
+    pub(super) fn new(bodies: &HalfSpace, axis: Option<Axis>, window: Window) -> Result<Self> {
         let layout = Layout::new(axis, window.cells());
-        let zeros = || vec![0.0; layout.len()];
-        let mut offset = zeros();
-        for (k, i) in window.indices().enumerate() {
-            let motion = state.motion.at(centre(bodies.grid(), i));
-            layout.set(&mut offset, k, motion.map(|motion| -motion));
-        }
         Ok(Self {
             window,
             engine: Engine::new(bodies, axis, window.size)?,
-            displacement: zeros(),
-            next: zeros(),
-            offset,
+            next: vec![0.0; layout.len()],
             pressure: vec![0.0; layout.cells],
             limits: Limits::new(layout.cells),
         })
     }
 
-    /// Wide enough for a contact too, and a little wider, so that it may grow some more.
+    /// Wide enough for a contact too, and a little wider, so that it may grow some more; with what its cells
+    /// remember.
     pub(super) fn widened(
         &self,
+        memory: &Memory,
         bodies: &HalfSpace,
-        axis: Option<Axis>,
         contact: Window,
         state: &State,
-    ) -> Result<Self> {
-        let window = self.window.union(contact.widened(bodies.grid()));
-        let mut patch = Self::first(bodies, axis, window, state)?;
+    ) -> Result<(Self, Memory)> {
+        let (grid, axis) = (bodies.grid(), state.axis);
+        let window = self.window.union(contact.widened(grid));
+        let mut patch = Self::new(bodies, axis, window)?;
+        let mut wider = Memory::first(grid, axis, window, state.motion);
         patch.take(state);
-        patch.displacement = patch.engine.displacement();
-        for (offset, displacement) in patch.offset.iter_mut().zip(&patch.displacement) {
+        wider.displacement = patch.engine.displacement();
+        for (offset, displacement) in wider.offset.iter_mut().zip(&wider.displacement) {
             *offset += displacement;
         }
-        let mut whole = vec![0.0; bodies.grid().cells()];
+        let mut whole = vec![0.0; grid.cells()];
         let (wide, narrow) = (patch.layout(), self.layout());
         let pairs = wide
-            .parts_mut(&mut patch.offset)
-            .zip(narrow.parts(&self.offset));
+            .parts_mut(&mut wider.offset)
+            .zip(narrow.parts(&memory.offset));
         for ((_, wide), (_, narrow)) in pairs {
             window.scatter(wide, &mut whole);
             for (i, offset) in self.window.indices().zip(narrow) {
@@ -82,7 +68,7 @@ impl Patch {
             }
             window.gather(&whole, wide);
         }
-        Ok(patch)
+        Ok((patch, wider))
     }
 
     pub(super) fn layout(&self) -> Layout {
@@ -96,7 +82,7 @@ impl Patch {
 
     /// The shift that, with a twist, would leave the cell of the largest limit without traction: measured from
     /// there, a contact that has nowhere slipped asks for exactly none.
-    pub(super) fn datum(&self, state: &State, twist: f64) -> [f64; 2] {
+    pub(super) fn datum(&self, memory: &Memory, state: &State, twist: f64) -> [f64; 2] {
         let cells = self.limits.cells.iter().zip(self.window.indices());
         let strongest = cells
             .enumerate()
@@ -104,7 +90,7 @@ impl Patch {
         let Some((cell, (_, index))) = strongest else {
             return [0.0; 2];
         };
-        let offset = self.layout().at(&self.offset, cell);
+        let offset = self.layout().at(&memory.offset, cell);
         let turned = Motion {
             shift: offset,
             twist,
@@ -123,14 +109,20 @@ impl Patch {
 
     /// Poses the problem of a step: from the last traction, with a prescribed motion and the compliances
     /// of springs.
-    pub(super) fn pose(&mut self, state: &State, prescribed: Motion, compliance: [f64; 2]) {
+    pub(super) fn pose(
+        &mut self,
+        memory: &Memory,
+        state: &State,
+        prescribed: Motion,
+        compliance: [f64; 2],
+    ) {
         self.take(state);
         self.engine.set_compliance(compliance);
         let layout = self.layout();
         let linear = self.engine.linear_mut();
         for (k, i) in self.window.indices().enumerate() {
             let (offset, motion) = (
-                layout.at(&self.offset, k),
+                layout.at(&memory.offset, k),
                 prescribed.at(centre(state.grid(), i)),
             );
             // What cannot carry traction does not ask for any.

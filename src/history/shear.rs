@@ -3,11 +3,11 @@
 //! The seam to the rest of the history is four calls: [`Shear::prepare`] with the pressure of the step,
 //! [`Shear::solve`], then [`Shear::commit`], or [`Shear::abandon`] to leave no trace.
 
-use crate::cgm::Settings;
 use crate::error::{Error, Result, finite};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::layout::axes_of;
+use crate::history::memory::Memory;
 use crate::history::motion::Motion;
 use crate::history::patch::Patch;
 use crate::history::state::State;
@@ -15,28 +15,26 @@ use crate::history::step::Step;
 use crate::history::{EnergyBalance, LoadStep, TangentialStep};
 use crate::report::Report;
 use crate::stage::Observer;
-use crate::tangential::{Axis, Friction, TangentialLoad};
+use crate::tangential::TangentialLoad;
 use crate::window::Window;
 
 /// Tractions on the window of the contact, which is made wider when the contact leaves it.
 #[derive(Debug, Clone)]
 pub(super) struct Shear {
     bodies: HalfSpace,
-    /// The axis of the scalar model, `None` in that of the plane.
-    axis: Option<Axis>,
-    pub(super) patch: Option<Patch>,
-    /// The patch of the step under way, where that needs a wider one.
-    wider: Option<Patch>,
+    /// On the window of the [`Memory`] in the state, if there is one.
+    patch: Option<Patch>,
+    /// What takes the place of both if the step under way, which needs a wider window, succeeds.
+    wider: Option<(Patch, Memory)>,
     /// Motion at the end of the step under way.
     motion: Motion,
     report: Report,
 }
 
 impl Shear {
-    pub(super) fn new(bodies: &HalfSpace, axis: Option<Axis>) -> Self {
+    pub(super) fn new(bodies: &HalfSpace) -> Self {
         Self {
             bodies: bodies.clone(),
-            axis,
             patch: None,
             wider: None,
             motion: Motion::default(),
@@ -44,30 +42,42 @@ impl Shear {
         }
     }
 
-    pub(super) fn axis(&self) -> Option<Axis> {
-        self.axis
+    /// Goes on from a state: in the buffers there are, if they are of its window and model.
+    pub(super) fn resume(&mut self, state: &State) -> Result<()> {
+        let fits = match (&self.patch, &state.contact) {
+            (None, None) => true,
+            (Some(patch), Some(memory)) => {
+                patch.window == memory.window && patch.layout().axes == axes_of(state.axis)
+            }
+            _ => false,
+        };
+        if !fits {
+            let make = |memory: &Memory| Patch::new(&self.bodies, state.axis, memory.window);
+            self.patch = state.contact.as_ref().map(make).transpose()?;
+        }
+        Ok(())
     }
 
     /// Takes the pressure of the step and what friction makes of it.
-    pub(super) fn prepare(
-        &mut self,
-        pressure: &Field,
-        friction: &Friction,
-        state: &State,
-    ) -> Result<()> {
+    pub(super) fn prepare(&mut self, pressure: &Field, state: &State) -> Result<()> {
         let samples = pressure.as_slice();
         let contact = Window::around(pressure.grid(), |i| samples[i] > 0.0);
         if let Some(contact) = contact.map(|window| self.bodies.confined(window)) {
-            self.wider = match &self.patch {
-                None => Some(Patch::first(&self.bodies, self.axis, contact, state)?),
-                Some(patch) if !patch.window.covers(contact) => {
-                    Some(patch.widened(&self.bodies, self.axis, contact, state)?)
+            self.wider = match self.patch.as_ref().zip(state.contact.as_ref()) {
+                None => {
+                    let (grid, axis) = (pressure.grid(), state.axis);
+                    let patch = Patch::new(&self.bodies, axis, contact)?;
+                    Some((patch, Memory::first(grid, axis, contact, state.motion)))
+                }
+                Some((patch, memory)) if !patch.window.covers(contact) => {
+                    Some(patch.widened(memory, &self.bodies, contact, state)?)
                 }
                 Some(_) => None,
             };
         }
-        if let Some(patch) = self.wider.as_mut().or(self.patch.as_mut()) {
-            patch.set_limits(pressure, friction);
+        let wider = self.wider.as_mut().map(|(patch, _)| patch);
+        if let Some(patch) = wider.or(self.patch.as_mut()) {
+            patch.set_limits(pressure, &state.friction);
         }
         Ok(())
     }
@@ -77,15 +87,18 @@ impl Shear {
         &mut self,
         load: &LoadStep,
         state: &State,
-        settings: &Settings,
         observer: Observer<'_>,
     ) -> Result<()> {
         let cell_area = self.bodies.grid().cell_area();
         self.report.clone_from(&Report::unsolved());
         let mut motion = state.motion;
         motion.twist = load.twist_from(motion.twist);
-        let Some(patch) = self.wider.as_mut().or(self.patch.as_mut()) else {
-            for axis in axes_of(self.axis) {
+        let under_way = match &mut self.wider {
+            Some((patch, memory)) => Some((patch, &*memory)),
+            None => self.patch.as_mut().zip(state.contact.as_ref()),
+        };
+        let Some((patch, memory)) = under_way else {
+            for axis in axes_of(state.axis) {
                 let shift = &mut motion.shift[axis.index()];
                 *shift = shift_without_contact(load.along(*axis), *shift)?;
             }
@@ -104,7 +117,7 @@ impl Shear {
         limits.check(TangentialLoad::Force(force), cell_area)?;
         let (sums, datum) = (
             limits.totals(force, cell_area),
-            patch.datum(state, motion.twist),
+            patch.datum(memory, state, motion.twist),
         );
         let (mut totals, mut compliance) = ([None; 2], [0.0; 2]);
         for axis in axes {
@@ -127,7 +140,7 @@ impl Shear {
                 }
             }
         }
-        patch.pose(state, motion, compliance);
+        patch.pose(memory, state, motion, compliance);
         let Patch {
             engine,
             limits,
@@ -137,7 +150,7 @@ impl Shear {
         engine.minimise(
             &limits.cells,
             totals,
-            settings,
+            &state.settings,
             observer,
             next,
             &mut self.report,
@@ -150,17 +163,20 @@ impl Shear {
 
     /// Makes the step part of the state and writes down what it did.
     pub(super) fn commit(&mut self, state: &mut State, step: &mut Step) {
-        if let Some(wider) = self.wider.take() {
-            self.patch = Some(wider);
+        if let Some((patch, memory)) = self.wider.take() {
+            (self.patch, state.contact) = (Some(patch), Some(memory));
         }
         let (before, force, moment) = (state.motion, state.force, state.moment);
         step.tangential_report.clone_from(&self.report);
         (step.stick_cells, step.slip_cells) = (0, 0);
         step.energy = EnergyBalance::default();
         state.motion = self.motion;
-        if let Some(patch) = &mut self.patch {
-            patch.commit(before, state, step);
+        // Out of the state and back, so that both can be written.
+        let mut contact = state.contact.take();
+        if let Some((patch, memory)) = self.patch.as_mut().zip(contact.as_mut()) {
+            patch.commit(before, memory, state, step);
         }
+        state.contact = contact;
         let change = state.motion.since(before);
         let shifted: f64 = (0..2)
             .map(|axis| 0.5 * (force[axis] + state.force[axis]) * change.shift[axis])

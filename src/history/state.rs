@@ -1,13 +1,71 @@
 //! What survives from one step to the next.
 
-use crate::field::Field;
+use crate::boundary::Boundary;
+use crate::cgm::Settings;
+use crate::error::{Error, Result};
+use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
+use crate::half_space::HalfSpace;
+use crate::history::memory::Memory;
 use crate::history::motion::Motion;
-use crate::tangential::Zone;
+use crate::material::ElasticPair;
+use crate::normal::NormalSolution;
+use crate::tangential::{Axis, Friction, Zone};
+use crate::window::Window;
 
-/// Tangential state of all cells, and what has added up since the start.
-#[derive(Debug, Clone)]
-pub(super) struct State {
+/// The state of a [`History`](crate::History): everything that its next step starts from, apart from the bodies and
+/// the buffers.
+///
+/// [`History::state`](crate::History::state) lends it. A clone keeps it, and
+/// [`History::set_state`](crate::History::set_state) returns to it; `clone_from` and `set_state` copy into the memory
+/// that is there. Vectors are `[x, y]`; the scalar model leaves the component across its axis at zero.
+///
+/// ```
+/// use stickslip::*;
+/// let grid = Grid::square(32, 0.30e-3)?;
+/// let steel = Material::new(213e9, 0.29)?;
+/// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
+/// let ball = surface::sphere(grid, 3.5e-3)?;
+/// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.5)?).build()?;
+/// history.step(&LoadStep::hold().normal(NormalStep::Force(100.0)))?;
+///
+/// // Try a step, and take it back.
+/// let mut kept = history.state().clone();
+/// let shear = |force| LoadStep::hold().tangential(Axis::X, TangentialStep::Force(force));
+/// history.step(&shear(40.0))?;
+/// history.set_state(&kept)?;
+/// assert_eq!((history.steps(), history.force()), (1, [0.0, 0.0]));
+///
+/// // Take a smaller one, and keep it.
+/// history.step(&shear(20.0))?;
+/// kept.clone_from(history.state());
+/// assert!(kept.force()[0] > 19.9 && kept.shift()[0] > 0.0);
+///
+/// // Continue elsewhere, or later, to the same bits.
+/// let mut other = History::from_state(&bodies, kept)?;
+/// assert_eq!(other.step(&shear(0.0))?.shift(), history.step(&shear(0.0))?.shift());
+/// # Ok::<(), Error>(())
+/// ```
+///
+/// With the feature `serde` a state is written as the bytes of [`State::to_bytes`], in any format.
+#[derive(Debug)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(into = "Vec<u8>", try_from = "Vec<u8>")
+)]
+pub struct State {
+    pub(super) axis: Option<Axis>,
+    pub(super) settings: Settings,
+    pub(super) friction: Friction,
+    pub(super) gap: Field,
+    /// The normal contact after the last step.
+    pub(super) normal: NormalSolution,
+    pub(super) is_pressure_stale: bool,
+    /// Where the pressure was found; `None` before the first contact.
+    pub(super) press_window: Option<Window>,
+    /// What the cells in and around the contact remember; `None` before the first contact.
+    pub(super) contact: Option<Memory>,
     pub(super) traction: [Field; 2],
     pub(super) slip: [Field; 2],
     pub(super) slip_path: Field,
@@ -19,11 +77,49 @@ pub(super) struct State {
     pub(super) steps: u64,
 }
 
+clone_in_place!(State {
+    axis,
+    settings,
+    friction,
+    gap,
+    normal,
+    is_pressure_stale,
+    press_window,
+    contact,
+    traction,
+    slip,
+    slip_path,
+    dissipated,
+    zones,
+    motion,
+    force,
+    moment,
+    steps,
+});
+
+const QUANTITY: &str = "state of a history";
+
 impl State {
     /// Unsheared, nothing in contact.
-    pub(super) fn new(grid: Grid) -> Self {
+    pub(super) fn new(
+        gap: Field,
+        boundary: Boundary,
+        pair: &ElasticPair,
+        friction: Friction,
+        axis: Option<Axis>,
+        settings: Settings,
+    ) -> Self {
+        let grid = gap.grid();
         let zeros = || Field::zeros(grid);
         Self {
+            axis,
+            settings,
+            friction,
+            normal: NormalSolution::empty(&gap, boundary, pair),
+            gap,
+            is_pressure_stale: false,
+            press_window: None,
+            contact: None,
             traction: [zeros(), zeros()],
             slip: [zeros(), zeros()],
             slip_path: zeros(),
@@ -36,7 +132,142 @@ impl State {
         }
     }
 
-    pub(super) fn grid(&self) -> Grid {
-        self.dissipated.grid()
+    /// `Ok` if the state is one of these bodies.
+    pub(super) fn check_bodies(&self, bodies: &HalfSpace) -> Result<()> {
+        bodies.check_host(QUANTITY, self.grid(), self.boundary())?;
+        if self.pair() == bodies.pair() {
+            Ok(())
+        } else {
+            Err(Error::MaterialMismatch { quantity: QUANTITY })
+        }
+    }
+
+    /// The grid of all fields.
+    #[must_use]
+    pub fn grid(&self) -> Grid {
+        self.gap.grid()
+    }
+
+    /// What lies beyond the edge of the grid.
+    #[must_use]
+    pub fn boundary(&self) -> Boundary {
+        self.normal.boundary()
+    }
+
+    /// The two bodies.
+    #[must_use]
+    pub fn pair(&self) -> &ElasticPair {
+        self.normal.pair()
+    }
+
+    /// The axis of tangential load and tractions in the scalar model, `None` in that of the plane.
+    #[must_use]
+    pub fn axis(&self) -> Option<Axis> {
+        self.axis
+    }
+
+    /// The settings of the next step.
+    #[must_use]
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// The friction of the next step.
+    #[must_use]
+    pub fn friction(&self) -> &Friction {
+        &self.friction
+    }
+
+    /// The gap before loading (lengths), as last set.
+    #[must_use]
+    pub fn gap(&self) -> &Field {
+        &self.gap
+    }
+
+    /// Whether the gap has changed since the pressure was found. A step that holds the pressure then carries
+    /// [`Warning::StalePressure`](crate::Warning::StalePressure).
+    #[must_use]
+    pub fn is_pressure_stale(&self) -> bool {
+        self.is_pressure_stale
+    }
+
+    /// The normal contact: pressure, approach, gap under load, contact area, warnings.
+    #[must_use]
+    pub fn normal(&self) -> &NormalSolution {
+        &self.normal
+    }
+
+    /// Pressure p >= 0; exactly zero outside the contact.
+    #[must_use]
+    pub fn pressure(&self) -> &Field {
+        self.normal.pressure()
+    }
+
+    /// Approach of the bodies from the datum of the gap (a length).
+    #[must_use]
+    pub fn approach(&self) -> f64 {
+        self.normal.approach()
+    }
+
+    /// Shear traction q on body 1 (pressures), positive along the axes; exactly zero outside the contact.
+    #[must_use]
+    pub fn traction(&self) -> [&Field; 2] {
+        self.traction.each_ref()
+    }
+
+    /// Sum of the slips of all steps, with their signs (lengths).
+    #[must_use]
+    pub fn slip(&self) -> [&Field; 2] {
+        self.slip.each_ref()
+    }
+
+    /// Accumulated slip: length of the path slipped in all steps (lengths, non-negative).
+    #[must_use]
+    pub fn slip_path(&self) -> &Field {
+        &self.slip_path
+    }
+
+    /// Energy each cell has dissipated in all steps, the sum of
+    /// [`Step::dissipation`](crate::history::Step::dissipation) (energies, force times length, non-negative).
+    #[must_use]
+    pub fn dissipated_energy(&self) -> &Field {
+        &self.dissipated
+    }
+
+    /// The zone of every cell after the last step, row-major with x fastest.
+    #[must_use]
+    pub fn zones(&self) -> &[Zone] {
+        &self.zones
+    }
+
+    /// Shift of body 2 relative to body 1 since the start (lengths).
+    #[must_use]
+    pub fn shift(&self) -> [f64; 2] {
+        self.motion.shift
+    }
+
+    /// Rotation of body 2 relative to body 1 since the start (radians, positive from x to y).
+    #[must_use]
+    pub fn twist(&self) -> f64 {
+        self.motion.twist
+    }
+
+    /// Tangential force that body 2 exerts on body 1.
+    #[must_use]
+    pub fn force(&self) -> [f64; 2] {
+        self.force
+    }
+
+    /// Moment about z, at the origin of the grid, that the tractions of body 2 exert on body 1 (force times length,
+    /// positive from x to y).
+    #[must_use]
+    pub fn moment(&self) -> f64 {
+        self.moment
+    }
+
+    /// Steps taken since the start.
+    #[must_use]
+    pub fn steps(&self) -> u64 {
+        self.steps
     }
 }

@@ -30,8 +30,8 @@ use crate::tangential::{Axis, Friction, Zone, component};
 /// whatever the size. A contact that outgrows the box takes a wider one for good, and in that step a quarter more in
 /// all, in the plane two fifths. After the first steps, a step within it allocates nothing.
 ///
-/// It is saved by [`to_bytes`](Self::to_bytes) and goes on by [`restore`](Self::restore), on bodies made anew. A
-/// clone keeps it in memory, buffers and all: to go back by, or to try what comes of another load.
+/// Its [`state`](Self::state) is a value: a clone of it keeps what to return to ([`set_state`](Self::set_state)) or to
+/// continue from ([`from_state`](Self::from_state)), and [`to_bytes`](Self::to_bytes) saves it.
 /// Many histories may share one [`HalfSpace`] on many threads: each comes to the bits it has alone.
 ///
 /// ```
@@ -62,18 +62,12 @@ use crate::tangential::{Axis, Friction, Zone, component};
 /// ```
 #[derive(Debug, Clone)]
 pub struct History {
-    pub(super) bodies: HalfSpace,
-    pub(super) friction: Friction,
-    pub(super) settings: Settings,
-    pub(super) press: NormalSolver,
-    /// The normal contact after the last step.
-    pub(super) normal: NormalSolution,
-    /// Whether the gap has changed since.
-    is_pressure_stale: bool,
-    /// That of the step under way.
+    bodies: HalfSpace,
+    state: State,
+    press: NormalSolver,
+    /// The normal contact of the step under way.
     candidate: NormalSolution,
-    pub(super) shear: Shear,
-    pub(super) state: State,
+    shear: Shear,
     step: Step,
 }
 
@@ -93,31 +87,66 @@ impl History {
         HistoryBuilder::new(bodies, gap, friction)
     }
 
-    pub(super) fn new(
-        bodies: &HalfSpace,
-        gap: &Field,
-        friction: Friction,
-        axis: Option<Axis>,
-        settings: Settings,
-    ) -> Result<Self> {
-        let grid = bodies.grid();
-        friction.check(grid)?;
-        let press = NormalProblem::builder(bodies, gap, NormalLoad::Force(0.0))
-            .settings(settings)
+    /// Starts from a state on the bodies it belongs to, to the same bits as the history that had it. Its
+    /// [last step](Self::last_step) is empty.
+    ///
+    /// # Errors
+    /// [`Error::GridMismatch`](crate::Error::GridMismatch),
+    /// [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) or
+    /// [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) for other bodies;
+    /// [`Error::Memory`](crate::Error::Memory).
+    pub fn from_state(bodies: &HalfSpace, state: State) -> Result<Self> {
+        state.check_bodies(bodies)?;
+        let mut press = NormalProblem::builder(bodies, &state.gap, NormalLoad::Force(0.0))
+            .settings(state.settings)
             .build()?
             .into_solver()?;
+        press.resume(state.pressure().as_slice(), state.press_window)?;
+        let mut shear = Shear::new(bodies);
+        shear.resume(&state)?;
         Ok(Self {
             bodies: bodies.clone(),
-            friction,
-            settings,
-            normal: press.new_solution(),
-            is_pressure_stale: false,
             candidate: press.new_solution(),
             press,
-            shear: Shear::new(bodies, axis),
-            state: State::new(grid),
-            step: Step::new(grid),
+            shear,
+            step: Step::new(state.grid()),
+            state,
         })
+    }
+
+    /// The state after the last step, without a copy.
+    #[must_use]
+    pub fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// Returns to a state, one of this history or of another on equal bodies: gap, friction and settings are those
+    /// of the state too. It copies into the buffers that are there, and allocates only if the contact has outgrown
+    /// its box since. [`last_step`](Self::last_step) still is the step taken last.
+    ///
+    /// # Errors
+    /// As [`History::from_state`]; the history is then as it was.
+    pub fn set_state(&mut self, state: &State) -> Result<()> {
+        state.check_bodies(&self.bodies)?;
+        let resumed = self
+            .press
+            .resume(state.pressure().as_slice(), state.press_window);
+        if let Err(error) = resumed.and_then(|()| self.shear.resume(state)) {
+            self.take_back()?;
+            return Err(error);
+        }
+        self.press.set_load(NormalLoad::Force(0.0))?;
+        self.press.set_gap(&state.gap)?;
+        self.press.set_settings(state.settings)?;
+        self.state.clone_from(state);
+        Ok(())
+    }
+
+    /// Makes the solver of the pressure start from the state again.
+    fn take_back(&mut self) -> Result<()> {
+        let state = &self.state;
+        self.press
+            .resume(state.pressure().as_slice(), state.press_window)
     }
 
     /// Takes a step, and returns what it did; also [`History::last_step`] afterwards.
@@ -143,24 +172,24 @@ impl History {
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<&Step> {
         load.check(self.axis(), self.boundary())?;
-        let window = self.press.window();
         if let Err(error) = self.attempt(load, &mut with_memory(&mut observer)) {
-            self.press
-                .resume(self.normal.pressure().as_slice(), window)?;
+            self.take_back()?;
             self.shear.abandon();
             return Err(error);
         }
+        let Self { state, step, .. } = self;
         if load.normal_load().is_some() {
-            std::mem::swap(&mut self.normal, &mut self.candidate);
-            self.is_pressure_stale = false;
-            self.step.normal_report.clone_from(self.normal.report());
+            std::mem::swap(&mut state.normal, &mut self.candidate);
+            state.is_pressure_stale = false;
+            state.press_window = self.press.window();
+            step.normal_report.clone_from(state.normal.report());
         } else {
-            self.step.normal_report.clone_from(&Report::unsolved());
+            step.normal_report.clone_from(&Report::unsolved());
         }
-        self.step.is_pressure_stale = self.is_pressure_stale;
-        self.step.normal_force = self.normal.force();
-        self.step.approach = self.normal.approach();
-        self.shear.commit(&mut self.state, &mut self.step);
+        step.is_pressure_stale = state.is_pressure_stale;
+        step.normal_force = state.normal.force();
+        step.approach = state.approach();
+        self.shear.commit(state, step);
         Ok(&self.step)
     }
 
@@ -172,11 +201,10 @@ impl History {
                 .solve_observed(&mut self.candidate, &mut *observer)?;
             &self.candidate
         } else {
-            &self.normal
+            &self.state.normal
         };
-        let Self { shear, state, .. } = self;
-        shear.prepare(pressed.pressure(), &self.friction, state)?;
-        shear.solve(load, state, &self.settings, observer)
+        self.shear.prepare(pressed.pressure(), &self.state)?;
+        self.shear.solve(load, &self.state, observer)
     }
 
     /// Changes the gap before loading, as wear does; all else stays, the pressure too until a step that does not
@@ -189,10 +217,12 @@ impl History {
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
         // The load of the last step has no say: the next brings its own.
         self.press.set_load(NormalLoad::Force(0.0))?;
-        let is_pressed = self.normal.report().status != Status::Unsolved;
-        let changes = self.gap().as_slice().iter().ne(gap.as_slice());
         self.press.set_gap(gap)?;
-        self.is_pressure_stale |= is_pressed && changes;
+        let state = &mut self.state;
+        let is_pressed = state.normal.report().status != Status::Unsolved;
+        let changes = state.gap.as_slice().iter().ne(gap.as_slice());
+        state.is_pressure_stale |= is_pressed && changes;
+        state.gap.as_mut_slice().copy_from_slice(gap.as_slice());
         Ok(())
     }
 
@@ -202,14 +232,14 @@ impl History {
     /// [`Error::GridMismatch`](crate::Error::GridMismatch); the friction is then as it was.
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
         friction.check(self.grid())?;
-        self.friction.copy_from(friction);
+        self.state.friction.clone_from(friction);
         Ok(())
     }
 
     /// The settings of the next step.
     #[must_use]
     pub fn settings(&self) -> &Settings {
-        &self.settings
+        self.state.settings()
     }
 
     /// Changes tolerance, method and limits from the next step on, as after a restart; the state stays. A tolerance
@@ -219,7 +249,7 @@ impl History {
     /// As [`Settings::check`]; the settings are then as they were.
     pub fn set_settings(&mut self, settings: Settings) -> Result<()> {
         self.press.set_settings(settings)?;
-        self.settings = settings;
+        self.state.settings = settings;
         Ok(())
     }
 
@@ -232,7 +262,7 @@ impl History {
     /// Steps taken since the start.
     #[must_use]
     pub fn steps(&self) -> u64 {
-        self.state.steps
+        self.state.steps()
     }
 
     /// The grid of all fields.
@@ -250,43 +280,43 @@ impl History {
     /// The axis of tangential load and tractions in the scalar model, `None` in that of the plane.
     #[must_use]
     pub fn axis(&self) -> Option<Axis> {
-        self.shear.axis()
+        self.state.axis()
     }
 
     /// The gap before loading (lengths), as last set.
     #[must_use]
     pub fn gap(&self) -> &Field {
-        self.press.gap()
+        self.state.gap()
     }
 
     /// The friction, as last set.
     #[must_use]
     pub fn friction(&self) -> &Friction {
-        &self.friction
+        self.state.friction()
     }
 
     /// The normal contact: pressure, approach, gap under load, contact area, warnings.
     #[must_use]
     pub fn normal(&self) -> &NormalSolution {
-        &self.normal
+        self.state.normal()
     }
 
     /// Pressure p >= 0; exactly zero outside the contact.
     #[must_use]
     pub fn pressure(&self) -> &Field {
-        self.normal.pressure()
+        self.state.pressure()
     }
 
     /// Approach of the bodies from the datum of the gap (a length).
     #[must_use]
     pub fn approach(&self) -> f64 {
-        self.normal.approach()
+        self.state.approach()
     }
 
     /// Shear traction q on body 1 (pressures), positive along the axes; exactly zero outside the contact.
     #[must_use]
     pub fn traction(&self) -> [&Field; 2] {
-        self.state.traction.each_ref()
+        self.state.traction()
     }
 
     /// Displacement of the surface of body 1 relative to that of body 2 by the tractions (lengths), of all
@@ -314,57 +344,57 @@ impl History {
     /// Sum of the slips of all steps, with their signs (lengths).
     #[must_use]
     pub fn slip(&self) -> [&Field; 2] {
-        self.state.slip.each_ref()
+        self.state.slip()
     }
 
     /// Length of the path slipped in all steps (lengths, non-negative).
     #[must_use]
     pub fn slip_path(&self) -> &Field {
-        &self.state.slip_path
+        self.state.slip_path()
     }
 
     /// Energy each cell has dissipated in all steps, the sum of [`Step::dissipation`] (energies, force
     /// times length, non-negative).
     #[must_use]
     pub fn dissipated_energy(&self) -> &Field {
-        &self.state.dissipated
+        self.state.dissipated_energy()
     }
 
     /// The zone of every cell after the last step, row-major with x fastest.
     #[must_use]
     pub fn zones(&self) -> &[Zone] {
-        &self.state.zones
+        self.state.zones()
     }
 
     /// Shift of body 2 relative to body 1 since the start (lengths).
     #[must_use]
     pub fn shift(&self) -> [f64; 2] {
-        self.state.motion.shift
+        self.state.shift()
     }
 
     /// Rotation of body 2 relative to body 1 since the start (radians).
     #[must_use]
     pub fn twist(&self) -> f64 {
-        self.state.motion.twist
+        self.state.twist()
     }
 
     /// Tangential force that body 2 exerts on body 1.
     #[must_use]
     pub fn force(&self) -> [f64; 2] {
-        self.state.force
+        self.state.force()
     }
 
     /// Largest tangential force friction holds at the present pressure (a force): the integral of the friction limit.
     #[must_use]
     pub fn sliding_force(&self) -> f64 {
         let pressure = self.pressure().as_slice();
-        let [sum] = parallel::sums(pressure.len(), |i| [self.friction.limit(i, pressure[i])]);
+        let [sum] = parallel::sums(pressure.len(), |i| [self.friction().limit(i, pressure[i])]);
         sum * self.grid().cell_area()
     }
 
     /// Moment about z, at the origin of the grid, that the tractions of body 2 exert on body 1.
     #[must_use]
     pub fn moment(&self) -> f64 {
-        self.state.moment
+        self.state.moment()
     }
 }

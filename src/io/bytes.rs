@@ -20,17 +20,6 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Goes on at a place the file names.
-    #[cfg(feature = "x3p")]
-    pub(super) fn seek(mut self, position: usize) -> Result<Self> {
-        if position > self.bytes.len() {
-            let problem = "the file ends before this place, which it names";
-            return Err(self.format.at_byte(position, problem));
-        }
-        self.position = position;
-        Ok(self)
-    }
-
     /// Where the next byte stands.
     pub(crate) fn position(&self) -> usize {
         self.position

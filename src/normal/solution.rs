@@ -4,9 +4,8 @@ use crate::boundary::Boundary;
 use crate::contact_map::{ContactMap, Warning};
 #[cfg(feature = "serde")]
 use crate::error::{all_non_negative, finite};
-use crate::field::Field;
+use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
-use crate::half_space::HalfSpace;
 use crate::material::ElasticPair;
 use crate::normal::NormalProblem;
 use crate::parallel;
@@ -15,7 +14,7 @@ use crate::report::Report;
 use crate::serial::checked;
 
 /// Pressure, gap and approach of a normal contact.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct NormalSolution {
     pressure: Field,
@@ -25,6 +24,15 @@ pub struct NormalSolution {
     approach: f64,
     report: Report,
 }
+
+clone_in_place!(NormalSolution {
+    pressure,
+    gap,
+    boundary,
+    pair,
+    approach,
+    report,
+});
 
 /// What is read, before it is checked.
 #[cfg(feature = "serde")]
@@ -53,12 +61,12 @@ impl<'de> serde::Deserialize<'de> for NormalSolution {
 
 impl NormalSolution {
     /// No contact yet.
-    pub(super) fn empty(problem: &NormalProblem) -> Self {
+    pub(crate) fn empty(gap: &Field, boundary: Boundary, pair: &ElasticPair) -> Self {
         Self {
-            pressure: Field::zeros(problem.gap.grid()),
-            gap: Field::clone(&problem.gap),
-            boundary: problem.bodies.boundary(),
-            pair: *problem.bodies.pair(),
+            pressure: Field::zeros(gap.grid()),
+            gap: gap.clone(),
+            boundary,
+            pair: *pair,
             approach: 0.0,
             report: Report::with_room(),
         }
@@ -85,18 +93,14 @@ impl NormalSolution {
         self.report.clone_from(report);
     }
 
-    /// Becomes an answer found before: pressure, gap under load, approach and report.
-    pub(crate) fn restore(
-        &mut self,
-        pressure: &[f64],
-        gap: &[f64],
-        approach: f64,
-        report: &Report,
-    ) {
-        self.pressure.as_mut_slice().copy_from_slice(pressure);
-        self.gap.as_mut_slice().copy_from_slice(gap);
-        self.approach = approach;
-        self.report.clone_from(report);
+    /// Pressure, gap under load, approach and report, to be read from what was saved.
+    pub(crate) fn parts_mut(&mut self) -> (&mut Field, &mut Field, &mut f64, &mut Report) {
+        (
+            &mut self.pressure,
+            &mut self.gap,
+            &mut self.approach,
+            &mut self.report,
+        )
     }
 
     /// The grid of all its fields.

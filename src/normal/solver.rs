@@ -146,11 +146,6 @@ impl NormalSolver {
         Ok(())
     }
 
-    /// The gap before loading.
-    pub(crate) fn gap(&self) -> &Field {
-        &self.problem.gap
-    }
-
     /// Where the engine works; `None` before the first solve.
     pub(crate) fn window(&self) -> Option<Window> {
         self.engine.as_ref().map(|engine| engine.window)
@@ -176,7 +171,8 @@ impl NormalSolver {
     /// An empty solution of the right size for [`NormalSolver::solve_into`].
     #[must_use]
     pub fn new_solution(&self) -> NormalSolution {
-        NormalSolution::empty(&self.problem)
+        let bodies = &self.problem.bodies;
+        NormalSolution::empty(&self.problem.gap, bodies.boundary(), bodies.pair())
     }
 
     /// Solves into `solution`, whose last content does not matter.

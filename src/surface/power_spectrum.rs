@@ -89,9 +89,7 @@ struct Unchecked {
 
 #[cfg(feature = "serde")]
 impl<'de> serde::Deserialize<'de> for PowerSpectrum {
-    fn deserialize<D: serde::Deserializer<'de>>(
-        deserializer: D,
-    ) -> std::result::Result<Self, D::Error> {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         checked(Unchecked::deserialize(deserializer)?, |read| {
             let rings = read.wave_numbers.len();
             length("values", rings, read.values.len())?;

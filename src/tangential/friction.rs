@@ -1,7 +1,7 @@
 //! How much shear a cell in contact can carry.
 
 use crate::error::{Result, all_non_negative, non_negative, positive};
-use crate::field::Field;
+use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
 
 /// Coulomb friction, uniform or one coefficient per cell, optionally capped.
@@ -15,7 +15,7 @@ use crate::grid::Grid;
 /// assert_eq!(capped.limit(0, 900e6), 300e6);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
@@ -53,11 +53,32 @@ impl TryFrom<Unchecked> for Friction {
 }
 
 /// The coefficient of friction.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) enum Coefficient {
     Uniform(f64),
     PerCell(Field),
+}
+
+clone_in_place!(Friction {
+    coefficient,
+    shear_cap
+});
+
+impl Clone for Coefficient {
+    fn clone(&self) -> Self {
+        match self {
+            Self::Uniform(coefficient) => Self::Uniform(*coefficient),
+            Self::PerCell(field) => Self::PerCell(field.clone()),
+        }
+    }
+
+    fn clone_from(&mut self, source: &Self) {
+        match (self, source) {
+            (Self::PerCell(own), Self::PerCell(field)) => own.clone_from(field),
+            (own, source) => *own = source.clone(),
+        }
+    }
 }
 
 impl Friction {
@@ -109,26 +130,13 @@ impl Friction {
         if limit > cap { cap } else { limit }
     }
 
-    /// The coefficient, and the cap of the limit (infinite where there is none).
-    pub(crate) fn parts(&self) -> (&Coefficient, f64) {
-        (&self.coefficient, self.cap())
-    }
-
     fn cap(&self) -> f64 {
         self.shear_cap.unwrap_or(f64::INFINITY)
     }
 
-    /// Becomes a copy of another friction, in the memory it has where that fits.
-    pub(crate) fn copy_from(&mut self, other: &Self) {
-        self.shear_cap = other.shear_cap;
-        match (&mut self.coefficient, &other.coefficient) {
-            (Coefficient::PerCell(own), Coefficient::PerCell(field))
-                if own.grid().agrees_with(field.grid()) =>
-            {
-                own.as_mut_slice().copy_from_slice(field.as_slice());
-            }
-            (own, coefficient) => *own = coefficient.clone(),
-        }
+    /// The coefficient and the cap, `None` where there is none; whoever changes them keeps the rules of the constructors.
+    pub(crate) fn parts_mut(&mut self) -> (&mut Coefficient, &mut Option<f64>) {
+        (&mut self.coefficient, &mut self.shear_cap)
     }
 
     /// `Ok` if the coefficients fit the grid.

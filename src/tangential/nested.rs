@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use crate::cascade::Scene;
 use crate::cgm::vector::{at, norm, slices};
-use crate::cgm::{Admissible, Ball, Constraint, Magnitude, Total, Within, reduce};
+use crate::cgm::{Admissible, Ball, Constraint, Linearised, Magnitude, Total, Within, reduce};
 use crate::influence::Direction;
 use crate::tangential::limits::is_at_limit;
 use crate::window::{coarsened, refined};
@@ -90,10 +90,11 @@ where
             };
             let length = norm(direction);
             let slips = is_at_limit(norm(at(&answer, parent)), coarse.limits[parent]);
+            let set = Within::of_radius(limit);
             let traction = if slips && length > 0.0 {
-                direction.map(|q| q * (limit / length))
+                set.extreme(direction.map(|q| q / length))
             } else {
-                Within::of_radius(limit).project(interpolated)
+                set.project(interpolated)
             };
             for (part, value) in start.iter_mut().zip(traction) {
                 part[cell] = value;

@@ -120,7 +120,7 @@ impl TangentialSolver {
         self.candidate.pressure.copy_from_slice(pressure);
         self.candidate.set_friction(friction);
         self.take_candidate()?;
-        self.friction.copy_from(friction);
+        self.friction.clone_from(friction);
         Ok(())
     }
 

@@ -71,13 +71,9 @@ fn archives() {
         (
             end + 16,
             &far[..],
-            "X3P, at byte 2147483647: the file ends before this place",
+            &*format!("X3P, at byte {end}: the end of the archive is damaged"),
         ),
-        (
-            end + 16,
-            &[0, 0],
-            "X3P, at byte 0: no entry of the directory",
-        ),
+        (end + 16, &[0, 0], "X3P, in main.xml: not found at byte "),
         (
             end + 10,
             &[0, 0],
@@ -86,7 +82,7 @@ fn archives() {
         (
             directory,
             b"XX",
-            &format!("X3P, at byte {directory}: no entry of the directory"),
+            &format!("X3P, at byte {directory}: the directory that begins here is damaged"),
         ),
         (
             directory + 8,
@@ -101,12 +97,12 @@ fn archives() {
         (
             directory + 16,
             &far,
-            "X3P, in main.xml: the checksum is wrong",
+            "X3P, in main.xml: the file is damaged: Invalid checksum",
         ),
         (
             directory + 20,
             &far,
-            "X3P, at byte 38: the file ends within the packed bytes",
+            "X3P, in main.xml: not found at byte 0: Unexpected end of file",
         ),
         (
             directory + 24,
@@ -121,18 +117,22 @@ fn archives() {
         (
             directory + 24,
             &[255, 255],
-            "X3P, in main.xml: 503 bytes, the directory says 65535",
+            "X3P, in main.xml: the file is damaged: Invalid size: expected 65535, got 503",
         ),
-        (directory + 28, &[255, 255], "X3P, at byte"),
+        (
+            directory + 28,
+            &[255, 255],
+            &format!("X3P, at byte {directory}: the directory that begins here is damaged"),
+        ),
         (
             directory + 42,
             &far,
-            "X3P, at byte 2147483647: the file ends before",
+            "X3P, in main.xml: not found at byte 2147483647: Unexpected end",
         ),
         (
             directory + 42,
             &[1],
-            "X3P, at byte 1: no entry of the archive",
+            "X3P, in main.xml: not found at byte 1: Invalid signature",
         ),
         (60, &[0xff; 20], "X3P, in main.xml: "),
     ] {

@@ -1,79 +1,56 @@
-//! A history as bytes, to go on from later.
+//! A history as bytes, to continue from later.
 //!
 //! | bytes | holds |
 //! |---|---|
 //! | 8 | `\x93STKSLIP` |
-//! | 4 | version of the format, 2 |
+//! | 4 | version of the format, 3 |
 //! | 8 | number of all bytes |
-//! | | bodies, options, friction, scalars, windows, fields |
+//! | | bodies, then the parts of the state in the order of its `visit` |
 //! | 8 | FNV-1a sum of all bytes before |
 //!
 //! Numbers are little-endian; counts take 8 bytes, samples are doubles.
 
-mod reader;
-mod writer;
+mod codec;
+mod layout;
 
 use crate::error::Result;
 use crate::half_space::HalfSpace;
 use crate::history::History;
-use crate::history::layout::axes_of;
-use crate::history::motion::Motion;
-use crate::history::patch::Patch;
+use crate::history::state::State;
 use crate::io::{Cursor, Format};
 
-use reader::{FINITE, NOT_NEGATIVE, Reader};
-use writer::Writer;
+use codec::{Reader, Writer};
+use layout::{Host, LEAST_PER_CELL};
 
 const FORMAT: Format = Format("saved history");
 const MAGIC: &[u8; 8] = b"\x93STKSLIP";
-const VERSION: u32 = 2;
+const VERSION: u32 = 3;
 /// Magic, version and length; and the sum at the end.
 const HEADER: usize = 20;
 const SUM: usize = 8;
 
-impl History {
-    /// All that the next step needs, as bytes: [`History::restore`] goes on from them to the same bits.
+impl State {
+    /// The state as bytes, some 60 per cell and 80 in the plane, from which [`State::from_bytes`] makes it again.
     ///
-    /// The bodies are not among them, but enough to know them again. Nor is that the gap has changed since the
-    /// pressure was found: after a restart a step that holds it carries no
-    /// [`Warning::StalePressure`](crate::Warning::StalePressure). Some 60 bytes per cell, 80 of a history in the
-    /// plane.
+    /// All numbers keep their bits. Of the report of the pressure, the wall time and the course of the iteration
+    /// ([`Report::time`](crate::Report::time) and [`Report::history`](crate::Report::history)) are left out. While
+    /// it is written, as much memory again holds a copy of the state.
     #[must_use]
     pub fn to_bytes(&self) -> Vec<u8> {
-        let mut bytes = Writer::default();
-        bytes.raw(MAGIC);
-        bytes.raw(&VERSION.to_le_bytes());
+        self.clone().into_bytes()
+    }
+
+    /// The codec takes what it visits by mutable reference, in both directions: so this takes the state.
+    fn into_bytes(mut self) -> Vec<u8> {
+        let mut writer = Writer::default();
+        writer.0.extend(MAGIC);
+        writer.0.extend(VERSION.to_le_bytes());
         // The length, which only the end knows.
-        bytes.count(0);
-        bytes.bodies(&self.bodies);
-        bytes.options(self.axis(), &self.settings);
-        bytes.friction(&self.friction);
+        writer.0.extend([0; 8]);
+        let Ok(()) = Host::of(&self).visit(&mut writer);
+        let Ok(()) = self.visit(&mut writer);
 
-        let (normal, state) = (&self.normal, &self.state);
-        bytes.raw(&state.steps.to_le_bytes());
-        bytes.numbers(&state.motion.shift);
-        bytes.numbers(&state.force);
-        bytes.numbers(&[state.motion.twist, state.moment, normal.approach()]);
-        bytes.report(normal.report());
-        let patch = self.shear.patch.as_ref();
-        bytes.window(self.press.window());
-        bytes.window(patch.map(|patch| patch.window));
-        for field in [self.gap(), normal.pressure(), normal.gap()] {
-            bytes.numbers(field.as_slice());
-        }
-        for axis in axes_of(self.axis()) {
-            bytes.numbers(state.traction[axis.index()].as_slice());
-            bytes.numbers(state.slip[axis.index()].as_slice());
-        }
-        bytes.numbers(state.slip_path.as_slice());
-        bytes.numbers(state.dissipated.as_slice());
-        bytes.zones(&state.zones);
-        if let Some(patch) = patch {
-            bytes.numbers(&patch.displacement);
-            bytes.numbers(&patch.offset);
-        }
-
-        let mut bytes = bytes.into_bytes();
+        let Writer(mut bytes) = writer;
         let length = (bytes.len() + SUM) as u64;
         bytes[HEADER - 8..HEADER].copy_from_slice(&length.to_le_bytes());
         let sum = checksum(&bytes);
@@ -81,13 +58,53 @@ impl History {
         bytes
     }
 
-    /// A history saved by [`History::to_bytes`], on the bodies it had. Its [last
+    /// A state saved by [`State::to_bytes`].
+    ///
+    /// # Errors
+    /// [`Error::Format`](crate::Error::Format), with the byte, if the bytes are no such state, of another version,
+    /// truncated or changed. It takes no more than twice the memory of the bytes.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self> {
+        let mut reader = Reader(opened(bytes)?);
+        let mut host = Host::default();
+        host.visit(&mut reader)?;
+        let grid = host.grid()?;
+        reader.expect("the cells", grid.cells().saturating_mul(LEAST_PER_CELL))?;
+        let mut state = host.blank(grid)?;
+        state.visit(&mut reader)?;
+        reader.end()?;
+        Ok(state)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl From<State> for Vec<u8> {
+    fn from(state: State) -> Self {
+        state.into_bytes()
+    }
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<Vec<u8>> for State {
+    type Error = crate::error::Error;
+
+    fn try_from(bytes: Vec<u8>) -> Result<Self> {
+        Self::from_bytes(&bytes)
+    }
+}
+
+impl History {
+    /// The bytes of the [state](History::state): all that the next step needs but the bodies, which are known again
+    /// by grid, boundary and elastic constants. See [`State::to_bytes`].
+    #[must_use]
+    pub fn to_bytes(&self) -> Vec<u8> {
+        self.state().to_bytes()
+    }
+
+    /// A history saved by [`History::to_bytes`], on the bodies it had; it continues to the same bits. Its [last
     /// step](History::last_step) is empty.
     ///
     /// # Errors
-    /// [`Error::Format`](crate::Error::Format) if the bytes are no such history, of another version, truncated or changed;
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) or [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) if it was saved
-    /// from other bodies; [`Error::Sample`](crate::Error::Sample) for a field that breaks its rule.
+    /// As [`State::from_bytes`] and [`History::from_state`].
     ///
     /// ```
     /// use stickslip::*;
@@ -98,56 +115,13 @@ impl History {
     /// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.3)?).build()?;
     /// history.step(&LoadStep::hold().normal(NormalStep::Force(0.1)))?;
     ///
-    /// let mut restored = History::restore(&bodies, &history.to_bytes())?;
+    /// let mut restored = History::from_bytes(&bodies, &history.to_bytes())?;
     /// let shear = LoadStep::hold().tangential(Axis::X, TangentialStep::Force(0.02));
     /// assert_eq!(history.step(&shear)?.shift(), restored.step(&shear)?.shift());
     /// # Ok::<(), Error>(())
     /// ```
-    pub fn restore(bodies: &HalfSpace, bytes: &[u8]) -> Result<Self> {
-        let grid = bodies.grid();
-        let mut reader = Reader::new(opened(bytes)?);
-        reader.expect(bodies)?;
-        let (axis, settings) = reader.options()?;
-        let friction = reader.friction(grid)?;
-
-        let steps = reader.steps()?;
-        let shift = [reader.finite("shift")?, reader.finite("shift")?];
-        let what = "tangential force";
-        let force = [reader.finite(what)?, reader.finite(what)?];
-        let twist = reader.finite("twist")?;
-        let moment = reader.finite("moment")?;
-        let approach = reader.finite("approach")?;
-        let report = reader.report()?;
-        let window = reader.window(grid)?;
-        let patch_window = reader.window(grid)?;
-        let gap = reader.field("gap", grid, FINITE)?;
-        let pressure = reader.field("pressure", grid, NOT_NEGATIVE)?;
-        let gap_under_load = reader.field("gap under load", grid, FINITE)?;
-
-        let mut history = Self::new(bodies, &gap, friction, axis, settings)?;
-        let (pressure, loaded) = (pressure.as_slice(), gap_under_load.as_slice());
-        history.normal.restore(pressure, loaded, approach, &report);
-        history.press.resume(pressure, window)?;
-        let state = &mut history.state;
-        state.steps = steps;
-        state.motion = Motion { shift, twist };
-        (state.force, state.moment) = (force, moment);
-        for axis in axes_of(axis) {
-            state.traction[axis.index()] = reader.field("traction", grid, FINITE)?;
-            state.slip[axis.index()] = reader.field("slip", grid, FINITE)?;
-        }
-        state.slip_path = reader.field("slip path", grid, NOT_NEGATIVE)?;
-        state.dissipated = reader.field("dissipated energy", grid, NOT_NEGATIVE)?;
-        state.zones = reader.zones(grid.cells())?;
-        if let Some(window) = patch_window {
-            let mut patch = Patch::first(bodies, axis, window, state)?;
-            let count = patch.layout().len();
-            patch.displacement = reader.numbers("displacement", count, FINITE)?;
-            patch.offset = reader.numbers("offset", count, FINITE)?;
-            history.shear.patch = Some(patch);
-        }
-        reader.end()?;
-        Ok(history)
+    pub fn from_bytes(bodies: &HalfSpace, bytes: &[u8]) -> Result<Self> {
+        Self::from_state(bodies, State::from_bytes(bytes)?)
     }
 }
 
@@ -180,15 +154,4 @@ fn opened(bytes: &[u8]) -> Result<Cursor<'_>> {
 fn checksum(bytes: &[u8]) -> u64 {
     let step = |sum: u64, &byte: &u8| (sum ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
     bytes.iter().fold(0xcbf2_9ce4_8422_2325, step)
-}
-
-/// What tells the bodies from others: moduli and Poisson's ratios.
-fn elasticity(bodies: &HalfSpace) -> [f64; 4] {
-    let [one, two] = bodies.pair().bodies();
-    [
-        one.shear_modulus(),
-        one.poisson_ratio(),
-        two.shear_modulus(),
-        two.poisson_ratio(),
-    ]
 }

@@ -1,0 +1,232 @@
+//! The order of the parts of a saved state, written down once for both directions.
+
+use std::time::Duration;
+
+use super::FORMAT;
+use super::codec::{
+    Codec, FINITE, NOT_NEGATIVE, NOT_NEGATIVE_OR_INFINITE, POSITIVE, POSITIVE_OR_INFINITE,
+    TOLERANCE,
+};
+use crate::boundary::Boundary;
+use crate::cgm::{Method, Settings};
+use crate::error::Result;
+use crate::field::Field;
+use crate::grid::Grid;
+use crate::history::layout::axes_of;
+use crate::history::memory::Memory;
+use crate::history::state::State;
+use crate::material::{ElasticPair, Material};
+use crate::normal::NormalSolution;
+use crate::report::Status;
+use crate::tangential::{Axis, Coefficient, Friction, Zone};
+use crate::window::Window;
+
+/// Counts of steps and products beyond this are damage: no machine reaches it, and one more never overflows.
+const LARGEST_COUNT: u64 = 1 << 53;
+
+/// Bytes of each cell at the least: gap, pressure, gap under load, traction, slip, accumulated slip, dissipated
+/// energy and zone.
+pub(super) const LEAST_PER_CELL: usize = 7 * 8 + 1;
+
+/// What tells the bodies of a state from others.
+#[derive(Default)]
+pub(super) struct Host {
+    cells: [usize; 2],
+    sides: [f64; 2],
+    boundary: Boundary,
+    /// Young's modulus and Poisson's ratio of each body.
+    materials: [[f64; 2]; 2],
+}
+
+impl Host {
+    pub(super) fn of(state: &State) -> Self {
+        let grid = state.grid();
+        let elastic = |body: Material| [body.youngs_modulus(), body.poisson_ratio()];
+        Self {
+            cells: grid.size(),
+            sides: [grid.dx(), grid.dy()],
+            boundary: state.boundary(),
+            materials: state.pair().bodies().map(elastic),
+        }
+    }
+
+    pub(super) fn visit<C: Codec>(&mut self, codec: &mut C) -> Result<(), C::Error> {
+        for cells in &mut self.cells {
+            codec.count("number of cells along an axis", cells, 1..)?;
+        }
+        for side in &mut self.sides {
+            codec.number("cell side", side, POSITIVE)?;
+        }
+        let boundaries = [Boundary::Free, Boundary::Periodic];
+        codec.kind("boundary", &mut self.boundary, &boundaries)?;
+        for [modulus, ratio] in &mut self.materials {
+            codec.number("Young's modulus", modulus, POSITIVE_OR_INFINITE)?;
+            codec.number("Poisson's ratio", ratio, FINITE)?;
+        }
+        Ok(())
+    }
+
+    /// A state to read into, of which only the bodies are right. Its memory is that of the cells, so their
+    /// number must have been checked against the bytes at hand.
+    pub(super) fn blank(&self, grid: Grid) -> Result<State> {
+        let [one, two] = self.materials.map(|[modulus, ratio]| {
+            if modulus.is_infinite() {
+                Ok(Material::rigid())
+            } else {
+                Material::new(modulus, ratio)
+            }
+        });
+        let pair = one.and_then(|one| ElasticPair::new(one, two?));
+        let pair = pair.map_err(|error| FORMAT.at_byte(super::HEADER, error.to_string()))?;
+        let (friction, settings) = (Friction::coulomb(0.0)?, Settings::default());
+        let gap = Field::zeros(grid);
+        Ok(State::new(
+            gap,
+            self.boundary,
+            &pair,
+            friction,
+            None,
+            settings,
+        ))
+    }
+
+    pub(super) fn grid(&self) -> Result<Grid> {
+        let ([nx, ny], [dx, dy]) = (self.cells, self.sides);
+        let grid = Grid::new(nx, ny, dx, dy);
+        grid.map_err(|error| FORMAT.at_byte(super::HEADER, error.to_string()))
+    }
+}
+
+impl State {
+    /// Everything after the bodies.
+    pub(super) fn visit<C: Codec>(&mut self, codec: &mut C) -> Result<(), C::Error> {
+        let grid = self.grid();
+        let axes = [Some(Axis::X), Some(Axis::Y), None];
+        codec.kind("axis", &mut self.axis, &axes)?;
+        visit_settings(codec, &mut self.settings)?;
+        visit_friction(codec, &mut self.friction, grid)?;
+
+        codec.integer("number of steps", &mut self.steps, ..=LARGEST_COUNT)?;
+        codec.numbers("shift", &mut self.motion.shift, FINITE)?;
+        codec.number("twist", &mut self.motion.twist, FINITE)?;
+        codec.numbers("tangential force", &mut self.force, FINITE)?;
+        codec.number("moment", &mut self.moment, FINITE)?;
+
+        codec.numbers("gap", self.gap.as_mut_slice(), FINITE)?;
+        visit_normal(codec, &mut self.normal)?;
+        let is_stale = &mut self.is_pressure_stale;
+        codec.kind("mark of a stale pressure", is_stale, &[false, true])?;
+        let whole = Window::whole(grid);
+        codec.option("window of the pressure", &mut self.press_window, || whole)?;
+        if let Some(window) = &mut self.press_window {
+            visit_window(codec, window, grid)?;
+        }
+
+        for axis in axes_of(self.axis) {
+            let traction = self.traction[axis.index()].as_mut_slice();
+            codec.numbers("traction", traction, FINITE)?;
+            let slip = self.slip[axis.index()].as_mut_slice();
+            codec.numbers("slip", slip, FINITE)?;
+        }
+        let path = self.slip_path.as_mut_slice();
+        codec.numbers("accumulated slip", path, NOT_NEGATIVE)?;
+        let dissipated = self.dissipated.as_mut_slice();
+        codec.numbers("dissipated energy", dissipated, NOT_NEGATIVE)?;
+        for zone in &mut self.zones {
+            let zones = [Zone::Separate, Zone::Stick, Zone::Slip];
+            codec.kind("zone", zone, &zones)?;
+        }
+        self.visit_contact(codec)
+    }
+
+    fn visit_contact<C: Codec>(&mut self, codec: &mut C) -> Result<(), C::Error> {
+        let (grid, axis) = (self.grid(), self.axis);
+        let mut window = self.contact.as_ref().map(|memory| memory.window);
+        codec.option("window of the contact", &mut window, || Window::whole(grid))?;
+        let Some(window) = &mut window else {
+            return Ok(());
+        };
+        visit_window(codec, window, grid)?;
+        let first = || Memory::first(grid, axis, *window, self.motion);
+        let memory = self.contact.get_or_insert_with(first);
+        codec.numbers("displacement", &mut memory.displacement, FINITE)?;
+        codec.numbers("offset", &mut memory.offset, FINITE)
+    }
+}
+
+fn visit_settings<C: Codec>(codec: &mut C, settings: &mut Settings) -> Result<(), C::Error> {
+    let methods = [Method::ActiveSet, Method::PolonskyKeer];
+    codec.kind("method", &mut settings.method, &methods)?;
+    codec.number("tolerance", &mut settings.tolerance, TOLERANCE)?;
+    let limit = &mut settings.max_iterations;
+    codec.count("limit of iterations", limit, 1..)?;
+    let limit = &mut settings.time_limit;
+    codec.option("time limit", limit, Duration::default)?;
+    if let Some(limit) = limit {
+        let (mut seconds, mut rest) = (limit.as_secs(), limit.subsec_nanos().into());
+        codec.integer("seconds of the time limit", &mut seconds, ..)?;
+        codec.integer("rest of the time limit", &mut rest, ..1_000_000_000)?;
+        *limit = Duration::from_secs(seconds).saturating_add(Duration::from_nanos(rest));
+    }
+    Ok(())
+}
+
+fn visit_friction<C: Codec>(
+    codec: &mut C,
+    friction: &mut Friction,
+    grid: Grid,
+) -> Result<(), C::Error> {
+    let (coefficient, cap) = friction.parts_mut();
+    codec.option("shear cap", cap, || f64::INFINITY)?;
+    if let Some(cap) = cap {
+        codec.number("shear cap", cap, POSITIVE)?;
+    }
+    let mut is_per_cell = matches!(coefficient, Coefficient::PerCell(_));
+    codec.kind("kind of friction", &mut is_per_cell, &[false, true])?;
+    if is_per_cell && matches!(coefficient, Coefficient::Uniform(_)) {
+        *coefficient = Coefficient::PerCell(Field::zeros(grid));
+    }
+    let what = "coefficient of friction";
+    match coefficient {
+        Coefficient::Uniform(coefficient) => codec.number(what, coefficient, NOT_NEGATIVE),
+        Coefficient::PerCell(field) => codec.numbers(what, field.as_mut_slice(), NOT_NEGATIVE),
+    }
+}
+
+fn visit_normal<C: Codec>(codec: &mut C, normal: &mut NormalSolution) -> Result<(), C::Error> {
+    let (pressure, gap, approach, report) = normal.parts_mut();
+    codec.numbers("pressure", pressure.as_mut_slice(), NOT_NEGATIVE)?;
+    codec.numbers("gap under load", gap.as_mut_slice(), FINITE)?;
+    codec.number("approach", approach, FINITE)?;
+    // A step that ends otherwise does not enter a state.
+    let statuses = [Status::Unsolved, Status::Converged];
+    codec.kind("status", &mut report.status, &statuses)?;
+    for count in [
+        &mut report.iterations,
+        &mut report.convolutions,
+        &mut report.rough_convolutions,
+    ] {
+        codec.count("count of the report", count, ..=LARGEST_COUNT)?;
+    }
+    for error in [
+        &mut report.residual,
+        &mut report.certified_gap,
+        &mut report.load_error,
+    ] {
+        codec.number("error of the report", error, NOT_NEGATIVE_OR_INFINITE)?;
+    }
+    Ok(())
+}
+
+fn visit_window<C: Codec>(codec: &mut C, window: &mut Window, grid: Grid) -> Result<(), C::Error> {
+    let (mut corner, mut size) = (window.corner(), window.size);
+    for (axis, cells) in grid.size().into_iter().enumerate() {
+        let cells = cells as u64;
+        codec.count("first cell of a window", &mut corner[axis], ..cells)?;
+        let left = cells - corner[axis] as u64;
+        codec.count("side of a window", &mut size[axis], 1..=left)?;
+    }
+    // What is in these ranges lies in the grid.
+    *window = Window::at(grid, corner, size).unwrap_or(*window);
+    Ok(())
+}
