@@ -1,9 +1,9 @@
-//! Numbers in binary files, read in order and never past the end.
+//! Numbers in binary files, read in order and never beyond the end.
 
 use super::Format;
 use crate::error::Result;
 
-/// The bytes of a file, and how far they have been read.
+/// The bytes of a file and the current position in them.
 #[derive(Debug)]
 pub(crate) struct Cursor<'a> {
     format: Format,
@@ -20,28 +20,28 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Goes on at a place the file names.
+    /// Continues at a position given in the file.
     #[cfg(feature = "x3p")]
     pub(super) fn seek(mut self, position: usize) -> Result<Self> {
         if position > self.bytes.len() {
-            let problem = "the file ends before this place, which it names";
+            let problem = "the file ends before this place, to which it refers";
             return Err(self.format.at_byte(position, problem));
         }
         self.position = position;
         Ok(self)
     }
 
-    /// Where the next byte stands.
+    /// Position of the next byte.
     pub(crate) fn position(&self) -> usize {
         self.position
     }
 
-    /// What has not been read.
+    /// The bytes not yet read.
     pub(crate) fn rest(&self) -> &'a [u8] {
         &self.bytes[self.position..]
     }
 
-    /// The next bytes; `what` they are goes into the error.
+    /// The next bytes; `what` describes them in the error.
     pub(crate) fn take(&mut self, what: &str, count: usize) -> Result<&'a [u8]> {
         let Some((taken, _)) = self.rest().split_at_checked(count) else {
             let (start, found) = (self.position, self.rest().len());
@@ -107,7 +107,7 @@ pub(super) enum Number {
 }
 
 impl Number {
-    /// Bytes of one.
+    /// Bytes per number.
     pub(super) fn size(self) -> usize {
         match self {
             Self::I8 | Self::U8 => 1,
@@ -117,7 +117,7 @@ impl Number {
         }
     }
 
-    /// Every number of some bytes; those of 64-bit integers are rounded.
+    /// All numbers stored in `bytes`; 64-bit integers are rounded.
     pub(super) fn decode(self, order: Order, bytes: &[u8]) -> Vec<f64> {
         match self {
             Self::I8 => map(order, bytes, |b| f64::from(i8::from_le_bytes(b))),
@@ -134,7 +134,7 @@ impl Number {
     }
 }
 
-/// Every `N` bytes, least first, as a number.
+/// Every `N` bytes as a number; `number` takes them least significant first.
 fn map<const N: usize>(order: Order, bytes: &[u8], number: impl Fn([u8; N]) -> f64) -> Vec<f64> {
     let sample = |stored: &[u8]| {
         let mut array = [0; N];
