@@ -155,7 +155,7 @@ pub enum Error {
     /// The tangential force exceeds what friction can carry: no equilibrium exists.
     #[error("a tangential force of {force:e} exceeds the friction limit {limit:e}")]
     BeyondSliding {
-        /// Magnitude of the force asked for.
+        /// Magnitude of the force requested.
         force: f64,
         /// Largest force that friction can carry, the area integral of the shear limit.
         limit: f64,
@@ -192,7 +192,7 @@ pub enum Error {
         "an approach of {approach:e} is not below the mean gap {mean_gap:e} of a periodic contact: it closes the gap everywhere, and the pressure is undetermined"
     )]
     ApproachBeyondMeanGap {
-        /// The approach asked for.
+        /// The approach requested.
         approach: f64,
         /// Mean of the initial gap.
         mean_gap: f64,
@@ -200,7 +200,7 @@ pub enum Error {
     /// An explicit matrix of this size exceeds the limit.
     #[error("an explicit matrix of {cells} cells exceeds the limit of {limit} cells")]
     TooManyCells {
-        /// Cells asked for.
+        /// Cells requested.
         cells: usize,
         /// Cells allowed.
         limit: usize,
@@ -224,7 +224,7 @@ pub enum Error {
     /// The degree of a polynomial exceeds the limit.
     #[error("a polynomial of degree {degree} exceeds the limit of {limit}")]
     Degree {
-        /// Degree asked for.
+        /// Degree requested.
         degree: usize,
         /// Degree allowed.
         limit: usize,

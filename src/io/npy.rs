@@ -21,7 +21,7 @@ const HEADER_LENGTH: u16 = 118;
 /// The field in a file, on cells of sides `[dx, dy]` (lengths). See [`parse`].
 ///
 /// # Errors
-/// [`Error::File`](crate::Error::File) if the file cannot be read, else as [`parse`].
+/// [`Error::File`](crate::Error::File) if the file cannot be read, otherwise as [`parse`].
 pub fn read(path: impl AsRef<Path>, cell_sides: [f64; 2]) -> Result<Field> {
     check_sides(cell_sides)?;
     parse(&bytes_of(path.as_ref())?, cell_sides)

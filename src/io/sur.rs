@@ -21,7 +21,7 @@ const COMPRESSED: &[u8; 12] = b"DSCOMPRESSED";
 /// The surface in a file (metres). See [`parse`].
 ///
 /// # Errors
-/// [`Error::File`](crate::Error::File) if the file cannot be read, else as [`parse`].
+/// [`Error::File`](crate::Error::File) if the file cannot be read, otherwise as [`parse`].
 pub fn read(path: impl AsRef<Path>) -> Result<Field> {
     parse(&bytes_of(path.as_ref())?)
 }

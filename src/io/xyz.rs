@@ -20,7 +20,7 @@ const NOISE: f64 = 1e-3;
 /// The surface in a file. See [`parse`].
 ///
 /// # Errors
-/// [`Error::File`](crate::Error::File) if the file cannot be read, else as [`parse`].
+/// [`Error::File`](crate::Error::File) if the file cannot be read, otherwise as [`parse`].
 pub fn read(path: impl AsRef<Path>) -> Result<Field> {
     parse(&bytes_of(path.as_ref())?)
 }
