@@ -21,8 +21,8 @@ use crate::error::{Result, finite, positive};
 /// ```
 ///
 /// The traction is circumferential and equals $`\mu p`$ in the ring. At any twist the centre sticks;
-/// the moment tends to $`\frac{3\pi}{16}\mu Wa`$. Slip is parallel to the traction, so the solution
-/// neglects no component of it for any $`\nu`$. Lubkin (1951); Johnson (1985), section 7.2.
+/// the moment tends to $`\frac{3\pi}{16}\mu Wa`$. Slip is parallel to the traction, so no component of it
+/// is neglected for any $`\nu`$. Lubkin (1951); Johnson (1985), section 7.2.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{HertzSphere, LubkinTorsion}};
