@@ -1,9 +1,9 @@
-//! Random hard scenes: `campaign FIRST COUNT` solves those from index FIRST, and prints what is wrong.
+//! Random hard scenes: `campaign FIRST COUNT` solves COUNT scenes from index FIRST, and prints the faults.
 
 #![allow(
     clippy::print_stdout,
     clippy::print_stderr,
-    reason = "an example shows its numbers, and how far it is"
+    reason = "an example prints its results and its progress"
 )]
 
 mod scenes;
@@ -47,12 +47,12 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     })
 }
 
-/// What all the scenes came to.
+/// Summary of all scenes.
 #[derive(Debug, Default)]
 struct Summary {
     endings: BTreeMap<String, usize>,
     compared: BTreeMap<&'static str, usize>,
-    /// Largest part of the certified error that the true one is, and the scene.
+    /// Largest ratio of the true error to the certified one, and its scene.
     tightest: (f64, u64),
     slowest: (f64, u64),
     steps: (usize, u64),

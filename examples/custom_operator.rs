@@ -1,4 +1,4 @@
-//! The engine on a matrix of one's own: a rounded stamp on nine coupled springs.
+//! The engine on a custom matrix: a rounded stamp on nine coupled springs.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -10,8 +10,8 @@ use stickslip::{Operator, Status};
 
 const SPRINGS: usize = 9;
 
-/// A row of springs: each yields by `own` under its own unit force and by `neighbour` under a unit
-/// force on the spring beside it. The matrix is tridiagonal.
+/// A row of springs: each yields by `own` under a unit force on itself and by `neighbour` under a unit
+/// force on an adjacent spring. The matrix is tridiagonal.
 #[derive(Debug, Clone, Copy)]
 struct SpringRow {
     own: f64,
@@ -35,8 +35,8 @@ impl Operator for SpringRow {
         }
     }
 
-    /// Gershgorin: no eigenvalue is farther from the diagonal than the rest of its row adds up to.
-    /// With this bound a small residual becomes a small certified error.
+    /// Gershgorin: no eigenvalue is farther from the diagonal than the sum of the rest of its row.
+    /// With this bound a small residual gives a small certified error.
     fn lower_bound(&self) -> f64 {
         self.own - 2.0 * self.neighbour.abs()
     }
@@ -47,7 +47,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         own: 1.0,
         neighbour: 0.3,
     };
-    // The gap below the stamp before it is pressed: a parabola about the middle spring.
+    // The gap below the stamp before loading: a parabola about the middle spring.
     let gap: Vec<f64> = (0..SPRINGS)
         .map(|i| 0.25 * (i as f64 - 4.0).powi(2))
         .collect();
@@ -62,7 +62,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("  approach of the stamp {:.9}", minimum.multiplier);
         println!("  spring   force        gap under load");
 
-        // Contact by hand: nothing pulls, nothing overlaps, and where there is force the gap is closed.
+        // Check of the contact conditions: no tension, no overlap, and a closed gap where there is force.
         let mut yielding = [0.0; SPRINGS];
         springs.apply(&force, &mut yielding, &mut ());
         for i in 0..SPRINGS {
@@ -73,7 +73,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         assert!((force.iter().sum::<f64>() - load).abs() < 1e-12);
     }
 
-    // An observer sees the start and every step, and may stop the work: here at the third step.
+    // An observer is called at the start and at every step, and may stop the solve: here at the third step.
     let mut force = [load / SPRINGS as f64; SPRINGS];
     let mut workspace = problem.workspace();
     let settings = Settings::default().method(Method::PolonskyKeer);

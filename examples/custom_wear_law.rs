@@ -1,5 +1,5 @@
-//! A simulator with a wear law of its own: it steps the contact through cycles of load, wears the gap after
-//! every step, saves the state half way and goes on from it to the same bits.
+//! A simulator with its own wear law. It steps the contact through load cycles, wears the gap after
+//! every step, saves the state half way, and continues from it with the same bits.
 //!
 //! `cargo run --release --example custom_wear_law [cells]` (default 64, at least 32)
 //! writes `target/gallery/custom_wear_law.csv` and `.svg`.
@@ -22,24 +22,24 @@ use stickslip::{
 const BALL_RADIUS: f64 = 3.5e-3;
 const NORMAL_FORCE: f64 = 100.0;
 const FRICTION: f64 = 0.5;
-/// The contact slides at 2.99 um.
+/// Gross sliding begins at 2.99 um.
 const SHIFT_AMPLITUDE: f64 = 2.5e-6;
 const STEPS: usize = 40;
 const CYCLES: usize = 20;
-/// Volume removed per energy once the surface has run in (1/Pa).
+/// Worn volume per energy after running-in (1/Pa).
 const WEAR_COEFFICIENT: f64 = 2e-11;
-/// Depth that running in removes besides, and the energy of a square metre that it takes.
+/// Additional depth removed by running-in, and the energy per square metre that it requires.
 const RUNNING_IN_DEPTH: f64 = 0.3e-6;
 const RUNNING_IN_ENERGY: f64 = 5e3;
 
-/// The law: a surface that runs in wears fast at first. Depth by the energy per area that a cell has
-/// dissipated.
+/// The law: a surface wears faster during running-in. Depth as a function of the energy per area that a
+/// cell has dissipated.
 fn worn_depth(energy: f64) -> f64 {
     let run_in = 1.0 - (-energy / RUNNING_IN_ENERGY).exp();
     WEAR_COEFFICIENT * energy + RUNNING_IN_DEPTH * run_in
 }
 
-/// What a cycle leaves behind.
+/// Results of a cycle.
 struct Leaving {
     energy: f64,
     depth: f64,
@@ -47,7 +47,7 @@ struct Leaving {
     worn_volume: f64,
 }
 
-/// The time loop: after every step the gap is the ball's and what the law has worn off.
+/// The time loop: after every step the gap is that of the ball plus the worn depth.
 fn run(history: &mut History, ball: &Field, cycles: usize) -> Result<Vec<Leaving>> {
     let path = LoadPath::sine([SHIFT_AMPLITUDE, 0.0], STEPS)?;
     let load = |shift| LoadStep::shift(shift).normal(NormalStep::Force(NORMAL_FORCE));

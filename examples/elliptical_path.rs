@@ -1,9 +1,9 @@
 //! The paper's ball (its Table 2) under a constant normal force, dragged round ellipses of force in the plane:
-//! paths of force and shift, slip and traction of the steady loop, and what a cycle dissipates, from a line
-//! to a circle.
+//! paths of force and shift, slip and traction of the steady loop, and the energy dissipated per cycle, from a
+//! line to a circle.
 //!
-//! Where tractions turn, the error of a step is in proportion to its length, so that each loop is run with half as
-//! many steps too, and what follows for steps of no length is printed beside.
+//! Where tractions rotate, the error of a step is proportional to its length. Each loop is therefore also run with
+//! half as many steps, and the energy extrapolated to a step length of zero is printed as well.
 //!
 //! `cargo run --release --example elliptical_path [cells]` (default 64, at least 32)
 //! writes `target/gallery/elliptical_path.csv`, `elliptical_path_energy.csv` and `elliptical_path.svg`.
@@ -30,26 +30,26 @@ use support::{Area, Chart};
 const BALL_RADIUS: f64 = 3.5e-3;
 const NORMAL_FORCE: f64 = 100.0;
 const FRICTION: f64 = 0.5;
-/// Along x; the contact slides at 50 N.
+/// Along x; gross sliding begins at 50 N.
 const AMPLITUDE: f64 = 40.0;
 const STEPS: usize = 64;
-/// Of the amplitude, that along y.
+/// Amplitude along y over that along x.
 const ASPECTS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
-/// Drawn as paths: a line, an ellipse, a circle.
+/// The loops drawn as paths: a line, an ellipse, a circle.
 const SHOWN: [(usize, &str, RGBColor); 3] = [
     (0, "line", support::BLUE),
     (2, "ellipse", support::ORANGE),
     (4, "circle", support::GREEN),
 ];
-/// Drawn as a map.
+/// The loop drawn as a map.
 const MAPPED: usize = 2;
-/// A loop is steady when no traction changes by more, of the largest, in a cycle.
+/// A loop is steady when no traction changes by more than this, relative to the largest, in a cycle.
 const STEADY: f64 = 1e-3;
 const MAX_CYCLES: usize = 20;
 const TOLERANCE: f64 = 1e-6;
 
 const MICRO: f64 = 1e6;
-/// Half the width shown, in contact radii.
+/// Half the width of the view, in contact radii.
 const VIEW: f64 = 1.2;
 
 fn main() -> std::result::Result<(), Box<dyn Error>> {
@@ -110,9 +110,9 @@ fn main() -> std::result::Result<(), Box<dyn Error>> {
 struct Loop {
     aspect: f64,
     outcome: LoopOutcome,
-    /// At its end, where the force is along y.
+    /// Traction at its end, where the force is along y.
     traction: [Field; 2],
-    /// What a cycle of infinitely many steps dissipates, by cycles of all steps and of half as many.
+    /// Energy of a cycle of infinitely many steps, extrapolated from cycles of all steps and of half as many.
     extrapolated_energy: f64,
 }
 
@@ -210,7 +210,7 @@ fn draw_paths(
     support::legend(chart, SeriesLabelPosition::UpperLeft)
 }
 
-/// Path slipped in a cycle, the darker the longer, and traction as arrows.
+/// Path slipped in a cycle, darker where longer, and traction as arrows.
 fn draw_map(
     area: &Area<'_>,
     of: &Loop,
@@ -243,7 +243,7 @@ fn draw_map(
     Ok(())
 }
 
-/// From a tail by a vector, with a head in proportion.
+/// An arrow from a tail along a vector, with a head in proportion.
 fn arrow([x, y]: [f64; 2], [u, v]: [f64; 2]) -> PathElement<(f64, f64)> {
     let at = |along: f64, across: f64| (x + along * u - across * v, y + along * v + across * u);
     let line = [

@@ -1,5 +1,5 @@
-//! The paper's ball (its Table 2) under a constant normal force, sheared to and fro in partial slip: loop of
-//! force and shift, tractions on the way, and energy of a cycle, beside the closed forms.
+//! The paper's ball (its Table 2) under a constant normal force and a cyclic tangential force in partial slip: loop
+//! of force and shift, tractions on the way, and energy of a cycle, beside the closed forms.
 //!
 //! `cargo run --release --example fretting_loop [cells]` (default 256, at least 32)
 //! writes `target/gallery/fretting_loop.csv` and `.svg`.
@@ -22,14 +22,14 @@ use support::Area;
 // SI units: metres, newtons, pascals.
 const BALL_RADIUS: f64 = 3.5e-3;
 const NORMAL_FORCE: f64 = 100.0;
-/// Twice the paper's tangential force, for a wider loop; the contact slides at 50 N.
+/// Twice the paper's tangential force, for a wider loop; gross sliding begins at 50 N.
 const AMPLITUDE: f64 = 40.0;
 const FRICTION: f64 = 0.5;
 const STEPS: usize = 40;
-/// The first cycle holds the first loading; the second is a full loop.
+/// The first cycle contains the first loading; the second is a full loop.
 const CYCLES: usize = 2;
 
-/// Half the width shown, in contact radii.
+/// Half the width of the view, in contact radii.
 const VIEW: f64 = 1.25;
 const MICRO: f64 = 1e6;
 
@@ -60,7 +60,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         forces.push(force[0]);
         let exact = MindlinDeresiewicz::new(hertz, FRICTION, &forces)?;
         points.push(Point::of(&history, &exact));
-        // The turning points and both ways through zero, in the second cycle.
+        // The turning points and both zero crossings of the second cycle.
         if forces.len() > STEPS && forces.len() % (STEPS / 4) == 0 {
             profiles.push(Profile::of(&history, exact));
         }
@@ -84,7 +84,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The end of a step.
+/// The state at the end of a step.
 struct Point {
     force: f64,
     shift: f64,
@@ -257,7 +257,7 @@ fn draw_loop(
     support::legend(&mut chart, SeriesLabelPosition::UpperLeft)
 }
 
-/// Tractions at the turning points and between; what remains on the way back is the opposite.
+/// Tractions at the turning points and between them; the rest of the reverse half is the opposite.
 fn draw_tractions(area: &Area<'_>, profiles: &[Profile]) -> Result<(), Box<dyn Error>> {
     let hertz = profiles[0].exact.hertz();
     let (a, scale) = (hertz.contact_radius(), FRICTION * hertz.max_pressure());

@@ -1,5 +1,5 @@
-//! A catalogue of hard scenes, solved and held against exact answers: one table, and an exit code that says
-//! whether every row is right.
+//! A catalogue of hard scenes, solved and compared with exact solutions: one table, and an exit code that
+//! tells whether every row is right.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 

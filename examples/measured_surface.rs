@@ -1,8 +1,8 @@
-//! A surface from a file: levelled, its holes filled, measured, pressed on a plane, sheared, and every
+//! A surface from a file: levelled, its holes filled, characterised, pressed on a plane, sheared, and every
 //! field written for other programs.
 //!
 //! `cargo run --release --example measured_surface [file]` reads SDF, SUR, XYZ, and X3P with
-//! `--features x3p`, lengths in metres. Without a file it makes one, tilted, bent and with holes, as
+//! `--features x3p`, lengths in metres. Without a file it generates one, tilted, bent and with holes, as
 //! `target/gallery/measured.sdf`. Results: `target/gallery/measured.vti` (ParaView), `.npy`, `.csv`
 //! and `.svg`.
 
@@ -24,7 +24,7 @@ use stickslip::{
 const FRICTION: f64 = 0.3;
 /// Tangential force over the sliding force.
 const LOADING: f64 = 0.5;
-/// Part of the surface that should touch, by theory.
+/// Fraction of the surface that should be in contact, by theory.
 const AREA: f64 = 0.05;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -40,7 +40,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let steel = Material::new(210e9, 0.3)?;
     let pair = ElasticPair::new(steel, steel)?;
     let bodies = HalfSpace::new(heights.grid(), pair)?;
-    // A measurement does not repeat: its spectral slope would count the step from edge to edge.
+    // A measurement is not periodic: its spectral slope would include the step from edge to edge.
     let slope = statistics.finite_difference_rms_slope();
     let pressure = AREA / RoughSphere::AREA_COEFFICIENT * slope * pair.contact_modulus();
     let gap = surface::gap_of(&heights)?;
@@ -66,7 +66,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What an instrument might hand over: 400 x 300 points of a ground surface, askew, with form and holes.
+/// A typical measurement: 400 x 300 points of a ground surface, tilted, with form and holes.
 fn make_measurement() -> Result<PathBuf, Box<dyn Error>> {
     let grid = Grid::new(400, 300, 0.5e-6, 0.4e-6)?;
     let rough = SelfAffine::with_rms_height(0.25e-6)
@@ -80,7 +80,7 @@ fn make_measurement() -> Result<PathBuf, Box<dyn Error>> {
         4e-3 * x - 7e-3 * y + 30.0 * (x * x - 0.3 * x * y)
     });
     let mut measured = surface::sum(&[rough.heights(), &form])?;
-    // Steep valleys and a speck of dust send no light back.
+    // Steep valleys and a speck of dust reflect no light.
     let statistics = Statistics::of(rough.heights())?;
     let dust = Field::from_fn(grid, |x, y| (x - 31e-6).hypot(y + 12e-6));
     let flat = rough.heights().as_slice().iter().zip(dust.as_slice());
@@ -94,7 +94,7 @@ fn make_measurement() -> Result<PathBuf, Box<dyn Error>> {
     Ok(path)
 }
 
-/// Levelled before its holes are filled: what is tilted would be filled askew at the edge.
+/// Levels the surface before its holes are filled: near an edge, holes in a tilted surface would be filled askew.
 fn prepare(measured: &Field) -> Result<Field, Box<dyn Error>> {
     let grid = measured.grid();
     let levelled = surface::level(measured, Form::Polynomial(2))?;

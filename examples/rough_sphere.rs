@@ -20,12 +20,12 @@ use stickslip::{ElasticPair, Grid, HalfSpace, Material, NormalLoad, NormalProble
 const SIDE: f64 = 640.0;
 const RADIUS: f64 = 3500.0;
 const SLOPE: f64 = 0.7518;
-/// The shortest wave, over six of the cells of the default grid: shorter ones would go unresolved.
+/// The shortest wave, over six cells of the default grid: shorter ones would not be resolved.
 const CUT_OFF: f64 = 6.4;
-/// At one slope the roll-off sets the height.
+/// At constant slope the roll-off determines the height.
 const ROLL_OFFS: [f64; 3] = [192.0, 112.0, 64.0];
 const SEEDS: usize = 4;
-/// The paper's four loads, and one between each two.
+/// The paper's four loads, and one between each pair.
 const LOADS: [f64; 7] = [0.15e3, 0.5e3, 1.5e3, 5e3, 15e3, 50e3, 150e3];
 /// The discretisation error is far larger.
 const TOLERANCE: f64 = 1e-5;
@@ -77,7 +77,7 @@ struct Ball {
 /// One of the areas of a contact.
 type AreaOf = fn(&Contact) -> f64;
 
-/// Areas are parts of the smooth ball's.
+/// Areas are fractions of the contact area of the smooth ball.
 struct Contact {
     hertz: RoughSphere,
     cells: usize,

@@ -1,4 +1,4 @@
-//! How area and stick of a nominally flat rough contact depend on rms height, rms slope, skewness and
+//! Dependence of area and stick of a nominally flat rough contact on rms height, rms slope, skewness and
 //! kurtosis, each varied alone (the paper's Figs 16 to 19): on surfaces whose shortest wave spans eight
 //! cells, and on surfaces like the paper's with waves down to the limit of the grid.
 //!
@@ -28,12 +28,12 @@ const LOADING: f64 = 0.5;
 const SEEDS: usize = 3;
 const TOLERANCE: f64 = 1e-5;
 
-/// The four questions, with what stays as it is.
+/// The four parameters varied, and the quantities held constant.
 #[derive(Clone, Copy, PartialEq)]
 enum Question {
-    /// At one slope the height follows from the roll-off.
+    /// At constant slope, the roll-off determines the height.
     Height,
-    /// At one height the slope does.
+    /// At constant height, the roll-off determines the slope.
     Slope,
     Skewness,
     Kurtosis,
@@ -70,7 +70,7 @@ impl Question {
         }
     }
 
-    /// What was varied, as it came out.
+    /// The value reached by the varied parameter.
     fn varied(self, surface: &RoughSurface) -> f64 {
         match self {
             Self::Height => surface.rms_height(),
@@ -92,7 +92,7 @@ impl Question {
 
 /// Shortest waves, in cells.
 const CUT_OFFS: [(f64, &str); 2] = [(8.0, "waves ≥ 8 cells"), (2.0, "waves ≥ 2 cells")];
-/// Mean pressure over the modulus of contact.
+/// Mean pressure over the contact modulus.
 const PRESSURE: f64 = 5e-3;
 
 struct Job {
@@ -107,13 +107,13 @@ struct Answer {
     varied: f64,
     rms_slope: f64,
     cells: usize,
-    /// Contact over nominal area, by counting and with the perimeter corrected.
+    /// Contact area over nominal area, by counting and with the perimeter corrected.
     areas: [f64; 2],
     stick_ratio: f64,
 }
 
 impl Answer {
-    /// `(A/A0) E* g / p`: theory has a constant, 1.6 to 2.5, simulations about 2.
+    /// `(A/A0) E* g / p`: theories give a constant, 1.6 to 2.5; simulations give about 2.
     fn coefficient(&self, area: usize) -> f64 {
         self.areas[area] * self.rms_slope / PRESSURE
     }
@@ -123,7 +123,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let cells: usize = std::env::args()
         .nth(1)
         .map_or(Ok(512), |cells| cells.parse())?;
-    // The paper's rubber on a rigid plane: E* = 25 MPa. Without edges, which would sag.
+    // The paper's rubber on a rigid plane: E* = 25 MPa. Periodic, since free edges would sag.
     let pair = ElasticPair::new(Material::new(18.75, 0.5)?, Material::rigid())?;
     let bodies = HalfSpace::with_boundary(Grid::square(cells, SIDE)?, pair, Boundary::Periodic)?;
     let mut jobs = Vec::new();
@@ -213,7 +213,7 @@ fn solve(bodies: &HalfSpace, job: &Job) -> stickslip::Result<Answer> {
     })
 }
 
-/// The answers to one question on one kind of surface.
+/// The results for one parameter on one kind of surface.
 fn of<'a>(
     (question, kind): (Question, usize),
     jobs: &'a [Job],
@@ -266,7 +266,7 @@ fn print_table(jobs: &[Job], answers: &[Answer]) {
     }
 }
 
-/// Incline of the line of least squares through points.
+/// Slope of the least-squares line through points.
 fn incline(points: &[[f64; 2]]) -> f64 {
     let count = points.len() as f64;
     let mean = |axis: usize| points.iter().map(|point| point[axis]).sum::<f64>() / count;

@@ -1,4 +1,4 @@
-//! The ball under prescribed approach and shift: the forces that come out, up to gross sliding.
+//! The ball under prescribed approach and shift: the resulting forces, up to gross sliding.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -40,7 +40,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         normal.force(),
     );
 
-    // The solver keeps its buffers and its last answer, the start of the next.
+    // The solver keeps its buffers and its last solution, from which the next solve starts.
     let friction = Friction::coulomb(FRICTION)?;
     let load = TangentialLoad::Shift([0.0, 0.0]);
     let mut solver = TangentialProblem::builder(&bodies, &normal, friction, load)
@@ -49,7 +49,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut shear = solver.new_solution();
 
     // In fractions of the shift and the force at which the whole contact slides, the closed forms
-    // are F = 1 - (1 - shift)^(3/2) and stick ratio = 1 - shift, until nothing sticks.
+    // are F = 1 - (1 - shift)^(3/2) and stick ratio = 1 - shift, until the whole contact slides.
     let exact_force = |shift: f64| 1.0 - (1.0 - shift).max(0.0).powf(1.5);
     let exact_stick = |shift: f64| (1.0 - shift).max(0.0);
     println!("           |         force / (mu W)  |            stick ratio");

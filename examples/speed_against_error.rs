@@ -1,5 +1,5 @@
-//! What a digit costs: time and true error of the ball and of a rough surface at five tolerances, by
-//! both methods. With `--large` on 1024 x 1024 cells too.
+//! The cost of each digit: time and true error of the ball and of a rough surface at five tolerances, by
+//! both methods. With `--large` also on 1024 x 1024 cells.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -18,13 +18,13 @@ use support::measure::{distance, energy_error, fastest};
 use support::scene::{self, Scene};
 
 const TOLERANCES: [f64; 5] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10];
-/// The tolerance of the best answers, which stand for the truth.
+/// The tolerance of the best solutions, which are taken as exact.
 const BEST: f64 = 1e-12;
 /// Cells along the side in the figure.
 const SHOWN: usize = 256;
 
-/// For every row: where and how, the normal problem, the tangential problem on the best pressure, and
-/// how far the best answers are from the closed forms. The bound is certified by the library; `energy`
+/// For every row: the scene and the settings, the normal problem, the tangential problem on the best pressure,
+/// and the distance of the best solutions from the closed forms. The bound is certified by the library; `energy`
 /// and `l1` are true errors, in the energy norm and of the tractions summed over the cells.
 const COLUMNS: &str = "scene,cells,contact,method,tolerance,\
     normal_ms,normal_double,normal_single,normal_bound,normal_energy,normal_l1,normal_status,\
@@ -41,13 +41,13 @@ const COLOURS: [(&str, RGBColor); 4] = [
 struct Row {
     scene: &'static str,
     cells: usize,
-    /// Part of the cells that touch.
+    /// Fraction of the cells in contact.
     contact: f64,
     method: Method,
     tolerance: f64,
-    /// The normal problem and the tangential.
+    /// The normal and the tangential problem.
     runs: [Run; 2],
-    /// Distances of the best answers from the closed forms.
+    /// Distances of the best solutions from the closed forms.
     discretisation: Option<[f64; 2]>,
 }
 
@@ -105,7 +105,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Solves a scene by every method to every tolerance, and hands out each row as it is done.
+/// Solves a scene by every method to every tolerance, and passes on each row when it is done.
 fn measure(
     scene: &Scene,
     methods: &[Method],
@@ -138,7 +138,7 @@ fn measure(
                 energy: energy_error(&scene.bodies, Component::ZZ, found.pressure(), pressure)?,
                 l1: distance(found.pressure(), pressure),
             };
-            // On the best pressure, so that the error is its own.
+            // On the best pressure, so that the error is that of the tangential solve alone.
             let mut solver = scene
                 .tangential(&normal, method, tolerance)?
                 .into_solver()?;
@@ -178,7 +178,7 @@ fn print_heading() {
 }
 
 impl Run {
-    /// Whether the true error is below the bound; the best answer has an error too.
+    /// Whether the true error is below the bound; the best solution has an error too.
     fn is_bounded(&self) -> bool {
         self.energy <= self.report.energy_error_bound() + BEST
     }
@@ -212,7 +212,7 @@ impl Row {
     }
 }
 
-/// Time over the true error, pressing on the left and shearing on the right.
+/// Time over the true error, normal on the left and tangential on the right.
 fn draw(path: &Path, rows: &[Row]) -> Result<(), Box<dyn Error>> {
     let rows: Vec<_> = rows.iter().filter(|row| row.cells == SHOWN).collect();
     let runs = rows.iter().flat_map(|row| &row.runs);

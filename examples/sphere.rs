@@ -1,4 +1,4 @@
-//! A steel ball pressed on steel and then sheared (Table 2 of the paper), beside the closed forms.
+//! A steel ball on steel under a normal and then a tangential load (Table 2 of the paper), beside the closed forms.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -23,7 +23,7 @@ const TANGENTIAL_FORCE: f64 = 20.0;
 const FRICTION: f64 = 0.5;
 const CELLS: usize = 512;
 
-/// Half the width shown, in contact radii.
+/// Half the width of the view, in contact radii.
 const VIEW: f64 = 1.25;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -156,7 +156,7 @@ fn draw_profiles(
     support::legend(&mut chart, SeriesLabelPosition::MiddleMiddle)
 }
 
-/// The map of stick and slip, and the closed-form circles that bound the two zones.
+/// The map of stick and slip, and the circles of the closed form that bound the two zones.
 fn draw_zones(
     area: &Area<'_>,
     shear: &TangentialSolution,

@@ -1,4 +1,4 @@
-//! The part of a rough contact that sticks, against the tangential load: four surfaces from no load to
+//! The fraction of a rough contact that sticks, against the tangential load: four surfaces from no load to
 //! sliding, beside the straight line 1 - F / mu W and the curve of a smooth ball; and the zones of
 //! stick and slip on magnified spots (the paper's Figs 24 to 26).
 //!
@@ -34,7 +34,7 @@ const MAGNIFIED: usize = 72;
 struct Scene {
     rms_slope: f64,
     roll_off: f64,
-    /// Over the modulus of contact.
+    /// Over the contact modulus.
     mean_pressure: f64,
 }
 
@@ -74,7 +74,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let cells = std::env::args()
         .nth(1)
         .map_or(Ok(512), |cells| cells.parse())?;
-    // The paper's rubber on a rigid plane: E* = 25 MPa. Without edges, which would sag.
+    // The paper's rubber on a rigid plane: E* = 25 MPa. Periodic, since free edges would sag.
     let pair = ElasticPair::new(Material::new(18.75, 0.5)?, Material::rigid())?;
     let grid = Grid::square(cells, SIDE)?;
     let bodies = HalfSpace::with_boundary(grid, pair, Boundary::Periodic)?;
@@ -102,7 +102,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Presses a surface and shears it in steps, each from the answer to the last.
+/// Presses a surface and shears it in steps, each started from the last solution.
 fn shear(bodies: &HalfSpace, scene: &Scene, seed: u64) -> stickslip::Result<Sheared> {
     let grid = bodies.grid();
     let rough = SelfAffine::with_rms_slope(scene.rms_slope)
@@ -208,7 +208,7 @@ fn draw_ratios(area: &Area<'_>, contacts: &[Sheared]) -> Result<(), Box<dyn Erro
     support::legend(&mut chart, SeriesLabelPosition::UpperRight)
 }
 
-/// The square of [`MAGNIFIED`] cells where most cells touch, and a margin of nothing.
+/// The square of [`MAGNIFIED`] cells with most cells in contact, without a margin.
 fn draw_zones(area: &Area<'_>, contact: &Sheared) -> Result<(), Box<dyn Error>> {
     let [column, row] = most_crowded(contact.normal.pressure());
     let grid = contact.normal.grid();

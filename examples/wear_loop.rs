@@ -1,12 +1,12 @@
-//! A ball worn by small oscillations at a constant approach, by Archard's law and in jumps of many cycles, on
-//! its way to Popov's limiting shape.
+//! A ball worn by small oscillations at a constant approach, by Archard's law and in jumps of many cycles,
+//! towards Popov's limiting shape.
 //!
 //! `cargo run --release --example wear_loop [cells] [Poisson's ratio]` (default 128, at least 48; and 0)
 //! writes `target/gallery/wear_loop.csv`, `wear_loop_profiles.csv` and `wear_loop.svg`.
 //!
-//! The limiting shape takes wear to be the same in all directions, as slip is where Poisson's ratio is
-//! zero. At 0.29 slip is larger across the motion than along it; there wear reaches into the disc that
-//! sticks, and 1.6 % less load is left than the closed form has.
+//! The limiting shape assumes the same wear in all directions, as is the slip where Poisson's ratio is
+//! zero. At 0.29 slip is larger across the motion than along it; there wear reaches into the stick
+//! disc, and the remaining load is 1.6 % less than that of the closed form.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -29,12 +29,12 @@ const BALL_RADIUS: f64 = 3.5e-3;
 /// The force that would press the unworn ball to the approach.
 const NORMAL_FORCE: f64 = 100.0;
 const FRICTION: f64 = 0.5;
-/// Of the contact radius, the part that sticks.
+/// Radius of the stick disc over the contact radius.
 const STICK_RADIUS: f64 = 0.6;
 /// Volume removed per work of the normal force, of both bodies together (1/Pa).
 const WEAR_COEFFICIENT: f64 = 1e-13;
 const CYCLES: f64 = 2e4;
-/// Part of the approach that may be worn off at once.
+/// Largest fraction of the approach that is worn off at once.
 const APPROACH_FRACTION: f64 = 0.01;
 /// Profiles are drawn after these cycles, or the first that follow.
 const SHOWN: [f64; 4] = [0.0, 1000.0, 3000.0, CYCLES];
@@ -78,7 +78,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         "  cycles    jump | load, N  largest p, GPa | worn volume / limit | largest off edge   mean"
     );
     loop {
-        // One cycle, with the pressure that the worn gap leaves.
+        // One cycle, with the pressure of the worn gap.
         fretting.cycle(&mut history, &mut cycle)?;
         let mut depth = Field::zeros(grid);
         let (pressure, slip) = (cycle.slip_pressure(), cycle.slip_length());
@@ -110,20 +110,20 @@ fn main() -> Result<(), Box<dyn Error>> {
     write(&stages, &limit)
 }
 
-/// A cycle that was simulated.
+/// A simulated cycle.
 struct Stage {
-    /// Cycles before it, and how many its wear stands for.
+    /// Number of cycles before it, and the number that its wear represents.
     cycles: f64,
     jump: f64,
     load: f64,
     max_pressure: f64,
-    /// Dissipated so far.
+    /// Energy dissipated so far.
     energy: f64,
-    /// Worn off so far.
+    /// Volume worn so far.
     volume: f64,
     /// Differences of the gap from the limiting shape over the approach: the largest anywhere, the largest
     /// farther than a cell from the edge of the stick disc, where the shape is vertical, and the mean
-    /// over what wears.
+    /// over the wearing region.
     largest: f64,
     largest_off_edge: f64,
     mean: f64,

@@ -3,7 +3,7 @@
 #[cfg(not(all(target_family = "wasm", target_os = "unknown")))]
 pub(crate) use std::time::Instant;
 
-/// The clock of a platform without one stands still: solves take no time, and no limit above zero ends them.
+/// On a platform without a clock the time stands still: solves take no time, and no time limit above zero ends them.
 #[cfg(all(target_family = "wasm", target_os = "unknown"))]
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Instant;
@@ -14,7 +14,7 @@ impl Instant {
         Self
     }
 
-    #[allow(clippy::unused_self, reason = "as the clock of std has it")]
+    #[allow(clippy::unused_self, reason = "the signature of the standard clock")]
     pub(crate) fn elapsed(self) -> std::time::Duration {
         std::time::Duration::ZERO
     }

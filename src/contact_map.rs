@@ -1,29 +1,29 @@
-//! Questions to a map of contact: area, edge, spots.
+//! Properties of a map of contact: area, edge, spots.
 
 use crate::boundary::Boundary;
 use crate::grid::Grid;
 
-/// A remark on a solution that is right as computed but may not mean what it seems to.
+/// A diagnostic on a converged solution that may mislead.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Warning {
-    /// Nothing touches: no cell carries pressure.
+    /// There is no contact: no cell carries pressure.
     NoContact,
-    /// Contact reaches the outermost ring of cells: the bodies may touch beyond the grid too.
+    /// Contact reaches the outermost ring of cells: the bodies may also touch beyond the grid.
     ContactAtEdge {
-        /// Cells of the ring that touch.
+        /// Contact cells in the ring.
         cells: usize,
     },
-    /// Some contact spots are smaller than five cells: their area reads high and their stick
+    /// Some contact spots are smaller than five cells: their area is overestimated and their stick
     /// fraction means little.
     UnresolvedSpots {
         /// Spots of fewer than five cells.
         unresolved: usize,
-        /// All spots.
+        /// Number of all spots.
         spots: usize,
     },
-    /// A step of a history held the pressure although the gap had changed: it is still that of the old gap.
+    /// A step of a history held the pressure although the gap had changed: the pressure is still that of the old gap.
     StalePressure,
 }
 
@@ -43,16 +43,16 @@ impl std::fmt::Display for Warning {
             ),
             Self::StalePressure => write!(
                 formatter,
-                "the pressure was held, but the gap has changed: it is that of the old gap"
+                "the gap has changed, but the pressure was held: it is that of the old gap"
             ),
         }
     }
 }
 
-/// Cells a spot needs to be told from a point.
+/// Cells that a resolved spot needs.
 const RESOLVED: usize = 5;
 
-/// A map of cells that are in or out of a set.
+/// A map of the cells that belong to a set.
 pub(crate) struct ContactMap<F> {
     pub(crate) grid: Grid,
     pub(crate) boundary: Boundary,
@@ -72,8 +72,8 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
         self.cells() as f64 * self.grid.cell_area()
     }
 
-    /// Area less what counting adds along the perimeter: `(pi - 1 + ln 2)/24` of a cell for each
-    /// pair of neighbours of which one is in the set (Yastrebov, Anciaux & Molinari, Tribology
+    /// Area minus the excess from counting cells along the perimeter: `(pi - 1 + ln 2)/24` of a cell for
+    /// each pair of neighbours of which one is in the set (Yastrebov, Anciaux & Molinari, Tribology
     /// International 114 (2017) 161, <https://doi.org/10.1016/j.triboint.2017.04.023>).
     pub(crate) fn corrected_area(&self) -> f64 {
         let share = (std::f64::consts::PI - 1.0 + std::f64::consts::LN_2) / 24.0;
@@ -81,8 +81,8 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
         cells.max(0.0) * self.grid.cell_area()
     }
 
-    /// Columns and rows that the set spans from its first to its last; on a grid that repeats as few as hold all of it,
-    /// across its edges too. `None` if it is empty.
+    /// Columns and rows spanned by the set, from its first to its last cell; on a periodic grid, the smallest span that
+    /// holds all of it, across the edges too. `None` if the set is empty.
     pub(crate) fn extent(&self) -> Option<[usize; 2]> {
         let (nx, ny) = (self.grid.nx(), self.grid.ny());
         let (mut columns, mut rows) = (vec![false; nx], vec![false; ny]);
@@ -92,7 +92,7 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
         Some([self.span(&columns)?, self.span(&rows)?])
     }
 
-    /// Places from the first taken one to the last; on a grid that repeats all but the longest run that is not.
+    /// Places from the first taken one to the last; on a periodic grid, all places except the longest run of free ones.
     fn span(&self, taken: &[bool]) -> Option<usize> {
         let first = taken.iter().position(|taken| *taken)?;
         let last = taken.iter().rposition(|taken| *taken)?;
@@ -117,7 +117,7 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
             .sum()
     }
 
-    /// Everything worth a remark.
+    /// All warnings.
     pub(crate) fn warnings(&self) -> Vec<Warning> {
         if self.cells() == 0 {
             return vec![Warning::NoContact];
@@ -138,7 +138,7 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
         warnings
     }
 
-    /// The cells to the left, below, to the right and above: beyond an edge nothing, or what repeats there.
+    /// The cells to the left, below, to the right and above; beyond an edge none, or the periodic image.
     fn neighbours(&self, i: usize) -> [Option<usize>; 4] {
         let (nx, cells) = (self.grid.nx(), self.grid.cells());
         let wraps = self.boundary == Boundary::Periodic;
@@ -158,7 +158,7 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
         ]
     }
 
-    /// On a grid that has edges.
+    /// Contact cells on the edge of a grid that has edges.
     fn cells_on_edge(&self) -> usize {
         if self.boundary == Boundary::Periodic {
             return 0;
@@ -173,7 +173,7 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
             .count()
     }
 
-    /// Cells of each spot, a set connected through the sides of its cells; in the order of first cells.
+    /// Number of cells of each spot, a set connected through the sides of its cells; in the order of first cells.
     pub(crate) fn spot_sizes(&self) -> Vec<usize> {
         let mut visited = vec![false; self.grid.cells()];
         let mut sizes = Vec::new();
@@ -231,10 +231,10 @@ mod tests {
             [Warning::ContactAtEdge { cells: 6 }, unresolved]
         );
 
-        // Repeated, the row at the bottom meets the L at the top; two of its cells and one end do not.
+        // On the periodic grid the row at the bottom meets the L at the top; two of its cells and one end do not.
         map.boundary = Boundary::Periodic;
         assert_eq!(map.spot_sizes(), [7, 2]);
-        // Columns 4, 5 and 7 are free, and no row.
+        // Columns 4, 5 and 7 are free, and no row is.
         assert_eq!(map.extent(), Some([6, 4]));
         assert_eq!(map.switches(), 6 + 6 + 5 + 3);
         let unresolved = Warning::UnresolvedSpots {

@@ -1,4 +1,4 @@
-//! Every way a call can be refused or fail, with the offending number.
+//! The error type: every way a call can be refused or fail, with the offending number.
 
 mod check;
 
@@ -28,10 +28,10 @@ use crate::report::Report;
 /// ```
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
-/// What was wrong: one variant per rule broken, with the offending number.
+/// The reason a call failed: one variant per violated rule, with the offending number.
 ///
-/// Arguments are checked before any work, and a call that fails leaves the caller's state as it was; except that on
-/// [`Error::NotConverged`] `solve_into` and `solve_observed` leave the last feasible iterate in the solution.
+/// Arguments are checked before any work, and a failed call leaves the caller's state unchanged. The exception is
+/// [`Error::NotConverged`]: `solve_into` and `solve_observed` then leave the last feasible iterate in the solution.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -43,10 +43,10 @@ pub enum Error {
         /// Cells along y.
         ny: usize,
     },
-    /// The memory something takes cannot be had. Nothing was taken.
-    #[error("{quantity} takes {bytes} bytes of memory, which cannot be had")]
+    /// Memory for a quantity cannot be allocated. Nothing was allocated.
+    #[error("cannot allocate {bytes} bytes for {quantity}")]
     Memory {
-        /// What takes it, in words.
+        /// The quantity that needs the memory, in words.
         quantity: &'static str,
         /// Bytes needed.
         bytes: u128,
@@ -75,7 +75,7 @@ pub enum Error {
         /// The value given.
         value: f64,
     },
-    /// One sample of a field breaks the rule its field must keep.
+    /// A sample of a field violates a rule for that field.
     #[error("{quantity} at index {index} is {value}: {rule}")]
     Sample {
         /// The field, in words.
@@ -87,13 +87,13 @@ pub enum Error {
         /// The rule, in words.
         rule: &'static str,
     },
-    /// Poisson's ratio lies outside `(-1, 1/2]`, where an isotropic body is stable.
+    /// Poisson's ratio lies outside `(-1, 1/2]`, the range in which an isotropic body is stable.
     #[error("Poisson's ratio must lie in (-1, 0.5], got {0}")]
     PoissonRatio(f64),
-    /// Two rigid bodies do not deform: there is nothing to solve.
+    /// Both bodies are rigid. Neither deforms, so there is nothing to solve.
     #[error("both bodies are rigid")]
     BothRigid,
-    /// Normal and tangential tractions of the two materials are coupled, and the model neglects that.
+    /// The materials couple normal and tangential tractions, and the model neglects this coupling.
     #[error(
         "the pair couples pressure and shear (Dundurs beta = {beta:e}): call neglect_coupling() to accept an error of that order"
     )]
@@ -118,25 +118,25 @@ pub enum Error {
     GridMismatch {
         /// The field, in words.
         quantity: &'static str,
-        /// Cells along x and y of the rest.
+        /// Cells along x and y of the expected grid.
         expected_cells: [usize; 2],
-        /// Sides of the cells of the rest (lengths).
+        /// Cell sides of the expected grid (lengths).
         expected_sides: [f64; 2],
         /// Cells along x and y of the field.
         found_cells: [usize; 2],
-        /// Sides of the cells of the field (lengths).
+        /// Cell sides of the field (lengths).
         found_sides: [f64; 2],
     },
-    /// A solution belongs to bodies with another boundary.
-    #[error("{quantity} belongs to bodies with another boundary")]
+    /// A solution belongs to bodies with a different boundary.
+    #[error("{quantity} belongs to bodies with a different boundary")]
     BoundaryMismatch {
         /// The solution, in words.
         quantity: &'static str,
     },
-    /// A tolerance outside `(0, 1)` certifies nothing.
+    /// The tolerance lies outside `(0, 1)`, where it is meaningless.
     #[error("the tolerance must lie strictly between 0 and 1, got {0}")]
     Tolerance(f64),
-    /// A limit of zero iterations leaves nothing to report.
+    /// The iteration limit is zero.
     #[error("the iteration limit must be at least 1")]
     IterationLimit,
     /// The method is not defined for the problem.
@@ -147,8 +147,8 @@ pub enum Error {
         /// What it does not know, in words.
         quantity: &'static str,
     },
-    /// The bounds of one entry leave it no value.
-    #[error("the bounds [{lower}, {upper}] of entry {index} hold no finite value")]
+    /// No finite value lies between the bounds of an entry.
+    #[error("the bounds [{lower}, {upper}] of entry {index} contain no finite value")]
     Bounds {
         /// The entry.
         index: usize,
@@ -158,7 +158,9 @@ pub enum Error {
         upper: f64,
     },
     /// No point within the bounds has the prescribed total.
-    #[error("the total {total:e} is outside what the bounds allow, [{lower:e}, {upper:e}]")]
+    #[error(
+        "the total {total:e} is outside the range [{lower:e}, {upper:e}] allowed by the bounds"
+    )]
     Total {
         /// The total prescribed.
         total: f64,
@@ -167,22 +169,22 @@ pub enum Error {
         /// The greatest total within the bounds.
         upper: f64,
     },
-    /// The bodies do not touch: there is no contact to shear.
+    /// The bodies do not touch: there is no contact to load tangentially.
     #[error(
-        "the contact is empty: no cell carries pressure, as under no load or an approach that does not close the least gap"
+        "the contact is empty: no cell carries pressure (there is no load, or the approach does not exceed the least gap)"
     )]
     EmptyContact,
-    /// More tangential force than friction can hold: no equilibrium exists.
+    /// The tangential force exceeds what friction can carry: no equilibrium exists.
     #[error("a tangential force of {force:e} exceeds the friction limit {limit:e}")]
     BeyondSliding {
-        /// Magnitude of the force asked for.
+        /// Magnitude of the force requested.
         force: f64,
-        /// Largest force friction holds, the area integral of the shear limit.
+        /// Largest force that friction can carry, the area integral of the shear limit.
         limit: f64,
     },
-    /// The load has components along both axes, which the scalar tangential model cannot carry.
+    /// The load has components along both axes, which the scalar tangential model does not allow.
     #[error(
-        "the tangential load [{x:e}, {y:e}] is along neither axis; the scalar model needs one of them to be zero"
+        "the tangential load [{x:e}, {y:e}] has two components; the scalar model requires one of them to be zero"
     )]
     ObliqueLoad {
         /// Component along x.
@@ -190,37 +192,37 @@ pub enum Error {
         /// Component along y.
         y: f64,
     },
-    /// A load that the model of a history does not have.
-    #[error("a {quantity} of {value:e} is not part of the model of this history: {remedy}")]
+    /// The model of a history does not include this load.
+    #[error("the model of this history does not include a {quantity} of {value:e}: {remedy}")]
     NotModelled {
         /// The load, in words.
         quantity: &'static str,
         /// The value given.
         value: f64,
-        /// The options that bring it in, or that none does, in words.
+        /// The options that add it to the model, or that there is no such option, in words.
         remedy: &'static str,
     },
-    /// A solution or a saved history belongs to bodies of other materials.
-    #[error("{quantity} belongs to bodies of other materials")]
+    /// A solution or a saved history belongs to bodies of different materials.
+    #[error("{quantity} belongs to bodies of different materials")]
     MaterialMismatch {
-        /// The solution, or what was saved, in words.
+        /// The solution or the saved quantity, in words.
         quantity: &'static str,
     },
-    /// The approach is not below the mean gap of a periodic contact: the surfaces then touch everywhere, and the pressure
-    /// is not determined.
+    /// The approach is not below the mean gap of a periodic contact: the surfaces then touch everywhere, and the
+    /// pressure is undetermined.
     #[error(
-        "an approach of {approach:e} is not below the mean gap {mean_gap:e} of a periodic contact, which it would close everywhere under any pressure"
+        "an approach of {approach:e} is not below the mean gap {mean_gap:e} of a periodic contact: it closes the gap everywhere, and the pressure is undetermined"
     )]
     ApproachBeyondMeanGap {
-        /// The approach asked for.
+        /// The approach requested.
         approach: f64,
         /// Mean of the initial gap.
         mean_gap: f64,
     },
-    /// An explicit matrix of this size is refused.
-    #[error("an explicit matrix of {cells} cells is larger than the limit of {limit} cells")]
+    /// An explicit matrix of this size exceeds the limit.
+    #[error("an explicit matrix of {cells} cells exceeds the limit of {limit} cells")]
     TooManyCells {
-        /// Cells asked for.
+        /// Cells requested.
         cells: usize,
         /// Cells allowed.
         limit: usize,
@@ -228,30 +230,30 @@ pub enum Error {
     /// A matrix is not symmetric positive definite.
     #[error("the matrix is not symmetric positive definite (row {row})")]
     NotPositiveDefinite {
-        /// The first row where that shows.
+        /// The first row that shows it.
         row: usize,
     },
-    /// The points known do not determine what is asked of them.
+    /// The known points do not determine the unknowns.
     #[error("{quantity} has {unknowns} unknowns, which {known} known points do not determine")]
     Undetermined {
-        /// What is sought, in words.
+        /// The unknown quantity, in words.
         quantity: &'static str,
-        /// Numbers sought.
+        /// Number of unknowns.
         unknowns: usize,
-        /// Points given.
+        /// Number of known points.
         known: usize,
     },
-    /// A polynomial of this degree is refused.
+    /// The degree of a polynomial exceeds the limit.
     #[error("a polynomial of degree {degree} exceeds the limit of {limit}")]
     Degree {
-        /// Degree asked for.
+        /// Degree requested.
         degree: usize,
         /// Degree allowed.
         limit: usize,
     },
-    /// A range of rows or columns is empty or leaves the grid.
+    /// A range of rows or columns is empty or extends beyond the grid.
     #[error(
-        "the {quantity} {start}..{end} are an empty range, or reach beyond the {count} of the grid"
+        "the range {start}..{end} of {quantity} is empty or extends beyond the {count} of the grid"
     )]
     Range {
         /// Rows or columns.
@@ -263,88 +265,90 @@ pub enum Error {
         /// Number in the grid.
         count: usize,
     },
-    /// A grid reaches beyond the samples it is to be filled from.
-    #[error("the grid reaches {reach:e} from the middle along {axis}, the samples only {limit:e}")]
+    /// A grid extends beyond the samples it is to be filled from.
+    #[error(
+        "the grid extends to {reach:e} from the centre along {axis}, the samples only to {limit:e}"
+    )]
     BeyondSamples {
         /// The axis, x or y.
         axis: &'static str,
-        /// Distance of the outermost centres from the middle.
+        /// Distance of the outermost cell centres from the middle.
         reach: f64,
         /// Distance of the edge of the samples' grid from the middle.
         limit: f64,
     },
-    /// A Hurst exponent outside `[0, 1]` belongs to no rough surface.
+    /// The Hurst exponent lies outside `[0, 1]`.
     #[error("the Hurst exponent must lie in [0, 1], got {0}")]
     Hurst(f64),
-    /// A quantity is less than its least value.
+    /// A quantity is below its lower limit.
     #[error("{quantity} must be at least {least_is}, {least:e}, got {value:e}")]
     Below {
         /// The quantity, in words.
         quantity: &'static str,
         /// The value given.
         value: f64,
-        /// What the least value is, in words.
+        /// The meaning of the lower limit, in words.
         least_is: &'static str,
-        /// The least value.
+        /// The lower limit.
         least: f64,
     },
-    /// No wave that is periodic on the surface has a length within the band asked for.
-    #[error("no wave of the surface is between {longest:e} and {shortest:e} long")]
+    /// No wave that is periodic on the surface has a wavelength within the requested band.
+    #[error("the surface has no wave with a wavelength between {shortest:e} and {longest:e}")]
     EmptyBand {
-        /// Longest wavelength asked for.
+        /// Longest wavelength requested.
         longest: f64,
-        /// Shortest wavelength asked for.
+        /// Shortest wavelength requested.
         shortest: f64,
     },
-    /// No phases were found that give the heights the skewness and kurtosis asked for.
+    /// No phases were found that give the heights the requested skewness and kurtosis.
     #[error(
         "no surface of this spectrum was found with a skewness of {skewness} and a kurtosis of {kurtosis}; the search ended at {} and {}",
         .reached[0], .reached[1]
     )]
     HeightsNotReached {
-        /// Skewness asked for.
+        /// Skewness requested.
         skewness: f64,
-        /// Kurtosis asked for.
+        /// Kurtosis requested.
         kurtosis: f64,
-        /// Skewness and kurtosis where the search ended.
+        /// Skewness and kurtosis at which the search ended.
         reached: [f64; 2],
     },
-    /// The operating system refused to read or write a file.
+    /// The operating system could not read or write a file.
     #[error("{path}: {problem}")]
     File {
         /// The file.
         path: String,
-        /// What the operating system said.
+        /// The message of the operating system.
         problem: String,
     },
-    /// A file breaks the rules of its format, or uses a part of it that is not supported.
+    /// A file violates the rules of its format, or uses an unsupported part of it.
     #[error("{format}, {place}: {problem}")]
     Format {
         /// The format, by its usual abbreviation.
         format: &'static str,
-        /// Where the rule is broken.
+        /// Where the file violates the rule.
         place: Place,
-        /// The rule, or the part, with what was found.
+        /// The rule or the unsupported part, with what was found.
         problem: String,
     },
-    /// A number of steps per cycle of which none would end at the turning points.
+    /// The number of steps per cycle is not a positive multiple of 4, so no step would end at a turning point.
     #[error("the steps per cycle must be a positive multiple of 4, got {0}")]
     StepsPerCycle(usize),
-    /// A path of no steps.
+    /// A load path has no steps.
     #[error("the load path has no steps")]
     EmptyPath,
-    /// A cycle holds the steps of its history up to one already, and this one is not after it.
+    /// A cycle already holds the steps of its history up to some step, and this step does not come after it.
     #[error(
-        "step {step} of the history is not after step {last}, the last the cycle has seen: it takes each once"
+        "step {step} of the history does not come after step {last}, the last step of the cycle: each step is counted once"
     )]
     StepNotNew {
-        /// The number of the step, from 1; zero for none.
+        /// The number of the step, counted from 1; zero before the first step.
         step: u64,
-        /// The number of the last step the cycle holds or begins after.
+        /// The number of the last step that the cycle holds or begins after.
         last: u64,
     },
-    /// The iteration ended before the tolerance was reached. After `solve_into` or `solve_observed` the solution holds
-    /// the last feasible iterate; a [`History`](crate::History) is as it was before the step.
+    /// The iteration ended before it reached the tolerance. After `solve_into` or `solve_observed` the solution holds
+    /// the last feasible iterate; a [`History`](crate::History) remains as it was before the step.
     #[error("not converged: {0}")]
     NotConverged(Box<Report>),
 }
@@ -357,7 +361,7 @@ pub enum Place {
     Byte(u64),
     /// A line of text; the first is line 1.
     Line(usize),
-    /// A named part: a file within an archive, an element of a header, a field.
+    /// A named part of a file: an entry of an archive, an element of a header, a field.
     Entry(String),
 }
 

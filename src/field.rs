@@ -6,11 +6,11 @@ use crate::parallel;
 
 /// One number per cell of a [`Grid`], row-major with x fastest.
 ///
-/// The memory is that of a C-ordered NumPy array of shape `(ny, nx)`: sample `(ix, iy)` stands
-/// at index `iy * nx + ix`. The unit is that of the quantity sampled.
+/// The memory layout is that of a C-ordered NumPy array of shape `(ny, nx)`: sample `(ix, iy)` is
+/// stored at index `iy * nx + ix`. The unit is that of the sampled quantity.
 ///
-/// Where memory cannot be had, fields made of a grid alone abort, as any `Vec` does; bodies and surfaces refuse such
-/// a grid with [`Error::Memory`](crate::Error::Memory).
+/// If memory runs out, the constructors that take only a grid abort, as any `Vec` does; bodies and surfaces return
+/// [`Error::Memory`](crate::Error::Memory) for such a grid.
 ///
 /// ```
 /// use stickslip::{Field, Grid};
@@ -51,7 +51,7 @@ pub(crate) use clone_in_place;
 
 clone_in_place!(Field { grid, samples });
 
-/// What was read, before it is checked.
+/// The values read, before they are checked.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 struct Unchecked {
@@ -121,7 +121,7 @@ impl Field {
         self.grid
     }
 
-    /// `Ok` if the field lives on a grid and all its samples are finite.
+    /// `Ok` if the field is on the grid and all its samples are finite.
     pub(crate) fn check(&self, quantity: &'static str, grid: Grid) -> Result<()> {
         grid.expect(quantity, self.grid)?;
         all_finite(quantity, &self.samples)
@@ -162,7 +162,7 @@ impl Field {
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite) for the factor,
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch); the field is then as it was.
+    /// [`Error::GridMismatch`](crate::Error::GridMismatch); the field is then unchanged.
     pub fn add_scaled(&mut self, factor: f64, other: &Self) -> Result<()> {
         finite("factor", factor)?;
         self.grid.expect("field to be added", other.grid)?;
@@ -187,7 +187,7 @@ impl Field {
         self.samples.chunks_exact(self.grid.nx())
     }
 
-    /// Largest sample; NaN samples are passed over.
+    /// Largest sample; NaN samples are ignored.
     #[must_use]
     pub fn max(&self) -> f64 {
         self.samples
@@ -196,7 +196,7 @@ impl Field {
             .fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// Smallest sample; NaN samples are passed over.
+    /// Smallest sample; NaN samples are ignored.
     #[must_use]
     pub fn min(&self) -> f64 {
         self.samples.iter().copied().fold(f64::INFINITY, f64::min)

@@ -1,4 +1,4 @@
-//! The rectangular grid of cells every field lives on.
+//! The rectangular grid of cells on which every field is sampled.
 
 use crate::error::{Error, Result, positive};
 
@@ -7,9 +7,9 @@ use crate::error::{Error, Result, positive};
 /// The centre of cell `(ix, iy)` is `x = (ix - (nx - 1)/2) dx`, `y = (iy - (ny - 1)/2) dy`.
 /// The paper writes the sides as 2a and 2b. Lengths are in any consistent unit.
 ///
-/// Fields and bodies live on the same grid if their cells are as many and the sides equal to 1e-12 of them: one
-/// divided by hand, or read from a file, need not have the last bits of another. Answers differ by no more than
-/// that. `==` is exact.
+/// Two grids count as the same if they have equal numbers of cells and sides that agree to a relative 1e-12: a side
+/// computed by division, or read from a file, may differ from another in its last bits. Solutions then differ by no
+/// more than that. `==` is exact.
 ///
 /// ```
 /// let grid = stickslip::Grid::new(4, 2, 0.5, 1.0)?;
@@ -30,7 +30,7 @@ pub struct Grid {
     dy: f64,
 }
 
-/// What was read, before it is checked.
+/// The values read, before they are checked.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 struct Unchecked {
@@ -54,7 +54,7 @@ impl Grid {
     ///
     /// # Errors
     /// [`Error::GridSize`] if a number of cells is zero; [`Error::Memory`] if memory cannot index the padded
-    /// grid; [`Error::NotPositive`] if a side, the area of a cell or that of the grid is not positive and finite.
+    /// grid; [`Error::NotPositive`] if a side, the cell area or the grid area is not positive and finite.
     pub fn new(nx: usize, ny: usize, dx: f64, dy: f64) -> Result<Self> {
         if nx == 0 || ny == 0 {
             return Err(Error::GridSize { nx, ny });
@@ -128,7 +128,7 @@ impl Grid {
         self.cell_area() * self.cells() as f64
     }
 
-    /// `Ok` if a quantity that lives on the grid `found` lives on this one.
+    /// `Ok` if a quantity on the grid `found` is on this grid.
     pub(crate) fn expect(&self, quantity: &'static str, found: Self) -> Result<()> {
         if self.agrees_with(found) {
             return Ok(());
@@ -142,7 +142,7 @@ impl Grid {
         })
     }
 
-    /// Whether the cells are as many and the sides equal, to round-off.
+    /// Whether the numbers of cells are equal, and the sides to round-off.
     pub(crate) fn agrees_with(&self, other: Self) -> bool {
         let is_near = |own: f64, other: f64| (own - other).abs() <= SAME_SIDE * own;
         self.size() == other.size() && is_near(self.dx, other.dx) && is_near(self.dy, other.dy)
@@ -172,7 +172,7 @@ impl Grid {
     }
 }
 
-/// Part of a side by which the sides of the same grid may differ.
+/// Relative difference by which the sides of the same grid may differ.
 const SAME_SIDE: f64 = 1e-12;
 
 /// `(i - (n - 1)/2) d`, exactly antisymmetric about the middle of the grid.

@@ -1,9 +1,9 @@
-//! Normal and stick-slip (partial-slip) contact of smooth and rough elastic bodies: fast, and with a certified error.
+//! Normal and stick-slip (partial-slip) contact of smooth and rough elastic bodies: fast, with certified error bounds.
 //!
-//! Press two elastic bodies together and shear them: this crate finds the pressure and the contact area, then the
-//! shear traction, the stick zone and the slip zone under Coulomb friction, for one load or a history of loads. The
-//! surfaces are half-spaces cut into rectangular cells; influence coefficients and a zero-padded FFT convolution
-//! give displacements from tractions, a constrained conjugate-gradient engine solves
+//! Two elastic bodies are pressed together and loaded tangentially. This crate computes the pressure and the contact
+//! area, then the shear traction, the stick zone and the slip zone under Coulomb friction, for one load or a history of
+//! loads. The bodies are half-spaces whose surfaces are divided into rectangular cells. Influence coefficients and a
+//! zero-padded FFT convolution give displacements from tractions, a constrained conjugate-gradient engine solves
 //!
 //! ```math
 //! g = h + C_{zz}\,p - \delta \ge 0, \quad p \ge 0, \quad p\,g = 0,
@@ -13,7 +13,7 @@
 //! s = 0 \text{ where } |q| < \mu p, \quad q\,s \le 0 \text{ elsewhere,}
 //! ```
 //!
-//! and a certificate bounds the error of every answer. The model is that of Wang, De Boer, Neville & Ghanbarzadeh
+//! and a certificate bounds the error of every solution. The model is that of Wang, De Boer, Neville & Ghanbarzadeh
 //! (Tribology International 159 (2021) 106947, <https://doi.org/10.1016/j.triboint.2021.106947>), with
 //! [the errors in its printed formulas corrected](guide::errata).
 //!
@@ -22,20 +22,20 @@
 //!     ElasticPair, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
 //!     TangentialLoad, TangentialProblem, analytical, surface,
 //! };
-//! // A steel ball of 3.5 mm on steel: 128 x 128 cells of a square of 0.40 mm. SI units.
+//! // A steel ball of radius 3.5 mm on steel: 128 x 128 cells on a square of side 0.40 mm. SI units.
 //! let grid = Grid::square(128, 0.40e-3)?;
 //! let steel = Material::new(213e9, 0.29)?;
 //! let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
 //! let ball = surface::sphere(grid, 3.5e-3)?; // the gap before loading
 //!
-//! // Pressed by 100 N: Hertz.
+//! // A normal force of 100 N: Hertz.
 //! let load = NormalLoad::Force(100.0);
 //! let normal = NormalProblem::builder(&bodies, &ball, load).build()?.solve()?;
 //! let hertz = analytical::HertzSphere::new(bodies.pair(), 3.5e-3, 100.0)?;
 //! assert!((normal.approach() / hertz.approach() - 1.0).abs() < 1e-4);
 //! assert!((normal.pressure().max() / hertz.max_pressure() - 1.0).abs() < 1e-3);
 //!
-//! // Sheared by 20 N, where friction holds 50 N: Cattaneo and Mindlin.
+//! // A tangential force of 20 N, with a friction limit of 50 N: Cattaneo and Mindlin.
 //! let (friction, load) = (Friction::coulomb(0.5)?, TangentialLoad::Force([20.0, 0.0]));
 //! let shear = TangentialProblem::builder(&bodies, &normal, friction, load).build()?.solve()?;
 //! let exact = analytical::CattaneoMindlin::new(hertz, 0.5, 20.0)?;
@@ -49,27 +49,27 @@
 //!
 //! | to | use |
 //! |---|---|
-//! | press two bodies | [`NormalProblem`], by [`NormalLoad::Force`] or [`Approach`](NormalLoad::Approach) |
-//! | shear a contact along x or y | [`TangentialProblem`], by [`TangentialLoad::Force`] or [`Shift`](TangentialLoad::Shift) |
-//! | shear it in any direction, with the traction across | the same, with [`Lateral::Coupled`] |
-//! | do either many times | [`NormalSolver`], [`TangentialSolver`] |
-//! | load step by step, remember slip | [`History`], [`LoadStep`] |
-//! | keep a history's state, return to it, save it | [`history::State`] |
-//! | load to and fro, until steady or with wear | [`history::FrettingLoop`], [`history::LoadPath`], [`history::Cycle`], [`history::wear`] |
-//! | put a contact into a simulator | the page on [embedding](guide::embedding) |
-//! | know how good an answer is | its [`Report`], and its [`Warning`]s |
-//! | make a rough surface, or a smooth shape | [`surface::SelfAffine`]; [`surface::sphere`], [`cone`](surface::cone), [`sum`](surface::sum()) ... |
-//! | measure a surface, prepare a measured one | [`surface::Statistics`], [`fill_missing`](surface::fill_missing), [`gap_of`](surface::gap_of) ... and the page on [rough surfaces](guide::rough_surfaces) |
-//! | read a surface, write fields for other programs | [`io`] |
+//! | solve normal contact | [`NormalProblem`], by [`NormalLoad::Force`] or [`Approach`](NormalLoad::Approach) |
+//! | solve partial slip along x or y | [`TangentialProblem`], by [`TangentialLoad::Force`] or [`Shift`](TangentialLoad::Shift) |
+//! | solve it for any direction, with both components of the traction | the same, with [`Lateral::Coupled`] |
+//! | solve either repeatedly | [`NormalSolver`], [`TangentialSolver`] |
+//! | load step by step with memory of slip | [`History`], [`LoadStep`] |
+//! | keep the state of a history, return to it, save it | [`history::State`] |
+//! | apply cyclic loads, until steady or with wear | [`history::FrettingLoop`], [`history::LoadPath`], [`history::Cycle`], [`history::wear`] |
+//! | embed contacts in a simulator | the page on [embedding](guide::embedding) |
+//! | assess the accuracy of a solution | its [`Report`] and its [`Warning`]s |
+//! | generate a rough surface or a smooth shape | [`surface::SelfAffine`]; [`surface::sphere`], [`cone`](surface::cone), [`sum`](surface::sum()) ... |
+//! | characterise a surface, prepare a measured one | [`surface::Statistics`], [`fill_missing`](surface::fill_missing), [`gap_of`](surface::gap_of) ... and the page on [rough surfaces](guide::rough_surfaces) |
+//! | read surfaces, write fields for other programs | [`io`] |
 //! | press nominally flat surfaces without edges | [`HalfSpace::with_boundary`], [`Boundary::Periodic`] |
 //! | compare with a closed form: spheres, cones, punches, waves, rough surfaces | [`analytical`], [`tangential::JaegerSuperposition`] |
-//! | use the engine on an operator of your own | [`cgm`], with your [`Operator`] |
-//! | get influence coefficients alone | [`influence::Rectangle`], [`influence::Table`] |
-//! | check it all the slow way | `dense::DenseOperator`, with the feature `dense` |
+//! | use the engine with a custom operator | [`cgm`], with your [`Operator`] |
+//! | get influence coefficients only | [`influence::Rectangle`], [`influence::Table`] |
+//! | check results with explicit matrices | `dense::DenseOperator`, with the feature `dense` |
 //!
 //! # Units and signs
 //!
-//! Any consistent system; nothing in the code has a length or a pressure of its own.
+//! Any consistent system of units; the code contains no length or pressure of its own.
 //!
 //! | length | force | pressure, modulus |
 //! |---|---|---|
@@ -77,24 +77,24 @@
 //! | mm | N | MPa |
 //! | um | uN | MPa |
 //!
-//! z points into body 1. Pressure is positive when it pushes into the bodies. A gap is positive where the surfaces are
-//! apart, the approach when the bodies come together; heights point out of their body. Traction and tangential force
-//! are those that body 2 exerts on body 1 through the contact, positive along the axis. Displacements are
-//! relative, body 1 minus body 2; the shift is the rigid motion of body 2 relative to body 1, far from the
-//! contact. So a body 2 dragged along +x has a positive shift and pulls body 1 along with a positive force. Slip
-//! is `s = u - shift`, the motion of the surface of body 1 over that of body 2, against the traction. Fields are
-//! row-major with x fastest: the memory of a NumPy array of shape `(ny, nx)`.
+//! z points into body 1. Pressure is positive in compression. A gap is positive where the surfaces are apart, the
+//! approach when the bodies come together; heights point out of their body. Traction and tangential force are those
+//! that body 2 exerts on body 1 through the contact, positive along the axis. Displacements are relative, body 1 minus
+//! body 2; the shift is the rigid motion of body 2 relative to body 1, far from the contact. A body 2 dragged along +x
+//! therefore has a positive shift and pulls body 1 along with a positive force. Slip is `s = u - shift`, the motion of
+//! the surface of body 1 over that of body 2; it is opposite to the traction. Fields are row-major with x fastest, the
+//! memory layout of a NumPy array of shape `(ny, nx)`.
 //!
 //! # Accuracy and cost
 //!
-//! A solve ends as [`Converged`](Status::Converged) only if a fresh product shows what was asked: the largest complementarity
-//! residual, relative to the displacement of the contact, and a bound on the error in the energy norm, both below the
-//! tolerance. Anything else is an error that carries the report; the last feasible iterate is then in the solution that
-//! the caller handed over. The bound is rigorous up to the round-off of the product; it comes from the smallest eigenvalue of the
-//! periodic continuation of the operator, which its spectrum shows, and from the duality gap, as the page of [`cgm`]
-//! derives. (An operator of your own that knows no such eigenvalue is judged by its residual alone.)
+//! A solve ends as [`Converged`](Status::Converged) only if a fresh product shows two quantities below the tolerance:
+//! the largest complementarity residual, relative to the displacement of the contact, and a bound on the error in the
+//! energy norm. Any other end is an error that carries the report; the last feasible iterate is then in the solution
+//! that the caller passed in. The bound is rigorous up to the round-off of the product. It follows from the duality gap
+//! and from the smallest eigenvalue of the periodic continuation of the operator, which is read from its spectrum, as
+//! derived on the page of [`cgm`]. (A custom operator without such an eigenvalue is judged by its residual alone.)
 //!
-//! For the sphere of the example the discretisation, not the solver, sets the error. At 512 x 512 cells and
+//! For the sphere of the example the error is that of the discretisation, not of the solver. At 512 x 512 cells and
 //! the default tolerance 1e-8:
 //!
 //! | quantity | relative difference from the closed form |
@@ -105,37 +105,38 @@
 //! | shift | 9.9e-7 |
 //! | stick ratio | -5.0e-5 |
 //!
-//! The error of discretisation of the fields, summed over the cells, is 1e-4 in the pressure and 5e-4 in the shear
-//! traction of the same sphere, and far more where cells barely resolve a roughness. A tolerance a hundred times below
-//! that buys nothing, unless steps are subtracted from one another, as wear and friction histories do. What each
-//! tolerance leaves, at worst over the sphere and the rough surface at 2, 10 and 40 % contact on 256 x 256 cells:
+//! The discretisation error of the fields, summed over the cells, is 1e-4 in the pressure and 5e-4 in the shear
+//! traction of the same sphere, and far more where cells barely resolve the roughness. A tolerance a hundred times
+//! below this error brings no improvement, unless steps are subtracted from one another, as in wear and friction
+//! histories. The table lists the errors that each tolerance leaves, the largest over the sphere and the rough surface
+//! at 2, 10 and 40 % contact on 256 x 256 cells:
 //!
-//! | tolerance | approach, shift | contact and stick cells | one cell's pressure, of the largest | good for |
+//! | tolerance | approach, shift | contact and stick cells | pressure of one cell, relative to the largest | good for |
 //! |---|---|---|---|---|
-//! | 1e-2 | 2e-4 | 0.7 % | 8e-2 | a start, a sketch |
+//! | 1e-2 | 2e-4 | 0.7 % | 8e-2 | a start, a rough estimate |
 //! | 1e-4 | 1e-6 | two cells | 4e-4 | area, approach and stick ratio of any surface |
 //! | 1e-6 | 2e-9 | none | 1e-5 | fields; steps of a few per cent |
 //! | 1e-8 (default) | 2e-11 | none | 2e-8 | histories, derivatives, comparison with other codes |
 //!
 //! Two more digits cost ten to thirty per cent more time. A tolerance below round-off ends as
-//! [`Stalled`](Status::Stalled): below about 1e-14 on spheres and rough surfaces, 1e-12 on flat ones (a table on the page
-//! of [`cgm`]). What [hard scenes](guide::hard_cases) come to has a page.
+//! [`Stalled`](Status::Stalled): below about 1e-14 on spheres and rough surfaces, 1e-12 on flat ones (see the table on
+//! the page of [`cgm`]). The results for [hard scenes](guide::hard_cases) have their own page.
 //!
-//! On two shared cores, 512 x 512 cells and from a cold start, the pressure of the sphere took 26 ms to 1e-4 and 39 ms to
-//! 1e-10, the shear traction 22 and 33; on a rough surface at 10 % contact 65 and 53 ms to 1e-4, 85 and 70 to 1e-6. The
-//! example `speed_against_error` measures this on your machine.
+//! On two shared cores, with 512 x 512 cells and a cold start, the pressure of the sphere took 26 ms to 1e-4 and 39 ms
+//! to 1e-10, and the shear traction 22 and 33 ms; on a rough surface at 10 % contact they took 65 and 53 ms to 1e-4,
+//! and 85 and 70 ms to 1e-6. The example `speed_against_error` measures this on your machine.
 //!
 //! # Features
 //!
-//! | feature | default | brings |
+//! | feature | default | adds |
 //! |---|---|---|
 //! | `parallel` | yes | threads, in the caller's rayon pool; the same bits on any number of them |
-//! | `dense` | yes | explicit matrices, the direct solution of small scenes and polynomials taken off surfaces, through faer |
-//! | `x3p` | no | surfaces in X3P files, through `rawzip`, `miniz_oxide` and `quick-xml` |
-//! | `serde` | no | grids, materials, friction, loads, options, fields, answers and states in any format of `serde` |
+//! | `dense` | yes | explicit matrices, the direct solution of small scenes and the removal of polynomials from surfaces, through faer |
+//! | `x3p` | no | surfaces in X3P files, through `miniz_oxide` and `quick-xml` |
+//! | `serde` | no | grids, materials, friction, loads, options, fields and solutions in any format of `serde` |
 //!
-//! What each costs an embedder, measured on the program of the page on [embedding](guide::embedding), compiled from nothing
-//! (seconds of one core, rustc 1.95):
+//! The table lists their cost to a program that embeds the crate, measured on the program of the page on
+//! [embedding](guide::embedding), compiled from scratch (seconds of one core, rustc 1.95):
 //!
 //! | features | other crates | release | debug |
 //! |---|---|---|---|
@@ -144,27 +145,27 @@
 //! | `parallel`, `dense` (default) | 63 | 169 s | 120 s |
 //! | all | 71 | 182 s | 127 s |
 //!
-//! With `serde`, what a constructor would refuse is refused on reading, by the same words, and numbers keep their bits.
-//! In formats for humans, as JSON, what is not finite is a word: `"NaN"` (a missing height), `"Infinity"` (the modulus of a
-//! rigid body) or `"-Infinity"`. A [`HalfSpace`] is made anew from grid, pair and boundary, a closed form from its
-//! parameters; a generated or levelled surface is saved as its heights; and a [`History`] from its bodies and its
-//! [`State`](history::State), which is written as bytes.
+//! With `serde`, values that a constructor would refuse are refused on reading, with the same message, and numbers keep
+//! their bits. In human-readable formats such as JSON, non-finite numbers are words: `"NaN"` (a missing height),
+//! `"Infinity"` (the modulus of a rigid body) or `"-Infinity"`. A [`HalfSpace`] is rebuilt from grid, pair and
+//! boundary, a closed form from its parameters; a generated or levelled surface is saved as its heights; and a
+//! [`History`], which needs its bodies, has its own byte format ([`History::to_bytes`]).
 //!
 //! # What is modelled, and what is not
 //!
-//! Elastic half-spaces, small slopes and strains, free surroundings or a grid that repeats, any history of
-//! load along one axis or in the plane, twist included.
-//! Along an axis the traction across the load is neglected, as in the paper, which costs the sphere of Poisson's ratio
-//! 0.29 less than 0.1 % of the force; the plane model ([`Lateral::Coupled`]) finds both, at about three times the time.
-//! Materials whose pressure and shear are coupled (Dundurs' beta not zero) are refused by tangential problems and
-//! histories until the coupling is neglected explicitly. In the plane model the histories of CONTACT's test bench, 21 steps of a moving sphere among them, come out to
-//! 1e-9 of the largest pressure (`tests/another_code_agrees_through_histories.rs`).
+//! The model covers elastic half-spaces with small slopes and strains, free surroundings or a periodic grid, and any
+//! history of load along one axis or in the plane, including twist. Along an axis the traction across the load is
+//! neglected, as in the paper; on the sphere of Poisson's ratio 0.29 this changes the force by less than 0.1 %. The
+//! plane model ([`Lateral::Coupled`]) finds both components, in about three times the time. Tangential problems and
+//! histories refuse materials whose pressure and shear are coupled (Dundurs' beta not zero) until the coupling is
+//! neglected explicitly. The plane model reproduces the histories of CONTACT's test bench, among them 21 steps of a
+//! moving sphere, to 1e-9 of the largest pressure (`tests/another_code_agrees_through_histories.rs`).
 //!
 //! Not modelled: the coupling of pressure and shear itself, rolling, layers, plasticity, adhesion, viscosity, heat.
 //!
-//! # Where the formulas come from
+//! # Sources of the formulas
 //!
-//! | what | source |
+//! | subject | source |
 //! |---|---|
 //! | model, influence coefficients, rough spheres | Wang, De Boer, Neville & Ghanbarzadeh (2021), <https://doi.org/10.1016/j.triboint.2021.106947>; [errata](guide::errata) |
 //! | zero-padded convolution ([`fft`]) | Liu, Wang & Liu (2000), <https://doi.org/10.1016/S0043-1648(00)00427-0> |
@@ -174,7 +175,7 @@
 //! | wear by dissipated energy ([`history::wear`]) | Fouvry, Kapsa & Vincent (1996), <https://doi.org/10.1016/S0043-1648(96)07306-1> |
 //! | closed forms | each on its page, listed in [`analytical`] |
 //!
-//! The derivations stand on the pages of the modules, at length in [`cgm`], [`influence`], [`normal`], [`tangential`] and
+//! The derivations are on the pages of the modules, in detail in [`cgm`], [`influence`], [`normal`], [`tangential`] and
 //! [`history`].
 
 #![cfg_attr(docsrs, feature(doc_cfg))]
@@ -223,7 +224,7 @@ pub use tangential::{
     TangentialSolver, Zone,
 };
 
-/// The examples of the front page run as tests too.
+/// The examples of the README also run as tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

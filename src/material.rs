@@ -24,7 +24,7 @@ pub struct Material {
     poisson_ratio: f64,
 }
 
-/// What was read, before it is checked.
+/// The values read, before they are checked.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 struct UncheckedMaterial {
@@ -75,7 +75,7 @@ impl Material {
         .checked(shear_modulus)
     }
 
-    /// Refuses a modulus that, or whose reciprocal, over- or underflows.
+    /// Rejects a modulus that over- or underflows, or whose reciprocal does.
     fn checked(self, modulus: f64) -> Result<Self> {
         if self.youngs_modulus.is_normal() && self.compliance().is_normal() {
             Ok(self)
@@ -114,7 +114,7 @@ impl Material {
         1.0 / self.compliance()
     }
 
-    /// Poisson's ratio; zero, and without effect, for a rigid body.
+    /// Poisson's ratio; zero for a rigid body, where it has no effect.
     #[must_use]
     pub fn poisson_ratio(&self) -> f64 {
         self.poisson_ratio
@@ -125,7 +125,7 @@ impl Material {
         2.0 * (1.0 + self.poisson_ratio) / self.youngs_modulus
     }
 
-    /// The three numbers the influence coefficients need.
+    /// The three constants that the influence coefficients need.
     pub(crate) fn compliances(&self) -> Compliances {
         let compliance = self.compliance();
         Compliances {
@@ -144,10 +144,10 @@ fn check_poisson_ratio(poisson_ratio: f64) -> Result<()> {
     }
 }
 
-/// Two half-spaces in contact; the relative displacement `u_1 - u_2` is what they share.
+/// Two half-spaces in contact, described by the relative displacement `u_1 - u_2`.
 ///
-/// Body 1 takes the tractions, body 2 the opposite shear, so that compliances of like components
-/// add and the normal-shear coupling subtracts.
+/// The tractions act on body 1 and the opposite shear on body 2. Compliances of like components
+/// therefore add, and the normal-shear couplings subtract.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material};
@@ -169,7 +169,7 @@ pub struct ElasticPair {
     compliances: Compliances,
 }
 
-/// What was read, before it is checked.
+/// The values read, before they are checked.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 struct UncheckedPair {
@@ -190,8 +190,8 @@ impl ElasticPair {
     /// The pair of `body_1` (into which z points) and `body_2`.
     ///
     /// # Errors
-    /// [`Error::BothRigid`] if neither body deforms; [`Error::NotPositive`] or [`Error::NotFinite`] if what
-    /// the pair makes of their moduli over- or underflows.
+    /// [`Error::BothRigid`] if neither body deforms; [`Error::NotPositive`] or [`Error::NotFinite`] if a combined
+    /// constant of the pair over- or underflows.
     pub fn new(body_1: Material, body_2: Material) -> Result<Self> {
         if body_1.is_rigid() && body_2.is_rigid() {
             return Err(Error::BothRigid);
@@ -235,22 +235,22 @@ impl ElasticPair {
         self.compliances.lateral * self.shear_modulus()
     }
 
-    /// Dundurs' second parameter `beta`: the strength of the coupling between pressure and shear.
+    /// Dundurs' second parameter `beta`, the strength of the coupling between pressure and shear.
     ///
     /// `beta = ((1-2 nu_1)/G_1 - (1-2 nu_2)/G_2) / (2 ((1-nu_1)/G_1 + (1-nu_2)/G_2))`. It vanishes
-    /// for identical bodies, for two incompressible ones, and for one such on a rigid body.
+    /// for identical bodies, for two incompressible bodies, and for an incompressible body on a rigid one.
     #[must_use]
     pub fn dundurs_beta(&self) -> f64 {
         0.5 * self.compliances.coupling / self.compliances.normal
     }
 
-    /// The sums the influence coefficients of the pair need.
+    /// The sums that the influence coefficients of the pair need.
     pub(crate) fn compliances(&self) -> Compliances {
         self.compliances
     }
 }
 
-/// What the influence coefficients know of the materials, each one over a pressure.
+/// The elastic constants that the influence coefficients need, each per pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Compliances {
     /// `(1 - nu)/G`, summed over the bodies.

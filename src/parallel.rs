@@ -1,15 +1,15 @@
-//! The one place that knows about threads.
+//! All use of threads is confined to this module.
 //!
-//! Work is cut into tasks by index, never by thread count where a sum is formed, so that the bits
-//! of a result do not depend on the number of threads. Only `rayon::join` is used: it runs in the
-//! caller's pool and allocates nothing there ([`enter`] goes there once).
+//! Work is cut into tasks by index. Where a sum is formed, the cut does not depend on the number of
+//! threads, so the bits of a result do not depend on it either. Only `rayon::join` is used: it runs in
+//! the caller's pool and allocates nothing there ([`enter`] goes there once).
 
 use std::ops::Range;
 use std::sync::OnceLock;
 
 use crate::error::Result;
 
-/// Samples per task of vector work; the tree of sums follows these chunks.
+/// Samples per task of vector work; the summation tree follows these chunks.
 pub(crate) const CHUNK: usize = 4096;
 
 #[cfg(feature = "parallel")]
@@ -23,12 +23,12 @@ fn join<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + 
 }
 
 /// Runs work inside the caller's pool, where cutting it further costs next to nothing; from outside
-/// each cut would wake a thread and wait for it.
+/// the pool each cut would wake a thread and wait for it.
 pub(crate) fn enter<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     join(work, || ()).0
 }
 
-/// Tasks worth having at once; only for work whose result does not depend on how it is cut.
+/// A useful number of simultaneous tasks; only for work whose result does not depend on how it is cut.
 pub(crate) fn lanes() -> usize {
     #[cfg(feature = "parallel")]
     {
@@ -122,7 +122,7 @@ impl<A: Split, const N: usize> Split for [A; N] {
 }
 
 /// Runs `work(task, its part of data)` for every task and combines the results pairwise in a
-/// fixed tree: the same bits on any number of threads.
+/// fixed tree, which gives the same bits on any number of threads.
 pub(crate) fn sweep<D: Split, T: Send>(
     tasks: Range<usize>,
     data: D,
@@ -142,7 +142,7 @@ pub(crate) fn sweep<D: Split, T: Send>(
     combine(low, high)
 }
 
-/// A slice of vector work: a chunk per task.
+/// A slice of vector work with one chunk per task.
 pub(crate) fn blocks<T>(items: &mut [T]) -> Blocks<'_, T> {
     Blocks {
         items,
@@ -150,7 +150,7 @@ pub(crate) fn blocks<T>(items: &mut [T]) -> Blocks<'_, T> {
     }
 }
 
-/// [`sweep`] over chunks of `0..len` that only reads: `fold(index range) -> T`.
+/// [`sweep`] over chunks of `0..len`, read-only: `fold(index range) -> T`.
 pub(crate) fn fold<T: Send>(
     len: usize,
     leaf: impl Fn(Range<usize>) -> T + Sync,
@@ -206,9 +206,9 @@ pub(crate) fn rows<T: Send>(
     sweep(0..tasks, data, &work, &|(), ()| ());
 }
 
-/// The value in the cell, made outside its lock: a thread of the caller's pool that waits on a lock
-/// while the maker's tasks wait for the thread would never wake. Two threads that come first
-/// together both make it, and one result is kept.
+/// The value in the cell, computed outside the cell's lock: a thread of the caller's pool that waits
+/// for the lock, while the tasks of the computing thread wait for that thread, would never wake. Two
+/// threads that arrive together both compute it, and one result is kept.
 pub(crate) fn get_or_make<T>(cell: &OnceLock<T>, make: impl FnOnce() -> Result<T>) -> Result<&T> {
     if let Some(value) = cell.get() {
         return Ok(value);

@@ -1,6 +1,6 @@
-//! What a solver says about its own work: status, residual, certified gap.
+//! A solver's report on its own work: status, residual, certified gap.
 //!
-//! These types stand beside [`Error`](crate::Error) because an error of
+//! These types are kept next to [`Error`](crate::Error) because the error of
 //! non-convergence carries the whole [`Report`].
 
 use std::fmt;
@@ -11,16 +11,16 @@ use std::time::Duration;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Status {
-    /// Nothing was solved yet.
+    /// Nothing has been solved yet.
     Unsolved,
-    /// A fresh product shows residual and certified error at or below the tolerance; the residual alone, where an
-    /// operator of one's own knows no [`lower_bound`](crate::Operator::lower_bound).
+    /// A fresh product shows residual and certified error at or below the tolerance; only the residual, where a
+    /// custom operator has no [`lower_bound`](crate::Operator::lower_bound).
     Converged,
-    /// The limit of iterations was reached first.
+    /// The iteration limit was reached first.
     IterationLimit,
     /// The time limit was reached first.
     TimeLimit,
-    /// The residual no longer falls: a tolerance below round-off, or an operator that returns NaN.
+    /// The residual no longer falls: the tolerance is below round-off, or an operator returns NaN.
     Stalled,
     /// The observer asked to stop.
     Cancelled,
@@ -39,16 +39,17 @@ impl fmt::Display for Status {
     }
 }
 
-/// One step of an iteration, as an observer sees it.
+/// One step of an iteration, as passed to an observer.
 ///
-/// The observer is asked before every product, also on the coarser grids of a nested start. After it cancels, or a limit
-/// of time has passed, one more product is made on each grid in use, to measure the error of the iterate that is left.
-/// Residual and free entries are those last measured: between two outer steps of the active-set method they stand still.
+/// The observer is called before every product, also on the coarser grids of a nested start. After it cancels, or after
+/// a time limit, one more product is made on each grid in use, to measure the error of the remaining iterate.
+/// Residual and free entries are the last measured ones: between two outer steps of the active-set method they do not
+/// change.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Iteration {
-    /// Conjugate-gradient steps done so far; zero before the first.
+    /// Conjugate-gradient steps so far; zero before the first.
     pub iteration: usize,
     /// Products with the operator in double precision so far.
     pub convolutions: usize,
@@ -57,12 +58,12 @@ pub struct Iteration {
     /// Largest complementarity residual, relative to the largest displacement (see [`Report::residual`]).
     #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
     pub residual: f64,
-    /// Entries strictly between their bounds: cells in contact of a normal problem, sticking cells of a tangential one.
+    /// Entries strictly between their bounds: contact cells of a normal problem, sticking cells of a tangential one.
     pub free: usize,
 }
 
 impl Iteration {
-    /// As a step of a solve that had done so many steps and products, double and single, before.
+    /// The same step, counted after the given numbers of steps and of products, double and single.
     pub(crate) fn after(self, [iterations, double, single]: [usize; 3]) -> Self {
         Self {
             iteration: iterations + self.iteration,
@@ -85,20 +86,20 @@ pub struct Report {
     pub status: Status,
     /// Conjugate-gradient steps.
     pub iterations: usize,
-    /// Products with the operator in double precision, the final check included. Like all counts here
-    /// they are those of the grid asked for; what a nested start did on coarser ones is in the time.
+    /// Products with the operator in double precision, including the final check. Like all counts here,
+    /// this covers the requested grid only; the work of a nested start on coarser grids appears in the time.
     pub convolutions: usize,
     /// Products in single precision, within the iteration only.
     pub rough_convolutions: usize,
     /// Largest complementarity residual: `|g_i|` on free entries, the wrong-signed part of
     /// `g_i` on entries at a bound, divided by the largest `|(Cx)_i|` over the entries that can
-    /// move (or what the operator's smallest eigenvalue makes of the largest unknown, if that is more: a
-    /// uniform traction displaces nothing on a periodic grid). Dimensionless.
+    /// move. If the operator's smallest eigenvalue times the largest unknown is larger, it is the divisor
+    /// (a uniform traction displaces nothing on a periodic grid). Dimensionless.
     #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
     pub residual: f64,
     /// Certified bound on the squared relative error in the energy norm:
-    /// `(x - x*)' C (x - x*) <= certified_gap * x' C x` (or `lambda x' x` for `x' C x`, if that is more,
-    /// with the smallest eigenvalue `lambda` the operator knows). Dimensionless: a duality gap, not a distance.
+    /// `(x - x*)' C (x - x*) <= certified_gap * x' C x`. If `lambda x' x` is larger than `x' C x`, it takes its place,
+    /// with `lambda` the operator's known smallest eigenvalue. Dimensionless: a duality gap, not a distance.
     #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
     pub certified_gap: f64,
     /// Relative error of the prescribed total, `|sum x - total| / sum |x|`; zero when no total
@@ -108,15 +109,15 @@ pub struct Report {
     /// Wall time of the solve.
     pub time: Duration,
     /// Every iterate whose residual was measured, in order: the start, then one entry per outer step
-    /// (active set, to single precision while the residual is large) or per step (Polonsky-Keer).
+    /// (active set, in single precision while the residual is large) or per step (Polonsky-Keer).
     pub history: Vec<Iteration>,
 }
 
-/// Outer steps of which few solves take more.
+/// Number of outer steps that few solves exceed.
 const ENTRIES: usize = 64;
 
 impl Report {
-    /// Before any solve.
+    /// The report before any solve.
     pub(crate) fn unsolved() -> Self {
         Self {
             status: Status::Unsolved,
@@ -131,7 +132,7 @@ impl Report {
         }
     }
 
-    /// Before any solve, with room for what a solver commonly has to say: of one that solves again and again.
+    /// The report before any solve, with memory for a history of the usual length: for a solver used repeatedly.
     pub(crate) fn with_room() -> Self {
         Self {
             history: Vec::with_capacity(ENTRIES),
@@ -145,21 +146,21 @@ impl Report {
         self.status == Status::Converged
     }
 
-    /// Products with the operator in either precision: what a solve costs, whatever the machine.
+    /// Products with the operator in either precision: the cost of a solve, independent of the machine.
     ///
-    /// All count the same. One in single precision takes nine tenths of the time of one in double on 64 x 64
-    /// cells, and half to two thirds from 512 x 512 on.
+    /// All count the same. A product in single precision takes nine tenths of the time of one in double on 64 x 64
+    /// cells, and half to two thirds for 512 x 512 cells or more.
     #[must_use]
     pub fn products(&self) -> usize {
         self.convolutions + self.rough_convolutions
     }
 
-    /// Steps and products, double and single.
+    /// Steps and products, in double and in single precision.
     pub(crate) fn counts(&self) -> [usize; 3] {
         [self.iterations, self.convolutions, self.rough_convolutions]
     }
 
-    /// Adds what a further pass did: its history behind that before it, its counts on top, the rest its own.
+    /// Adds a further pass: appends its history, adds its counts, and takes over the rest.
     pub(crate) fn add_pass(&mut self, pass: &Self) {
         let before = self.counts();
         let mut history = std::mem::take(&mut self.history);
@@ -194,7 +195,7 @@ impl Clone for Report {
         copy
     }
 
-    /// Keeps the memory of the history: a solver fills the same report again and again.
+    /// Reuses the memory of the history, since a solver fills the same report repeatedly.
     fn clone_from(&mut self, source: &Self) {
         let mut history = std::mem::take(&mut self.history);
         history.clone_from(&source.history);
@@ -202,7 +203,7 @@ impl Clone for Report {
     }
 }
 
-/// One line, without the history: an error that carries a report prints this.
+/// One line, without the history, as printed by an error that carries a report.
 impl fmt::Debug for Report {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(formatter, "Report({self})")

@@ -1,8 +1,7 @@
-//! What serialisation needs beyond what is derived: a check of what was read, and numbers that need not be
-//! finite.
+//! Serialisation beyond the derived code: checks of the values read, and numbers that may be infinite or NaN.
 //!
-//! JSON knows finite numbers only. So NaN and the infinities are the words `NaN`, `Infinity` and
-//! `-Infinity` in formats made for humans; in all others every number is a number.
+//! JSON has finite numbers only. In human-readable formats NaN and the infinities are therefore written as
+//! the words `NaN`, `Infinity` and `-Infinity`; in all other formats every number is written as a number.
 
 use std::fmt;
 
@@ -15,7 +14,7 @@ pub(crate) mod number {
 
     #[expect(
         clippy::trivially_copy_pass_by_ref,
-        reason = "the derived code calls it so"
+        reason = "the signature that the derived code calls"
     )]
     pub(crate) fn serialize<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
         Number(*value).serialize(serializer)
@@ -26,7 +25,7 @@ pub(crate) mod number {
     }
 }
 
-/// Any number of them, `#[serde(with = "crate::serial::numbers")]`.
+/// A sequence of numbers, `#[serde(with = "crate::serial::numbers")]`.
 pub(crate) mod numbers {
     use super::{Deserialize, Deserializer, Number, Serializer};
 
@@ -45,7 +44,7 @@ pub(crate) mod numbers {
     }
 }
 
-/// What was read, if the check finds it right.
+/// The value read, if it passes the check.
 pub(crate) fn checked<T, E: Error>(
     read: T,
     check: impl FnOnce(&T) -> crate::error::Result<()>,
@@ -54,7 +53,7 @@ pub(crate) fn checked<T, E: Error>(
     Ok(read)
 }
 
-/// A number as it is written.
+/// A number in its written form.
 struct Number(f64);
 
 const NAN: &str = "NaN";

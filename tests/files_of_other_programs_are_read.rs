@@ -157,7 +157,7 @@ fn x3p_without_its_feature_is_an_error() {
     let error = io::read(path("I.x3p")).unwrap_err().to_string();
     assert_eq!(
         error,
-        "X3P, at byte 0: reading it takes the cargo feature `x3p`"
+        "X3P, at byte 0: reading it requires the cargo feature `x3p`"
     );
 }
 

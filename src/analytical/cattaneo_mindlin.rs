@@ -1,4 +1,4 @@
-//! Partial slip of a paraboloid under a monotonic tangential force.
+//! Partial slip of a paraboloid under a monotonically increasing tangential force.
 
 use std::f64::consts::PI;
 
@@ -8,9 +8,10 @@ use super::partial_slip::PartialSlip;
 use super::sines::{arc_minus_sine, sine_minus_arc_cosine};
 use crate::error::{Result, finite};
 
-/// A sphere in partial slip: a normal load, then a tangential force along x that only grows.
+/// A sphere in partial slip: a constant normal load, then a tangential force along x that increases
+/// monotonically.
 ///
-/// With $`f = |F|/\mu W`$, a disc of radius $`c`$ sticks and the ring around it slips, against
+/// With $`f = |F|/\mu W`$, a disc of radius $`c`$ sticks. The ring around it slips, opposite to
 /// the traction:
 ///
 /// ```math
@@ -19,10 +20,10 @@ use crate::error::{Result, finite};
 /// \qquad \delta_x = \frac{3\mu W}{16a}\,\frac{2-\nu}{G}\left[1-(1-f)^{2/3}\right]
 /// ```
 ///
-/// A negative force turns the sign of the traction, the displacement and the slip. This is the
-/// scalar model, with traction along x only, which it solves for every $`\nu`$; with lateral
-/// traction allowed it is exact for $`\nu = 0`$. The paper's equations 27-31; Cattaneo (1938);
-/// Mindlin (1949); Johnson (1985), 7.41-7.44.
+/// A negative force reverses the signs of traction, displacement and slip. This is the solution of
+/// the scalar model, with traction along x only, for every $`\nu`$; with lateral traction allowed it
+/// is exact for $`\nu = 0`$. The paper's equations 27-31; Cattaneo (1938); Mindlin (1949);
+/// Johnson (1985), 7.41-7.44.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{CattaneoMindlin, HertzSphere}};
@@ -33,7 +34,7 @@ use crate::error::{Result, finite};
 /// let shear = CattaneoMindlin::new(ball, 0.5, 20.0)?;
 /// assert!((shear.stick_radius() / ball.contact_radius() - 0.84343).abs() < 1e-5);
 /// assert!((shear.shift() - 0.8544566e-3).abs() < 1e-10);
-/// // Nothing slips inside the stick disc; outside it, slip opposes the traction.
+/// // There is no slip inside the stick disc; outside it, slip opposes the traction.
 /// assert!((shear.displacement(0.05, 0.02) - shear.shift()).abs() < 1e-15);
 /// assert!(shear.slip(0.12, 0.0) < 0.0 && shear.traction(0.12) > 0.0);
 /// # Ok::<(), stickslip::Error>(())
@@ -50,9 +51,9 @@ impl CattaneoMindlin {
     /// The contact `hertz`, with the coefficient of friction `friction`, under
     /// the tangential force `force` on body 1 along x (a force, of either sign).
     ///
-    /// A force that equals $`\mu W`$ to within rounding is gross sliding at its onset: the stick
-    /// radius is zero, and so it is without friction. The coupling between pressure and shear of
-    /// dissimilar bodies is neglected.
+    /// A force equal to $`\mu W`$ to within rounding is the onset of gross sliding: the stick radius is
+    /// zero. It is also zero without friction. The coupling between pressure and shear of dissimilar
+    /// bodies is neglected.
     ///
     /// # Errors
     /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for the force or a result,
@@ -88,7 +89,7 @@ impl CattaneoMindlin {
         self.slip.stick * self.hertz.contact_radius()
     }
 
-    /// Part of the contact area that sticks, $`c^2/a^2 = (1-f)^{2/3}`$. The paper's equation 28.
+    /// Fraction of the contact area that sticks, $`c^2/a^2 = (1-f)^{2/3}`$. The paper's equation 28.
     #[must_use]
     pub fn stick_ratio(&self) -> f64 {
         self.slip.stick * self.slip.stick
@@ -119,7 +120,7 @@ impl CattaneoMindlin {
     /// $`r`$ from the centre; zero outside the contact. The paper's equation 31.
     ///
     /// In the stick disc it is evaluated as
-    /// $`\mu p_0 (a^2-c^2)/a\,(\sqrt{a^2-r^2}+\sqrt{c^2-r^2})^{-1}`$, where nothing cancels.
+    /// $`\mu p_0 (a^2-c^2)/a\,(\sqrt{a^2-r^2}+\sqrt{c^2-r^2})^{-1}`$, which avoids cancellation.
     #[must_use]
     pub fn traction(&self, r: f64) -> f64 {
         let rho = r.abs() / self.hertz.contact_radius();
@@ -138,7 +139,7 @@ impl CattaneoMindlin {
     /// \sin\sigma = \frac ar, \quad w = \sin\sigma\cos\sigma
     /// ```
     ///
-    /// and the difference of two of these, of radii $`a`$ and $`c`$, is the answer.
+    /// and $`u_x`$ is the difference of two such terms, of radii $`a`$ and $`c`$.
     /// Johnson (1985), section 3.7 and 7.41-7.44.
     #[must_use]
     pub fn displacement(&self, x: f64, y: f64) -> f64 {
@@ -162,7 +163,7 @@ impl CattaneoMindlin {
     /// - \frac\nu4\left[4\varphi - \sin 4\varphi\right]\cos 2\theta\right\}
     /// ```
     ///
-    /// which is the displacement formula of the ring less the shift, free of cancellation.
+    /// which is the displacement in the ring minus the shift, written without cancellation.
     /// Johnson (1985), 7.41-7.44.
     #[must_use]
     pub fn slip(&self, x: f64, y: f64) -> f64 {
@@ -175,7 +176,7 @@ impl CattaneoMindlin {
         }
     }
 
-    /// Energy dissipated by the time the force has grown to $`F`$ (a force times a length), zero
+    /// Energy dissipated while the force grows from zero to $`F`$ (a force times a length), zero
     /// or positive.
     ///
     /// ```math
@@ -183,8 +184,8 @@ impl CattaneoMindlin {
     /// \left(1+3\frac ca+\frac{c^2}{a^2}\right)
     /// ```
     ///
-    /// with $`\delta_0`$ the shift at gross sliding; $`\mu W\delta_0 f^3/27`$ for small forces. A
-    /// quarter of what a cycle between $`\pm F`$ dissipates, Johnson (1985), 7.55-7.57.
+    /// with $`\delta_0`$ the shift at gross sliding; $`\mu W\delta_0 f^3/27`$ for small forces. It is a
+    /// quarter of the energy dissipated by a cycle between $`\pm F`$, Johnson (1985), 7.55-7.57.
     #[must_use]
     pub fn dissipated_energy(&self) -> f64 {
         self.slip.held.limit * self.gross_shift * self.slip.dissipated_fraction()
@@ -197,7 +198,7 @@ impl CattaneoMindlin {
         (xi, eta, xi.hypot(eta))
     }
 
-    /// The braces of the displacement outside a loaded circle over $`2-\nu`$, at an angle
+    /// The expression in braces in the displacement outside a loaded circle, over $`2-\nu`$, at an angle
     /// $`\alpha`$ in place of $`\sigma`$: $`\tfrac12\rho^2(\sin 2\alpha - 2\alpha\cos 2\alpha)
     /// \pm \frac{\nu}{8(2-\nu)}(4\alpha-\sin 4\alpha)\,\rho^2\cos 2\theta`$.
     fn bracket(&self, xi: f64, eta: f64, angle: f64, sign: f64) -> f64 {
@@ -207,9 +208,10 @@ impl CattaneoMindlin {
     }
 }
 
-/// An elliptic paraboloid in partial slip under a tangential force along x that only grows.
+/// An elliptic paraboloid in partial slip: a constant normal load, then a tangential force along x
+/// that increases monotonically.
 ///
-/// The stick ellipse has the shape of the contact, $`(1-f)^{1/3}`$ its size, and with
+/// The stick ellipse is the contact ellipse scaled by $`(1-f)^{1/3}`$. With
 /// $`\rho^2 = x^2/a_x^2 + y^2/a_y^2`$ and $`\lambda = (1-f)^{1/3}`$
 ///
 /// ```math
@@ -219,7 +221,7 @@ impl CattaneoMindlin {
 ///
 /// where $`a`$ is the longer semi-axis, $`K`$ and $`D = (K-E)/m`$ are complete elliptic
 /// integrals of $`m = 1-b^2/a^2`$, and $`N = D`$ if the force is along the longer axis,
-/// $`N = K-D`$ if along the shorter. The solution of the scalar model, with traction along x
+/// $`N = K-D`$ if along the shorter. This is the solution of the scalar model, with traction along x
 /// only, for every $`\nu`$. Mindlin (1949); Vermeulen and Johnson (1964).
 ///
 /// ```
@@ -244,8 +246,8 @@ impl CattaneoMindlinEllipse {
     /// The contact `hertz`, with the coefficient of friction `friction`, under
     /// the tangential force `force` on body 1 along x (a force, of either sign).
     ///
-    /// A force that equals $`\mu W`$ to within rounding is gross sliding at its onset: nothing
-    /// sticks, and so it is without friction. The coupling between pressure and shear of dissimilar
+    /// A force equal to $`\mu W`$ to within rounding is the onset of gross sliding: the stick ellipse
+    /// vanishes. It also vanishes without friction. The coupling between pressure and shear of dissimilar
     /// bodies is neglected.
     ///
     /// # Errors
@@ -285,7 +287,7 @@ impl CattaneoMindlinEllipse {
         self.hertz.semi_axes().map(|axis| self.slip.stick * axis)
     }
 
-    /// Part of the contact area that sticks, $`(1-f)^{2/3}`$. The paper's equation 28.
+    /// Fraction of the contact area that sticks, $`(1-f)^{2/3}`$. The paper's equation 28.
     #[must_use]
     pub fn stick_ratio(&self) -> f64 {
         self.slip.stick * self.slip.stick
@@ -314,7 +316,7 @@ impl CattaneoMindlinEllipse {
         self.slip.held.friction * self.hertz.max_pressure() * self.slip.traction_fraction(rho)
     }
 
-    /// Energy dissipated by the time the force has grown to $`F`$ (a force times a length), zero
+    /// Energy dissipated while the force grows from zero to $`F`$ (a force times a length), zero
     /// or positive; as [`CattaneoMindlin::dissipated_energy`].
     #[must_use]
     pub fn dissipated_energy(&self) -> f64 {

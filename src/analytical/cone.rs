@@ -10,15 +10,15 @@ use crate::material::ElasticPair;
 
 /// A blunt cone pressed on a half-space.
 ///
-/// The initial gap is $`r\tan\beta`$, with $`\beta`$ the small angle between flank and surface, and
+/// The initial gap is $`r\tan\beta`$, with $`\beta`$ the small angle between flank and surface:
 ///
 /// ```math
 /// W = \frac\pi2 E^* a^2\tan\beta, \qquad \delta = \frac\pi2\,a\tan\beta, \qquad
 /// p = \frac{E^*\tan\beta}{2}\,\operatorname{arcosh}\frac ar
 /// ```
 ///
-/// The mean pressure is the same at every load, and the contact area grows as the load does, as that
-/// of a rough surface. Sneddon (1965); Johnson (1985), section 5.2.
+/// The mean pressure is independent of the load, so the contact area is proportional to the load, as
+/// for a rough surface. Sneddon (1965); Johnson (1985), section 5.2.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::Cone};
@@ -73,7 +73,7 @@ impl Cone {
         self.slope
     }
 
-    /// Normal load $`W`$ (a force), positive when it presses.
+    /// Normal load $`W`$ (a force), positive in compression.
     #[must_use]
     pub fn load(&self) -> f64 {
         self.load
@@ -91,7 +91,7 @@ impl Cone {
         PI * self.contact_radius * self.contact_radius
     }
 
-    /// Mean pressure of the contact circle $`\frac12 E^*\tan\beta`$, at every load.
+    /// Mean pressure over the contact circle $`\frac12 E^*\tan\beta`$, independent of the load.
     #[must_use]
     pub fn mean_pressure(&self) -> f64 {
         self.mean_pressure
@@ -136,7 +136,7 @@ impl Cone {
     /// from the centre; zero in the contact, positive outside.
     ///
     /// Evaluated as $`(\sin\varphi - \varphi\cos\varphi)\,r\tan\beta`$ with $`\cos\varphi = a/r`$,
-    /// where nothing cancels.
+    /// which avoids cancellation.
     #[must_use]
     pub fn gap(&self, r: f64) -> f64 {
         let rho = r.abs() / self.contact_radius;
@@ -148,10 +148,12 @@ impl Cone {
     }
 }
 
-/// A cone in partial slip: a normal load, then a tangential force along x that only grows.
+/// A cone in partial slip: a constant normal load, then a tangential force along x that increases
+/// monotonically.
 ///
-/// The traction is the friction on the pressure less that of the lighter contact that sticks, which
-/// carries $`1-f`$ of the load, $`f = |F|/\mu W`$:
+/// The traction is $`\mu`$ times the difference between the pressure under $`W`$ and the pressure
+/// under the reduced load $`(1-f)W`$, $`f = |F|/\mu W`$. The contact circle under the reduced load is
+/// the stick disc, of radius $`c`$:
 ///
 /// ```math
 /// \frac{c^2}{a^2} = 1-f, \qquad
@@ -160,8 +162,8 @@ impl Cone {
 /// \delta_x = \frac{2-\nu}{2(1-\nu)}\,\mu\delta\left[1-\sqrt{1-f}\right]
 /// ```
 ///
-/// The stick ratio falls linearly, that of a single cone as that of many asperities. The scalar
-/// model, with traction along x only, for every $`\nu`$. Ciavarella (1998); Jaeger (1998).
+/// The stick ratio falls linearly with the force, for a single cone as for many asperities. This is
+/// the scalar model, with traction along x only, for every $`\nu`$. Ciavarella (1998); Jaeger (1998).
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{Cone, ConePartialSlip}};
@@ -169,7 +171,7 @@ impl Cone {
 /// let cone = Cone::new(&ElasticPair::new(rubber, rubber)?, 0.05, 1.0)?;
 /// let shear = ConePartialSlip::new(cone, 0.5, 0.2)?;
 /// assert!((shear.stick_ratio() - 0.6).abs() < 1e-15);
-/// // The pressure has a pole at the apex, the traction there has none.
+/// // The pressure is singular at the apex; the traction there is finite.
 /// assert!(cone.pressure(0.0).is_infinite() && shear.traction(0.0).is_finite());
 /// # Ok::<(), stickslip::Error>(())
 /// ```
@@ -186,9 +188,9 @@ impl ConePartialSlip {
     /// The contact `cone`, with the coefficient of friction `friction`, under the tangential force
     /// `force` on body 1 along x (a force, of either sign).
     ///
-    /// A force that equals $`\mu W`$ to within rounding is gross sliding at its onset: the stick
-    /// radius is zero, and so it is without friction. The coupling between pressure and shear of
-    /// dissimilar bodies is neglected.
+    /// A force equal to $`\mu W`$ to within rounding is the onset of gross sliding: the stick radius is
+    /// zero. It is also zero without friction. The coupling between pressure and shear of dissimilar
+    /// bodies is neglected.
     ///
     /// # Errors
     /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for the force or a result,
@@ -223,7 +225,7 @@ impl ConePartialSlip {
         self.stick * self.cone.contact_radius
     }
 
-    /// Part of the contact area that sticks, $`c^2/a^2 = 1-f`$.
+    /// Fraction of the contact area that sticks, $`c^2/a^2 = 1-f`$.
     #[must_use]
     pub fn stick_ratio(&self) -> f64 {
         self.held.reserve
@@ -246,7 +248,7 @@ impl ConePartialSlip {
     /// Traction $`q`$ on body 1 along x (a pressure, of the sign of the force) at the distance
     /// $`r`$ from the centre; zero outside the contact. Formula on the [type](Self).
     ///
-    /// In the stick disc it is evaluated as a single logarithm, where nothing cancels; at the apex it
+    /// In the stick disc it is evaluated as a single logarithm, which avoids cancellation; at the apex it
     /// is $`\frac12\mu E^*\tan\beta\,\ln(a/c)`$.
     #[must_use]
     pub fn traction(&self, r: f64) -> f64 {
@@ -254,7 +256,7 @@ impl ConePartialSlip {
         let scale = self.held.direction * self.held.friction;
         if rho < self.stick && rho < 1.0 {
             let inner = ((self.stick - rho) * (self.stick + rho)).sqrt();
-            // (1 + dome) / (c/a + inner) less one, with 1 - c^2/a^2 = f.
+            // (1 + dome) / (c/a + inner) minus one, with 1 - c^2/a^2 = f.
             let excess = self.ring() + self.held.fraction / (dome(rho) + inner);
             scale * self.cone.mean_pressure * (excess / (self.stick + inner)).ln_1p()
         } else if self.held.friction > 0.0 {
@@ -264,7 +266,7 @@ impl ConePartialSlip {
         }
     }
 
-    /// $`1-c/a`$, with all its digits for small forces.
+    /// $`1-c/a`$, accurate to all digits for small forces.
     fn ring(&self) -> f64 {
         self.held.fraction / (1.0 + self.stick)
     }

@@ -2,9 +2,9 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-/// The integrals an elliptic contact needs, of parameter $`m = 1 - \kappa^2`$.
+/// The integrals of an elliptic contact, of parameter $`m = 1 - \kappa^2`$.
 ///
-/// The one of the second kind is $`E = K - m D`$.
+/// The integral of the second kind is $`E = K - m D`$.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Integrals {
     /// $`K = \int_0^{\pi/2} (1 - m\sin^2 t)^{-1/2}\,dt`$.
@@ -20,23 +20,23 @@ impl Integrals {
     /// With $`a_0 = 1`$, $`b_0 = \kappa`$, $`c_0^2 = m`$ and the means
     /// $`a_{n+1} = (a_n+b_n)/2`$, $`b_{n+1} = \sqrt{a_n b_n}`$, $`c_{n+1} = c_n^2/(4a_{n+1})`$:
     /// $`K = \pi/(2a_\infty)`$ and $`D = K \sum_n 2^{n-1} c_n^2/m`$ (Abramowitz and Stegun,
-    /// 17.6). The sum is of positive terms, and its first is 1/2: nothing cancels, not even at
+    /// 17.6). All terms of the sum are positive and the first is 1/2, so nothing cancels, not even at
     /// $`m = 0`$, where $`D = \pi/4`$.
     pub(crate) fn of_axis_ratio(kappa: f64) -> Self {
         let m = (1.0 - kappa) * (1.0 + kappa);
         let (mut a, mut b) = (f64::midpoint(1.0, kappa), kappa.sqrt());
-        // c_1 and 2^0 c_1^2/m, with c_0^2 = m cancelled by hand.
+        // c_1 and 2^0 c_1^2/m, with c_0^2 = m cancelled analytically.
         let mut c = 0.25 * m / a;
         let mut term = 0.25 * c / a;
         let mut sum = 0.5 + term;
-        // The means agree to a rounding in 4 steps for a near-circle, in 14 at kappa = 1e-300.
+        // The means agree to rounding after 4 steps for a near-circle, after 14 at kappa = 1e-300.
         for _ in 0..24 {
             if term <= sum * f64::EPSILON && c.abs() <= a * f64::EPSILON {
                 break;
             }
             (a, b) = (f64::midpoint(a, b), (a * b).sqrt());
             let next = 0.25 * c * c / a;
-            // 2^n c_(n+1)^2/m from 2^(n-1) c_n^2/m, so that m never divides.
+            // 2^n c_(n+1)^2/m from 2^(n-1) c_n^2/m, without a division by m.
             term *= 0.125 * c / a * (c / a);
             c = next;
             sum += term;

@@ -1,4 +1,4 @@
-//! A flat end pressed on a half-space.
+//! A flat-ended punch pressed on a half-space.
 
 use std::f64::consts::{FRAC_2_PI, PI};
 
@@ -10,13 +10,13 @@ use crate::material::ElasticPair;
 
 /// The flat end of a rigid round cylinder pressed on a half-space.
 ///
-/// The initial gap is zero within the radius $`a`$ and nothing else can touch:
+/// The initial gap is zero within the radius $`a`$, and there is no contact outside it:
 ///
 /// ```math
 /// p = \frac{W}{2\pi a\sqrt{a^2-r^2}}, \qquad \delta = \frac{W}{2aE^*}
 /// ```
 ///
-/// Body 2 is then rigid; for two elastic bodies it is the answer of half-space theory to that gap.
+/// A real punch needs a rigid body 2; for two elastic bodies this is the half-space solution for that gap.
 /// Johnson (1985), section 3.4 and 3.36-3.37.
 ///
 /// ```
@@ -73,13 +73,13 @@ impl FlatPunch {
         PI * self.radius * self.radius
     }
 
-    /// Normal load $`W`$ (a force), positive when it presses.
+    /// Normal load $`W`$ (a force), positive in compression.
     #[must_use]
     pub fn load(&self) -> f64 {
         self.load
     }
 
-    /// Mean pressure of the contact circle $`W/\pi a^2`$, twice the pressure at the centre.
+    /// Mean pressure over the contact circle $`W/\pi a^2`$, twice the pressure at the centre.
     #[must_use]
     pub fn mean_pressure(&self) -> f64 {
         self.mean_pressure
@@ -92,14 +92,14 @@ impl FlatPunch {
     }
 
     /// Pressure $`p = W/(2\pi a\sqrt{a^2-r^2})`$ at the distance $`r`$ from the centre. It grows
-    /// without bound towards the edge, and is zero from there on. Johnson (1985), section 3.4.
+    /// without bound towards the edge; at the edge and outside zero is returned. Johnson (1985), section 3.4.
     #[must_use]
     pub fn pressure(&self, r: f64) -> f64 {
         edge_pole(self.load, self.radius, r)
     }
 
     /// Normal displacement of the surfaces (a length), summed over the bodies and positive into each,
-    /// at the distance $`r`$ from the centre: the approach in the contact, outside it
+    /// at the distance $`r`$ from the centre: the approach inside the contact, and outside it
     /// $`u_z = \frac{2\delta}{\pi}\arcsin\frac ar`$. Johnson (1985), 3.37.
     #[must_use]
     pub fn displacement(&self, r: f64) -> f64 {
@@ -111,11 +111,11 @@ impl FlatPunch {
         }
     }
 
-    /// The flat end under the tangential force `force` on body 1 along x (a force, of either sign),
+    /// The punch in full stick under the tangential force `force` on body 1 along x (a force, of either sign),
     /// with the coefficient of friction `friction`.
     ///
-    /// Traction and pressure have the same shape, $`q/p = F/W`$: all of it sticks until
-    /// $`|F| = \mu W`$, where all of it slides at once.
+    /// Traction and pressure have the same distribution, $`q/p = F/W`$: the whole contact sticks until
+    /// $`|F| = \mu W`$, and then slides at once.
     ///
     /// # Errors
     /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for the force or a result,

@@ -1,4 +1,4 @@
-//! A contact circle that sticks throughout.
+//! A contact circle in full stick.
 
 use std::f64::consts::{FRAC_2_PI, PI};
 
@@ -6,7 +6,7 @@ use super::hertz::{arc_sine, dome};
 use crate::error::{Result, finite, positive};
 use crate::material::ElasticPair;
 
-/// A contact circle all of which sticks under a tangential force along x.
+/// A contact circle in full stick under a tangential force along x.
 ///
 /// On the circle of radius $`a`$
 ///
@@ -14,11 +14,11 @@ use crate::material::ElasticPair;
 /// q = \frac{F}{2\pi a\sqrt{a^2-r^2}}, \qquad \delta_x = \frac{2-\nu}{8Ga}\,F
 /// ```
 ///
-/// No friction holds the traction at the edge of a smooth contact: for a sphere this is the limit
-/// $`\mu \to \infty`$ of [`CattaneoMindlin`](super::CattaneoMindlin), and its compliance the one
-/// that small forces feel. Under a [`FlatPunch`](super::FlatPunch) it holds up to sliding. For every
-/// $`\nu`$ the circle moves along x only, so that no lateral traction is left out. Mindlin (1949);
-/// Johnson (1985), 3.82 and section 7.2.
+/// No finite coefficient of friction supports this traction at the edge of a smooth contact. For a
+/// sphere the solution is the limit $`\mu \to \infty`$ of [`CattaneoMindlin`](super::CattaneoMindlin),
+/// and its compliance is the compliance under small forces. Under a [`FlatPunch`](super::FlatPunch) it
+/// holds up to sliding. For every $`\nu`$ the circle moves along x only, so no lateral traction is
+/// neglected. Mindlin (1949); Johnson (1985), 3.82 and section 7.2.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material};
@@ -27,7 +27,7 @@ use crate::material::ElasticPair;
 /// let pair = ElasticPair::new(steel, steel)?;
 /// let ball = HertzSphere::new(&pair, 3.5, 100.0)?;
 /// let stick = MindlinFullStick::new(&pair, ball.contact_radius(), 1e-6)?;
-/// // A small force on a ball hardly slips.
+/// // A small force on a ball causes hardly any slip.
 /// let slip = CattaneoMindlin::new(ball, 0.5, 1e-6)?;
 /// assert!((slip.shift() / stick.shift() - 1.0).abs() < 1e-7);
 /// # Ok::<(), stickslip::Error>(())
@@ -87,15 +87,15 @@ impl MindlinFullStick {
     }
 
     /// Traction $`q = F/(2\pi a\sqrt{a^2-r^2})`$ on body 1 along x (a pressure, of the sign of the
-    /// force) at the distance $`r`$ from the centre. It grows without bound towards the edge, and is
-    /// zero from there on. Johnson (1985), 3.82.
+    /// force) at the distance $`r`$ from the centre. It grows without bound towards the edge; at the edge
+    /// and outside zero is returned. Johnson (1985), 3.82.
     #[must_use]
     pub fn traction(&self, r: f64) -> f64 {
         edge_pole(self.force, self.contact_radius, r)
     }
 
     /// Tangential displacement $`u_x = u_{x1}-u_{x2}`$ (a length, of the sign of the force),
-    /// anywhere in the plane: the [`shift`](Self::shift) in the contact, outside it
+    /// anywhere in the plane: the [`shift`](Self::shift) inside the contact, and outside it
     ///
     /// ```math
     /// u_x = \frac{F}{4\pi Ga}\left[(2-\nu)\,\sigma + \nu\sin\sigma\cos\sigma\cos 2\theta\right],
@@ -118,8 +118,8 @@ impl MindlinFullStick {
     }
 }
 
-/// $`P/(2\pi a\sqrt{a^2-r^2})`$ within the circle of radius $`a`$, else zero: the stress that moves
-/// the circle as one by the force $`P`$.
+/// $`P/(2\pi a\sqrt{a^2-r^2})`$ within the circle of radius $`a`$, otherwise zero: the stress that
+/// displaces the circle uniformly under the force $`P`$.
 pub(super) fn edge_pole(force: f64, a: f64, r: f64) -> f64 {
     let rho = r.abs() / a;
     if rho < 1.0 {

@@ -1,8 +1,8 @@
-//! A tangential force that friction holds.
+//! A tangential force carried by friction.
 
 use crate::error::{Error, Result, finite, non_negative};
 
-/// A tangential force on a contact, and how near it is to sliding.
+/// A tangential force on a contact, and its distance from the friction limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct HeldForce {
     pub(super) friction: f64,
@@ -11,9 +11,9 @@ pub(super) struct HeldForce {
     pub(super) limit: f64,
     /// Sign of the force.
     pub(super) direction: f64,
-    /// $`f = |F|/\mu W`$; one at sliding, and without friction.
+    /// $`f = |F|/\mu W`$; one at sliding and without friction.
     pub(super) fraction: f64,
-    /// $`1-f`$, with all its digits near sliding.
+    /// $`1-f`$, accurate to all digits near sliding.
     pub(super) reserve: f64,
 }
 
@@ -23,7 +23,7 @@ impl HeldForce {
         finite("tangential force", force)?;
         let limit = finite("friction limit", friction * load)?;
         let magnitude = force.abs();
-        // The product above is rounded: a force meant to equal it may be a rounding larger.
+        // The product above is rounded, so a force meant to equal it may exceed it by a rounding error.
         if magnitude > limit * (1.0 + 4.0 * f64::EPSILON) {
             return Err(Error::BeyondSliding {
                 force: magnitude,

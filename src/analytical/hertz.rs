@@ -9,14 +9,14 @@ use crate::material::ElasticPair;
 
 /// A sphere pressed on a half-space, or a paraboloid of revolution.
 ///
-/// Two spheres have $`1/R = 1/R_1 + 1/R_2`$. The initial gap is $`r^2/2R`$ and
+/// For two spheres $`1/R = 1/R_1 + 1/R_2`$. The initial gap is $`r^2/2R`$ and
 ///
 /// ```math
 /// a^3 = \frac{3WR}{4E^*}, \qquad p_0 = \frac{3W}{2\pi a^2}, \qquad \delta = \frac{a^2}{R}
 /// ```
 ///
-/// Exact for elastic half-spaces and a paraboloid; for a sphere while $`a \ll R`$. The paper's
-/// equation 29; Johnson (1985), 4.22-4.24.
+/// Exact for a paraboloid and elastic half-spaces; for a sphere it holds while $`a \ll R`$. The
+/// paper's equation 29; Johnson (1985), 4.22-4.24.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::HertzSphere};
@@ -70,7 +70,7 @@ impl HertzSphere {
         self.radius
     }
 
-    /// Normal load $`W`$ (a force), positive when it presses.
+    /// Normal load $`W`$ (a force), positive in compression.
     #[must_use]
     pub fn load(&self) -> f64 {
         self.load
@@ -94,7 +94,7 @@ impl HertzSphere {
         self.max_pressure
     }
 
-    /// Mean pressure of the contact circle $`W/\pi a^2 = \tfrac23 p_0`$.
+    /// Mean pressure over the contact circle $`W/\pi a^2 = \tfrac23 p_0`$.
     #[must_use]
     pub fn mean_pressure(&self) -> f64 {
         self.max_pressure * (2.0 / 3.0)
@@ -136,7 +136,7 @@ impl HertzSphere {
     /// from the centre; zero in the contact, positive outside.
     ///
     /// Evaluated as $`\frac{\delta}{2\pi}\frac{r^2}{a^2}(\sin 2\varphi - 2\varphi\cos 2\varphi)`$
-    /// with $`\cos\varphi = a/r`$, where nothing cancels. Johnson (1985), 3.42a.
+    /// with $`\cos\varphi = a/r`$, which avoids cancellation. Johnson (1985), 3.42a.
     #[must_use]
     pub fn gap(&self, r: f64) -> f64 {
         let rho = r.abs() / self.contact_radius;
@@ -159,19 +159,19 @@ impl HertzSphere {
 /// p_0 = \frac{3W}{2\pi ab}, \qquad \delta = \frac{p_0 b K}{E^*}
 /// ```
 ///
-/// Written with $`D`$ they hold for the circle too, where $`K = \pi/2`$ and $`D = \pi/4`$.
+/// In this form, with $`D`$, they also hold for the circle, where $`K = \pi/2`$ and $`D = \pi/4`$.
 /// Johnson (1985), 4.26-4.32.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{HertzEllipse, HertzSphere}};
 /// let steel = Material::new(213e3, 0.29)?;
 /// let pair = ElasticPair::new(steel, steel)?;
-/// // Table 2 of the paper, in mm, N and MPa: equal radii make a ball ..
+/// // Table 2 of the paper, in mm, N and MPa. Equal radii make a ball.
 /// let ball = HertzEllipse::new(&pair, 3.5, 3.5, 100.0)?;
 /// assert!((ball.semi_axes()[0] - 0.1311825).abs() < 1e-7);
 /// assert!((ball.max_pressure() - 2774.53).abs() < 0.01);
 /// assert!((ball.approach() - 4.916814e-3).abs() < 1e-9);
-/// // .. and the contact is longer along the flatter direction.
+/// // The contact is longer along the flatter direction.
 /// let barrel = HertzEllipse::new(&pair, 7.0, 3.5, 100.0)?;
 /// let [along_x, along_y] = barrel.semi_axes();
 /// assert!(along_x > 1.5 * along_y);
@@ -228,7 +228,7 @@ impl HertzEllipse {
         self.radii
     }
 
-    /// Normal load $`W`$ (a force), positive when it presses.
+    /// Normal load $`W`$ (a force), positive in compression.
     #[must_use]
     pub fn load(&self) -> f64 {
         self.load
@@ -265,21 +265,22 @@ impl HertzEllipse {
         self.max_pressure * dome(self.relative_radius(x, y))
     }
 
-    /// Distance from the centre, 1 on the edge of the contact.
+    /// Relative distance from the centre, 1 on the edge of the contact.
     pub(super) fn relative_radius(&self, x: f64, y: f64) -> f64 {
         (x / self.semi_axes[0]).hypot(y / self.semi_axes[1])
     }
 }
 
-/// The axis ratio $`b/a`$ of the contact whose radii are in the ratio $`R''/R' \le 1`$, and its
+/// The axis ratio $`b/a`$ of the contact of a body with the ratio of radii $`R''/R' \le 1`$, and its
 /// integrals.
 fn axis_ratio(radius_ratio: f64) -> (f64, Integrals) {
     // R''/R' = kappa^s with a local exponent s that grows from 3/2 at the circle to 2 for a line:
-    // a step with the exponent 7/4 leaves at most 1/6 of the error in ln(kappa), and 24 leave none.
+    // a step with the exponent 7/4 leaves at most 1/6 of the error in ln(kappa), and 24 steps reach
+    // round-off.
     let mut kappa = radius_ratio.powf(4.0 / 7.0);
     let mut integrals = Integrals::of_axis_ratio(kappa);
     for _ in 0..24 {
-        // R''/R' wanted over reached; kappa^2 alone could underflow.
+        // The ratio R''/R' wanted over the one reached; kappa^2 alone could underflow.
         let miss = radius_ratio / kappa / kappa * (integrals.k - integrals.d) / integrals.d;
         kappa = (kappa * miss.powf(4.0 / 7.0)).min(1.0);
         integrals = Integrals::of_axis_ratio(kappa);
@@ -287,7 +288,7 @@ fn axis_ratio(radius_ratio: f64) -> (f64, Integrals) {
     (kappa, integrals)
 }
 
-/// $`\sqrt{1-\rho^2}`$ for $`\rho < 1`$, else zero.
+/// $`\sqrt{1-\rho^2}`$ for $`\rho < 1`$, otherwise zero.
 pub(super) fn dome(rho: f64) -> f64 {
     if rho < 1.0 {
         ((1.0 - rho) * (1.0 + rho)).sqrt()
@@ -296,12 +297,12 @@ pub(super) fn dome(rho: f64) -> f64 {
     }
 }
 
-/// $`\arcsin(b/r)`$ for $`r \ge b > 0`$, with all its digits near $`r = b`$.
+/// $`\arcsin(b/r)`$ for $`r \ge b > 0`$, accurate to all digits near $`r = b`$.
 pub(super) fn arc_sine(b: f64, r: f64) -> f64 {
     b.atan2(((r - b) * (r + b)).sqrt())
 }
 
-/// $`\arccos(b/r)`$ for $`r \ge b`$, $`r > 0`$, with all its digits near $`r = b`$.
+/// $`\arccos(b/r)`$ for $`r \ge b`$, $`r > 0`$, accurate to all digits near $`r = b`$.
 pub(super) fn arc_cosine(b: f64, r: f64) -> f64 {
     ((r - b) * (r + b)).sqrt().atan2(b)
 }

@@ -1,4 +1,4 @@
-//! Partial slip of a sphere under a twist.
+//! Partial slip of a sphere in torsion.
 
 use std::f64::consts::{FRAC_2_PI, PI};
 
@@ -7,11 +7,12 @@ use super::hertz::{HertzSphere, dome};
 use super::quadrature::integral;
 use crate::error::{Result, finite, positive};
 
-/// A sphere in torsion: a normal load, then a twist about the normal that only grows.
+/// A sphere in torsion: a constant normal load, then a twist about the normal that increases
+/// monotonically.
 ///
-/// A disc of radius $`c`$ turns as one, and the ring around it slips. With the complete elliptic
-/// integrals $`K`$ and $`E`$ of the parameter $`m = 1-c^2/a^2`$, $`E(s)`$ that of
-/// $`m = 1-s^2/a^2`$, and $`\beta`$ the angle that one body turns relative to the other
+/// A disc of radius $`c`$ sticks and rotates rigidly; the ring around it slips. With the complete
+/// elliptic integrals $`K`$ and $`E`$ of the parameter $`m = 1-c^2/a^2`$, the integral $`E(s)`$ of
+/// the parameter $`m = 1-s^2/a^2`$, and the rotation $`\beta`$ of one body relative to the other
 ///
 /// ```math
 /// \beta = \frac{\mu p_0}{2G}(K-E), \qquad
@@ -19,9 +20,9 @@ use crate::error::{Result, finite, positive};
 /// q = \frac2\pi\mu p_0\,r\int_c^a \frac{E(s)\,ds}{s\sqrt{s^2-r^2}} \quad (r < c)
 /// ```
 ///
-/// The traction runs in circles around the centre and is $`\mu p`$ in the ring. No twist slides the
-/// centre; the moment tends to $`\frac{3\pi}{16}\mu Wa`$. Nothing is left out for any $`\nu`$, as the
-/// slip is along the traction. Lubkin (1951); Johnson (1985), section 7.2.
+/// The traction is circumferential and equals $`\mu p`$ in the ring. At any twist the centre sticks;
+/// the moment tends to $`\frac{3\pi}{16}\mu Wa`$. Slip is parallel to the traction, so no component of it
+/// is neglected for any $`\nu`$. Lubkin (1951); Johnson (1985), section 7.2.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{HertzSphere, LubkinTorsion}};
@@ -32,7 +33,7 @@ use crate::error::{Result, finite, positive};
 /// let torsion = LubkinTorsion::new(ball, 0.5, 0.01)?;
 /// let (a, c) = (ball.contact_radius(), torsion.stick_radius());
 /// assert!(c < a && torsion.moment() < torsion.sliding_moment());
-/// // A small twist hardly slips: M = (16/3) G a^3 beta.
+/// // A small twist causes hardly any slip: M = (16/3) G a^3 beta.
 /// let small = LubkinTorsion::new(ball, 0.5, 1e-9)?;
 /// let stick = 16.0 / 3.0 * pair.shear_modulus() * a.powi(3) * 1e-9;
 /// assert!((small.moment() / stick - 1.0).abs() < 1e-6);
@@ -50,20 +51,20 @@ pub struct LubkinTorsion {
 
 impl LubkinTorsion {
     /// The contact `hertz`, with the coefficient of friction `friction`, twisted by the angle `twist`
-    /// (radians, of either sign): how far body 2 has turned relative to body 1 about the normal,
-    /// far from the contact, positive from x to y. The coupling between pressure and shear of
-    /// dissimilar bodies is neglected.
+    /// (radians, of either sign): the rotation of body 2 relative to body 1 about the normal, far from
+    /// the contact, positive from x to y. The coupling between pressure and shear of dissimilar bodies is
+    /// neglected.
     ///
     /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive) for the friction, or the stick radius if
-    /// the twist leaves none; [`Error::NotFinite`](crate::Error::NotFinite) for the twist or a result.
+    /// [`Error::NotPositive`](crate::Error::NotPositive) for the friction, or for the stick radius if the
+    /// twist reduces it to zero; [`Error::NotFinite`](crate::Error::NotFinite) for the twist or a result.
     pub fn new(hertz: HertzSphere, friction: f64, twist: f64) -> Result<Self> {
         positive("coefficient of friction", friction)?;
         finite("twist", twist)?;
         let limit = positive("friction limit", friction * hertz.max_pressure())?;
         let strain = 2.0 * hertz.pair().shear_modulus() / limit * twist.abs();
         let a = hertz.contact_radius();
-        // E is at least one: the stick radius is at least this.
+        // E is at least one, so the stick radius is at least this.
         positive("stick radius", a * (-strain).exp())?;
         let log_stick = log_stick_ratio(strain);
         let sum = integral(-log_stick, |x| {
@@ -99,7 +100,7 @@ impl LubkinTorsion {
         self.hertz.contact_radius() * self.log_stick.exp()
     }
 
-    /// Part of the contact area that sticks, $`c^2/a^2`$.
+    /// Fraction of the contact area that sticks, $`c^2/a^2`$.
     #[must_use]
     pub fn stick_ratio(&self) -> f64 {
         (2.0 * self.log_stick).exp()
@@ -123,8 +124,8 @@ impl LubkinTorsion {
     /// centre, along the circle of that radius from x to y: $`q_x = -qy/r`$, $`q_y = qx/r`$. Zero
     /// outside the contact. Formula on the [type](Self); Lubkin (1951).
     ///
-    /// The integral is evaluated in $`x`$ where $`s = c\cosh x + \sqrt{c^2-r^2}\sinh x`$, which takes the
-    /// root out of it.
+    /// The integral is evaluated with the substitution $`s = c\cosh x + \sqrt{c^2-r^2}\sinh x`$, which
+    /// removes the root from the integrand.
     #[must_use]
     pub fn traction(&self, r: f64) -> f64 {
         let rho = r.abs() / self.hertz.contact_radius();
@@ -144,10 +145,10 @@ impl LubkinTorsion {
     }
 }
 
-/// $`\ln(c/a)`$ where $`K-E`$ is `strain`.
+/// $`\ln(c/a)`$ at which $`K-E`$ is `strain`.
 fn log_stick_ratio(strain: f64) -> f64 {
-    // K - E has the slope -E in ln(c/a), between -pi/2 and -1 and growing: after the first step
-    // Newton's method nears the root from one side.
+    // The derivative of K - E with respect to ln(c/a) is -E, which lies between -pi/2 and -1 and
+    // increases: after the first step Newton's method approaches the root from one side.
     let mut log_stick = 0.0_f64;
     for _ in 0..60 {
         let Integrals { k, d } = Integrals::of_axis_ratio(log_stick.exp());
@@ -161,7 +162,7 @@ fn log_stick_ratio(strain: f64) -> f64 {
     log_stick
 }
 
-/// $`m = 1-c^2/a^2`$, with all its digits for small twists.
+/// $`m = 1-c^2/a^2`$, accurate to all digits for small twists.
 fn ring(log_stick: f64) -> f64 {
     -(2.0 * log_stick).exp_m1()
 }

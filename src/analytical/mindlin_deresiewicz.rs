@@ -1,15 +1,15 @@
-//! Partial slip of a sphere under a tangential force that comes and goes.
+//! Partial slip of a sphere under a varying tangential force.
 
 use super::cattaneo_mindlin::CattaneoMindlin;
 use super::held_force::HeldForce;
 use super::hertz::HertzSphere;
 use crate::error::Result;
 
-/// A sphere in partial slip: a constant normal load, and a tangential force along x of any history.
+/// A sphere in partial slip: a constant normal load, and a tangential force along x with any history.
 ///
-/// From zero to $`F_1`$ all is as in [`CattaneoMindlin`]. When the force turns at $`F_1`$, slip the
-/// other way spreads from the edge and adds twice what half the change of force would cause alone;
-/// and so at every later turn:
+/// From zero to $`F_1`$ the solution is that of [`CattaneoMindlin`]. When the force reverses at
+/// $`F_1`$, reverse slip spreads from the edge; it adds twice the solution for half the change of
+/// force. Every later reversal adds another such term:
 ///
 /// ```math
 /// q = q^{CM}(F_1) + 2\,q^{CM}\!\left(\tfrac{F_2-F_1}{2}\right) + \dots +
@@ -17,9 +17,9 @@ use crate::error::Result;
 /// \delta_x = \delta_x^{CM}(F_1) + \dots + 2\,\delta_x^{CM}\!\left(\tfrac{F-F_n}{2}\right)
 /// ```
 ///
-/// with the displacement and the slip likewise. A force that comes back to where it turned before
-/// closes a loop, and the contact goes on as though that loop had not been; a force that reaches its
-/// greatest magnitude so far goes on along the first loading. The scalar model, with
+/// Displacement and slip are superposed likewise. When the force returns to an earlier reversal, it
+/// closes a loop, and the contact continues as if that loop had not occurred. When the force reaches
+/// its greatest magnitude so far, it continues along the first loading. This is the scalar model, with
 /// traction along x only, for every $`\nu`$. Mindlin and Deresiewicz (1953); Jaeger (1998);
 /// Johnson (1985), 7.52-7.57.
 ///
@@ -30,10 +30,10 @@ use crate::error::Result;
 /// let steel = Material::new(213e3, 0.29)?;
 /// let ball = HertzSphere::new(&ElasticPair::new(steel, steel)?, 3.5, 100.0)?;
 /// let unloaded = MindlinDeresiewicz::new(ball, 0.5, &[20.0, 0.0])?;
-/// // Shift and traction remain, turned over near the edge.
+/// // A shift and a traction remain; the traction is reversed near the edge.
 /// assert!((unloaded.shift() - 3.60263e-5).abs() < 1e-10);
 /// assert!(unloaded.traction(0.0) > 0.0 && unloaded.traction(0.13) < 0.0);
-/// // Two cycles dissipate twice what one does.
+/// // Two cycles dissipate twice the energy of one.
 /// let cycled = MindlinDeresiewicz::new(ball, 0.5, &[20.0, -20.0, 20.0, -20.0, 20.0])?;
 /// let first = CattaneoMindlin::new(ball, 0.5, 20.0)?.dissipated_energy();
 /// let expected = first + 2.0 * cycled.energy_per_cycle();
@@ -43,21 +43,21 @@ use crate::error::Result;
 #[derive(Debug, Clone, PartialEq)]
 pub struct MindlinDeresiewicz {
     force: f64,
-    /// The first loading, to the force of the greatest magnitude.
+    /// The first loading, up to the force of the greatest magnitude.
     first: CattaneoMindlin,
-    /// Of every turn since that still matters, half the change of force.
+    /// Half the change of force for each later reversal that still matters.
     turns: Vec<CattaneoMindlin>,
-    /// Energy of the loops that have closed.
+    /// Energy of the closed loops.
     closed_energy: f64,
 }
 
 impl MindlinDeresiewicz {
     /// The contact `hertz`, with the coefficient of friction `friction`, under a tangential force
-    /// on body 1 along x that has gone from zero to each value of `path` in turn (forces, of either
-    /// sign); none are no force.
+    /// on body 1 along x that runs from zero through the values of `path` in turn (forces, of either
+    /// sign). An empty path is no force.
     ///
-    /// Between two values the force changes monotonically; how fast, and in how many steps, does not
-    /// matter. Where it equals $`\mu W`$ to within rounding it is at the onset of gross sliding. The
+    /// Between two values the force changes monotonically; the rate and the number of steps do not
+    /// matter. A force equal to $`\mu W`$ to within rounding is the onset of gross sliding. The
     /// coupling between pressure and shear of dissimilar bodies is neglected.
     ///
     /// # Errors
@@ -102,18 +102,18 @@ impl MindlinDeresiewicz {
         self.first.force().abs()
     }
 
-    /// Radius of the disc that has not slipped since the force last turned (a length).
+    /// Radius of the disc that has not slipped since the last reversal of the force (a length).
     ///
-    /// During the first loading $`a(1-|F|/\mu W)^{1/3}`$, after a turn at $`F_n`$
-    /// $`a(1-|F-F_n|/2\mu W)^{1/3}`$: the ring around it slips, against the traction.
+    /// It is $`a(1-|F|/\mu W)^{1/3}`$ during the first loading and $`a(1-|F-F_n|/2\mu W)^{1/3}`$ after a
+    /// reversal at $`F_n`$. The ring around it slips, opposite to the traction.
     /// Johnson (1985), 7.52.
     #[must_use]
     pub fn stick_radius(&self) -> f64 {
         self.turns.last().unwrap_or(&self.first).stick_radius()
     }
 
-    /// Shift $`\delta_x`$ (a length): the rigid motion of body 2 relative to body 1 since before the
-    /// first loading. Formula on the [type](Self); Johnson (1985), 7.54.
+    /// Shift $`\delta_x`$ (a length): the rigid motion of body 2 relative to body 1, measured from the
+    /// state before the first loading. Formula on the [type](Self); Johnson (1985), 7.54.
     #[must_use]
     pub fn shift(&self) -> f64 {
         self.superposed(CattaneoMindlin::shift)
@@ -133,16 +133,16 @@ impl MindlinDeresiewicz {
         self.superposed(|part| part.traction(r))
     }
 
-    /// Tangential displacement $`u_x = u_{x1}-u_{x2}`$ (a length), anywhere in the plane: a sum as
-    /// that of the traction, of [`CattaneoMindlin::displacement`].
+    /// Tangential displacement $`u_x = u_{x1}-u_{x2}`$ (a length), anywhere in the plane: the same
+    /// superposition of [`CattaneoMindlin::displacement`] as for the traction.
     #[must_use]
     pub fn displacement(&self, x: f64, y: f64) -> f64 {
         self.superposed(|part| part.displacement(x, y))
     }
 
-    /// Slip $`s_x = u_x - \delta_x`$ in the contact (a length): where the surface of body 1 has got
-    /// to over that of body 2 since before the first loading; zero elsewhere, and where nothing
-    /// has ever slipped.
+    /// Slip $`s_x = u_x - \delta_x`$ in the contact (a length): the motion of the surface of body 1
+    /// over that of body 2 since before the first loading. It is zero elsewhere, and where the surfaces
+    /// have never slipped.
     #[must_use]
     pub fn slip(&self, x: f64, y: f64) -> f64 {
         self.superposed(|part| part.slip(x, y))
@@ -150,50 +150,50 @@ impl MindlinDeresiewicz {
 
     /// Energy dissipated along the whole path (a force times a length), zero or positive.
     ///
-    /// Twice [`CattaneoMindlin::dissipated_energy`] of half the change of force for every way from
-    /// turn to turn, once that of the first loading.
+    /// The sum of [`CattaneoMindlin::dissipated_energy`] for the first loading, and of twice that for
+    /// half the change of force for every later path between two reversals.
     #[must_use]
     pub fn dissipated_energy(&self) -> f64 {
         self.closed_energy + self.superposed(CattaneoMindlin::dissipated_energy)
     }
 
     /// Energy that one full cycle of the force between $`\pm F_0`$ dissipates (a force times a
-    /// length), the [`amplitude`](Self::amplitude) being $`F_0`$.
+    /// length), with $`F_0`$ the [`amplitude`](Self::amplitude).
     ///
     /// ```math
     /// \frac45\mu W\delta_0\left(1-\frac ca\right)^3\left(1+3\frac ca+\frac{c^2}{a^2}\right),
     /// \qquad \frac{c^3}{a^3} = 1-\frac{F_0}{\mu W}
     /// ```
     ///
-    /// where nothing cancels; $`\frac{4}{27}\mu W\delta_0 (F_0/\mu W)^3`$ for small forces.
+    /// which is free of cancellation; $`\frac{4}{27}\mu W\delta_0 (F_0/\mu W)^3`$ for small forces.
     /// Johnson (1985), 7.57.
     #[must_use]
     pub fn energy_per_cycle(&self) -> f64 {
         4.0 * self.first.dissipated_energy()
     }
 
-    /// The first loading, and twice each turn.
+    /// The term of the first loading plus twice that of each reversal.
     fn superposed(&self, part: impl Fn(&CattaneoMindlin) -> f64) -> f64 {
         let turned: f64 = self.turns.iter().map(&part).sum();
         part(&self.first) + 2.0 * turned
     }
 }
 
-/// A loop that the force has closed.
+/// A closed loop of the force.
 struct Closed {
-    /// Half of the range of forces it spans.
+    /// Half the range of forces that it spans.
     half_range: f64,
-    /// Its energy over that of a first loading to the half range.
+    /// Its energy divided by that of a first loading to half the range.
     times: f64,
 }
 
-/// Moves the force on from the last of the `peaks` at which it turned, and drops those it passes.
+/// Moves the force on from the last of the `peaks`, its reversals, and drops the peaks that it passes.
 ///
-/// The peaks are the first loading's and then ever smaller swings from it.
+/// The first peak is that of the first loading; the later ones are ever smaller swings from it.
 fn pass(peaks: &mut Vec<f64>, force: f64) -> Vec<Closed> {
     let mut closed = Vec::new();
     while let Some(last) = peaks.pop() {
-        // The first loading is the second half of a swing from the other side.
+        // The first loading counts as the second half of a swing from the opposite force.
         let (from, times) = peaks.last().map_or((-last, 2.0), |&peak| (peak, 4.0));
         let goes_on = (force >= last && last >= from) || (force <= last && last <= from);
         let closes = (force - last).abs() >= (from - last).abs();

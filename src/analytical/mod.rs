@@ -1,39 +1,39 @@
-//! Closed-form contacts: the numbers a computed contact is held against.
+//! Closed-form contact solutions, to check computed contacts against.
 //!
 //! | contact | type | source |
 //! |---|---|---|
 //! | sphere, or paraboloid of revolution, under a normal load | [`HertzSphere`] | Hertz; Johnson (1985), section 4.2 |
 //! | elliptic paraboloid under a normal load | [`HertzEllipse`] | Hertz; Johnson (1985), section 4.2 |
 //! | sphere in partial slip under a tangential load | [`CattaneoMindlin`] | Cattaneo (1938), Mindlin (1949) |
-//! | sphere in partial slip under a tangential force that comes and goes | [`MindlinDeresiewicz`] | Mindlin and Deresiewicz (1953), Jaeger (1998) |
+//! | sphere in partial slip under a varying tangential force | [`MindlinDeresiewicz`] | Mindlin and Deresiewicz (1953), Jaeger (1998) |
 //! | elliptic paraboloid in partial slip under a tangential load | [`CattaneoMindlinEllipse`] | Mindlin (1949), Vermeulen and Johnson (1964) |
-//! | sphere, or any contact circle, that sticks throughout | [`MindlinFullStick`] | Mindlin (1949) |
+//! | sphere, or any contact circle, in full stick | [`MindlinFullStick`] | Mindlin (1949) |
 //! | sphere in partial slip under a twist | [`LubkinTorsion`] | Lubkin (1951) |
-//! | paraboloid of revolution that fretting has worn to the end | [`PopovLimitingShape`] | Popov (2014) |
-//! | rigid flat-ended cylinder, and all of it stuck | [`FlatPunch`], [`FlatPunch::full_stick`] | Johnson (1985), sections 3.4 and 3.7 |
+//! | paraboloid of revolution, limiting shape under fretting wear | [`PopovLimitingShape`] | Popov (2014) |
+//! | rigid flat-ended cylinder, also in full stick | [`FlatPunch`], [`FlatPunch::full_stick`] | Johnson (1985), sections 3.4 and 3.7 |
 //! | cone under a normal load | [`Cone`] | Sneddon (1965) |
 //! | cone in partial slip under a tangential load | [`ConePartialSlip`] | Ciavarella (1998), Jaeger (1998) |
-//! | waves along x, up to full contact and beyond | [`Westergaard`] | Westergaard (1939); Johnson (1985), section 13.2 |
+//! | waves along x, in partial and in full contact | [`Westergaard`] | Westergaard (1939); Johnson (1985), section 13.2 |
 //! | waves in partial slip | [`WestergaardPartialSlip`] | Ciavarella (1998), Jaeger (1998) |
-//! | area of a rough sphere | [`RoughSphere`] | the paper's equation 32, after Müser (2016) |
-//! | area and stick ratio of a nominally flat rough surface | [`Persson`], [`linear_stick_ratio`] | Persson (2001), Paggi et al. (2014) |
+//! | contact area of a rough sphere | [`RoughSphere`] | the paper's equation 32, after Müser (2016) |
+//! | contact area and stick ratio of a nominally flat rough surface | [`Persson`], [`linear_stick_ratio`] | Persson (2001), Paggi et al. (2014) |
 //!
 //! # Conventions
 //! - Units are any consistent set: `m, N, Pa` or `mm, N, MPa`.
 //! - The contact, or a crest of waves, is centred on the origin of the plane `z = 0`; z points into
 //!   body 1.
-//! - Pressure is positive where the bodies push on each other. Traction is what acts on body 1,
-//!   positive along +x; body 2 receives the opposite.
-//! - Displacements are relative: the sum over the bodies of the normal displacement, each into its
-//!   own body, and the difference $`u_{x1}-u_{x2}`$ of the tangential one. The two bodies enter by
-//!   the contact modulus $`E^*`$, the shear modulus $`G`$ and Poisson's ratio $`\nu`$ of the
+//! - Pressure is positive in compression. Traction acts on body 1 and is positive along +x; body 2
+//!   receives the opposite.
+//! - Displacements are relative: the normal one is the sum over the bodies, each measured into its
+//!   own body; the tangential one is the difference $`u_{x1}-u_{x2}`$. The elastic constants are the
+//!   contact modulus $`E^*`$, the shear modulus $`G`$ and Poisson's ratio $`\nu`$ of the
 //!   [`ElasticPair`](crate::ElasticPair).
-//! - The approach and the shift are the displacements, far from the contact, of one body relative
-//!   to the other.
+//! - The approach and the shift are the displacements of one body relative to the other, far from the
+//!   contact.
 //! - Slip is $`s_x = u_x - \delta_x`$, opposite in sign to the traction.
-//! - Normal and tangential tractions are uncoupled: exact when
-//!   [`dundurs_beta`](crate::ElasticPair::dundurs_beta) vanishes, as for identical bodies, else in
-//!   error by the order of it.
+//! - Normal and tangential tractions are uncoupled. This is exact when
+//!   [`dundurs_beta`](crate::ElasticPair::dundurs_beta) vanishes, as for identical bodies; otherwise
+//!   the error is of the order of beta.
 //!
 //! # References
 //! - A. W. Bush, R. D. Gibson, T. R. Thomas, The elastic contact of a rough surface, *Wear* 35 (1975)

@@ -1,16 +1,16 @@
-//! Partial slip of any paraboloid: the part that does not depend on its shape.
+//! Partial slip of any paraboloid: the relations that do not depend on its shape.
 
 use super::held_force::HeldForce;
 use super::hertz::dome;
 use crate::error::Result;
 
-/// What sphere and ellipse share, in fractions of what gross sliding has.
+/// Relations common to sphere and ellipse, as fractions of the values at gross sliding.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct PartialSlip {
     pub(super) held: HeldForce,
     /// $`c/a = (1-f)^{1/3}`$.
     pub(super) stick: f64,
-    /// $`1-c/a`$, with all its digits for small forces.
+    /// $`1-c/a`$, accurate to all digits for small forces.
     ring: f64,
 }
 
@@ -40,9 +40,9 @@ impl PartialSlip {
         }
     }
 
-    /// Energy over $`\mu W\delta_0`$.
+    /// Dissipated energy over $`\mu W\delta_0`$.
     pub(super) fn dissipated_fraction(&self) -> f64 {
-        // 1 - 5 t^2 + 5 t^3 - t^5 has a triple root at t = c/a = 1, taken out here.
+        // 1 - 5 t^2 + 5 t^3 - t^5 has a triple root at t = c/a = 1, factored out here.
         self.ring.powi(3) * (1.0 + self.stick * (3.0 + self.stick)) / 5.0
     }
 }

@@ -1,4 +1,4 @@
-//! The area of nominally flat rough surfaces, and the part of it that sticks.
+//! The contact area of nominally flat rough surfaces, and the fraction of it that sticks.
 
 use std::f64::consts::FRAC_2_SQRT_PI;
 
@@ -6,7 +6,7 @@ use super::held_force::HeldForce;
 use crate::error::{Result, non_negative, positive};
 use crate::material::ElasticPair;
 
-/// A nominally flat rough surface pressed on a half-space: the part in real contact.
+/// A nominally flat rough surface pressed on a half-space: the fraction of the area in real contact.
 ///
 /// Under the mean pressure $`\bar p`$, with $`g`$ the root mean square of the slope,
 ///
@@ -15,15 +15,15 @@ use crate::material::ElasticPair;
 /// P = \frac{\bar p}{E^*g}
 /// ```
 ///
-/// and $`A/A_0 \to \kappa P`$ for light loads, the law of proportionality between area and load.
-/// Persson's theory has $`\kappa = \sqrt{8/\pi}`$, the
+/// For light loads $`A/A_0 \to \kappa P`$: the area is proportional to the load.
+/// Persson's theory gives $`\kappa = \sqrt{8/\pi}`$, the
 /// [`AREA_COEFFICIENT`](Self::AREA_COEFFICIENT); that of Bush, Gibson and Thomas, for light loads,
-/// $`\sqrt{2\pi}`$; simulations find 2.0 to 2.2. The slope $`g`$ is the areal one,
+/// gives $`\sqrt{2\pi}`$; simulations give 2.0 to 2.2. The slope $`g`$ is the areal one,
 /// $`\langle z_x^2+z_y^2\rangle^{1/2}`$ (Sdq), $`\sqrt2`$ times that of a profile of an isotropic
 /// surface.
 ///
-/// A mean over surfaces without end whose shortest waves are resolved; a single sample on a coarse
-/// mesh may have far more cells in contact. Persson (2001); Bush, Gibson and Thomas (1975).
+/// This is a mean over infinite surfaces whose shortest waves are resolved; a single sample on a
+/// coarse mesh may have far more cells in contact. Persson (2001); Bush, Gibson and Thomas (1975).
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::Persson};
@@ -31,7 +31,7 @@ use crate::material::ElasticPair;
 /// let pair = ElasticPair::new(rubber, Material::rigid())?;
 /// let surface = Persson::new(&pair, 0.1, 0.25e6)?; // P = 0.1
 /// assert!((surface.contact_fraction() - 0.158519).abs() < 1e-6);
-/// // Half of the friction limit leaves a little more than half of the area sticking.
+/// // At half the friction limit a little more than half of the area sticks.
 /// let ratio = surface.stick_ratio(0.4, 0.05e6)?;
 /// assert!(ratio > 0.5 && ratio < 0.51);
 /// # Ok::<(), stickslip::Error>(())
@@ -91,7 +91,7 @@ impl Persson {
         self.rms_slope
     }
 
-    /// Mean pressure $`\bar p`$: the load over the nominal area.
+    /// Mean pressure $`\bar p`$: the load divided by the nominal area.
     #[must_use]
     pub fn mean_pressure(&self) -> f64 {
         self.mean_pressure
@@ -109,26 +109,26 @@ impl Persson {
         self.reduced_pressure
     }
 
-    /// Part of the nominal area in real contact, $`A/A_0 = \operatorname{erf}B`$.
+    /// Fraction of the nominal area in real contact, $`A/A_0 = \operatorname{erf}B`$.
     #[must_use]
     pub fn contact_fraction(&self) -> f64 {
         libm::erf(argument(self.reduced_pressure, self.area_coefficient))
     }
 
-    /// Part of the real contact that sticks under the mean traction `mean_traction`, a tangential
-    /// force over the nominal area of either sign, with the coefficient of friction `friction`.
+    /// Fraction of the real contact area that sticks under the mean traction `mean_traction`, a tangential
+    /// force per nominal area of either sign, with the coefficient of friction `friction`.
     ///
     /// ```math
     /// \frac{A_{stick}}{A} = \frac{\operatorname{erf}((1-f)B)}{\operatorname{erf}B}, \qquad
     /// f = \frac{|\bar q|}{\mu\bar p}
     /// ```
     ///
-    /// What sticks is the contact under $`1-f`$ of the load: [`linear_stick_ratio`] for light loads,
-    /// and never less than that. Superposition after Ciavarella (1998) and Jaeger (1998).
+    /// The stick area is the contact area under $`1-f`$ of the load. It is [`linear_stick_ratio`] for light
+    /// loads, and never less than that. Superposition after Ciavarella (1998) and Jaeger (1998).
     ///
     /// # Errors
     /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for the traction or the limit,
-    /// [`Error::BeyondSliding`](crate::Error::BeyondSliding), in forces over the nominal area, if
+    /// [`Error::BeyondSliding`](crate::Error::BeyondSliding), with forces per nominal area, if
     /// the traction exceeds $`\mu\bar p`$.
     pub fn stick_ratio(&self, friction: f64, mean_traction: f64) -> Result<f64> {
         let held = HeldForce::new(self.mean_pressure, friction, mean_traction)?;
@@ -140,8 +140,8 @@ impl Persson {
         })
     }
 
-    /// The part $`A/A_0`$ of any surface at the reduced pressure `reduced_pressure` $`P`$, with the
-    /// coefficient `area_coefficient` $`\kappa`$.
+    /// The contact fraction $`A/A_0`$ of any surface at the reduced pressure `reduced_pressure` $`P`$, with
+    /// the coefficient `area_coefficient` $`\kappa`$.
     ///
     /// # Errors
     /// [`Error::Negative`](crate::Error::Negative) for the pressure,
@@ -153,25 +153,25 @@ impl Persson {
     }
 }
 
-/// Below this argument $`\operatorname{erf}`$ is proportional to it, to the last digit.
+/// Below this argument $`\operatorname{erf}`$ is proportional to it to the last digit.
 const PROPORTIONAL_BELOW: f64 = 1e-9;
 
 /// $`B = \frac{\sqrt\pi}{2}\kappa P`$.
 fn argument(reduced_pressure: f64, area_coefficient: f64) -> f64 {
-    // Kept finite: nothing of an infinite argument would be undefined.
+    // Kept finite: zero times an infinite argument would be undefined.
     (area_coefficient * reduced_pressure / FRAC_2_SQRT_PI).min(f64::MAX)
 }
 
-/// Part of the contact of a rough surface that sticks, $`A_{stick}/A = 1-F/\mu W`$, under the normal
+/// Fraction of the contact area of a rough surface that sticks, $`A_{stick}/A = 1-F/\mu W`$, under the normal
 /// load `load` and the tangential force `force` (forces, the second of either sign), with the
 /// coefficient of friction `friction`.
 ///
-/// What sticks is the contact under the load $`W-F/\mu`$, and the real area of a rough surface is
-/// proportional to the load while it is a small part of the nominal one: the straight line of the
-/// paper's figures 25 and 26. It is exact for a [`Cone`](super::Cone); a smooth sphere keeps
-/// $`(1-F/\mu W)^{2/3}`$ ([`CattaneoMindlin`](super::CattaneoMindlin)). Zero without friction. On
-/// single surfaces the computed ratio lies within some 0.05 of it. Paggi, Pohrt and Popov (2014);
-/// Ciavarella (1998).
+/// The stick area is the contact area under the load $`W-F/\mu`$, and the real area of a rough surface
+/// is proportional to the load while it is a small fraction of the nominal area. This is the straight
+/// line of the paper's figures 25 and 26. It is exact for a [`Cone`](super::Cone); for a smooth sphere the
+/// ratio is $`(1-F/\mu W)^{2/3}`$ ([`CattaneoMindlin`](super::CattaneoMindlin)). It is zero without
+/// friction. On single surfaces the computed ratio lies within some 0.05 of it. Paggi, Pohrt and
+/// Popov (2014); Ciavarella (1998).
 ///
 /// # Errors
 /// [`Error::NotPositive`](crate::Error::NotPositive) for the load,

@@ -1,4 +1,4 @@
-//! What fretting wear makes of a paraboloid in the end.
+//! The limiting shape of a paraboloid under fretting wear.
 
 use std::f64::consts::{FRAC_2_PI, PI};
 
@@ -7,11 +7,11 @@ use super::sines::{arc_minus_sine, sine_minus_arc_cosine};
 use crate::error::{Result, at_least, non_negative, positive};
 use crate::material::ElasticPair;
 
-/// A paraboloid of revolution worn by small oscillations at a constant approach, when the wear has
-/// come to its end.
+/// The limiting shape of a paraboloid of revolution worn by small oscillations at a constant approach,
+/// when wear has ceased.
 ///
-/// The disc of radius $`c`$ that sticks is never worn. The ring around it wears until it
-/// carries no pressure: there the surfaces just touch. With the initial gap $`r^2/2R`$ and the
+/// The disc of radius $`c`$ that sticks does not wear. The ring around it wears until it carries no
+/// pressure and the surfaces just touch there. With the initial gap $`r^2/2R`$ and the
 /// approach $`d`$, the gap without load has then become
 ///
 /// ```math
@@ -20,22 +20,22 @@ use crate::material::ElasticPair;
 /// \qquad (c < r < b)
 /// ```
 ///
-/// and is as before elsewhere; $`b`$ is where the two meet. How fast it comes to that depends on the law of
-/// wear, the shape does not. Under a shift that oscillates between $`\pm\delta_x`$,
+/// and is unchanged elsewhere; $`b`$ is where the two profiles meet. The wear law determines how fast this shape is
+/// reached, but not the shape. Under a shift that oscillates between $`\pm\delta_x`$,
 /// $`c^2/a^2 = 1-\delta_x/\delta_0`$, which is the
-/// [`stick_radius`](super::CattaneoMindlin::stick_radius) of the unworn contact. Exact
-/// when [`dundurs_beta`](ElasticPair::dundurs_beta) vanishes and the disc that sticks stays round on the way:
-/// with a Poisson's ratio above zero the slip of bodies does not spread evenly in all directions, and on the way to
-/// the end wear reaches a little into the disc (at 0.29 the load left is 1.6 % less). Popov (2014).
+/// [`stick_radius`](super::CattaneoMindlin::stick_radius) of the unworn contact. The solution is exact
+/// when [`dundurs_beta`](ElasticPair::dundurs_beta) vanishes and the stick disc remains round while wear proceeds.
+/// If Poisson's ratio is above zero, slip does not spread evenly in all directions, and
+/// wear reaches a little into the disc (at 0.29 the remaining load is 1.6 % less). Popov (2014).
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::PopovLimitingShape};
-/// // In mm and MPa: a ball of radius 3.5 mm, 5 micrometres deep, of which half sticks.
+/// // In mm and MPa: a ball of radius 3.5 mm at an approach of 5 micrometres, stick radius half the contact radius.
 /// let steel = Material::new(213e3, 0.29)?;
 /// let pair = ElasticPair::new(steel, steel)?;
 /// let a = (3.5_f64 * 5e-3).sqrt();
 /// let worn = PopovLimitingShape::new(&pair, 3.5, 5e-3, 0.5 * a)?;
-/// // Wear reaches out of the first contact, and takes the load off where it is.
+/// // Wear extends beyond the first contact, and removes the load where it acts.
 /// assert!(worn.worn_radius() > a && worn.profile(0.8 * a) > 0.5 * (0.8 * a).powi(2) / 3.5);
 /// assert!(worn.pressure(0.4 * a) > 0.0 && worn.pressure(0.6 * a) == 0.0);
 /// # Ok::<(), stickslip::Error>(())
@@ -56,8 +56,8 @@ pub struct PopovLimitingShape {
 
 impl PopovLimitingShape {
     /// A paraboloid of radius `radius` at the approach `approach`, of which a disc of radius
-    /// `stick_radius` sticks (lengths). A stick radius of zero is gross sliding: in the end nothing
-    /// carries load.
+    /// `stick_radius` sticks (lengths). A stick radius of zero is gross sliding: in the end no load
+    /// remains.
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) for the radius, the approach or the contact radius
@@ -69,7 +69,7 @@ impl PopovLimitingShape {
         let c = non_negative("stick radius", stick_radius)?;
         let a = positive("contact radius", radius.sqrt() * approach.sqrt())?;
         at_least("the stick radius", c, "contact radius", a)?;
-        // Rounding may put a stick radius meant to equal the contact radius beyond it.
+        // Rounding may make a stick radius meant to equal the contact radius exceed it.
         let stick = (c / a).min(1.0);
         let ring = (1.0 - stick) * (1.0 + stick);
         let angle = meeting_angle(stick, ring);
@@ -92,19 +92,19 @@ impl PopovLimitingShape {
         &self.pair
     }
 
-    /// Radius of the paraboloid $`R`$ before any wear (a length).
+    /// Radius of the paraboloid $`R`$ before wear (a length).
     #[must_use]
     pub fn radius(&self) -> f64 {
         self.radius
     }
 
-    /// Approach of the bodies $`d`$ (a length), the same throughout.
+    /// Approach of the bodies $`d`$ (a length), constant throughout.
     #[must_use]
     pub fn approach(&self) -> f64 {
         self.approach
     }
 
-    /// Radius of the disc that sticks, $`c`$ (a length).
+    /// Radius of the stick disc, $`c`$ (a length).
     #[must_use]
     pub fn stick_radius(&self) -> f64 {
         self.stick_radius
@@ -124,15 +124,15 @@ impl PopovLimitingShape {
         self.worn_radius
     }
 
-    /// Gap without load $`f(r)`$ (a length) at the distance $`r`$ from the centre, zero there.
+    /// Gap without load $`f(r)`$ (a length) at the distance $`r`$ from the centre; zero at the centre.
     /// Formula on the [type](Self); Popov (2014).
     #[must_use]
     pub fn profile(&self, r: f64) -> f64 {
         0.5 * r * r / self.radius + self.wear_depth(r)
     }
 
-    /// Depth of the wear $`f(r)-r^2/2R`$ (a length), summed over the bodies, at the distance $`r`$
-    /// from the centre: zero, or positive in the ring.
+    /// Wear depth $`f(r)-r^2/2R`$ (a length), summed over the bodies, at the distance $`r`$
+    /// from the centre: positive in the ring, zero elsewhere.
     ///
     /// Evaluated as $`\frac2\pi\left[d\varphi - \frac{r^2}{2R}(\varphi+\sin\varphi\cos\varphi)\right]`$
     /// with $`\cos\varphi = c/r`$.
@@ -147,7 +147,7 @@ impl PopovLimitingShape {
         (FRAC_2_PI * (self.approach * angle - before)).max(0.0)
     }
 
-    /// Volume of the wear $`2\pi\int_c^b (f-r^2/2R)\,r\,dr`$ (a length cubed), summed over the
+    /// Worn volume $`2\pi\int_c^b (f-r^2/2R)\,r\,dr`$ (a length cubed), summed over the
     /// bodies.
     ///
     /// With $`t = 2\arccos(c/b)`$ it is
@@ -161,15 +161,15 @@ impl PopovLimitingShape {
         square * (square / self.radius) * bracket / (4.0 * t)
     }
 
-    /// Pressure that is left, at the distance $`r`$ from the centre; zero outside the stick disc.
+    /// Remaining pressure at the distance $`r`$ from the centre; zero outside the stick disc.
     ///
     /// ```math
     /// p = \frac{E^*}{\pi}\left[\frac{2}{R}\sqrt{c^2-r^2} +
     /// \left(d-\frac{c^2}{R}\right)\frac{1}{\sqrt{c^2-r^2}}\right]
     /// ```
     ///
-    /// A paraboloid's and, as wear leaves an edge at $`c`$, a flat end's, which grows without bound
-    /// towards it.
+    /// The first term is that of a paraboloid. The second is that of a flat punch, since wear leaves an edge
+    /// at $`c`$; it grows without bound towards the edge.
     #[must_use]
     pub fn pressure(&self, r: f64) -> f64 {
         let rho = r.abs() / self.stick_radius;
@@ -182,19 +182,19 @@ impl PopovLimitingShape {
         }
     }
 
-    /// Normal load that is left, $`2E^*\left(dc-\frac{c^3}{3R}\right)`$ (a force).
+    /// Remaining normal load, $`2E^*\left(dc-\frac{c^3}{3R}\right)`$ (a force).
     #[must_use]
     pub fn load(&self) -> f64 {
         self.load
     }
 }
 
-/// The angle $`t`$ in $`[0, \pi]`$ where $`2t\cos^2\frac t2/(t+\sin t)`$, which falls from one to zero,
-/// is the square of the stick ratio $`c/a`$, and one less it the `ring`.
+/// The angle $`t`$ in $`[0, \pi]`$ at which $`2t\cos^2\frac t2/(t+\sin t)`$, which falls from one to zero,
+/// is the square of the stick ratio $`c/a`$; one minus that square is the `ring`.
 fn meeting_angle(stick: f64, ring: f64) -> f64 {
     let lies_beyond = |t: f64| {
         let sum = t + t.sin();
-        // Each side keeps the digits of what is small.
+        // Each branch compares the small quantity, which keeps its digits.
         if stick < 0.5 {
             2.0 * t * (0.5 * t).cos().powi(2) > stick * stick * sum
         } else {
@@ -202,7 +202,7 @@ fn meeting_angle(stick: f64, ring: f64) -> f64 {
         }
     };
     let (mut low, mut high) = (0.0, PI);
-    // The least angle, of a ring of one rounding, is 2.6e-8: its last bit is the 79th.
+    // The smallest angle, for a ring of one rounding error, is 2.6e-8: 80 bisections reach its last bit, the 79th.
     for _ in 0..80 {
         let middle = f64::midpoint(low, high);
         if lies_beyond(middle) {

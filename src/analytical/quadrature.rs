@@ -1,7 +1,7 @@
 //! The integral of a smooth function.
 
-/// The integral of `integrand` from zero to `length`, to a few roundings if it is analytic within a
-/// distance of one from there.
+/// The integral of `integrand` from zero to `length`, accurate to a few roundings if the integrand is
+/// analytic within a distance of one from the interval.
 pub(super) fn integral(length: f64, integrand: impl Fn(f64) -> f64) -> f64 {
     let panels = (length / LONGEST_PANEL).ceil().max(1.0);
     let half = 0.5 * length / panels;
@@ -17,10 +17,10 @@ pub(super) fn integral(length: f64, integrand: impl Fn(f64) -> f64) -> f64 {
     half * sum
 }
 
-/// The nearest singularity is then four half lengths of a panel away, and eight nodes are exact to 1e-14.
+/// The nearest singularity is then four half panels away, and eight nodes are exact to 1e-14.
 const LONGEST_PANEL: f64 = 0.5;
 
-/// Nodes of the Gauss-Legendre rule on `[-1, 1]`, each for itself and its opposite, and their weights.
+/// Nodes of the Gauss-Legendre rule on `[-1, 1]`, each standing also for its opposite, and their weights.
 const GAUSS_8: [[f64; 2]; 4] = [
     [0.1834346424956498, 0.362683783378362],
     [0.525532409916329, 0.3137066458778873],

@@ -1,15 +1,15 @@
-//! The area of a rough sphere.
+//! The contact area of a rough sphere.
 
 use std::f64::consts::{FRAC_2_SQRT_PI, PI};
 
 use super::hertz::HertzSphere;
 use crate::error::{Result, non_negative, positive};
 
-/// A rough sphere pressed on a half-space: the part of the Hertz circle in real contact.
+/// A rough sphere pressed on a half-space: the fraction of the Hertz circle in real contact.
 ///
-/// Where the pressure of the smooth sphere is $`p`$, the part
-/// $`\operatorname{erf}(\frac{\sqrt\pi}{2}\kappa\,p/E^*g)`$ of the area touches, with $`g`$ the root
-/// mean square of the slope. Over the Hertz circle, with the reduced pressure $`P`$, that is
+/// Where the pressure of the smooth sphere is $`p`$, the fraction
+/// $`\operatorname{erf}(\frac{\sqrt\pi}{2}\kappa\,p/E^*g)`$ of the area is in contact, with $`g`$ the
+/// root mean square of the slope. Averaged over the Hertz circle, with the reduced pressure $`P`$, it is
 ///
 /// ```math
 /// A_r = \int_0^1 \operatorname{erf}(B\sqrt t)\,dt =
@@ -17,15 +17,15 @@ use crate::error::{Result, non_negative, positive};
 /// B = \kappa\tilde p = \frac{3\sqrt\pi}{4}\,\kappa P, \qquad P = \frac{W}{\pi a^2E^*g}
 /// ```
 ///
-/// and $`A_r \to \kappa P`$ for light loads: the [`AREA_COEFFICIENT`](Self::AREA_COEFFICIENT)
-/// $`\kappa`$, written $`k`$ in the paper, is that slope. The slope $`g`$ is the areal one,
-/// $`\langle z_x^2+z_y^2\rangle^{1/2}`$ (Sdq), $`\sqrt2`$ times that of a profile of an isotropic
+/// For light loads $`A_r \to \kappa P`$: the [`AREA_COEFFICIENT`](Self::AREA_COEFFICIENT)
+/// $`\kappa`$, written $`k`$ in the paper, is the initial slope of this law. The slope $`g`$ is the areal
+/// one, $`\langle z_x^2+z_y^2\rangle^{1/2}`$ (Sdq), $`\sqrt2`$ times that of a profile of an isotropic
 /// surface.
 ///
-/// Holds where the roughness is small and fine: its height well below the approach $`a^2/R`$ of the
-/// smooth sphere, many asperities within the circle. At lighter loads contact spreads beyond the Hertz
-/// circle and the area is less certain. The paper's equations 32, 33 and 37, after Müser (2016),
-/// without the mean-field approximation of Pastewka and Robbins (2016).
+/// The law holds where the roughness is small and fine: its height is well below the approach $`a^2/R`$
+/// of the smooth sphere, and there are many asperities within the circle. At lighter loads contact spreads
+/// beyond the Hertz circle and the area is less certain. The paper's equations 32, 33 and 37, after
+/// Müser (2016), without the mean-field approximation of Pastewka and Robbins (2016).
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{HertzSphere, RoughSphere}};
@@ -47,8 +47,8 @@ pub struct RoughSphere {
 }
 
 impl RoughSphere {
-    /// The coefficient $`\kappa`$ of the area that simulations of self-affine surfaces find, 2.0 to
-    /// 2.2, as the paper rounds it.
+    /// The coefficient $`\kappa`$ of the area. Simulations of self-affine surfaces give 2.0 to 2.2, which the
+    /// paper rounds to this.
     pub const AREA_COEFFICIENT: f64 = 2.0;
 
     /// The contact `hertz` of the smooth sphere, roughened to the areal root-mean-square slope
@@ -68,7 +68,7 @@ impl RoughSphere {
         })
     }
 
-    /// The same contact with another coefficient $`\kappa`$ (a number), as those of
+    /// The same contact with another coefficient $`\kappa`$ (a number), for example one of those listed at
     /// [`Persson`](super::Persson).
     ///
     /// # Errors
@@ -105,7 +105,7 @@ impl RoughSphere {
         self.reduced_pressure
     }
 
-    /// Area of real contact over that of the Hertz circle, $`A_r`$, between 0 and 1. The paper's
+    /// Area of real contact divided by that of the Hertz circle, $`A_r`$, between 0 and 1. The paper's
     /// equation 32.
     #[must_use]
     pub fn relative_contact_area(&self) -> f64 {
@@ -127,7 +127,7 @@ impl RoughSphere {
     ///
     /// ```
     /// use stickslip::analytical::RoughSphere;
-    /// // Proportional to light loads, the whole circle under heavy ones.
+    /// // Proportional to the load under light loads, the whole circle under heavy ones.
     /// assert!((RoughSphere::area_law(1e-6, 2.0)? / 2e-6 - 1.0).abs() < 1e-11);
     /// assert!(RoughSphere::area_law(100.0, 2.0)? > 0.99998);
     /// # Ok::<(), stickslip::Error>(())
@@ -154,7 +154,7 @@ fn mean_erf(b: f64) -> f64 {
     }
 }
 
-/// Below this argument the series has its last digit within [`TERMS`], above it nothing cancels.
+/// Below this argument the series converges to the last digit within [`TERMS`]; above it nothing cancels.
 const SERIES_BELOW: f64 = 1.0;
 const TERMS: u32 = 18;
 

@@ -1,7 +1,7 @@
-//! Differences of sines that vanish like the cube of their angle.
+//! Differences of sines that vanish as the cube of their angle.
 //!
-//! Displacements and gaps beside a contact are built of these; written as plain differences they
-//! would lose every digit at its edge, and some far from it.
+//! Displacements and gaps outside a contact consist of these. Evaluated as plain differences they would
+//! lose all digits at the edge of the contact, and some digits far from it.
 
 /// $`\sin t - t\cos t = t^3/3 - \dots`$, for $`0 \le t \le 2\pi`$.
 pub(crate) fn sine_minus_arc_cosine(t: f64) -> f64 {
@@ -30,7 +30,7 @@ pub(crate) fn hyperbolic_sine_minus_arc(t: f64) -> f64 {
     }
 }
 
-/// Below this angle the series has its last digit within [`TERMS`], above it less than a digit cancels.
+/// Below this angle the series converges to the last digit within [`TERMS`]; above it less than a digit cancels.
 const SERIES_BELOW: f64 = 1.0;
 const TERMS: u32 = 8;
 

@@ -10,7 +10,7 @@ use crate::material::ElasticPair;
 /// A wavy surface pressed on a half-space: waves along x, plane strain.
 ///
 /// The initial gap is $`\Delta(1-\cos(2\pi x/\lambda))`$, of amplitude $`\Delta`$ and wavelength
-/// $`\lambda`$; it touches on strips of half-width $`a`$ about every crest. With the pressure of full
+/// $`\lambda`$. Contact forms strips of half-width $`a`$ about every crest. With the pressure of full
 /// contact $`p^*`$ and the mean pressure $`\bar p`$, the load per nominal area,
 ///
 /// ```math
@@ -19,14 +19,14 @@ use crate::material::ElasticPair;
 /// \sqrt{\sin^2\frac{\pi a}{\lambda} - \sin^2\frac{\pi x}{\lambda}}
 /// ```
 ///
-/// From $`\bar p = p^*`$ on the contact is full, and $`p = \bar p + p^*\cos(2\pi x/\lambda)`$.
+/// For $`\bar p \ge p^*`$ the contact is full, and $`p = \bar p + p^*\cos(2\pi x/\lambda)`$.
 /// Westergaard (1939); Johnson (1985), section 13.2.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::Westergaard};
 /// let rubber = Material::new(18.75e6, 0.5)?;
 /// let pair = ElasticPair::new(rubber, Material::rigid())?;
-/// // E* = 25 MPa and waves of amplitude 1 um, 100 um long: full contact from 0.785 MPa on.
+/// // E* = 25 MPa, amplitude 1 um, wavelength 100 um: full contact from a mean pressure of 0.785 MPa.
 /// let waves = Westergaard::new(&pair, 1e-6, 1e-4, 0.25 * 0.7853981634e6)?;
 /// assert!((waves.contact_fraction() - 1.0 / 3.0).abs() < 1e-9);
 /// assert!((waves.max_pressure() / waves.full_contact_pressure() - 1.0).abs() < 1e-9);
@@ -90,20 +90,20 @@ impl Westergaard {
         self.wavelength
     }
 
-    /// Mean pressure $`\bar p`$: the load over the nominal area.
+    /// Mean pressure $`\bar p`$: the load divided by the nominal area.
     #[must_use]
     pub fn mean_pressure(&self) -> f64 {
         self.mean_pressure
     }
 
-    /// Mean pressure from which the contact is full, $`p^* = \pi E^*\Delta/\lambda`$.
+    /// Lowest mean pressure of full contact, $`p^* = \pi E^*\Delta/\lambda`$.
     /// Johnson (1985), section 13.2.
     #[must_use]
     pub fn full_contact_pressure(&self) -> f64 {
         self.full_contact_pressure
     }
 
-    /// Whether the surfaces touch everywhere, $`\bar p \ge p^*`$.
+    /// Whether the surfaces touch everywhere, that is $`\bar p \ge p^*`$.
     #[must_use]
     pub fn is_full_contact(&self) -> bool {
         self.load_ratio >= 1.0
@@ -116,7 +116,7 @@ impl Westergaard {
         0.5 * self.wavelength * self.contact_fraction()
     }
 
-    /// Part of the nominal area in contact, $`2a/\lambda`$.
+    /// Fraction of the nominal area in contact, $`2a/\lambda`$.
     #[must_use]
     pub fn contact_fraction(&self) -> f64 {
         FRAC_2_PI * edge(self.load_ratio)
@@ -145,9 +145,9 @@ impl Westergaard {
     /// \cosh\frac w2 = \frac{\sin(\pi x/\lambda)}{\sin(\pi a/\lambda)}
     /// ```
     ///
-    /// The integral of the slope $`\frac{4p^*}{E^*}\cos\frac{\pi x}{\lambda}
-    /// (\sin^2\frac{\pi x}{\lambda}-\sin^2\frac{\pi a}{\lambda})^{1/2}`$, which continues the pressure
-    /// beyond the edge.
+    /// It is the integral of the slope $`\frac{4p^*}{E^*}\cos\frac{\pi x}{\lambda}
+    /// (\sin^2\frac{\pi x}{\lambda}-\sin^2\frac{\pi a}{\lambda})^{1/2}`$, the analytic continuation of the
+    /// pressure beyond the edge.
     #[must_use]
     pub fn gap(&self, x: f64) -> f64 {
         if self.is_full_contact() {
@@ -158,7 +158,7 @@ impl Westergaard {
         self.amplitude * self.load_ratio * hyperbolic_sine_minus_arc(w)
     }
 
-    /// Approach of the mean planes of the two surfaces since first touch (a length),
+    /// Approach of the mean planes of the two surfaces since first touch (a length):
     ///
     /// ```math
     /// \delta = \Delta\,\frac{\bar p}{p^*}\left(1-\ln\frac{\bar p}{p^*}\right)
@@ -173,12 +173,12 @@ impl Westergaard {
         self.amplitude * ratio * (1.0 - ratio.ln())
     }
 
-    /// $`(\bar p-p^*)/p^*`$ in full contact, else zero.
+    /// $`(\bar p-p^*)/p^*`$ in full contact, otherwise zero.
     fn excess(&self) -> f64 {
         (self.load_ratio - 1.0).max(0.0)
     }
 
-    /// $`\psi = \pi|x|/\lambda`$, with $`x`$ from the nearest crest.
+    /// $`\psi = \pi|x|/\lambda`$, with $`x`$ measured from the nearest crest.
     fn phase(&self, x: f64) -> f64 {
         let waves = x / self.wavelength;
         PI * (waves - waves.round()).abs()
@@ -194,7 +194,7 @@ fn edge(load_ratio: f64) -> f64 {
     }
 }
 
-/// $`\sqrt{\sin^2\alpha - \sin^2\beta}`$ for $`\beta < \alpha`$, else zero.
+/// $`\sqrt{\sin^2\alpha - \sin^2\beta}`$ for $`\beta < \alpha`$, otherwise zero.
 fn root(alpha: f64, beta: f64) -> f64 {
     if beta < alpha {
         ((alpha - beta).sin() * (alpha + beta).sin()).sqrt()
@@ -203,10 +203,11 @@ fn root(alpha: f64, beta: f64) -> f64 {
     }
 }
 
-/// A wavy surface in partial slip: a mean pressure, then a traction along x that only grows.
+/// A wavy surface in partial slip: a constant mean pressure, then a traction along x that increases
+/// monotonically.
 ///
-/// With the mean traction $`\bar q`$ and $`f = |\bar q|/\mu\bar p`$, the traction is the friction on
-/// the pressure less that under the lighter load that sticks:
+/// With the mean traction $`\bar q`$ and $`f = |\bar q|/\mu\bar p`$, the traction is $`\mu`$ times the
+/// difference between the pressure and the pressure under the reduced load:
 ///
 /// ```math
 /// q = \mu\,[\,p(\bar p) - p((1-f)\,\bar p)\,], \qquad
@@ -214,8 +215,8 @@ fn root(alpha: f64, beta: f64) -> f64 {
 /// ```
 ///
 /// with $`c`$ the half-width of a stick strip. A full contact sticks everywhere, under the uniform
-/// traction $`\bar q`$, until $`(1-f)\,\bar p = p^*`$. Plane strain, the traction along x as the waves are:
-/// exact for every $`\nu`$. Ciavarella (1998); Jaeger (1998).
+/// traction $`\bar q`$, until $`(1-f)\,\bar p = p^*`$. The problem is one of plane strain with the traction along
+/// x, across the crests, so the solution is exact for every $`\nu`$. Ciavarella (1998); Jaeger (1998).
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{Westergaard, WestergaardPartialSlip}};
@@ -223,7 +224,7 @@ fn root(alpha: f64, beta: f64) -> f64 {
 /// let pair = ElasticPair::new(rubber, rubber)?;
 /// let waves = Westergaard::new(&pair, 1e-3, 1.0, 1e-3)?;
 /// let shear = WestergaardPartialSlip::new(waves, 0.5, 0.75 * 0.5e-3)?;
-/// // A quarter of a light load touches on half the width.
+/// // The stick strips are the contact under a quarter of the light load, half as wide.
 /// assert!((shear.stick_ratio() - 0.5).abs() < 0.02);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
@@ -237,13 +238,13 @@ impl WestergaardPartialSlip {
     /// The contact `contact`, with the coefficient of friction `friction`, under the mean traction
     /// `mean_traction` on body 1 along x: a tangential force over the nominal area, of either sign.
     ///
-    /// A mean traction that equals $`\mu\bar p`$ to within rounding is gross sliding at its onset:
-    /// nothing sticks, and so it is without friction. The coupling between pressure and shear of
+    /// A mean traction equal to $`\mu\bar p`$ to within rounding is the onset of gross sliding: the stick
+    /// strips vanish. They also vanish without friction. The coupling between pressure and shear of
     /// dissimilar bodies is neglected.
     ///
     /// # Errors
     /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for the traction or a result,
-    /// [`Error::BeyondSliding`](crate::Error::BeyondSliding), in forces over the nominal area, if
+    /// [`Error::BeyondSliding`](crate::Error::BeyondSliding), with forces per nominal area, if
     /// the traction exceeds $`\mu\bar p`$.
     pub fn new(contact: Westergaard, friction: f64, mean_traction: f64) -> Result<Self> {
         let held = HeldForce::new(contact.mean_pressure, friction, mean_traction)?;
@@ -270,7 +271,7 @@ impl WestergaardPartialSlip {
         0.5 * self.contact.wavelength * FRAC_2_PI * edge(self.stick_load_ratio())
     }
 
-    /// Part of the contact area that sticks, $`c/a`$.
+    /// Fraction of the contact area that sticks, $`c/a`$.
     #[must_use]
     pub fn stick_ratio(&self) -> f64 {
         edge(self.stick_load_ratio()) / edge(self.contact.load_ratio)
@@ -279,14 +280,14 @@ impl WestergaardPartialSlip {
     /// Traction $`q`$ on body 1 along x (a pressure, of the sign of the mean traction) at the
     /// distance $`x`$ from a crest; zero outside the contact. Formula on the [type](Self).
     ///
-    /// In the stick strips the difference of the two roots is evaluated as that of their squares over
-    /// their sum, where nothing cancels.
+    /// In the stick strips the difference of the two roots is evaluated as the difference of their squares
+    /// divided by their sum, which avoids cancellation.
     #[must_use]
     pub fn traction(&self, x: f64) -> f64 {
         let psi = self.contact.phase(x);
         let whole = edge(self.contact.load_ratio);
         let stick = edge(self.stick_load_ratio());
-        // What is taken off the load ratio: first what exceeds full contact, then what makes strips.
+        // The reduction of the load ratio: first the part above full contact, then the part that forms strips.
         let taken = self.held.fraction * self.contact.load_ratio;
         let uniform = taken.min(self.contact.excess());
         let pressure = if self.stick_load_ratio() >= 1.0 {

@@ -1,4 +1,4 @@
-//! Checks of arguments, each with the error it refuses by.
+//! Checks of arguments, each with the error it returns.
 
 use crate::error::{Error, Result};
 use crate::report::{Report, Status};
@@ -45,17 +45,17 @@ pub(crate) fn all_non_negative(quantity: &'static str, samples: &[f64]) -> Resul
     )
 }
 
-/// Samples looked at together.
+/// Samples tested together.
 const SCANNED: usize = 512;
 
-/// `Ok` if every sample obeys the rule, else the first that does not.
+/// `Ok` if every sample obeys the rule, otherwise the first sample that does not.
 pub(crate) fn samples_obey(
     quantity: &'static str,
     samples: &[f64],
     rule: &'static str,
     obeys: impl Fn(f64) -> bool,
 ) -> Result<()> {
-    // A chunk at a time without a way out in the middle, so that many are looked at at once.
+    // Each chunk is tested to its end, without an early exit, so that the loop can be vectorised.
     let is_broken = |chunk: &[f64]| !chunk.iter().fold(true, |all, &value| all & obeys(value));
     let broken = samples.chunks(SCANNED).position(is_broken);
     let found = broken.and_then(|chunk| {
@@ -74,7 +74,7 @@ pub(crate) fn samples_obey(
     }
 }
 
-/// `Ok` if a slice has the length expected of it.
+/// `Ok` if a slice has the expected length.
 pub(crate) fn length(quantity: &'static str, expected: usize, found: usize) -> Result<()> {
     if expected == found {
         Ok(())
@@ -87,15 +87,15 @@ pub(crate) fn length(quantity: &'static str, expected: usize, found: usize) -> R
     }
 }
 
-/// `Ok` if memory for `[columns, rows]` of `each` bytes can be had now: it is asked for and given back, never
-/// touched.
+/// `Ok` if memory for `[columns, rows]` of `each` bytes can be allocated now: it is requested and released, and
+/// never written to.
 pub(crate) fn memory(quantity: &'static str, counts: [usize; 2], each: usize) -> Result<()> {
     let [columns, rows, each] = [counts[0], counts[1], each].map(|count| count as u128);
     let bytes = columns.saturating_mul(rows).saturating_mul(each);
     let can_be_had = usize::try_from(bytes).is_ok_and(|bytes| {
         let mut probe = Vec::<u8>::new();
         let outcome = probe.try_reserve_exact(bytes);
-        // Else the compiler may take a reservation that nobody uses for granted.
+        // Otherwise the compiler may assume that an unused allocation succeeds.
         std::hint::black_box(&mut probe);
         outcome.is_ok()
     });
@@ -116,7 +116,7 @@ pub(crate) fn not_converged(iterations: usize, residual: f64) -> Error {
     }))
 }
 
-/// `Ok` if a value is at least the one it must not be less than, to round-off.
+/// `Ok` if a value is at least its lower limit, to round-off.
 pub(crate) fn at_least(
     least_is: &'static str,
     least: f64,
@@ -135,5 +135,5 @@ pub(crate) fn at_least(
     }
 }
 
-/// Part of a value that it may lack when it was meant to equal its least.
+/// Fraction by which a value meant to equal its lower limit may fall short of it.
 const ROUND_OFF: f64 = 1e-9;

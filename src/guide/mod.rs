@@ -1,14 +1,14 @@
-//! Pages to read: how the crate is used at length, and what the paper should have printed.
+//! Guide: how to use the crate, and the corrections to the paper's formulas.
 //!
-//! | page | for whom |
+//! | page | contents |
 //! |---|---|
 //! | [`rough_surfaces`] | a surface, generated or measured, pressed and sheared |
-//! | [`fretting_and_wear`] | load to and fro, wear, cycle jumps |
-//! | [`embedding`] | a simulator that takes contacts in: ownership, threads, allocation, states, errors |
-//! | [`hard_cases`] | scenes that break solvers, each judged, and what random ones came to |
-//! | [`errata`] | the formulas of Wang et al. (2021) that are not as printed, and how each was checked |
+//! | [`fretting_and_wear`] | cyclic loads, wear, cycle jumps |
+//! | [`embedding`] | contacts in a simulator: ownership, threads, allocation, states, errors |
+//! | [`hard_cases`] | difficult scenes, each checked, and the results of random scenes |
+//! | [`errata`] | the formulas of Wang et al. (2021) that are misprinted, and how each correction was checked |
 //!
-//! There is no code in here but the examples, which run as tests.
+//! The module contains no code except the examples, which run as tests.
 
 #[doc = include_str!("rough_surfaces.md")]
 pub mod rough_surfaces {}

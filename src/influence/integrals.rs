@@ -1,4 +1,4 @@
-//! Integrals of the Boussinesq and Cerruti kernels over a cell, to the last digits.
+//! Integrals of the Boussinesq and Cerruti kernels over a cell, accurate to the last digits.
 
 /// A cell of half sides `a` and `b`, lengths in any unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -7,7 +7,7 @@ pub(super) struct Cell {
     pub(super) b: f64,
 }
 
-/// The integrals all coefficients are made of.
+/// The integrals from which all coefficients are composed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Integral {
     /// `S_X + S_Y`, the integral of `1/R`.
@@ -36,7 +36,7 @@ impl Integral {
     }
 }
 
-/// Beyond this distance, in longer sides, the closed form gives way to quadrature.
+/// Beyond this distance, in longer sides, quadrature replaces the closed form.
 const NEAR: f64 = 3.0;
 
 impl Cell {
@@ -49,7 +49,7 @@ impl Cell {
         if is_negative { -value[0] } else { value[0] }
     }
 
-    /// The integral at the points `(x, y)` of a row, `x` rising from zero or more, `y >= 0`.
+    /// The integral at the points `(x, y)` of a row, with `x` ascending from zero or more and `y >= 0`.
     pub(super) fn along_row(self, integral: Integral, xs: &[f64], y: f64, out: &mut [f64]) {
         let odd = integral.is_odd();
         match integral {
@@ -74,7 +74,7 @@ impl Cell {
                 self.integrate(xs, y, at, &far, out);
             }
             Integral::RadialY => {
-                // To the last bit the other with its axes exchanged, where pieces cancel.
+                // Equal to the last bit to `RadialX` with the axes exchanged, where the pieces cancel.
                 let swapped = |y, _, r2| y / r2;
                 let at = |x, y| {
                     let odd = Integral::RadialX.is_odd();
@@ -93,8 +93,8 @@ impl Cell {
         }
     }
 
-    /// Integrates a kernel at the points of a row: near the cell one by one, beyond by quadrature,
-    /// where points that share a rule are integrated together.
+    /// Integrates a kernel at the points of a row: near the cell one by one, beyond it by quadrature,
+    /// with points that share a rule integrated together.
     fn integrate(
         self,
         xs: &[f64],
@@ -105,7 +105,7 @@ impl Cell {
     ) {
         let mut done = 0;
         while let Some(&x) = xs.get(done) {
-            // There an odd kernel vanishes, which quadrature would miss by round-off.
+            // On an axis an odd kernel vanishes, and quadrature would leave round-off.
             let is_on_axis = x == 0.0 || y == 0.0;
             if let (Some((rule, reach)), false) = (self.rule(x, y), is_on_axis) {
                 let rest = &xs[done + 1..];
@@ -120,8 +120,8 @@ impl Cell {
     }
 
     /// A kernel of known parity at one point: the closed form near the cell, Gauss-Legendre
-    /// quadrature beyond, where the closed form loses `2 eps (r/h)^2` to cancellation and the
-    /// quadrature loses nothing.
+    /// quadrature beyond. There the closed form loses `2 eps (r/h)^2` to cancellation, the
+    /// quadrature nothing.
     fn at_point(
         self,
         point: [f64; 2],
@@ -141,8 +141,8 @@ impl Cell {
             self.quadrature(rule, &[x], y, far, &mut value);
             return sign * value[0];
         }
-        // A slender cell seen from beside is far away in units of its short side, where the
-        // closed form cancels: halve it until the pieces are compact or far.
+        // A point beside a slender cell is far away in units of the short side, and the closed form
+        // cancels there: halve the cell until the pieces are compact or far.
         let Self { a, b } = self;
         let (half, [step_x, step_y]) = if a > 4.0 * b {
             (Self { a: 0.5 * a, b }, [0.5 * a, 0.0])
@@ -181,7 +181,7 @@ impl Cell {
     }
 
     /// The cheapest rule whose relative error stays below 1e-15 at this distance, measured against 40
-    /// digits, and the distance up to which it will do; `None` near the cell.
+    /// digits, and the distance up to which it suffices; `None` near the cell.
     fn rule(self, x: f64, y: f64) -> Option<(&'static [[f64; 2]], f64)> {
         let side = 2.0 * self.a.max(self.b);
         let distance = x.hypot(y) / side;
@@ -233,14 +233,14 @@ fn diagonal_near(cell: Cell, x: f64, y: f64) -> f64 {
 }
 
 /// Differences across `x` are formed first, in closed form, so that the value keeps its relative
-/// accuracy near `x = 0`, where it vanishes. Needs `x >= 0`.
+/// accuracy near `x = 0`, where it vanishes. Requires `x >= 0`.
 fn radial_x_near(cell: Cell, x: f64, y: f64) -> f64 {
     let edge = |y: f64| {
         if y == 0.0 {
             return 0.0;
         }
         let (left, right) = (cell.a + x, cell.a - x);
-        // Y ln R at x + a, less that at x - a.
+        // Y ln R at x + a minus that at x - a.
         let ratio = 4.0 * cell.a * x / (right * right + y * y);
         let logarithms = 0.5 * y * ratio.ln_1p();
         // X arctan(Y/X) likewise: left * atan(y/left) - right * atan(y/right).

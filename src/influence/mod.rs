@@ -31,7 +31,7 @@
 //! C_{zy} = -C_{yz} = \frac{(1-2\nu) D_Y}{4 \pi G}.
 //! ```
 //!
-//! On a periodic grid a wave of traction with the wave vector `k` causes a wave of displacement; the ratio of their
+//! On a periodic grid a wave of traction with the wave vector `k` causes a wave of displacement. The ratio of their
 //! amplitudes is the symbol (the Fourier transform of the displacement under a point force, not averaged over cells)
 //!
 //! ```math
@@ -42,7 +42,7 @@
 //! \hat C_{zx} = -\hat C_{xz} = -\mathrm{i}\,\frac{(1 - 2\nu) k_x}{2 G k^2},
 //! ```
 //!
-//! `zy` and `yz` likewise; the wave of zero wave number, a mean traction, has none and is given zero.
+//! and likewise for `zy` and `yz`. The symbol of zero wave number, a mean traction, is undefined and set to zero.
 //!
 //! Source: Appendix A of Wang, De Boer, Neville & Ghanbarzadeh, Tribology International 159
 //! (2021) 106947, with the printed errors corrected: in `C_xx`, `C_yy` and `C_zz` the numerator of the

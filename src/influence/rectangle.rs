@@ -20,10 +20,10 @@ use crate::material::{Compliances, ElasticPair, Material};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rectangle {
-    /// The cell in a unit of its size, so that no power of a length overflows.
+    /// The cell in units of its size, so that no power of a length overflows.
     pub(super) cell: Cell,
-    /// The greatest power of two that is not more than the longer side: dividing by it rounds nothing, so that a
-    /// point a hair beside an edge stays as far from it.
+    /// The greatest power of two that is not above the longer side. Division by it is exact, so a point very close to
+    /// an edge keeps its distance from it.
     pub(super) unit: f64,
 }
 
@@ -48,13 +48,13 @@ impl Rectangle {
     /// A cell of half sides `a` and `b` (lengths).
     ///
     /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive) if one is not positive and finite, or so
-    /// small beside the other that their ratio vanishes.
+    /// [`Error::NotPositive`](crate::Error::NotPositive) if one of them is not positive and finite, or so
+    /// small compared with the other that their ratio vanishes.
     pub fn new(a: f64, b: f64) -> Result<Self> {
         positive("half side a of the cell", a)?;
         positive("half side b of the cell", b)?;
         let longer = positive("longer side of the cell", 2.0 * a.max(b))?;
-        // Without the bits behind its point; a number too small to have its own is no unit.
+        // The mantissa bits are cleared. A subnormal number becomes zero, and is refused as a unit.
         let unit = f64::from_bits(longer.to_bits() & f64::INFINITY.to_bits());
         positive("unit of the longer side of the cell", unit)?;
         Ok(Self {
@@ -99,7 +99,7 @@ impl Rectangle {
         }
     }
 
-    /// One coefficient at `(x, y)`; of the integrals only those it needs.
+    /// One coefficient at `(x, y)`; only the integrals that it needs are evaluated.
     fn coefficient(&self, component: Component, compliances: Compliances, x: f64, y: f64) -> f64 {
         let (x, y) = (x / self.unit, y / self.unit);
         let parts = component.parts(compliances);
@@ -109,7 +109,7 @@ impl Rectangle {
         sum * self.scale()
     }
 
-    /// What turns an integral in that unit into a coefficient.
+    /// The factor from an integral in that unit to a coefficient.
     pub(super) fn scale(&self) -> f64 {
         self.unit / (2.0 * std::f64::consts::PI)
     }

@@ -10,8 +10,8 @@ use crate::material::ElasticPair;
 use crate::parallel::{self, get_or_make};
 
 /// The integrals over one cell at the distances `(i, j)` of a grid, `0 <= i < nx`, `0 <= j < ny`, in
-/// the unit of its size: of a cell twice as large they are the same. Each is sampled when it is
-/// first asked for, 8 bytes per distance.
+/// units of the cell size, so that they are the same for a cell twice as large. Each integral is
+/// sampled on first use, 8 bytes per distance.
 #[derive(Debug)]
 pub(crate) struct Samples {
     rectangle: Rectangle,
@@ -35,7 +35,7 @@ impl Samples {
         })
     }
 
-    /// A coefficient of the pair on a grid whose cells are those sampled or a multiple of them.
+    /// A coefficient of the pair on a grid whose cells are the sampled ones or a multiple of them.
     ///
     /// # Errors
     /// As [`Samples::new`].

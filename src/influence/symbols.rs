@@ -1,4 +1,4 @@
-//! The coefficients in Fourier space: what a wave of traction on an endless half-space causes.
+//! The coefficients in Fourier space: the response of an infinite half-space to a wave of traction.
 
 use std::f64::consts::TAU;
 
@@ -7,11 +7,11 @@ use crate::influence::Component;
 use crate::influence::integrals::Integral;
 use crate::material::{Compliances, ElasticPair};
 
-/// The symbol of one coefficient at the waves that fit a periodic grid.
+/// The symbol of one coefficient for the waves that fit a periodic grid.
 ///
-/// A wave of traction `exp(i k.x)` moves the surface by the symbol times itself; the symbol is real
-/// for the components even or odd in both axes, imaginary for the others. A mean traction moves
-/// nothing: without the wave of length infinity the datum is free, and zero is taken.
+/// A wave of traction `exp(i k.x)` displaces the surface by the symbol times the same wave. The symbol is
+/// real for the components even or odd in both axes, imaginary for the others. The displacement under a
+/// mean traction, a wave of infinite length, is undefined; zero is used.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Symbols {
     component: Component,
@@ -44,7 +44,7 @@ impl Symbols {
     /// The symbol, or its imaginary part, of the wave of `periods` along x and y, up to half the cells.
     pub(crate) fn at(&self, periods: [usize; 2]) -> f64 {
         let odd = self.component.is_odd();
-        // Two cells per period know no direction: what is odd vanishes there.
+        // A wave of two cells per period has no direction, so odd components vanish there.
         let is_lost = (0..2).any(|axis| odd[axis] && 2 * periods[axis] == self.size[axis]);
         if is_lost || periods == [0, 0] {
             return 0.0;

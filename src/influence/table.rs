@@ -9,8 +9,8 @@ use crate::material::ElasticPair;
 
 /// One influence coefficient at the cell distances `(i dx, j dy)`, `0 <= i < nx`, `0 <= j < ny`.
 ///
-/// Distances of the other sign follow from the parity of the component, so that only a quarter of
-/// what a convolution needs is evaluated and kept: 8 bytes per sample, 16 for `XX` and `YY`.
+/// Distances of the other sign follow from the parity of the component, so that only a quarter of the
+/// samples that a convolution needs is evaluated and stored: 8 bytes per sample, 16 for `XX` and `YY`.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Grid, Material, influence::{Component, Table}};
@@ -29,7 +29,7 @@ pub struct Table {
     ny: usize,
     /// Weights and the integrals they multiply, row by row.
     parts: Vec<(f64, Arc<[f64]>)>,
-    /// Of the sum of the parts.
+    /// Scale of the sum of the parts.
     scale: f64,
 }
 

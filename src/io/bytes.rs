@@ -1,9 +1,9 @@
-//! Numbers in binary files, read in order and never past the end.
+//! Numbers in binary files, read in order and never beyond the end.
 
 use super::Format;
 use crate::error::Result;
 
-/// The bytes of a file, and how far they have been read.
+/// The bytes of a file and the current position in them.
 #[derive(Debug)]
 pub(crate) struct Cursor<'a> {
     format: Format,
@@ -20,17 +20,17 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Where the next byte stands.
+    /// Position of the next byte.
     pub(crate) fn position(&self) -> usize {
         self.position
     }
 
-    /// What has not been read.
+    /// The bytes not yet read.
     pub(crate) fn rest(&self) -> &'a [u8] {
         &self.bytes[self.position..]
     }
 
-    /// The next bytes; `what` they are goes into the error.
+    /// The next bytes; `what` describes them in the error.
     pub(crate) fn take(&mut self, what: &str, count: usize) -> Result<&'a [u8]> {
         let Some((taken, _)) = self.rest().split_at_checked(count) else {
             let (start, found) = (self.position, self.rest().len());
@@ -96,7 +96,7 @@ pub(super) enum Number {
 }
 
 impl Number {
-    /// Bytes of one.
+    /// Bytes per number.
     pub(super) fn size(self) -> usize {
         match self {
             Self::I8 | Self::U8 => 1,
@@ -106,7 +106,7 @@ impl Number {
         }
     }
 
-    /// Every number of some bytes; those of 64-bit integers are rounded.
+    /// All numbers stored in `bytes`; 64-bit integers are rounded.
     pub(super) fn decode(self, order: Order, bytes: &[u8]) -> Vec<f64> {
         match self {
             Self::I8 => map(order, bytes, |b| f64::from(i8::from_le_bytes(b))),
@@ -123,7 +123,7 @@ impl Number {
     }
 }
 
-/// Every `N` bytes, least first, as a number.
+/// Every `N` bytes as a number; `number` takes them least significant first.
 fn map<const N: usize>(order: Order, bytes: &[u8], number: impl Fn([u8; N]) -> f64) -> Vec<f64> {
     let sample = |stored: &[u8]| {
         let mut array = [0; N];

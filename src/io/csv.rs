@@ -1,7 +1,7 @@
-//! CSV, ASC and other matrices in text: one line a row, without a header.
+//! CSV, ASC and other matrices in text: one row per line, without a header.
 //!
 //! Lines follow one another towards larger y. The file carries neither cell sides nor a unit. Points in
-//! three columns are another format, [`xyz`](super::xyz): here they would be a matrix of width three.
+//! three columns are a different format, [`xyz`](super::xyz): here they would be read as a matrix of width three.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -16,7 +16,7 @@ const FORMAT: Format = Format("CSV");
 /// The field in a file, on cells of sides `[dx, dy]` (lengths). See [`parse`].
 ///
 /// # Errors
-/// [`Error::File`](crate::Error::File) if the file cannot be read, else as [`parse`].
+/// [`Error::File`](crate::Error::File) if the file cannot be read, otherwise as [`parse`].
 pub fn read(path: impl AsRef<Path>, cell_sides: [f64; 2]) -> Result<Field> {
     check_sides(cell_sides)?;
     parse(&bytes_of(path.as_ref())?, cell_sides)
@@ -24,17 +24,17 @@ pub fn read(path: impl AsRef<Path>, cell_sides: [f64; 2]) -> Result<Field> {
 
 /// The field in the bytes of a file, on cells of sides `[dx, dy]` (lengths).
 ///
-/// - Cells are separated by semicolons, tabs, commas or white space, whichever of these the
-///   first line has, in that order. Commas within numbers in white space (`1,5 2,5`) are decimal commas.
-/// - A decimal comma is as good as a point unless commas separate the cells.
-/// - Blank lines and lines that begin with `#` or `%` are passed over.
+/// - Cells are separated by semicolons, tabs, commas or white space: the first of these, in this order,
+///   that the first line has. Commas within numbers in white space (`1,5 2,5`) are decimal commas.
+/// - A decimal comma counts as a point unless commas separate the cells.
+/// - Blank lines and lines that begin with `#` or `%` are skipped.
 /// - A cell that is empty, `nan` or `BAD` in either case, or all stars (`***`), is missing: NaN.
-/// - A separator that ends every line makes no cell.
+/// - A separator at the end of every line adds no cell.
 ///
 /// # Errors
 /// [`Error::NotPositive`](crate::Error::NotPositive) for a cell side;
-/// [`Error::Format`](crate::Error::Format), with the line, for a cell that is no number or a line of
-/// another width than the first; also if there is no line at all.
+/// [`Error::Format`](crate::Error::Format), with the line, for a cell that is not a number or a line
+/// whose width differs from the first; also if there is no line at all.
 ///
 /// ```
 /// use stickslip::io::csv;
@@ -60,7 +60,7 @@ pub fn parse(bytes: &[u8], cell_sides: [f64; 2]) -> Result<Field> {
             width = found;
         }
         if found != 0 && found != width {
-            let problem = format!("{found} cells, the lines before have {width}");
+            let problem = format!("{found} cells, but the lines before have {width}");
             return Err(FORMAT.on_line(number, problem));
         }
         ends_with_separator &= found == 0 || last.is_empty();
@@ -89,15 +89,15 @@ pub fn write(path: impl AsRef<Path>, field: &Field) -> Result<()> {
     write_bytes(path.as_ref(), &to_bytes(field))
 }
 
-/// A field as a file: commas between cells, each number with the digits that give it back to the
-/// last bit, `NaN` for a missing one. The cell sides are not kept.
+/// A field as a file: commas between cells, each number with enough digits to restore it to the
+/// last bit, `NaN` for a missing one. The cell sides are not stored.
 #[must_use]
 pub fn to_bytes(field: &Field) -> Vec<u8> {
     let mut text = String::new();
     for row in field.rows() {
         for (index, value) in row.iter().enumerate() {
             let separator = if index == 0 { "" } else { "," };
-            write!(text, "{separator}{value:?}").expect("a string takes what is written");
+            write!(text, "{separator}{value:?}").expect("writing to a string cannot fail");
         }
         text.push('\n');
     }

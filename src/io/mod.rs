@@ -10,24 +10,24 @@
 //! | X3P of ISO 25178-72 | `x3p`, behind the feature of that name | yes | | yes | metre |
 //! | VTI, the image data of VTK and ParaView | [`vti`] | | yes | yes | the field's |
 //!
-//! `read` takes a path, `parse` the bytes of a file; `write` and `to_bytes` are their converses.
-//! [`read`](fn@read) of this module finds out which of the formats with cell sides a file has.
+//! `read` takes a path, `parse` the bytes of a file; `write` and `to_bytes` are their inverses.
+//! [`read`](fn@read) of this module identifies the format of a file among those with cell sides.
 //!
 //! # Conventions
-//! - A height comes back as it stands in the file: a surface that points up has large values at its
-//!   peaks. The gap of a contact grows the other way.
-//! - Samples keep the order of the file: its first is that of cell `(0, 0)`, at least x and
-//!   least y, and its next is the neighbour along x. Rows follow one another towards larger y, so that
-//!   a file whose author counted rows from the top comes in mirrored. XYZ files say where each point is.
-//! - A point that was not measured is NaN. No solver takes one: fill it first.
-//! - A [`Grid`] is centred on the origin; where the file's own origin was is not kept.
-//! - A number of n points at a distance d covers n cells of side d, not n - 1.
+//! - A height is returned as stored in the file: a surface that points up has large values at its
+//!   peaks. The gap of a contact has the opposite sense.
+//! - Samples keep the order of the file: the first is that of cell `(0, 0)`, at the least x and the
+//!   least y, and the next is its neighbour along x. Rows follow one another towards larger y, so a file
+//!   whose rows are counted from the top is read mirrored. XYZ files give the position of each point.
+//! - A point that was not measured is NaN. Solvers do not accept NaN: fill such points first.
+//! - A [`Grid`] is centred on the origin; the origin of the file is not kept.
+//! - A row of n points at a distance d covers n cells of side d, not n - 1.
 //!
-//! # Broken files
-//! A truncated, broken or lying file is an [`Error::Format`] that says what is wrong and
-//! [where](Place). Sizes are checked against the bytes present before memory is taken: reading takes less
-//! than fifty times the size of the file, and of X3P, which is compressed, less than eight times what its
-//! module lets an entry expand to.
+//! # Damaged files
+//! A truncated, damaged or inconsistent file gives an [`Error::Format`] that states the problem and
+//! [where](Place) it is. Sizes are checked against the bytes present before memory is allocated: reading
+//! takes less than fifty times the size of the file; for X3P, which is compressed, less than eight times the
+//! size to which its module lets an entry expand.
 
 mod bytes;
 pub mod csv;
@@ -49,14 +49,14 @@ use crate::field::Field;
 use crate::grid::Grid;
 pub(crate) use bytes::Cursor;
 
-/// A surface from a file that carries its cell sides: SDF, SUR or X3P by its first bytes, XYZ by the
-/// extension `.xyz`.
+/// A surface from a file that carries its cell sides: SDF, SUR or X3P recognised by the first bytes, XYZ
+/// by the extension `.xyz`.
 ///
 /// Units are those of the module of the format.
 ///
 /// # Errors
-/// [`Error::File`] if the file cannot be read; [`Error::Format`] if it is of another format, or as the
-/// `parse` of its own.
+/// [`Error::File`] if the file cannot be read; [`Error::Format`] if it has another format, or as the
+/// `parse` of its format.
 ///
 /// ```
 /// use stickslip::{Error, io};
@@ -90,10 +90,10 @@ fn parse_x3p(bytes: &[u8]) -> Result<Field> {
 
 #[cfg(not(feature = "x3p"))]
 fn parse_x3p(_: &[u8]) -> Result<Field> {
-    Err(Format("X3P").at_byte(0, "reading it takes the cargo feature `x3p`"))
+    Err(Format("X3P").at_byte(0, "reading it requires the cargo feature `x3p`"))
 }
 
-/// A format by name, which makes its errors.
+/// The name of a format, used in its errors.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Format(pub(crate) &'static str);
 
@@ -118,7 +118,7 @@ impl Format {
         self.at(Place::Entry(name.into()), problem)
     }
 
-    /// `Ok` if a number that stands at a place is positive and finite.
+    /// `Ok` if a number at a place in the file is positive and finite.
     fn positive(self, place: Place, quantity: &'static str, value: f64) -> Result<f64> {
         positive(quantity, value).map_err(|error| self.at(place, error.to_string()))
     }
@@ -130,19 +130,19 @@ impl Format {
     }
 }
 
-/// `Ok` if both cell sides a caller gives are positive and finite.
+/// `Ok` if both cell sides given by the caller are positive and finite.
 fn check_sides([dx, dy]: [f64; 2]) -> Result<()> {
     positive("cell side dx", dx)?;
     positive("cell side dy", dy)?;
     Ok(())
 }
 
-/// What a file holds.
+/// The contents of a file.
 fn bytes_of(path: &Path) -> Result<Vec<u8>> {
     std::fs::read(path).map_err(|error| refused(path, &error))
 }
 
-/// Makes a file, or replaces it.
+/// Creates or replaces a file.
 fn write_bytes(path: &Path, bytes: &[u8]) -> Result<()> {
     std::fs::write(path, bytes).map_err(|error| refused(path, &error))
 }

@@ -1,6 +1,6 @@
 //! NPY, the array file of NumPy.
 //!
-//! Of two axes, shape `(ny, nx)`: the first index of the array counts rows towards larger y. The file
+//! For arrays of two axes, shape `(ny, nx)`: the first index counts rows towards larger y. The file
 //! carries neither cell sides nor a unit.
 //!
 //! Layout: <https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html>.
@@ -15,13 +15,13 @@ use crate::field::Field;
 
 const FORMAT: Format = Format("NPY");
 const MAGIC: &[u8; 6] = b"\x93NUMPY";
-/// Enough for two integers; samples then begin at byte 128, as the format wants a multiple of 64.
+/// Enough for two integers; samples then begin at byte 128, since the format requires a multiple of 64.
 const HEADER_LENGTH: u16 = 118;
 
 /// The field in a file, on cells of sides `[dx, dy]` (lengths). See [`parse`].
 ///
 /// # Errors
-/// [`Error::File`](crate::Error::File) if the file cannot be read, else as [`parse`].
+/// [`Error::File`](crate::Error::File) if the file cannot be read, otherwise as [`parse`].
 pub fn read(path: impl AsRef<Path>, cell_sides: [f64; 2]) -> Result<Field> {
     check_sides(cell_sides)?;
     parse(&bytes_of(path.as_ref())?, cell_sides)
@@ -29,13 +29,13 @@ pub fn read(path: impl AsRef<Path>, cell_sides: [f64; 2]) -> Result<Field> {
 
 /// The field in the bytes of a file, on cells of sides `[dx, dy]` (lengths).
 ///
-/// Versions 1 to 3 of the format; floats of 32 and 64 bits and integers of 8 to 64, of either order
-/// of bytes; C and Fortran order of axes. Integers of 64 bits are rounded to the nearest double.
+/// Versions 1 to 3 of the format; floats of 32 and 64 bits and integers of 8 to 64 bits in either byte
+/// order; C and Fortran order of axes. Integers of 64 bits are rounded to the nearest double.
 ///
 /// # Errors
 /// [`Error::NotPositive`](crate::Error::NotPositive) for a cell side;
-/// [`Error::Format`](crate::Error::Format) if the bytes are no such file, or not as many as its shape
-/// says.
+/// [`Error::Format`](crate::Error::Format) if the bytes are not an NPY file, or their number disagrees
+/// with its shape.
 ///
 /// ```
 /// use stickslip::{Field, Grid, io::npy};
@@ -82,7 +82,7 @@ pub fn write(path: impl AsRef<Path>, field: &Field) -> Result<()> {
 }
 
 /// A field as a file: version 1.0, little-endian doubles in C order, shape `(ny, nx)`. Every bit of
-/// every sample is kept; the cell sides are not.
+/// every sample is kept; the cell sides are not stored.
 #[must_use]
 pub fn to_bytes(field: &Field) -> Vec<u8> {
     let (nx, ny) = (field.grid().nx(), field.grid().ny());
@@ -97,7 +97,7 @@ pub fn to_bytes(field: &Field) -> Vec<u8> {
     bytes
 }
 
-/// What the header of a file says.
+/// The contents of the header.
 #[derive(Debug)]
 struct Header {
     number: Number,

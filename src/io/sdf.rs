@@ -22,7 +22,7 @@ const TEXT: &[u8; 8] = b"aISO-1.0";
 /// The surface in a file (metres). See [`parse`].
 ///
 /// # Errors
-/// [`Error::File`](crate::Error::File) if the file cannot be read, else as [`parse`].
+/// [`Error::File`](crate::Error::File) if the file cannot be read, otherwise as [`parse`].
 pub fn read(path: impl AsRef<Path>) -> Result<Field> {
     parse(&bytes_of(path.as_ref())?)
 }
@@ -30,12 +30,12 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 /// The surface in the bytes of a file (metres).
 ///
 /// Version 1.0, `bISO-1.0` or `aISO-1.0`, without compression or checksum. Binary samples are
-/// integers of 16 or 32 bits or floats of 32 or 64 (data types 5, 6, 3 and 7). Missing points, NaN,
-/// are the least number of the type or NaN in a binary file, `BAD` in a text file. The record after the
-/// samples is not looked at.
+/// integers of 16 or 32 bits or floats of 32 or 64 (data types 5, 6, 3 and 7). Missing points become
+/// NaN: in a binary file they are the least number of the type or NaN, in a text file `BAD`. The record
+/// after the samples is ignored.
 ///
 /// # Errors
-/// [`Error::Format`](crate::Error::Format) if the bytes are no such file, or fewer than its sizes say.
+/// [`Error::Format`](crate::Error::Format) if the bytes are not an SDF file, or fewer than its sizes require.
 ///
 /// ```
 /// use stickslip::io::sdf;
@@ -63,11 +63,11 @@ pub fn write(path: impl AsRef<Path>, field: &Field) -> Result<()> {
     write_bytes(path.as_ref(), &to_bytes(field)?)
 }
 
-/// A surface (metres) as a file: the binary form with doubles (data type 7) of scale one. Samples and cell
-/// sides come back to the last bit; only the least double and minus infinity come back as NaN.
+/// A surface (metres) as a file: the binary form with doubles (data type 7) and scale one. Samples and cell
+/// sides are restored to the last bit; only the least double and minus infinity are read as NaN.
 ///
 /// # Errors
-/// [`Error::Format`](crate::Error::Format) if a side has more than the 65535 points the format can say.
+/// [`Error::Format`](crate::Error::Format) if a side has more than the 65535 points that the format allows.
 pub fn to_bytes(field: &Field) -> Result<Vec<u8>> {
     let grid = field.grid();
     let count = |name: &str, cells: usize| {
@@ -84,7 +84,7 @@ pub fn to_bytes(field: &Field) -> Result<Vec<u8>> {
 
     let mut bytes = BINARY.to_vec();
     bytes.extend_from_slice(b"stickslip ");
-    bytes.extend_from_slice(&[b'0'; 24]); // the dates of making and change, unknown
+    bytes.extend_from_slice(&[b'0'; 24]); // the dates of creation and change, unknown
     bytes.extend(counts.iter().flat_map(|count| count.to_le_bytes()));
     bytes.extend(scales.iter().flat_map(|scale| scale.to_le_bytes()));
     bytes.extend_from_slice(&flags);
@@ -92,7 +92,7 @@ pub fn to_bytes(field: &Field) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Whether the first bytes are those of such a file.
+/// Whether the first bytes are those of an SDF file.
 pub(super) fn is_sdf(bytes: &[u8]) -> bool {
     bytes.starts_with(BINARY) || bytes.starts_with(TEXT)
 }
@@ -132,7 +132,7 @@ fn parse_binary(bytes: &[u8]) -> Result<Field> {
     let stored = bytes.take("the samples", grid.cells() * number.size())?;
     let mut samples = number.decode(Order::LeastFirst, stored);
     for sample in &mut samples {
-        // The least of its type is at most itself.
+        // Only the least number of the type, or minus infinity, satisfies this.
         *sample = if *sample <= missing {
             f64::NAN
         } else {
@@ -147,7 +147,7 @@ fn parse_text(bytes: &[u8]) -> Result<Field> {
     let mut header = TextHeader::default();
     let last = loop {
         let Some((number, line)) = lines.next() else {
-            return Err(FORMAT.on_line(1, "no line of a star ends the header"));
+            return Err(FORMAT.on_line(1, "the header does not end with a line `*`"));
         };
         if line.trim_start().starts_with('*') {
             break number;
@@ -175,7 +175,7 @@ fn parse_text(bytes: &[u8]) -> Result<Field> {
     Field::from_vec(grid, samples)
 }
 
-/// The lines `Name = Value` of a text file that matter.
+/// The relevant lines `Name = Value` of a text file.
 #[derive(Debug, Default)]
 struct TextHeader {
     points: Option<usize>,
@@ -186,11 +186,11 @@ struct TextHeader {
 impl TextHeader {
     fn read(&mut self, number: usize, line: &str) -> Result<()> {
         let Some((name, value)) = line.split_once('=') else {
-            return Err(FORMAT.on_line(number, "a header line takes the form Name = Value"));
+            return Err(FORMAT.on_line(number, "a header line must have the form Name = Value"));
         };
         let (name, value) = (name.trim(), value.trim());
         let refused = || {
-            let problem = format!("{name} = {} is no number of its kind", excerpt(value));
+            let problem = format!("{name} = {} is not a valid number", excerpt(value));
             FORMAT.on_line(number, problem)
         };
         let count = || value.parse().map(Some).map_err(|_| refused());

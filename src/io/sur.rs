@@ -1,10 +1,10 @@
 //! SUR, the surface file of Digital Surf (`MountainsMap`), in its uncompressed form.
 //!
-//! Heights and cell sides come back in metres; the file keeps them in single precision and in units
-//! of its own. Lines follow one another towards larger y.
+//! Heights and cell sides are returned in metres; the file stores them in single precision and in its
+//! own units. Lines follow one another towards larger y.
 //!
-//! Gwyddion, `SurfaceTopography`, surfalize and `RosettaSciIO` read one and the same layout; they differ in
-//! a constant added to all heights, which contact does not see. Here it is the offset of the file.
+//! Gwyddion, `SurfaceTopography`, surfalize and `RosettaSciIO` read the same layout; they differ in a
+//! constant added to all heights, which does not affect contact. Here it is the offset in the file.
 
 use std::path::Path;
 
@@ -21,19 +21,19 @@ const COMPRESSED: &[u8; 12] = b"DSCOMPRESSED";
 /// The surface in a file (metres). See [`parse`].
 ///
 /// # Errors
-/// [`Error::File`](crate::Error::File) if the file cannot be read, else as [`parse`].
+/// [`Error::File`](crate::Error::File) if the file cannot be read, otherwise as [`parse`].
 pub fn read(path: impl AsRef<Path>) -> Result<Field> {
     parse(&bytes_of(path.as_ref())?)
 }
 
 /// The surface in the bytes of a file (metres).
 ///
-/// A single surface or profile of points of 16 or 32 bits, neither inverted nor
-/// mirrored. Units from the picometre to the metre. Points the file marks as not measured are NaN.
+/// A single surface or profile with points of 16 or 32 bits, neither inverted nor
+/// mirrored. Units from the picometre to the metre. Points marked in the file as not measured are NaN.
 ///
 /// # Errors
-/// [`Error::Format`](crate::Error::Format) if the bytes are no such file, or fewer than its sizes say;
-/// also for a compressed file, `DSCOMPRESSED`: save it uncompressed.
+/// [`Error::Format`](crate::Error::Format) if the bytes are not a SUR file, or fewer than its sizes
+/// require; also for a compressed file, `DSCOMPRESSED`: save it uncompressed.
 pub fn parse(bytes: &[u8]) -> Result<Field> {
     let mut bytes = Cursor::new(FORMAT, bytes);
     let magic = bytes.take("the magic string", MAGIC.len())?;
@@ -61,7 +61,10 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
     ];
     let total = bytes.u32("the number of points")?;
     if counts[0].checked_mul(counts[1]) != Some(total) {
-        let problem = format!("{} x {} points are not {total}", counts[0], counts[1]);
+        let problem = format!(
+            "{} x {} points, but the total is {total}",
+            counts[0], counts[1]
+        );
         return Err(FORMAT.at_byte(start, problem));
     }
     let steps_start = bytes.position();
@@ -102,7 +105,7 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
     let mut samples = number.decode(Order::LeastFirst, stored);
     let missing = f64::from(least) - 2.0;
     for sample in &mut samples {
-        // Both are whole numbers.
+        // Both are integers.
         *sample = if has_missing && (*sample - missing).abs() < 0.5 {
             f64::NAN
         } else {
@@ -112,12 +115,12 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
     Field::from_vec(grid, samples)
 }
 
-/// Whether the first bytes are those of such a file, compressed or not.
+/// Whether the first bytes are those of a SUR file, compressed or not.
 pub(super) fn is_sur(bytes: &[u8]) -> bool {
     bytes.starts_with(MAGIC) || bytes.starts_with(COMPRESSED)
 }
 
-/// The next number of the header, if it is one of those supported.
+/// The next number of the header, if its value is supported.
 fn expect(bytes: &mut Cursor<'_>, what: &str, supported: &[u16]) -> Result<u16> {
     let start = bytes.position();
     let value = bytes.u16(what)?;
@@ -128,7 +131,7 @@ fn expect(bytes: &mut Cursor<'_>, what: &str, supported: &[u16]) -> Result<u16> 
     }
 }
 
-/// Metres in the unit whose name comes next, 16 bytes long.
+/// Metres per unit, from the name of the unit in the next 16 bytes.
 fn metres(bytes: &mut Cursor<'_>) -> Result<f64> {
     let start = bytes.position();
     let stored = bytes.take("a unit", 16)?;
@@ -138,7 +141,7 @@ fn metres(bytes: &mut Cursor<'_>) -> Result<f64> {
         b"dm" => Ok(1e-1),
         b"cm" => Ok(1e-2),
         b"mm" => Ok(1e-3),
-        // The micro sign in Latin-1, in UTF-8, as the letter mu, in an old page of DOS, and as u.
+        // The micro sign in Latin-1, in UTF-8, as the letter mu, in an old DOS code page, and as u.
         b"\xb5m" | b"\xc2\xb5m" | b"\xce\xbcm" | b"\xe6m" | b"um" => Ok(1e-6),
         b"nm" => Ok(1e-9),
         b"pm" => Ok(1e-12),

@@ -6,7 +6,7 @@ use super::Format;
 use crate::error::Result;
 
 /// The lines of a text that are neither blank nor comments (`#` or `%`), with their numbers. Bytes
-/// that are not UTF-8 are of no harm in a comment and no number elsewhere.
+/// that are not UTF-8 are harmless in a comment; elsewhere they are not a number.
 pub(super) fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let lines = bytes.split(|&byte| byte == b'\n').enumerate();
@@ -18,7 +18,7 @@ pub(super) fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, str>)>
     })
 }
 
-/// What stands between the cells of a line.
+/// The separator between the cells of a line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Separator {
     Semicolon,
@@ -29,8 +29,8 @@ pub(super) enum Separator {
 }
 
 impl Separator {
-    /// The separator of a line: a semicolon or a tab wherever there is one, else a comma unless
-    /// every comma could be the decimal comma of a number among several (`1,5 2,5`), else white space.
+    /// The separator of a line: a semicolon or a tab wherever there is one; otherwise a comma, unless every
+    /// comma could be the decimal comma of one of several numbers (`1,5 2,5`); otherwise white space.
     pub(super) fn of(line: &str) -> Self {
         if line.contains(';') {
             Self::Semicolon
@@ -67,7 +67,7 @@ impl Separator {
             cell.replace(',', ".").parse()
         };
         match value {
-            // Only the word may mean infinity.
+            // Only a word may mean infinity; digits that overflow are refused.
             Ok(value) if f64::is_finite(value) || !cell.contains(|c: char| c.is_ascii_digit()) => {
                 Ok(value)
             }
@@ -77,7 +77,7 @@ impl Separator {
     }
 }
 
-/// Whether every comma of several words stands alone within one of them.
+/// Whether the line has several words, and every comma stands alone inside one of them.
 fn has_decimal_commas(line: &str) -> bool {
     let is_one = |word: &str| {
         let mut parts = word.split(',');

@@ -1,4 +1,4 @@
-//! VTI, the image data of VTK, for ParaView and its kin.
+//! VTI, the image data of VTK, for ParaView and related programs.
 //!
 //! Source: the file formats of VTK,
 //! <https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html>.
@@ -20,12 +20,12 @@ pub fn write(path: impl AsRef<Path>, fields: &[(&str, &Field)]) -> Result<()> {
     write_bytes(path.as_ref(), &to_bytes(fields)?)
 }
 
-/// Named fields of one grid as a file: one array of cell data each, in doubles that keep every bit,
+/// Named fields on one grid as a file: one array of cell data each, in doubles that keep every bit,
 /// on a flat image in the plane `z = 0` whose origin is the corner of least x and y.
 ///
 /// # Errors
-/// [`Error::Format`](crate::Error::Format) if there is no field, or one lives on another grid than the
-/// first, has a name given before, or one that is empty or holds control characters.
+/// [`Error::Format`](crate::Error::Format) if there is no field, or if a field is on another grid than the
+/// first, or has a name that is already taken, is empty or holds control characters.
 ///
 /// ```
 /// use stickslip::{Field, Grid, io::vti};
@@ -42,7 +42,7 @@ pub fn to_bytes(fields: &[(&str, &Field)]) -> Result<Vec<u8>> {
     let grid = first.grid();
     for (index, (name, field)) in fields.iter().enumerate() {
         let problem = if !grid.agrees_with(field.grid()) {
-            "the field lives on another grid than the first"
+            "the field is on another grid than the first"
         } else if name.is_empty() || name.contains(char::is_control) {
             "the name is empty or holds control characters"
         } else if fields[..index].iter().any(|(other, _)| other == name) {
@@ -70,7 +70,7 @@ pub fn to_bytes(fields: &[(&str, &Field)]) -> Result<Vec<u8>> {
             text,
             r#"        <DataArray type="Float64" Name="{name}" format="binary">"#
         )
-        .expect("a string takes what is written");
+        .expect("writing to a string cannot fail");
         push_base64(&mut text, field.as_slice());
         text.push_str("</DataArray>\n");
     }

@@ -10,17 +10,17 @@ use crate::error::Result;
 use crate::field::Field;
 
 const FORMAT: Format = Format("XYZ");
-/// Cells of the grid for each point, at most.
+/// Largest number of cells of the grid per point.
 const CELLS_PER_POINT: usize = 10;
-/// Distance of a point from its place in the grid, at most, in spacings.
+/// Largest distance of a point from its place in the grid, in spacings.
 const TOLERANCE: f64 = 0.05;
-/// Coordinates that differ by less than this part of the widest step between neighbours are one.
+/// Coordinates closer than this fraction of the widest step between neighbours count as one.
 const NOISE: f64 = 1e-3;
 
 /// The surface in a file. See [`parse`].
 ///
 /// # Errors
-/// [`Error::File`](crate::Error::File) if the file cannot be read, else as [`parse`].
+/// [`Error::File`](crate::Error::File) if the file cannot be read, otherwise as [`parse`].
 pub fn read(path: impl AsRef<Path>) -> Result<Field> {
     parse(&bytes_of(path.as_ref())?)
 }
@@ -32,14 +32,14 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 /// Places of the grid without a point, or with a missing height, are NaN. Separators, comments and
 /// missing heights are as in [`csv`](super::csv::parse).
 ///
-/// A point must lie within 5 % of a spacing of its place, a tenth of the places at least must have a
-/// point, and fewer than a thousand columns or rows in succession may be empty: scattered points are no
-/// grid.
+/// A point must lie within 5 % of a spacing of its place, at least a tenth of the places must have a
+/// point, and fewer than a thousand successive columns or rows may be empty: scattered points do not form
+/// a grid.
 ///
 /// # Errors
-/// [`Error::Format`](crate::Error::Format), with the line, for a line that has not three numbers, a
+/// [`Error::Format`](crate::Error::Format), with the line, for a line that does not have three numbers, a
 /// point off the grid, or a second point at a place; also for fewer than two places, or too few points for
-/// the grid they span.
+/// the grid that they span.
 ///
 /// ```
 /// use stickslip::io::xyz;
@@ -66,7 +66,7 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
     }
     let (nx, ny) = (whole(x.count), whole(y.count));
     if nx * ny < 2 {
-        let problem = format!("{} places show no spacing", nx * ny);
+        let problem = format!("{} places do not define a spacing", nx * ny);
         return Err(FORMAT.in_entry("all points", problem));
     }
     let sides = match (nx, ny) {
@@ -92,7 +92,7 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
         };
         let cell = iy * nx + ix;
         if is_taken[cell] {
-            let problem = format!("({px}, {py}) is at the place of a point before it");
+            let problem = format!("({px}, {py}) repeats the place of an earlier point");
             return Err(FORMAT.on_line(point.line, problem));
         }
         is_taken[cell] = true;
@@ -118,12 +118,12 @@ fn points(bytes: &[u8]) -> Result<Vec<Point>> {
         let (Some(x), Some(y), Some(z), None) =
             (cells.next(), cells.next(), cells.next(), cells.next())
         else {
-            return Err(FORMAT.on_line(number, "a point takes three cells: x, y and z"));
+            return Err(FORMAT.on_line(number, "a point needs three cells: x, y and z"));
         };
         let [x, y, height] = [x, y, z].map(|cell| separator.number(FORMAT, number, cell));
         let position = [x?, y?];
         if !position.iter().all(|coordinate| coordinate.is_finite()) {
-            return Err(FORMAT.on_line(number, "a point without a finite position"));
+            return Err(FORMAT.on_line(number, "the position of a point is not finite"));
         }
         points.push(Point {
             line: number,
@@ -143,12 +143,12 @@ struct Axis {
     least: f64,
     /// Zero if there is one place only.
     spacing: f64,
-    /// A whole number, or not finite where there is no such grid.
+    /// An integer, or not finite if there is no such grid.
     count: f64,
 }
 
 impl Axis {
-    /// The grid through coordinates, some of whose places may be empty everywhere: steps between
+    /// The grid through the coordinates; some of its places may be empty everywhere. Steps between
     /// neighbours are multiples of the shortest.
     fn through(coordinates: impl Iterator<Item = f64>) -> Self {
         let mut sorted: Vec<f64> = coordinates.collect();
@@ -180,7 +180,7 @@ impl Axis {
         }
     }
 
-    /// The place a coordinate belongs to, `None` if it is too far from each.
+    /// The place to which a coordinate belongs, `None` if it is too far from every place.
     fn index(&self, coordinate: f64) -> Option<usize> {
         if self.spacing == 0.0 {
             return Some(0);
@@ -192,7 +192,7 @@ impl Axis {
     }
 }
 
-/// A small non-negative whole number as an index.
+/// A small non-negative integer as an index.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,

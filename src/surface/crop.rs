@@ -6,13 +6,13 @@ use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::grid::Grid;
 
-/// The columns and rows of a surface in the given ranges, on a grid of their own.
+/// The columns and rows of a surface in the given ranges, as a surface on a new grid.
 ///
-/// The new grid has the same cells and is centred on the origin, as every grid is: positions shift by
-/// the distance of the middles. Missing heights stay missing.
+/// The new grid has the same cells and is centred on the origin, as every grid is, so positions shift by
+/// the distance between the two centres. Missing heights stay missing.
 ///
 /// # Errors
-/// [`Error::Range`] if a range is empty or leaves the grid.
+/// [`Error::Range`] if a range is empty or extends beyond the grid.
 ///
 /// ```
 /// use stickslip::{Field, Grid, surface};

@@ -3,8 +3,8 @@
 use crate::field::Field;
 use crate::parallel;
 
-/// Root mean square of the slopes between neighbours along x and along y, each over the pairs there
-/// are; zero along an axis of one cell.
+/// Root mean square of the slopes between neighbours along x and along y, each over the existing pairs;
+/// zero along an axis of one cell.
 pub(super) fn rms_slopes(heights: &Field) -> [f64; 2] {
     let grid = heights.grid();
     let (nx, ny, z) = (grid.nx(), grid.ny(), heights.as_slice());
@@ -25,7 +25,7 @@ pub(super) fn rms_slopes(heights: &Field) -> [f64; 2] {
             },
         ]
     });
-    // An axis of one cell has no pair and no sum.
+    // An axis of one cell has no pairs, and the sum is zero.
     let mean = |sum: f64, pairs: usize| sum / pairs.max(1) as f64;
     [
         mean(along_x, (nx - 1) * ny).sqrt(),
@@ -35,9 +35,9 @@ pub(super) fn rms_slopes(heights: &Field) -> [f64; 2] {
 
 /// Excess of the area of a surface over its projection, relative to the projection.
 ///
-/// Each rectangle of four neighbouring heights is cut into two triangles, by either diagonal, and the
-/// two ways are averaged: the mean of `sqrt(1 + s_x^2 + s_y^2) - 1` over the four corners, where `s`
-/// are the slopes of the two sides that meet there. An axis of one cell has no slope.
+/// Each rectangle of four neighbouring heights is cut into two triangles along either diagonal, and the
+/// two results are averaged. This is the mean of `sqrt(1 + s_x^2 + s_y^2) - 1` over the four corners,
+/// where `s` are the slopes of the two sides that meet there. An axis of one cell has no slope.
 pub(super) fn developed_area_ratio(heights: &Field) -> f64 {
     let grid = heights.grid();
     let (nx, ny, z) = (grid.nx(), grid.ny(), heights.as_slice());

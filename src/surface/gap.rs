@@ -16,7 +16,7 @@ pub fn inverted(heights: &Field) -> Field {
 
 /// The surface mirrored along x, `z(-x, y)`.
 ///
-/// A body measured from above and then turned over about the y axis, to face another, shows this
+/// A body that is measured from above and then turned over about the y axis, to face another, shows this
 /// surface in the frame of the other; its heights still point out of the body. Missing heights stay
 /// missing.
 #[must_use]
@@ -31,7 +31,7 @@ pub fn mirrored_along_x(heights: &Field) -> Field {
 
 /// The gap between a rough body and a plane that touches its highest peak, `h = max z - z`.
 ///
-/// `heights` point out of the body; the gap is a length, with least value zero.
+/// `heights` point out of the body; the gap is a length with minimum zero.
 ///
 /// # Errors
 /// [`Error::Sample`](crate::Error::Sample) for the first height that is missing or infinite;
@@ -49,9 +49,9 @@ pub fn gap_of(heights: &Field) -> Result<Field> {
 
 /// The gap between two rough bodies that touch at one point, `h = max(z_1 + z_2) - (z_1 + z_2)`.
 ///
-/// The heights of each point out of it, towards the other, so that peaks of both close the gap; both
-/// are given in the same frame: the body that was turned over is
-/// [`mirrored_along_x`] first. The gap is a length, with least value zero.
+/// The heights of each surface point out of its body, towards the other, so that peaks of both reduce the
+/// gap. Both are given in the same frame: apply [`mirrored_along_x`] first to the body that was turned
+/// over. The gap is a length with minimum zero.
 ///
 /// # Errors
 /// [`Error::GridMismatch`](crate::Error::GridMismatch) if the grids differ;

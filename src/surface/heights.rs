@@ -1,4 +1,4 @@
-//! What measured heights must be before they are worked on.
+//! Requirements on measured heights before they are processed.
 
 use crate::error::{Result, samples_obey};
 use crate::field::Field;
@@ -18,8 +18,8 @@ pub(super) fn finite_or_missing(heights: &Field) -> Result<()> {
 
 /// Heights about their mean, and the mean.
 ///
-/// The sum is formed about the first height: a flat surface has exactly no deviation, and a distant
-/// datum costs no digits.
+/// The sum is formed relative to the first height: a flat surface has exactly zero deviation, and a
+/// distant datum costs no digits.
 pub(super) fn about_mean(heights: &Field) -> (Field, f64) {
     let z = heights.as_slice();
     let datum = z[0];

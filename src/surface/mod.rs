@@ -1,19 +1,20 @@
 //! Initial gaps: the shape of the bodies before they deform.
 //!
-//! A gap is the distance `h(x, y)` between the two undeformed surfaces at first touch of the
-//! highest point, a length; its datum is free, since it only shifts the approach.
+//! A gap is the distance `h(x, y)` between the two undeformed surfaces when the highest point first
+//! touches, a length. Its datum is arbitrary, since it only shifts the approach.
 //!
 //! # Shapes and generated surfaces
 //! Shapes such as [`sphere`] are gaps. [`SelfAffine`] generates heights of a rough surface, which
-//! [`gap_of`] turns into a gap; gaps add up by [`sum`](sum()). Besides what each says, all refuse a grid whose
-//! field memory cannot hold ([`Error::Memory`](crate::Error::Memory)), and a shape one of whose heights overflows
-//! ([`Error::Sample`](crate::Error::Sample)).
+//! [`gap_of`] turns into a gap; gaps are added by [`sum`](sum()). Besides the errors listed for each function, all
+//! return an error for a grid whose field memory cannot hold ([`Error::Memory`](crate::Error::Memory)), and for a
+//! shape with a height that overflows ([`Error::Sample`](crate::Error::Sample)).
 //!
 //! # Measured surfaces
-//! Heights `z(x, y)` point out of the body they bound; NaN stands for a height that is missing. On the
-//! way to a gap a measurement is levelled ([`level`](level())), its holes are closed
-//! by [`fill_missing`], the part wanted is taken by [`crop()`] or [`resample()`], and [`gap_of`] sets it on a
-//! plane or [`gap_between`] on another surface. [`Statistics`] and [`PowerSpectrum`] measure it.
+//! Heights `z(x, y)` point out of the body that they bound; NaN marks a missing height. To obtain a gap
+//! from a measurement, level it ([`level`](level())), close its holes with
+//! [`fill_missing`], select a part with [`crop()`] or [`resample()`], and set it against a plane with
+//! [`gap_of`] or against another surface with [`gap_between`]. [`Statistics`] and [`PowerSpectrum`]
+//! characterise it.
 
 mod crop;
 mod differences;

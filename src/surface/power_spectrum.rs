@@ -1,4 +1,4 @@
-//! How the mean square of the heights is spread over wavelengths.
+//! The distribution of the mean square of the heights over wavelengths.
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -16,7 +16,7 @@ use crate::serial::checked;
 /// The radial power spectrum of a periodic surface, and its spectral moments.
 ///
 /// The heights about their mean are a sum of waves $`a_q e^{\mathrm{i} q \cdot x}`$, one for each
-/// wave vector of the grid. With the area $`A`$ of the grid, each occupies $`4\pi^2/A`$ of the plane
+/// wave vector of the grid. With the area $`A`$ of the grid, each wave occupies $`4\pi^2/A`$ of the plane
 /// of wave vectors, and
 ///
 /// ```math
@@ -26,9 +26,9 @@ use crate::serial::checked;
 ///
 /// where the average is over the $`n`$ waves of a ring $`(k - \tfrac12)\Delta q \le |q| < (k +
 /// \tfrac12)\Delta q`$ and $`\Delta q`$ is $`2\pi`$ over the longer side of the grid; in the limit
-/// $`\int C\,\mathrm{d}^2q = 2\pi \int C\, q\,\mathrm{d}q = S_q^2`$. Authors who write
-/// $`S_q^2 = \frac{1}{2\pi}\int C\,q\,\mathrm{d}q`$, as Jacobs, Junge and Pastewka (2017), have
-/// $`4\pi^2`$ times our values.
+/// $`\int C\,\mathrm{d}^2q = 2\pi \int C\, q\,\mathrm{d}q = S_q^2`$. Under the convention
+/// $`S_q^2 = \frac{1}{2\pi}\int C\,q\,\mathrm{d}q`$, as in Jacobs, Junge and Pastewka (2017), the values are
+/// $`4\pi^2`$ times those given here.
 ///
 /// # Spectral moments
 /// The moments are those of a profile, averaged over all its directions $`\theta`$:
@@ -40,8 +40,8 @@ use crate::serial::checked;
 /// ```
 ///
 /// On an isotropic surface they are the moments of any profile, as in Longuet-Higgins (1957) and
-/// Nayak (1971). The sums run over all waves of the grid, those of two cells per period with their
-/// full mean square: nothing is left out or tapered. Heights that do not continue periodically
+/// Nayak (1971). The sums run over all waves of the grid without tapering; waves of two cells per period
+/// enter with their full mean square. Heights that do not continue periodically
 /// have a step at the edge of the grid, which raises $`m_2`$ and $`m_4`$.
 ///
 /// # References
@@ -76,7 +76,7 @@ pub struct PowerSpectrum {
     moments: [f64; 3],
 }
 
-/// What is read, before it is checked.
+/// The values read, before they are checked.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(remote = "PowerSpectrum")]
@@ -123,8 +123,8 @@ impl PowerSpectrum {
         })
     }
 
-    /// Mean wave number $`|q| = 2\pi/\lambda`$ of the waves of each ring (one over a length), growing;
-    /// rings without a wave are left out.
+    /// Mean wave number $`|q| = 2\pi/\lambda`$ of the waves of each ring (one over a length), in ascending
+    /// order; rings without a wave are omitted.
     #[must_use]
     pub fn wave_numbers(&self) -> &[f64] {
         &self.wave_numbers
@@ -136,7 +136,7 @@ impl PowerSpectrum {
         &self.values
     }
 
-    /// Number of wave vectors in each ring; $`q`$ and $`-q`$ count as two.
+    /// Number of wave vectors in each ring; $`q`$ and $`-q`$ are counted separately.
     #[must_use]
     pub fn modes(&self) -> &[usize] {
         &self.modes
@@ -149,7 +149,7 @@ impl PowerSpectrum {
     }
 
     /// Nayak's bandwidth parameter $`\alpha = m_0 m_4/m_2^2`$: 3/2 for isotropic waves of one
-    /// length, more for a broader spectrum; NaN for a flat surface, which has none.
+    /// length, more for a broader spectrum; NaN for a flat surface.
     #[must_use]
     pub fn nayak_parameter(&self) -> f64 {
         let [m0, m2, m4] = self.moments;
@@ -195,7 +195,7 @@ impl Ring {
     }
 }
 
-/// The rings that hold a wave, from the longest waves to the shortest; the mean is none.
+/// The rings that hold a wave, from the longest waves to the shortest; the mean is excluded.
 fn rings(waves: &Waves, grid: Grid) -> Vec<Ring> {
     let width = ring_width(grid);
     let mut rings = BTreeMap::<u64, Ring>::new();

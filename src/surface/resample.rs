@@ -6,25 +6,25 @@ use crate::field::Field;
 use crate::grid::Grid;
 use crate::parallel;
 
-/// Samples an interpolating cubic runs through.
+/// Number of samples through which an interpolating cubic runs.
 const WIDTH: usize = 4;
 
-/// Round-off allowed in the reach of a grid, in cells.
+/// Round-off allowed in the extent of a grid, in cells.
 const SLACK: f64 = 1e-9;
 
 /// Interpolates a surface at the cell centres of another grid.
 ///
-/// Bicubic: along each axis the cubic through the four nearest samples, or fewer where the axis has
-/// fewer. Exact for polynomials of degree three in x and in y; for a smooth surface the error falls
-/// with the fourth power of the cell sides of the source, `heights`. Heights between two samples may
-/// lie a little above or below both. Both grids are centred on the origin.
+/// The interpolation is bicubic: along each axis it uses the cubic through the four nearest samples, or
+/// through fewer where the axis has fewer. It is exact for polynomials of degree three in x and in y; for a
+/// smooth surface the error falls with the fourth power of the cell sides of the source, `heights`. Heights
+/// between two samples may lie a little above or below both. Both grids are centred on the origin.
 ///
-/// A coarser grid takes single heights, not means: waves shorter than two of its cells turn up as
+/// A coarser grid takes single heights, not means: waves shorter than two of its cells are aliased to
 /// longer ones.
 ///
 /// # Errors
 /// [`Error::Sample`] for the first height that is missing or infinite; [`Error::BeyondSamples`] if
-/// a cell centre of the grid lies outside the source's grid, that is more than half of its cells
+/// a cell centre of the grid lies outside the source's grid, that is more than half a source cell
 /// beyond the outermost sample; [`Error::Memory`].
 ///
 /// ```
@@ -72,9 +72,9 @@ struct Axis {
 }
 
 impl Axis {
-    /// Where the centres of another axis take their values from.
+    /// The samples from which the values at the centres of another axis are interpolated.
     fn stencils(&self, count: usize, centre: impl Fn(usize) -> f64) -> Result<Vec<Stencil>> {
-        // Centres are symmetric about the middle: the last is the farthest.
+        // Centres are symmetric about the middle, so the last is the farthest.
         let reach = centre(count - 1);
         let half_side = 0.5 * self.count as f64 * self.side;
         if reach > half_side + SLACK * self.side {
@@ -90,7 +90,7 @@ impl Axis {
     }
 }
 
-/// The samples an interpolated value is made of.
+/// The samples and weights of an interpolated value.
 struct Stencil {
     first: usize,
     width: usize,
@@ -98,13 +98,13 @@ struct Stencil {
 }
 
 impl Stencil {
-    /// The Lagrange polynomial through the samples nearest the place `t`, counted in samples.
+    /// The Lagrange polynomial through the samples nearest to the position `t`, in units of the sample spacing.
     fn at(t: f64, count: usize) -> Self {
         let width = WIDTH.min(count);
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
-            reason = "a whole number among the samples"
+            reason = "an integer within the samples"
         )]
         let first = (t.floor() - 1.0).clamp(0.0, (count - width) as f64) as usize;
         let t = t - first as f64;

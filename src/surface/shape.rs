@@ -1,4 +1,4 @@
-//! Smooth shapes, each as half-space theory sees it.
+//! Smooth shapes, in the approximation of half-space theory.
 
 use std::f64::consts::TAU;
 
@@ -9,8 +9,8 @@ use crate::grid::Grid;
 /// A sphere (or two, of relative radius `1/R = 1/R_1 + 1/R_2`) on a plane, touching at the origin:
 /// `h = (x^2 + y^2) / (2 R)`.
 ///
-/// This is the osculating paraboloid, the gap of Hertz's theory: a half-space knows slopes to first
-/// order only. `radius` and `h` are lengths.
+/// This is the osculating paraboloid, the gap of Hertz's theory: half-space theory is of first order in
+/// the slopes. `radius` and `h` are lengths.
 ///
 /// # Errors
 /// [`Error::NotPositive`](crate::Error::NotPositive) for the radius.
@@ -48,15 +48,15 @@ pub fn cylinder(grid: Grid, radius: f64) -> Result<Field> {
     sampled(grid, |x, _| 0.5 * x * x / radius)
 }
 
-/// Part of the mean curvature by which the smaller principal curvature of a cylinder may be negative,
-/// from round-off.
+/// Fraction of the mean curvature by which the smaller principal curvature of a cylinder may be negative,
+/// because of round-off.
 const ROUND_OFF: f64 = 1e-12;
 
 /// A body of any principal directions, touching a plane at the origin:
 /// $`h = \frac12 (\kappa_{xx} x^2 + 2 \kappa_{xy} x y + \kappa_{yy} y^2)`$.
 ///
 /// `curvatures` are $`[\kappa_{xx}, \kappa_{xy}, \kappa_{yy}]`$ (one over lengths). Principal
-/// curvatures $`\kappa_1`$ at the angle $`\alpha`$ from x and $`\kappa_2`$ across it make
+/// curvatures $`\kappa_1`$ at the angle $`\alpha`$ from x and $`\kappa_2`$ across it give
 ///
 /// ```math
 /// \kappa_{xx} = \kappa_1 \cos^2\alpha + \kappa_2 \sin^2\alpha , \quad
@@ -64,11 +64,11 @@ const ROUND_OFF: f64 = 1e-12;
 /// \kappa_{yy} = \kappa_1 \sin^2\alpha + \kappa_2 \cos^2\alpha .
 /// ```
 ///
-/// Curvatures of two bodies add up: two crossed cylinders of radii `R` make a sphere of radius `R`.
+/// Curvatures of two bodies add up: two crossed cylinders of radius `R` make a sphere of radius `R`.
 ///
 /// # Errors
 /// [`Error::NotFinite`](crate::Error::NotFinite) for a curvature; [`Error::Negative`](crate::Error::Negative)
-/// if a principal curvature is negative: a saddle touches no plane at the origin.
+/// if a principal curvature is negative: a saddle would penetrate the plane.
 ///
 /// ```
 /// use stickslip::{Grid, surface};
@@ -108,11 +108,11 @@ pub fn cone(grid: Grid, slope: f64) -> Result<Field> {
 /// A flat-ended cylindrical punch, centred on the origin: `h = 0` in the cells whose centre is within
 /// `radius` of it and `recess` in the others, lengths.
 ///
-/// The recess only has to exceed the displacements, so that the body around the punch stays clear.
+/// The recess only has to exceed the displacements, so that the body around the punch does not touch.
 ///
 /// # Errors
 /// [`Error::NotPositive`](crate::Error::NotPositive) for the radius or the recess, or if the punch is
-/// so small that it covers no centre of a cell.
+/// so small that it covers no cell centre.
 pub fn flat_punch(grid: Grid, radius: f64, recess: f64) -> Result<Field> {
     positive("radius", radius)?;
     positive("recess", recess)?;

@@ -10,10 +10,10 @@ use crate::error::{Result, finite};
 use crate::field::Field;
 use crate::parallel;
 
-/// The S-parameters of a surface (ISO 25178-2:2021), of its heights about their mean.
+/// The S-parameters of a surface (ISO 25178-2:2021), computed from its heights about their mean.
 ///
 /// Heights point out of the body, so that a peak is positive. Nothing is filtered and no form but the
-/// mean is removed: `level` first what is tilted or curved. With $`z`$ about the mean
+/// mean is removed: apply `level` first to a tilted or curved surface. With $`z`$ about the mean
 /// and $`\langle\,\rangle`$ the mean over the cells,
 ///
 /// ```math
@@ -21,11 +21,11 @@ use crate::parallel;
 /// S_{sk} = \frac{\langle z^3 \rangle}{S_q^3}, \quad S_{ku} = \frac{\langle z^4 \rangle}{S_q^4} ,
 /// ```
 ///
-/// the kurtosis not in excess: a Gaussian surface has 3.
+/// The kurtosis is not the excess kurtosis: a Gaussian surface has 3.
 ///
 /// # Slopes
-/// On a grid a slope depends on how it is differentiated, the more the shorter the waves: each way has
-/// its own name. A wave of wave number $`q`$ along x has the finite-difference slope
+/// On a grid a slope depends on the method of differentiation, the more so the shorter the waves, so each
+/// method has its own name. A wave of wave number $`q`$ along x has the finite-difference slope
 /// $`\sin(q\,\Delta x/2)/(q\,\Delta x/2)`$ times the spectral one: 0.97 at eight cells per period,
 /// $`2/\pi`$ at two.
 ///
@@ -73,7 +73,7 @@ impl Statistics {
         let highest_peak = deviations.max();
         let deepest_valley = -deviations.min();
         let z = deviations.as_slice();
-        // In units of the largest deviation the powers neither overflow nor vanish.
+        // In units of the largest deviation the powers neither overflow nor underflow.
         let largest = highest_peak.max(deepest_valley);
         let unit = if largest > 0.0 { largest } else { 1.0 };
         let [first, second, third, fourth] = parallel::sums(z.len(), |i| {
@@ -126,14 +126,14 @@ impl Statistics {
     }
 
     /// Skewness Ssk $`= \langle z^3 \rangle/S_q^3`$: negative where valleys are deeper than peaks are
-    /// high. NaN for a flat surface, which has none.
+    /// high. NaN for a flat surface.
     #[must_use]
     pub fn skewness(&self) -> f64 {
         self.skewness
     }
 
     /// Kurtosis Sku $`= \langle z^4 \rangle/S_q^4`$, at least $`S_{sk}^2 + 1`$; 3 for a Gaussian
-    /// surface. NaN for a flat surface, which has none.
+    /// surface. NaN for a flat surface.
     #[must_use]
     pub fn kurtosis(&self) -> f64 {
         self.kurtosis
@@ -164,20 +164,20 @@ impl Statistics {
     ///          + \frac{1}{n_x\,(n_y-1)} \sum \left(\frac{z_{i,j+1}-z_{ij}}{\Delta y}\right)^2 ,
     /// ```
     ///
-    /// over the pairs of neighbours there are, none across the edge of the grid: what it takes to
-    /// measure a surface that is not periodic. An axis of one cell has no slope.
+    /// over the pairs of neighbours within the grid, without pairs across its edge: the definition for a
+    /// measured surface, which is not periodic. An axis of one cell has no slope.
     #[must_use]
     pub fn finite_difference_rms_slope(&self) -> f64 {
         let [along_x, along_y] = self.profile_rms_slope;
         along_x.hypot(along_y)
     }
 
-    /// Root-mean-square gradient of the surface that continues periodically, exact for its waves,
+    /// Root-mean-square gradient of the periodically continued surface, exact for its waves,
     /// $`\langle |\nabla z|^2 \rangle = \sum |q|^2 |a_q|^2 = 2 m_2`$.
     ///
-    /// A wave of two cells per period enters with the whole mean square of its samples, though its phase,
-    /// and with it its slope, is lost in them. Heights that do not continue periodically have a step at the
-    /// edge of the grid, which counts. See [`PowerSpectrum`](super::PowerSpectrum).
+    /// A wave of two cells per period enters with the full mean square of its samples, although the samples
+    /// do not determine its phase, and hence its slope. Heights that do not continue periodically have a step
+    /// at the edge of the grid, which is included. See [`PowerSpectrum`](super::PowerSpectrum).
     #[must_use]
     pub fn spectral_rms_slope(&self) -> f64 {
         self.spectral_rms_slope
@@ -186,7 +186,7 @@ impl Statistics {
     /// Root-mean-square slope of the profiles along x and of those along y, the two terms of
     /// [`finite_difference_rms_slope`](Self::finite_difference_rms_slope): the paper's equation 34.
     ///
-    /// On an isotropic surface each is $`1/\sqrt2`$ of the slope of the surface.
+    /// On an isotropic surface each is $`1/\sqrt2`$ times the slope of the surface.
     #[must_use]
     pub fn profile_rms_slope(&self) -> [f64; 2] {
         self.profile_rms_slope
@@ -196,7 +196,7 @@ impl Statistics {
     /// relative to the projection (a number, not in per cent).
     ///
     /// Every four neighbouring heights span two triangles, cut by one diagonal or the other; the mean
-    /// of both is taken. For small slopes it is half the square of the slope.
+    /// of both cuts is taken. For small slopes it is half the square of the slope.
     #[must_use]
     pub fn developed_area_ratio(&self) -> f64 {
         self.developed_area_ratio

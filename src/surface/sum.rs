@@ -1,4 +1,4 @@
-//! A shape made of shapes.
+//! The sum of shapes.
 
 use crate::error::{Error, Result};
 use crate::field::Field;
@@ -7,7 +7,7 @@ use crate::field::Field;
 /// bodies is the sum of both shapes.
 ///
 /// # Errors
-/// [`Error::Length`] if there is no field, [`Error::GridMismatch`] if they live on different grids.
+/// [`Error::Length`] if there is no field, [`Error::GridMismatch`] if the fields are on different grids.
 ///
 /// ```
 /// use stickslip::{Grid, surface};

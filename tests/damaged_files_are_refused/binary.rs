@@ -85,11 +85,11 @@ fn npy() {
     for (shape, expected) in [
         (
             "(9999999999, 9999999999)",
-            "NPY, at byte 10: a padded grid takes 12799999997440000000128 bytes",
+            "NPY, at byte 10: cannot allocate 12799999997440000000128 bytes for a padded grid",
         ),
         (
             "(18446744073709551615, 2)",
-            "NPY, at byte 10: a padded grid takes 4722366482869645213440 bytes",
+            "NPY, at byte 10: cannot allocate 4722366482869645213440 bytes for a padded grid",
         ),
         (
             "(99999999999999999999, 2)",
@@ -339,11 +339,15 @@ fn sur_files() {
             &[32],
             "SUR, at byte 512: the file ends within the samples: 12 of 24 bytes",
         ),
-        (108, &[4], "SUR, at byte 108: 4 x 2 points are not 6"),
+        (
+            108,
+            &[4],
+            "SUR, at byte 108: 4 x 2 points, but the total is 6",
+        ),
         (
             108,
             &[255; 12],
-            "SUR, at byte 108: 4294967295 x 4294967295 points are not",
+            "SUR, at byte 108: 4294967295 x 4294967295 points, but the total is",
         ),
         (
             108,

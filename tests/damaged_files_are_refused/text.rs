@@ -15,15 +15,15 @@ fn csv() {
         ("\n# nothing\n\n", "CSV, on line 1: the file has no numbers"),
         (
             "1,2\n3,4,5\n",
-            "CSV, on line 2: 3 cells, the lines before have 2",
+            "CSV, on line 2: 3 cells, but the lines before have 2",
         ),
         (
             "# x\n1,2,3\n\n4,5\n",
-            "CSV, on line 4: 2 cells, the lines before have 3",
+            "CSV, on line 4: 2 cells, but the lines before have 3",
         ),
         (
             "1 2\n3\n",
-            "CSV, on line 2: 1 cells, the lines before have 2",
+            "CSV, on line 2: 1 cells, but the lines before have 2",
         ),
         ("x,y\n1,2\n", "CSV, on line 1: \"x\" is not a number"),
         (
@@ -57,7 +57,7 @@ fn csv() {
     refuse(
         &ragged,
         parse_csv,
-        "CSV, on line 2: 1 cells, the lines before have 50001",
+        "CSV, on line 2: 1 cells, but the lines before have 50001",
     );
 }
 
@@ -92,32 +92,35 @@ fn xyz() {
     let sparse = "XYZ, in all points: too few for a regular grid: ";
     for (file, expected) in [
         ("", "XYZ, on line 1: the file has no points"),
-        ("0 0\n", "XYZ, on line 1: a point takes three cells"),
+        ("0 0\n", "XYZ, on line 1: a point needs three cells"),
         (
             "0 0 1\n0 1 2 3\n",
-            "XYZ, on line 2: a point takes three cells",
+            "XYZ, on line 2: a point needs three cells",
         ),
         ("0 0 1\n0 x 2\n", "XYZ, on line 2: \"x\" is not a number"),
         (
             "0 0 1\n0 nan 2\n",
-            "XYZ, on line 2: a point without a finite position",
+            "XYZ, on line 2: the position of a point is not finite",
         ),
         (
             "0 0 1\n-inf 0 2\n",
-            "XYZ, on line 2: a point without a finite position",
+            "XYZ, on line 2: the position of a point is not finite",
         ),
-        ("5 5 1\n", "XYZ, in all points: 1 places show no spacing"),
+        (
+            "5 5 1\n",
+            "XYZ, in all points: 1 places do not define a spacing",
+        ),
         (
             "5 5 1\n5 5 1\n",
-            "XYZ, in all points: 1 places show no spacing",
+            "XYZ, in all points: 1 places do not define a spacing",
         ),
         (
             "0 0 1\n1 0 2\n# again\n0 0 3\n",
-            "XYZ, on line 4: (0, 0) is at the place of a point before it",
+            "XYZ, on line 4: (0, 0) repeats the place of an earlier point",
         ),
         (
             "0 0 1\n1 0 2\n0 0 nan\n",
-            "XYZ, on line 3: (0, 0) is at the place of a point before it",
+            "XYZ, on line 3: (0, 0) repeats the place of an earlier point",
         ),
         (
             "0 0 1\n1 0 2\n2.3 0 3\n3.3 0 3\n",
@@ -126,7 +129,7 @@ fn xyz() {
         ("0 0 1\n1 0 2\n900 0 3\n", sparse),
         (
             "0 0 1\n1 0 2\n1e12 0 3\n",
-            "XYZ, on line 2: (1, 0) is at the place of a point before it",
+            "XYZ, on line 2: (1, 0) repeats the place of an earlier point",
         ),
         ("-1e308 0 1\n1e308 1 2\n", sparse),
         ("0 0 1\n1 1 2\n2 50 3\n", sparse),
@@ -190,23 +193,23 @@ fn sdf_in_text() {
     for (file, expected) in [
         (
             "aISO-1.0".into(),
-            "SDF, on line 1: no line of a star ends the header",
+            "SDF, on line 1: the header does not end with a line `*`",
         ),
         (
             header.into(),
-            "SDF, on line 1: no line of a star ends the header",
+            "SDF, on line 1: the header does not end with a line `*`",
         ),
         (
             with("nonsense"),
-            "SDF, on line 7: a header line takes the form Name = Value",
+            "SDF, on line 7: a header line must have the form Name = Value",
         ),
         (
             with("NumPoints = -2"),
-            "SDF, on line 7: NumPoints = \"-2\" is no number of its kind",
+            "SDF, on line 7: NumPoints = \"-2\" is not a valid number",
         ),
         (
             with("NumPoints = 2.5"),
-            "SDF, on line 7: NumPoints = \"2.5\" is no number",
+            "SDF, on line 7: NumPoints = \"2.5\" is not a valid number",
         ),
         (
             with("NumPoints = 0"),
@@ -214,7 +217,7 @@ fn sdf_in_text() {
         ),
         (
             with("NumPoints = 9999999999999999999"),
-            "SDF, on line 8: a padded grid takes 2559999999999999999744 bytes",
+            "SDF, on line 8: cannot allocate 2559999999999999999744 bytes for a padded grid",
         ),
         (
             with("NumProfiles = 1000000000"),
@@ -222,7 +225,7 @@ fn sdf_in_text() {
         ),
         (
             with("Xscale = none"),
-            "SDF, on line 7: Xscale = \"none\" is no number of its kind",
+            "SDF, on line 7: Xscale = \"none\" is not a valid number",
         ),
         (
             with("Xscale = nan"),

@@ -1,4 +1,4 @@
-//! The polynomials a form is made of.
+//! The polynomials of which a form consists.
 
 #[cfg(feature = "dense")]
 use faer::Mat;
@@ -43,14 +43,14 @@ impl Basis {
         self.terms.len()
     }
 
-    /// The product of a term in a cell.
+    /// The value in a cell of the product of a term.
     fn at(&self, cell: usize, term: usize) -> f64 {
         let [i, j] = self.terms[term];
         let width = self.degree + 1;
         self.along_x[cell % self.nx * width + i] * self.along_y[cell / self.nx * width + j]
     }
 
-    /// The sum of the products in a cell.
+    /// The sum of all terms in a cell.
     pub(super) fn value(&self, coefficients: &[f64], cell: usize) -> f64 {
         let terms = coefficients.iter().enumerate();
         terms.map(|(term, c)| c * self.at(cell, term)).sum()
@@ -109,7 +109,7 @@ impl Basis {
         Triangle::from_fn(count, |row, term| triangle[(row, term)])
     }
 
-    /// `A' (z - A c)`: what the terms still find in the known heights.
+    /// `A' (z - A c)`: the projection of the residual of the known heights onto the terms.
     pub(super) fn projection_of_rest(&self, z: &[f64], coefficients: &[f64]) -> Vec<f64> {
         parallel::fold(
             z.len(),
@@ -128,7 +128,7 @@ impl Basis {
     }
 }
 
-/// The sums of two parts, together.
+/// The sums of two parts, added.
 fn added(mut sums: Vec<f64>, others: Vec<f64>) -> Vec<f64> {
     for (sum, other) in sums.iter_mut().zip(others) {
         *sum += other;
@@ -136,7 +136,7 @@ fn added(mut sums: Vec<f64>, others: Vec<f64>) -> Vec<f64> {
     sums
 }
 
-/// First and last column, and first and last row, of the rectangle that holds every known height.
+/// First and last column, and first and last row, of the rectangle that encloses every known height.
 fn known_extent(grid: Grid, z: &[f64]) -> [[usize; 2]; 2] {
     let known = |cell: &usize| !z[*cell].is_nan();
     let extent = |places: &mut dyn Iterator<Item = usize>| {

@@ -13,10 +13,10 @@ use triangle::Triangle;
 /// Highest degree of a form: 231 coefficients.
 const HIGHEST_DEGREE: usize = 20;
 
-/// Steps of refinement: the first finds the coefficients, the others bring them to round-off.
+/// Steps of refinement: the first finds the coefficients, the others reduce their error to round-off.
 const REFINEMENTS: usize = 3;
 
-/// The smooth form taken off a measured surface.
+/// The smooth form that is removed from a measured surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -25,7 +25,7 @@ pub enum Form {
     Mean,
     /// The plane $`c_0 + c_1 x + c_2 y`$: the tilt of the specimen.
     Plane,
-    /// A polynomial in x and y of this total degree, at most 20; degree 2 takes off the curvature of a
+    /// A polynomial in x and y of this total degree, at most 20; degree 2 removes the curvature of a
     /// ball or a cylinder. With the feature `dense`.
     #[cfg(feature = "dense")]
     Polynomial(usize),
@@ -51,7 +51,7 @@ impl Form {
     }
 }
 
-/// A levelled surface and the form that was taken off it.
+/// A levelled surface and the form that was removed from it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Levelled {
     heights: Field,
@@ -59,7 +59,7 @@ pub struct Levelled {
 }
 
 impl Levelled {
-    /// The heights above the form (lengths); missing where they were missing.
+    /// The heights above the form (lengths); missing heights stay missing.
     #[must_use]
     pub fn heights(&self) -> &Field {
         &self.heights
@@ -78,22 +78,24 @@ impl Levelled {
     }
 }
 
-/// Takes a form off a measured surface, by least squares over the heights that are not NaN.
+/// Removes a form from a measured surface, by least squares over the heights that are not NaN.
 ///
-/// What remains is orthogonal to every polynomial of the form, to round-off. On a profile, a grid of
-/// one row or one column, the form varies along it only. Missing heights stay missing:
-/// [`fill_missing`](super::fill_missing) comes after.
+/// The remainder is orthogonal to every polynomial of the form, to round-off. On a profile, a grid of
+/// one row or one column, the form varies along the profile only. Missing heights stay missing:
+/// apply [`fill_missing`](super::fill_missing) afterwards.
 ///
-/// The form is a sum of products of Legendre polynomials over the rectangle of the known heights. Of its matrix
-/// $`A`$, which is never held at once, a triangular factor is made: for a mean or a plane by Cholesky from the few
-/// numbers of $`A^T A = R^T R`$; for a polynomial blocks of 4096 cells are reduced to their factors, and these in
-/// pairs to one, $`A = QR`$ (Demmel et al. 2012). Then $`R^T R\,\Delta c = A^T (z - A c)`$ is solved until the
+/// The form is a sum of products of Legendre polynomials over the rectangle of the known heights. Its matrix
+/// $`A`$ is never stored as a whole; only a triangular factor of it is computed. For a mean or a plane the factor
+/// follows by Cholesky from the few entries of $`A^T A = R^T R`$. For a polynomial, blocks of 4096 cells are reduced
+/// to their factors, and these in pairs to one, $`A = QR`$ (Demmel et al. 2012). Then
+/// $`R^T R\,\Delta c = A^T (z - A c)`$ is solved until the coefficients $`c`$ no longer change (corrected seminormal
+/// equations, Björck 1987).
 /// coefficients $`c`$ no longer change (corrected seminormal equations, Björck 1987).
 ///
 /// # Errors
 /// [`Error::Sample`] for the first infinite height; [`Error::Degree`] above degree 20;
-/// [`Error::Undetermined`] if the known heights are too few for the form, or lie too nearly on a curve
-/// that the form cannot tell from zero.
+/// [`Error::Undetermined`] if the known heights are too few for the form, or lie so close to a curve
+/// on which a polynomial of the form vanishes that they do not determine it.
 ///
 /// # References
 /// - Å. Björck, *Linear Algebra Appl.* 88-89 (1987) 31-48,

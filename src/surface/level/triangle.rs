@@ -1,6 +1,6 @@
 //! The triangular factor of a least-squares problem.
 
-/// Least part of a column that must be independent of the columns before it.
+/// Smallest fraction of a column that must be independent of the columns before it.
 const INDEPENDENT: f64 = 1e-5;
 
 /// An upper triangle `R`.
@@ -11,7 +11,7 @@ pub(super) struct Triangle {
 }
 
 impl Triangle {
-    /// By row and column, of which those below the diagonal are not asked for.
+    /// By row and column; `entry` is not called below the diagonal.
     pub(super) fn from_fn(count: usize, mut entry: impl FnMut(usize, usize) -> f64) -> Self {
         let mut entries = vec![0.0; count * count];
         for row in 0..count {
@@ -22,7 +22,7 @@ impl Triangle {
         Self { count, entries }
     }
 
-    /// Cholesky's factor of `A'A = R'R`, given row by row; not a number where the columns of `A` depend on one
+    /// Cholesky's factor of `A'A = R'R`, given row by row; NaN where the columns of `A` depend on one
     /// another.
     pub(super) fn of_products(count: usize, products: &[f64]) -> Self {
         let mut factor = Self::from_fn(count, |row, column| products[row * count + column]);
@@ -44,7 +44,7 @@ impl Triangle {
         self.entries[row * self.count + column]
     }
 
-    /// Whether every column of `A` has enough of its own beside those before it.
+    /// Whether every column of `A` is sufficiently independent of those before it.
     pub(super) fn is_independent(&self) -> bool {
         (0..self.count).all(|column| {
             let squares = (0..=column).map(|row| self.at(row, column).powi(2));
@@ -52,7 +52,7 @@ impl Triangle {
         })
     }
 
-    /// Solves `R'R x = b` in the place of `b`.
+    /// Solves `R'R x = b`; `x` holds `b` on entry.
     pub(super) fn solve_squared(&self, x: &mut [f64]) {
         for row in 0..self.count {
             let known: f64 = (0..row).map(|k| self.at(k, row) * x[k]).sum();

@@ -1,4 +1,4 @@
-//! A part cut out of a larger field.
+//! A part of a larger field.
 
 use std::f64::consts::PI;
 
@@ -11,7 +11,7 @@ use crate::grid::Grid;
 pub(super) struct Cut {
     /// The periodic field.
     pub(super) whole: Grid,
-    /// What is cut out of it.
+    /// The part of it that is used.
     pub(super) part: Grid,
     /// Cell of the whole where the part begins.
     pub(super) first: [usize; 2],
@@ -59,12 +59,12 @@ impl Cut {
         whole
     }
 
-    /// Phase of the wave of the given numbers in the first cell of the whole, for a phase of zero in
-    /// the middle of the part.
+    /// Phase of the wave of the given numbers in the first cell of the whole, if its phase in the middle of
+    /// the part is zero.
     pub(super) fn phase_of_first_cell(&self, numbers: [i64; 2]) -> f64 {
         let along = |number: i64, whole: usize, part: usize, first: usize| {
             let count = |n: usize| i128::try_from(n).unwrap_or(i128::MAX);
-            // In halves of a cell a position is a whole number, reduced by whole periods without loss.
+            // In half cells a position is an integer, which is reduced by whole periods without loss.
             let half_cells = count(part) - 1 + 2 * count(first);
             let turned = (-i128::from(number) * half_cells).rem_euclid(2 * count(whole));
             PI * turned as f64 / whole as f64

@@ -1,4 +1,4 @@
-//! The random numbers of one wave, from the seed and the wave alone.
+//! The random numbers of one wave, determined by the seed and the wave alone.
 
 use std::f64::consts::TAU;
 
@@ -6,7 +6,7 @@ use num_complex::Complex;
 
 use super::Amplitudes;
 
-/// A complex number whose mean square over all seeds is one: of modulus one, or normally distributed.
+/// A complex number whose mean square over all seeds is one: of modulus one or normally distributed.
 pub(super) fn wave(seed: u64, numbers: [i64; 2], amplitudes: Amplitudes) -> Complex<f64> {
     let bits = numbers.iter().fold(mix(seed), |bits, number| {
         mix(bits ^ u64::from_le_bytes(number.to_le_bytes()))

@@ -2,14 +2,14 @@
 
 use std::f64::consts::TAU;
 
-/// A curve that bends a standard normal number `g` into one of Johnson's distributions of positive
+/// A curve that maps a standard normal number `g` to one of Johnson's distributions of positive
 /// skewness.
 #[derive(Debug, Clone, Copy)]
 struct Curve {
     is_bounded: bool,
-    /// `1/delta`: how much it bends.
+    /// `1/delta`: the strength of the nonlinearity.
     steepness: f64,
-    /// `gamma/delta`: how far from symmetry.
+    /// `gamma/delta`: the deviation from symmetry.
     offset: f64,
 }
 
@@ -42,13 +42,13 @@ impl Curve {
     }
 }
 
-/// Largest offset: the curve is exponential to the last digit.
+/// Largest offset, at which the curve is exponential to the last digit.
 const LARGEST_OFFSET: f64 = 20.0;
 /// Steepness of the flattest curve, close to the normal distribution, and of the steepest, close to
-/// two values only or to infinite kurtosis.
+/// only two values or to infinite kurtosis.
 const STEEPNESS: [f64; 2] = [0.05, 5.0];
 
-/// The curve of positive skewness, near enough to start an iteration from.
+/// The curve of positive skewness, accurate enough to start an iteration from.
 fn curve(skewness: f64, kurtosis: f64) -> Curve {
     // The lognormal distribution of this skewness: Johnson (1949).
     let half = 1.0 + 0.5 * skewness * skewness;
@@ -57,7 +57,7 @@ fn curve(skewness: f64, kurtosis: f64) -> Curve {
     let lognormal_kurtosis = omega.powi(4) + 2.0 * omega.powi(3) + 3.0 * omega.powi(2) - 3.0;
     let is_bounded = kurtosis < lognormal_kurtosis;
 
-    // From that distribution on, the steeper the curve the further its kurtosis is away.
+    // Beyond that distribution the kurtosis moves away from it as the curve becomes steeper.
     let flattest = omega.ln().sqrt().max(STEEPNESS[0]);
     let of_skewness = |steepness: f64| {
         let with = |offset| Curve {
@@ -88,8 +88,8 @@ fn bisect([mut low, mut high]: [f64; 2], holds: impl Fn(f64) -> bool) -> f64 {
     0.5 * (low + high)
 }
 
-/// `count` heights in ascending order, evenly spread over the distribution that has about the given
-/// skewness and kurtosis. Mean and unit are arbitrary.
+/// `count` heights in ascending order, evenly spread over the distribution that has approximately the
+/// given skewness and kurtosis. Mean and unit are arbitrary.
 pub(super) fn sorted_heights([skewness, kurtosis]: [f64; 2], count: usize) -> Vec<f64> {
     let curve = curve(skewness.abs(), kurtosis);
     let mut heights: Vec<_> = sorted_normal(count).map(|g| curve.bend(g)).collect();
@@ -102,11 +102,11 @@ pub(super) fn sorted_heights([skewness, kurtosis]: [f64; 2], count: usize) -> Ve
     heights
 }
 
-/// `count` normal numbers in ascending order, one for each of as many equal probabilities.
+/// `count` normal numbers in ascending order, one for each of `count` equal probabilities.
 fn sorted_normal(count: usize) -> impl Iterator<Item = f64> {
     const STEP: f64 = 0.01;
     let density = |g: f64| (-0.5 * g * g).exp() / TAU.sqrt();
-    // The probability of each step from -9, where there is none left, by Simpson's rule.
+    // The probability of each step, by Simpson's rule, from -9, below which it is negligible.
     let step = move |low: f64| {
         let inner = 4.0 * density(low + 0.5 * STEP);
         STEP / 6.0 * (density(low) + inner + density(low + STEP))
@@ -151,7 +151,7 @@ mod tests {
             let reached = [3, 4].map(|power| mean_of(&|z| ((z - mean) / deviation).powi(power)));
             let error = [reached[0] - skewness, reached[1] - kurtosis];
             assert!(error[0].abs() < 0.01, "{skewness} {kurtosis}: {reached:?}");
-            // What heavy tails hold beyond a hundred thousand heights is missing.
+            // The part of heavy tails beyond a hundred thousand heights is missing.
             assert!(
                 error[1].abs() < 0.02 * kurtosis,
                 "{skewness} {kurtosis}: {reached:?}"

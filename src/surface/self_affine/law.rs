@@ -7,7 +7,7 @@ use crate::error::{Error, Result, at_least, positive};
 use crate::grid::Grid;
 use crate::surface::fourier::{Mode, Waves};
 
-/// A self-affine law whose wavelengths are all known.
+/// A self-affine law with all its wavelengths set.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Law {
     hurst: f64,
@@ -16,8 +16,8 @@ pub(super) struct Law {
     cut_off: f64,
 }
 
-/// Part of a wavelength by which a wave may be outside the band, so that round-off does not decide
-/// about a wave that is meant to lie on its edge.
+/// Fraction of a wavelength by which a wave may lie outside the band, so that round-off does not decide
+/// on a wave meant to lie on the edge of the band.
 const ROUND_OFF: f64 = 1e-9;
 
 /// Default cut-off, in cells.
@@ -26,7 +26,7 @@ const CUT_OFF_CELLS: f64 = 8.0;
 const LEAST_CUT_OFF_CELLS: f64 = 2.0;
 
 impl Law {
-    /// The law asked for, on the grid of the periodic surface.
+    /// The requested law, on the grid of the periodic surface.
     pub(super) fn new(asked: &SelfAffine, grid: Grid) -> Result<Self> {
         if !(0.0..=1.0).contains(&asked.hurst) {
             return Err(Error::Hurst(asked.hurst));
@@ -65,7 +65,7 @@ impl Law {
     pub(super) fn power(&self, mode: &Mode) -> f64 {
         let wavelength = TAU / mode.wave_number();
         let is_short = wavelength < self.cut_off * (1.0 - ROUND_OFF);
-        // On this side of the comparison the factor cannot overflow: the mean is always too long.
+        // In this form of the comparison the product cannot overflow: the mean is always too long.
         let is_long = wavelength * (1.0 - ROUND_OFF) > self.longest;
         if is_short || is_long || mode.is_at_limit {
             0.0
@@ -75,7 +75,7 @@ impl Law {
         }
     }
 
-    /// Total power of a field's waves, each weighted by a function of its mode.
+    /// Total power of the waves of a field, each weighted by a function of its mode.
     pub(super) fn total(&self, grid: Grid, weight: impl Fn(&Mode) -> f64) -> Result<f64> {
         let power = |mode: Mode| mode.copies * self.power(&mode) * weight(&mode);
         let total = Waves::none(grid).iter().map(|(mode, _)| power(mode)).sum();

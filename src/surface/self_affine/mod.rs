@@ -24,13 +24,13 @@ pub use rough_surface::RoughSurface;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Amplitudes {
-    /// Every wave has the modulus of the law, and only its phase is random: Wu (2000). The target is
-    /// met by every surface.
+    /// Every wave has the modulus of the law, and only its phase is random: Wu (2000). Every surface
+    /// meets the target exactly.
     #[default]
     Exact,
     /// Real and imaginary parts are independent and normally distributed, as those of filtered white
-    /// noise: Hu and Tonder (1992). The target is met by the mean square over all seeds, of the whole
-    /// periodic surface.
+    /// noise: Hu and Tonder (1992). The mean square of the whole periodic surface, averaged over all
+    /// seeds, meets the target.
     Gaussian,
 }
 
@@ -47,27 +47,27 @@ pub enum Amplitudes {
 ///   0 & \text{otherwise,} \end{cases}
 /// ```
 ///
-/// the paper's equation 36. Waves of two cells along an axis, whose phase the grid cannot hold, are
-/// left out. The common factor follows from the target, the root mean square of the heights or of
-/// the slopes, and from the waves that are present.
+/// the paper's equation 36. Waves of two cells along an axis are omitted, since the grid does not
+/// resolve their phase. The common factor follows from the target, the root mean square of the heights
+/// or of the slopes, and from the waves that are present.
 ///
 /// | option | default |
 /// |---|---|
 /// | [`hurst`](Self::hurst) | 0.8 |
 /// | [`longest_wavelength`](Self::longest_wavelength) | the longer side of the periodic surface |
-/// | [`roll_off_wavelength`](Self::roll_off_wavelength) | the longest: no plateau |
+/// | [`roll_off_wavelength`](Self::roll_off_wavelength) | the longest wavelength: no plateau |
 /// | [`cut_off_wavelength`](Self::cut_off_wavelength) | 8 cells, of their longer side |
 /// | [`amplitudes`](Self::amplitudes) | [`Amplitudes::Exact`] |
-/// | [`cropped`](Self::cropped) | not: the surface is periodic |
-/// | [`skewness`](Self::skewness), [`kurtosis`](Self::kurtosis) | whatever the phases give |
+/// | [`cropped`](Self::cropped) | no: the surface is periodic |
+/// | [`skewness`](Self::skewness), [`kurtosis`](Self::kurtosis) | as they follow from the phases |
 /// | [`seed`](Self::seed) | 0 |
 ///
 /// # Refining the grid
-/// Each wave draws its phase and modulus from the seed and its own two numbers of periods per side
-/// alone, and its phase is that in the middle of the grid. So a finer grid over the same rectangle
-/// samples the same surface if the cut-off wavelength is given and more than two cells, and adds short
-/// waves to it, up to the common factor, if not. With a skewness or kurtosis asked for, the heights of
-/// all cells decide about the phases, and the surfaces differ.
+/// The phase and modulus of each wave depend only on the seed and on the wave's two numbers of periods per
+/// side; the phase is that in the middle of the grid. If the cut-off wavelength is given and is more than
+/// two cells, a finer grid over the same rectangle therefore samples the same surface. Otherwise it adds
+/// short waves to it, up to the common factor. If a skewness or kurtosis is given, the phases depend on the
+/// heights of all cells, and the surfaces differ.
 ///
 /// ```
 /// use stickslip::{Grid, surface::SelfAffine};
@@ -86,18 +86,18 @@ pub enum Amplitudes {
 /// ```
 ///
 /// # Heights that are not Gaussian
-/// The sum of many waves of random phases has Gaussian heights. With a skewness or a kurtosis given
+/// The sum of many waves of random phases has Gaussian heights. If a skewness or a kurtosis is given,
 /// the phases are changed and the moduli kept to the last digit, so that spectrum, rms height and rms
-/// slope are those of the surface without. First, in turn, the heights are replaced by rank with those
+/// slope are those of the Gaussian surface. First, in alternation, the heights are replaced by rank with those
 /// of a Johnson distribution (1949) and the moduli restored, as Perez-Rafols and Almqvist (2019) do
-/// after Schreiber and Schmitz (1996). Then Newton's method turns the phases as little as possible
-/// until skewness and kurtosis are met to 1e-9. Of a cropped surface it is the spectrum of the periodic
-/// one that is kept.
+/// after Schreiber and Schmitz (1996). Then Newton's method changes the phases as little as possible
+/// until skewness and kurtosis are met to 1e-9. For a cropped surface the spectrum that is kept is that of
+/// the periodic surface.
 ///
 /// The heights follow the Johnson distribution to about 0.01 of their rms where many waves carry the
-/// spectrum, to 0.1 where few do or next to what can be reached. What cannot be reached is an error,
-/// never an approximation. Each of eight seeds was met for these kurtoses (2.1, 2.25, 2.5, 2.75, 3, 4,
-/// 5, 6, 8 and 12 were tried; `L` is the side of a square):
+/// spectrum, and to 0.1 where few do or close to the limit of what can be reached. If the values cannot be
+/// reached, an error is returned, never an approximation. These kurtoses were reached with each of eight
+/// seeds (2.1, 2.25, 2.5, 2.75, 3, 4, 5, 6, 8 and 12 were tried; `L` is the side of a square):
 ///
 /// | roll-off, cut-off | skewness 0, ±0.5 | skewness ±1 |
 /// |---|---|---|
@@ -108,7 +108,7 @@ pub enum Amplitudes {
 /// | `L/8`, `L/32` | 2.1 to 12 | 2.5 to 12 |
 /// | no plateau, `L/8`, cropped | 2.1 to 12 | 2.25 to 12 |
 ///
-/// It takes 10 to 30 iterations, on a square of 1024 cells about a second; a surface without takes a
+/// It takes 10 to 30 iterations, about a second on a square of 1024 cells; a Gaussian surface takes a
 /// twentieth of that.
 ///
 /// ```
@@ -159,7 +159,7 @@ pub struct SelfAffine {
     seed: u64,
 }
 
-/// What the common factor of the waves is chosen for.
+/// The quantity that determines the common factor of the waves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -180,7 +180,7 @@ impl Target {
     }
 }
 
-/// What it takes at least to make a surface, with all waves about it.
+/// Bytes per cell that a surface needs at least while it is made, with all its waves.
 const BYTES_PER_CELL: usize = 24;
 
 fn default_hurst() -> f64 {
@@ -188,13 +188,13 @@ fn default_hurst() -> f64 {
 }
 
 impl SelfAffine {
-    /// A surface of the given root mean square of the heights (a length).
+    /// A surface of the given root-mean-square height (a length).
     #[must_use]
     pub fn with_rms_height(rms_height: f64) -> Self {
         Self::with(Target::RmsHeight(rms_height))
     }
 
-    /// A surface of the given root mean square of the gradient $`|\nabla z|`$, of the sum of waves.
+    /// A surface of the given root-mean-square gradient $`|\nabla z|`$ of the sum of waves.
     #[must_use]
     pub fn with_rms_slope(rms_slope: f64) -> Self {
         Self::with(Target::RmsSlope(rms_slope))
@@ -221,7 +221,7 @@ impl SelfAffine {
         Self { hurst, ..self }
     }
 
-    /// Length of the longest waves, where the spectrum begins.
+    /// The longest wavelength, where the spectrum begins.
     #[must_use]
     pub fn longest_wavelength(self, wavelength: f64) -> Self {
         Self {
@@ -230,7 +230,7 @@ impl SelfAffine {
         }
     }
 
-    /// Length of the waves where the plateau ends and the spectrum begins to fall.
+    /// The wavelength at which the plateau ends and the spectrum begins to fall.
     #[must_use]
     pub fn roll_off_wavelength(self, wavelength: f64) -> Self {
         Self {
@@ -239,7 +239,7 @@ impl SelfAffine {
         }
     }
 
-    /// Length of the shortest waves, where the spectrum ends; at least two cells.
+    /// The shortest wavelength, where the spectrum ends; at least two cells.
     #[must_use]
     pub fn cut_off_wavelength(self, wavelength: f64) -> Self {
         Self {
@@ -255,11 +255,11 @@ impl SelfAffine {
     }
 
     /// Cuts the surface out of the middle of a periodic one of twice the sides, so that opposite
-    /// edges do not match. The mean of the part is taken off and, for [`Amplitudes::Exact`], the part
+    /// edges do not match. The mean of the part is removed and, for [`Amplitudes::Exact`], the part
     /// is scaled to the target; skewness and kurtosis are those of the part.
     ///
-    /// With [`Amplitudes::Gaussian`] the part is not scaled, and lacks what its mean held: without a
-    /// longest wavelength the mean square of its heights over all seeds is about 0.7 of the target's.
+    /// With [`Amplitudes::Gaussian`] the part is not scaled, and removing its mean reduces it: if no longest
+    /// wavelength is given, the mean square of its heights over all seeds is about 0.7 of the target's.
     #[must_use]
     pub fn cropped(self) -> Self {
         Self {
@@ -279,7 +279,7 @@ impl SelfAffine {
     }
 
     /// The kurtosis of the heights, $`\langle z^4\rangle/\langle z^2\rangle^2`$, at least the squared
-    /// skewness plus one; 3, as of a Gaussian surface, if only the skewness is given.
+    /// skewness plus one; 3, the value of a Gaussian surface, if only the skewness is given.
     #[must_use]
     pub fn kurtosis(self, kurtosis: f64) -> Self {
         Self {
@@ -288,7 +288,7 @@ impl SelfAffine {
         }
     }
 
-    /// Which of the random surfaces; the same on every machine, to round-off.
+    /// Selects one of the random surfaces; the same on every machine, to round-off.
     #[must_use]
     pub fn seed(self, seed: u64) -> Self {
         Self { seed, ..self }
@@ -303,12 +303,12 @@ impl SelfAffine {
     /// - [`Error::Below`](crate::Error::Below) if the cut-off is less than two cells, if a wavelength
     ///   is less than the next shorter one, or if the kurtosis is less than the squared skewness plus
     ///   one.
-    /// - [`Error::EmptyBand`](crate::Error::EmptyBand) if no wave of the surface is within the band.
+    /// - [`Error::EmptyBand`](crate::Error::EmptyBand) if no wave of the surface lies within the band.
     /// - [`Error::HeightsNotReached`](crate::Error::HeightsNotReached) if no phases were found for
     ///   skewness and kurtosis.
     /// - [`Error::Sample`](crate::Error::Sample) for the first height that overflows.
-    /// - [`Error::Memory`](crate::Error::Memory) if that of the surface, four times the cells if it is cropped,
-    ///   cannot be had.
+    /// - [`Error::Memory`](crate::Error::Memory) if the memory for the surface, of four times the cells if it is
+    ///   cropped, cannot be allocated.
     pub fn generate(&self, grid: Grid) -> Result<RoughSurface> {
         let wanted = self.moments()?;
         let target = self.target.checked()?;
@@ -338,7 +338,7 @@ impl SelfAffine {
         Ok(surface)
     }
 
-    /// Skewness and kurtosis, if either is given.
+    /// Skewness and kurtosis, if at least one is given.
     fn moments(&self) -> Result<Option<[f64; 2]>> {
         if self.skewness.is_none() && self.kurtosis.is_none() {
             return Ok(None);
@@ -350,7 +350,7 @@ impl SelfAffine {
         Ok(Some([skewness, kurtosis]))
     }
 
-    /// The waves of the periodic surface whose target is one, where no square is out of range.
+    /// The waves of the periodic surface with a target of one, so that no square is out of range.
     fn waves(&self, cut: &Cut) -> Result<Waves> {
         let law = Law::new(self, cut.whole)?;
         let total = match self.target {
@@ -363,7 +363,7 @@ impl SelfAffine {
             if power == 0.0 {
                 return Complex::default();
             }
-            // Of opposite waves along y both are kept: one draws, the other is its conjugate.
+            // Of two opposite waves along y both are stored: one is drawn, the other is its conjugate.
             let [i, j] = mode.numbers;
             let is_mirrored = i == 0 && j < 0;
             let numbers = [i, if is_mirrored { -j } else { j }];

@@ -11,7 +11,7 @@ pub(super) fn mean_of(samples: &[f64], f: impl Fn(f64) -> f64 + Sync) -> f64 {
     parallel::fold(samples.len(), sum_over, |a, b| a + b) / samples.len() as f64
 }
 
-/// Heights of mean zero and mean square one, and what was done to make them so.
+/// Heights of mean zero and mean square one, and the scale by which they were normalised.
 #[derive(Debug)]
 pub(super) struct Standardised {
     pub(super) heights: Field,

@@ -1,6 +1,6 @@
-//! Phases of given waves for which the heights have exactly the skewness and kurtosis wanted.
+//! Phases of given waves for which the heights have exactly the requested skewness and kurtosis.
 //!
-//! With `x` the heights of mean zero and mean square one, skewness $`s`$ and kurtosis $`k`$ change
+//! Let `x` be the heights, of mean zero and mean square one. Skewness $`s`$ and kurtosis $`k`$ change
 //! with the heights as
 //!
 //! ```math
@@ -9,8 +9,8 @@
 //! ```
 //!
 //! and a wave $`a`$ turned by $`\delta\varphi`$ changes by $`\mathrm{i} a\,\delta\varphi`$. Newton's
-//! step is the least change of the heights that turned waves can make and that has the
-//! $`\delta s`$ and $`\delta k`$ still missing.
+//! step is the smallest change of the heights by turned waves that supplies the missing
+//! $`\delta s`$ and $`\delta k`$.
 
 use num_complex::Complex;
 
@@ -19,14 +19,14 @@ use super::moments::Standardised;
 use crate::error::{Error, Result};
 use crate::surface::fourier::Waves;
 
-/// Largest distance from the skewness and the kurtosis wanted.
+/// Largest deviation from the requested skewness and kurtosis.
 const TOLERANCE: f64 = 1e-9;
-/// Most steps; three to ten are usual.
+/// Largest number of steps; three to ten are usual.
 const LIMIT: usize = 60;
 /// Largest change of the heights in one step, root mean square relative to that of the heights.
 const LONGEST_STEP: f64 = 0.1;
 
-/// Turns the waves until the heights within a cut have the skewness and kurtosis wanted; returns the
+/// Turns the waves until the heights within a cut have the requested skewness and kurtosis; returns the
 /// number of steps.
 pub(super) fn turn(waves: &mut Waves, cut: &Cut, wanted: [f64; 2]) -> Result<usize> {
     let mut reached = [f64::NAN; 2];
@@ -49,7 +49,7 @@ pub(super) fn turn(waves: &mut Waves, cut: &Cut, wanted: [f64; 2]) -> Result<usi
     })
 }
 
-/// Turns the waves for the skewness and kurtosis still missing, or not, if no turn changes both.
+/// Turns the waves to supply the missing skewness and kurtosis; returns false if no turn changes both.
 fn newton_step(waves: &mut Waves, cut: &Cut, surface: &Standardised, missing: [f64; 2]) -> bool {
     let [skewness, kurtosis] = surface.moments();
     let direction = |f: &dyn Fn(f64) -> f64| {
@@ -62,7 +62,7 @@ fn newton_step(waves: &mut Waves, cut: &Cut, surface: &Standardised, missing: [f
     let of_skewness = direction(&|x| x * x - skewness * x - 1.0);
     let of_kurtosis = direction(&|x| x * x * x - kurtosis * x - skewness);
 
-    // Mean products of the changes that a turn along each direction makes.
+    // Mean products of the changes caused by a turn along each direction.
     let [mut ss, mut sk, mut kk, mut square] = [0.0; 4];
     let directions = of_skewness.iter().zip(of_kurtosis.iter());
     for ((mode, wave), ((_, s), (_, k))) in waves.iter().zip(directions) {

@@ -1,7 +1,7 @@
 //! Waves of given moduli whose heights nearly follow a given distribution.
 //!
-//! Two steps in turn: the heights are replaced, each by the one of its rank in the distribution;
-//! then the moduli of the waves are set right again and only the phases kept.
+//! Two steps alternate: each height is replaced by that of the same rank in the distribution;
+//! then the moduli of the waves are restored and only the new phases kept.
 
 use num_complex::Complex;
 
@@ -10,9 +10,9 @@ use super::moments::Standardised;
 use crate::field::Field;
 use crate::surface::fourier::Waves;
 
-/// Most iterations: each costs two transforms and a sort.
+/// Largest number of iterations; each costs two transforms and a sort.
 const LIMIT: usize = 20;
-/// Change of skewness and kurtosis below which further iterations are not worth while.
+/// Change of skewness and kurtosis below which further iterations are not worthwhile.
 const SLOW: f64 = 0.01;
 
 /// Waves of the same moduli whose heights nearly follow a distribution of the given skewness and
@@ -36,7 +36,7 @@ pub(super) fn approach(drawn: &Waves, wanted: [f64; 2]) -> (Waves, usize) {
     (waves, iterations)
 }
 
-/// Gives every cell the height that has its rank.
+/// Gives every cell the height of its rank.
 fn replace_by_rank(heights: &mut Field, sorted: &[f64]) {
     let heights = heights.as_mut_slice();
     let mut ranked: Vec<_> = heights.iter().copied().enumerate().collect();

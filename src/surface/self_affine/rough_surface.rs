@@ -1,4 +1,4 @@
-//! What was generated, and the numbers it has.
+//! A generated surface and its parameters.
 
 use num_complex::Complex;
 
@@ -7,7 +7,7 @@ use super::moments::{Standardised, mean_of};
 use crate::field::Field;
 use crate::surface::fourier::Waves;
 
-/// A surface made by [`SelfAffine`](super::SelfAffine), and the numbers it has.
+/// A surface made by [`SelfAffine`](super::SelfAffine), with its parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RoughSurface {
     heights: Field,
@@ -19,7 +19,7 @@ pub struct RoughSurface {
 }
 
 impl RoughSurface {
-    /// The part of the waves within a cut, less its mean.
+    /// The part of the waves within a cut, minus its mean.
     pub(super) fn new(waves: &Waves, cut: &Cut, iterations: usize) -> Self {
         let mut heights = cut.of(&waves.clone().into_field());
         let mean = mean_of(heights.as_slice(), |z| z);
@@ -56,14 +56,14 @@ impl RoughSurface {
         }
     }
 
-    /// Heights above the mean plane (lengths), out of the body: [`gap_of`](crate::surface::gap_of)
-    /// makes them a gap.
+    /// Heights above the mean plane (lengths), pointing out of the body; [`gap_of`](crate::surface::gap_of)
+    /// turns them into a gap.
     #[must_use]
     pub fn heights(&self) -> &Field {
         &self.heights
     }
 
-    /// The heights, without the numbers.
+    /// The heights, without the parameters.
     #[must_use]
     pub fn into_heights(self) -> Field {
         self.heights
@@ -76,7 +76,7 @@ impl RoughSurface {
     }
 
     /// Root mean square of the gradient, $`\sqrt{\langle |\nabla z|^2\rangle}`$, of the sum of waves
-    /// at the centres of the cells; finite differences of the samples are less steep.
+    /// at the cell centres; finite differences of the samples give less.
     #[must_use]
     pub fn rms_slope(&self) -> f64 {
         self.rms_slope
@@ -88,13 +88,13 @@ impl RoughSurface {
         self.skewness
     }
 
-    /// Kurtosis of the heights, $`\langle z^4\rangle / S_q^4`$, of a Gaussian surface about 3.
+    /// Kurtosis of the heights, $`\langle z^4\rangle / S_q^4`$; about 3 for a Gaussian surface.
     #[must_use]
     pub fn kurtosis(&self) -> f64 {
         self.kurtosis
     }
 
-    /// Iterations made for the skewness and kurtosis asked for; zero if none was asked for.
+    /// Iterations made for the requested skewness and kurtosis; zero if neither was requested.
     #[must_use]
     pub fn iterations(&self) -> usize {
         self.iterations
