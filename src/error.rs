@@ -139,6 +139,9 @@ pub enum Error {
     /// The iteration limit is zero.
     #[error("the iteration limit must be at least 1")]
     IterationLimit,
+    /// A normal problem that is to hold its pressure: it has none yet.
+    #[error("a normal problem has no pressure to hold: give it a force or an approach")]
+    NothingToHold,
     /// The method is not defined for the problem.
     #[error("the method {method} does not solve problems with {quantity}: use ActiveSet")]
     Method {
@@ -169,6 +172,9 @@ pub enum Error {
         /// The greatest total within the bounds.
         upper: f64,
     },
+    /// A direction occurs twice among those of one operator.
+    #[error("the directions of an operator must differ from each other")]
+    RepeatedDirection,
     /// The bodies do not touch: there is no contact to load tangentially.
     #[error(
         "the contact is empty: no cell carries pressure (there is no load, or the approach does not exceed the least gap)"

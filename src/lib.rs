@@ -19,7 +19,7 @@
 //!
 //! ```
 //! use stickslip::{
-//!     ElasticPair, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
+//!     ElasticPair, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
 //!     TangentialLoad, TangentialProblem, analytical, surface,
 //! };
 //! // A steel ball of radius 3.5 mm on steel: 128 x 128 cells on a square of side 0.40 mm. SI units.
@@ -29,14 +29,14 @@
 //! let ball = surface::sphere(grid, 3.5e-3)?; // the gap before loading
 //!
 //! // A normal force of 100 N: Hertz.
-//! let load = NormalLoad::Force(100.0);
+//! let load = NormalControl::Force(100.0);
 //! let normal = NormalProblem::builder(&bodies, &ball, load).build()?.solve()?;
 //! let hertz = analytical::HertzSphere::new(bodies.pair(), 3.5e-3, 100.0)?;
 //! assert!((normal.approach() / hertz.approach() - 1.0).abs() < 1e-4);
 //! assert!((normal.pressure().max() / hertz.max_pressure() - 1.0).abs() < 1e-3);
 //!
 //! // A tangential force of 20 N, with a friction limit of 50 N: Cattaneo and Mindlin.
-//! let (friction, load) = (Friction::coulomb(0.5)?, TangentialLoad::Force([20.0, 0.0]));
+//! let (friction, load) = (Friction::coulomb(0.5)?, TangentialLoad::force([20.0, 0.0]));
 //! let shear = TangentialProblem::builder(&bodies, &normal, friction, load).build()?.solve()?;
 //! let exact = analytical::CattaneoMindlin::new(hertz, 0.5, 20.0)?;
 //! assert!((shear.stick_ratio() - exact.stick_ratio()).abs() < 0.01);
@@ -49,9 +49,9 @@
 //!
 //! | to | use |
 //! |---|---|
-//! | solve normal contact | [`NormalProblem`], by [`NormalLoad::Force`] or [`Approach`](NormalLoad::Approach) |
-//! | solve partial slip along x or y | [`TangentialProblem`], by [`TangentialLoad::Force`] or [`Shift`](TangentialLoad::Shift) |
-//! | solve it for any direction, with both components of the traction | the same, with [`Lateral::Coupled`] |
+//! | solve normal contact | [`NormalProblem`], by [`NormalControl::Force`] or [`Approach`](NormalControl::Approach) |
+//! | solve partial slip along x or y | [`TangentialProblem`], by [`TangentialLoad::force`] or [`Shift`](TangentialLoad::shift) |
+//! | solve it for any direction, with both components of the traction | the same, with [`TangentialModel::Vector`] |
 //! | solve either repeatedly | [`NormalSolver`], [`TangentialSolver`] |
 //! | load step by step with memory of slip | [`History`], [`LoadStep`] |
 //! | keep the state of a history, return to it, save it | [`history::State`] |
@@ -156,7 +156,7 @@
 //! The model covers elastic half-spaces with small slopes and strains, free surroundings or a periodic grid, and any
 //! history of load along one axis or in the plane, including twist. Along an axis the traction across the load is
 //! neglected, as in the paper; on the sphere of Poisson's ratio 0.29 this changes the force by less than 0.1 %. The
-//! plane model ([`Lateral::Coupled`]) finds both components, in about three times the time. Tangential problems and
+//! plane model ([`TangentialModel::Vector`]) finds both components, in about three times the time. Tangential problems and
 //! histories refuse materials whose pressure and shear are coupled (Dundurs' beta not zero) until the coupling is
 //! neglected explicitly. The plane model reproduces the histories of CONTACT's test bench, among them 21 steps of a
 //! moving sphere, to 1e-9 of the largest pressure (`tests/another_code_agrees_through_histories.rs`).
@@ -182,11 +182,13 @@
 
 pub mod analytical;
 mod boundary;
+mod cascade;
 pub mod cgm;
 mod clock;
 mod contact_map;
 #[cfg(feature = "dense")]
 pub mod dense;
+mod elastic;
 mod error;
 pub mod fft;
 mod field;
@@ -203,7 +205,7 @@ mod parallel;
 mod report;
 #[cfg(feature = "serde")]
 mod serial;
-mod stage;
+mod passes;
 pub mod surface;
 pub mod tangential;
 mod window;
@@ -213,15 +215,15 @@ pub use contact_map::Warning;
 pub use error::{Error, Result};
 pub use field::Field;
 pub use grid::Grid;
-pub use half_space::HalfSpace;
-pub use history::{History, LoadStep, NormalStep, TangentialStep};
+pub use half_space::{ElasticOperator, ElasticPreconditioner, HalfSpace};
+pub use history::{History, LoadStep};
 pub use material::{ElasticPair, Material};
-pub use normal::{NormalLoad, NormalProblem, NormalSolution, NormalSolver};
+pub use normal::{NormalControl, NormalProblem, NormalSolution, NormalSolver};
 pub use operator::{Identity, Operator};
 pub use report::{Iteration, Report, Status};
 pub use tangential::{
-    Axis, Friction, Lateral, Pressure, TangentialLoad, TangentialProblem, TangentialSolution,
-    TangentialSolver, Zone,
+    Axis, Friction, Pressure, TangentialControl, TangentialLoad, TangentialModel,
+    TangentialProblem, TangentialSolution, TangentialSolver, Zone,
 };
 
 /// The examples of the README also run as tests.

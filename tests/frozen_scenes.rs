@@ -20,9 +20,9 @@ use common::{Random, rough, unit_bodies, unit_pair};
 use stickslip::cgm::{Method, Report};
 use stickslip::history::{LoadPath, wear};
 use stickslip::{
-    Axis, Boundary, Field, Friction, Grid, HalfSpace, History, Lateral, LoadStep, NormalLoad,
-    NormalProblem, NormalSolution, NormalSolver, NormalStep, Pressure, TangentialLoad,
-    TangentialProblem, TangentialSolution, TangentialSolver, TangentialStep, Zone, surface,
+    Axis, Boundary, Field, Friction, Grid, HalfSpace, History, TangentialModel, LoadStep, NormalControl,
+    NormalProblem, NormalSolution, NormalSolver, Pressure, TangentialLoad,
+    TangentialProblem, TangentialSolution, TangentialSolver, TangentialControl, Zone, surface,
 };
 
 /// How closely a scene must be found again.
@@ -322,7 +322,7 @@ fn rough_plate(cells: usize, seed: u64) -> (HalfSpace, Field) {
 fn normal_solver(
     bodies: &HalfSpace,
     gap: &Field,
-    load: NormalLoad,
+    load: NormalControl,
     method: Method,
     tolerance: f64,
 ) -> NormalSolver {
@@ -336,7 +336,7 @@ fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
     common::press(
         bodies,
         gap,
-        NormalLoad::Force(force),
+        NormalControl::Force(force),
         1e-8,
         Method::ActiveSet,
     )
@@ -351,23 +351,23 @@ fn shear_solver<'a>(
     pressure: impl Into<Pressure<'a>>,
     friction: Friction,
     load: TangentialLoad,
-    (lateral, method, tolerance): (Lateral, Method, f64),
+    (lateral, method, tolerance): (TangentialModel, Method, f64),
 ) -> TangentialSolver {
-    let builder = TangentialProblem::builder(bodies, pressure, friction, load).lateral(lateral);
+    let builder = TangentialProblem::builder(bodies, pressure, friction, load).model(lateral);
     let problem = builder.method(method).tolerance(tolerance).build().unwrap();
     problem.into_solver().unwrap()
 }
 
 fn pull(force: [f64; 2]) -> TangentialLoad {
-    TangentialLoad::Force(force)
+    TangentialLoad::force(force)
 }
 
 fn drag(shift: [f64; 2]) -> TangentialLoad {
-    TangentialLoad::Shift(shift)
+    TangentialLoad::shift(shift)
 }
 
-const SCALAR: (Lateral, Method, f64) = (Lateral::Neglected, Method::ActiveSet, 1e-8);
-const PLANE: (Lateral, Method, f64) = (Lateral::Coupled, Method::ActiveSet, 1e-8);
+const SCALAR: (TangentialModel, Method, f64) = (TangentialModel::Scalar, Method::ActiveSet, 1e-8);
+const PLANE: (TangentialModel, Method, f64) = (TangentialModel::Vector, Method::ActiveSet, 1e-8);
 
 fn solve_normal(solver: &mut NormalSolver) -> NormalSolution {
     let mut answer = solver.new_solution();
@@ -388,7 +388,7 @@ fn sheared<'a>(
     bodies: &'a HalfSpace,
     pressure: impl Into<Pressure<'a>>,
     load: TangentialLoad,
-    how: (Lateral, Method, f64),
+    how: (TangentialModel, Method, f64),
 ) {
     let answer = solve_shear(&mut shear_solver(bodies, pressure, coulomb(), load, how));
     record.sheared(solve, &answer);
@@ -404,17 +404,17 @@ fn history(
     let builder = History::builder(bodies, gap, friction).tolerance(tolerance);
     let builder = match axis {
         Some(axis) => builder.axis(axis),
-        None => builder.lateral(Lateral::Coupled),
+        None => builder.model(TangentialModel::Vector),
     };
     builder.build().unwrap()
 }
 
 fn pressing(force: f64) -> LoadStep {
-    LoadStep::hold().normal(NormalStep::Force(force))
+    LoadStep::hold().normal(NormalControl::Force(force))
 }
 
-fn spring(position: f64, stiffness: f64) -> TangentialStep {
-    TangentialStep::Spring {
+fn spring(position: f64, stiffness: f64) -> TangentialControl {
+    TangentialControl::Spring {
         position,
         stiffness,
     }
@@ -423,7 +423,7 @@ fn spring(position: f64, stiffness: f64) -> TangentialStep {
 // ---------------------------------------------------------------------------------------------------------------------
 // Normal contacts.
 
-fn pressed_by_both(record: &mut Record, bodies: &HalfSpace, gap: &Field, load: NormalLoad) {
+fn pressed_by_both(record: &mut Record, bodies: &HalfSpace, gap: &Field, load: NormalControl) {
     for (solve, method) in [
         ("active set", Method::ActiveSet),
         ("polonsky keer", Method::PolonskyKeer),
@@ -434,22 +434,22 @@ fn pressed_by_both(record: &mut Record, bodies: &HalfSpace, gap: &Field, load: N
 
 fn sphere_by_force(record: &mut Record) {
     let (bodies, gap) = ball(64);
-    pressed_by_both(record, &bodies, &gap, NormalLoad::Force(LOAD));
+    pressed_by_both(record, &bodies, &gap, NormalControl::Force(LOAD));
 }
 
 fn sphere_by_approach(record: &mut Record) {
     let (bodies, gap) = ball(65);
-    pressed_by_both(record, &bodies, &gap, NormalLoad::Approach(0.7));
+    pressed_by_both(record, &bodies, &gap, NormalControl::Approach(0.7));
 }
 
 fn rough_tenth_in_contact(record: &mut Record) {
     let (bodies, gap) = rough_plate(96, 1);
-    pressed_by_both(record, &bodies, &gap, NormalLoad::Force(ROUGH_TENTH));
+    pressed_by_both(record, &bodies, &gap, NormalControl::Force(ROUGH_TENTH));
 }
 
 fn rough_two_fifths(record: &mut Record) {
     let (bodies, gap) = rough_plate(96, 2);
-    pressed_by_both(record, &bodies, &gap, NormalLoad::Force(ROUGH_TWO_FIFTHS));
+    pressed_by_both(record, &bodies, &gap, NormalControl::Force(ROUGH_TWO_FIFTHS));
 }
 
 /// Forces under which 10 % and 40 % of a rough plate of 96 x 96 cells touch.
@@ -459,13 +459,13 @@ const ROUGH_TWO_FIFTHS: f64 = 300.0;
 fn periodic_rough(record: &mut Record) {
     let grid = Grid::new(64, 48, 1.0, 1.0).unwrap();
     let (bodies, gap) = (repeating(grid), rough(grid, 3));
-    pressed_by_both(record, &bodies, &gap, NormalLoad::Force(0.03 * grid.area()));
+    pressed_by_both(record, &bodies, &gap, NormalControl::Force(0.03 * grid.area()));
     record.pressed(
         "approach",
         &common::press(
             &bodies,
             &gap,
-            NormalLoad::Approach(2.0),
+            NormalControl::Approach(2.0),
             1e-8,
             Method::ActiveSet,
         ),
@@ -478,7 +478,7 @@ fn periodic_wavy(record: &mut Record) {
         repeating(grid),
         surface::bisinusoidal(grid, 0.3, [6.0, 12.0]).unwrap(),
     );
-    pressed_by_both(record, &bodies, &gap, NormalLoad::Force(0.03 * grid.area()));
+    pressed_by_both(record, &bodies, &gap, NormalControl::Force(0.03 * grid.area()));
 }
 
 fn oblong_odd_grid(record: &mut Record) {
@@ -488,18 +488,18 @@ fn oblong_odd_grid(record: &mut Record) {
         surface::ellipsoid(grid, 150.0, 70.0).unwrap(),
     );
     gap.add_scaled(0.1, &rough(grid, 4)).unwrap();
-    pressed_by_both(record, &bodies, &gap, NormalLoad::Force(20.0));
+    pressed_by_both(record, &bodies, &gap, NormalControl::Force(20.0));
 }
 
 fn warm_normal_loads(record: &mut Record) {
     let (bodies, gap) = rough_plate(64, 5);
-    let first = NormalLoad::Force(60.0);
+    let first = NormalControl::Force(60.0);
     let mut solver = normal_solver(&bodies, &gap, first, Method::ActiveSet, 1e-8);
     record.pressed("first", &solve_normal(&mut solver));
     for (solve, load) in [
-        ("more", NormalLoad::Force(66.0)),
-        ("less", NormalLoad::Force(30.0)),
-        ("approach", NormalLoad::Approach(2.0)),
+        ("more", NormalControl::Force(66.0)),
+        ("less", NormalControl::Force(30.0)),
+        ("approach", NormalControl::Approach(2.0)),
     ] {
         solver.set_load(load).unwrap();
         record.pressed(solve, &solve_normal(&mut solver));
@@ -512,11 +512,11 @@ fn warm_normal_loads(record: &mut Record) {
 
 fn contact_leaves_window(record: &mut Record) {
     let (bodies, gap) = ball(72);
-    let first = NormalLoad::Force(0.01 * LOAD);
+    let first = NormalControl::Force(0.01 * LOAD);
     let mut solver = normal_solver(&bodies, &gap, first, Method::ActiveSet, 1e-8);
     record.pressed("small", &solve_normal(&mut solver));
     for (solve, force) in [("big", 1.5 * LOAD), ("small again", 0.02 * LOAD)] {
-        solver.set_load(NormalLoad::Force(force)).unwrap();
+        solver.set_load(NormalControl::Force(force)).unwrap();
         record.pressed(solve, &solve_normal(&mut solver));
     }
 }
@@ -525,10 +525,10 @@ fn contact_leaves_window(record: &mut Record) {
 fn large_nested(record: &mut Record) {
     let (bodies, mut gap) = ball(256);
     gap.add_scaled(0.02, &rough(bodies.grid(), 7)).unwrap();
-    let load = NormalLoad::Force(LOAD);
+    let load = NormalControl::Force(LOAD);
     let normal = common::press(&bodies, &gap, load, 1e-6, Method::ActiveSet);
     record.pressed("press", &normal);
-    for (solve, lateral) in [("shear", Lateral::Neglected), ("plane", Lateral::Coupled)] {
+    for (solve, lateral) in [("shear", TangentialModel::Scalar), ("plane", TangentialModel::Vector)] {
         let load = pull([0.6 * LIMIT, 0.0]);
         sheared(
             record,
@@ -593,7 +593,7 @@ fn gross_sliding(record: &mut Record) {
 fn shear_polonsky_keer(record: &mut Record) {
     let (bodies, gap) = rough_plate(48, 9);
     let normal = press(&bodies, &gap, 60.0);
-    let how = (Lateral::Neglected, Method::PolonskyKeer, 1e-8);
+    let how = (TangentialModel::Scalar, Method::PolonskyKeer, 1e-8);
     sheared(
         record,
         "force",
@@ -605,7 +605,7 @@ fn shear_polonsky_keer(record: &mut Record) {
     sheared(record, "shift", &bodies, &normal, drag([0.0, 0.2]), how);
 }
 
-fn warm_shears(record: &mut Record, how: (Lateral, Method, f64), across: f64) {
+fn warm_shears(record: &mut Record, how: (TangentialModel, Method, f64), across: f64) {
     let (bodies, gap) = ball(60);
     let normals = [1.0, 1.2, 0.7].map(|part| press(&bodies, &gap, part * LOAD));
     let load = |part: f64| pull([part * LIMIT, across * part * LIMIT]);
@@ -716,7 +716,7 @@ fn history_wear(record: &mut Record) {
     let path = LoadPath::sine([0.7 * LIMIT, 0.0], 8).unwrap();
     for (number, force) in path.cycles(2).enumerate() {
         let normal = LOAD * [1.0, 1.1, 1.3, 0.9][number % 4];
-        let load = LoadStep::force(force).normal(NormalStep::Force(normal));
+        let load = LoadStep::force(force).normal(NormalControl::Force(normal));
         steps.step(&mut history, &load);
         let mut worn = history.gap().clone();
         wear::archard(
@@ -745,7 +745,7 @@ fn history_plane_growth(record: &mut Record) {
         let load = LoadStep::force(force).twist(twist);
         steps.step(
             &mut history,
-            &load.normal(NormalStep::Force(LOAD * (1.0 + 0.1 * number as f64))),
+            &load.normal(NormalControl::Force(LOAD * (1.0 + 0.1 * number as f64))),
         );
     }
     steps.step(&mut history, &LoadStep::hold().twist(0.03));
@@ -775,15 +775,15 @@ fn history_shifts_holds(record: &mut Record) {
         let across = if axis.is_none() { 0.1 } else { 0.0 };
         let mut steps = Steps::new(record, name);
         for load in [
-            LoadStep::hold().normal(NormalStep::Approach(0.5)),
+            LoadStep::hold().normal(NormalControl::Approach(0.5)),
             LoadStep::shift([across, 0.1]),
-            LoadStep::shift([-across, 0.25]).normal(NormalStep::Force(LOAD)),
+            LoadStep::shift([-across, 0.25]).normal(NormalControl::Force(LOAD)),
             pressing(0.6 * LOAD),
             LoadStep::hold(),
-            LoadStep::hold().tangential(Axis::Y, TangentialStep::Shift(-0.2)),
+            LoadStep::hold().tangential(Axis::Y, TangentialControl::Shift(-0.2)),
             pressing(0.0),
             pressing(0.8 * LOAD),
-            LoadStep::hold().tangential(Axis::Y, TangentialStep::Force(0.1)),
+            LoadStep::hold().tangential(Axis::Y, TangentialControl::Force(0.1)),
         ] {
             steps.step(&mut history, &load);
         }
@@ -801,10 +801,10 @@ fn history_restored(record: &mut Record) {
         for load in [pressing(LOAD), load(0.7), load(-0.2)] {
             steps.step(&mut history, &load);
         }
-        let mut restored = History::restore(&bodies, &history.to_bytes()).unwrap();
+        let mut restored = History::from_bytes(&bodies, &history.to_bytes()).unwrap();
         for load in [
             load(0.4),
-            load(0.1).normal(NormalStep::Force(1.4 * LOAD)),
+            load(0.1).normal(NormalControl::Force(1.4 * LOAD)),
             load(-0.8),
         ] {
             steps.step(&mut restored, &load);
@@ -835,9 +835,9 @@ fn springs_plane(record: &mut Record) {
     steps.step(&mut history, &pressing(LOAD));
     for (x, y, twist) in [
         (spring(0.4, 4.0), spring(-0.2, 1.0), 0.0),
-        (spring(0.6, 4.0), TangentialStep::Force(0.4 * LIMIT), 0.02),
-        (TangentialStep::Shift(-0.1), spring(0.4, 8.0), 0.02),
-        (TangentialStep::Hold, spring(-0.5, 8.0), -0.01),
+        (spring(0.6, 4.0), TangentialControl::Force(0.4 * LIMIT), 0.02),
+        (TangentialControl::Shift(-0.1), spring(0.4, 8.0), 0.02),
+        (TangentialControl::Hold, spring(-0.5, 8.0), -0.01),
         (spring(-0.5, 4.0), spring(0.5, 4.0), 0.0),
     ] {
         let load = LoadStep::hold()
@@ -853,7 +853,7 @@ fn springs_plane(record: &mut Record) {
 
 #[cfg(feature = "dense")]
 fn dense_intervals(record: &mut Record) {
-    use stickslip::cgm::{Interval, Problem, Settings, minimise};
+    use stickslip::cgm::{Bounds, Problem, Settings, minimise};
     use stickslip::dense::DenseOperator;
     use stickslip::influence::Component;
 
@@ -869,20 +869,21 @@ fn dense_intervals(record: &mut Record) {
         ("polonsky keer", Method::PolonskyKeer),
     ] {
         for (with, total) in [("", None), (" with total", Some(7.0))] {
-            let interval = Interval {
+            let bounds = Bounds {
                 lower: &lower,
                 upper: &upper,
             };
-            let mut problem = Problem::new(&matrix, &linear, interval);
+            let mut problem = Problem::new(&matrix, [&linear], bounds);
             if let Some(total) = total {
                 problem = problem.total(total);
             }
             let settings = Settings::default().tolerance(1e-10).method(method);
             let mut x = vec![0.0; 143];
-            let minimum = minimise(&problem, &settings, &mut x).unwrap();
+            let minimum = minimise(&problem, &settings, [&mut x]).unwrap();
             record.solve = format!("{solve}{with}: ");
             record.costs("costs", &minimum.report);
-            record.number("multiplier", minimum.multiplier, minimum.multiplier.abs());
+            let [multiplier] = minimum.multiplier;
+            record.number("multiplier", multiplier, multiplier.abs());
             record.sums(&[("x", &x)]);
         }
     }

@@ -4,7 +4,6 @@
 
 use std::ops::Range;
 
-use crate::cgm::motion::Linearised;
 use crate::cgm::reduce::{self, Tally, larger};
 use crate::cgm::totals::Total;
 use crate::cgm::vector::{at, dot, norm, within};

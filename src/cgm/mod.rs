@@ -105,6 +105,7 @@ pub use disc::Disc;
 pub use interval::Interval;
 pub(crate) use motion::Linearised;
 pub use problem::{Minimum, Problem, minimise, minimise_with};
+pub(crate) use set::check as check_constraint;
 pub use set::{Admissible, Ball, Bounds, Constraint, Magnitude, NonNegative, Within};
 pub use settings::{Method, Settings};
 pub(crate) use settings::{settings_methods, solver_settings};
@@ -115,8 +116,8 @@ pub use crate::report::{Iteration, Report, Status};
 
 /// How a cell of a constraint may move.
 pub(crate) type MotionOf<K, const N: usize> =
-    <<K as Constraint<N>>::Set as motion::Linearised<N>>::Motion;
+    <<K as Constraint<N>>::Set as Linearised<N>>::Motion;
 
 /// The buffers for an operator, a preconditioner and a kind of set.
 pub(crate) type WorkspaceOf<C, P, S, const N: usize> =
-    Workspace<C, P, <S as motion::Linearised<N>>::Motion, N>;
+    Workspace<C, P, <S as Linearised<N>>::Motion, N>;

@@ -87,15 +87,12 @@ fn start<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
         run.refresh_f32();
         list(run);
         set_mean_multiplier(run);
-        measure(run);
-    }
-    if !MotionOf::<K, N>::IS_CURVED {
         run.hold_springs();
+        measure(run);
+        return ControlFlow::Continue(linearise(run));
     }
+    run.hold_springs();
     let totals = linearise(run);
-    if MotionOf::<K, N>::IS_CURVED && totals.has_spring() == [false; N] {
-        return ControlFlow::Continue(totals);
-    }
     let sums = std::array::from_fn(|c| reduce::total(&run.x[c]));
     totals.spread_missing(run, sums);
     run.ask()?;

@@ -112,6 +112,14 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
     }
 }
 
+impl<C: Operator, K: Constraint, P: Operator> Problem<'_, C, K, P> {
+    /// With a prescribed total of the one component, `sum x = total`.
+    #[must_use]
+    pub fn total(self, total: f64) -> Self {
+        self.totals([Total::Sum(total)])
+    }
+}
+
 /// The answer beside `x` itself.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

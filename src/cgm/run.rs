@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use crate::cgm::certificate::{Certificate, Iterate, examine};
 use crate::cgm::monitor::Monitor;
-use crate::cgm::motion::{Linearised, Motion, Reach};
+use crate::cgm::motion::{Linearised, Motion};
 use crate::cgm::totals::{Total, sums_of};
 use crate::cgm::vector::{at, dot, norm, slices, slices_mut, update_cells};
 use crate::cgm::{Admissible, Constraint, MotionOf, Problem, Settings, Workspace, reduce};

@@ -150,7 +150,8 @@ impl<const N: usize> Small<N> {
             unit[a] = 1.0;
             self.solve(unit, active)[a]
         });
-        1.0 / inverse.sum::<f64>()
+        // From zero, not from the minus zero of an empty sum.
+        1.0 / inverse.fold(0.0, |sum, part| sum + part)
     }
 
     fn square(&self, v: [f64; N]) -> f64 {
@@ -315,7 +316,7 @@ impl<const N: usize> TotalsSystem<N> {
         let right = std::array::from_fn(|b| {
             let springs = (0..N).filter(|&a| self.totals[a].is_spring());
             springs.fold(products[b], |sum, a| {
-                sum - self.patterns.0[a][b] * multiplier[a]
+                sum - self.patterns.0[b][a] * multiplier[a]
             })
         });
         let free = self.patterns.solve(right, self.has_sum());

@@ -2,7 +2,7 @@
 
 use crate::cgm::motion::Motion;
 use crate::cgm::moving::MovingCells;
-use crate::operator::{Identity, Operator};
+use crate::operator::Operator;
 use crate::report::Report;
 
 /// Everything an iteration writes to besides `x`; made once, reused by every solve of one size.

@@ -10,7 +10,7 @@ use faer::linalg::cholesky::llt::factor::LltError;
 use faer::linalg::solvers::{Llt, Solve};
 use faer::{Mat, MatRef, Side};
 
-use crate::cgm::Constraint;
+use crate::cgm::{Constraint, Interval, check_constraint};
 use crate::dense::DenseOperator;
 use crate::error::{Error, Result, all_finite, length};
 use crate::report::{Report, Status};
@@ -48,19 +48,22 @@ impl DenseOperator {
     pub fn minimise(
         &self,
         linear: &[f64],
-        constraint: &impl Constraint,
+        constraint: &impl Constraint<1, Set = Interval>,
         total: Option<f64>,
     ) -> Result<DenseMinimum> {
         length("linear term", self.len, linear.len())?;
         all_finite("linear term", linear)?;
-        constraint.check(self.len)?;
+        check_constraint(constraint, self.len)?;
         if let Some(row) = self.first_asymmetric_row() {
             return Err(Error::NotPositiveDefinite { row });
         }
         let mut search = Search {
             operator: self,
             linear,
-            bounds: (0..self.len).map(|i| constraint.bounds(i)).collect(),
+            bounds: (0..self.len)
+                .map(|i| constraint.of(i))
+                .map(|Interval { lower, upper }| [lower, upper])
+                .collect(),
             marks: vec![Mark::Free; self.len],
         };
         for (mark, [lower, upper]) in search.marks.iter_mut().zip(&search.bounds) {

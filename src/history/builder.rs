@@ -6,7 +6,7 @@ use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::History;
 use crate::history::state::State;
-use crate::tangential::{Axis, Friction, Lateral, check_coupling};
+use crate::tangential::{Axis, Friction, TangentialModel, check_coupling};
 
 /// Options of a [`History`]; each has a default.
 #[derive(Debug, Clone)]
@@ -16,7 +16,7 @@ pub struct HistoryBuilder<'a> {
     gap: &'a Field,
     friction: Friction,
     axis: Axis,
-    lateral: Lateral,
+    model: TangentialModel,
     settings: Settings,
     neglect_coupling: bool,
 }
@@ -28,7 +28,7 @@ impl<'a> HistoryBuilder<'a> {
             gap,
             friction,
             axis: Axis::X,
-            lateral: Lateral::default(),
+            model: TangentialModel::default(),
             settings: Settings::default(),
             neglect_coupling: false,
         }
@@ -44,9 +44,8 @@ impl HistoryBuilder<'_> {
         self
     }
 
-    /// What becomes of the traction across the load (default [`Lateral::Neglected`]). With
-    /// [`Lateral::Coupled`] a history takes loads of any direction and twist; on its tractions, which have a
-    /// semi-smooth Newton method of their own, [`method`](Self::method) is without effect.
+    /// Which tractions are found (default [`TangentialModel::Scalar`]). With [`TangentialModel::Vector`] a history takes
+    /// loads of any direction and twist.
     ///
     /// ```
     /// use stickslip::*;
@@ -55,22 +54,22 @@ impl HistoryBuilder<'_> {
     /// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
     /// let ball = surface::sphere(grid, 3.5e-3)?;
     /// let friction = Friction::coulomb(0.5)?;
-    /// let builder = History::builder(&bodies, &ball, friction).lateral(Lateral::Coupled);
+    /// let builder = History::builder(&bodies, &ball, friction).model(TangentialModel::Vector);
     /// let mut history = builder.build()?;
-    /// history.step(&LoadStep::hold().normal(NormalStep::Force(100.0)))?;
+    /// history.step(&LoadStep::hold().normal(NormalControl::Force(100.0)))?;
     ///
     /// // A force along x, a shift along y, then a turn under both.
     /// let shear = LoadStep::hold()
-    ///     .tangential(Axis::X, TangentialStep::Force(20.0))
-    ///     .tangential(Axis::Y, TangentialStep::Shift(0.4e-6));
+    ///     .tangential(Axis::X, TangentialControl::Force(20.0))
+    ///     .tangential(Axis::Y, TangentialControl::Shift(0.4e-6));
     /// history.step(&shear)?;
     /// assert!(history.force()[1] > 0.0 && history.moment().abs() < 1e-9);
     /// let twist = history.step(&shear.twist(2e-3))?;
     /// assert!(twist.moment() > 0.0 && twist.energy().dissipated > 0.0);
     /// # Ok::<(), Error>(())
     /// ```
-    pub fn lateral(mut self, lateral: Lateral) -> Self {
-        self.lateral = lateral;
+    pub fn model(mut self, model: TangentialModel) -> Self {
+        self.model = model;
         self
     }
 
@@ -87,19 +86,22 @@ impl HistoryBuilder<'_> {
     /// [`Error::GridMismatch`](crate::Error::GridMismatch) for gap or friction,
     /// [`Error::Sample`](crate::Error::Sample) for the gap,
     /// [`Error::CoupledMaterials`](crate::Error::CoupledMaterials),
+    /// [`Error::Method`](crate::Error::Method) for a method that the model does not have,
     /// [`Error::Tolerance`](crate::Error::Tolerance), [`Error::IterationLimit`](crate::Error::IterationLimit).
     pub fn build(self) -> Result<History> {
         check_coupling(self.bodies, self.neglect_coupling)?;
-        let axis = match self.lateral {
-            Lateral::Neglected => Some(self.axis),
-            Lateral::Coupled => None,
+        self.settings.check()?;
+        self.model.check(&self.settings)?;
+        let axes = match self.model {
+            TangentialModel::Scalar => self.axis.alone(),
+            TangentialModel::Vector => Axis::BOTH,
         };
         let bodies = self.bodies;
         self.gap.check("gap", bodies.grid())?;
         self.friction.check(bodies.grid())?;
         let (gap, boundary) = (self.gap.clone(), bodies.boundary());
         let (pair, settings) = (bodies.pair(), self.settings);
-        let state = State::new(gap, boundary, pair, self.friction, axis, settings);
+        let state = State::new(gap, boundary, pair, self.friction, axes, settings);
         History::from_state(bodies, state)
     }
 }

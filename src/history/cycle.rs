@@ -39,7 +39,7 @@ pub enum Regime {
 /// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
 /// let ball = surface::sphere(grid, 3.5e-3)?;
 /// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.5)?).build()?;
-/// history.step(&LoadStep::hold().normal(NormalStep::Force(100.0)))?;
+/// history.step(&LoadStep::hold().normal(NormalControl::Force(100.0)))?;
 ///
 /// let path = LoadPath::sine([40.0, 0.0], 16)?;
 /// let mut cycle = Cycle::new(&history);

@@ -9,7 +9,7 @@ use crate::history::{Cycle, History, LoadPath, LoadStep};
 ///
 /// `load` turns each value of the path into a [`LoadStep`]: [`LoadStep::force`] and [`LoadStep::shift`] do, a
 /// closure makes a [`LoadStep::spring`], or adds normal load or twist. A history along an axis takes a path along
-/// that axis. In a loop that changes the gap, give the normal load in every step, `.normal(NormalStep::Force(w))`:
+/// that axis. In a loop that changes the gap, give the normal load in every step, `.normal(NormalControl::Force(w))`:
 /// else the pressure stays that of the old gap, and the [step](crate::history::Step::warnings) says so.
 ///
 /// ```
@@ -23,7 +23,7 @@ use crate::history::{Cycle, History, LoadPath, LoadStep};
 ///
 /// // To and fro by 2 um under 100 N, for as many as ten cycles.
 /// let path = LoadPath::sine([2e-6, 0.0], 20)?;
-/// let load = |shift| LoadStep::shift(shift).normal(NormalStep::Force(100.0));
+/// let load = |shift| LoadStep::shift(shift).normal(NormalControl::Force(100.0));
 /// let outcome = FrettingLoop::new(path, load)
 ///     .until_steady(1e-4)
 ///     .run(&mut history, 10)?;

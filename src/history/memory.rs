@@ -1,21 +1,24 @@
 //! What the cells in and around the contact remember of their slip.
 
+use crate::error::Result;
 use crate::field::clone_in_place;
 use crate::grid::Grid;
-use crate::history::layout::Layout;
-use crate::history::motion::{Motion, centre};
-use crate::tangential::Axis;
+use crate::half_space::HalfSpace;
+use crate::history::state::State;
+use crate::tangential::{
+    Axis, Increment, Motion, PlaneVector, Pressed, Zone, at, centre, zeros,
+};
 use crate::window::Window;
 
-/// Displacement and offset of the cells of a window, in the [layout](Layout) of the engine.
+/// Displacement and offset of the cells of a window.
 #[derive(Debug)]
 pub(super) struct Memory {
     pub(super) window: Window,
     /// Displacement u after the last step.
-    pub(super) displacement: Vec<f64>,
+    pub(super) displacement: PlaneVector,
     /// What u less the motion is in a cell while it sticks: where its last slip has left it or, outside
     /// the contact, where it would touch now.
-    pub(super) offset: Vec<f64>,
+    pub(super) offset: PlaneVector,
 }
 
 clone_in_place!(Memory {
@@ -26,18 +29,63 @@ clone_in_place!(Memory {
 
 impl Memory {
     /// At the first touch, of bodies that have no displacement.
-    pub(super) fn first(grid: Grid, axis: Option<Axis>, window: Window, motion: Motion) -> Self {
-        let layout = Layout::new(axis, window.cells());
-        let zeros = || vec![0.0; layout.len()];
-        let mut offset = zeros();
+    pub(super) fn first(grid: Grid, axes: &[Axis], window: Window, motion: Motion) -> Self {
+        let mut offset = zeros(axes, window.cells());
         for (k, i) in window.indices().enumerate() {
-            let motion = motion.at(centre(grid, i));
-            layout.set(&mut offset, k, motion.map(|motion| -motion));
+            let moved = motion.at(centre(grid, i));
+            for axis in axes.iter().map(|axis| axis.index()) {
+                offset[axis][k] = -moved[axis];
+            }
         }
         Self {
             window,
-            displacement: zeros(),
+            displacement: zeros(axes, window.cells()),
             offset,
+        }
+    }
+
+    /// On a window wide enough for a contact too, and a little wider, so that it may grow some more; with the
+    /// increment that works there.
+    pub(super) fn widened(
+        &self,
+        bodies: &HalfSpace,
+        contact: Window,
+        state: &State,
+    ) -> Result<(Increment, Self)> {
+        let grid = bodies.grid();
+        let window = self.window.union(contact.widened(grid));
+        let mut increment = Increment::new(bodies, state.axes, Pressed::new(window))?;
+        increment.set_traction(state.traction.each_ref().map(|field| field.as_slice()));
+        let mut wide = Self::first(grid, state.axes, window, state.motion);
+        wide.displacement = increment.fresh_displacement();
+        let mut whole = vec![0.0; grid.cells()];
+        for axis in state.axes.iter().map(|axis| axis.index()) {
+            let offset = &mut wide.offset[axis];
+            for (offset, displacement) in offset.iter_mut().zip(&wide.displacement[axis]) {
+                *offset += displacement;
+            }
+            window.scatter(offset, &mut whole);
+            for (i, offset) in self.window.indices().zip(&self.offset[axis]) {
+                if state.zones[i] != Zone::Separate {
+                    whole[i] = *offset;
+                }
+            }
+            window.gather(&whole, offset);
+        }
+        Ok((increment, wide))
+    }
+
+    /// Displacement and offset of a cell.
+    pub(super) fn at(&self, cell: usize) -> [[f64; 2]; 2] {
+        [at(&self.displacement, cell), at(&self.offset, cell)]
+    }
+
+    /// Sets the offset of a cell.
+    pub(super) fn set_offset(&mut self, cell: usize, offset: [f64; 2]) {
+        for (part, offset) in self.offset.iter_mut().zip(offset) {
+            if let Some(value) = part.get_mut(cell) {
+                *value = offset;
+            }
         }
     }
 }

@@ -21,7 +21,7 @@
 //! drops its traction. If the pressure alone changes, tractions are found anew under the
 //! same force or the same shift, never cut.
 //!
-//! Prescribed is the force, the shift, or the far end of a spring ([`TangentialStep`]). A force that friction no longer
+//! Prescribed is the force, the shift, or the far end of a spring ([`TangentialControl`]). A force that friction no longer
 //! holds is [`Error::BeyondSliding`](crate::Error::BeyondSliding); one at the limit slides the contact, with
 //! the least shift that makes all of it slip.
 //!
@@ -34,7 +34,7 @@
 //! steps dissipate 14, 7 and 3.5 % too little; extrapolated from the first two or the last two, they agree to 0.2 %.
 //!
 //! Tractions are along one axis, those across neglected, as in the paper, unless
-//! [`HistoryBuilder::lateral`] asks for both. Then each component of the load is prescribed on its own, as force, as
+//! [`HistoryBuilder::model`] asks for both. Then each component of the load is prescribed on its own, as force, as
 //! shift or by a spring of its own, slip opposes traction in direction, and body 2 may turn: a twist
 //! $`\varphi`$ about the origin of the grid makes of the shift the motion $`\delta + \varphi\,(-y, x)`$ of each
 //! cell. Signs are those of the crate: traction on body 1, shift and twist of body 2 relative to body 1.
@@ -58,18 +58,12 @@ mod builder;
 mod commit;
 mod cycle;
 mod energy;
-mod engine;
 mod fretting;
 mod hysteresis;
-mod layout;
 mod load;
 mod memory;
-mod motion;
-mod patch;
 mod path;
-mod shear;
 mod snapshot;
-mod spring;
 mod state;
 mod step;
 mod stepping;
@@ -80,7 +74,7 @@ pub use cycle::{Cycle, Regime};
 pub use energy::EnergyBalance;
 pub use fretting::{FrettingLoop, LoopEnding, LoopOutcome};
 pub use hysteresis::LoopPoint;
-pub use load::{LoadStep, NormalStep, TangentialStep};
+pub use load::LoadStep;
 pub use path::LoadPath;
 pub use state::State;
 pub use step::Step;

@@ -7,10 +7,9 @@ use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::history::memory::Memory;
-use crate::history::motion::Motion;
 use crate::material::ElasticPair;
 use crate::normal::NormalSolution;
-use crate::tangential::{Axis, Friction, Zone};
+use crate::tangential::{Axis, Friction, Motion, Zone};
 use crate::window::Window;
 
 /// The state of a [`History`](crate::History): everything that its next step starts from, apart from the bodies and
@@ -27,11 +26,11 @@ use crate::window::Window;
 /// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
 /// let ball = surface::sphere(grid, 3.5e-3)?;
 /// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.5)?).build()?;
-/// history.step(&LoadStep::hold().normal(NormalStep::Force(100.0)))?;
+/// history.step(&LoadStep::hold().normal(NormalControl::Force(100.0)))?;
 ///
 /// // Try a step, and take it back.
 /// let mut kept = history.state().clone();
-/// let shear = |force| LoadStep::hold().tangential(Axis::X, TangentialStep::Force(force));
+/// let shear = |force| LoadStep::hold().tangential(Axis::X, TangentialControl::Force(force));
 /// history.step(&shear(40.0))?;
 /// history.set_state(&kept)?;
 /// assert_eq!((history.steps(), history.force()), (1, [0.0, 0.0]));
@@ -55,7 +54,8 @@ use crate::window::Window;
     serde(into = "Vec<u8>", try_from = "Vec<u8>")
 )]
 pub struct State {
-    pub(super) axis: Option<Axis>,
+    /// The axes of the tractions.
+    pub(super) axes: &'static [Axis],
     pub(super) settings: Settings,
     pub(super) friction: Friction,
     pub(super) gap: Field,
@@ -78,7 +78,7 @@ pub struct State {
 }
 
 clone_in_place!(State {
-    axis,
+    axes,
     settings,
     friction,
     gap,
@@ -106,13 +106,13 @@ impl State {
         boundary: Boundary,
         pair: &ElasticPair,
         friction: Friction,
-        axis: Option<Axis>,
+        axes: &'static [Axis],
         settings: Settings,
     ) -> Self {
         let grid = gap.grid();
         let zeros = || Field::zeros(grid);
         Self {
-            axis,
+            axes,
             settings,
             friction,
             normal: NormalSolution::empty(&gap, boundary, pair),
@@ -163,7 +163,7 @@ impl State {
     /// The axis of tangential load and tractions in the scalar model, `None` in that of the plane.
     #[must_use]
     pub fn axis(&self) -> Option<Axis> {
-        self.axis
+        Axis::only(self.axes)
     }
 
     /// The settings of the next step.

@@ -3,30 +3,33 @@
 use std::ops::ControlFlow;
 
 use crate::boundary::Boundary;
-use crate::cgm::{Iteration, Settings};
+use crate::cascade::Conditions;
+use crate::cgm::{Iteration, Settings, reduce};
+use crate::clock::Instant;
+use crate::elastic::Observer;
 use crate::error::Result;
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::history::builder::HistoryBuilder;
-use crate::history::layout::axes_of;
-use crate::history::shear::Shear;
+use crate::history::commit::commit;
+use crate::history::memory::Memory;
 use crate::history::state::State;
 use crate::history::{LoadStep, Step};
-use crate::influence::Component;
-use crate::normal::{NormalLoad, NormalProblem, NormalSolution, NormalSolver};
-use crate::operator::Operator;
-use crate::parallel;
+use crate::normal::{NormalControl, NormalProblem, NormalSolution, NormalSolver};
 use crate::report::{Report, Status};
-use crate::stage::{Observer, with_memory};
-use crate::tangential::{Axis, Friction, Zone, component};
+use crate::passes::with_memory;
+use crate::tangential::{
+    self, Axis, Friction, Increment, Motion, Pressed, Start, TangentialModel, Zone,
+};
+use crate::window::Window;
 
 /// Two bodies in contact that remember their load: pressure, traction, slip and energy, step by step.
 ///
 /// Vectors are `[x, y]`; the scalar model leaves the component across its axis at zero.
 ///
 /// Beside its bodies it takes 180 bytes per cell of the grid and 350 per cell of the contact's bounding box,
-/// in the plane model ([`HistoryBuilder::lateral`]) 580 there, operators included, and one or two megabytes
+/// in the plane model ([`HistoryBuilder::model`]) 580 there, operators included, and one or two megabytes
 /// whatever the size. A contact that outgrows the box takes a wider one for good, and in that step a quarter more in
 /// all, in the plane two fifths. After the first steps, a step within it allocates nothing.
 ///
@@ -43,8 +46,8 @@ use crate::tangential::{Axis, Friction, Zone, component};
 /// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.5)?).build()?;
 ///
 /// // Press, then shear to and fro.
-/// history.step(&LoadStep::hold().normal(NormalStep::Force(100.0)))?;
-/// let shear = |force| LoadStep::hold().tangential(Axis::X, TangentialStep::Force(force));
+/// history.step(&LoadStep::hold().normal(NormalControl::Force(100.0)))?;
+/// let shear = |force| LoadStep::hold().tangential(Axis::X, TangentialControl::Force(force));
 /// history.step(&shear(30.0))?;
 /// let mut cycle = 0.0;
 /// for force in [-30.0, 30.0] {
@@ -67,7 +70,10 @@ pub struct History {
     press: NormalSolver,
     /// The normal contact of the step under way.
     candidate: NormalSolution,
-    shear: Shear,
+    /// The tangential contact, on the window of the [`Memory`] in the state, if there is one.
+    increment: Option<Increment>,
+    /// What takes the place of both if the step under way, which needs a wider window, succeeds.
+    wider: Option<(Increment, Memory)>,
     step: Step,
 }
 
@@ -97,18 +103,17 @@ impl History {
     /// [`Error::Memory`](crate::Error::Memory).
     pub fn from_state(bodies: &HalfSpace, state: State) -> Result<Self> {
         state.check_bodies(bodies)?;
-        let mut press = NormalProblem::builder(bodies, &state.gap, NormalLoad::Force(0.0))
+        let mut press = NormalProblem::builder(bodies, &state.gap, NormalControl::Force(0.0))
             .settings(state.settings)
             .build()?
             .into_solver()?;
         press.resume(state.pressure().as_slice(), state.press_window)?;
-        let mut shear = Shear::new(bodies);
-        shear.resume(&state)?;
         Ok(Self {
             bodies: bodies.clone(),
             candidate: press.new_solution(),
             press,
-            shear,
+            increment: new_increment(bodies, &state)?,
+            wider: None,
             step: Step::new(state.grid()),
             state,
         })
@@ -131,14 +136,29 @@ impl History {
         let resumed = self
             .press
             .resume(state.pressure().as_slice(), state.press_window);
-        if let Err(error) = resumed.and_then(|()| self.shear.resume(state)) {
+        if let Err(error) = resumed.and_then(|()| self.resume(state)) {
             self.take_back()?;
             return Err(error);
         }
-        self.press.set_load(NormalLoad::Force(0.0))?;
+        self.press.set_load(NormalControl::Force(0.0))?;
         self.press.set_gap(&state.gap)?;
         self.press.set_settings(state.settings)?;
         self.state.clone_from(state);
+        Ok(())
+    }
+
+    /// Makes the increment fit another state: in the buffers there are, if they are of its window and model.
+    fn resume(&mut self, state: &State) -> Result<()> {
+        let fits = match (&self.increment, &state.contact) {
+            (None, None) => true,
+            (Some(increment), Some(memory)) => {
+                increment.pressed.window == memory.window && increment.axes() == state.axes
+            }
+            _ => false,
+        };
+        if !fits {
+            self.increment = new_increment(&self.bodies, state)?;
+        }
         Ok(())
     }
 
@@ -171,14 +191,18 @@ impl History {
         load: &LoadStep,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<&Step> {
-        load.check(self.axis(), self.boundary())?;
-        if let Err(error) = self.attempt(load, &mut with_memory(&mut observer)) {
-            self.take_back()?;
-            self.shear.abandon();
-            return Err(error);
-        }
+        let demand = load.demand(self.twist());
+        demand.check(self.state.axes, self.boundary())?;
+        let motion = match self.attempt(load, &mut with_memory(&mut observer)) {
+            Ok(motion) => motion,
+            Err(error) => {
+                self.take_back()?;
+                self.wider = None;
+                return Err(error);
+            }
+        };
         let Self { state, step, .. } = self;
-        if load.normal_load().is_some() {
+        if load.normal_control() != NormalControl::Hold {
             std::mem::swap(&mut state.normal, &mut self.candidate);
             state.is_pressure_stale = false;
             state.press_window = self.press.window();
@@ -189,22 +213,47 @@ impl History {
         step.is_pressure_stale = state.is_pressure_stale;
         step.normal_force = state.normal.force();
         step.approach = state.approach();
-        self.shear.commit(state, step);
+        if let Some((increment, memory)) = self.wider.take() {
+            (self.increment, state.contact) = (Some(increment), Some(memory));
+        }
+        let increment = self.increment.as_ref();
+        step.tangential_report
+            .clone_from(increment.map_or(&Report::unsolved(), Increment::report));
+        commit(increment, motion, state, step);
         Ok(&self.step)
     }
 
-    /// Solves both halves of a step without a trace in the state.
-    fn attempt(&mut self, load: &LoadStep, observer: Observer<'_>) -> Result<()> {
-        let pressed = if let Some(load) = load.normal_load() {
-            self.press.set_load(load)?;
-            self.press
-                .solve_observed(&mut self.candidate, &mut *observer)?;
-            &self.candidate
-        } else {
-            &self.state.normal
+    /// Solves both halves of a step without a trace in the state; returns the motion of body 2 at its end.
+    fn attempt(&mut self, load: &LoadStep, observer: Observer<'_>) -> Result<Motion> {
+        let pressed = match load.normal_control() {
+            NormalControl::Hold => &self.state.normal,
+            control => {
+                self.press.set_load(control)?;
+                self.press
+                    .solve_observed(&mut self.candidate, &mut *observer)?;
+                &self.candidate
+            }
         };
-        self.shear.prepare(pressed.pressure(), &self.state)?;
-        self.shear.solve(load, &self.state, observer)
+        let (state, demand) = (&self.state, load.demand(self.state.motion.twist));
+        self.wider = wider(&self.bodies, pressed.pressure(), state)?;
+        let under_way = match &mut self.wider {
+            Some((increment, memory)) => Some((increment, &*memory)),
+            None => self.increment.as_mut().zip(state.contact.as_ref()),
+        };
+        let Some((increment, memory)) = under_way else {
+            return demand.without_contact(state.axes, state.motion);
+        };
+        let pressure = pressed.pressure().as_slice();
+        increment.pressed.set(pressure, &state.friction);
+        increment.set_traction(state.traction.each_ref().map(Field::as_slice));
+        let mut conditions = Conditions {
+            settings: &state.settings,
+            start: Instant::now(),
+            observer,
+        };
+        let (before, offset) = (state.motion, Some(&memory.offset));
+        increment.solve(&demand, before, offset, Start::Present, &mut conditions)?;
+        Ok(increment.motion())
     }
 
     /// Changes the gap before loading, as wear does; all else stays, the pressure too until a step that does not
@@ -216,7 +265,7 @@ impl History {
     /// is then as it was.
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
         // The load of the last step has no say: the next brings its own.
-        self.press.set_load(NormalLoad::Force(0.0))?;
+        self.press.set_load(NormalControl::Force(0.0))?;
         self.press.set_gap(gap)?;
         let state = &mut self.state;
         let is_pressed = state.normal.report().status != Status::Unsolved;
@@ -246,8 +295,11 @@ impl History {
     /// that is tightened bounds what is still to come, not the errors of steps done.
     ///
     /// # Errors
-    /// As [`Settings::check`]; the settings are then as they were.
+    /// As [`Settings::check`], and [`Error::Method`](crate::Error::Method) for a method that the tangential model does
+    /// not have; the settings are then as they were.
     pub fn set_settings(&mut self, settings: Settings) -> Result<()> {
+        settings.check()?;
+        TangentialModel::of(self.state.axes).check(&settings)?;
         self.press.set_settings(settings)?;
         self.state.settings = settings;
         Ok(())
@@ -325,20 +377,7 @@ impl History {
     /// # Errors
     /// As [`HalfSpace::operator`].
     pub fn displacement(&self) -> Result<[Field; 2]> {
-        let zeros = || Field::zeros(self.grid());
-        let (mut displacement, mut part) = ([zeros(), zeros()], zeros());
-        let axes = axes_of(self.axis());
-        for (moved, pulled) in axes.iter().flat_map(|a| axes.iter().map(move |b| (*a, *b))) {
-            let operator = self.bodies.operator(if moved == pulled {
-                component(moved)
-            } else {
-                Component::XY
-            })?;
-            let traction = self.state.traction[pulled.index()].as_slice();
-            operator.apply(traction, part.as_mut_slice(), &mut operator.workspace());
-            displacement[moved.index()].add_scaled(1.0, &part)?;
-        }
-        Ok(displacement)
+        tangential::displacement(&self.bodies, self.state.axes, self.traction())
     }
 
     /// Sum of the slips of all steps, with their signs (lengths).
@@ -388,7 +427,7 @@ impl History {
     #[must_use]
     pub fn sliding_force(&self) -> f64 {
         let pressure = self.pressure().as_slice();
-        let [sum] = parallel::sums(pressure.len(), |i| [self.friction().limit(i, pressure[i])]);
+        let sum = reduce::sum(pressure.len(), |i| self.friction().limit(i, pressure[i]));
         sum * self.grid().cell_area()
     }
 
@@ -396,5 +435,33 @@ impl History {
     #[must_use]
     pub fn moment(&self) -> f64 {
         self.state.moment()
+    }
+}
+
+/// The increment on the window of a state's contact, if there is one.
+fn new_increment(bodies: &HalfSpace, state: &State) -> Result<Option<Increment>> {
+    let make = |memory: &Memory| Increment::new(bodies, state.axes, Pressed::new(memory.window));
+    state.contact.as_ref().map(make).transpose()
+}
+
+/// Increment and memory that a pressure needs where the contact has left its window, or is the first.
+fn wider(
+    bodies: &HalfSpace,
+    pressure: &Field,
+    state: &State,
+) -> Result<Option<(Increment, Memory)>> {
+    let samples = pressure.as_slice();
+    let Some(contact) = Window::around(bodies.grid(), |i| samples[i] > 0.0) else {
+        return Ok(None);
+    };
+    let contact = bodies.confined(contact);
+    match &state.contact {
+        Some(memory) if memory.window.covers(contact) => Ok(None),
+        Some(memory) => memory.widened(bodies, contact, state).map(Some),
+        None => {
+            let increment = Increment::new(bodies, state.axes, Pressed::new(contact))?;
+            let memory = Memory::first(bodies.grid(), state.axes, contact, state.motion);
+            Ok(Some((increment, memory)))
+        }
     }
 }

@@ -18,6 +18,6 @@ mod problem;
 mod solution;
 mod solver;
 
-pub use problem::{NormalLoad, NormalProblem, NormalProblemBuilder};
+pub use problem::{NormalControl, NormalProblem, NormalProblemBuilder};
 pub use solution::NormalSolution;
 pub use solver::NormalSolver;

@@ -10,10 +10,12 @@ use crate::half_space::HalfSpace;
 use crate::normal::{NormalSolution, NormalSolver};
 
 /// What presses the bodies together.
+///
+/// A problem takes it from rest; a step of a [`History`](crate::History) reaches it at its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
-pub enum NormalLoad {
+pub enum NormalControl {
     /// The normal force W >= 0; the approach follows. Zero force is first touch.
     Force(f64),
     /// The approach delta of the bodies from the datum of the gap (a length, positive when they
@@ -21,9 +23,12 @@ pub enum NormalLoad {
     /// it must stay below the mean gap, which it would close, and the certified error is measured against the exact
     /// contact under the force that was found.
     Approach(f64),
+    /// The pressure as it is, whatever the gap has become: nothing is solved. A problem has no pressure to hold, and
+    /// refuses it.
+    Hold,
 }
 
-impl NormalLoad {
+impl NormalControl {
     /// `Ok` if the load can press the gap, which must have been checked.
     pub(super) fn check(self, bodies: &HalfSpace, gap: &Field) -> Result<()> {
         match self {
@@ -40,6 +45,7 @@ impl NormalLoad {
                     return Err(Error::ApproachBeyondMeanGap { approach, mean_gap });
                 }
             }
+            Self::Hold => return Err(Error::NothingToHold),
         }
         Ok(())
     }
@@ -49,13 +55,13 @@ impl NormalLoad {
 ///
 /// ```
 /// use stickslip::analytical::HertzSphere;
-/// use stickslip::{ElasticPair, Grid, HalfSpace, Material, NormalLoad, NormalProblem, surface};
+/// use stickslip::{ElasticPair, Grid, HalfSpace, Material, NormalControl, NormalProblem, surface};
 ///
 /// let grid = Grid::square(64, 0.40e-3)?;
 /// let steel = Material::new(213e9, 0.29)?;
 /// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
 /// let ball = surface::sphere(grid, 3.5e-3)?;
-/// let contact = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(100.0)).build()?.solve()?;
+/// let contact = NormalProblem::builder(&bodies, &ball, NormalControl::Force(100.0)).build()?.solve()?;
 ///
 /// let hertz = HertzSphere::new(bodies.pair(), 3.5e-3, 100.0)?;
 /// assert!((contact.pressure().max() / hertz.max_pressure() - 1.0).abs() < 2e-3);
@@ -66,7 +72,7 @@ impl NormalLoad {
 pub struct NormalProblem {
     pub(super) bodies: HalfSpace,
     pub(super) gap: Arc<Field>,
-    pub(super) load: NormalLoad,
+    pub(super) load: NormalControl,
     pub(super) settings: Settings,
 }
 
@@ -76,7 +82,7 @@ pub struct NormalProblem {
 pub struct NormalProblemBuilder<'a> {
     bodies: &'a HalfSpace,
     gap: &'a Field,
-    load: NormalLoad,
+    load: NormalControl,
     settings: Settings,
 }
 
@@ -86,7 +92,7 @@ impl NormalProblem {
     pub fn builder<'a>(
         bodies: &'a HalfSpace,
         gap: &'a Field,
-        load: NormalLoad,
+        load: NormalControl,
     ) -> NormalProblemBuilder<'a> {
         NormalProblemBuilder {
             bodies,

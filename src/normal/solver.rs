@@ -17,7 +17,7 @@ use crate::half_space::{Compliance, HalfSpace};
 use crate::influence::Direction;
 use crate::normal::nested::PressureScene;
 use crate::normal::problem::check_gap;
-use crate::normal::{NormalLoad, NormalProblem, NormalSolution};
+use crate::normal::{NormalControl, NormalProblem, NormalSolution};
 use crate::operator::Operator;
 use crate::parallel;
 use crate::passes::{check_iterations_left, with_counts_of, with_limits_left, with_memory};
@@ -29,14 +29,14 @@ use crate::window::Window;
 /// Owns plans, buffers and the last pressure; the load and the gap may change between calls.
 ///
 /// ```
-/// use stickslip::{ElasticPair, Grid, HalfSpace, Material, NormalLoad, NormalProblem, surface};
+/// use stickslip::{ElasticPair, Grid, HalfSpace, Material, NormalControl, NormalProblem, surface};
 /// let grid = Grid::square(32, 8.0)?;
 /// let bodies = HalfSpace::new(grid, ElasticPair::new(Material::new(1.0, 0.3)?, Material::rigid())?)?;
 /// let ball = surface::sphere(grid, 10.0)?;
-/// let mut solver = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(0.5)).build()?.into_solver()?;
+/// let mut solver = NormalProblem::builder(&bodies, &ball, NormalControl::Force(0.5)).build()?.into_solver()?;
 /// let mut contact = solver.new_solution();
 /// for force in [0.5, 1.0, 0.7] {
-///     solver.set_load(NormalLoad::Force(force))?;
+///     solver.set_load(NormalControl::Force(force))?;
 ///     solver.solve_into(&mut contact)?;
 ///     assert!((contact.force() - force).abs() < 1e-12);
 /// }
@@ -126,7 +126,7 @@ impl NormalSolver {
     /// # Errors
     /// [`Error::Negative`], [`Error::NotFinite`] or, on a periodic grid,
     /// [`Error::ApproachBeyondMeanGap`]; the load is then as it was.
-    pub fn set_load(&mut self, load: NormalLoad) -> Result<()> {
+    pub fn set_load(&mut self, load: NormalControl) -> Result<()> {
         load.check(&self.problem.bodies, &self.problem.gap)?;
         self.problem.load = load;
         Ok(())
@@ -203,14 +203,15 @@ impl NormalSolver {
         };
         // Without a datum far from the contact the sums keep their last digits.
         let load = match self.problem.load {
-            NormalLoad::Force(force) => Load {
+            NormalControl::Force(force) => Load {
                 datum: gap.min(),
                 total: Total::Sum(force / gap.grid().cell_area()),
             },
-            NormalLoad::Approach(approach) => Load {
+            NormalControl::Approach(approach) => Load {
                 datum: approach,
                 total: Total::Free,
             },
+            NormalControl::Hold => return Err(Error::NothingToHold),
         };
         let is_cold = self.engine.is_none();
         let mut engine = match self.engine.take() {

@@ -2,7 +2,7 @@
 
 use crate::boundary::Boundary;
 use crate::error::{Error, Result, finite, positive};
-use crate::tangential::{Axis, TangentialModel};
+use crate::tangential::{Axis, Motion, TangentialModel};
 
 /// What is prescribed along one axis.
 ///
@@ -25,17 +25,18 @@ pub enum TangentialControl {
         /// Stiffness k (a force over a length), positive.
         stiffness: f64,
     },
+    /// The shift as it is, zero from rest; the force follows what pressure and friction have become.
+    Hold,
 }
 
 impl TangentialControl {
     /// What is prescribed along `axis`, in words and as a number, if it is finite.
     pub(crate) fn checked(self, axis: Axis) -> Result<(&'static str, f64)> {
         let by_axis = |names: [&'static str; 2]| names[axis.index()];
+        let load = by_axis(["tangential load along x", "tangential load along y"]);
         let (quantity, value) = match self {
-            Self::Force(value) | Self::Shift(value) => {
-                let loads = ["tangential load along x", "tangential load along y"];
-                (by_axis(loads), value)
-            }
+            Self::Force(value) | Self::Shift(value) => (load, value),
+            Self::Hold => (load, 0.0),
             Self::Spring {
                 position,
                 stiffness,
@@ -51,14 +52,16 @@ impl TangentialControl {
         Ok((quantity, finite(quantity, value)?))
     }
 
-    /// Whether it leaves bodies at rest where they are.
-    fn is_idle(self) -> bool {
-        let (Self::Force(value)
-        | Self::Shift(value)
-        | Self::Spring {
-            position: value, ..
-        }) = self;
-        value == 0.0
+    /// What is prescribed, as a number; zero moves nothing from rest.
+    fn value(self) -> f64 {
+        match self {
+            Self::Force(value)
+            | Self::Shift(value)
+            | Self::Spring {
+                position: value, ..
+            } => value,
+            Self::Hold => 0.0,
+        }
     }
 }
 
@@ -139,7 +142,7 @@ impl TangentialLoad {
     /// As a step of a history from rest.
     pub(crate) fn demand(&self) -> Demand {
         Demand {
-            controls: self.controls.map(Some),
+            controls: self.controls,
             twist: self.twist,
         }
     }
@@ -148,8 +151,8 @@ impl TangentialLoad {
     pub(super) fn axes(&self, model: TangentialModel) -> Result<&'static [Axis]> {
         match (model, self.controls) {
             (TangentialModel::Vector, _) => Ok(Axis::BOTH),
-            (_, [_, y]) if y.is_idle() => Ok(Axis::X.alone()),
-            (_, [x, _]) if x.is_idle() => Ok(Axis::Y.alone()),
+            (_, [_, y]) if y.value() == 0.0 => Ok(Axis::X.alone()),
+            (_, [x, _]) if x.value() == 0.0 => Ok(Axis::Y.alone()),
             (_, [x, y]) => Err(Error::ObliqueLoad {
                 x: x.checked(Axis::X)?.1,
                 y: y.checked(Axis::Y)?.1,
@@ -158,26 +161,23 @@ impl TangentialLoad {
     }
 }
 
-/// What a step asks of the tangential contact; `None` holds the shift as it is.
+/// What a step asks of the tangential contact.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Demand {
-    pub(crate) controls: [Option<TangentialControl>; 2],
+    pub(crate) controls: [TangentialControl; 2],
     /// Twist at the end of the step.
     pub(crate) twist: f64,
 }
 
 impl Demand {
-    pub(crate) fn control(&self, axis: Axis) -> Option<TangentialControl> {
+    pub(crate) fn control(&self, axis: Axis) -> TangentialControl {
         self.controls[axis.index()]
     }
 
     /// `Ok` if tractions along these axes can carry it; what pressure and friction allow is checked later.
     pub(crate) fn check(&self, axes: &[Axis], boundary: Boundary) -> Result<()> {
         for &axis in Axis::BOTH {
-            let Some(control) = self.control(axis) else {
-                continue;
-            };
-            let (quantity, value) = control.checked(axis)?;
+            let (quantity, value) = self.control(axis).checked(axis)?;
             if value != 0.0 && !axes.contains(&axis) {
                 let remedy = match axis {
                     Axis::X => "build it with .axis(Axis::X) or .model(TangentialModel::Vector)",
@@ -206,10 +206,33 @@ impl Demand {
         })
     }
 
+    /// The motion of body 2 before anything has touched: no force can act, and a spring is slack.
+    pub(crate) fn without_contact(&self, axes: &[Axis], before: Motion) -> Result<Motion> {
+        let mut motion = Motion {
+            twist: self.twist,
+            ..before
+        };
+        for &axis in axes {
+            let shift = &mut motion.shift[axis.index()];
+            *shift = match self.control(axis) {
+                TangentialControl::Force(force) if force != 0.0 => {
+                    return Err(Error::BeyondSliding {
+                        force: force.abs(),
+                        limit: 0.0,
+                    });
+                }
+                TangentialControl::Force(_) | TangentialControl::Hold => *shift,
+                TangentialControl::Shift(shift) => shift,
+                TangentialControl::Spring { position, .. } => position,
+            };
+        }
+        Ok(motion)
+    }
+
     /// The prescribed forces, zero where none is.
     pub(super) fn force(&self) -> [f64; 2] {
         self.controls.map(|control| match control {
-            Some(TangentialControl::Force(force)) => force,
+            TangentialControl::Force(force) => force,
             _ => 0.0,
         })
     }

@@ -7,8 +7,9 @@ use crate::cascade::{Conditions, Scene, nested_start};
 use crate::cgm::{Ball, Magnitude, Method, Settings, Total, Within};
 use crate::elastic::{ElasticSolver, Observer};
 use crate::error::Result;
+use crate::field::Field;
 use crate::half_space::HalfSpace;
-use crate::influence::Direction;
+use crate::influence::{Component, Direction};
 use crate::operator::Operator;
 use crate::report::Report;
 use crate::tangential::Axis;
@@ -77,6 +78,35 @@ pub(super) fn engine_along(
         [axis] => Box::new(Engine::new(bodies, [*axis], size)?),
         _ => Box::new(Engine::new(bodies, [Axis::X, Axis::Y], size)?),
     })
+}
+
+/// The displacements that tractions along these axes cause on the whole grid.
+pub(crate) fn displacement(
+    bodies: &HalfSpace,
+    axes: &[Axis],
+    traction: [&Field; 2],
+) -> Result<[Field; 2]> {
+    let mut displacement = [Field::zeros(bodies.grid()), Field::zeros(bodies.grid())];
+    match axes {
+        [axis] => {
+            let (direction, axis) = (axis.direction(), axis.index());
+            let operator = bodies.operator(Component::of(direction, direction))?;
+            operator.apply(
+                [traction[axis].as_slice()],
+                [displacement[axis].as_mut_slice()],
+                &mut operator.workspace(),
+            );
+        }
+        _ => {
+            let operator = bodies.tensor_operator([Direction::X, Direction::Y])?;
+            operator.apply(
+                traction.map(Field::as_slice),
+                displacement.each_mut().map(Field::as_mut_slice),
+                &mut operator.workspace(),
+            );
+        }
+    }
+    Ok(displacement)
 }
 
 /// The engine for `N` tractions.

@@ -106,6 +106,13 @@ impl Increment {
         at(&self.engine.product(), cell)
     }
 
+    /// Copies the displacement of all cells of the window.
+    pub(crate) fn copy_displacement(&self, target: &mut PlaneVector) {
+        for (target, displacement) in target.iter_mut().zip(self.engine.product()) {
+            target.copy_from_slice(displacement);
+        }
+    }
+
     /// The displacement that the present tractions cause, computed anew.
     pub(crate) fn fresh_displacement(&self) -> PlaneVector {
         self.engine.displacement(&self.traction)
@@ -176,16 +183,16 @@ impl Increment {
             let component = axis.index();
             let (shift, total) = (&mut self.motion.shift[component], &mut totals[component]);
             match demand.control(axis) {
-                Some(TangentialControl::Shift(prescribed)) => *shift = prescribed,
+                TangentialControl::Shift(prescribed) => *shift = prescribed,
                 // Where nothing can be carried the shift is free, and stays.
-                Some(TangentialControl::Force(_)) if can_carry => {
+                TangentialControl::Force(_) if can_carry => {
                     (*shift, *total) = (datum[component], Total::Sum(sums[component]));
                 }
-                Some(TangentialControl::Force(_)) | None => {}
-                Some(TangentialControl::Spring {
+                TangentialControl::Force(_) | TangentialControl::Hold => {}
+                TangentialControl::Spring {
                     position,
                     stiffness,
-                }) => {
+                } => {
                     let quantity = "cell area over the stiffness of the spring";
                     *shift = datum[component];
                     *total = Total::Spring {

@@ -47,7 +47,7 @@ mod zone;
 
 pub(crate) use control::Demand;
 pub use control::{TangentialControl, TangentialLoad};
-pub(crate) use engine::PlaneVector;
+pub(crate) use engine::{PlaneVector, displacement};
 pub(crate) use friction::Coefficient;
 pub use friction::Friction;
 pub(crate) use increment::{Increment, Start, at, zeros};

@@ -17,7 +17,7 @@ const UNCOUPLED: f64 = 1e-12;
 /// ```
 /// use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 /// use stickslip::{
-///     ElasticPair, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem, TangentialLoad,
+///     ElasticPair, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem, TangentialLoad,
 ///     TangentialProblem, surface,
 /// };
 ///
@@ -25,7 +25,7 @@ const UNCOUPLED: f64 = 1e-12;
 /// let steel = Material::new(213e9, 0.29)?;
 /// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
 /// let ball = surface::sphere(grid, 3.5e-3)?;
-/// let normal = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(100.0)).build()?.solve()?;
+/// let normal = NormalProblem::builder(&bodies, &ball, NormalControl::Force(100.0)).build()?.solve()?;
 ///
 /// let friction = Friction::coulomb(0.5)?;
 /// let load = TangentialLoad::force([20.0, 0.0]);

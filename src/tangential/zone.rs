@@ -63,3 +63,13 @@ pub enum TangentialModel {
     /// matter, see [`neglect_coupling`](crate::tangential::TangentialProblemBuilder::neglect_coupling).
     Vector,
 }
+
+impl TangentialModel {
+    /// The model of tractions along these axes.
+    pub(crate) fn of(axes: &[Axis]) -> Self {
+        match axes {
+            [_] => Self::Scalar,
+            _ => Self::Vector,
+        }
+    }
+}

@@ -16,7 +16,7 @@ pub(crate) use random::Random;
 use stickslip::cgm::Method;
 use stickslip::influence::Component;
 use stickslip::{
-    ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
+    ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
     NormalSolution, Operator, TangentialLoad, TangentialProblem, TangentialSolution,
 };
 
@@ -102,7 +102,7 @@ impl Table2 {
 pub(crate) fn press(
     bodies: &HalfSpace,
     gap: &Field,
-    load: NormalLoad,
+    load: NormalControl,
     tolerance: f64,
     method: Method,
 ) -> NormalSolution {
@@ -159,7 +159,7 @@ pub(crate) fn energy_difference(
     let mut workspace = operator.workspace();
     let mut norm = |v: &[f64]| {
         let mut product = vec![0.0; v.len()];
-        operator.apply(v, &mut product, &mut workspace);
+        operator.apply([v], [&mut product], &mut workspace);
         v.iter()
             .zip(&product)
             .map(|(v, u)| v * u)

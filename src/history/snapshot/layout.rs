@@ -12,7 +12,6 @@ use crate::cgm::{Method, Settings};
 use crate::error::Result;
 use crate::field::Field;
 use crate::grid::Grid;
-use crate::history::layout::axes_of;
 use crate::history::memory::Memory;
 use crate::history::state::State;
 use crate::material::{ElasticPair, Material};
@@ -85,7 +84,7 @@ impl Host {
             self.boundary,
             &pair,
             friction,
-            None,
+            Axis::X.alone(),
             settings,
         ))
     }
@@ -101,8 +100,8 @@ impl State {
     /// Everything after the bodies.
     pub(super) fn visit<C: Codec>(&mut self, codec: &mut C) -> Result<(), C::Error> {
         let grid = self.grid();
-        let axes = [Some(Axis::X), Some(Axis::Y), None];
-        codec.kind("axis", &mut self.axis, &axes)?;
+        let models = [Axis::X.alone(), Axis::Y.alone(), Axis::BOTH];
+        codec.kind("axis", &mut self.axes, &models)?;
         visit_settings(codec, &mut self.settings)?;
         visit_friction(codec, &mut self.friction, grid)?;
 
@@ -122,7 +121,7 @@ impl State {
             visit_window(codec, window, grid)?;
         }
 
-        for axis in axes_of(self.axis) {
+        for axis in self.axes {
             let traction = self.traction[axis.index()].as_mut_slice();
             codec.numbers("traction", traction, FINITE)?;
             let slip = self.slip[axis.index()].as_mut_slice();
@@ -140,17 +139,22 @@ impl State {
     }
 
     fn visit_contact<C: Codec>(&mut self, codec: &mut C) -> Result<(), C::Error> {
-        let (grid, axis) = (self.grid(), self.axis);
+        let (grid, axes) = (self.grid(), self.axes);
         let mut window = self.contact.as_ref().map(|memory| memory.window);
         codec.option("window of the contact", &mut window, || Window::whole(grid))?;
         let Some(window) = &mut window else {
             return Ok(());
         };
         visit_window(codec, window, grid)?;
-        let first = || Memory::first(grid, axis, *window, self.motion);
+        let first = || Memory::first(grid, axes, *window, self.motion);
         let memory = self.contact.get_or_insert_with(first);
-        codec.numbers("displacement", &mut memory.displacement, FINITE)?;
-        codec.numbers("offset", &mut memory.offset, FINITE)
+        for displacement in &mut memory.displacement {
+            codec.numbers("displacement", displacement, FINITE)?;
+        }
+        for offset in &mut memory.offset {
+            codec.numbers("offset", offset, FINITE)?;
+        }
+        Ok(())
     }
 }
 

@@ -70,7 +70,7 @@ pub fn stable_cycles<'a>(
 /// let mut gap = surface::sphere(grid, 10.0)?;
 /// let mut history = History::builder(&bodies, &gap, Friction::coulomb(0.3)?).build()?;
 /// let fretting = FrettingLoop::new(LoadPath::triangle([0.1, 0.0], 4)?, |shift| {
-///     LoadStep::shift(shift).normal(NormalStep::Force(0.5))
+///     LoadStep::shift(shift).normal(NormalControl::Force(0.5))
 /// });
 ///
 /// let (mut cycle, mut done) = (Cycle::new(&history), 0.0);
