@@ -145,6 +145,9 @@ pub enum Error {
         /// The greatest total within the bounds.
         upper: f64,
     },
+    /// A direction occurs twice among those of one operator.
+    #[error("the directions of an operator must differ from each other")]
+    RepeatedDirection,
     /// The bodies do not touch: there is no contact to shear.
     #[error(
         "the contact is empty: no cell carries pressure, as under no load or an approach that does not close the least gap"

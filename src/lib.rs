@@ -211,7 +211,7 @@ pub use contact_map::Warning;
 pub use error::{Error, Result};
 pub use field::Field;
 pub use grid::Grid;
-pub use half_space::HalfSpace;
+pub use half_space::{ElasticOperator, ElasticPreconditioner, HalfSpace};
 pub use history::{History, LoadStep, NormalStep, TangentialStep};
 pub use material::{ElasticPair, Material};
 pub use normal::{NormalLoad, NormalProblem, NormalSolution, NormalSolver};

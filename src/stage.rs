@@ -6,12 +6,9 @@ use std::sync::Arc;
 use crate::cgm::{self, Constraint, Iteration, Problem, Settings, Workspace, plane};
 use crate::clock::Instant;
 use crate::error::{Error, Result};
-use crate::fft::{
-    CirculantInverse, Convolution, ConvolutionWorkspace, PairConvolution, PairInverse,
-    PairWorkspace,
-};
-use crate::half_space::{Compliance, HalfSpace, PlaneCompliance};
-use crate::influence::Component;
+use crate::fft::{CirculantInverse, Convolution, ConvolutionWorkspace};
+use crate::half_space::{Compliance, HalfSpace};
+use crate::influence::Direction;
 use crate::operator::Operator;
 use crate::report::{Report, Status};
 use crate::window::halved;
@@ -31,19 +28,19 @@ pub(crate) struct Stage<C: Operator<Workspace = ConvolutionWorkspace> = Arc<Conv
 }
 
 impl Stage {
-    pub(crate) fn new(bodies: &HalfSpace, component: Component, size: [usize; 2]) -> Result<Self> {
-        Self::with(bodies, component, size, |operator| operator)
+    pub(crate) fn new(bodies: &HalfSpace, direction: Direction, size: [usize; 2]) -> Result<Self> {
+        Self::with(bodies, direction, size, |operator| operator)
     }
 
     /// With a linear term and a start.
     pub(crate) fn with_start(
         bodies: &HalfSpace,
-        component: Component,
+        direction: Direction,
         size: [usize; 2],
         linear: &[f64],
         start: Vec<f64>,
     ) -> Result<Self> {
-        let mut stage = Self::new(bodies, component, size)?;
+        let mut stage = Self::new(bodies, direction, size)?;
         stage.linear.copy_from_slice(linear);
         stage.x = start;
         Ok(stage)
@@ -54,11 +51,11 @@ impl<C: Operator<Workspace = ConvolutionWorkspace> + Clone> Stage<C> {
     /// With what `wrap` makes of the operator.
     pub(crate) fn with(
         bodies: &HalfSpace,
-        component: Component,
+        direction: Direction,
         size: [usize; 2],
         wrap: impl FnOnce(Arc<Convolution>) -> C,
     ) -> Result<Self> {
-        let Compliance { operator, inverse } = bodies.compliance_of_window(component, size)?;
+        let Compliance { operator, inverse } = bodies.compliance([direction], size)?;
         let operator = wrap(operator);
         let workspace = Workspace::new(&operator, &inverse);
         let cells = size[0] * size[1];
@@ -109,10 +106,12 @@ impl<C: Operator<Workspace = ConvolutionWorkspace> + Clone> Stage<C> {
 
 /// The same with two unknowns a cell: all along x, then all along y.
 #[derive(Debug, Clone)]
-pub(crate) struct PlaneStage<C: Operator<Workspace = PairWorkspace> = Arc<PairConvolution>> {
+pub(crate) struct PlaneStage<
+    C: Operator<2, Workspace = ConvolutionWorkspace<2>> = Arc<Convolution<2>>,
+> {
     pub(crate) operator: C,
-    inverse: Arc<PairInverse>,
-    workspace: plane::Workspace<C, Arc<PairInverse>>,
+    inverse: Arc<CirculantInverse<2>>,
+    workspace: plane::Workspace<C, Arc<CirculantInverse<2>>>,
     /// The start of the next solve, and the answer of the last.
     pub(crate) q: Vec<f64>,
     pub(crate) linear: Vec<f64>,
@@ -124,14 +123,15 @@ impl PlaneStage {
     }
 }
 
-impl<C: Operator<Workspace = PairWorkspace> + Clone> PlaneStage<C> {
+impl<C: Operator<2, Workspace = ConvolutionWorkspace<2>> + Clone> PlaneStage<C> {
     /// With what `wrap` makes of the operator.
     pub(crate) fn with(
         bodies: &HalfSpace,
         size: [usize; 2],
-        wrap: impl FnOnce(Arc<PairConvolution>) -> C,
+        wrap: impl FnOnce(Arc<Convolution<2>>) -> C,
     ) -> Result<Self> {
-        let PlaneCompliance { operator, inverse } = bodies.plane_compliance(size)?;
+        let Compliance { operator, inverse } =
+            bodies.compliance([Direction::X, Direction::Y], size)?;
         let operator = wrap(operator);
         let workspace = plane::Workspace::new(&operator, &inverse);
         let len = 2 * size[0] * size[1];

@@ -53,8 +53,8 @@ proptest! {
             let fast = bodies.operator(component).unwrap();
             let dense = DenseOperator::of_half_space(&bodies, component).unwrap();
             let (mut u, mut expected) = (vec![0.0; grid.cells()], vec![0.0; grid.cells()]);
-            fast.apply(&traction, &mut u, &mut fast.workspace());
-            dense.apply(&traction, &mut expected, &mut ());
+            fast.apply([&traction], [&mut u], &mut fast.workspace());
+            dense.apply([&traction], [&mut expected], &mut ());
             // The scale of a product, not of its cancelled remainder: row sum times traction.
             let row_sum = (0..grid.cells())
                 .map(|i| (0..grid.cells()).map(|j| dense.get(i, j).unwrap().abs()).sum::<f64>())
@@ -110,8 +110,8 @@ fn a_larger_grid_equals_the_direct_sum_too() {
         let fast = bodies.operator(component).unwrap();
         let dense = DenseOperator::of_half_space(&bodies, component).unwrap();
         let (mut u, mut expected) = (vec![0.0; grid.cells()], vec![0.0; grid.cells()]);
-        fast.apply(&traction, &mut u, &mut fast.workspace());
-        dense.apply(&traction, &mut expected, &mut ());
+        fast.apply([&traction], [&mut u], &mut fast.workspace());
+        dense.apply([&traction], [&mut expected], &mut ());
         let error = max_difference(&u, &expected) / max_abs(&expected);
         assert!(error <= 1e-13, "{component:?}: {error:e}");
     }

@@ -254,5 +254,5 @@ pub(super) fn precondition<C: Operator, K: Constraint, P: Operator>(
     } = &mut *run.workspace;
     run.problem
         .preconditioner
-        .apply_roughly(direction, image, preconditioner);
+        .apply_f32([direction], [image], preconditioner);
 }

@@ -124,7 +124,7 @@ pub struct Problem<'a, C, K, P = Identity> {
 impl<'a, C: Operator, K: Constraint> Problem<'a, C, K> {
     /// Operator `C`, linear term `b` and constraint `K`; no total prescribed, no preconditioner.
     pub fn new(operator: C, linear: &'a [f64], constraint: K) -> Self {
-        let preconditioner = Identity::new(operator.len());
+        let preconditioner = Identity::new(operator.cells());
         Self {
             operator,
             preconditioner,
@@ -163,8 +163,8 @@ impl<'a, C: Operator, K: Constraint, P: Operator> Problem<'a, C, K, P> {
     }
 
     fn check(&self, x: &[f64]) -> Result<()> {
-        let len = self.operator.len();
-        length("preconditioner", len, self.preconditioner.len())?;
+        let len = self.operator.cells();
+        length("preconditioner", len, self.preconditioner.cells())?;
         length("linear term", len, self.linear.len())?;
         length("start", len, x.len())?;
         all_finite("linear term", self.linear)?;
@@ -228,7 +228,7 @@ impl<C: Operator, P: Operator> Workspace<C, P> {
     /// Buffers for an operator and its preconditioner: nine numbers per entry besides their own.
     #[must_use]
     pub fn new(operator: &C, preconditioner: &P) -> Self {
-        let len = operator.len();
+        let len = operator.cells();
         let zeros = || vec![0.0; len];
         Self {
             operator: operator.workspace(),

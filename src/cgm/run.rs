@@ -90,7 +90,7 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
             report,
             ..
         } = &mut *self.workspace;
-        self.problem.operator.apply(direction, image, operator);
+        self.problem.operator.apply([direction], [image], operator);
         report.convolutions += 1;
     }
 
@@ -105,7 +105,7 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
         } = &mut *self.workspace;
         self.problem
             .operator
-            .apply_roughly(direction, image, operator);
+            .apply_f32([direction], [image], operator);
         report.rough_convolutions += 1;
     }
 
@@ -125,7 +125,7 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
             report,
             ..
         } = &mut *self.workspace;
-        self.problem.operator.apply(self.x, product, operator);
+        self.problem.operator.apply([self.x], [product], operator);
         report.convolutions += 1;
         self.form_gradient();
         self.is_fresh = true;
@@ -141,7 +141,7 @@ impl<'a, 'b, C: Operator, K: Constraint, P: Operator> Run<'a, 'b, C, K, P> {
         } = &mut *self.workspace;
         self.problem
             .operator
-            .apply_roughly(self.x, product, operator);
+            .apply_f32([self.x], [product], operator);
         report.rough_convolutions += 1;
         self.form_gradient();
     }

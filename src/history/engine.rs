@@ -2,18 +2,18 @@
 
 use std::sync::Arc;
 
-use crate::cgm::plane::{self, Disc, norm};
+use crate::cgm::plane::{self, Disc, both, norm};
 use crate::cgm::{self, Certificate, Magnitude, Settings};
 use crate::clock::Instant;
 use crate::error::{Error, Result};
-use crate::fft::{Convolution, PairConvolution};
+use crate::fft::Convolution;
 use crate::half_space::HalfSpace;
 use crate::history::layout::Layout;
 use crate::history::spring::Sprung;
 use crate::operator::Operator;
 use crate::report::Report;
 use crate::stage::{Observer, PlaneStage, Stage, may_go_on, with_counts_of, with_limits_left};
-use crate::tangential::{Axis, component};
+use crate::tangential::{Axis, direction};
 
 /// Set up on the window of the contact, with the tractions of the step under way.
 #[derive(Debug, Clone)]
@@ -25,14 +25,14 @@ pub(super) enum Engine {
     /// The scalar model.
     Along(Axis, Stage<Sprung<Arc<Convolution>, 1>>),
     /// The plane model.
-    InPlane(Box<PlaneStage<Sprung<Arc<PairConvolution>, 2>>>),
+    InPlane(Box<PlaneStage<Sprung<Arc<Convolution<2>>, 2>>>),
 }
 
 impl Engine {
     pub(super) fn new(bodies: &HalfSpace, axis: Option<Axis>, size: [usize; 2]) -> Result<Self> {
         Ok(match axis {
             Some(axis) => {
-                let stage = Stage::with(bodies, component(axis), size, Sprung::rigidly)?;
+                let stage = Stage::with(bodies, direction(axis), size, Sprung::rigidly)?;
                 Self::Along(axis, stage)
             }
             None => Self::InPlane(Box::new(PlaneStage::with(bodies, size, Sprung::rigidly)?)),
@@ -70,8 +70,8 @@ impl Engine {
     /// The displacement of the bodies by the tractions, computed anew.
     pub(super) fn displacement(&self) -> Vec<f64> {
         match self {
-            Self::Along(_, stage) => product(&stage.operator.bodies, &stage.x),
-            Self::InPlane(stage) => product(&stage.operator.bodies, &stage.q),
+            Self::Along(_, stage) => product(&stage.operator.bodies, [&stage.x]),
+            Self::InPlane(stage) => product(&stage.operator.bodies, both(&stage.q)),
         }
     }
 
@@ -95,10 +95,10 @@ impl Engine {
     fn stretch(&self) -> [f64; 2] {
         match self {
             Self::Along(axis, stage) => {
-                let [along] = stage.operator.stretch(&stage.x);
+                let [along] = stage.operator.stretch([&stage.x]);
                 component_of(*axis, along)
             }
-            Self::InPlane(stage) => stage.operator.stretch(&stage.q),
+            Self::InPlane(stage) => stage.operator.stretch(both(&stage.q)),
         }
     }
 
@@ -257,8 +257,10 @@ fn component_of(axis: Axis, value: f64) -> [f64; 2] {
     Layout::new(Some(axis), 1).at(&[value], 0)
 }
 
-fn product(operator: &impl Operator, traction: &[f64]) -> Vec<f64> {
-    let mut product = vec![0.0; traction.len()];
-    operator.apply(traction, &mut product, &mut operator.workspace());
-    product
+/// The product, its components one behind the other.
+fn product<const N: usize>(operator: &impl Operator<N>, traction: [&[f64]; N]) -> Vec<f64> {
+    let mut product = traction.map(|part| vec![0.0; part.len()]);
+    let out = product.each_mut().map(|part| &mut part[..]);
+    operator.apply(traction, out, &mut operator.workspace());
+    product.concat()
 }

@@ -16,7 +16,7 @@ pub(super) struct Sprung<C, const N: usize> {
     pub(super) compliance: [f64; N],
 }
 
-impl<C: Operator, const N: usize> Sprung<C, N> {
+impl<C: Operator<N>, const N: usize> Sprung<C, N> {
     pub(super) fn rigidly(bodies: C) -> Self {
         Self {
             bodies,
@@ -25,19 +25,16 @@ impl<C: Operator, const N: usize> Sprung<C, N> {
     }
 
     /// What the springs stretch under a traction, `c sum q`.
-    pub(super) fn stretch(&self, traction: &[f64]) -> [f64; N] {
-        let cells = traction.len() / N;
-        let sums: [f64; N] =
-            parallel::sums(cells, |i| std::array::from_fn(|n| traction[n * cells + i]));
+    pub(super) fn stretch(&self, traction: [&[f64]; N]) -> [f64; N] {
+        let sums: [f64; N] = parallel::sums(traction[0].len(), |i| traction.map(|part| part[i]));
         std::array::from_fn(|n| self.compliance[n] * sums[n])
     }
 
-    fn add_stretch(&self, traction: &[f64], out: &mut [f64]) {
+    fn add_stretch(&self, traction: [&[f64]; N], out: [&mut [f64]; N]) {
         if self.compliance.iter().all(|compliance| *compliance == 0.0) {
             return;
         }
-        let parts = out.chunks_exact_mut(traction.len() / N);
-        for (part, stretch) in parts.zip(self.stretch(traction)) {
+        for (part, stretch) in out.into_iter().zip(self.stretch(traction)) {
             parallel::update(part, |_, chunk| {
                 for value in chunk {
                     *value += stretch;
@@ -47,24 +44,26 @@ impl<C: Operator, const N: usize> Sprung<C, N> {
     }
 }
 
-impl<C: Operator, const N: usize> Operator for Sprung<C, N> {
+impl<C: Operator<N>, const N: usize> Operator<N> for Sprung<C, N> {
     type Workspace = C::Workspace;
 
-    fn len(&self) -> usize {
-        self.bodies.len()
+    fn cells(&self) -> usize {
+        self.bodies.cells()
     }
 
     fn workspace(&self) -> C::Workspace {
         self.bodies.workspace()
     }
 
-    fn apply(&self, x: &[f64], out: &mut [f64], workspace: &mut C::Workspace) {
-        self.bodies.apply(x, out, workspace);
+    fn apply(&self, x: [&[f64]; N], mut out: [&mut [f64]; N], workspace: &mut C::Workspace) {
+        self.bodies
+            .apply(x, out.each_mut().map(|out| &mut **out), workspace);
         self.add_stretch(x, out);
     }
 
-    fn apply_roughly(&self, x: &[f64], out: &mut [f64], workspace: &mut C::Workspace) {
-        self.bodies.apply_roughly(x, out, workspace);
+    fn apply_f32(&self, x: [&[f64]; N], mut out: [&mut [f64]; N], workspace: &mut C::Workspace) {
+        self.bodies
+            .apply_f32(x, out.each_mut().map(|out| &mut **out), workspace);
         self.add_stretch(x, out);
     }
 

@@ -19,7 +19,7 @@ use crate::operator::Operator;
 use crate::parallel;
 use crate::report::{Report, Status};
 use crate::stage::{Observer, with_memory};
-use crate::tangential::{Axis, Friction, Zone, component};
+use crate::tangential::{Axis, Friction, Zone, direction};
 
 /// Two bodies in contact that remember their load: pressure, traction, slip and energy, step by step.
 ///
@@ -299,13 +299,11 @@ impl History {
         let (mut displacement, mut part) = ([zeros(), zeros()], zeros());
         let axes = axes_of(self.axis());
         for (moved, pulled) in axes.iter().flat_map(|a| axes.iter().map(move |b| (*a, *b))) {
-            let operator = self.bodies.operator(if moved == pulled {
-                component(moved)
-            } else {
-                Component::XY
-            })?;
+            let component = Component::of(direction(moved), direction(pulled));
+            let operator = self.bodies.operator(component)?;
             let traction = self.state.traction[pulled.index()].as_slice();
-            operator.apply(traction, part.as_mut_slice(), &mut operator.workspace());
+            let out = [part.as_mut_slice()];
+            operator.apply([traction], out, &mut operator.workspace());
             displacement[moved.index()].add_scaled(1.0, &part)?;
         }
         Ok(displacement)

@@ -3,7 +3,7 @@
 use crate::cgm::{NonNegative, Settings};
 use crate::error::Result;
 use crate::half_space::HalfSpace;
-use crate::influence::Component;
+use crate::influence::Direction;
 use crate::stage::{Nested, Observer, Stage};
 use crate::window::{coarsened, refined};
 
@@ -37,7 +37,7 @@ impl Nested for PressureScene {
     }
 
     fn stage(&self, bodies: &HalfSpace, size: [usize; 2], start: Vec<f64>) -> Result<Stage> {
-        Stage::with_start(bodies, Component::ZZ, size, &self.linear, start)
+        Stage::with_start(bodies, Direction::Z, size, &self.linear, start)
     }
 
     fn minimise(

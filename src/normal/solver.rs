@@ -1,15 +1,14 @@
 //! The reusable solver of a normal contact.
 
 use std::ops::ControlFlow;
-use std::sync::Arc;
 
 use crate::cgm::{self, Iteration, Method, NonNegative, solver_settings};
 use crate::clock::Instant;
 use crate::error::{Error, Result};
-use crate::fft::{Convolution, ConvolutionWorkspace};
+use crate::fft::ConvolutionWorkspace;
 use crate::field::Field;
-use crate::half_space::HalfSpace;
-use crate::influence::Component;
+use crate::half_space::{ElasticOperator, HalfSpace};
+use crate::influence::{Component, Direction};
 use crate::normal::nested::PressureScene;
 use crate::normal::problem::check_gap;
 use crate::normal::{NormalLoad, NormalProblem, NormalSolution};
@@ -62,7 +61,7 @@ struct Engine {
 
 #[derive(Debug, Clone)]
 struct Whole {
-    operator: Arc<Convolution>,
+    operator: ElasticOperator,
     workspace: ConvolutionWorkspace,
     displacement: Vec<f64>,
 }
@@ -79,13 +78,13 @@ impl Engine {
             let operator = bodies.operator(Component::ZZ)?;
             Some(Whole {
                 workspace: operator.workspace(),
-                displacement: vec![0.0; operator.len()],
+                displacement: vec![0.0; operator.cells()],
                 operator,
             })
         };
         Ok(Self {
             window,
-            stage: Stage::new(bodies, Component::ZZ, window.size)?,
+            stage: Stage::new(bodies, Direction::Z, window.size)?,
             whole,
         })
     }
@@ -303,7 +302,7 @@ impl NormalSolver {
                 return outcome;
             };
 
-            operator.apply(&self.pressure, displacement, workspace);
+            operator.apply([&self.pressure], [displacement], workspace);
             self.report.convolutions += 1;
             let multiplier = stage.multiplier();
             let findings = cgm::examine(

@@ -46,7 +46,7 @@ pub use friction::Friction;
 pub use pressure::Pressure;
 pub(crate) use problem::{Limits, check_coupling};
 pub use problem::{TangentialLoad, TangentialProblem, TangentialProblemBuilder};
-pub(crate) use shear::component;
+pub(crate) use shear::direction;
 pub use solution::TangentialSolution;
 pub use solver::TangentialSolver;
 pub use superposition::JaegerSuperposition;

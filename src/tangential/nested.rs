@@ -4,7 +4,7 @@ use crate::cgm::plane::{Disc, norm};
 use crate::cgm::{Magnitude, Settings};
 use crate::error::Result;
 use crate::half_space::HalfSpace;
-use crate::influence::Component;
+use crate::influence::Direction;
 use crate::stage::{Nested, Observer, PlaneStage, Stage};
 use crate::window::{coarsened, refined};
 
@@ -21,7 +21,7 @@ fn in_proportion(limits: &[f64], total: Option<f64>) -> Vec<f64> {
 
 /// Friction limits, and minus the shift where that is prescribed.
 pub(super) struct FrictionScene {
-    pub(super) component: Component,
+    pub(super) direction: Direction,
     pub(super) limits: Vec<f64>,
     pub(super) linear: Vec<f64>,
 }
@@ -32,7 +32,7 @@ impl Nested for FrictionScene {
 
     fn coarse_scene(&self, size: [usize; 2]) -> Self {
         Self {
-            component: self.component,
+            direction: self.direction,
             limits: coarsened(size, &self.limits),
             linear: coarsened(size, &self.linear),
         }
@@ -72,7 +72,7 @@ impl Nested for FrictionScene {
     }
 
     fn stage(&self, bodies: &HalfSpace, size: [usize; 2], start: Vec<f64>) -> Result<Stage> {
-        Stage::with_start(bodies, self.component, size, &self.linear, start)
+        Stage::with_start(bodies, self.direction, size, &self.linear, start)
     }
 
     fn minimise(

@@ -3,7 +3,7 @@
 use crate::cgm::{Magnitude, Method};
 use crate::clock::Instant;
 use crate::error::Result;
-use crate::influence::Component;
+use crate::influence::Direction;
 use crate::report::Report;
 use crate::stage::{Nested, Observer, PlaneStage, Stage, nested_start, with_time_left};
 use crate::tangential::nested::{FrictionScene, PlaneScene};
@@ -45,7 +45,7 @@ impl Shear {
     pub(super) fn of_axis(problem: &TangentialProblem, axis: Option<Axis>) -> Result<Self> {
         let TangentialProblem { bodies, window, .. } = problem;
         Ok(match axis {
-            Some(axis) => Self::Along(axis, Stage::new(bodies, component(axis), window.size)?),
+            Some(axis) => Self::Along(axis, Stage::new(bodies, direction(axis), window.size)?),
             None => Self::InPlane(PlaneStage::new(bodies, window.size)?),
         })
     }
@@ -173,7 +173,7 @@ impl Shear {
         match self {
             Self::Along(axis, stage) => {
                 let scene = FrictionScene {
-                    component: component(*axis),
+                    direction: direction(*axis),
                     limits: limits.cells.clone(),
                     linear: stage.linear.clone(),
                 };
@@ -200,11 +200,11 @@ impl Shear {
     }
 }
 
-/// The influence coefficient of tractions along an axis for displacements along it.
-pub(crate) fn component(axis: Axis) -> Component {
+/// The direction of an axis.
+pub(crate) fn direction(axis: Axis) -> Direction {
     match axis {
-        Axis::X => Component::XX,
-        Axis::Y => Component::YY,
+        Axis::X => Direction::X,
+        Axis::Y => Direction::Y,
     }
 }
 

@@ -159,7 +159,7 @@ pub(crate) fn energy_difference(
     let mut workspace = operator.workspace();
     let mut norm = |v: &[f64]| {
         let mut product = vec![0.0; v.len()];
-        operator.apply(v, &mut product, &mut workspace);
+        operator.apply([v], [&mut product], &mut workspace);
         v.iter()
             .zip(&product)
             .map(|(v, u)| v * u)

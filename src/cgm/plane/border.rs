@@ -17,7 +17,7 @@ pub(super) struct Border {
 }
 
 impl Border {
-    pub(super) fn new<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) -> Self {
+    pub(super) fn new<C: Operator<2>, P: Operator<2>>(run: &mut Run<'_, '_, C, P>) -> Self {
         let has_total = run.problem.totals.map(|total| total.is_some());
         let mut border = Self {
             has_total,
@@ -45,7 +45,7 @@ impl Border {
     }
 
     /// Finds how a change of one total spreads, and what it changes of all of them.
-    fn spread<C: Operator, P: Operator>(
+    fn spread<C: Operator<2>, P: Operator<2>>(
         &self,
         run: &mut Run<'_, '_, C, P>,
         axis: usize,
@@ -103,7 +103,10 @@ impl Border {
     }
 
     /// Spreads what is missing of the totals.
-    pub(super) fn spread_missing<C: Operator, P: Operator>(&self, run: &mut Run<'_, '_, C, P>) {
+    pub(super) fn spread_missing<C: Operator<2>, P: Operator<2>>(
+        &self,
+        run: &mut Run<'_, '_, C, P>,
+    ) {
         if self.has_total == [false, false] {
             return;
         }
@@ -129,7 +132,10 @@ impl Border {
     }
 
     /// The multipliers that leave no mean slip, weighted as the totals spread.
-    pub(super) fn set_multiplier<C: Operator, P: Operator>(&self, run: &mut Run<'_, '_, C, P>) {
+    pub(super) fn set_multiplier<C: Operator<2>, P: Operator<2>>(
+        &self,
+        run: &mut Run<'_, '_, C, P>,
+    ) {
         let Workspace {
             inner,
             loaded,
@@ -161,7 +167,7 @@ impl Border {
 /// are turned away from the total by very little, and it is that which carries it.
 const LEAST_TURN: f64 = 1e-13;
 
-fn mobility<C: Operator, P: Operator>(run: &Run<'_, '_, C, P>) -> [f64; 3] {
+fn mobility<C: Operator<2>, P: Operator<2>>(run: &Run<'_, '_, C, P>) -> [f64; 3] {
     let Workspace { inner, loaded, .. } = &*run.workspace;
     loaded.sweep((), |entries, ()| {
         let cells = &inner.cells[entries.range.clone()];

@@ -54,6 +54,16 @@ pub(super) fn pair<'a>(
     move |place| [x[place], y[place]]
 }
 
+/// Both components of a vector.
+pub(crate) fn both(vector: &[f64]) -> [&[f64]; 2] {
+    vector.split_at(vector.len() / 2).into()
+}
+
+/// Both components of a vector to write to.
+pub(super) fn both_mut(vector: &mut [f64]) -> [&mut [f64]; 2] {
+    vector.split_at_mut(vector.len() / 2).into()
+}
+
 /// Both components of a vector to write to, chunk by chunk.
 pub(super) type Halves<'a> = (Blocks<'a, f64>, Blocks<'a, f64>);
 

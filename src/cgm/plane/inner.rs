@@ -4,7 +4,7 @@
 use std::ops::ControlFlow;
 
 use crate::cgm::plane::border::Border;
-use crate::cgm::plane::disc::{dot, halves, pair};
+use crate::cgm::plane::disc::{both, both_mut, dot, halves, pair};
 use crate::cgm::plane::run::Run;
 use crate::cgm::plane::{Inner, Workspace};
 use crate::cgm::run::{FLAT, FLATTEST};
@@ -15,7 +15,7 @@ use crate::report::Status;
 const INNER_LIMIT: usize = 60;
 
 /// From the residual `delta - (C q + b)`, with approximate products: what they miss the next outer step sees.
-pub(super) fn solve<C: Operator, P: Operator>(
+pub(super) fn solve<C: Operator<2>, P: Operator<2>>(
     run: &mut Run<'_, '_, C, P>,
     border: &Border,
     reduction: f64,
@@ -63,7 +63,10 @@ pub(super) fn solve<C: Operator, P: Operator>(
     ControlFlow::Continue(())
 }
 
-fn add_to_multiplier<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>, change: [f64; 2]) {
+fn add_to_multiplier<C: Operator<2>, P: Operator<2>>(
+    run: &mut Run<'_, '_, C, P>,
+    change: [f64; 2],
+) {
     for (multiplier, change) in run.workspace.multiplier.iter_mut().zip(change) {
         *multiplier += change;
     }
@@ -87,7 +90,7 @@ struct Residual {
 
 /// Takes the step, if one is given, and the residual there: compressed, and weighted in `direction` to be
 /// preconditioned. The circles' own stiffness is part of the residual, not of the gradient.
-fn advance<C: Operator, P: Operator>(
+fn advance<C: Operator<2>, P: Operator<2>>(
     run: &mut Run<'_, '_, C, P>,
     border: &Border,
     step: Option<&Move>,
@@ -168,7 +171,7 @@ struct Correction {
 }
 
 /// Gathers `M r` from `image`, with the `w_a' r` and `w_a' r_last`.
-fn correct<C: Operator, P: Operator>(
+fn correct<C: Operator<2>, P: Operator<2>>(
     run: &mut Run<'_, '_, C, P>,
     border: &Border,
     products: [f64; 2],
@@ -211,7 +214,7 @@ fn correct<C: Operator, P: Operator>(
 }
 
 /// The next direction `d = z + conjugation d`, compressed and full.
-fn turn<C: Operator, P: Operator>(
+fn turn<C: Operator<2>, P: Operator<2>>(
     run: &mut Run<'_, '_, C, P>,
     change: [f64; 2],
     conjugation: Option<f64>,
@@ -247,7 +250,7 @@ fn turn<C: Operator, P: Operator>(
 }
 
 /// `d' (C + circles) d`, of the product in `image`, and `d' d`.
-fn curvature<C: Operator, P: Operator>(run: &Run<'_, '_, C, P>) -> [f64; 2] {
+fn curvature<C: Operator<2>, P: Operator<2>>(run: &Run<'_, '_, C, P>) -> [f64; 2] {
     let Workspace {
         inner,
         loaded,
@@ -268,7 +271,7 @@ fn curvature<C: Operator, P: Operator>(run: &Run<'_, '_, C, P>) -> [f64; 2] {
 
 /// The curvature to go on with where the direction's own is none: an operator that maps constants to zero lets
 /// all cells together slide to their limits.
-fn slide<C: Operator, P: Operator>(
+fn slide<C: Operator<2>, P: Operator<2>>(
     run: &Run<'_, '_, C, P>,
     curvature: f64,
     square: f64,
@@ -281,7 +284,7 @@ fn slide<C: Operator, P: Operator>(
 }
 
 /// `image = M direction`.
-pub(super) fn precondition<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) {
+pub(super) fn precondition<C: Operator<2>, P: Operator<2>>(run: &mut Run<'_, '_, C, P>) {
     let Workspace {
         preconditioner,
         direction,
@@ -290,5 +293,5 @@ pub(super) fn precondition<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>
     } = &mut *run.workspace;
     run.problem
         .preconditioner
-        .apply_roughly(direction, image, preconditioner);
+        .apply_f32(both(direction), both_mut(image), preconditioner);
 }

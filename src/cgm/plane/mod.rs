@@ -37,7 +37,7 @@ use crate::report::{Iteration, Report, Status};
 
 use cell::Cell;
 pub(crate) use certificate::examine;
-pub(crate) use disc::{Disc, dot, norm, update_cells};
+pub(crate) use disc::{Disc, both, dot, norm, update_cells};
 use run::Run;
 
 /// What to minimise. `linear` holds two numbers a cell, `limits` one, finite and not negative.
@@ -53,7 +53,7 @@ pub(crate) struct Problem<'a, C, P> {
 
 /// Everything an iteration writes to besides `q`.
 #[derive(Debug, Clone)]
-pub(crate) struct Workspace<C: Operator, P: Operator> {
+pub(crate) struct Workspace<C: Operator<2>, P: Operator<2>> {
     operator: C::Workspace,
     preconditioner: P::Workspace,
     product: Vec<f64>,
@@ -79,9 +79,9 @@ struct Inner {
     spread: Vec<[[f64; 2]; 2]>,
 }
 
-impl<C: Operator, P: Operator> Workspace<C, P> {
+impl<C: Operator<2>, P: Operator<2>> Workspace<C, P> {
     pub(crate) fn new(operator: &C, preconditioner: &P) -> Self {
-        let len = operator.len();
+        let len = 2 * operator.cells();
         let zeros = || vec![0.0; len];
         let vectors = || vec![[0.0; 2]; len / 2];
         Self {
@@ -125,7 +125,7 @@ impl<C: Operator, P: Operator> Workspace<C, P> {
 /// # Errors
 /// [`Error::Length`], [`Error::Sample`], [`Error::BeyondSliding`], or what is wrong with the settings, before
 /// any work; [`Error::NotConverged`] with the last feasible iterate in `q`.
-pub(crate) fn minimise<C: Operator, P: Operator>(
+pub(crate) fn minimise<C: Operator<2>, P: Operator<2>>(
     problem: &Problem<'_, C, P>,
     settings: &Settings,
     q: &mut [f64],
@@ -133,7 +133,7 @@ pub(crate) fn minimise<C: Operator, P: Operator>(
     observer: &mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
 ) -> Result<()> {
     settings.check()?;
-    length("start", problem.operator.len(), q.len())?;
+    length("start", 2 * problem.operator.cells(), q.len())?;
     all_finite("start", q)?;
     let sum = crate::cgm::reduce::total(problem.limits);
     let reach = disc::reach(problem.totals, sum)?;
@@ -157,7 +157,7 @@ pub(crate) fn minimise<C: Operator, P: Operator>(
 
 /// Newton's method; each time its sets cycle, twice as many steps of a method that has none, until that does
 /// not help any more.
-fn iterate<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) -> Status {
+fn iterate<C: Operator<2>, P: Operator<2>>(run: &mut Run<'_, '_, C, P>) -> Status {
     let (mut detour, mut in_vain) = (32, 0);
     loop {
         let before = run.watch.best;

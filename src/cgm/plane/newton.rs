@@ -22,7 +22,9 @@ use crate::report::Status;
 const CYCLE: usize = 5;
 
 /// Ends with the status of the run; `None` if the sets cycle.
-pub(super) fn iterate<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) -> Option<Status> {
+pub(super) fn iterate<C: Operator<2>, P: Operator<2>>(
+    run: &mut Run<'_, '_, C, P>,
+) -> Option<Status> {
     if let ControlFlow::Break(status) = start(run) {
         return Some(status);
     }
@@ -62,7 +64,7 @@ pub(super) fn iterate<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) -> 
 
 /// Brings the start within its discs and near its totals, marks the cells, and measures how stiff the slipping
 /// ones are.
-fn start<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) -> ControlFlow<Status> {
+fn start<C: Operator<2>, P: Operator<2>>(run: &mut Run<'_, '_, C, P>) -> ControlFlow<Status> {
     let limits = run.problem.limits;
     update_cells(run.q, |i, q| Disc(limits[i]).project(q));
     mark(run);
@@ -79,7 +81,7 @@ fn start<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) -> ControlFlow<S
 }
 
 /// The mean of the slip where cells stick, or of all if none does.
-fn mean_slip<C: Operator, P: Operator>(run: &Run<'_, '_, C, P>) -> [f64; 2] {
+fn mean_slip<C: Operator<2>, P: Operator<2>>(run: &Run<'_, '_, C, P>) -> [f64; 2] {
     let Workspace {
         inner,
         loaded,
@@ -115,7 +117,7 @@ fn mean_slip<C: Operator, P: Operator>(run: &Run<'_, '_, C, P>) -> [f64; 2] {
 }
 
 /// Lists the cells that can carry a traction, and marks those that slip.
-fn mark<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) {
+fn mark<C: Operator<2>, P: Operator<2>>(run: &mut Run<'_, '_, C, P>) {
     let limits = run.problem.limits;
     let Workspace {
         inner,
@@ -142,7 +144,7 @@ fn mark<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) {
 }
 
 /// The stiffness of every slipping cell, from the slip just measured.
-fn stiffen<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) {
+fn stiffen<C: Operator<2>, P: Operator<2>>(run: &mut Run<'_, '_, C, P>) {
     let limits = run.problem.limits;
     let Workspace {
         inner,
@@ -164,7 +166,7 @@ fn stiffen<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) {
 }
 
 /// Tells the preconditioner how stiff the slipping cells are.
-fn share<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) {
+fn share<C: Operator<2>, P: Operator<2>>(run: &mut Run<'_, '_, C, P>) {
     let lower_bound = run.lower_bound;
     let Workspace { inner, loaded, .. } = &mut *run.workspace;
     loaded.sweep(loaded.compressed(&mut inner.cells), |_, cells| {
@@ -177,7 +179,7 @@ fn share<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>) {
 
 /// Puts tractions on their circles and moves cells between stick and slip at the equilibrated state, all at
 /// once. Returns how many moved.
-fn reclassify<C: Operator, P: Operator>(run: &mut Run<'_, '_, C, P>, largest: f64) -> usize {
+fn reclassify<C: Operator<2>, P: Operator<2>>(run: &mut Run<'_, '_, C, P>, largest: f64) -> usize {
     let limits = run.problem.limits;
     // Below this a wrong sign is noise of the inner solution, and would come and go.
     let threshold = (0.01 * run.watch.settings.tolerance).max(f64::EPSILON) * largest;

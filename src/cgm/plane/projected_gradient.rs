@@ -13,7 +13,7 @@ use crate::report::Status;
 
 /// At most `steps` steps from the present iterate; says whether they ended at a point where the objective no
 /// longer falls.
-pub(super) fn iterate<C: Operator, P: Operator>(
+pub(super) fn iterate<C: Operator<2>, P: Operator<2>>(
     run: &mut Run<'_, '_, C, P>,
     steps: usize,
 ) -> ControlFlow<Status, bool> {
@@ -86,7 +86,7 @@ pub(super) fn iterate<C: Operator, P: Operator>(
 }
 
 /// `[d'd, d'Cd]` of the direction.
-fn squares<C: Operator, P: Operator>(run: &Run<'_, '_, C, P>) -> [f64; 2] {
+fn squares<C: Operator<2>, P: Operator<2>>(run: &Run<'_, '_, C, P>) -> [f64; 2] {
     let Workspace {
         direction, image, ..
     } = &*run.workspace;

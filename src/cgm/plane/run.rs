@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use crate::cgm::certificate::Certificate;
 use crate::cgm::plane::certificate::examine;
-use crate::cgm::plane::disc::{at, dot, norm, restore};
+use crate::cgm::plane::disc::{at, both, both_mut, dot, norm, restore};
 use crate::cgm::plane::{Problem, Workspace, update_cells};
 use crate::cgm::watch::Watch;
 use crate::cgm::{Settings, reduce};
@@ -12,7 +12,7 @@ use crate::operator::Operator;
 use crate::parallel;
 use crate::report::{Iteration, Status};
 
-pub(super) struct Run<'a, 'b, C: Operator, P: Operator> {
+pub(super) struct Run<'a, 'b, C: Operator<2>, P: Operator<2>> {
     pub(super) problem: &'a Problem<'b, C, P>,
     pub(super) watch: Watch<'a>,
     pub(super) q: &'a mut [f64],
@@ -26,7 +26,7 @@ pub(super) struct Run<'a, 'b, C: Operator, P: Operator> {
     is_at_limit: bool,
 }
 
-impl<'a, 'b, C: Operator, P: Operator> Run<'a, 'b, C, P> {
+impl<'a, 'b, C: Operator<2>, P: Operator<2>> Run<'a, 'b, C, P> {
     pub(super) fn new(
         problem: &'a Problem<'b, C, P>,
         settings: &'a Settings,
@@ -63,10 +63,12 @@ impl<'a, 'b, C: Operator, P: Operator> Run<'a, 'b, C, P> {
         if is_rough {
             self.problem
                 .operator
-                .apply_roughly(self.q, product, operator);
+                .apply_f32(both(self.q), both_mut(product), operator);
             report.rough_convolutions += 1;
         } else {
-            self.problem.operator.apply(self.q, product, operator);
+            self.problem
+                .operator
+                .apply(both(self.q), both_mut(product), operator);
             report.convolutions += 1;
         }
         let (product, linear) = (&*product, self.problem.linear);
@@ -91,10 +93,12 @@ impl<'a, 'b, C: Operator, P: Operator> Run<'a, 'b, C, P> {
         if is_rough {
             self.problem
                 .operator
-                .apply_roughly(direction, image, operator);
+                .apply_f32(both(direction), both_mut(image), operator);
             report.rough_convolutions += 1;
         } else {
-            self.problem.operator.apply(direction, image, operator);
+            self.problem
+                .operator
+                .apply(both(direction), both_mut(image), operator);
             report.convolutions += 1;
         }
     }

@@ -1,0 +1,31 @@
+//! One influence coefficient of a grid, whatever surrounds it.
+
+use crate::influence::{Component, Symbols, Table};
+
+/// One influence coefficient, in the form from which its spectrum is made.
+#[derive(Debug)]
+pub(crate) enum Kernel {
+    /// Free surroundings: the coefficient at every distance.
+    Table(Table),
+    /// A grid that repeats: its symbol at every wave.
+    Symbols(Symbols),
+}
+
+impl Kernel {
+    /// Whether the grid repeats.
+    pub(crate) fn is_periodic(&self) -> bool {
+        matches!(self, Self::Symbols(_))
+    }
+
+    /// Whether the coefficient is odd in x and odd in y.
+    pub(crate) fn is_odd(&self) -> [bool; 2] {
+        self.component().is_odd()
+    }
+
+    fn component(&self) -> Component {
+        match self {
+            Self::Table(table) => table.component(),
+            Self::Symbols(symbols) => symbols.component(),
+        }
+    }
+}
