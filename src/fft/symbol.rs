@@ -6,6 +6,7 @@ use std::ops::Range;
 use num_complex::Complex;
 
 use crate::fft::eigen::{eigenvalue_range, inverse_above};
+use crate::fft::plan::zero;
 use crate::fft::real::Real;
 use crate::fft::spectrum::{Lines, transform};
 use crate::influence::Kernel;
@@ -179,7 +180,7 @@ impl<T: Real, const N: usize> Symbol<T, N> {
             ..
         } = self.shape;
         let values = &self.values[kx * self.shape.stride()..][..self.shape.stride()];
-        let quarter = from_fn(|i| from_fn(|j| &values[self.shape.entry(i, j)]));
+        let quarter: [[&[T]; N]; N] = from_fn(|i| from_fn(|j| &values[self.shape.entry(i, j)]));
         for (column, turns) in columns.iter_mut().zip(turns_in) {
             if turns {
                 turn(column, |z| Complex::new(z.im, -z.re));
@@ -187,17 +188,19 @@ impl<T: Real, const N: usize> Symbol<T, N> {
         }
         let mut high = from_fn(|_| <&mut [Complex<T>]>::default());
         let mut halves = high.iter_mut();
-        let mut low = columns.each_mut().map(|column| {
+        let low = columns.each_mut().map(|column| {
             let (low, rest) = column.split_at_mut(self.shape.height);
             if let Some(half) = halves.next() {
                 *half = rest;
             }
             low
         });
-        multiply_low(quarter, &mut low);
+        let even = [[T::one(); N]; N];
+        multiply_half(quarter, even, low, |k, _| k);
         // The upper half mirrors the lower, where entries odd in y have the other sign.
         let signs = is_odd_y.map(|row| row.map(|is_odd| if is_odd { -T::one() } else { T::one() }));
-        multiply_high(quarter, signs, &mut high);
+        let beyond_mean = quarter.map(|row| row.map(|entry| &entry[1..]));
+        multiply_half(beyond_mean, signs, high, |k, len| len - 1 - k);
         for (column, turns) in columns.iter_mut().zip(turns_out) {
             if turns {
                 turn(column, |z| Complex::new(-z.im, z.re));
@@ -206,47 +209,35 @@ impl<T: Real, const N: usize> Symbol<T, N> {
     }
 }
 
-fn multiply_low<T: Real, const N: usize>(
-    quarter: [[&[T]; N]; N],
-    columns: &mut [&mut [Complex<T>]; N],
-) {
-    let len = columns[0].len();
-    let quarter = quarter.map(|row| row.map(|entry| &entry[..len]));
-    let columns = columns.each_mut().map(|column| &mut column[..len]);
-    for k in 0..len {
-        let z = product(
-            quarter.map(|row| row.map(|entry| entry[k])),
-            from_fn(|j| columns[j][k]),
-        );
-        for j in 0..N {
-            columns[j][k] = z[j];
-        }
-    }
-}
-
-fn multiply_high<T: Real, const N: usize>(
-    quarter: [[&[T]; N]; N],
+/// Multiplies half the waves of all fields, of which number `k` is at `place(k, number of waves)`. Plain
+/// loops over the fields: chains of iterators and closures keep the compiler from vector instructions.
+fn multiply_half<T: Real, const N: usize>(
+    mut entries: [[&[T]; N]; N],
     signs: [[T; N]; N],
-    columns: &mut [&mut [Complex<T>]; N],
+    mut columns: [&mut [Complex<T>]; N],
+    place: impl Fn(usize, usize) -> usize,
 ) {
+    // Slices of one length need no checks in the loop.
     let len = columns[0].len();
-    let quarter = quarter.map(|row| row.map(|entry| &entry[1..=len]));
-    let columns = columns.each_mut().map(|column| &mut column[..len]);
-    for k in 0..len {
-        let mirrored = len - 1 - k;
-        let matrix: [[T; N]; N] = from_fn(|i| from_fn(|j| quarter[i][j][k] * signs[i][j]));
-        let z = product(matrix, from_fn(|j| columns[j][mirrored]));
-        for j in 0..N {
-            columns[j][mirrored] = z[j];
+    for i in 0..N {
+        columns[i] = &mut std::mem::take(&mut columns[i])[..len];
+        for entry in &mut entries[i] {
+            *entry = &entry[..len];
         }
     }
-}
-
-fn product<T: Real, const N: usize>(matrix: [[T; N]; N], z: [Complex<T>; N]) -> [Complex<T>; N] {
-    matrix.map(|row| {
-        let first = z[0] * row[0];
-        (1..N).fold(first, |sum, j| sum + z[j] * row[j])
-    })
+    for k in 0..len {
+        let place = place(k, len);
+        let mut product = [zero(); N];
+        for i in 0..N {
+            product[i] = columns[0][place] * (entries[i][0][k] * signs[i][0]);
+            for j in 1..N {
+                product[i] = product[i] + columns[j][place] * (entries[i][j][k] * signs[i][j]);
+            }
+        }
+        for i in 0..N {
+            columns[i][place] = product[i];
+        }
+    }
 }
 
 fn turn<T: Real>(column: &mut [Complex<T>], f: impl Fn(Complex<T>) -> Complex<T>) {
