@@ -165,7 +165,9 @@ impl<const N: usize> Operator<N> for Convolution<N> {
     }
 
     /// The smallest eigenvalue of the periodic continuation, a bound for the cells cut out of it; for a
-    /// periodic grid that on fields of mean zero. Zero for a single component between two directions.
+    /// periodic grid that on fields of mean zero. Zero for a single component between two directions; and
+    /// for pressure with shear of bodies whose Poisson's ratios are negative, on some grids, where the
+    /// continuation is not definite though the operator is.
     fn lower_bound(&self) -> f64 {
         self.lower_bound
     }

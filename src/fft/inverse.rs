@@ -37,7 +37,9 @@ impl<const N: usize> CirculantInverse<N> {
         } else {
             symbol
         };
-        let inverse = symbol.inverse_above(floor.max(1e-12 * high));
+        // Where no bound of the operator is known: far below what the directions have each alone.
+        let floor = floor.max(1e-12 * high).max(1e-2 * symbol.least_diagonal());
+        let inverse = symbol.inverse_above(floor);
         Self {
             product: SingleProduct::new(size, torus, &inverse),
         }

@@ -81,19 +81,17 @@ impl<const N: usize> Symbol<f64, N> {
     pub(super) fn new([mx, my]: [usize; 2], kernels: [[&Kernel; N]; N]) -> Self {
         let shape = Shape::new(my / 2 + 1, kernels);
         let mut values = vec![0.0; (mx / 2 + 1) * shape.stride()];
-        for i in 0..N {
-            for j in i..N {
-                // A transform is i times the values of an imaginary entry, and -i * i = 1, i * i = -1.
-                let is_negated = shape.turns_in[j] && !shape.turns_out[i];
-                let sign = if is_negated { -1.0 } else { 1.0 };
-                let entry = shape.entry(i, j);
-                let lines = Lines {
-                    values: &mut values,
-                    stride: shape.stride(),
-                    entry,
-                };
-                transform(kernels[i][j], [mx, my], sign, lines);
-            }
+        for (i, j) in upper_triangle::<N>() {
+            // A transform is i times the values of an imaginary entry, and S is -i * i = 1 or i * i = -1 times
+            // that, by the field that is turned.
+            let is_negated = shape.turns_in[j] && !shape.turns_out[i];
+            let sign = if is_negated { -1.0 } else { 1.0 };
+            let lines = Lines {
+                values: &mut values,
+                stride: shape.stride(),
+                entry: shape.entry(i, j),
+            };
+            transform(kernels[i][j], [mx, my], sign, lines);
         }
         Self { values, shape }
     }
@@ -126,13 +124,18 @@ impl<const N: usize> Symbol<f64, N> {
         parallel::fold(self.values.len(), leaf, f64::max)
     }
 
+    /// Smallest entry on the diagonal.
+    pub(super) fn least_diagonal(&self) -> f64 {
+        let columns = self.values.chunks_exact(self.shape.stride());
+        let entries = columns.flat_map(|column| (0..N).map(|i| &column[self.shape.entry(i, i)]));
+        entries.flatten().copied().fold(f64::INFINITY, f64::min)
+    }
+
     /// With a multiple of the identity for the mean.
     pub(super) fn with_mean(mut self, value: f64) -> Self {
-        for i in 0..N {
-            for j in i..N {
-                let entry = self.shape.entry(i, j);
-                self.values[entry.start] = if i == j { value } else { 0.0 };
-            }
+        for (i, j) in upper_triangle::<N>() {
+            let entry = self.shape.entry(i, j);
+            self.values[entry.start] = if i == j { value } else { 0.0 };
         }
         self
     }
@@ -159,10 +162,8 @@ impl<const N: usize> Symbol<f64, N> {
             let column = &self.values[kx * shape.stride()..][..shape.stride()];
             for row in 0..shape.height {
                 let inverse = inverse_above(shape.matrix(column, row), floor);
-                for i in 0..N {
-                    for j in i..N {
-                        out[shape.entry(i, j)][row] = inverse[i][j];
-                    }
+                for (i, j) in upper_triangle::<N>() {
+                    out[shape.entry(i, j).start + row] = inverse[i][j];
                 }
             }
         });
@@ -209,8 +210,16 @@ impl<T: Real, const N: usize> Symbol<T, N> {
     }
 }
 
-/// Multiplies half the waves of all fields, of which number `k` is at `place(k, number of waves)`. Plain
-/// loops over the fields: chains of iterators and closures keep the compiler from vector instructions.
+/// Rows and columns of the entries on and above the diagonal, row by row.
+fn upper_triangle<const N: usize>() -> impl Iterator<Item = (usize, usize)> {
+    (0..N).flat_map(|i| (i..N).map(move |j| (i, j)))
+}
+
+/// Multiplies half the waves of all fields, of which number `k` is at `place(k, number of waves)`.
+#[expect(
+    clippy::needless_range_loop,
+    reason = "chains of iterators and closures keep the compiler from vector instructions here"
+)]
 fn multiply_half<T: Real, const N: usize>(
     mut entries: [[&[T]; N]; N],
     signs: [[T; N]; N],

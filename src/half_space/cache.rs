@@ -96,3 +96,26 @@ impl Cache {
 fn find<T: Any + Send + Sync>(entries: &Entries, key: &Key) -> Option<Arc<T>> {
     entries.get(key).and_then(Entry::value)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A long simulation of wear asks for many windows, one after the other.
+    #[test]
+    fn what_nobody_uses_is_forgotten() {
+        let cache = Cache::default();
+        let make = |n: usize, is_kept| cache.get_or_make(&[], [n, n], is_kept, || Ok(n)).unwrap();
+        make(0, true);
+        let held = make(1, false);
+        for n in 2..100 {
+            assert_eq!(*make(n, false), n);
+        }
+        assert!(Arc::ptr_eq(&held, &make(1, false)));
+        assert_eq!(
+            cache.locked(|entries| entries.len()),
+            3,
+            "kept, held and the last"
+        );
+    }
+}

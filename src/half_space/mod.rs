@@ -1,21 +1,23 @@
 //! Two elastic half-spaces meshed by one grid: the operators every problem on it shares.
 
 mod cache;
+mod compliance;
 mod elastic;
 
 use std::sync::{Arc, OnceLock};
 
 use crate::boundary::Boundary;
 use crate::error::{Error, Result, memory};
-use crate::fft::{CirculantInverse, Convolution, samples};
+use crate::fft::samples;
 use crate::grid::Grid;
-use crate::influence::{Component, Direction, Kernel, Samples, Symbols};
+use crate::influence::{Component, Direction, Kernel, Samples};
 use crate::material::ElasticPair;
-use crate::operator::Operator;
 use crate::parallel::get_or_make;
 use crate::window::{Window, halved};
 
 use cache::Cache;
+pub(crate) use compliance::Compliance;
+use compliance::tensor;
 pub use elastic::{ElasticOperator, ElasticPreconditioner};
 
 /// A pair of half-spaces on a grid, with the operators of the components in use.
@@ -55,13 +57,6 @@ struct Shared {
 
 /// What a normal contact of all cells takes at least: operators, buffers, answer.
 const BYTES_PER_CELL: usize = 170;
-
-/// An operator and the preconditioner that goes with it.
-#[derive(Debug, Clone)]
-pub(crate) struct Compliance<const N: usize> {
-    pub(crate) operator: Arc<Convolution<N>>,
-    pub(crate) inverse: Arc<CirculantInverse<N>>,
-}
 
 const _: () = {
     const fn assert_send_sync<T: Send + Sync>() {}
@@ -220,47 +215,6 @@ impl HalfSpace {
         Ok(ElasticPreconditioner(inverse))
     }
 
-    /// Operator and preconditioner of distinct directions on a rectangle of `[nx, ny]` cells cut out of the
-    /// grid, wherever it lies; a grid that repeats is not cut.
-    pub(crate) fn compliance<const N: usize>(
-        &self,
-        directions: [Direction; N],
-        size: [usize; 2],
-    ) -> Result<Compliance<N>> {
-        let components = tensor(directions);
-        let operator = self.convolution(components, size)?;
-        let inverse = self.made(components, size, |size, kernels| {
-            CirculantInverse::new(size, kernels, operator.lower_bound())
-        })?;
-        Ok(Compliance { operator, inverse })
-    }
-
-    fn convolution<const N: usize>(
-        &self,
-        components: [[Component; N]; N],
-        size: [usize; 2],
-    ) -> Result<Arc<Convolution<N>>> {
-        self.made(components, size, Convolution::of_kernels)
-    }
-
-    /// What `make` makes of the kernels of these components on a rectangle of cells, shared by all who ask.
-    fn made<T: Send + Sync + 'static, const N: usize>(
-        &self,
-        components: [[Component; N]; N],
-        size: [usize; 2],
-        make: impl FnOnce([usize; 2], [[&Kernel; N]; N]) -> T,
-    ) -> Result<Arc<T>> {
-        let size = match self.boundary() {
-            Boundary::Free => size,
-            Boundary::Periodic => self.size(),
-        };
-        let is_kept = size == self.size();
-        let made = &self.shared.made;
-        made.get_or_make(components.as_flattened(), size, is_kept, || {
-            Ok(make(size, self.kernels(components)?))
-        })
-    }
-
     /// The same bodies on cells of twice the sides, the grid as large or a fine cell larger; a grid that
     /// repeats must be [even](Self::can_be_coarser).
     pub(crate) fn coarser(&self) -> Result<&Self> {
@@ -309,41 +263,6 @@ impl HalfSpace {
     fn size(&self) -> [usize; 2] {
         self.shared.grid.size()
     }
-
-    fn kernels<const N: usize>(
-        &self,
-        components: [[Component; N]; N],
-    ) -> Result<[[&Kernel; N]; N]> {
-        let mut kernels = [[self.kernel(components[0][0])?; N]; N];
-        for (row, components) in kernels.iter_mut().zip(components) {
-            for (kernel, component) in row.iter_mut().zip(components) {
-                *kernel = self.kernel(component)?;
-            }
-        }
-        Ok(kernels)
-    }
-
-    fn kernel(&self, component: Component) -> Result<&Kernel> {
-        let Shared {
-            grid,
-            pair,
-            samples,
-            kernels,
-            ..
-        } = &*self.shared;
-        get_or_make(&kernels[component as usize], || {
-            Ok(match samples {
-                Some(samples) => Kernel::Table(samples.table(*grid, pair, component)?),
-                None => Kernel::Symbols(Symbols::new(*grid, pair, component)),
-            })
-        })
-    }
-}
-
-/// The components of all pairs of directions: displacement, then traction.
-fn tensor<const N: usize>(directions: [Direction; N]) -> [[Component; N]; N] {
-    const { assert!(N > 0, "an operator has a direction") }
-    directions.map(|displacement| directions.map(|traction| Component::of(displacement, traction)))
 }
 
 /// `Ok` if no direction occurs twice.
@@ -359,6 +278,7 @@ fn check_distinct(directions: &[Direction]) -> Result<()> {
 mod tests {
     use super::*;
     use crate::material::Material;
+    use crate::operator::Operator;
 
     /// The products of both tractions are the sums of those of each alone, and the inverse inverts them
     /// where nothing is cut.
