@@ -21,13 +21,13 @@ struct SpringRow {
 impl Operator for SpringRow {
     type Workspace = ();
 
-    fn len(&self) -> usize {
+    fn cells(&self) -> usize {
         SPRINGS
     }
 
     fn workspace(&self) {}
 
-    fn apply(&self, force: &[f64], yielding: &mut [f64], (): &mut ()) {
+    fn apply(&self, [force]: [&[f64]; 1], [yielding]: [&mut [f64]; 1], (): &mut ()) {
         for i in 0..SPRINGS {
             let left = if i > 0 { force[i - 1] } else { 0.0 };
             let right = force.get(i + 1).copied().unwrap_or(0.0);
@@ -64,7 +64,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
         // Check of the contact conditions: no tension, no overlap, and a closed gap where there is force.
         let mut yielding = [0.0; SPRINGS];
-        springs.apply(&force, &mut yielding, &mut ());
+        springs.apply([&force], [&mut yielding], &mut ());
         for i in 0..SPRINGS {
             let open = yielding[i] + gap[i] - minimum.multiplier;
             println!("  {i:>6}   {:.9}  {open:>12.2e}", force[i]);

@@ -1,9 +1,10 @@
 //! The seam between physics and engine: a linear operator that can be applied.
 
-/// A symmetric linear map from tractions to displacements, `u = C x`.
+/// A symmetric linear map from tractions to displacements, `u = C x`, with `N` components per cell.
 ///
-/// The operator is immutable and shared; what a product needs to write lives in a workspace that
-/// the caller owns, so that one operator serves many threads and a product allocates nothing.
+/// A vector is handed over as `N` slices, one per component, each with an entry per cell. The
+/// operator is immutable and shared; what a product writes to lives in a workspace that the caller
+/// owns, so that one operator serves many threads and a product allocates nothing.
 ///
 /// ```
 /// use stickslip::Operator;
@@ -13,9 +14,9 @@
 ///
 /// impl Operator for Winkler {
 ///     type Workspace = ();
-///     fn len(&self) -> usize { self.0.len() }
+///     fn cells(&self) -> usize { self.0.len() }
 ///     fn workspace(&self) {}
-///     fn apply(&self, x: &[f64], out: &mut [f64], (): &mut ()) {
+///     fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], (): &mut ()) {
 ///         for ((out, x), c) in out.iter_mut().zip(x).zip(&self.0) {
 ///             *out = c * x;
 ///         }
@@ -25,43 +26,41 @@
 ///
 /// let bed = Winkler(vec![1.0, 2.0]);
 /// let mut u = [0.0; 2];
-/// bed.apply(&[3.0, 4.0], &mut u, &mut ());
+/// bed.apply([&[3.0, 4.0]], [&mut u], &mut ());
 /// assert_eq!(u, [3.0, 8.0]);
 /// ```
-#[expect(
-    clippy::len_without_is_empty,
-    reason = "an operator on nothing is not constructed, and nobody would ask"
-)]
-pub trait Operator: Sync {
+pub trait Operator<const N: usize = 1>: Sync {
     /// What one product writes to besides its result.
     type Workspace: Send;
 
-    /// Number of unknowns.
-    fn len(&self) -> usize;
+    /// Number of cells: the unknowns of one component.
+    fn cells(&self) -> usize;
 
     /// A workspace for [`Operator::apply`].
     fn workspace(&self) -> Self::Workspace;
 
-    /// Writes `C x` to `out`. Both slices have [`Operator::len`] entries.
+    /// Writes `C x` to `out`. Every slice has [`Operator::cells`] entries.
     ///
     /// # Panics
     /// The operators of this crate panic on slices of another length and on the workspace of an
     /// operator of another size.
-    fn apply(&self, x: &[f64], out: &mut [f64], workspace: &mut Self::Workspace);
+    fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut Self::Workspace);
 
-    /// Writes about `C x` to `out`, with an error of at most some 1e-6 of the largest result: what
-    /// an iteration needs between exact products. The default is [`Operator::apply`].
-    fn apply_roughly(&self, x: &[f64], out: &mut [f64], workspace: &mut Self::Workspace) {
+    /// Writes `C x` to `out` in single precision, with an error of at most some 1e-6 of the largest
+    /// result: accurate enough to iterate, not to test convergence. The default is
+    /// [`Operator::apply`].
+    fn apply_f32(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut Self::Workspace) {
         self.apply(x, out, workspace);
     }
 
-    /// A known lower bound of the smallest eigenvalue, `x' C x >= bound * x' x`: for all `x`, or for all
-    /// `x` of sum zero if the operator maps constants to zero, as that of a periodic grid does.
+    /// A lower bound of the smallest eigenvalue, `x' C x >= bound * x' x`: for all `x`, or for all
+    /// `x` whose components have sum zero if the operator maps constants to zero, as that of a
+    /// periodic grid does.
     ///
     /// It turns a residual into a certified error: against the minimum or, in the second case, against
-    /// the minimum of the total the iterate has. The default, zero, says that nothing is
-    /// known beyond positive semi-definiteness, and leaves only the duality gap; so does a negative
-    /// number or NaN.
+    /// the minimum under the totals that the iterate has. The default, zero, states only that the
+    /// operator is positive semi-definite; the certificate is then the duality gap. A negative number
+    /// or NaN counts as zero.
     fn lower_bound(&self) -> f64 {
         0.0
     }
@@ -70,23 +69,23 @@ pub trait Operator: Sync {
 /// A pointer to an operator is one.
 macro_rules! operator_behind {
     ($pointer:ty, $($bound:tt)+) => {
-        impl<T: $($bound)+> Operator for $pointer {
+        impl<T: $($bound)+, const N: usize> Operator<N> for $pointer {
             type Workspace = T::Workspace;
 
-            fn len(&self) -> usize {
-                (**self).len()
+            fn cells(&self) -> usize {
+                (**self).cells()
             }
 
             fn workspace(&self) -> T::Workspace {
                 (**self).workspace()
             }
 
-            fn apply(&self, x: &[f64], out: &mut [f64], workspace: &mut T::Workspace) {
+            fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut T::Workspace) {
                 (**self).apply(x, out, workspace);
             }
 
-            fn apply_roughly(&self, x: &[f64], out: &mut [f64], workspace: &mut T::Workspace) {
-                (**self).apply_roughly(x, out, workspace);
+            fn apply_f32(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut T::Workspace) {
+                (**self).apply_f32(x, out, workspace);
             }
 
             fn lower_bound(&self) -> f64 {
@@ -96,34 +95,36 @@ macro_rules! operator_behind {
     };
 }
 
-operator_behind!(&T, Operator);
-operator_behind!(std::sync::Arc<T>, Operator + Send);
+operator_behind!(&T, Operator<N>);
+operator_behind!(std::sync::Arc<T>, Operator<N> + Send);
 
 /// The identity: as a preconditioner it changes nothing.
 #[derive(Debug, Clone, Copy)]
 pub struct Identity {
-    len: usize,
+    cells: usize,
 }
 
 impl Identity {
-    /// The identity on `len` unknowns.
+    /// The identity on `cells` cells, for any number of components.
     #[must_use]
-    pub fn new(len: usize) -> Self {
-        Self { len }
+    pub fn new(cells: usize) -> Self {
+        Self { cells }
     }
 }
 
-impl Operator for Identity {
+impl<const N: usize> Operator<N> for Identity {
     type Workspace = ();
 
-    fn len(&self) -> usize {
-        self.len
+    fn cells(&self) -> usize {
+        self.cells
     }
 
     fn workspace(&self) {}
 
-    fn apply(&self, x: &[f64], out: &mut [f64], (): &mut ()) {
-        out.copy_from_slice(x);
+    fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], (): &mut ()) {
+        for (out, x) in out.into_iter().zip(x) {
+            out.copy_from_slice(x);
+        }
     }
 
     fn lower_bound(&self) -> f64 {

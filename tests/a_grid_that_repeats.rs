@@ -355,7 +355,7 @@ mod against_the_direct_answer {
             let mean = x.iter().sum::<f64>() / x.len() as f64;
             let x: Vec<f64> = x.iter().map(|x| x - mean).collect();
             let mut product = vec![0.0; x.len()];
-            matrix.apply(&x, &mut product, &mut ());
+            matrix.apply([&x], [&mut product], &mut ());
             x.iter().zip(&product).map(|(x, u)| x * u).sum::<f64>()
         };
         let difference: Vec<f64> = a.iter().zip(b).map(|(a, b)| a - b).collect();

@@ -103,6 +103,17 @@ fn materials() {
 }
 
 #[test]
+fn directions() {
+    use stickslip::influence::Direction::{X, Y};
+    let pair = ElasticPair::new(Material::new(1.0, 0.3).unwrap(), Material::rigid()).unwrap();
+    let bodies = HalfSpace::new(grid(), pair).unwrap();
+    let error = bodies.tensor_operator([X, Y, X]).err();
+    assert_eq!(error, Some(Error::RepeatedDirection));
+    let error = bodies.tensor_preconditioner([Y, Y]).err();
+    assert_eq!(error, Some(Error::RepeatedDirection));
+}
+
+#[test]
 fn friction() {
     for value in NEGATIVE {
         assert!(

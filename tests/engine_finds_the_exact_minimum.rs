@@ -58,7 +58,7 @@ fn both_methods() -> [Settings; 2] {
 fn energy_error(matrix: &DenseOperator, x: &[f64], exact: &[f64]) -> f64 {
     let norm = |v: &[f64]| {
         let mut product = vec![0.0; v.len()];
-        matrix.apply(v, &mut product, &mut ());
+        matrix.apply([v], [&mut product], &mut ());
         v.iter()
             .zip(&product)
             .map(|(a, b)| a * b)
@@ -272,14 +272,14 @@ struct WithoutBound<'a>(&'a DenseOperator);
 impl Operator for WithoutBound<'_> {
     type Workspace = ();
 
-    fn len(&self) -> usize {
-        self.0.len()
+    fn cells(&self) -> usize {
+        self.0.cells()
     }
 
     fn workspace(&self) {}
 
-    fn apply(&self, x: &[f64], out: &mut [f64], (): &mut ()) {
-        self.0.apply(x, out, &mut ());
+    fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], (): &mut ()) {
+        self.0.apply([x], [out], &mut ());
     }
 }
 
@@ -310,14 +310,14 @@ struct Broken {
 impl Operator for Broken {
     type Workspace = ();
 
-    fn len(&self) -> usize {
-        self.matrix.len()
+    fn cells(&self) -> usize {
+        self.matrix.cells()
     }
 
     fn workspace(&self) {}
 
-    fn apply(&self, x: &[f64], out: &mut [f64], (): &mut ()) {
-        self.matrix.apply(x, out, &mut ());
+    fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], (): &mut ()) {
+        self.matrix.apply([x], [&mut *out], &mut ());
         let count = self
             .products
             .fetch_add(1, std::sync::atomic::Ordering::Relaxed);

@@ -218,8 +218,8 @@ fn stable_cycles_are_stable() {
     let operator = slender.operator(Component::ZZ).unwrap();
     let mut image = Field::zeros(grid);
     operator.apply(
-        board.as_slice(),
-        image.as_mut_slice(),
+        [board.as_slice()],
+        [image.as_mut_slice()],
         &mut operator.workspace(),
     );
     let rayleigh = image.get(16, 16).unwrap() * board.get(16, 16).unwrap();

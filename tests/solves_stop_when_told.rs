@@ -5,23 +5,21 @@
 mod common;
 
 use std::ops::ControlFlow;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
 use common::{rough, unit_bodies};
 use stickslip::cgm::{self, Iteration, Magnitude, Method, NonNegative, Problem, Settings};
-use stickslip::fft::{Convolution, ConvolutionWorkspace};
 use stickslip::influence::Component;
 use stickslip::{
-    Axis, Error, Field, Friction, Grid, HalfSpace, History, Lateral, LoadStep, NormalLoad,
-    NormalProblem, NormalSolution, NormalStep, Operator, Report, Status, TangentialLoad,
-    TangentialProblem, TangentialSolution, TangentialStep, surface,
+    Axis, ElasticOperator, Error, Field, Friction, Grid, HalfSpace, History, Lateral, LoadStep,
+    NormalLoad, NormalProblem, NormalSolution, NormalStep, Operator, Report, Status,
+    TangentialLoad, TangentialProblem, TangentialSolution, TangentialStep, surface,
 };
 
 /// An operator that counts its products.
 struct Counting {
-    inner: Arc<Convolution>,
+    inner: ElasticOperator,
     products: AtomicUsize,
 }
 
@@ -39,24 +37,24 @@ impl Counting {
 }
 
 impl Operator for Counting {
-    type Workspace = ConvolutionWorkspace;
+    type Workspace = <ElasticOperator as Operator>::Workspace;
 
-    fn len(&self) -> usize {
-        self.inner.len()
+    fn cells(&self) -> usize {
+        self.inner.cells()
     }
 
-    fn workspace(&self) -> ConvolutionWorkspace {
+    fn workspace(&self) -> Self::Workspace {
         self.inner.workspace()
     }
 
-    fn apply(&self, x: &[f64], out: &mut [f64], workspace: &mut ConvolutionWorkspace) {
+    fn apply(&self, x: [&[f64]; 1], out: [&mut [f64]; 1], workspace: &mut Self::Workspace) {
         self.products.fetch_add(1, Ordering::Relaxed);
         self.inner.apply(x, out, workspace);
     }
 
-    fn apply_roughly(&self, x: &[f64], out: &mut [f64], workspace: &mut ConvolutionWorkspace) {
+    fn apply_f32(&self, x: [&[f64]; 1], out: [&mut [f64]; 1], workspace: &mut Self::Workspace) {
         self.products.fetch_add(1, Ordering::Relaxed);
-        self.inner.apply_roughly(x, out, workspace);
+        self.inner.apply_f32(x, out, workspace);
     }
 
     fn lower_bound(&self) -> f64 {
@@ -100,7 +98,7 @@ fn the_engine_asks_before_every_product() {
             let normal = |x: &mut [f64], observer: &mut Observer<'_>, settings: &Settings| {
                 let operator = Counting::of(&bodies, Component::ZZ);
                 let problem = Problem::new(&operator, &linear, NonNegative);
-                let problem = problem.preconditioner(Arc::clone(&inverse));
+                let problem = problem.preconditioner(inverse.clone());
                 let problem = total.into_iter().fold(problem, Problem::total);
                 let outcome = cgm::minimise_with(
                     &problem,
@@ -115,7 +113,7 @@ fn the_engine_asks_before_every_product() {
             let shear = |x: &mut [f64], observer: &mut Observer<'_>, settings: &Settings| {
                 let operator = Counting::of(&bodies, Component::XX);
                 let problem = Problem::new(&operator, &shifted, Magnitude(&limits));
-                let problem = problem.preconditioner(Arc::clone(&inverse));
+                let problem = problem.preconditioner(inverse.clone());
                 let problem = total.into_iter().fold(problem, Problem::total);
                 let outcome = cgm::minimise_with(
                     &problem,

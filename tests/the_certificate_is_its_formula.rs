@@ -26,13 +26,13 @@ struct Chain {
 impl Operator for Chain {
     type Workspace = ();
 
-    fn len(&self) -> usize {
+    fn cells(&self) -> usize {
         self.len
     }
 
     fn workspace(&self) {}
 
-    fn apply(&self, x: &[f64], out: &mut [f64], (): &mut ()) {
+    fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], (): &mut ()) {
         for (i, out) in out.iter_mut().enumerate() {
             let beside = x[(i + self.len - 1) % self.len] + x[(i + 1) % self.len];
             *out = 2.0 * x[i] + self.coupling * beside;
@@ -98,7 +98,7 @@ fn of_an_iterate_that_nothing_has_moved() {
             let report = examined(&chain, &linear, &interval, &mut x);
 
             let mut product = vec![0.0; len];
-            chain.apply(&x, &mut product, &mut ());
+            chain.apply([&x], [&mut product], &mut ());
             let (mut moving, mut forbidden) = (vec![0.0], vec![0.0]);
             let (mut dual, mut square, mut largest) = (0.0, 0.0, 0.0_f64);
             for i in (0..len).filter(|&i| lower[i] < upper[i]) {

@@ -1,10 +1,7 @@
 //! Energies and displacements on the whole grid, by the public operators alone.
 
-use std::sync::Arc;
-
-use stickslip::fft::Convolution;
 use stickslip::influence::Component;
-use stickslip::{HalfSpace, Operator, Result};
+use stickslip::{ElasticOperator, HalfSpace, Operator, Result};
 
 /// Displacement by one traction, or by two in the plane: all x components, then all y components.
 #[derive(Debug)]
@@ -12,7 +9,7 @@ pub(crate) struct Compliance {
     cells: usize,
     blocks: usize,
     /// Row, column, and the operator between them.
-    parts: Vec<(usize, usize, Arc<Convolution>)>,
+    parts: Vec<(usize, usize, ElasticOperator)>,
     /// Of the eigenvalues; in the plane that of the axes alone, which may be a little more.
     pub(crate) lower_bound: f64,
 }
@@ -69,7 +66,7 @@ impl Compliance {
         let mut part = vec![0.0; self.cells];
         for (row, column, operator) in &self.parts {
             let traction = &x[column * self.cells..][..self.cells];
-            operator.apply(traction, &mut part, &mut operator.workspace());
+            operator.apply([traction], [&mut part], &mut operator.workspace());
             for (sum, part) in sum[row * self.cells..].iter_mut().zip(&part) {
                 *sum += part;
             }

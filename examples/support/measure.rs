@@ -49,9 +49,9 @@ pub(crate) fn energy_error(
 ) -> Result<f64> {
     let operator = bodies.operator(component)?;
     let mut workspace = operator.workspace();
-    let mut product = vec![0.0; operator.len()];
+    let mut product = vec![0.0; operator.cells()];
     let mut energy = |x: &[f64]| -> f64 {
-        operator.apply(x, &mut product, &mut workspace);
+        operator.apply([x], [&mut product], &mut workspace);
         x.iter().zip(&product).map(|(x, u)| x * u).sum()
     };
     let pairs = found.as_slice().iter().zip(truth.as_slice());

@@ -35,8 +35,8 @@ const LIMIT: usize = 4096;
 /// let fast = bodies.operator(Component::ZZ)?;
 /// let traction: Vec<f64> = (0..15).map(f64::from).collect();
 /// let (mut slow_u, mut fast_u) = (vec![0.0; 15], vec![0.0; 15]);
-/// twin.apply(&traction, &mut slow_u, &mut ());
-/// fast.apply(&traction, &mut fast_u, &mut fast.workspace());
+/// twin.apply([&traction], [&mut slow_u], &mut ());
+/// fast.apply([&traction], [&mut fast_u], &mut fast.workspace());
 /// assert!(slow_u.iter().zip(&fast_u).all(|(a, b)| (a - b).abs() < 1e-12));
 /// # Ok::<(), stickslip::Error>(())
 /// ```
@@ -145,13 +145,13 @@ fn check_size(cells: usize) -> Result<()> {
 impl Operator for DenseOperator {
     type Workspace = ();
 
-    fn len(&self) -> usize {
+    fn cells(&self) -> usize {
         self.len
     }
 
     fn workspace(&self) {}
 
-    fn apply(&self, x: &[f64], out: &mut [f64], (): &mut ()) {
+    fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], (): &mut ()) {
         for (row, out) in out.iter_mut().enumerate() {
             *out = self.row(row).iter().zip(x).map(|(c, x)| c * x).sum();
         }

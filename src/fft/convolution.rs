@@ -1,22 +1,23 @@
-//! The half-space as an operator: convolution with one influence coefficient, zero-padded or periodic.
+//! The half-space as an operator: convolution with influence coefficients, zero-padded or periodic.
 
 use crate::error::{Result, memory};
 use crate::fft::length::smooth_length;
 use crate::fft::plan::{Buffers, Plan};
 use crate::fft::single::{SingleProduct, SingleWorkspace};
-use crate::fft::spectrum::Spectrum;
+use crate::fft::symbol::Symbol;
 use crate::grid::Grid;
-use crate::influence::{Component, Samples, Symbols, Table};
+use crate::influence::{Component, Kernel, Samples, Symbols};
 use crate::material::ElasticPair;
 use crate::operator::Operator;
 
-/// `u_i = C_ij * t_j` on a grid: displacement component `i` of every cell from the tractions `j`
-/// of all cells, by fast transforms: without periodic images ([`Self::new`]) or on a grid that repeats
-/// ([`Self::periodic`]).
+/// `u_i = sum_j C_ij * t_j` on a grid: N displacement components of every cell from N traction components
+/// of all cells, by fast transforms: one each way for each component. Without periodic images
+/// ([`Self::new`]) or on a grid that repeats ([`Self::periodic`]); those of several components are obtained
+/// from [`HalfSpace::tensor_operator`](crate::HalfSpace::tensor_operator).
 ///
 /// Tractions are pressures, displacements lengths. Equal to the direct sum up to round-off
-/// (1e-15 of the largest displacement, typically). Immutable and shared; memory 12 bytes per cell,
-/// and 24 per cell in each workspace; a periodic one takes 3, and 12.
+/// (1e-15 of the largest displacement, typically). Immutable and shared; memory 12 bytes per cell for each
+/// of the N (N + 1)/2 coefficients, and 24 N per cell in each workspace; on a periodic grid 3, and 12 N.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Grid, Material, Operator, fft::Convolution, influence::Component};
@@ -27,17 +28,16 @@ use crate::operator::Operator;
 ///
 /// let mut workspace = normal.workspace();
 /// let mut displacement = vec![0.0; grid.cells()];
-/// normal.apply(&vec![1e9; grid.cells()], &mut displacement, &mut workspace);
+/// normal.apply([&vec![1e9; grid.cells()]], [&mut displacement], &mut workspace);
 /// // A uniform load sags most in the middle.
 /// assert!(displacement[4 * 16 + 8] > displacement[0]);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone)]
-pub struct Convolution {
+pub struct Convolution<const N: usize = 1> {
     plan: Plan<f64>,
-    spectrum: Spectrum<f64>,
-    single: SingleProduct,
-    component: Component,
+    symbol: Symbol<f64, N>,
+    single: SingleProduct<N>,
     lower_bound: f64,
 }
 
@@ -45,10 +45,10 @@ impl Convolution {
     /// The coefficient `component` of the pair, on the cells of `grid`.
     ///
     /// # Errors
-    /// As [`Table::sample`].
+    /// As [`Table::sample`](crate::influence::Table::sample).
     pub fn new(grid: Grid, pair: &ElasticPair, component: Component) -> Result<Self> {
-        let table = Self::samples(grid)?.table(grid, pair, component)?;
-        Ok(Self::of_table([grid.nx(), grid.ny()], &table))
+        let table = samples(grid)?.table(grid, pair, component)?;
+        Ok(Self::of_kernels(grid.size(), [[&Kernel::Table(table)]]))
     }
 
     /// The same on a grid that repeats along x and y, with the symbols of the [`influence`](crate::influence)
@@ -65,7 +65,7 @@ impl Convolution {
     ///
     /// let wave = Field::from_fn(grid, |x, _| 3.0 + (TAU * x).cos());
     /// let mut displacement = Field::zeros(grid);
-    /// normal.apply(wave.as_slice(), displacement.as_mut_slice(), &mut normal.workspace());
+    /// normal.apply([wave.as_slice()], [displacement.as_mut_slice()], &mut normal.workspace());
     /// // 2/(E* k) times the wave, nothing for its mean.
     /// let expected = 2.0 / (pair.contact_modulus() * TAU);
     /// assert!((displacement.get(4, 0).unwrap() - expected).abs() < 1e-15);
@@ -73,99 +73,91 @@ impl Convolution {
     /// ```
     #[must_use]
     pub fn periodic(grid: Grid, pair: &ElasticPair, component: Component) -> Self {
-        Self::of_symbols(&Symbols::new(grid, pair, component))
+        let symbols = Symbols::new(grid, pair, component);
+        Self::of_kernels(grid.size(), [[&Kernel::Symbols(symbols)]])
     }
+}
 
-    pub(crate) fn of_symbols(symbols: &Symbols) -> Self {
-        let spectrum = Spectrum::of_symbols(symbols);
-        let eigenvalues = spectrum.extremes_without_mean();
-        let size = symbols.size();
-        Self::of_spectrum(size, size, symbols.component(), &spectrum, eigenvalues)
-    }
-
-    /// The integrals of all coefficients at every distance the padded transform of `grid` reaches.
-    pub(crate) fn samples(grid: Grid) -> Result<Samples> {
-        memory("influence coefficients", grid.size(), size_of::<f64>())?;
-        let reach = padded([grid.nx(), grid.ny()]).map(|m| m / 2 + 1);
-        Samples::new(grid, reach)
-    }
-
-    /// On `[nx, ny]` cells, from a table of the [`Self::samples`] of these or more cells.
-    pub(crate) fn of_table(size: [usize; 2], table: &Table) -> Self {
-        let torus = padded(size);
-        let spectrum = Spectrum::of_table(table, torus);
-        // The matrix is a principal part of the torus's, whose eigenvalues are the spectrum.
-        let eigenvalues = spectrum.extremes();
-        Self::of_spectrum(size, torus, table.component(), &spectrum, eigenvalues)
-    }
-
-    fn of_spectrum(
-        size: [usize; 2],
-        torus: [usize; 2],
-        component: Component,
-        spectrum: &Spectrum<f64>,
-        [low, high]: [f64; 2],
-    ) -> Self {
-        // What the transform itself rounds off is taken from the bound.
-        let lower_bound = match component {
-            Component::XX | Component::YY | Component::ZZ if low.is_finite() => {
-                (low - 1e-14 * high).max(0.0)
-            }
-            _ => 0.0,
-        };
+impl<const N: usize> Convolution<N> {
+    /// On `[nx, ny]` cells, from a symmetric tensor of kernels (displacement, then traction) or from one
+    /// kernel of any parity. Tables must hold the [`samples`] of these or more cells, symbols are those of
+    /// these cells.
+    pub(crate) fn of_kernels(size: [usize; 2], kernels: [[&Kernel; N]; N]) -> Self {
+        let is_periodic = kernels[0][0].is_periodic();
+        let torus = if is_periodic { size } else { padded(size) };
+        let symbol = Symbol::new(torus, kernels);
         let normalisation = 1.0 / (torus[0] * torus[1]) as f64;
         Self {
             plan: Plan::new(size, torus),
-            single: SingleProduct::new(size, torus, spectrum, |value| value),
-            spectrum: spectrum.map(|value| value * normalisation),
-            component,
-            lower_bound,
+            single: SingleProduct::new(size, torus, &symbol),
+            lower_bound: lower_bound(&symbol, kernels),
+            symbol: symbol.map(|value| value * normalisation),
         }
     }
+}
 
-    /// Which influence coefficient is applied.
-    #[must_use]
-    pub fn component(&self) -> Component {
-        self.component
+/// Of the eigenvalues of the operator with this symbol.
+fn lower_bound<const N: usize>(symbol: &Symbol<f64, N>, kernels: [[&Kernel; N]; N]) -> f64 {
+    // The matrix of a free half-space is a principal part of the torus's, whose eigenvalues are those of the
+    // symbol. A mean on a grid that repeats has the eigenvalue zero.
+    let [low, high] = symbol.extremes(kernels[0][0].is_periodic());
+    // A coefficient between two directions is no compliance; a single cell that repeats has no wave.
+    let is_compliance = (0..N).all(|i| kernels[i][i].is_odd() == [false; 2]);
+    if is_compliance && low.is_finite() {
+        // What the transform itself rounds off is taken from the bound.
+        (low - 1e-14 * high).max(0.0)
+    } else {
+        0.0
     }
+}
+
+/// The integrals of all coefficients at every distance the padded transform of `grid` reaches.
+pub(crate) fn samples(grid: Grid) -> Result<Samples> {
+    memory("influence coefficients", grid.size(), size_of::<f64>())?;
+    let reach = padded(grid.size()).map(|m| m / 2 + 1);
+    Samples::new(grid, reach)
 }
 
 /// Cells of the torus: no image of `n` cells reaches back into them.
-pub(super) fn padded(size: [usize; 2]) -> [usize; 2] {
+fn padded(size: [usize; 2]) -> [usize; 2] {
     size.map(|n| smooth_length(2 * n - 1))
 }
 
-/// Buffers of products: 16 bytes per cell, 8 more from the first product in single precision on, and
-/// a little for each task.
+/// Buffers of products: for each component 16 bytes per cell, 8 more from the first product in single
+/// precision on, and a little for each task.
 #[derive(Debug, Clone)]
-pub struct ConvolutionWorkspace {
-    double: Buffers<f64>,
+pub struct ConvolutionWorkspace<const N: usize = 1> {
+    double: Buffers<f64, N>,
     /// Made by the first product in single precision: many users never ask for one.
-    single: Option<SingleWorkspace>,
+    single: Option<SingleWorkspace<N>>,
 }
 
-impl Operator for Convolution {
-    type Workspace = ConvolutionWorkspace;
+impl<const N: usize> Operator<N> for Convolution<N> {
+    type Workspace = ConvolutionWorkspace<N>;
 
-    fn len(&self) -> usize {
-        self.plan.nx * self.plan.ny
+    fn cells(&self) -> usize {
+        self.plan.cells()
     }
 
-    fn workspace(&self) -> ConvolutionWorkspace {
+    fn workspace(&self) -> ConvolutionWorkspace<N> {
         ConvolutionWorkspace {
             double: self.plan.workspace(),
             single: None,
         }
     }
 
-    fn apply(&self, x: &[f64], out: &mut [f64], workspace: &mut ConvolutionWorkspace) {
+    fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut ConvolutionWorkspace<N>) {
         let buffers = &mut workspace.double;
-        self.plan
-            .convolve(&self.spectrum, x, out, [1.0; 2], buffers);
+        self.plan.convolve(&self.symbol, x, out, [1.0; 2], buffers);
     }
 
     /// In single precision: about 3e-7 of the largest displacement, at two thirds of the cost.
-    fn apply_roughly(&self, x: &[f64], out: &mut [f64], workspace: &mut ConvolutionWorkspace) {
+    fn apply_f32(
+        &self,
+        x: [&[f64]; N],
+        out: [&mut [f64]; N],
+        workspace: &mut ConvolutionWorkspace<N>,
+    ) {
         let buffers = workspace
             .single
             .get_or_insert_with(|| self.single.workspace());
@@ -173,8 +165,9 @@ impl Operator for Convolution {
     }
 
     /// The smallest eigenvalue of the periodic continuation, a bound for the cells cut out of it; for a
-    /// periodic grid that on fields of mean zero. Zero for the components that are not a compliance of
-    /// their own.
+    /// periodic grid that on fields of mean zero. Zero for a single component between two directions; and
+    /// for pressure with shear of bodies whose Poisson's ratios are negative, on some grids, where the
+    /// continuation is not definite though the operator is.
     fn lower_bound(&self) -> f64 {
         self.lower_bound
     }

@@ -10,18 +10,20 @@
 //! - [`CirculantInverse`] is its approximate inverse on the unpadded grid, exact on a periodic one: a preconditioner.
 
 mod aligned;
-mod circulant;
+mod columns;
 mod convolution;
+mod eigen;
+mod inverse;
 mod length;
-mod pair;
 mod plan;
 mod real;
+mod rows;
 mod single;
 mod spectrum;
+mod symbol;
 mod tiles;
 
-pub use circulant::CirculantInverse;
-pub use convolution::Convolution;
-pub use convolution::ConvolutionWorkspace;
-pub(crate) use pair::{PairConvolution, PairInverse, PairSource, PairWorkspace};
+pub(crate) use convolution::samples;
+pub use convolution::{Convolution, ConvolutionWorkspace};
+pub use inverse::CirculantInverse;
 pub use single::SingleWorkspace;

@@ -49,12 +49,16 @@
 //! second logarithm is `(x+a) + hypot(x+a, y+b)`, the stray terms before the third are dropped,
 //! and the third term of `C_xx` carries `(1 - nu)(x - a)`.
 
+mod direction;
 mod integrals;
+mod kernel;
 mod rectangle;
 mod samples;
 mod symbols;
 mod table;
 
+pub use direction::Direction;
+pub(crate) use kernel::Kernel;
 pub use rectangle::{Rectangle, Tensor};
 pub(crate) use samples::Samples;
 pub(crate) use symbols::Symbols;
@@ -100,6 +104,17 @@ impl Component {
         Self::ZY,
         Self::ZZ,
     ];
+
+    /// The component between a direction of displacement and one of traction.
+    ///
+    /// ```
+    /// use stickslip::influence::{Component, Direction};
+    /// assert_eq!(Component::of(Direction::Z, Direction::X), Component::ZX);
+    /// ```
+    #[must_use]
+    pub const fn of(displacement: Direction, traction: Direction) -> Self {
+        Self::ALL[3 * displacement as usize + traction as usize]
+    }
 
     /// Whether the coefficient is odd in x and odd in y; otherwise it is even.
     ///

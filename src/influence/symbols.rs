@@ -37,10 +37,6 @@ impl Symbols {
         self.component
     }
 
-    pub(crate) fn size(&self) -> [usize; 2] {
-        self.size
-    }
-
     /// The symbol, or its imaginary part, of the wave of `periods` along x and y, up to half the cells.
     pub(crate) fn at(&self, periods: [usize; 2]) -> f64 {
         let odd = self.component.is_odd();

@@ -24,7 +24,7 @@ pub(crate) fn judge(
     let mut workspace = operator.workspace();
     let mut product = vec![0.0; cells];
     let mut energy = |x: &[f64]| -> f64 {
-        operator.apply(x, &mut product, &mut workspace);
+        operator.apply([x], [&mut product], &mut workspace);
         x.iter().zip(&product).map(|(x, u)| x * u).sum()
     };
     let pairs = found.iter().zip(truth);

@@ -94,13 +94,13 @@ struct Diagonal(f64);
 impl Operator for Diagonal {
     type Workspace = ();
 
-    fn len(&self) -> usize {
+    fn cells(&self) -> usize {
         20
     }
 
     fn workspace(&self) {}
 
-    fn apply(&self, x: &[f64], out: &mut [f64], (): &mut ()) {
+    fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], (): &mut ()) {
         for (out, x) in out.iter_mut().zip(x) {
             *out = self.0 * x;
         }

@@ -1,22 +1,32 @@
 //! Two elastic half-spaces meshed by one grid: the operators every problem on it shares.
 
+mod cache;
+mod compliance;
+mod elastic;
+
 use std::sync::{Arc, OnceLock};
 
 use crate::boundary::Boundary;
 use crate::error::{Error, Result, memory};
-use crate::fft::{CirculantInverse, Convolution, PairConvolution, PairInverse, PairSource};
+use crate::fft::samples;
 use crate::grid::Grid;
-use crate::influence::{Component, Samples, Symbols, Table};
+use crate::influence::{Component, Direction, Kernel, Samples};
 use crate::material::ElasticPair;
-use crate::operator::Operator;
 use crate::parallel::get_or_make;
 use crate::window::{Window, halved};
 
+use cache::Cache;
+pub(crate) use compliance::Compliance;
+use compliance::tensor;
+pub use elastic::{ElasticOperator, ElasticPreconditioner};
+
 /// A pair of half-spaces on a grid, with the operators of the components in use.
 ///
-/// A component is sampled and transformed when a problem first asks for it, once; clones share it. The
-/// samples behind `XX`, `YY` and `ZZ` take 16 bytes per cell together, and serve the coarser grids of
-/// nested starts too; each operator takes 12 and its preconditioner one, the coarser ones a third more.
+/// A component is sampled and transformed when a problem first asks for it, once; clones share it, and
+/// contacts on equal windows of the grid share what they need while any of them lives. The
+/// samples behind `XX`, `YY` and `ZZ` take 16 bytes per cell together, those of `XY`, `XZ` and `YZ` 8 each, and serve the coarser grids of
+/// nested starts too; each operator takes 12 and its preconditioner one, the coarser ones a third more. An
+/// operator of two directions takes three times that, one of all three six times.
 /// With a periodic boundary there are no samples, and an operator takes three bytes per cell.
 /// `Send + Sync`: many solvers may run over one `HalfSpace` on many threads.
 ///
@@ -39,43 +49,14 @@ struct Shared {
     /// What the coefficients of this grid and of all coarser ones are made of; none where they repeat.
     samples: Option<Arc<Samples>>,
     kernels: [OnceLock<Kernel>; Component::ALL.len()],
+    /// Operators and preconditioners: those of the whole grid are kept, those of windows lent.
+    made: Cache,
     /// The same bodies on cells twice as large.
     coarser: OnceLock<HalfSpace>,
 }
 
-/// One component, and what was made of it for the whole grid.
-#[derive(Debug)]
-struct Kernel {
-    source: Source,
-    operator: OnceLock<Arc<Convolution>>,
-    inverse: OnceLock<Arc<CirculantInverse>>,
-}
-
-/// Where the spectra of a component come from.
-#[derive(Debug)]
-enum Source {
-    /// Free surroundings: the coefficient at every distance.
-    Table(Table),
-    /// A grid that repeats: its symbols.
-    Symbols(Symbols),
-}
-
 /// What a normal contact of all cells takes at least: operators, buffers, answer.
 const BYTES_PER_CELL: usize = 170;
-
-/// An operator and the preconditioner that goes with it.
-#[derive(Debug, Clone)]
-pub(crate) struct Compliance {
-    pub(crate) operator: Arc<Convolution>,
-    pub(crate) inverse: Arc<CirculantInverse>,
-}
-
-/// The same of both tractions in the plane.
-#[derive(Debug, Clone)]
-pub(crate) struct PlaneCompliance {
-    pub(crate) operator: Arc<PairConvolution>,
-    pub(crate) inverse: Arc<PairInverse>,
-}
 
 const _: () = {
     const fn assert_send_sync<T: Send + Sync>() {}
@@ -115,7 +96,7 @@ impl HalfSpace {
     pub fn with_boundary(grid: Grid, pair: ElasticPair, boundary: Boundary) -> Result<Self> {
         memory("contact of all cells", grid.size(), BYTES_PER_CELL)?;
         let samples = match boundary {
-            Boundary::Free => Some(Arc::new(Convolution::samples(grid)?)),
+            Boundary::Free => Some(Arc::new(samples(grid)?)),
             Boundary::Periodic => None,
         };
         Ok(Self::with_samples(grid, pair, samples))
@@ -128,6 +109,7 @@ impl HalfSpace {
                 pair,
                 samples,
                 kernels: Default::default(),
+                made: Cache::default(),
                 coarser: OnceLock::new(),
             }),
         }
@@ -157,84 +139,80 @@ impl HalfSpace {
     /// The operator of one component on the whole grid, made at the first call.
     ///
     /// # Errors
-    /// As [`Table::sample`].
-    pub fn operator(&self, component: Component) -> Result<Arc<Convolution>> {
-        let kernel = self.kernel(component)?;
-        let make = || {
-            Ok(Arc::new(match &kernel.source {
-                Source::Table(table) => Convolution::of_table(self.size(), table),
-                Source::Symbols(symbols) => Convolution::of_symbols(symbols),
-            }))
-        };
-        get_or_make(&kernel.operator, make).cloned()
+    /// As [`Table::sample`](crate::influence::Table::sample).
+    pub fn operator(&self, component: Component) -> Result<ElasticOperator> {
+        self.convolution([[component]], self.size())
+            .map(ElasticOperator)
     }
 
     /// The circulant preconditioner of one component on the whole grid; `None` for the components
     /// that are not a compliance of their own (all but `XX`, `YY` and `ZZ`).
     ///
     /// # Errors
-    /// As [`Table::sample`].
-    pub fn preconditioner(&self, component: Component) -> Result<Option<Arc<CirculantInverse>>> {
-        Ok(match component {
-            Component::XX | Component::YY | Component::ZZ => {
-                Some(self.compliance(component)?.inverse)
-            }
-            _ => None,
-        })
-    }
-
-    /// Operator and preconditioner of a diagonal component on the whole grid.
-    pub(crate) fn compliance(&self, component: Component) -> Result<Compliance> {
-        let operator = self.operator(component)?;
-        let kernel = self.kernel(component)?;
-        let floor = operator.lower_bound();
-        let make = || {
-            Ok(Arc::new(match &kernel.source {
-                Source::Table(table) => CirculantInverse::of_table(self.size(), table, floor),
-                Source::Symbols(symbols) => CirculantInverse::of_symbols(symbols),
-            }))
+    /// As [`HalfSpace::operator`].
+    pub fn preconditioner(&self, component: Component) -> Result<Option<ElasticPreconditioner>> {
+        let direction = match component {
+            Component::XX => Direction::X,
+            Component::YY => Direction::Y,
+            Component::ZZ => Direction::Z,
+            _ => return Ok(None),
         };
-        let inverse = get_or_make(&kernel.inverse, make).cloned()?;
-        Ok(Compliance { operator, inverse })
+        self.tensor_preconditioner([direction]).map(Some)
     }
 
-    /// The same on a rectangle of `[nx, ny]` cells cut out of the grid, wherever it lies; a grid that
-    /// repeats is not cut.
-    pub(crate) fn compliance_of_window(
+    /// The operator of several directions on the whole grid, made at the first call: displacements along
+    /// all of them from tractions along all of them,
+    ///
+    /// ```math
+    /// u_i = \sum_j C_{ij} * t_j .
+    /// ```
+    ///
+    /// It is symmetric, by Betti's reciprocity: the odd coefficients obey $`C_{xz}(x) = C_{zx}(-x)`$. One
+    /// product costs N transforms each way; memory as in the page of the type.
+    ///
+    /// ```
+    /// use stickslip::influence::Direction::{X, Y, Z};
+    /// use stickslip::{ElasticPair, Grid, HalfSpace, Material, Operator};
+    /// let pair = ElasticPair::new(Material::new(1.0, 0.2)?, Material::rigid())?;
+    /// let bodies = HalfSpace::new(Grid::new(7, 5, 1.0, 1.0)?, pair)?;
+    /// let compliance = bodies.tensor_operator([X, Y, Z])?;
+    ///
+    /// // The displacement along z by a force along x equals that along x by a force along z.
+    /// let mut workspace = compliance.workspace();
+    /// let mut moved = |cell: usize, pulled: usize, seen: usize, at: usize| {
+    ///     let (mut t, mut u) = ([[0.0; 35]; 3], [[0.0; 35]; 3]);
+    ///     t[pulled][cell] = 1.0;
+    ///     let out = u.each_mut().map(|u| &mut u[..]);
+    ///     compliance.apply(t.each_ref().map(|t| &t[..]), out, &mut workspace);
+    ///     u[seen][at]
+    /// };
+    /// let (there, back) = (moved(8, 0, 2, 26), moved(26, 2, 0, 8));
+    /// assert!(there.abs() > 0.01 && (there - back).abs() < 1e-15);
+    /// # Ok::<(), stickslip::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::RepeatedDirection`]; as [`HalfSpace::operator`].
+    pub fn tensor_operator<const N: usize>(
         &self,
-        component: Component,
-        size: [usize; 2],
-    ) -> Result<Compliance> {
-        let table = match &self.kernel(component)?.source {
-            Source::Table(table) if size != self.size() => table,
-            _ => return self.compliance(component),
-        };
-        let operator = Convolution::of_table(size, table);
-        let inverse = CirculantInverse::of_table(size, table, operator.lower_bound());
-        Ok(Compliance {
-            operator: Arc::new(operator),
-            inverse: Arc::new(inverse),
-        })
+        directions: [Direction; N],
+    ) -> Result<ElasticOperator<N>> {
+        check_distinct(&directions)?;
+        self.convolution(tensor(directions), self.size())
+            .map(ElasticOperator)
     }
 
-    /// Operator and preconditioner of both tractions in the plane, on a rectangle as above.
-    pub(crate) fn plane_compliance(&self, size: [usize; 2]) -> Result<PlaneCompliance> {
-        const PARTS: [Component; 3] = [Component::XX, Component::YY, Component::XY];
-        let source = match self.boundary() {
-            Boundary::Free => {
-                let [xx, yy, xy] = PARTS.map(|component| self.table(component));
-                PairSource::Tables([xx?, yy?, xy?])
-            }
-            Boundary::Periodic => PairSource::Symbols(
-                PARTS.map(|component| Symbols::new(self.shared.grid, &self.shared.pair, component)),
-            ),
-        };
-        let operator = PairConvolution::new(size, &source);
-        let inverse = PairInverse::new(size, &source, operator.lower_bound());
-        Ok(PlaneCompliance {
-            operator: Arc::new(operator),
-            inverse: Arc::new(inverse),
-        })
+    /// The circulant preconditioner of the [operator](Self::tensor_operator) of several directions.
+    ///
+    /// # Errors
+    /// As [`HalfSpace::tensor_operator`].
+    pub fn tensor_preconditioner<const N: usize>(
+        &self,
+        directions: [Direction; N],
+    ) -> Result<ElasticPreconditioner<N>> {
+        check_distinct(&directions)?;
+        let Compliance { inverse, .. } = self.compliance(directions, self.size())?;
+        Ok(ElasticPreconditioner(inverse))
     }
 
     /// The same bodies on cells of twice the sides, the grid as large or a fine cell larger; a grid that
@@ -283,42 +261,24 @@ impl HalfSpace {
     }
 
     fn size(&self) -> [usize; 2] {
-        [self.shared.grid.nx(), self.shared.grid.ny()]
+        self.shared.grid.size()
     }
+}
 
-    /// The coefficients of a component, of free surroundings only.
-    fn table(&self, component: Component) -> Result<&Table> {
-        match &self.kernel(component)?.source {
-            Source::Table(table) => Ok(table),
-            Source::Symbols(_) => unreachable!("free surroundings have tables"),
-        }
+/// `Ok` if no direction occurs twice.
+fn check_distinct(directions: &[Direction]) -> Result<()> {
+    let occurs_before = |k: usize| directions[..k].contains(&directions[k]);
+    if (0..directions.len()).any(occurs_before) {
+        return Err(Error::RepeatedDirection);
     }
-
-    fn kernel(&self, component: Component) -> Result<&Kernel> {
-        let Shared {
-            grid,
-            pair,
-            samples,
-            kernels,
-            ..
-        } = &*self.shared;
-        get_or_make(&kernels[component as usize], || {
-            Ok(Kernel {
-                source: match samples {
-                    Some(samples) => Source::Table(samples.table(*grid, pair, component)?),
-                    None => Source::Symbols(Symbols::new(*grid, pair, component)),
-                },
-                operator: OnceLock::new(),
-                inverse: OnceLock::new(),
-            })
-        })
-    }
+    Ok(())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::material::Material;
+    use crate::operator::Operator;
 
     /// The products of both tractions are the sums of those of each alone, and the inverse inverts them
     /// where nothing is cut.
@@ -333,14 +293,18 @@ mod tests {
                 let cells = nx * ny;
                 let sample = |i: usize| ((7 * i * i + 3 * i) % 11) as f64 - 5.0;
                 let traction: Vec<f64> = (0..2 * cells).map(sample).collect();
-                let PlaneCompliance { operator, .. } = bodies.plane_compliance([nx, ny]).unwrap();
+                let operator = bodies
+                    .tensor_operator([Direction::X, Direction::Y])
+                    .unwrap();
                 let (mut exact, mut rough) = (vec![0.0; 2 * cells], vec![0.0; 2 * cells]);
-                operator.apply(&traction, &mut exact, &mut operator.workspace());
-                operator.apply_roughly(&traction, &mut rough, &mut operator.workspace());
+                let mut workspace = operator.workspace();
+                let both = || traction.split_at(cells).into();
+                operator.apply(both(), exact.split_at_mut(cells).into(), &mut workspace);
+                operator.apply_f32(both(), rough.split_at_mut(cells).into(), &mut workspace);
                 let alone = |component: Component, q: &[f64]| {
                     let operator = bodies.operator(component).unwrap();
                     let mut u = vec![0.0; cells];
-                    operator.apply(q, &mut u, &mut operator.workspace());
+                    operator.apply([q], [&mut u], &mut operator.workspace());
                     u
                 };
                 let (x, y) = traction.split_at(cells);

@@ -1,0 +1,169 @@
+//! Eigenvalues and inverses of small real symmetric matrices.
+
+/// Smallest and largest eigenvalue.
+pub(super) fn eigenvalue_range<const N: usize>(matrix: [[f64; N]; N]) -> [f64; 2] {
+    if N == 2 {
+        let Pair { mean, radius, .. } = Pair::new(matrix);
+        return [mean - radius, mean + radius];
+    }
+    let (diagonal, _) = diagonalised(matrix);
+    let none = [f64::INFINITY, f64::NEG_INFINITY];
+    let wider = |[low, high]: [f64; 2], &value: &f64| [low.min(value), high.max(value)];
+    diagonal.iter().fold(none, wider)
+}
+
+/// The inverse, with eigenvalues below `floor` raised to it.
+pub(super) fn inverse_above<const N: usize>(matrix: [[f64; N]; N], floor: f64) -> [[f64; N]; N] {
+    if N == 2 {
+        return Pair::new(matrix).inverse_above(floor);
+    }
+    let (values, vectors) = diagonalised(matrix);
+    let weights = values.map(|value| 1.0 / value.max(floor));
+    std::array::from_fn(|i| {
+        std::array::from_fn(|j| {
+            let terms = (0..N).map(|k| vectors[i][k] * vectors[j][k] * weights[k]);
+            terms.sum()
+        })
+    })
+}
+
+/// A 2 x 2 matrix, `mean + radius [[cos, sin], [sin, -cos]]` of twice the angle of its axes.
+struct Pair {
+    mean: f64,
+    radius: f64,
+    /// Half the difference of the diagonal, and the entry beside it.
+    difference: f64,
+    beside: f64,
+}
+
+impl Pair {
+    /// Of a matrix that is 2 x 2, which the type cannot say here.
+    fn new<const N: usize>(matrix: [[f64; N]; N]) -> Self {
+        let (xx, yy, xy) = (matrix[0][0], matrix[1][1], matrix[0][1]);
+        let difference = 0.5 * (xx - yy);
+        Self {
+            mean: 0.5 * (xx + yy),
+            radius: difference.hypot(xy),
+            difference,
+            beside: xy,
+        }
+    }
+
+    fn inverse_above<const N: usize>(&self, floor: f64) -> [[f64; N]; N] {
+        let &Self {
+            mean,
+            radius,
+            difference,
+            beside,
+        } = self;
+        let [low, high] = [mean - radius, mean + radius].map(|value| 1.0 / value.max(floor));
+        let (centre, spread) = (0.5 * (low + high), 0.5 * (high - low));
+        let [cosine, sine] = if radius > 0.0 {
+            [difference / radius, beside / radius]
+        } else {
+            [0.0, 0.0]
+        };
+        let mut inverse = [[spread * sine; N]; N];
+        inverse[0][0] = centre + spread * cosine;
+        inverse[1][1] = centre - spread * cosine;
+        inverse
+    }
+}
+
+/// Sweeps of rotations after which a matrix of three rows has long been diagonal: convergence is quadratic.
+const SWEEPS: usize = 20;
+
+/// Eigenvalues and, in columns, eigenvectors, by Jacobi's rotations (Golub & Van Loan, Matrix
+/// Computations, 4th ed. 2013, section 8.5).
+fn diagonalised<const N: usize>(mut a: [[f64; N]; N]) -> ([f64; N], [[f64; N]; N]) {
+    let mut vectors = std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))));
+    let scale = a
+        .as_flattened()
+        .iter()
+        .fold(0.0, |s: f64, x| s.max(x.abs()));
+    for _ in 0..SWEEPS {
+        let mut is_diagonal = true;
+        for p in 0..N {
+            for q in p + 1..N {
+                // An entry this small moves an eigenvalue by less than its last bit.
+                if a[p][q].abs() > 0.25 * f64::EPSILON * scale {
+                    is_diagonal = false;
+                    rotate(&mut a, &mut vectors, p, q);
+                }
+            }
+        }
+        if is_diagonal {
+            break;
+        }
+    }
+    (std::array::from_fn(|i| a[i][i]), vectors)
+}
+
+/// Turns the axes `p` and `q` so that the entry between them vanishes.
+fn rotate<const N: usize>(a: &mut [[f64; N]; N], vectors: &mut [[f64; N]; N], p: usize, q: usize) {
+    let slope = 0.5 * (a[q][q] - a[p][p]) / a[p][q];
+    let tangent = 1.0_f64.copysign(slope) / (slope.abs() + slope.hypot(1.0));
+    let cosine = 1.0 / tangent.hypot(1.0);
+    let sine = tangent * cosine;
+    let change = tangent * a[p][q];
+    a[p][p] -= change;
+    a[q][q] += change;
+    a[p][q] = 0.0;
+    a[q][p] = 0.0;
+    for r in (0..N).filter(|&r| r != p && r != q) {
+        let (x, y) = (a[r][p], a[r][q]);
+        (a[r][p], a[r][q]) = (cosine * x - sine * y, sine * x + cosine * y);
+        (a[p][r], a[q][r]) = (a[r][p], a[r][q]);
+    }
+    for row in vectors {
+        let (x, y) = (row[p], row[q]);
+        (row[p], row[q]) = (cosine * x - sine * y, sine * x + cosine * y);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Matrices of known eigenvalues, some twice, some close.
+    #[test]
+    fn matrices_of_three_rows_have_their_eigenvalues_and_inverses() {
+        for values in [
+            [1.0, 2.0, 3.0],
+            [2.0, 2.0, 5.0],
+            [1.0, 1.0, 1.0],
+            [1.0, 1.0 + 1e-9, 40.0],
+        ] {
+            for turn in 0..20 {
+                let angle = 0.37 * f64::from(turn);
+                let axes = orthogonal(angle, 1.3 * angle + 0.2, 0.7 * angle);
+                let of = |values: [f64; 3]| -> [[f64; 3]; 3] {
+                    std::array::from_fn(|i| {
+                        std::array::from_fn(|j| {
+                            (0..3).map(|k| axes[i][k] * axes[j][k] * values[k]).sum()
+                        })
+                    })
+                };
+                let matrix = of(values);
+                let [low, high] = eigenvalue_range(matrix);
+                assert!((low - values[0]).abs() <= 1e-15 * values[2]);
+                assert!((high - values[2]).abs() <= 1e-15 * values[2]);
+                let floor = 1.5;
+                let expected = of(values.map(|value| 1.0 / value.max(floor)));
+                let inverse = inverse_above(matrix, floor);
+                for (a, b) in inverse.iter().flatten().zip(expected.iter().flatten()) {
+                    assert!((a - b).abs() < 1e-14, "{values:?} {turn}: {a} is not {b}");
+                }
+            }
+        }
+    }
+
+    fn orthogonal(a: f64, b: f64, c: f64) -> [[f64; 3]; 3] {
+        let ((sa, ca), (sb, cb), (sc, cc)) = (a.sin_cos(), b.sin_cos(), c.sin_cos());
+        [
+            [ca * cb, ca * sb * sc - sa * cc, ca * sb * cc + sa * sc],
+            [sa * cb, sa * sb * sc + ca * cc, sa * sb * cc - ca * sc],
+            [-sb, cb * sc, cb * cc],
+        ]
+    }
+}

@@ -1,0 +1,63 @@
+//! The inverse of the nearest periodic operator: a preconditioner.
+
+use crate::fft::length::smooth_length;
+use crate::fft::single::{SingleProduct, SingleWorkspace};
+use crate::fft::symbol::Symbol;
+use crate::influence::Kernel;
+use crate::operator::Operator;
+
+/// Approximate inverse of a [`Convolution`](super::Convolution): the coefficients wrapped around
+/// the unpadded grid (Strang's circulant), inverted in Fourier space. On a periodic grid the inverse is
+/// exact for tractions of mean zero, and a mean weighs as much as the largest eigenvalue.
+///
+/// In single precision throughout; a product costs about a quarter of the operator's. Memory: one byte per
+/// cell for each of the N (N + 1)/2 coefficients, and 4 N per cell in each workspace. Obtained from
+/// [`HalfSpace::preconditioner`](crate::HalfSpace::preconditioner).
+#[derive(Debug, Clone)]
+pub struct CirculantInverse<const N: usize = 1> {
+    product: SingleProduct<N>,
+}
+
+impl<const N: usize> CirculantInverse<N> {
+    /// On `[nx, ny]` cells, from a symmetric tensor of kernels, with eigenvalues below `floor` raised to
+    /// it: wrapping may produce some that no cut of the operator has.
+    pub(crate) fn new(size: [usize; 2], kernels: [[&Kernel; N]; N], floor: f64) -> Self {
+        let is_periodic = kernels[0][0].is_periodic();
+        let torus = if is_periodic {
+            size
+        } else {
+            size.map(smooth_length)
+        };
+        let symbol = Symbol::new(torus, kernels);
+        let [_, high] = symbol.extremes(false);
+        // A single cell that repeats has no wave but the mean: any weight will do.
+        let high = if high > 0.0 { high } else { 1.0 };
+        let symbol = if is_periodic {
+            symbol.with_mean(high)
+        } else {
+            symbol
+        };
+        // Where no bound of the operator is known: far below what the directions have each alone.
+        let floor = floor.max(1e-12 * high).max(1e-2 * symbol.least_diagonal());
+        let inverse = symbol.inverse_above(floor);
+        Self {
+            product: SingleProduct::new(size, torus, &inverse),
+        }
+    }
+}
+
+impl<const N: usize> Operator<N> for CirculantInverse<N> {
+    type Workspace = SingleWorkspace<N>;
+
+    fn cells(&self) -> usize {
+        self.product.cells()
+    }
+
+    fn workspace(&self) -> SingleWorkspace<N> {
+        self.product.workspace()
+    }
+
+    fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut SingleWorkspace<N>) {
+        self.product.apply(x, out, workspace);
+    }
+}

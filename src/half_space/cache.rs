@@ -1,0 +1,121 @@
+//! What was made once and is shared: operators and preconditioners of many sizes and types.
+
+use std::any::{Any, TypeId};
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError, Weak};
+
+use crate::error::Result;
+use crate::influence::Component;
+
+/// Shared values by their type, the components they are made of, and their size in cells.
+#[derive(Debug, Default)]
+pub(super) struct Cache {
+    entries: Mutex<Entries>,
+}
+
+#[derive(Debug, PartialEq, Eq, Hash)]
+struct Key {
+    kind: TypeId,
+    components: Vec<Component>,
+    size: [usize; 2],
+}
+
+type Entries = HashMap<Key, Entry>;
+type Value = dyn Any + Send + Sync;
+
+#[derive(Debug)]
+enum Entry {
+    /// Kept as long as the cache.
+    Kept(Arc<Value>),
+    /// Shared as long as anyone uses it.
+    Lent(Weak<Value>),
+}
+
+impl Entry {
+    fn value<T: Any + Send + Sync>(&self) -> Option<Arc<T>> {
+        let value = match self {
+            Self::Kept(value) => Arc::clone(value),
+            Self::Lent(value) => value.upgrade()?,
+        };
+        value.downcast().ok()
+    }
+
+    fn is_alive(&self) -> bool {
+        match self {
+            Self::Kept(_) => true,
+            Self::Lent(value) => value.strong_count() > 0,
+        }
+    }
+}
+
+impl Cache {
+    /// The value of these components and this size, made if there is none; kept for good, or as long as
+    /// anyone uses it.
+    ///
+    /// Nothing is made under the lock, for the reason that
+    /// [`get_or_make`](crate::parallel::get_or_make) gives.
+    pub(super) fn get_or_make<T: Any + Send + Sync>(
+        &self,
+        components: &[Component],
+        size: [usize; 2],
+        is_kept: bool,
+        make: impl FnOnce() -> Result<T>,
+    ) -> Result<Arc<T>> {
+        let key = Key {
+            kind: TypeId::of::<T>(),
+            components: components.to_vec(),
+            size,
+        };
+        if let Some(found) = self.locked(|entries| find(entries, &key)) {
+            return Ok(found);
+        }
+        let made = Arc::new(make()?);
+        Ok(self.locked(|entries| {
+            if let Some(found) = find(entries, &key) {
+                return found;
+            }
+            let value: Arc<Value> = Arc::clone(&made) as _;
+            let entry = if is_kept {
+                Entry::Kept(value)
+            } else {
+                Entry::Lent(Arc::downgrade(&value))
+            };
+            entries.retain(|_, entry| entry.is_alive());
+            entries.insert(key, entry);
+            Arc::clone(&made)
+        }))
+    }
+
+    fn locked<R>(&self, work: impl FnOnce(&mut Entries) -> R) -> R {
+        // What panics under the lock leaves the map as it was or with one entry more.
+        let mut entries = self.entries.lock().unwrap_or_else(PoisonError::into_inner);
+        work(&mut entries)
+    }
+}
+
+fn find<T: Any + Send + Sync>(entries: &Entries, key: &Key) -> Option<Arc<T>> {
+    entries.get(key).and_then(Entry::value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A long simulation of wear asks for many windows, one after the other.
+    #[test]
+    fn what_nobody_uses_is_forgotten() {
+        let cache = Cache::default();
+        let make = |n: usize, is_kept| cache.get_or_make(&[], [n, n], is_kept, || Ok(n)).unwrap();
+        make(0, true);
+        let held = make(1, false);
+        for n in 2..100 {
+            assert_eq!(*make(n, false), n);
+        }
+        assert!(Arc::ptr_eq(&held, &make(1, false)));
+        assert_eq!(
+            cache.locked(|entries| entries.len()),
+            3,
+            "kept, held and the last"
+        );
+    }
+}

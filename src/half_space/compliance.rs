@@ -1,0 +1,134 @@
+//! The operators of bodies and the preconditioners that go with them: made once, shared by all who ask.
+
+use std::sync::Arc;
+
+use crate::boundary::Boundary;
+use crate::error::Result;
+use crate::fft::{CirculantInverse, Convolution};
+use crate::half_space::{HalfSpace, Shared};
+use crate::influence::{Component, Direction, Kernel, Symbols};
+use crate::operator::Operator;
+use crate::parallel::get_or_make;
+
+/// An operator and the preconditioner that goes with it.
+#[derive(Debug, Clone)]
+pub(crate) struct Compliance<const N: usize> {
+    pub(crate) operator: Arc<Convolution<N>>,
+    pub(crate) inverse: Arc<CirculantInverse<N>>,
+}
+
+impl HalfSpace {
+    /// Operator and preconditioner of distinct directions on a rectangle of `[nx, ny]` cells cut out of the
+    /// grid, wherever it lies; a grid that repeats is not cut.
+    pub(crate) fn compliance<const N: usize>(
+        &self,
+        directions: [Direction; N],
+        size: [usize; 2],
+    ) -> Result<Compliance<N>> {
+        let components = tensor(directions);
+        let operator = self.convolution(components, size)?;
+        let inverse = self.made(components, size, |size, kernels| {
+            CirculantInverse::new(size, kernels, operator.lower_bound())
+        })?;
+        Ok(Compliance { operator, inverse })
+    }
+
+    pub(super) fn convolution<const N: usize>(
+        &self,
+        components: [[Component; N]; N],
+        size: [usize; 2],
+    ) -> Result<Arc<Convolution<N>>> {
+        self.made(components, size, Convolution::of_kernels)
+    }
+
+    /// What `make` makes of the kernels of these components on a rectangle of cells, shared by all who ask.
+    fn made<T: Send + Sync + 'static, const N: usize>(
+        &self,
+        components: [[Component; N]; N],
+        size: [usize; 2],
+        make: impl FnOnce([usize; 2], [[&Kernel; N]; N]) -> T,
+    ) -> Result<Arc<T>> {
+        let size = match self.boundary() {
+            Boundary::Free => size,
+            Boundary::Periodic => self.size(),
+        };
+        let is_kept = size == self.size();
+        let made = &self.shared.made;
+        made.get_or_make(components.as_flattened(), size, is_kept, || {
+            Ok(make(size, self.kernels(components)?))
+        })
+    }
+
+    fn kernels<const N: usize>(
+        &self,
+        components: [[Component; N]; N],
+    ) -> Result<[[&Kernel; N]; N]> {
+        let mut kernels = [[self.kernel(components[0][0])?; N]; N];
+        for (row, components) in kernels.iter_mut().zip(components) {
+            for (kernel, component) in row.iter_mut().zip(components) {
+                *kernel = self.kernel(component)?;
+            }
+        }
+        Ok(kernels)
+    }
+
+    fn kernel(&self, component: Component) -> Result<&Kernel> {
+        let Shared {
+            grid,
+            pair,
+            samples,
+            kernels,
+            ..
+        } = &*self.shared;
+        get_or_make(&kernels[component as usize], || {
+            Ok(match samples {
+                Some(samples) => Kernel::Table(samples.table(*grid, pair, component)?),
+                None => Kernel::Symbols(Symbols::new(*grid, pair, component)),
+            })
+        })
+    }
+}
+
+/// The components of all pairs of directions: displacement, then traction.
+pub(super) fn tensor<const N: usize>(directions: [Direction; N]) -> [[Component; N]; N] {
+    const { assert!(N > 0, "an operator has a direction") }
+    directions.map(|displacement| directions.map(|traction| Component::of(displacement, traction)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::Grid;
+    use crate::material::{ElasticPair, Material};
+
+    /// One window, one operator, as long as anyone has it; the whole grid's stays.
+    #[test]
+    fn equal_windows_share_what_they_need() {
+        let pair = ElasticPair::new(Material::new(1.0, 0.2).unwrap(), Material::rigid()).unwrap();
+        let bodies = HalfSpace::new(Grid::new(12, 9, 1.0, 1.0).unwrap(), pair).unwrap();
+        let [x, y, z] = [Direction::X, Direction::Y, Direction::Z];
+
+        let first = bodies.compliance([x, y], [7, 5]).unwrap();
+        let second = bodies.clone().compliance([x, y], [7, 5]).unwrap();
+        assert!(Arc::ptr_eq(&first.operator, &second.operator));
+        assert!(Arc::ptr_eq(&first.inverse, &second.inverse));
+        for other in [[y, x], [x, z]] {
+            let other = bodies.compliance(other, [7, 5]).unwrap();
+            assert!(!Arc::ptr_eq(&first.operator, &other.operator));
+        }
+        let is_lent = Arc::downgrade(&first.operator);
+        drop((first, second));
+        assert!(is_lent.upgrade().is_none());
+
+        let whole = Arc::downgrade(&bodies.compliance([x, y, z], [12, 9]).unwrap().operator);
+        let again = bodies.tensor_operator([x, y, z]).unwrap();
+        assert!(std::ptr::eq(whole.as_ptr(), Arc::as_ptr(&again.0)));
+
+        // A periodic grid is never cut.
+        let grid = bodies.grid();
+        let bodies = HalfSpace::with_boundary(grid, pair, Boundary::Periodic).unwrap();
+        let part = bodies.compliance([z], [7, 5]).unwrap();
+        let whole = bodies.compliance([z], [12, 9]).unwrap();
+        assert!(Arc::ptr_eq(&part.operator, &whole.operator));
+    }
+}
