@@ -60,7 +60,12 @@ pub(crate) enum Expected {
 
 impl Scene {
     /// With default settings, to be answered, nothing sheared yet.
-    pub(crate) fn new(name: impl Into<String>, bodies: &HalfSpace, gap: Field, load: NormalLoad) -> Self {
+    pub(crate) fn new(
+        name: impl Into<String>,
+        bodies: &HalfSpace,
+        gap: Field,
+        load: NormalLoad,
+    ) -> Self {
         Self {
             name: name.into(),
             bodies: bodies.clone(),

@@ -210,7 +210,11 @@ fn exact_traction(
 
 /// The influence of some cells on each other. That of a periodic grid gets a constant more, which changes no
 /// answer under a total.
-pub(crate) fn matrix(bodies: &HalfSpace, component: Component, cells: &[usize]) -> Result<DenseOperator> {
+pub(crate) fn matrix(
+    bodies: &HalfSpace,
+    component: Component,
+    cells: &[usize],
+) -> Result<DenseOperator> {
     let whole = DenseOperator::of_half_space(bodies, component)?;
     let at = |i: usize, j: usize| whole.get(i, j).unwrap_or(f64::NAN);
     let constant = match bodies.boundary() {
