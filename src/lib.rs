@@ -157,7 +157,7 @@
 //! 0.29 less than 0.1 % of the force; the plane model ([`Lateral::Coupled`]) finds both, at about three times the time.
 //! Materials whose pressure and shear are coupled (Dundurs' beta not zero) are refused by tangential problems and
 //! histories until the coupling is neglected explicitly. In the plane model the histories of CONTACT's test bench, 21 steps of a moving sphere among them, come out to
-//! 1e-9 of the largest pressure (`tests/another_code_agrees_through_histories.rs`).
+//! 1e-9 of the largest pressure (`tests/it/another_code_agrees_through_histories.rs`).
 //!
 //! Not modelled: the coupling of pressure and shear itself, rolling, layers, plasticity, adhesion, viscosity, heat.
 //!
