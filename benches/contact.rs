@@ -6,15 +6,11 @@
     reason = "the macros of criterion write functions without"
 )]
 
-#[path = "../examples/support/scene.rs"]
-#[expect(dead_code, reason = "the scenes serve an example that asks for more")]
-mod scene;
-
 use criterion::measurement::WallTime;
 use criterion::{
     BenchmarkGroup, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main,
 };
-use scene::Scene;
+use kit::benchmark::{self, Scene};
 use stickslip::cgm::Method;
 use stickslip::{Field, Result, TangentialLoad};
 
@@ -22,8 +18,8 @@ const SIDES: [u16; 2] = [256, 512];
 const TOLERANCE: f64 = 1e-6;
 
 fn scenes(side: u16) -> Result<Vec<Scene>> {
-    let mut scenes = vec![scene::ball(side)?];
-    scenes.extend(scene::rough(side)?);
+    let mut scenes = vec![benchmark::ball(side)?];
+    scenes.extend(benchmark::rough(side)?);
     Ok(scenes)
 }
 
@@ -79,7 +75,7 @@ fn tangential(criterion: &mut Criterion) {
 /// The gap worn a little, the load turned a little, both halves solved from their last answers.
 fn fretting_step(criterion: &mut Criterion) {
     for side in SIDES {
-        let scene = scene::ball(side).expect("valid scene");
+        let scene = benchmark::ball(side).expect("valid scene");
         let problem = scene.normal(Method::ActiveSet, TOLERANCE);
         let mut press = problem.expect("valid problem").into_solver().expect("grid");
         let mut pressed = press.new_solution();
@@ -110,7 +106,7 @@ fn fretting_step(criterion: &mut Criterion) {
                 press.solve_into(&mut pressed).expect("converged");
                 shear.set_pressure(&pressed).expect("contact");
                 let fraction = 0.2 * (0.3 * step as f64).sin();
-                let load = TangentialLoad::Force([fraction * force, 0.0]);
+                let load = TangentialLoad::force([fraction * force, 0.0]);
                 shear.set_load(load).expect("below sliding");
                 shear.solve_into(&mut sheared).expect("converged");
             });

@@ -6,15 +6,13 @@
     reason = "an example prints its results and its progress"
 )]
 
-mod scenes;
-
 use std::collections::BTreeMap;
 use std::error::Error;
 use std::process::ExitCode;
 
+use kit::scenes::campaign;
+use kit::scenes::row::Row;
 use rayon::prelude::*;
-use scenes::campaign;
-use scenes::row::Row;
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);

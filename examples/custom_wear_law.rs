@@ -14,7 +14,7 @@ use std::path::Path;
 
 use stickslip::history::{FrettingLoop, LoadPath};
 use stickslip::{
-    ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalStep, Result,
+    ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl, Result,
     surface,
 };
 
@@ -50,7 +50,7 @@ struct Leaving {
 /// The time loop: after every step the gap is that of the ball plus the worn depth.
 fn run(history: &mut History, ball: &Field, cycles: usize) -> Result<Vec<Leaving>> {
     let path = LoadPath::sine([SHIFT_AMPLITUDE, 0.0], STEPS)?;
-    let load = |shift| LoadStep::shift(shift).normal(NormalStep::Force(NORMAL_FORCE));
+    let load = |shift| LoadStep::shift(shift).normal(NormalControl::Force(NORMAL_FORCE));
     let cell_area = ball.grid().cell_area();
     let mut gap = ball.clone();
     let mut done = Vec::new();

@@ -21,8 +21,8 @@ use plotters::prelude::{Color, RGBColor, SeriesLabelPosition};
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 use stickslip::history::{FrettingLoop, LoadPath, LoopOutcome, LoopPoint};
 use stickslip::{
-    ElasticPair, Field, Friction, Grid, HalfSpace, History, Lateral, LoadStep, Material,
-    NormalStep, Result, surface,
+    ElasticPair, Field, Friction, Grid, HalfSpace, History, TangentialModel, LoadStep, Material,
+    NormalControl, Result, surface,
 };
 use support::{Area, Chart};
 
@@ -151,10 +151,10 @@ fn steady_loop(
     steps: usize,
 ) -> Result<(History, LoopOutcome)> {
     let mut history = History::builder(bodies, ball, Friction::coulomb(FRICTION)?)
-        .lateral(Lateral::Coupled)
+        .model(TangentialModel::Vector)
         .tolerance(TOLERANCE)
         .build()?;
-    history.step(&LoadStep::hold().normal(NormalStep::Force(NORMAL_FORCE)))?;
+    history.step(&LoadStep::hold().normal(NormalControl::Force(NORMAL_FORCE)))?;
     let path = LoadPath::ellipse([AMPLITUDE, aspect * AMPLITUDE], FRAC_PI_2, steps)?;
     let outcome = FrettingLoop::new(path, LoadStep::force)
         .until_steady(STEADY)

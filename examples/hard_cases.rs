@@ -3,12 +3,10 @@
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
-mod scenes;
-
 use std::error::Error;
 use std::process::ExitCode;
 
-use scenes::{catalogue, row};
+use kit::scenes::{catalogue, row};
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
     let rows = catalogue::rows()?;

@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 use stickslip::analytical::{Persson, RoughSphere};
 use stickslip::surface::{self, Form, SelfAffine, Statistics};
 use stickslip::{
-    ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
+    ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
     NormalSolution, TangentialLoad, TangentialProblem, TangentialSolution, Zone, io,
 };
 
@@ -45,12 +45,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     let pressure = AREA / RoughSphere::AREA_COEFFICIENT * slope * pair.contact_modulus();
     let gap = surface::gap_of(&heights)?;
     let force = pressure * gap.grid().area();
-    let normal = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(force))
+    let normal = NormalProblem::builder(&bodies, &gap, NormalControl::Force(force))
         .tolerance(1e-6)
         .build()?
         .solve()?;
     let friction = Friction::coulomb(FRICTION)?;
-    let load = TangentialLoad::Force([LOADING * FRICTION * force, 0.0]);
+    let load = TangentialLoad::force([LOADING * FRICTION * force, 0.0]);
     let shear = TangentialProblem::builder(&bodies, &normal, friction, load)
         .tolerance(1e-6)
         .build()?

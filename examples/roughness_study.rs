@@ -16,7 +16,7 @@ use std::path::Path;
 use plotters::prelude::*;
 use stickslip::surface::{self, RoughSurface, SelfAffine};
 use stickslip::{
-    Boundary, ElasticPair, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
+    Boundary, ElasticPair, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
     TangentialLoad, TangentialProblem,
 };
 
@@ -193,12 +193,12 @@ fn solve(bodies: &HalfSpace, job: &Job) -> stickslip::Result<Answer> {
         .generate(grid)?;
     let gap = surface::gap_of(rough.heights())?;
     let force = PRESSURE * bodies.pair().contact_modulus() * grid.area();
-    let normal = NormalProblem::builder(bodies, &gap, NormalLoad::Force(force))
+    let normal = NormalProblem::builder(bodies, &gap, NormalControl::Force(force))
         .tolerance(TOLERANCE)
         .build()?
         .solve()?;
     let friction = Friction::coulomb(FRICTION)?;
-    let load = TangentialLoad::Force([LOADING * FRICTION * force, 0.0]);
+    let load = TangentialLoad::force([LOADING * FRICTION * force, 0.0]);
     let shear = TangentialProblem::builder(bodies, &normal, friction, load)
         .tolerance(TOLERANCE)
         .build()?

@@ -9,7 +9,7 @@ use std::error::Error;
 use plotters::prelude::SeriesLabelPosition;
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 use stickslip::{
-    ElasticPair, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem, TangentialLoad,
+    ElasticPair, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem, TangentialLoad,
     TangentialProblem, surface,
 };
 
@@ -30,7 +30,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let grid = Grid::square(256, 3.0 * hertz.contact_radius())?;
     let bodies = HalfSpace::new(grid, pair)?;
     let ball = surface::sphere(grid, BALL_RADIUS)?;
-    let load = NormalLoad::Approach(hertz.approach());
+    let load = NormalControl::Approach(hertz.approach());
     let normal = NormalProblem::builder(&bodies, &ball, load)
         .build()?
         .solve()?;
@@ -42,7 +42,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     // The solver keeps its buffers and its last solution, from which the next solve starts.
     let friction = Friction::coulomb(FRICTION)?;
-    let load = TangentialLoad::Shift([0.0, 0.0]);
+    let load = TangentialLoad::shift([0.0, 0.0]);
     let mut solver = TangentialProblem::builder(&bodies, &normal, friction, load)
         .build()?
         .into_solver()?;
@@ -58,7 +58,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut stick_ratios = Vec::new();
     for step in 0..=13 {
         let fraction = f64::from(step) / 10.0;
-        solver.set_load(TangentialLoad::Shift([fraction * sliding_shift, 0.0]))?;
+        solver.set_load(TangentialLoad::shift([fraction * sliding_shift, 0.0]))?;
         solver.solve_into(&mut shear)?;
         let force = shear.force()[0] / sliding_force;
         println!(
@@ -79,7 +79,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     // Back to the shift that Cattaneo and Mindlin give for 20 N; each solve is a first loading.
     let exact = CattaneoMindlin::new(hertz, FRICTION, TANGENTIAL_FORCE)?;
-    solver.set_load(TangentialLoad::Shift([exact.shift(), 0.0]))?;
+    solver.set_load(TangentialLoad::shift([exact.shift(), 0.0]))?;
     solver.solve_into(&mut shear)?;
     println!(
         "\nshift {:.4} um: tangential force {:.4} N, closed form {TANGENTIAL_FORCE} N",

@@ -10,12 +10,12 @@ use std::fs::File;
 use std::io::Write;
 use std::path::Path;
 
+use kit::benchmark::{self, Scene};
+use kit::measure::{distance, energy_error, fastest};
 use plotters::prelude::*;
 use stickslip::Report;
 use stickslip::cgm::Method;
 use stickslip::influence::Component;
-use support::measure::{distance, energy_error, fastest};
-use support::scene::{self, Scene};
 
 const TOLERANCES: [f64; 5] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10];
 /// The tolerance of the best solutions, which are taken as exact.
@@ -77,7 +77,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         } else {
             vec![Method::ActiveSet]
         };
-        for scene in std::iter::once(scene::ball(cells)?).chain(scene::rough(cells)?) {
+        for scene in std::iter::once(benchmark::ball(cells)?).chain(benchmark::rough(cells)?) {
             measure(&scene, &methods, |row| {
                 let line = row.line();
                 println!("{line}");

@@ -15,7 +15,7 @@ use std::path::Path;
 use plotters::prelude::SeriesLabelPosition;
 use stickslip::surface::{self, SelfAffine};
 use stickslip::{
-    Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
+    Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
     NormalSolution, TangentialLoad, TangentialProblem, TangentialSolution,
 };
 use support::Area;
@@ -112,13 +112,13 @@ fn shear(bodies: &HalfSpace, scene: &Scene, seed: u64) -> stickslip::Result<Shea
         .generate(grid)?;
     let gap = surface::gap_of(rough.heights())?;
     let force = scene.mean_pressure * bodies.pair().contact_modulus() * grid.area();
-    let normal = NormalProblem::builder(bodies, &gap, NormalLoad::Force(force))
+    let normal = NormalProblem::builder(bodies, &gap, NormalControl::Force(force))
         .tolerance(TOLERANCE)
         .build()?
         .solve()?;
 
     let friction = Friction::coulomb(FRICTION)?;
-    let none = TangentialLoad::Force([0.0, 0.0]);
+    let none = TangentialLoad::force([0.0, 0.0]);
     let mut solver = TangentialProblem::builder(bodies, &normal, friction, none)
         .tolerance(TOLERANCE)
         .build()?
@@ -128,7 +128,7 @@ fn shear(bodies: &HalfSpace, scene: &Scene, seed: u64) -> stickslip::Result<Shea
     let mut ratios = Vec::new();
     for step in 0..=STEPS {
         let f = f64::from(step) / f64::from(STEPS);
-        solver.set_load(TangentialLoad::Force([f * solver.sliding_force(), 0.0]))?;
+        solver.set_load(TangentialLoad::force([f * solver.sliding_force(), 0.0]))?;
         solver.solve_into(&mut solution)?;
         ratios.push([f, solution.stick_ratio()]);
         if 2 * step == STEPS {

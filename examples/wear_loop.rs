@@ -21,7 +21,7 @@ use stickslip::analytical::{CattaneoMindlin, HertzSphere, PopovLimitingShape};
 use stickslip::history::wear::{self, CycleJump};
 use stickslip::history::{Cycle, FrettingLoop, LoadPath};
 use stickslip::{
-    ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalStep, surface,
+    ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl, surface,
 };
 
 // SI units: metres, newtons, pascals.
@@ -60,7 +60,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut history = History::builder(&bodies, &gap, Friction::coulomb(FRICTION)?)
         .tolerance(TOLERANCE)
         .build()?;
-    let load = |shift| LoadStep::shift(shift).normal(NormalStep::Approach(approach));
+    let load = |shift| LoadStep::shift(shift).normal(NormalControl::Approach(approach));
     let path = LoadPath::table(vec![[amplitude, 0.0], [-amplitude, 0.0]])?;
     history.step(&load(path.end()))?;
     let fretting = FrettingLoop::new(path, load);

@@ -159,7 +159,7 @@
 //! plane model ([`TangentialModel::Vector`]) finds both components, in about three times the time. Tangential problems and
 //! histories refuse materials whose pressure and shear are coupled (Dundurs' beta not zero) until the coupling is
 //! neglected explicitly. The plane model reproduces the histories of CONTACT's test bench, among them 21 steps of a
-//! moving sphere, to 1e-9 of the largest pressure (`tests/another_code_agrees_through_histories.rs`).
+//! moving sphere, to 1e-9 of the largest pressure (`tests/it/another_code_agrees_through_histories.rs`).
 //!
 //! Not modelled: the coupling of pressure and shear itself, rolling, layers, plasticity, adhesion, viscosity, heat.
 //!

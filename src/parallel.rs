@@ -12,14 +12,27 @@ use crate::error::Result;
 /// Samples per task of vector work; the summation tree follows these chunks.
 pub(crate) const CHUNK: usize = 4096;
 
-#[cfg(feature = "parallel")]
+/// Runs both, at once if a thread is free. What they are is hidden from rayon, whose part is then compiled once
+/// and not once for each of the many things that run.
 fn join<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + Send) -> (A, B) {
-    rayon::join(a, b)
+    let (mut a, mut b) = (Some(a), Some(b));
+    let (mut from_a, mut from_b) = (None, None);
+    join_tasks(&mut || from_a = a.take().map(|a| a()), &mut || {
+        from_b = b.take().map(|b| b())
+    });
+    let results = from_a.zip(from_b);
+    results.expect("each task runs once")
+}
+
+#[cfg(feature = "parallel")]
+fn join_tasks(a: &mut (dyn FnMut() + Send), b: &mut (dyn FnMut() + Send)) {
+    rayon::join(a, b);
 }
 
 #[cfg(not(feature = "parallel"))]
-fn join<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + Send) -> (A, B) {
-    (a(), b())
+fn join_tasks(a: &mut (dyn FnMut() + Send), b: &mut (dyn FnMut() + Send)) {
+    a();
+    b();
 }
 
 /// Runs work inside the caller's pool, where cutting it further costs next to nothing; from outside

@@ -1,10 +1,8 @@
-//! What the examples share: scenes, measures, and one style of axes, lines, points and legend.
+//! What the examples share: one style of axes, lines, points and legend.
 
 #![allow(dead_code, reason = "no example needs all of it")]
 
 pub(crate) mod maps;
-pub(crate) mod measure;
-pub(crate) mod scene;
 pub(crate) mod study;
 pub(crate) mod table;
 

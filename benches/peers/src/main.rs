@@ -10,20 +10,17 @@
 #![allow(
     clippy::cast_precision_loss,
     clippy::similar_names,
-    clippy::unreadable_literal,
-    reason = "as in the library, whose examples lend two files"
+    reason = "as in the library"
 )]
 
 mod judge;
-#[path = "../../../examples/support/scene.rs"]
-#[allow(dead_code, reason = "the examples need more of it")]
-mod scene;
 mod serve;
 
 use std::error::Error;
 use std::fs;
 use std::path::Path;
 
+use kit::benchmark;
 use stickslip::Field;
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
@@ -47,7 +44,7 @@ fn main() -> Result<()> {
 /// Writes the gap of every scene on `cells` x `cells` cells, row by row, as 64-bit floats.
 fn write_scenes(folder: &Path, cells: u16) -> Result<()> {
     fs::create_dir_all(folder)?;
-    for scene in std::iter::once(scene::ball(cells)?).chain(scene::rough(cells)?) {
+    for scene in std::iter::once(benchmark::ball(cells)?).chain(benchmark::rough(cells)?) {
         let grid = scene.bodies.grid();
         let side = grid.dx() * f64::from(cells);
         let path = folder.join(format!("{}-{cells}.f64", scene.name.replace('%', "")));
@@ -58,8 +55,8 @@ fn write_scenes(folder: &Path, cells: u16) -> Result<()> {
             r#"{{"scene": "{}", "cells": {cells}, "gap": "{}", "pressure": {pressure:e}, "friction": {}, "loading": {}}}"#,
             scene.name,
             path.display(),
-            scene::FRICTION,
-            scene::LOADING,
+            benchmark::FRICTION,
+            benchmark::LOADING,
         );
     }
     Ok(())

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use stickslip::influence::Component;
 use stickslip::{
-    ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
+    ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
     NormalSolution, Report, TangentialLoad, TangentialProblem, TangentialSolution,
 };
 
@@ -94,7 +94,7 @@ impl Press {
 
     /// From a cold start; the memory of the solver is part of it.
     fn solve(&self, bodies: &HalfSpace, tolerance: f64) -> Result<NormalSolution> {
-        let load = NormalLoad::Force(self.pressure);
+        let load = NormalControl::Force(self.pressure);
         let problem = NormalProblem::builder(bodies, &self.gap, load).tolerance(tolerance);
         let mut solver = problem.build()?.into_solver()?;
         let mut solution = solver.new_solution();
@@ -134,7 +134,7 @@ impl Shear {
         normal: &NormalSolution,
         tolerance: f64,
     ) -> Result<TangentialSolution> {
-        let load = TangentialLoad::Force([self.loading * self.press.pressure, 0.0]);
+        let load = TangentialLoad::force([self.loading * self.press.pressure, 0.0]);
         let problem = TangentialProblem::builder(bodies, normal, self.friction.clone(), load)
             .tolerance(tolerance)
             .build()?;

@@ -1,0 +1,100 @@
+//! After the first solves, changing the load, the gap, the friction or the pressure and solving again
+//! allocates nothing.
+
+use kit::{rough, unit_bodies};
+use stickslip::{
+    Field, Friction, Grid, TangentialModel, NormalControl, NormalProblem, TangentialLoad, TangentialProblem,
+    surface,
+};
+
+/// Allocations of one thread: the solve must run on it.
+fn allocations(mut work: impl FnMut() + Send) -> u64 {
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(1)
+        .build()
+        .unwrap();
+    pool.install(|| allocation_counter::measure(&mut work))
+        .count_total
+}
+
+fn check(gap: &Field, load: f64, lateral: TangentialModel) {
+    let bodies = unit_bodies(gap.grid(), 0.3);
+    let press = NormalProblem::builder(&bodies, gap, NormalControl::Force(load)).tolerance(1e-6);
+    let mut press = press.build().unwrap().into_solver().unwrap();
+    let mut normal = press.new_solution();
+    press.solve_into(&mut normal).unwrap();
+
+    let mut worn = gap.clone();
+    for (i, h) in worn.as_mut_slice().iter_mut().enumerate() {
+        *h += 1e-4 * load.sqrt() * (i % 7) as f64;
+    }
+    let friction =
+        [0.4, 0.5].map(|mu| Friction::per_cell(Field::constant(gap.grid(), mu)).unwrap());
+    let shear = TangentialProblem::builder(
+        &bodies,
+        &normal,
+        friction[0].clone(),
+        TangentialLoad::force([0.1 * load, 0.0]),
+    );
+    let mut shear = shear
+        .model(lateral)
+        .tolerance(1e-6)
+        .build()
+        .unwrap()
+        .into_solver()
+        .unwrap();
+    let mut sheared = shear.new_solution();
+    shear.solve_into(&mut sheared).unwrap();
+
+    let mut cycle = || {
+        for (part, gap, friction) in [
+            (0.9, gap, &friction[0]),
+            (0.95, &worn, &friction[1]),
+            (1.0, gap, &friction[0]),
+        ] {
+            press.set_load(NormalControl::Force(part * load)).unwrap();
+            press.set_gap(gap).unwrap();
+            press.solve_into(&mut normal).unwrap();
+            shear.set_pressure(&normal).unwrap();
+            shear.set_friction(friction).unwrap();
+            shear
+                .set_load(TangentialLoad::force([0.2 * part * load, 0.0]))
+                .unwrap();
+            shear.solve_into(&mut sheared).unwrap();
+            shear.set_load(TangentialLoad::shift([0.0, 0.0])).unwrap();
+            shear.solve_into(&mut sheared).unwrap();
+        }
+    };
+    // The longest history and the widest window of the cycle are known after one of it.
+    cycle();
+    assert_eq!(allocations(&mut cycle), 0);
+}
+
+/// A contact that has left its bounding box takes a wider one, and fits into that from then on.
+#[test]
+fn after_the_contact_has_grown() {
+    let grid = Grid::square(64, 100.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let ball = surface::sphere(grid, 300.0).unwrap();
+    let [light, heavy] = [5.0, 20.0].map(|force| {
+        let press = NormalProblem::builder(&bodies, &ball, NormalControl::Force(force));
+        press.build().unwrap().solve().unwrap()
+    });
+    let (friction, load) = (
+        Friction::coulomb(0.4).unwrap(),
+        TangentialLoad::force([1.0, 0.0]),
+    );
+    let shear = TangentialProblem::builder(&bodies, &light, friction, load);
+    let mut shear = shear.build().unwrap().into_solver().unwrap();
+    shear.set_pressure(&heavy).unwrap();
+    assert_eq!(allocations(|| shear.set_pressure(&light).unwrap()), 0);
+}
+
+#[test]
+fn on_a_sphere_and_on_a_rough_surface() {
+    let grid = Grid::square(96, 100.0).unwrap();
+    for lateral in [TangentialModel::Scalar, TangentialModel::Vector] {
+        check(&surface::sphere(grid, 300.0).unwrap(), 20.0, lateral);
+        check(&rough(grid, 4), 30.0, lateral);
+    }
+}

@@ -1,0 +1,83 @@
+//! After the first cycle, a step of a history within its window allocates nothing: no buffer, no plan, no
+//! spectrum; nor does a change of gap or friction, nor a law of wear, nor what adds a cycle up.
+
+use kit::{rough, unit_bodies};
+use stickslip::history::{Cycle, FrettingLoop, LoadPath, wear};
+use stickslip::{
+    Axis, Field, Friction, Grid, History, TangentialModel, LoadStep, NormalControl, TangentialControl, surface,
+};
+
+/// Allocations of one thread: the steps must run on it.
+fn allocations(mut work: impl FnMut() + Send) -> u64 {
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(1)
+        .build()
+        .unwrap();
+    pool.install(|| allocation_counter::measure(&mut work))
+        .count_total
+}
+
+fn check(gap: &Field, load: f64, lateral: TangentialModel) {
+    let grid = gap.grid();
+    let bodies = unit_bodies(grid, 0.3);
+    let friction = [0.4, 0.5].map(|mu| Friction::per_cell(Field::constant(grid, mu)).unwrap());
+    let builder = History::builder(&bodies, gap, friction[0].clone()).tolerance(1e-6);
+    let mut history = builder.model(lateral).build().unwrap();
+    let spring = TangentialControl::Spring {
+        position: 0.1,
+        stiffness: 0.2 * load,
+    };
+    let dragged = LoadStep::hold().tangential(Axis::X, spring);
+    // What only one model has.
+    let last = match lateral {
+        TangentialModel::Scalar => dragged,
+        TangentialModel::Vector => dragged
+            .tangential(Axis::Y, TangentialControl::Force(-0.2 * load))
+            .twist(1e-3),
+    };
+    let (mut worn, mut depth) = (gap.clone(), Field::zeros(grid));
+    let mut total = Cycle::new(&history);
+    let path = LoadPath::triangle([0.3 * load, 0.0], 8).unwrap();
+    let fretting = FrettingLoop::new(path, LoadStep::force);
+    let mut cycle = || {
+        let along = |tangential| LoadStep::hold().tangential(Axis::X, tangential);
+        for (part, step) in [
+            (1.0, LoadStep::hold()),
+            (0.95, along(TangentialControl::Force(0.3 * load))),
+            (0.9, along(TangentialControl::Force(-0.3 * load))),
+            (0.9, along(TangentialControl::Shift(0.0))),
+            (1.0, last),
+        ] {
+            history.set_friction(&friction[0]).unwrap();
+            history
+                .step(&step.normal(NormalControl::Force(part * load)))
+                .unwrap();
+            history.set_friction(&friction[1]).unwrap();
+            history.step(&step).unwrap();
+            let slip = history.last_step().slip_length();
+            wear::archard(1e-4, history.pressure(), slip, &mut worn).unwrap();
+            let energy = history.last_step().dissipation();
+            wear::dissipated_energy(1e-4, energy, &mut depth).unwrap();
+            let so_far = history.dissipated_energy();
+            wear::threshold_energy(1e-4, 1.0, so_far, energy, &mut depth).unwrap();
+            history.set_gap(&worn).unwrap();
+        }
+        fretting.cycle(&mut history, &mut total).unwrap();
+        worn.add_scaled(1e-6, total.dissipation()).unwrap();
+        worn.as_mut_slice().copy_from_slice(gap.as_slice());
+        history.set_gap(&worn).unwrap();
+    };
+    // The widest window and the longest report of a cycle are known after two.
+    cycle();
+    cycle();
+    assert_eq!(allocations(&mut cycle), 0);
+}
+
+#[test]
+fn on_a_sphere_and_on_a_rough_surface() {
+    let grid = Grid::square(96, 100.0).unwrap();
+    for lateral in [TangentialModel::Scalar, TangentialModel::Vector] {
+        check(&surface::sphere(grid, 300.0).unwrap(), 20.0, lateral);
+        check(&rough(grid, 4), 30.0, lateral);
+    }
+}

@@ -1,0 +1,394 @@
+//! Contact on a periodic grid: exact where it is full, within the law of its cells where it is not, and the
+//! same as on a free half-space where the neighbours are far.
+
+use std::f64::consts::{PI, TAU};
+
+use kit::{l2_difference, max_abs, max_difference, press, rough, shear, unit_bodies, unit_pair};
+use proptest::prelude::*;
+use stickslip::cgm::Method;
+use stickslip::tangential::JaegerSuperposition;
+use stickslip::{
+    Boundary, Error, Field, Friction, Grid, HalfSpace, TangentialModel, NormalControl, NormalProblem,
+    TangentialLoad, TangentialProblem, TangentialSolution, surface,
+};
+
+const METHODS: [Method; 2] = [Method::ActiveSet, Method::PolonskyKeer];
+
+fn repeated(grid: Grid, poisson_ratio: f64) -> HalfSpace {
+    HalfSpace::with_boundary(grid, unit_pair(poisson_ratio), Boundary::Periodic).unwrap()
+}
+
+/// A wave of amplitude `DEPTH` along x, one period on the unit square.
+const DEPTH: f64 = 1e-3;
+/// The mean pressure that just closes it, `pi E* DEPTH / wavelength`, for a contact modulus of one.
+const CLOSING: f64 = PI * DEPTH;
+
+fn wavy(grid: Grid) -> Field {
+    Field::from_fn(grid, |x, _| DEPTH * (1.0 - (TAU * x).cos()))
+}
+
+/// Westergaard: full contact carries the wave itself.
+#[test]
+fn full_contact_is_exact() {
+    for (cells, method) in [(32, METHODS[0]), (33, METHODS[0]), (48, METHODS[1])] {
+        let grid = Grid::square(cells, 1.0).unwrap();
+        let load = NormalControl::Force(1.25 * CLOSING);
+        let full = press(&repeated(grid, 0.3), &wavy(grid), load, 1e-12, method);
+        assert_eq!(full.contact_cells(), grid.cells());
+        let expected = Field::from_fn(grid, |x, _| CLOSING * (1.25 + (TAU * x).cos()));
+        let error = max_difference(full.pressure().as_slice(), expected.as_slice());
+        assert!(error < 1e-10 * CLOSING, "{cells} {error:e}");
+        assert!((full.approach() - DEPTH).abs() < 1e-10 * DEPTH);
+        assert!(max_abs(full.gap().as_slice()) < 1e-10 * DEPTH);
+        assert!(full.warnings().is_empty());
+        assert_eq!(full.contact_spots(), [grid.cells()]);
+    }
+}
+
+/// Westergaard: half the width of contact over the wavelength is `asin(sqrt(p/p*))/pi`, which cells resolve to
+/// about half of one at either edge; the pressure at the crest, `2 sqrt(p p*)`, converges with order two.
+#[test]
+fn partial_contact_follows_the_closed_form() {
+    for cells in [64, 128, 256, 512] {
+        for fraction in [0.1, 0.3, 0.5, 0.8, 0.95_f64] {
+            let grid = Grid::new(cells, 4, 1.0 / cells as f64, 0.25).unwrap();
+            let load = NormalControl::Force(fraction * CLOSING);
+            let contact = press(&repeated(grid, 0.3), &wavy(grid), load, 1e-10, METHODS[0]);
+            let width = 2.0 * fraction.sqrt().asin() / PI;
+            let missed = (contact.contact_area() - width) * cells as f64;
+            assert!(missed.abs() <= 1.25, "{cells} {fraction}: {missed} cells");
+            let peak = 2.0 * CLOSING * fraction.sqrt();
+            let error = (contact.pressure().max() / peak - 1.0).abs();
+            assert!(
+                error <= 4e-3 * (64.0 / cells as f64).powi(2),
+                "{cells} {fraction} {error:e}"
+            );
+        }
+    }
+}
+
+/// What is left is that a free cell carries a uniform pressure, and a periodic grid the waves that fit.
+#[test]
+fn a_small_contact_far_from_its_images_is_free() {
+    let cells = 256;
+    let grid = Grid::square(cells, 256.0).unwrap();
+    let ball = surface::sphere(grid, 4000.0).unwrap();
+    let (load, limit) = (NormalControl::Force(1.35), 0.4 * 1.35);
+    let friction = Friction::coulomb(0.4).unwrap();
+    let halfway = TangentialLoad::force([0.0, 0.5 * limit]);
+    let [free, repeated] = [unit_bodies(grid, 0.3), repeated(grid, 0.3)].map(|bodies| {
+        let normal = press(&bodies, &ball, load, 1e-8, METHODS[0]);
+        let shear = shear(&bodies, &normal, &friction, halfway, 1e-8, METHODS[0]);
+        (normal, shear)
+    });
+    // Sixteen cells per contact radius.
+    assert!(free.0.contact_cells() > 700);
+    let pressures = [&repeated.0, &free.0].map(|normal| normal.pressure().as_slice());
+    assert!(l2_difference(pressures[0], pressures[1]) < 5e-3);
+    let tractions = [&repeated.1, &free.1].map(|shear| shear.traction()[1].as_slice());
+    assert!(l2_difference(tractions[0], tractions[1]) < 1e-2);
+    let peak = repeated.0.pressure().max() / free.0.pressure().max() - 1.0;
+    assert!(peak.abs() < 1e-3, "{peak:e}");
+    let area = repeated.0.contact_area_corrected() / free.0.contact_area_corrected() - 1.0;
+    assert!(area.abs() < 0.01, "{area:e}");
+    assert!((repeated.1.stick_ratio() - free.1.stick_ratio()).abs() < 0.01);
+}
+
+/// Neither pressure nor traction moves a flat surface: there is nothing to measure a residual by but the
+/// traction itself.
+#[test]
+fn flat_bodies_share_the_load_evenly() {
+    let grid = Grid::new(30, 21, 1.0, 0.5).unwrap();
+    let bodies = repeated(grid, 0.3);
+    let friction = Friction::coulomb(0.5).unwrap();
+    for method in METHODS {
+        let load = NormalControl::Force(2.0);
+        let normal = press(&bodies, &Field::zeros(grid), load, 1e-10, method);
+        let even = vec![2.0 / grid.area(); grid.cells()];
+        assert!(max_difference(normal.pressure().as_slice(), &even) < 1e-12 * even[0]);
+        for (force, stick) in [(0.3, 1.0), (1.0, 0.0)] {
+            let load = TangentialLoad::force([force, 0.0]);
+            let shear = shear(&bodies, &normal, &friction, load, 1e-10, method);
+            let even = vec![force / grid.area(); grid.cells()];
+            assert!(max_difference(shear.traction()[0].as_slice(), &even) < 1e-12 * even[0]);
+            assert_eq!(shear.stick_ratio(), stick);
+            assert!(shear.shift()[0].abs() < 1e-12 * even[0]);
+        }
+        // What no wave holds back slides under any shift.
+        for shift in [1e-12, -1.0] {
+            let load = TangentialLoad::shift([0.0, shift]);
+            let shear = shear(&bodies, &normal, &friction, load, 1e-10, method);
+            assert!(shear.is_gross_sliding());
+            assert!((shear.force()[1] - 1.0_f64.copysign(shift)).abs() < 1e-12);
+        }
+    }
+}
+
+/// A single cell that repeats is displaced by nothing, and carries what it is given.
+#[test]
+fn a_single_cell_carries_its_share() {
+    let grid = Grid::new(1, 1, 2.0, 3.0).unwrap();
+    let bodies = repeated(grid, 0.3);
+    let gap = Field::zeros(grid);
+    let normal = press(
+        &bodies,
+        &gap,
+        NormalControl::Force(6.0),
+        1e-8,
+        Method::ActiveSet,
+    );
+    for lateral in [TangentialModel::Scalar, TangentialModel::Vector] {
+        let load = TangentialLoad::force([0.0, -0.5]);
+        let friction = Friction::coulomb(0.5).unwrap();
+        let shear = TangentialProblem::builder(&bodies, &normal, friction, load)
+            .model(lateral)
+            .build()
+            .unwrap()
+            .solve()
+            .unwrap();
+        assert!((shear.traction()[1].max() + 0.5 / 6.0).abs() < 1e-15);
+        assert_eq!(shear.stick_ratio(), 1.0);
+    }
+}
+
+/// A rough surface from a few spots to nearly full contact; odd grids know no coarser cells.
+fn rough_scene(cells: usize, pressure: f64) -> (HalfSpace, Field, NormalControl) {
+    let grid = Grid::square(cells, 128.0).unwrap();
+    let load = NormalControl::Force(pressure * grid.area());
+    (repeated(grid, 0.0), rough(grid, 3), load)
+}
+
+const SCENES: [(usize, f64); 5] = [
+    (128, 1e-3),
+    (128, 0.03),
+    (101, 0.05),
+    (128, 0.1),
+    (64, 0.12),
+];
+
+#[test]
+fn superposition_is_exact_without_lateral_contraction() {
+    for (cells, pressure) in SCENES {
+        let (bodies, gap, load) = rough_scene(cells, pressure);
+        let normal = press(&bodies, &gap, load, 1e-11, METHODS[0]);
+        let f = 0.4;
+        let lighter = NormalControl::Force((1.0 - f) * normal.force());
+        let stick = press(&bodies, &gap, lighter, 1e-11, METHODS[0]);
+        let friction = Friction::coulomb(0.5).unwrap();
+        let load = TangentialLoad::force([f * 0.5 * normal.force(), 0.0]);
+        let shear = shear(&bodies, &normal, &friction, load, 1e-11, METHODS[0]);
+        let exact = JaegerSuperposition::new(&normal, &stick, bodies.pair(), 0.5).unwrap();
+        let error = l2_difference(shear.traction()[0].as_slice(), exact.traction().as_slice());
+        assert!(error < 1e-9, "{cells} {pressure} {error:e}");
+        assert_eq!(shear.zones(), exact.zones());
+        assert!((shear.shift()[0] / exact.shift() - 1.0).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn displacement_control_inverts_force_control() {
+    let friction = Friction::coulomb(0.5).unwrap();
+    for (cells, pressure) in SCENES {
+        let (bodies, gap, load) = rough_scene(cells, pressure);
+        for method in METHODS {
+            let normal = press(&bodies, &gap, load, 1e-10, method);
+            let approach = NormalControl::Approach(normal.approach());
+            let back = press(&bodies, &gap, approach, 1e-10, method);
+            assert!((back.force() / normal.force() - 1.0).abs() < 1e-8);
+            assert!(back.report().energy_error_bound() <= 1e-10);
+
+            let force = TangentialLoad::force([0.0, 0.6 * 0.5 * normal.force()]);
+            let sheared = shear(&bodies, &normal, &friction, force, 1e-10, method);
+            let shift = TangentialLoad::shift(sheared.shift());
+            let back = shear(&bodies, &normal, &friction, shift, 1e-10, method);
+            assert!((back.force()[1] / sheared.force()[1] - 1.0).abs() < 1e-8);
+        }
+    }
+}
+
+/// Any shift slides what a full contact can hold, except where it is held back by its own waves.
+#[test]
+fn a_full_contact_answers_a_shift() {
+    let grid = Grid::square(64, 1.0).unwrap();
+    let bodies = repeated(grid, 0.3);
+    let load = NormalControl::Force(1.5 * CLOSING);
+    let normal = press(&bodies, &wavy(grid), load, 1e-10, METHODS[0]);
+    let friction = Friction::coulomb(0.5).unwrap();
+    for method in METHODS {
+        let mut last: Option<TangentialSolution> = None;
+        for shift in [1e-12, 1e-6, 1e-5, 1e-4, 1e-2] {
+            let load = TangentialLoad::shift([shift, 0.0]);
+            let next = shear(&bodies, &normal, &friction, load, 1e-8, method);
+            if let Some(last) = last {
+                assert!(next.force()[0] >= last.force()[0]);
+                assert!(next.stick_ratio() <= last.stick_ratio());
+            }
+            last = Some(next);
+        }
+        assert!(last.unwrap().is_gross_sliding());
+    }
+}
+
+#[test]
+fn an_approach_that_leaves_no_gap_is_refused() {
+    let (bodies, gap, load) = rough_scene(32, 0.01);
+    let mean = gap.integral() / gap.grid().area();
+    let refused = |error: Error, approach: f64| {
+        let Error::ApproachBeyondMeanGap {
+            approach: found,
+            mean_gap,
+        } = error
+        else {
+            panic!("{error}");
+        };
+        assert_eq!(found, approach);
+        assert!((mean_gap / mean - 1.0).abs() < 1e-12);
+    };
+    for approach in [mean * (1.0 + 1e-12), gap.max()] {
+        let builder = NormalProblem::builder(&bodies, &gap, NormalControl::Approach(approach));
+        refused(builder.build().unwrap_err(), approach);
+        let problem = NormalProblem::builder(&bodies, &gap, load).build().unwrap();
+        let error = problem
+            .into_solver()
+            .unwrap()
+            .set_load(NormalControl::Approach(approach));
+        refused(error.unwrap_err(), approach);
+    }
+    let approach = 0.9 * mean;
+    let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Approach(approach)).build();
+    let mut solver = problem.unwrap().into_solver().unwrap();
+    let flatter = Field::from_vec(gap.grid(), gap.as_slice().iter().map(|h| 0.5 * h).collect());
+    assert!(matches!(
+        solver.set_gap(&flatter.unwrap()),
+        Err(Error::ApproachBeyondMeanGap { .. })
+    ));
+    let mut contact = solver.new_solution();
+    solver.solve_into(&mut contact).unwrap();
+    assert!(contact.force() > 0.0);
+}
+
+#[test]
+fn solutions_of_another_boundary_are_refused() {
+    let (bodies, gap, load) = rough_scene(32, 0.01);
+    let free = unit_bodies(gap.grid(), 0.0);
+    let normal = press(&free, &gap, load, 1e-6, METHODS[0]);
+    let friction = Friction::coulomb(0.5).unwrap();
+    let shear = TangentialLoad::force([0.0, 0.0]);
+    let mismatch = TangentialProblem::builder(&bodies, &normal, friction, shear).build();
+    assert!(matches!(mismatch, Err(Error::BoundaryMismatch { .. })));
+    let problem = NormalProblem::builder(&bodies, &gap, load).build().unwrap();
+    let outcome = problem
+        .into_solver()
+        .unwrap()
+        .solve_into(&mut normal.clone());
+    assert!(matches!(outcome, Err(Error::BoundaryMismatch { .. })));
+}
+
+/// A field moved by whole cells around the torus.
+fn moved(field: &Field, [dx, dy]: [usize; 2]) -> Field {
+    let (nx, ny) = (field.grid().nx(), field.grid().ny());
+    let at = |ix, iy| field.as_slice()[((iy + dy) % ny) * nx + (ix + dx) % nx];
+    Field::from_indices(field.grid(), at)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    /// No place on a torus is special.
+    #[test]
+    fn a_moved_surface_moves_its_contact(
+        (nx, ny, dx, dy, seed) in (8..40_usize, 8..40_usize, 0..40_usize, 0..40_usize, any::<u64>())
+    ) {
+        let grid = Grid::new(nx, ny, 1.0, 0.7).unwrap();
+        let gap = rough(grid, seed);
+        let bodies = repeated(grid, 0.3);
+        let load = NormalControl::Force(0.05 * grid.area());
+        let friction = Friction::coulomb(0.5).unwrap();
+        let halfway = TangentialLoad::force([0.25 * 0.05 * grid.area(), 0.0]);
+        let solve = |gap: &Field| {
+            let normal = press(&bodies, gap, load, 1e-11, METHODS[0]);
+            let sheared = shear(&bodies, &normal, &friction, halfway, 1e-11, METHODS[0]);
+            (normal, sheared)
+        };
+        let (normal, sheared) = solve(&gap);
+        let by = [dx, dy];
+        let (normal_there, sheared_there) = solve(&moved(&gap, by));
+        let error = l2_difference(normal_there.pressure().as_slice(), moved(normal.pressure(), by).as_slice());
+        prop_assert!(error < 1e-8, "{error:e}");
+        let error = l2_difference(
+            sheared_there.traction()[0].as_slice(),
+            moved(sheared.traction()[0], by).as_slice(),
+        );
+        prop_assert!(error < 1e-8, "{error:e}");
+        prop_assert_eq!(normal.contact_spots(), normal_there.contact_spots());
+    }
+}
+
+#[cfg(feature = "dense")]
+mod against_the_direct_answer {
+    use super::*;
+    use stickslip::Operator;
+    use stickslip::cgm::{Magnitude, NonNegative};
+    use stickslip::dense::DenseOperator;
+    use stickslip::influence::Component;
+
+    /// The matrix with a mean that counts: its answers under a total are the same.
+    fn raised(bodies: &HalfSpace, component: Component) -> DenseOperator {
+        let dense = DenseOperator::of_half_space(bodies, component).unwrap();
+        let cells = bodies.grid().cells();
+        let own = dense.get(0, 0).unwrap();
+        let entry = |n: usize| dense.get(n / cells, n % cells).unwrap() + own;
+        DenseOperator::from_rows(cells, (0..cells * cells).map(entry).collect()).unwrap()
+    }
+
+    /// `|a - b|_C / |b|_C`; a mean has no energy, and `b` at least what the smallest eigenvalue makes of it.
+    fn energy_error(matrix: &DenseOperator, smallest: f64, a: &[f64], b: &[f64]) -> f64 {
+        let energy = |x: &[f64]| {
+            let mean = x.iter().sum::<f64>() / x.len() as f64;
+            let x: Vec<f64> = x.iter().map(|x| x - mean).collect();
+            let mut product = vec![0.0; x.len()];
+            matrix.apply([&x], [&mut product], &mut ());
+            x.iter().zip(&product).map(|(x, u)| x * u).sum::<f64>()
+        };
+        let difference: Vec<f64> = a.iter().zip(b).map(|(a, b)| a - b).collect();
+        let least = smallest * b.iter().map(|b| b * b).sum::<f64>();
+        (energy(&difference).max(0.0) / energy(b).max(least)).sqrt()
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(48))]
+
+        #[test]
+        fn the_error_is_within_its_certificate(
+            (nx, ny, pressure, f, tolerance, seed) in (
+                8..18_usize, 6..16_usize, -2.5..0.5_f64, 0.05..0.95_f64, -10.0..-1.0_f64, any::<u64>(),
+            )
+        ) {
+            let grid = Grid::new(nx, ny, 1.0, 0.8).unwrap();
+            let (bodies, gap) = (repeated(grid, 0.3), rough(grid, seed));
+            let smallest = |component| bodies.operator(component).unwrap().lower_bound();
+            let tolerance = 10_f64.powf(tolerance);
+            let force = 10_f64.powf(pressure) * grid.area();
+            let normal =
+                press(&bodies, &gap, NormalControl::Force(force), tolerance, METHODS[0]);
+            let matrix = raised(&bodies, Component::ZZ);
+            let total = Some(force / grid.cell_area());
+            let exact = matrix.minimise(gap.as_slice(), &NonNegative, total).unwrap();
+            let error = energy_error(&matrix, smallest(Component::ZZ), normal.pressure().as_slice(), &exact.x);
+            let bound = normal.report().energy_error_bound();
+            prop_assert!(bound <= tolerance && error <= bound * (1.0 + 1e-6) + 1e-12, "{error:e} {bound:e}");
+
+            let friction = Friction::coulomb(0.5).unwrap();
+            let load = TangentialLoad::force([f * 0.5 * normal.force(), 0.0]);
+            let sheared = shear(&bodies, &normal, &friction, load, tolerance, METHODS[0]);
+            let limits: Vec<f64> = normal.pressure().as_slice().iter().map(|p| 0.5 * p).collect();
+            let matrix = raised(&bodies, Component::XX);
+            let total = Some(sheared.force()[0] / grid.cell_area());
+            let zeros = vec![0.0; grid.cells()];
+            let exact = matrix.minimise(&zeros, &Magnitude(&limits), total).unwrap();
+            let error = energy_error(&matrix, smallest(Component::XX), sheared.traction()[0].as_slice(), &exact.x);
+            let bound = sheared.report().energy_error_bound();
+            prop_assert!(bound <= tolerance && error <= bound * (1.0 + 1e-6) + 1e-12, "{error:e} {bound:e}");
+        }
+    }
+}

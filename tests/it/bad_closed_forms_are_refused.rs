@@ -1,0 +1,148 @@
+//! Every closed form refuses a parameter that makes no sense, by its name and value, and comes to numbers on all
+//! that it accepts.
+
+use kit::refusal::Rule::{Finite, NonNegative, Positive};
+use kit::refusal::assert_checked;
+use kit::unit_pair;
+use stickslip::Error;
+use stickslip::analytical::{
+    CattaneoMindlin, CattaneoMindlinEllipse, Cone, ConePartialSlip, FlatPunch, HertzEllipse,
+    HertzSphere, LubkinTorsion, MindlinDeresiewicz, MindlinFullStick, Persson, PopovLimitingShape,
+    RoughSphere, Westergaard, WestergaardPartialSlip, linear_stick_ratio,
+};
+
+#[test]
+fn normal_contacts() {
+    let pair = unit_pair(0.3);
+    let sphere = |radius, load| {
+        let hertz = HertzSphere::new(&pair, radius, load)?;
+        Ok(hertz.max_pressure() + hertz.approach() + hertz.contact_area())
+    };
+    assert_checked("radius", Positive, |value| sphere(value, 2.0));
+    assert_checked("load", Positive, |value| sphere(2.0, value));
+    let ellipse = |[x, y]: [f64; 2], load| {
+        let hertz = HertzEllipse::new(&pair, x, y, load)?;
+        Ok(hertz.max_pressure() + hertz.approach() + hertz.contact_area())
+    };
+    assert_checked("radius along x", Positive, |value| {
+        ellipse([value, 1.0], 2.0)
+    });
+    assert_checked("radius along y", Positive, |value| {
+        ellipse([1.0, value], 2.0)
+    });
+    assert_checked("load", Positive, |value| ellipse([1.0, 2.0], value));
+    let cone = |slope, load| {
+        let cone = Cone::new(&pair, slope, load)?;
+        Ok(cone.mean_pressure() + cone.approach() + cone.contact_radius())
+    };
+    assert_checked("slope", Positive, |value| cone(value, 1.0));
+    assert_checked("load", Positive, |value| cone(0.1, value));
+    let punch = |radius, load| {
+        let punch = FlatPunch::new(&pair, radius, load)?;
+        Ok(punch.mean_pressure() + punch.approach())
+    };
+    assert_checked("radius", Positive, |value| punch(value, 1.0));
+    assert_checked("load", Positive, |value| punch(1.0, value));
+    let wavy = |amplitude, wavelength, pressure| {
+        let wavy = Westergaard::new(&pair, amplitude, wavelength, pressure)?;
+        Ok(wavy.max_pressure() + wavy.approach() + wavy.contact_fraction())
+    };
+    assert_checked("amplitude", Positive, |value| wavy(value, 1.0, 0.1));
+    assert_checked("wavelength", Positive, |value| wavy(0.1, value, 0.1));
+    assert_checked("mean pressure", Positive, |value| wavy(0.1, 1.0, value));
+}
+
+#[test]
+fn rough_and_worn_contacts() {
+    let pair = unit_pair(0.3);
+    let persson = |slope, pressure| Ok(Persson::new(&pair, slope, pressure)?.contact_fraction());
+    assert_checked("root-mean-square slope", Positive, |value| {
+        persson(value, 0.1)
+    });
+    assert_checked("mean pressure", Positive, |value| persson(0.1, value));
+    let persson = Persson::new(&pair, 0.1, 0.02).unwrap();
+    assert_checked("area coefficient", Positive, |value| {
+        Ok(persson.with_area_coefficient(value)?.contact_fraction())
+    });
+    assert_checked("coefficient of friction", NonNegative, |value| {
+        persson.stick_ratio(value, 0.0)
+    });
+    assert_checked("tangential force", Finite, |value| {
+        persson.stick_ratio(0.5, value)
+    });
+    assert_checked("reduced pressure", NonNegative, |value| {
+        Persson::area_law(value, 1.0)
+    });
+    assert_checked("area coefficient", Positive, |value| {
+        Persson::area_law(0.1, value)
+    });
+    assert_checked("load", Positive, |value| {
+        linear_stick_ratio(value, 0.5, 0.0)
+    });
+    assert_checked("tangential force", Finite, |value| {
+        linear_stick_ratio(1.0, 0.5, value)
+    });
+
+    let hertz = HertzSphere::new(&pair, 1.0, 1e-3).unwrap();
+    let rough = |slope| Ok(RoughSphere::new(hertz, slope)?.contact_area());
+    assert_checked("root-mean-square slope", Positive, rough);
+    assert_checked("area coefficient", Positive, |value| {
+        let rough = RoughSphere::new(hertz, 0.1)?;
+        Ok(rough.with_area_coefficient(value)?.contact_area())
+    });
+    assert_checked("reduced pressure", NonNegative, |value| {
+        RoughSphere::area_law(value, 1.0)
+    });
+    assert_checked("area coefficient", Positive, |value| {
+        RoughSphere::area_law(0.1, value)
+    });
+
+    let worn = |radius, approach, stick| {
+        let worn = PopovLimitingShape::new(&pair, radius, approach, stick)?;
+        Ok(worn.load() + worn.worn_radius())
+    };
+    assert_checked("radius", Positive, |value| worn(value, 0.01, 0.05));
+    assert_checked("approach", Positive, |value| worn(1.0, value, 0.05));
+    assert_checked("stick radius", NonNegative, |value| worn(1.0, 0.01, value));
+}
+
+/// What a coefficient of friction and a force come to.
+type Contact<'a> = &'a dyn Fn(f64, f64) -> Result<f64, Error>;
+
+#[test]
+fn tangential_contacts() {
+    let pair = unit_pair(0.3);
+    let hertz = HertzSphere::new(&pair, 2.0, 1.0).unwrap();
+    let ellipse = HertzEllipse::new(&pair, 2.0, 1.0, 1.0).unwrap();
+    let cone = Cone::new(&pair, 0.1, 1.0).unwrap();
+    let punch = FlatPunch::new(&pair, 2.0, 1.0).unwrap();
+    let wavy = Westergaard::new(&pair, 0.01, 1.0, 1.0).unwrap();
+    let contacts: [Contact<'_>; 6] = [
+        &|mu, force| Ok(CattaneoMindlin::new(hertz, mu, force)?.shift()),
+        &|mu, force| Ok(CattaneoMindlinEllipse::new(ellipse, mu, force)?.shift()),
+        &|mu, force| Ok(ConePartialSlip::new(cone, mu, force)?.shift()),
+        &|mu, force| Ok(punch.full_stick(mu, force)?.shift()),
+        &|mu, force| Ok(WestergaardPartialSlip::new(wavy, mu, force)?.traction(0.0)),
+        &|mu, force| Ok(MindlinDeresiewicz::new(hertz, mu, &[0.1 * mu, force])?.shift()),
+    ];
+    for contact in contacts {
+        assert_checked("coefficient of friction", NonNegative, |value| {
+            contact(value, 0.0)
+        });
+        assert_checked("tangential force", Finite, |value| contact(0.5, value));
+        let refused = contact(0.5, 0.6).unwrap_err();
+        assert!(matches!(refused, Error::BeyondSliding { force, limit } if force > limit));
+    }
+    assert_checked("contact radius", Positive, |value| {
+        Ok(MindlinFullStick::new(&pair, value, 1.0)?.shift())
+    });
+    assert_checked("tangential force", Finite, |value| {
+        Ok(MindlinFullStick::new(&pair, 1.0, value)?.shift())
+    });
+    assert_checked("coefficient of friction", Positive, |value| {
+        Ok(LubkinTorsion::new(hertz, value, 0.0)?.moment())
+    });
+    assert_checked("twist", Finite, |value| {
+        Ok(LubkinTorsion::new(hertz, 0.5, value)?.moment())
+    });
+}

@@ -1,0 +1,278 @@
+//! Every error is a value that names what was wrong, before any work; nothing panics.
+
+use kit::refusal::Rule::Positive;
+use kit::refusal::assert_checked;
+use stickslip::cgm::{self, Interval, Magnitude, NonNegative, Problem, Settings};
+use stickslip::influence::Rectangle;
+use stickslip::{
+    ElasticPair, Error, Field, Friction, Grid, HalfSpace, Identity, Material, surface,
+};
+
+const NOT_POSITIVE: [f64; 5] = [0.0, -1.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
+const NEGATIVE: [f64; 4] = [-1e-300, f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
+
+/// The same number, NaN included.
+fn same(a: f64, b: f64) -> bool {
+    a.to_bits() == b.to_bits()
+}
+
+fn grid() -> Grid {
+    Grid::new(8, 6, 1.0, 1.0).unwrap()
+}
+
+#[test]
+fn grids() {
+    for (nx, ny) in [(0, 5), (5, 0), (0, usize::MAX)] {
+        assert_eq!(Grid::new(nx, ny, 1.0, 1.0), Err(Error::GridSize { nx, ny }));
+    }
+    for value in NOT_POSITIVE {
+        for grid in [
+            Grid::new(2, 2, value, 1.0),
+            Grid::new(2, 2, 1.0, value),
+            Grid::square(2, value),
+        ] {
+            assert!(matches!(grid, Err(Error::NotPositive { value: v, .. }) if same(v, value)));
+        }
+        assert!(
+            matches!(Rectangle::new(value, 1.0), Err(Error::NotPositive { value: v, .. }) if same(v, value))
+        );
+    }
+    assert_eq!(Grid::square(0, 1.0), Err(Error::GridSize { nx: 0, ny: 0 }));
+    assert!(
+        matches!(
+            Grid::new(2, 2, 1e-200, 1e-200),
+            Err(Error::NotPositive { .. })
+        ),
+        "the cell area underflows"
+    );
+    assert!(matches!(
+        Rectangle::new(1e-300, 1e300),
+        Err(Error::NotPositive { .. })
+    ));
+    let slender = Grid::new(2, 2, 1e-200, 1e200).unwrap();
+    let pair = ElasticPair::new(Material::new(1.0, 0.3).unwrap(), Material::rigid()).unwrap();
+    assert!(matches!(
+        HalfSpace::new(slender, pair),
+        Err(Error::NotPositive { .. })
+    ));
+    let grid = Grid::new(3, 2, 1.0, 1.0).unwrap();
+    let short = Field::from_vec(grid, vec![0.0; 5]);
+    assert_eq!(
+        short,
+        Err(Error::Length {
+            quantity: "field",
+            expected: 6,
+            found: 5
+        })
+    );
+}
+
+#[test]
+fn materials() {
+    for value in NOT_POSITIVE {
+        for material in [
+            Material::new(value, 0.3),
+            Material::from_shear_modulus(value, 0.3),
+        ] {
+            assert!(matches!(material, Err(Error::NotPositive { value: v, .. }) if same(v, value)));
+        }
+    }
+    assert!(
+        Material::new(1e-320, 0.3).is_err(),
+        "its compliance overflows"
+    );
+    for nu in [-1.0, 0.500001, -2.0, 0.9, f64::NAN, f64::INFINITY] {
+        assert!(matches!(Material::new(1.0, nu), Err(Error::PoissonRatio(v)) if same(v, nu)));
+    }
+    assert_eq!(
+        ElasticPair::new(Material::rigid(), Material::rigid()),
+        Err(Error::BothRigid)
+    );
+    for radius in NOT_POSITIVE {
+        let sphere = surface::sphere(grid(), radius);
+        assert!(matches!(sphere, Err(Error::NotPositive { value: v, .. }) if same(v, radius)));
+    }
+}
+
+#[test]
+fn directions() {
+    use stickslip::influence::Direction::{X, Y};
+    let pair = ElasticPair::new(Material::new(1.0, 0.3).unwrap(), Material::rigid()).unwrap();
+    let bodies = HalfSpace::new(grid(), pair).unwrap();
+    let error = bodies.tensor_operator([X, Y, X]).err();
+    assert_eq!(error, Some(Error::RepeatedDirection));
+    let error = bodies.tensor_preconditioner([Y, Y]).err();
+    assert_eq!(error, Some(Error::RepeatedDirection));
+}
+
+#[test]
+fn friction() {
+    for value in NEGATIVE {
+        assert!(
+            matches!(Friction::coulomb(value), Err(Error::Negative { value: v, .. }) if same(v, value))
+        );
+        let mut field = Field::constant(grid(), 0.5);
+        field.as_mut_slice()[3] = value;
+        let error = Friction::per_cell(field).err();
+        assert!(matches!(error, Some(Error::Sample { index: 3, value: v, .. }) if same(v, value)));
+    }
+    let friction = Friction::coulomb(0.5).unwrap();
+    for value in NOT_POSITIVE {
+        let error = friction.clone().shear_cap(value).err();
+        assert!(matches!(error, Some(Error::NotPositive { value: v, .. }) if same(v, value)));
+    }
+}
+
+#[test]
+fn engine() {
+    let solve = |linear: &[f64], x: &mut [f64]| {
+        cgm::minimise(
+            &Problem::new(Identity::new(2), linear, NonNegative),
+            &Settings::default(),
+            x,
+        )
+        .err()
+    };
+    let mut x = [1.0, 2.0];
+    assert!(matches!(
+        solve(&[0.0], &mut x),
+        Some(Error::Length {
+            expected: 2,
+            found: 1,
+            ..
+        })
+    ));
+    assert!(matches!(
+        solve(&[0.0, f64::NAN], &mut x),
+        Some(Error::Sample { index: 1, .. })
+    ));
+    assert!(matches!(
+        solve(&[0.0; 2], &mut [f64::NAN, 0.0]),
+        Some(Error::Sample { index: 0, .. })
+    ));
+    assert!(matches!(
+        solve(&[0.0; 2], &mut [0.0; 3]),
+        Some(Error::Length {
+            expected: 2,
+            found: 3,
+            ..
+        })
+    ));
+
+    let linear = [0.0; 2];
+    let settings = Settings::default();
+    for (lower, upper) in [
+        ([0.0, 1.0], [1.0, 0.0]),
+        ([0.0, f64::NAN], [1.0, 1.0]),
+        ([0.0, f64::INFINITY], [1.0, f64::INFINITY]),
+    ] {
+        let interval = Interval {
+            lower: &lower,
+            upper: &upper,
+        };
+        let error = cgm::minimise(
+            &Problem::new(Identity::new(2), &linear, interval),
+            &settings,
+            &mut x,
+        )
+        .err();
+        assert!(matches!(error, Some(Error::Bounds { index: 1, .. })));
+    }
+    let uneven = Interval {
+        lower: &[0.0],
+        upper: &[1.0; 2],
+    };
+    let error = cgm::minimise(
+        &Problem::new(Identity::new(2), &linear, uneven),
+        &settings,
+        &mut x,
+    )
+    .err();
+    assert!(matches!(error, Some(Error::Length { expected: 2, .. })));
+    for total in [3.1, -3.1, f64::NAN, f64::INFINITY] {
+        let problem = Problem::new(Identity::new(2), &linear, Magnitude(&[1.0, 2.0])).total(total);
+        let error = cgm::minimise(&problem, &settings, &mut x).err();
+        assert!(
+            matches!(error, Some(Error::Total { total: t, lower: -3.0, upper: 3.0 }) if same(t, total))
+        );
+    }
+    let problem =
+        Problem::new(Identity::new(2), &linear, NonNegative).preconditioner(Identity::new(3));
+    assert!(matches!(
+        cgm::minimise(&problem, &settings, &mut x),
+        Err(Error::Length { .. })
+    ));
+    let problem = Problem::new(Identity::new(2), &linear, NonNegative);
+    let mut small = Problem::new(Identity::new(1), &linear[..1], NonNegative).workspace();
+    let outcome = cgm::minimise_with(&problem, &settings, &mut x, &mut small, &mut |_| {
+        std::ops::ControlFlow::Continue(())
+    });
+    assert!(matches!(
+        outcome,
+        Err(Error::Length {
+            expected: 2,
+            found: 1,
+            ..
+        })
+    ));
+    for tolerance in [0.0, 1.0, f64::NAN, f64::INFINITY, -1e300] {
+        let settings = settings.tolerance(tolerance);
+        let outcome = cgm::minimise(&problem, &settings, &mut x);
+        assert!(matches!(outcome, Err(Error::Tolerance(t)) if same(t, tolerance)));
+    }
+    let outcome = cgm::minimise(&problem, &settings.max_iterations(0), &mut x);
+    assert_eq!(outcome.err(), Some(Error::IterationLimit));
+    assert_eq!(x, [1.0, 2.0], "refused before any work");
+}
+
+/// Each modulus is a number, and so is what a pair makes of two.
+#[test]
+fn pairs_of_extremes() {
+    let pair = |modulus, nu| {
+        let body = Material::from_shear_modulus(modulus, nu)?;
+        let pair = ElasticPair::new(body, body)?;
+        Ok(pair.contact_modulus() + pair.shear_modulus() + pair.dundurs_beta())
+    };
+    for nu in [-0.999, -0.5, 0.0, 0.3, 0.5] {
+        assert_checked("modulus", Positive, |modulus| pair(modulus, nu));
+        for modulus in [6e-309, 1e-308, 3e-308, 1e307, 4e307] {
+            assert!(
+                pair(modulus, nu).map_or(true, f64::is_finite),
+                "{modulus:e} {nu}"
+            );
+        }
+    }
+    let soft = Material::new(2.3e-308, 0.5).unwrap();
+    let refused = ElasticPair::new(soft, soft);
+    assert!(
+        matches!(refused, Err(Error::NotPositive { value: 0.0, .. })),
+        "{refused:?}"
+    );
+}
+
+/// A cell that has no coefficient has no limit, not that of the cap.
+#[test]
+fn limits_of_no_number() {
+    let uneven = Friction::per_cell(Field::constant(grid(), 0.5)).unwrap();
+    let capped = uneven.clone().shear_cap(2.0).unwrap();
+    for friction in [uneven, capped] {
+        assert!(friction.limit(48, 1.0).is_nan());
+        assert!(friction.limit(3, f64::NAN).is_nan());
+        assert_eq!(friction.limit(47, 1.0), 0.5);
+    }
+}
+
+#[test]
+fn messages_name_the_number() {
+    let message = Material::new(-7.5, 0.3).unwrap_err().to_string();
+    assert_eq!(
+        message,
+        "Young's modulus must be positive and finite, got -7.5"
+    );
+    let message = Friction::coulomb(-0.25).unwrap_err().to_string();
+    assert!(message.contains("coefficient of friction") && message.contains("-0.25"));
+    let message = surface::sum(&[]).unwrap_err().to_string();
+    assert_eq!(message, "list of fields has 0 entries, expected 1");
+    let message = Error::EmptyContact.to_string();
+    assert!(message.contains("no load") && message.contains("least gap"));
+}

@@ -1,0 +1,155 @@
+//! A sphere under a twist.
+
+use std::f64::consts::PI;
+
+use approx::assert_relative_eq;
+use stickslip::analytical::{HertzSphere, LubkinTorsion};
+use stickslip::{ElasticPair, Error, Material, Result};
+
+use super::{
+    FRICTION, assert_close, assert_not_positive, ball, chord_integral, singular_integral, steel,
+    sum_over_chords,
+};
+
+/// Stick radius over contact radius, twist times the shear modulus over the friction on the largest
+/// pressure, moment over friction, load and contact radius. Lubkin's relations evaluated to 20
+/// digits in extended precision, independently of this crate, and rounded to double.
+const TORSION: [[f64; 3]; 5] = [
+    [0.1, 1.3398219089823253, 0.5886198850944907],
+    [0.3, 0.7656479073460584, 0.5768680425718781],
+    [0.5, 0.47272980996559183, 0.5285759655649621],
+    [0.7, 0.25852427848237813, 0.40973847957115656],
+    [0.9, 0.08066327969565987, 0.17634538145161682],
+];
+
+/// The ball of steel, twisted by so many times the friction on the largest pressure over the shear
+/// modulus.
+fn twisted(strain: f64) -> Result<LubkinTorsion> {
+    let ball = ball()?;
+    let unit = FRICTION * ball.max_pressure() / steel()?.shear_modulus();
+    LubkinTorsion::new(ball, FRICTION, strain * unit)
+}
+
+#[test]
+fn torsion_has_its_numbers() -> Result<()> {
+    let a = ball()?.contact_radius();
+    let unit = FRICTION * 100.0 * a;
+    for [ratio, strain, moment] in TORSION {
+        for sign in [1.0, -1.0] {
+            let torsion = twisted(sign * strain)?;
+            assert_close(torsion.stick_radius(), ratio * a);
+            assert_close(torsion.stick_ratio(), ratio * ratio);
+            assert_close(torsion.moment(), sign * moment * unit);
+            assert_close(torsion.sliding_moment(), 0.5890486225480862 * unit);
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn traction_carries_the_moment() -> Result<()> {
+    let ball = ball()?;
+    let a = ball.contact_radius();
+    for strain in [-1e-3, 0.05, 0.3, 1.0, 3.0] {
+        let torsion = twisted(strain)?;
+        let c = torsion.stick_radius();
+        let arm = |r: f64| torsion.traction(r) * 2.0 * PI * r * r;
+        let moment = singular_integral(0.0, c, arm) + singular_integral(c, a, arm);
+        assert_relative_eq!(
+            moment,
+            torsion.moment(),
+            max_relative = 1e-10,
+            epsilon = 0.0
+        );
+        for i in 1..100 {
+            let r = a * f64::from(i) / 100.0;
+            let ratio = torsion.traction(r) / (FRICTION * ball.pressure(r)) * strain.signum();
+            assert!(ratio > 0.0 && ratio <= 1.0 + 1e-14);
+            assert_eq!(ratio < 1.0 - 1e-9, r < c);
+        }
+        assert_close(torsion.traction(0.0), 0.0);
+        assert_close(torsion.traction(1.01 * a), 0.0);
+        let (below, above) = (torsion.traction(c * (1.0 - 1e-12)), torsion.traction(c));
+        assert_relative_eq!(below, above, max_relative = 1e-4, epsilon = 0.0);
+    }
+    Ok(())
+}
+
+/// Cerruti's kernel along chords, from which Poisson's ratio drops out: a ring turns by the twist
+/// where it sticks, and by less where it slips.
+#[test]
+fn stick_disc_turns_by_the_twist() -> Result<()> {
+    let rubber = Material::new(3e6, 0.5)?;
+    let unlike = ElasticPair::new(Material::new(213e9, 0.1)?, rubber)?;
+    let unlike_ball = HertzSphere::new(&unlike, 3.5e-3, 1e-3)?;
+    for torsion in [
+        twisted(0.05)?,
+        twisted(1.0)?,
+        LubkinTorsion::new(unlike_ball, 0.5, -0.2)?,
+    ] {
+        let (a, c) = (torsion.hertz().contact_radius(), torsion.stick_radius());
+        let shear_modulus = torsion.hertz().pair().shear_modulus();
+        let rotation = |r: f64| {
+            let sum = sum_over_chords(a, r, |d, t| {
+                let along = chord_integral(c.max(d), a, d, |r| torsion.traction(r) / r);
+                t.sin().powi(2) * along
+            });
+            sum / (2.0 * PI * shear_modulus)
+        };
+        for ratio in [0.1, 0.5, 0.9] {
+            let found = rotation(ratio * c);
+            assert_relative_eq!(found, torsion.twist(), max_relative = 1e-9, epsilon = 0.0);
+        }
+        let slipping = rotation(0.5 * (a + c)) / torsion.twist();
+        assert!(slipping > 0.0 && slipping < 1.0 - 1e-4, "{slipping}");
+    }
+    Ok(())
+}
+
+#[test]
+fn small_and_large_twists_keep_their_digits() -> Result<()> {
+    let ball = ball()?;
+    let (a, shear_modulus) = (ball.contact_radius(), steel()?.shear_modulus());
+    let small = twisted(1e-13)?;
+    let stiffness = 16.0 / 3.0 * shear_modulus * a.powi(3);
+    assert_close(small.moment(), stiffness * small.twist());
+    // The traction of a disc that sticks throughout.
+    for ratio in [0.1_f64, 0.6, 0.95] {
+        let root = (1.0 - ratio * ratio).sqrt();
+        let expected = 4.0 * shear_modulus * small.twist() / PI * ratio / root;
+        assert_relative_eq!(small.traction(ratio * a), expected, max_relative = 2e-12);
+    }
+    // K - E is ln(4 a/c) - 1 for a small stick disc.
+    for strain in [20.0, 300.0] {
+        let large = twisted(strain)?;
+        let expected = (2.0 * strain + 1.0 - 4.0_f64.ln()).exp().recip();
+        assert_relative_eq!(large.stick_radius() / a, expected, max_relative = 1e-12);
+        assert_close(large.moment(), large.sliding_moment());
+    }
+    // The slope of the moment is that of a disc that sticks, of the radius that does.
+    let (below, above) = (twisted(0.2 - 1e-5)?, twisted(0.2 + 1e-5)?);
+    let slope = (above.moment() - below.moment()) / (above.twist() - below.twist());
+    let stuck = 16.0 / 3.0 * shear_modulus * twisted(0.2)?.stick_radius().powi(3);
+    assert_relative_eq!(slope, stuck, max_relative = 1e-8);
+    let still = twisted(0.0)?;
+    assert_close(still.moment(), 0.0);
+    assert_close(still.stick_radius(), a);
+    assert_close(still.traction(0.7 * a), 0.0);
+    Ok(())
+}
+
+#[test]
+fn wrong_twists_are_refused() -> Result<()> {
+    let ball = ball()?;
+    for wrong in [0.0, -0.1, f64::NAN, f64::INFINITY] {
+        assert_not_positive(&LubkinTorsion::new(ball, wrong, 0.1));
+    }
+    for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let refused = LubkinTorsion::new(ball, FRICTION, wrong);
+        assert!(matches!(refused, Err(Error::NotFinite { .. })));
+    }
+    // No stick radius is left that a double can hold.
+    assert_not_positive(&twisted(400.0));
+    assert_not_positive(&LubkinTorsion::new(ball, 1e-300, 1e9));
+    Ok(())
+}

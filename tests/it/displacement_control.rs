@@ -1,0 +1,99 @@
+//! Prescribing the displacement that a force caused gives the force back, and the same fields; on a grid that repeats,
+//! the certified error is that against the answer under the force found.
+
+use kit::{energy_difference, l2_difference, rough, unit_bodies, unit_pair};
+use stickslip::influence::Component;
+use stickslip::{
+    Boundary, Friction, Grid, HalfSpace, NormalControl, NormalProblem, TangentialLoad,
+    TangentialProblem, surface,
+};
+
+#[test]
+fn approach_and_shift_give_back_the_forces() {
+    let grid = Grid::new(96, 80, 1.0, 1.2).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    for gap in [
+        surface::ellipsoid(grid, 200.0, 500.0).unwrap(),
+        rough(grid, 3),
+    ] {
+        let press = |load| {
+            let builder = NormalProblem::builder(&bodies, &gap, load).tolerance(1e-12);
+            builder.build().unwrap().solve().unwrap()
+        };
+        let by_force = press(NormalControl::Force(30.0));
+        let by_approach = press(NormalControl::Approach(by_force.approach()));
+        assert!((by_approach.force() / 30.0 - 1.0).abs() < 1e-8);
+        assert_eq!(by_approach.approach(), by_force.approach());
+        assert!(
+            l2_difference(
+                by_approach.pressure().as_slice(),
+                by_force.pressure().as_slice()
+            ) < 1e-8
+        );
+        assert!(
+            kit::max_difference(by_approach.gap().as_slice(), by_force.gap().as_slice())
+                < 1e-8 * by_force.approach()
+        );
+
+        let friction = Friction::coulomb(0.6).unwrap();
+        let shear = |load| {
+            let builder = TangentialProblem::builder(&bodies, &by_force, friction.clone(), load);
+            builder.tolerance(1e-12).build().unwrap().solve().unwrap()
+        };
+        for force in [[0.9, 0.0], [-7.0, 0.0], [0.0, 12.0], [0.0, -17.9]] {
+            let axis = usize::from(force[1] != 0.0);
+            let by_force = shear(TangentialLoad::force(force));
+            let by_shift = shear(TangentialLoad::shift(by_force.shift()));
+            assert!(
+                (by_shift.force()[axis] / force[axis] - 1.0).abs() < 1e-8,
+                "{force:?}"
+            );
+            assert_eq!(by_shift.shift(), by_force.shift());
+            assert_eq!(by_shift.zones(), by_force.zones());
+            let (a, b) = (by_shift.traction()[axis], by_force.traction()[axis]);
+            assert!(l2_difference(a.as_slice(), b.as_slice()) < 1e-8);
+        }
+    }
+}
+
+#[test]
+fn the_error_of_a_motion_on_a_periodic_grid_is_within_its_certificate() {
+    let grid = Grid::new(96, 80, 1.0, 1.2).unwrap();
+    let bodies = HalfSpace::with_boundary(grid, unit_pair(0.3), Boundary::Periodic).unwrap();
+    let gap = rough(grid, 3);
+    let mean = gap.integral() / grid.area();
+    let friction = Friction::coulomb(0.6).unwrap();
+    for (closed, tolerance) in [(0.3, 1e-2), (0.9, 1e-2), (0.999, 1e-2), (0.9, 1e-5)] {
+        let press = |load, tolerance| {
+            let builder = NormalProblem::builder(&bodies, &gap, load).tolerance(tolerance);
+            builder.build().unwrap().solve().unwrap()
+        };
+        let found = press(NormalControl::Approach(closed * mean), tolerance);
+        let exact = press(NormalControl::Force(found.force()), 1e-12);
+        let error = energy_difference(&bodies, Component::ZZ, exact.pressure(), found.pressure());
+        let bound = found.report().energy_error_bound();
+        assert!(
+            bound <= tolerance && error <= bound + 1e-11,
+            "{error:e} {bound:e}"
+        );
+
+        let shear = |load, tolerance| {
+            let builder = TangentialProblem::builder(&bodies, &exact, friction.clone(), load);
+            builder
+                .tolerance(tolerance)
+                .build()
+                .unwrap()
+                .solve()
+                .unwrap()
+        };
+        let found = shear(TangentialLoad::shift([0.1 * mean, 0.0]), tolerance);
+        let exact = shear(TangentialLoad::force(found.force()), 1e-12);
+        let [found_x, exact_x] = [&found, &exact].map(|answer| answer.traction()[0]);
+        let error = energy_difference(&bodies, Component::XX, exact_x, found_x);
+        let bound = found.report().energy_error_bound();
+        assert!(
+            bound <= tolerance && error <= bound + 1e-11,
+            "{error:e} {bound:e}"
+        );
+    }
+}

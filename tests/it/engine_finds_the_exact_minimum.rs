@@ -1,0 +1,353 @@
+//! Both methods find the exact minimum of small scenes, and the certificate never lies about it.
+
+use kit::Random;
+use stickslip::cgm::{self, Interval, Magnitude, Method, Minimum, NonNegative, Problem, Settings};
+use stickslip::dense::DenseOperator;
+use stickslip::influence::Component;
+use stickslip::{Error, Field, Grid, HalfSpace, Operator, Result};
+
+/// A random small scene: cells, bodies, gap.
+struct Scene {
+    bodies: HalfSpace,
+    gap: Field,
+    random: Random,
+}
+
+impl Scene {
+    fn new(seed: u64) -> Self {
+        let mut random = Random(seed);
+        let (nx, ny) = (random.integer(1, 12), random.integer(1, 12));
+        let dx = 10_f64.powf(random.uniform(-3.0, 3.0));
+        let grid = Grid::new(nx, ny, dx, dx * random.uniform(0.3, 3.0)).unwrap();
+        let bodies = kit::unit_bodies(grid, random.uniform(0.0, 0.5));
+        // A bowl, a tilt and noise, each of any size.
+        let size = dx * nx.max(ny) as f64;
+        let (bowl, tilt) = (random.uniform(0.0, 0.3), random.uniform(-0.05, 0.05));
+        let noise = size * 10_f64.powf(random.uniform(-4.0, -1.0));
+        let gap = Field::from_fn(grid, |x, y| {
+            bowl * (x * x + y * y) / size + tilt * x + noise * random.uniform(0.0, 1.0)
+        });
+        Self {
+            bodies,
+            gap,
+            random,
+        }
+    }
+}
+
+fn both_methods() -> [Settings; 2] {
+    let settings = Settings::default().tolerance(1e-11);
+    [
+        settings.method(Method::ActiveSet),
+        settings.method(Method::PolonskyKeer),
+    ]
+}
+
+/// `|x - x*|_C / |x|_C` with the matrix.
+fn energy_error(matrix: &DenseOperator, x: &[f64], exact: &[f64]) -> f64 {
+    let norm = |v: &[f64]| {
+        let mut product = vec![0.0; v.len()];
+        matrix.apply([v], [&mut product], &mut ());
+        v.iter()
+            .zip(&product)
+            .map(|(a, b)| a * b)
+            .sum::<f64>()
+            .sqrt()
+    };
+    let difference: Vec<f64> = x.iter().zip(exact).map(|(a, b)| a - b).collect();
+    let size = norm(x);
+    if size > 0.0 {
+        norm(&difference) / size
+    } else {
+        norm(&difference)
+    }
+}
+
+fn assert_certified(found: &Minimum, error: f64, scene: u64) {
+    // Round-off of the matrix twin itself, amplified by the condition number.
+    let bound = found.report.energy_error_bound() + 1e-12;
+    assert!(
+        error <= bound,
+        "scene {scene}: error {error:e}, certified {bound:e}"
+    );
+}
+
+#[test]
+fn normal_contact_under_a_force() {
+    for seed in 0..200 {
+        let mut scene = Scene::new(seed);
+        let matrix = DenseOperator::of_half_space(&scene.bodies, Component::ZZ).unwrap();
+        let total = 10_f64.powf(scene.random.uniform(-4.0, 1.0)) * scene.gap.grid().nx() as f64;
+        let linear = scene.gap.as_slice();
+        let exact = matrix.minimise(linear, &NonNegative, Some(total)).unwrap();
+        for settings in both_methods() {
+            let problem = Problem::new(
+                scene.bodies.operator(Component::ZZ).unwrap(),
+                linear,
+                NonNegative,
+            )
+            .preconditioner(scene.bodies.preconditioner(Component::ZZ).unwrap().unwrap())
+            .total(total);
+            let mut x = vec![total / linear.len() as f64; linear.len()];
+            let found = cgm::minimise(&problem, &settings, &mut x)
+                .unwrap_or_else(|e| panic!("scene {seed} {:?}: {e}", settings.method));
+            let error = energy_error(&matrix, &x, &exact.x);
+            assert!(
+                error < 1e-9,
+                "scene {seed} {:?}: {error:e}",
+                settings.method
+            );
+            assert_certified(&found, error, seed);
+            let scale = exact.multiplier.abs().max(kit::max_abs(linear));
+            assert!(
+                (found.multiplier - exact.multiplier).abs() < 1e-9 * scale,
+                "scene {seed}"
+            );
+            assert!(x.iter().all(|&x| x >= 0.0));
+            assert!((x.iter().sum::<f64>() - total).abs() <= 1e-13 * total);
+        }
+    }
+}
+
+#[test]
+fn tangential_contact_under_a_force() {
+    for seed in 0..200 {
+        let mut scene = Scene::new(1000 + seed);
+        let matrix = DenseOperator::of_half_space(&scene.bodies, Component::XX).unwrap();
+        let cells = scene.gap.grid().cells();
+        // Limits as of a pressure, some of them zero; a slip remembered from before.
+        let limits: Vec<f64> = (0..cells)
+            .map(|_| scene.random.uniform(-0.3, 1.0).max(0.0))
+            .collect();
+        let sum: f64 = limits.iter().sum();
+        if sum == 0.0 {
+            continue;
+        }
+        let total = scene.random.uniform(-0.999, 0.999) * sum;
+        let remembered = scene.random.uniform(0.0, 1.0).round();
+        let linear: Vec<f64> = (0..cells)
+            .map(|_| remembered * scene.random.uniform(-0.1, 0.1))
+            .collect();
+        let exact = matrix
+            .minimise(&linear, &Magnitude(&limits), Some(total))
+            .unwrap();
+        for settings in both_methods() {
+            let problem = Problem::new(
+                scene.bodies.operator(Component::XX).unwrap(),
+                &linear,
+                Magnitude(&limits),
+            )
+            .preconditioner(scene.bodies.preconditioner(Component::XX).unwrap().unwrap())
+            .total(total);
+            let mut x: Vec<f64> = limits.iter().map(|m| m * total / sum).collect();
+            let found = cgm::minimise(&problem, &settings, &mut x)
+                .unwrap_or_else(|e| panic!("scene {seed} {:?}: {e}", settings.method));
+            let error = energy_error(&matrix, &x, &exact.x);
+            assert!(
+                error < 1e-9,
+                "scene {seed} {:?}: {error:e}",
+                settings.method
+            );
+            assert_certified(&found, error, seed);
+            assert!(x.iter().zip(&limits).all(|(x, m)| x.abs() <= *m));
+        }
+    }
+}
+
+#[test]
+fn without_a_total() {
+    for seed in 0..100 {
+        let mut scene = Scene::new(2000 + seed);
+        let matrix = DenseOperator::of_half_space(&scene.bodies, Component::ZZ).unwrap();
+        let span = scene.gap.max() - scene.gap.min();
+        let approach = scene.gap.min() + scene.random.uniform(-0.1, 1.5) * span;
+        let linear: Vec<f64> = scene.gap.as_slice().iter().map(|h| h - approach).collect();
+        let exact = matrix.minimise(&linear, &NonNegative, None).unwrap();
+        for settings in both_methods() {
+            let problem = Problem::new(
+                scene.bodies.operator(Component::ZZ).unwrap(),
+                &linear,
+                NonNegative,
+            )
+            .preconditioner(scene.bodies.preconditioner(Component::ZZ).unwrap().unwrap());
+            let mut x = vec![0.0; linear.len()];
+            let found = cgm::minimise(&problem, &settings, &mut x)
+                .unwrap_or_else(|e| panic!("scene {seed} {:?}: {e}", settings.method));
+            let error = energy_error(&matrix, &x, &exact.x);
+            assert!(
+                error < 1e-9,
+                "scene {seed} {:?}: {error:e}",
+                settings.method
+            );
+            assert_certified(&found, error, seed);
+        }
+    }
+}
+
+/// Stopped anywhere, the iterate is feasible and its certificate still holds: with the eigenvalue
+/// bound, and without it by the duality gap alone.
+#[test]
+fn the_certificate_bounds_the_error_of_unfinished_iterates() {
+    let mut tightness = Vec::new();
+    for seed in 0..200 {
+        let mut scene = Scene::new(3000 + seed);
+        let matrix = DenseOperator::of_half_space(&scene.bodies, Component::ZZ).unwrap();
+        let cells = scene.gap.grid().cells();
+        let linear = scene.gap.as_slice();
+        let total = 10_f64.powf(scene.random.uniform(-3.0, 1.0));
+        let upper: Vec<f64> = (0..cells)
+            .map(|_| scene.random.uniform(2.0, 5.0) * total / cells as f64)
+            .collect();
+        let lower = vec![0.0; cells];
+        let interval = Interval {
+            lower: &lower,
+            upper: &upper,
+        };
+        let exact = matrix.minimise(linear, &interval, Some(total)).unwrap();
+        for method in [Method::ActiveSet, Method::PolonskyKeer] {
+            let steps = scene.random.integer(1, 6);
+            let settings = Settings::default()
+                .tolerance(1e-12)
+                .method(method)
+                .max_iterations(steps);
+            let fast = Problem::new(
+                scene.bodies.operator(Component::ZZ).unwrap(),
+                linear,
+                interval.clone(),
+            )
+            .total(total);
+            let unbounded =
+                Problem::new(WithoutBound(&matrix), linear, interval.clone()).total(total);
+            let start = vec![total / cells as f64; cells];
+            let (mut x, mut y) = (start.clone(), start);
+            let found = stopped(cgm::minimise(&fast, &settings, &mut x));
+            let error = energy_error(&matrix, &x, &exact.x);
+            assert!(
+                error <= found.energy_error_bound() + 1e-12,
+                "scene {seed}: {error:e}, {found}"
+            );
+            tightness.push((found.energy_error_bound() + 1e-15) / (error + 1e-15));
+            let found = stopped(cgm::minimise(&unbounded, &settings, &mut y));
+            let error = energy_error(&matrix, &y, &exact.x);
+            assert!(
+                error <= found.energy_error_bound() + 1e-12,
+                "scene {seed}: {error:e}, {found}"
+            );
+            for x in [&x, &y] {
+                assert!(x.iter().zip(&upper).all(|(x, u)| (0.0..=*u).contains(x)));
+                assert!((x.iter().sum::<f64>() - total).abs() <= 1e-12 * total);
+            }
+        }
+    }
+    tightness.sort_by(f64::total_cmp);
+    assert!(
+        tightness[tightness.len() / 2] < 20.0,
+        "median bound over error: {}",
+        tightness[tightness.len() / 2]
+    );
+}
+
+fn stopped(outcome: Result<Minimum>) -> cgm::Report {
+    match outcome {
+        Ok(minimum) => minimum.report,
+        Err(Error::NotConverged(report)) => *report,
+        Err(other) => panic!("{other}"),
+    }
+}
+
+/// An operator that keeps its smallest eigenvalue to itself.
+struct WithoutBound<'a>(&'a DenseOperator);
+
+impl Operator for WithoutBound<'_> {
+    type Workspace = ();
+
+    fn cells(&self) -> usize {
+        self.0.cells()
+    }
+
+    fn workspace(&self) {}
+
+    fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], (): &mut ()) {
+        self.0.apply([x], [out], &mut ());
+    }
+}
+
+/// The matrix twin itself, against a minimum known by hand.
+#[test]
+fn the_direct_solution_of_three_unknowns() {
+    let matrix =
+        DenseOperator::from_rows(3, vec![2.0, 1.0, 0.0, 1.0, 2.0, 1.0, 0.0, 1.0, 2.0]).unwrap();
+    let free = matrix
+        .minimise(&[-1.0, 0.5, -1.0], &NonNegative, None)
+        .unwrap();
+    assert!(kit::max_difference(&free.x, &[0.5, 0.0, 0.5]) < 1e-15);
+    // x_1 = x_3 = (3 - x_2)/2, and the gradients agree: 2 x_1 + x_2 - 1 = 2 x_1 + 2 x_2 + 1/2.
+    let held = matrix
+        .minimise(&[-1.0, 0.5, -1.0], &NonNegative, Some(3.0))
+        .unwrap();
+    assert!(kit::max_difference(&held.x, &[1.5, 0.0, 1.5]) < 1e-15);
+    assert!((held.multiplier - 2.0).abs() < 1e-15);
+}
+
+/// An operator that breaks, at the first product or later.
+struct Broken {
+    matrix: DenseOperator,
+    sound_products: usize,
+    products: std::sync::atomic::AtomicUsize,
+}
+
+impl Operator for Broken {
+    type Workspace = ();
+
+    fn cells(&self) -> usize {
+        self.matrix.cells()
+    }
+
+    fn workspace(&self) {}
+
+    fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], (): &mut ()) {
+        self.matrix.apply([x], [&mut *out], &mut ());
+        let count = self
+            .products
+            .fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+        if count >= self.sound_products {
+            out[out.len() / 2] = f64::NAN;
+        }
+    }
+}
+
+#[test]
+fn a_broken_operator_never_converges() {
+    let mut scene = Scene::new(5);
+    let linear = scene.gap.as_slice().to_vec();
+    let total = scene.random.uniform(0.1, 1.0);
+    for method in [Method::ActiveSet, Method::PolonskyKeer] {
+        for sound_products in 0..6 {
+            for total in [None, Some(total)] {
+                let operator = Broken {
+                    matrix: DenseOperator::of_half_space(&scene.bodies, Component::ZZ).unwrap(),
+                    sound_products,
+                    products: 0.into(),
+                };
+                let depth = if total.is_none() {
+                    scene.gap.max()
+                } else {
+                    0.0
+                };
+                let linear: Vec<f64> = linear.iter().map(|h| h - depth).collect();
+                let mut problem = Problem::new(operator, &linear, NonNegative);
+                if let Some(total) = total {
+                    problem = problem.total(total);
+                }
+                let mut x = vec![0.01; linear.len()];
+                let settings = Settings::default().tolerance(1e-13).method(method);
+                let outcome = cgm::minimise(&problem, &settings, &mut x);
+                let Err(Error::NotConverged(report)) = outcome else {
+                    panic!("{method:?} after {sound_products} products: {outcome:?}");
+                };
+                assert_eq!(report.status, cgm::Status::Stalled);
+                assert!(x.iter().all(|x| x.is_finite() && *x >= 0.0));
+            }
+        }
+    }
+}

@@ -1,0 +1,170 @@
+//! Files that other programs wrote or confirmed are read as these read them; tests/data/README.md names
+//! the program behind each file.
+
+use std::path::PathBuf;
+
+use stickslip::{Error, Field, Result, io};
+
+/// Points and spacings of the one surface in all files, micrometres.
+const SIZE: [usize; 2] = [5, 4];
+const SPACING: [f64; 2] = [0.5, 0.25];
+const MISSING: [usize; 2] = [3, 1];
+
+fn path(name: &str) -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+        .join("tests/data/files")
+        .join(name)
+}
+
+/// Heights in micrometres.
+fn height(ix: usize, iy: usize) -> f64 {
+    ix as f64 / 4.0 - iy as f64 / 2.0 + (ix * iy) as f64 / 8.0
+}
+
+/// Whether a field is the surface in a unit (micrometres), up to a constant if it may be shifted.
+fn check(name: &str, field: &Result<Field>, unit: f64, tolerance: f64, is_shifted: bool) {
+    let field = field.as_ref().unwrap_or_else(|e| panic!("{name}: {e}"));
+    let grid = field.grid();
+    assert_eq!([grid.nx(), grid.ny()], SIZE, "{name}");
+    for (found, expected) in [grid.dx(), grid.dy()].iter().zip(SPACING) {
+        assert!((found * unit - expected).abs() < 1e-7 * expected, "{name}");
+    }
+    let scale = if name.contains("eighths") { 8.0 } else { 1.0 };
+    let shift = if is_shifted {
+        field.as_slice()[0] * unit - scale * height(0, 0)
+    } else {
+        0.0
+    };
+    for iy in 0..SIZE[1] {
+        for ix in 0..SIZE[0] {
+            let found = field.get(ix, iy).unwrap() * unit;
+            if [ix, iy] == MISSING && !name.contains("whole") {
+                assert!(found.is_nan(), "{name}: {found} at ({ix}, {iy})");
+            } else {
+                let error = found - shift - scale * height(ix, iy);
+                assert!(error.abs() <= tolerance, "{name}: {error} at ({ix}, {iy})");
+            }
+        }
+    }
+}
+
+#[test]
+fn npy_of_numpy() {
+    for name in [
+        "f8.npy",
+        "f4_big_fortran.npy",
+        "i2_eighths_whole.npy",
+        "i1_eighths_whole.npy",
+    ] {
+        check(name, &io::npy::read(path(name), SPACING), 1.0, 0.0, false);
+    }
+    // Unsigned: a hundred is added.
+    let name = "u8_big_whole.npy";
+    let field = io::npy::read(path(name), SPACING).unwrap();
+    let eighths = |z: &f64| (z - 100.0) / 8.0;
+    let samples = field.as_slice().iter().map(eighths).collect();
+    let field = Field::from_vec(field.grid(), samples);
+    check(name, &field, 1.0, 0.0, false);
+}
+
+/// An NPY file of two numbers of a kind, in the header that its format prescribes.
+fn npy_of(kind: &str, numbers: &[u8]) -> Result<Field> {
+    let header = format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': (1, 2), }}\n");
+    let length = u16::try_from(header.len()).unwrap().to_le_bytes();
+    let parts: [&[u8]; 4] = [b"\x93NUMPY\x01\x00", &length, header.as_bytes(), numbers];
+    io::npy::parse(&parts.concat(), [1.0, 1.0])
+}
+
+/// The least and the greatest of every whole number, in both orders of bytes.
+#[test]
+fn npy_of_every_whole_number() {
+    macro_rules! check {
+        ($($number:ty: $kind:literal),*) => {$(
+            let ends = [<$number>::MIN, <$number>::MAX];
+            let expected = ends.map(|end| i128::from(end) as f64);
+            for (order, bytes) in [
+                ("<", ends.map(<$number>::to_le_bytes)),
+                (">", ends.map(<$number>::to_be_bytes)),
+            ] {
+                let kind = format!("{order}{}", $kind);
+                let field = npy_of(&kind, bytes.as_flattened()).unwrap();
+                assert_eq!(field.as_slice(), expected, "{kind}");
+            }
+        )*};
+    }
+    check!(i8: "i1", i16: "i2", i32: "i4", i64: "i8", u8: "u1", u16: "u2", u32: "u4", u64: "u8");
+}
+
+#[test]
+fn matrices_in_text() {
+    for name in ["spaces.asc", "commas.csv", "tabs_decimal_commas.txt"] {
+        check(name, &io::csv::read(path(name), SPACING), 1.0, 0.0, false);
+    }
+}
+
+#[test]
+fn points_in_any_order_and_with_a_gap() {
+    for name in ["shuffled_whole.xyz", "gap.xyz"] {
+        check(name, &io::xyz::read(path(name)), 1.0, 1e-15, false);
+        check(name, &io::read(path(name)), 1.0, 1e-15, false);
+    }
+}
+
+#[test]
+fn sdf_in_both_forms_and_all_kinds_of_number() {
+    for (name, tolerance) in [
+        ("f8.sdf", 1e-15),
+        ("text.sdf", 1e-9),
+        ("i2.sdf", 1e-15),
+        ("i4.sdf", 1e-15),
+        ("f4.sdf", 1e-15),
+    ] {
+        check(name, &io::sdf::read(path(name)), 1e6, tolerance, false);
+        check(name, &io::read(path(name)), 1e6, tolerance, false);
+    }
+}
+
+#[test]
+fn sur_of_16_and_32_bits() {
+    for (name, tolerance) in [("i4.sur", 1e-7), ("i2_eighths_whole.sur", 1e-12)] {
+        check(name, &io::sur::read(path(name)), 1e6, tolerance, true);
+        check(name, &io::read(path(name)), 1e6, tolerance, true);
+    }
+}
+
+#[cfg(feature = "x3p")]
+#[test]
+fn x3p_of_every_kind_of_number() {
+    for (name, tolerance) in [
+        // Half a step of 65535 over the range of 2.875 micrometres.
+        ("I.x3p", 2.3e-5),
+        ("L.x3p", 1e-9),
+        ("F.x3p", 1e-7),
+        ("D.x3p", 1e-15),
+        ("surfalize.x3p", 1e-15),
+        ("list.x3p", 1e-15),
+    ] {
+        check(name, &io::x3p::read(path(name)), 1e6, tolerance, false);
+        check(name, &io::read(path(name)), 1e6, tolerance, false);
+    }
+}
+
+#[cfg(not(feature = "x3p"))]
+#[test]
+fn x3p_without_its_feature_is_an_error() {
+    let error = io::read(path("I.x3p")).unwrap_err().to_string();
+    assert_eq!(
+        error,
+        "X3P, at byte 0: reading it requires the cargo feature `x3p`"
+    );
+}
+
+#[test]
+fn a_file_that_cannot_be_recognised_is_refused() {
+    for name in ["f8.npy", "commas.csv"] {
+        let error = io::read(path(name)).err();
+        assert!(matches!(error, Some(Error::Format { .. })), "{error:?}");
+    }
+    let error = io::read(path("absent.sdf")).err();
+    assert!(matches!(error, Some(Error::File { path, .. }) if path.ends_with("absent.sdf")));
+}

@@ -1,0 +1,200 @@
+//! A field written to a file and read again is the same to the last bit.
+
+use std::path::PathBuf;
+
+use proptest::prelude::*;
+use stickslip::{Error, Field, Grid, io};
+
+/// Values that are easily lost.
+const DELICATE: [f64; 14] = [
+    0.0,
+    -0.0,
+    5e-324,
+    -5e-324,
+    2.225_073_858_507_201e-308,
+    f64::MIN_POSITIVE,
+    f64::MAX,
+    f64::EPSILON,
+    0.1,
+    -1.0 / 3.0,
+    1e23,
+    -9007199254740993.0,
+    f64::NAN,
+    -7e-7,
+];
+
+fn field(nx: usize, ny: usize, sides: [f64; 2], values: impl Iterator<Item = f64>) -> Field {
+    let grid = Grid::new(nx, ny, sides[0], sides[1]).unwrap();
+    Field::from_vec(grid, values.take(nx * ny).collect()).unwrap()
+}
+
+fn delicate_fields() -> Vec<Field> {
+    let sizes = [[1, 1], [1, 7], [7, 1], [2, 7], [5, 4], [14, 3]];
+    let make = |[nx, ny]: [usize; 2]| field(nx, ny, [0.1, 0.7], DELICATE.into_iter().cycle());
+    let mut fields: Vec<Field> = sizes.into_iter().map(make).collect();
+    fields.push(field(1, 3, [1e-9, 3.0], [f64::NAN; 3].into_iter()));
+    fields.push(field(3, 2, [1e-9, 3.0], [f64::NAN; 6].into_iter()));
+    fields
+}
+
+/// The same grid and the same bits, any NaN for any NaN.
+fn same(a: &Field, b: &Field) -> bool {
+    let same = |(a, b): (&f64, &f64)| a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan());
+    a.grid() == b.grid() && a.as_slice().iter().zip(b.as_slice()).all(same)
+}
+
+fn sides(field: &Field) -> [f64; 2] {
+    [field.grid().dx(), field.grid().dy()]
+}
+
+fn temporary(name: &str) -> PathBuf {
+    PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name)
+}
+
+#[test]
+fn through_files() {
+    for (index, field) in delicate_fields().iter().enumerate() {
+        let npy = temporary(&format!("round_trip_{index}.npy"));
+        io::npy::write(&npy, field).unwrap();
+        assert!(same(field, &io::npy::read(&npy, sides(field)).unwrap()));
+
+        let csv = temporary(&format!("round_trip_{index}.csv"));
+        io::csv::write(&csv, field).unwrap();
+        assert!(same(field, &io::csv::read(&csv, sides(field)).unwrap()));
+
+        let sdf = temporary(&format!("round_trip_{index}.sdf"));
+        io::sdf::write(&sdf, field).unwrap();
+        assert!(same(field, &io::sdf::read(&sdf).unwrap()));
+        assert!(same(field, &io::read(&sdf).unwrap()));
+
+        let vti = temporary(&format!("round_trip_{index}.vti"));
+        io::vti::write(&vti, &[("height", field)]).unwrap();
+        let text = std::fs::read_to_string(&vti).unwrap();
+        assert!(same(field, &from_vti(&text, "height", field.grid())));
+    }
+}
+
+#[test]
+fn a_folder_that_is_not_there_is_an_error() {
+    let field = Field::zeros(Grid::new(2, 2, 1.0, 1.0).unwrap());
+    let nowhere = temporary("no_such_folder/field");
+    for result in [
+        io::npy::write(&nowhere, &field),
+        io::csv::write(&nowhere, &field),
+        io::sdf::write(&nowhere, &field),
+        io::vti::write(&nowhere, &[("height", &field)]),
+    ] {
+        assert!(matches!(result, Err(Error::File { path, .. }) if path.contains("no_such_folder")));
+    }
+}
+
+/// The samples of an array of a VTI file, by a decoder of its own.
+fn from_vti(text: &str, name: &str, grid: Grid) -> Field {
+    let start = format!(r#"<DataArray type="Float64" Name="{name}" format="binary">"#);
+    let (_, rest) = text.split_once(&start).unwrap();
+    let (encoded, _) = rest.split_once("</DataArray>").unwrap();
+    let mut bytes = Vec::new();
+    // Padding decodes to zeros, dropped below for they make no word.
+    for four in encoded.as_bytes().chunks(4) {
+        let digit = |&c: &u8| match c {
+            b'A'..=b'Z' => c - b'A',
+            b'a'..=b'z' => c - b'a' + 26,
+            b'0'..=b'9' => c - b'0' + 52,
+            b'+' => 62,
+            b'/' => 63,
+            _ => 0,
+        };
+        let bits = four
+            .iter()
+            .fold(0, |bits, c| bits << 6 | u32::from(digit(c)));
+        bytes.extend_from_slice(&bits.to_be_bytes()[1..]);
+    }
+    let words = bytes
+        .chunks_exact(8)
+        .map(|word| u64::from_le_bytes(word.try_into().unwrap()));
+    let words: Vec<u64> = words.collect();
+    assert_eq!(words[0], 8 * grid.cells() as u64);
+    assert_eq!(encoded.len(), (8 * words.len()).div_ceil(3) * 4);
+    let samples = words[1..].iter().map(|&bits| f64::from_bits(bits));
+    Field::from_vec(grid, samples.collect()).unwrap()
+}
+
+#[test]
+fn several_fields_in_one_vti_file() {
+    let grid = Grid::new(3, 2, 0.5, 0.25).unwrap();
+    let pressure = Field::from_fn(grid, |x, y| x + 10.0 * y);
+    let gap = Field::from_fn(grid, |x, y| x * y);
+    let name = "gap <h> & \"more\"";
+    let file = temporary("two_fields.vti");
+    io::vti::write(&file, &[("pressure", &pressure), (name, &gap)]).unwrap();
+    let text = std::fs::read_to_string(file).unwrap();
+    assert!(
+        text.contains(r#"WholeExtent="0 3 0 2 0 0" Origin="-0.75 -0.25 0" Spacing="0.5 0.25 1""#)
+    );
+    assert!(same(&pressure, &from_vti(&text, "pressure", grid)));
+    let escaped = "gap &lt;h&gt; &amp; &quot;more&quot;";
+    assert!(same(&gap, &from_vti(&text, escaped, grid)));
+
+    let other = Field::zeros(Grid::new(2, 3, 0.5, 0.25).unwrap());
+    for (fields, entry) in [
+        (vec![], "CellData"),
+        (vec![("a", &gap), ("b", &other)], "b"),
+        (vec![("a", &gap), ("a", &gap)], "a"),
+        (vec![("a", &gap), ("", &gap)], ""),
+        (vec![("a\n", &gap)], "a\n"),
+    ] {
+        let error = io::vti::to_bytes(&fields).err();
+        let place = io::Place::Entry(entry.into());
+        assert!(matches!(error, Some(Error::Format { format: "VTI", place: p, .. }) if p == place));
+    }
+}
+
+#[test]
+fn a_side_longer_than_an_sdf_file_can_say_is_refused() {
+    let field = Field::zeros(Grid::new(1, 65536, 1.0, 1.0).unwrap());
+    let error = io::sdf::to_bytes(&field).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "SDF, in NumProfiles: 65536 points exceed 65535"
+    );
+}
+
+/// Any field of any doubles, infinities included.
+fn any_field() -> impl Strategy<Value = Field> {
+    let value = prop_oneof![
+        any::<u64>().prop_map(f64::from_bits),
+        -1e3..1e3,
+        proptest::sample::select(DELICATE.to_vec()),
+    ];
+    let side = proptest::sample::select(vec![1e-9, 0.1, 1.0, 7.3e4]);
+    (1..9_usize, 1..9_usize, side.clone(), side).prop_flat_map(move |(nx, ny, dx, dy)| {
+        let values = proptest::collection::vec(value.clone(), nx * ny);
+        values.prop_map(move |values| field(nx, ny, [dx, dy], values.into_iter()))
+    })
+}
+
+proptest! {
+    #[test]
+    fn of_any_field(field in any_field()) {
+        let npy = io::npy::parse(&io::npy::to_bytes(&field), sides(&field)).unwrap();
+        let bits = |field: &Field| -> Vec<u64> {
+            field.as_slice().iter().map(|z| z.to_bits()).collect()
+        };
+        prop_assert_eq!(bits(&npy), bits(&field));
+        prop_assert_eq!(npy.grid(), field.grid());
+        prop_assert!(same(&io::csv::parse(&io::csv::to_bytes(&field), sides(&field)).unwrap(), &field));
+
+        let vti = io::vti::to_bytes(&[("height", &field)]).unwrap();
+        let text = String::from_utf8(vti).unwrap();
+        prop_assert!(same(&from_vti(&text, "height", field.grid()), &field));
+
+        // These two mean a missing point in an SDF file.
+        let mut measured = field;
+        for z in measured.as_mut_slice() {
+            if *z <= f64::MIN {
+                *z = f64::NAN;
+            }
+        }
+        prop_assert!(same(&io::sdf::parse(&io::sdf::to_bytes(&measured).unwrap()).unwrap(), &measured));
+    }
+}

@@ -1,0 +1,201 @@
+//! A fretting loop takes its path to the same bits as steps by hand, stops where the loop is steady, and says
+//! so when it is not; a failed step leaves the history after the last good one.
+
+use std::ops::ControlFlow;
+
+use kit::unit_bodies;
+use stickslip::history::{Cycle, FrettingLoop, LoadPath, LoopEnding, wear};
+use stickslip::{
+    Axis, Error, Field, Friction, Grid, HalfSpace, History, TangentialModel, LoadStep, NormalControl,
+    TangentialControl, surface,
+};
+
+const FRICTION: f64 = 0.4;
+const LOAD: f64 = 4.0;
+const LIMIT: f64 = FRICTION * LOAD;
+
+fn scene() -> (HalfSpace, Field) {
+    let grid = Grid::square(48, 12.0).unwrap();
+    let ball = surface::sphere(grid, 20.0).unwrap();
+    (unit_bodies(grid, 0.3), ball)
+}
+
+/// The sphere, along an axis or in the plane, under its load.
+fn pressed(axis: Option<Axis>) -> History {
+    let (bodies, ball) = scene();
+    let builder = History::builder(&bodies, &ball, Friction::coulomb(FRICTION).unwrap());
+    let builder = match axis {
+        Some(axis) => builder.axis(axis),
+        None => builder.model(TangentialModel::Vector),
+    };
+    let mut history = builder.tolerance(1e-7).build().unwrap();
+    let press = LoadStep::hold().normal(NormalControl::Force(LOAD));
+    history.step(&press).unwrap();
+    history
+}
+
+#[test]
+fn it_takes_the_steps_of_its_path() {
+    for (axis, along) in [(Axis::X, [1.0, 0.0]), (Axis::Y, [0.0, 1.0])] {
+        let path = LoadPath::sine(along.map(|part| 0.6 * LIMIT * part), 8).unwrap();
+        let (mut driven, mut twin) = (pressed(Some(axis)), pressed(Some(axis)));
+        let fretting = FrettingLoop::new(path.clone(), LoadStep::force);
+        let outcome = fretting.run(&mut driven, 3).unwrap();
+        assert_eq!(
+            (outcome.cycles, outcome.ending),
+            (3, LoopEnding::CycleLimit)
+        );
+        for force in path.cycles(3) {
+            let force = force[axis.index()];
+            twin.step(&LoadStep::hold().tangential(axis, TangentialControl::Force(force)))
+                .unwrap();
+        }
+        assert_eq!(driven.to_bytes(), twin.to_bytes());
+
+        // Cycle by cycle, the same again.
+        let (mut again, mut cycle) = (pressed(Some(axis)), Cycle::new(&driven));
+        for _ in 0..3 {
+            fretting.cycle(&mut again, &mut cycle).unwrap();
+        }
+        assert_eq!(again.to_bytes(), twin.to_bytes());
+        assert_eq!(cycle, outcome.last);
+    }
+}
+
+/// After a first loading the second cycle closes; in the plane the tractions across take some more.
+#[test]
+fn it_stops_where_the_loop_is_steady() {
+    let quarter = std::f64::consts::FRAC_PI_2;
+    let by_force = |y| LoadPath::ellipse([0.7 * LIMIT, y * LIMIT], quarter, 16).unwrap();
+    let by_shift = LoadPath::triangle([0.4, 0.0], 16).unwrap();
+    let load = |force: [f64; 2]| LoadStep::force(force).normal(NormalControl::Force(LOAD));
+    let sheared = FrettingLoop::new(by_force(0.0), load).until_steady(1e-4);
+    let shifted = FrettingLoop::new(by_shift, LoadStep::shift).until_steady(1e-4);
+    let mut along = [(); 2].map(|()| pressed(Some(Axis::X)));
+    for outcome in [
+        sheared.run(&mut along[0], 20).unwrap(),
+        shifted.run(&mut along[1], 20).unwrap(),
+    ] {
+        assert_eq!((outcome.cycles, outcome.ending), (2, LoopEnding::Steady));
+        assert!(outcome.last.closure() <= 1e-4);
+        assert_eq!(outcome.last.steps(), 16);
+    }
+    let outcome = sheared.run(&mut pressed(None), 20).unwrap();
+    assert_eq!(outcome.ending, LoopEnding::Steady);
+    assert!((2..=8).contains(&outcome.cycles));
+    // Round an ellipse too, and then it stays what it is.
+    let round = FrettingLoop::new(by_force(0.4), LoadStep::force).until_steady(1e-3);
+    let mut history = pressed(None);
+    let outcome = round.run(&mut history, 20).unwrap();
+    assert_eq!(outcome.ending, LoopEnding::Steady);
+    assert!((2..=8).contains(&outcome.cycles));
+    let next = round.run(&mut history, 20).unwrap();
+    assert_eq!((next.cycles, next.ending), (1, LoopEnding::Steady));
+    let energies = [&outcome, &next].map(|outcome| outcome.last.energy().dissipated);
+    assert!((energies[1] / energies[0] - 1.0).abs() < 1e-2);
+}
+
+#[test]
+fn it_says_when_the_loop_is_not_steady() {
+    let path = LoadPath::sine([0.7 * LIMIT, 0.0], 8).unwrap();
+    let fretting = FrettingLoop::new(path, LoadStep::force).until_steady(1e-4);
+    let mut history = pressed(Some(Axis::X));
+    let outcome = fretting.run(&mut history, 1).unwrap();
+    assert_eq!(
+        (outcome.cycles, outcome.ending),
+        (1, LoopEnding::CycleLimit)
+    );
+    assert!(outcome.last.closure() > 0.1);
+    let none = fretting.run(&mut history, 0).unwrap();
+    assert_eq!((none.cycles, none.last.steps()), (0, 0));
+
+    // A contact that wears under its loop does not come to rest.
+    let (bodies, mut gap) = scene();
+    let friction = Friction::coulomb(FRICTION).unwrap();
+    let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
+    let path = LoadPath::sine([0.3, 0.0], 8).unwrap();
+    let load = |shift| LoadStep::shift(shift).normal(NormalControl::Force(LOAD));
+    let outcome = FrettingLoop::new(path, load)
+        .until_steady(1e-4)
+        .run_observed(&mut history, 4, |history, _| {
+            let energy = history.last_step().dissipation();
+            wear::dissipated_energy(0.5, energy, &mut gap)?;
+            history.set_gap(&gap)?;
+            Ok(ControlFlow::Continue(()))
+        })
+        .unwrap();
+    assert_eq!(
+        (outcome.cycles, outcome.ending),
+        (4, LoopEnding::CycleLimit)
+    );
+    assert!(outcome.last.closure() > 1e-3);
+    assert!(history.gap() == &gap && gap != scene().1);
+}
+
+#[test]
+fn its_observer_sees_every_step_and_may_break_off() {
+    let path = LoadPath::sine([0.7 * LIMIT, 0.0], 8).unwrap();
+    let fretting = FrettingLoop::new(path.clone(), LoadStep::force);
+    let mut history = pressed(Some(Axis::X));
+    let before = history.steps();
+    let mut seen = Vec::new();
+    let outcome = fretting
+        .run_observed(&mut history, 5, |history, cycle| {
+            seen.push((history.steps() - before, cycle.steps()));
+            Ok(if seen.len() == 11 {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            })
+        })
+        .unwrap();
+    assert_eq!((outcome.cycles, outcome.ending), (1, LoopEnding::Stopped));
+    assert_eq!(outcome.last.steps(), 3);
+    assert_eq!(seen.len(), 11);
+    assert!(
+        seen.iter()
+            .enumerate()
+            .all(|(n, &step)| step == (n as u64 + 1, n % 8 + 1))
+    );
+    // What the observer finds wrong ends the loop too.
+    let refused = fretting.run_observed(&mut history, 1, |_, _| Err(Error::EmptyContact));
+    assert_eq!(refused.unwrap_err(), Error::EmptyContact);
+}
+
+#[test]
+fn a_failed_step_leaves_the_history_after_the_last_good_one() {
+    let mut history = pressed(Some(Axis::X));
+    let mut twin = pressed(Some(Axis::X));
+    let path = LoadPath::table(
+        [0.3, -0.4, 0.5, 1.1]
+            .map(|part| [part * LIMIT, 0.0])
+            .to_vec(),
+    );
+    let path = path.unwrap();
+    for &force in &path.steps()[..3] {
+        twin.step(&LoadStep::force(force)).unwrap();
+    }
+    let fretting = FrettingLoop::new(path, LoadStep::force);
+    let mut cycle = Cycle::new(&history);
+    let failed = fretting.cycle(&mut history, &mut cycle);
+    assert!(matches!(failed, Err(Error::BeyondSliding { .. })));
+    assert_eq!((history.steps(), cycle.steps()), (4, 3));
+    assert_eq!(history.to_bytes(), twin.to_bytes());
+}
+
+#[test]
+fn bad_requests_are_refused_before_any_step() {
+    let mut history = pressed(Some(Axis::X));
+    let before = history.to_bytes();
+    let path = LoadPath::sine([0.0, 0.1], 4).unwrap();
+    for tolerance in [0.0, 1.0, -1e-3, f64::NAN] {
+        let fretting = FrettingLoop::new(path.clone(), LoadStep::force).until_steady(tolerance);
+        let refused = fretting.run(&mut history, 3).unwrap_err();
+        assert!(matches!(refused, Error::Tolerance(_)));
+    }
+    // A path across the axis of the history.
+    let fretting = FrettingLoop::new(path, LoadStep::force);
+    let refused = fretting.run(&mut history, 3).unwrap_err();
+    assert!(matches!(refused, Error::NotModelled { .. }));
+    assert_eq!(history.to_bytes(), before);
+}

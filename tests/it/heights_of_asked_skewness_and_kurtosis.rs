@@ -1,0 +1,175 @@
+//! A self-affine surface takes the skewness and kurtosis asked for and keeps its spectrum.
+
+use kit::max_difference;
+use kit::waves::waves;
+use stickslip::surface::{Amplitudes, SelfAffine};
+use stickslip::{Error, Field, Grid};
+
+const SKEWNESSES: [f64; 5] = [-1.0, -0.5, 0.0, 0.5, 1.0];
+const KURTOSES: [f64; 6] = [2.5, 3.0, 3.5, 4.0, 5.0, 6.0];
+
+/// Skewness and kurtosis of samples.
+fn moments(field: &Field) -> [f64; 2] {
+    let samples = field.as_slice();
+    let count = samples.len() as f64;
+    let mean = samples.iter().sum::<f64>() / count;
+    let central = |power| samples.iter().map(|z| (z - mean).powi(power)).sum::<f64>() / count;
+    let square = central(2);
+    [central(3) / square.powf(1.5), central(4) / square.powi(2)]
+}
+
+fn moduli(field: &Field) -> Vec<f64> {
+    waves(field)
+        .iter()
+        .map(|wave| wave.power().sqrt())
+        .collect()
+}
+
+/// Waves over a decade of lengths: without a plateau, where a few long ones dominate, and with one.
+fn scenes() -> [(Grid, SelfAffine); 3] {
+    let asked = SelfAffine::with_rms_height(1.0);
+    [
+        (Grid::square(64, 64.0).unwrap(), asked),
+        (
+            Grid::new(80, 63, 1.0, 1.2).unwrap(),
+            asked.cut_off_wavelength(6.0).hurst(0.5),
+        ),
+        (
+            Grid::square(96, 96.0).unwrap(),
+            asked.roll_off_wavelength(16.0).cut_off_wavelength(4.0),
+        ),
+    ]
+}
+
+#[test]
+fn skewness_and_kurtosis_are_met_at_an_unchanged_spectrum() {
+    for (grid, asked) in scenes() {
+        for seed in 0..2 {
+            let asked = asked.seed(seed);
+            let plain = asked.generate(grid).unwrap();
+            assert_eq!(plain.iterations(), 0);
+            let spectrum = moduli(plain.heights());
+            for skewness in SKEWNESSES {
+                for kurtosis in KURTOSES {
+                    let asked = asked.skewness(skewness).kurtosis(kurtosis);
+                    let surface = asked.generate(grid).unwrap();
+                    let found = moments(surface.heights());
+                    let expected = [skewness, kurtosis];
+                    assert!(max_difference(&found, &expected) < 2e-9, "{found:?}");
+                    let reported = [surface.skewness(), surface.kurtosis()];
+                    assert!(max_difference(&found, &reported) < 1e-12);
+                    assert!((surface.rms_height() - 1.0).abs() < 1e-12);
+                    assert!((surface.rms_slope() / plain.rms_slope() - 1.0).abs() < 1e-12);
+                    let kept = moduli(surface.heights());
+                    assert!(max_difference(&kept, &spectrum) < 1e-14);
+                    assert!((1..80).contains(&surface.iterations()));
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn cropped_and_gaussian_surfaces_take_them_too() {
+    let grid = Grid::new(60, 49, 1.0, 1.2).unwrap();
+    let asked = SelfAffine::with_rms_slope(0.1).cut_off_wavelength(4.0);
+    for seed in 0..3 {
+        let asked = asked.seed(seed).skewness(-0.7).kurtosis(4.5);
+        let surface = asked.cropped().generate(grid).unwrap();
+        assert!(max_difference(&moments(surface.heights()), &[-0.7, 4.5]) < 2e-9);
+        assert!((surface.rms_slope() / 0.1 - 1.0).abs() < 1e-12);
+        let surface = asked
+            .amplitudes(Amplitudes::Gaussian)
+            .generate(grid)
+            .unwrap();
+        assert!(max_difference(&moments(surface.heights()), &[-0.7, 4.5]) < 2e-9);
+    }
+}
+
+#[test]
+fn the_one_not_given_is_that_of_a_gaussian_surface() {
+    let grid = Grid::square(48, 1.0).unwrap();
+    let asked = SelfAffine::with_rms_height(1.0);
+    for (asked, expected) in [
+        (asked.skewness(0.6), [0.6, 3.0]),
+        (asked.kurtosis(3.8), [0.0, 3.8]),
+    ] {
+        let surface = asked.generate(grid).unwrap();
+        assert!(max_difference(&moments(surface.heights()), &expected) < 2e-9);
+    }
+}
+
+/// Many cells follow the distribution, not a few extreme ones. With skewness 1 and the kurtosis of the
+/// lognormal distribution `exp(w g)` of that skewness, w = 0.31436, the heights below which 16, 50 and
+/// 84 in a hundred lie are those of `g = -1, 0, 1`.
+#[test]
+fn heights_follow_the_johnson_distribution() {
+    const WIDTH: f64 = 0.314_361;
+    let omega = (WIDTH * WIDTH).exp();
+    let kurtosis = omega.powi(4) + 2.0 * omega.powi(3) + 3.0 * omega.powi(2) - 3.0;
+    let grid = Grid::square(128, 128.0).unwrap();
+    let asked = SelfAffine::with_rms_height(1.0)
+        .roll_off_wavelength(16.0)
+        .cut_off_wavelength(4.0);
+    let surface = asked
+        .skewness(1.0)
+        .kurtosis(kurtosis)
+        .generate(grid)
+        .unwrap();
+    let mut heights = surface.into_heights().into_vec();
+    heights.sort_by(f64::total_cmp);
+    // Of 128^2 heights.
+    for (rank, normal) in [(2600, -1.0), (8192, 0.0), (13784, 1.0)] {
+        let height = heights[rank];
+        let mean = (0.5 * WIDTH * WIDTH).exp();
+        let expected = ((WIDTH * normal).exp() - mean) / (mean * (omega - 1.0).sqrt());
+        assert!((height - expected).abs() < 0.02, "{height} {expected}");
+    }
+}
+
+#[test]
+fn what_cannot_be_is_refused() {
+    let grid = Grid::square(64, 64.0).unwrap();
+    let asked = SelfAffine::with_rms_height(1.0);
+    for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for asked in [asked.skewness(value), asked.kurtosis(value)] {
+            let error = asked.generate(grid).unwrap_err();
+            assert!(
+                matches!(error, Error::NotFinite { value: v, .. } if v.to_bits() == value.to_bits())
+            );
+        }
+    }
+    let error = asked
+        .skewness(1.5)
+        .kurtosis(3.2)
+        .generate(grid)
+        .unwrap_err();
+    assert!(
+        matches!(
+            error,
+            Error::Below {
+                quantity: "kurtosis",
+                value: 3.2,
+                least: 3.25,
+                ..
+            }
+        ),
+        "{error}"
+    );
+    // Only two heights have the least kurtosis, and a few long waves cannot make a needle.
+    for (skewness, kurtosis) in [(0.0, 1.0), (1.0, 2.0), (0.0, 40.0), (4.0, 18.0)] {
+        let asked = asked.skewness(skewness).kurtosis(kurtosis);
+        let error = asked.generate(grid).unwrap_err();
+        assert!(
+            matches!(error, Error::HeightsNotReached { reached, .. } if reached.iter().all(|m| m.is_finite())),
+            "{error}"
+        );
+    }
+    // A single wave has its own.
+    let line = Grid::new(64, 1, 1.0, 1.0).unwrap();
+    let wave = asked.longest_wavelength(32.0).cut_off_wavelength(32.0);
+    let error = wave.kurtosis(2.0).generate(line).unwrap_err();
+    assert!(
+        matches!(error, Error::HeightsNotReached { reached, .. } if (reached[1] - 1.5).abs() < 1e-12)
+    );
+}

@@ -1,0 +1,160 @@
+//! A sphere sheared to and fro under a constant load follows Mindlin and Deresiewicz: traction, shift and
+//! energy, the better the finer the cells, whatever the steps.
+
+use kit::{Table2, l2_difference, max_difference};
+use stickslip::analytical::{CattaneoMindlin, HertzSphere};
+use stickslip::{
+    Axis, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl, TangentialControl, Zone,
+    surface,
+};
+
+/// Largest force over the friction limit.
+const AMPLITUDE: f64 = 0.8;
+const LIMIT: f64 = Table2::FRICTION * Table2::FORCE;
+
+/// The sphere of Table 2, pressed; 1.3 contact diameters on a side.
+fn pressed(cells: usize, tolerance: f64) -> History {
+    let grid = Grid::square(cells, 2.6 * Table2::CONTACT_RADIUS).unwrap();
+    let bodies = HalfSpace::new(grid, Table2::pair()).unwrap();
+    let ball = surface::sphere(grid, Table2::RADIUS).unwrap();
+    let friction = Friction::coulomb(Table2::FRICTION).unwrap();
+    let builder = History::builder(&bodies, &ball, friction).tolerance(tolerance);
+    let mut history = builder.build().unwrap();
+    let press = LoadStep::hold().normal(NormalControl::Force(Table2::FORCE));
+    history.step(&press).unwrap();
+    history
+}
+
+/// To a part of the friction limit, in equal steps.
+fn shear_to(history: &mut History, part: f64, steps: usize) {
+    let start = history.force()[0];
+    for step in 1..=steps {
+        let force = start + (part * LIMIT - start) * step as f64 / steps as f64;
+        let load = LoadStep::hold().tangential(Axis::X, TangentialControl::Force(force));
+        history.step(&load).unwrap();
+    }
+}
+
+/// The monotonic solution under a part of the friction limit.
+fn monotonic(part: f64) -> CattaneoMindlin {
+    let hertz = HertzSphere::new(&Table2::pair(), Table2::RADIUS, Table2::FORCE).unwrap();
+    CattaneoMindlin::new(hertz, Table2::FRICTION, part * LIMIT).unwrap()
+}
+
+/// Traction and shift on the way back from `AMPLITUDE`: that of the way there, less twice that of half the
+/// change.
+fn unloading(part: f64) -> (impl Fn(f64) -> f64, f64) {
+    let (there, back) = (monotonic(AMPLITUDE), monotonic(0.5 * (AMPLITUDE - part)));
+    let shift = there.shift() - 2.0 * back.shift();
+    (move |r| there.traction(r) - 2.0 * back.traction(r), shift)
+}
+
+fn difference_from(history: &History, traction: impl Fn(f64) -> f64) -> f64 {
+    let exact = Field::from_fn(history.grid(), |x, y| traction(x.hypot(y)));
+    l2_difference(history.traction()[0].as_slice(), exact.as_slice())
+}
+
+/// Errors of shift, over that of sliding, and of traction on the way back to `part`.
+fn errors(cells: usize, part: f64) -> [f64; 2] {
+    let mut history = pressed(cells, 1e-9);
+    shear_to(&mut history, AMPLITUDE, 4);
+    shear_to(&mut history, part, 6);
+    let (traction, shift) = unloading(part);
+    let scale = monotonic(AMPLITUDE).sliding_shift();
+    [
+        (history.shift()[0] - shift).abs() / scale,
+        difference_from(&history, traction),
+    ]
+}
+
+#[test]
+fn traction_and_shift_on_the_way_back() {
+    for part in [0.4, 0.0, -0.5, -AMPLITUDE] {
+        let [coarse, middle, fine] = [48, 96, 192].map(|cells| errors(cells, part));
+        // The shift of slip zones is of order 3/2 at least, and erratic; tractions are of order 1.
+        for ([shift, traction], bounds) in [
+            (coarse, [3e-4, 8e-2]),
+            (middle, [3e-5, 3e-2]),
+            (fine, [1e-5, 1.5e-2]),
+        ] {
+            assert!(shift < bounds[0], "{part}: {shift:e}");
+            assert!(traction < bounds[1], "{part}: {traction:e}");
+        }
+        assert!(fine[1] < 0.35 * coarse[1]);
+    }
+}
+
+#[test]
+fn energy_of_a_cycle() {
+    let exact = 4.0 * monotonic(AMPLITUDE).dissipated_energy();
+    let energy = |history: &History| history.dissipated_energy().as_slice().iter().sum::<f64>();
+    for (cells, bound) in [(48, 4e-4), (96, 8e-5), (192, 5e-5)] {
+        let mut history = pressed(cells, 1e-9);
+        shear_to(&mut history, AMPLITUDE, 1);
+        let before = energy(&history);
+        shear_to(&mut history, -AMPLITUDE, 3);
+        shear_to(&mut history, AMPLITUDE, 3);
+        let error = (energy(&history) - before) / exact - 1.0;
+        assert!(error.abs() < bound, "{cells}: {error:e}");
+    }
+}
+
+/// The end of a cycle is its beginning, and that of a half is its mirror image, whatever the steps.
+#[test]
+fn steps_do_not_matter() {
+    let mut ends: Vec<History> = Vec::new();
+    for steps in [2, 8, 32] {
+        let mut history = pressed(64, 1e-9);
+        shear_to(&mut history, AMPLITUDE, steps);
+        let there = history.traction()[0].clone();
+        shear_to(&mut history, -AMPLITUDE, 2 * steps);
+        let back: Vec<f64> = history.traction()[0]
+            .as_slice()
+            .iter()
+            .map(|q| -q)
+            .collect();
+        let largest = there.max();
+        assert!(max_difference(&back, there.as_slice()) < 1e-6 * largest);
+        shear_to(&mut history, AMPLITUDE, 2 * steps);
+        let again = history.traction()[0].as_slice();
+        assert!(max_difference(again, there.as_slice()) < 1e-6 * largest);
+        shear_to(&mut history, 0.3, steps);
+        ends.push(history);
+    }
+    let [few, others @ ..] = &ends[..] else {
+        unreachable!("three histories")
+    };
+    for many in others {
+        let scale = few.traction()[0].max();
+        let [a, b] = [few, many].map(|history| history.traction()[0].as_slice());
+        assert!(max_difference(a, b) < 1e-6 * scale);
+        assert!((few.shift()[0] / many.shift()[0] - 1.0).abs() < 1e-7);
+        let [a, b] = [few, many].map(|history| history.slip_path().as_slice());
+        assert!(max_difference(a, b) < 1e-6 * few.slip_path().max());
+        let [a, b] = [few, many].map(|history| history.dissipated_energy().integral());
+        assert!((a / b - 1.0).abs() < 1e-7, "{a:e} {b:e}");
+        let [a, b] = [few, many].map(stuck);
+        assert_eq!(a, b);
+    }
+}
+
+fn stuck(history: &History) -> usize {
+    let zones = history.zones().iter();
+    zones.filter(|&&zone| zone == Zone::Stick).count()
+}
+
+/// Forty steps a cycle cost two or three products in double precision each, and eighteen in single at most.
+#[test]
+fn a_warm_step_is_cheap() {
+    let mut history = pressed(256, 1e-6);
+    shear_to(&mut history, AMPLITUDE, 10);
+    let (mut double, mut single) = (0, 0);
+    for step in 1..=40 {
+        let part = AMPLITUDE * (std::f64::consts::TAU * f64::from(step) / 40.0).cos();
+        shear_to(&mut history, part, 1);
+        let report = history.last_step().tangential_report().unwrap();
+        double += report.convolutions;
+        single += report.rough_convolutions;
+    }
+    assert!(double <= 40 * 3 && single <= 40 * 18, "{double} + {single}");
+}

@@ -1,0 +1,236 @@
+//! A history saved and restored, or copied, goes on to the same bits; bytes that are no such history are refused.
+
+use kit::{rough, unit_bodies, unit_pair};
+use stickslip::history::State;
+use stickslip::io::Place;
+use stickslip::{
+    Axis, Boundary, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl,
+    TangentialControl, Warning, surface,
+};
+
+fn run(history: &mut History, forces: &[[f64; 2]]) {
+    let axis = history.axis().unwrap();
+    for &[normal, tangential] in forces {
+        let step = LoadStep::hold()
+            .normal(NormalControl::Force(normal))
+            .tangential(axis, TangentialControl::Force(tangential));
+        history.step(&step).unwrap();
+    }
+}
+
+const FIRST: [[f64; 2]; 3] = [[4.0, 0.0], [6.0, 2.0], [6.0, -2.0]];
+const THEN: [[f64; 2]; 4] = [[6.0, 0.0], [9.0, 3.0], [2.0, 0.5], [40.0, -3.0]];
+
+fn scenes() -> Vec<(HalfSpace, Field, Friction)> {
+    let grid = Grid::new(60, 49, 0.5, 0.7).unwrap();
+    let uniform = Friction::coulomb(0.45).unwrap().shear_cap(0.3).unwrap();
+    let coefficients = Field::from_fn(grid, |x, _| 0.4 + 0.001 * x);
+    let per_cell = Friction::per_cell(coefficients).unwrap();
+    let periodic = HalfSpace::with_boundary(grid, unit_pair(0.2), Boundary::Periodic).unwrap();
+    let ball = surface::sphere(grid, 40.0).unwrap();
+    vec![
+        (unit_bodies(grid, 0.3), ball, uniform),
+        (unit_bodies(grid, 0.1), rough(grid, 2), per_cell.clone()),
+        (periodic, rough(grid, 6), per_cell),
+    ]
+}
+
+#[test]
+fn to_the_same_bits() {
+    for (bodies, gap, friction) in scenes() {
+        for axis in [Axis::X, Axis::Y] {
+            let builder = History::builder(&bodies, &gap, friction.clone());
+            let mut history = builder.axis(axis).tolerance(1e-7).build().unwrap();
+            // Before anything has touched, too.
+            for forces in [&[][..], &FIRST, &THEN[..2]] {
+                run(&mut history, forces);
+                let saved = history.to_bytes();
+                let mut restored = History::from_bytes(&bodies, &saved).unwrap();
+                assert_eq!(restored.to_bytes(), saved);
+                assert_eq!(restored.steps(), history.steps());
+                run(&mut restored, &THEN);
+
+                let mut whole = History::from_bytes(&bodies, &saved).unwrap();
+                for force in &THEN {
+                    run(&mut whole, std::slice::from_ref(force));
+                    whole = History::from_bytes(&bodies, &whole.to_bytes()).unwrap();
+                }
+                assert_eq!(whole.to_bytes(), restored.to_bytes());
+
+                let mut copy = history.clone();
+                run(&mut copy, &THEN);
+                assert_eq!(copy.to_bytes(), restored.to_bytes());
+                assert_eq!(history.to_bytes(), saved);
+
+                let mut uninterrupted = builder_run(&bodies, &gap, &friction, axis, &history);
+                run(&mut uninterrupted, &THEN);
+                assert_eq!(uninterrupted.to_bytes(), restored.to_bytes());
+            }
+        }
+    }
+}
+
+/// The same steps again, without a save.
+fn builder_run(
+    bodies: &HalfSpace,
+    gap: &Field,
+    friction: &Friction,
+    axis: Axis,
+    model: &History,
+) -> History {
+    let builder = History::builder(bodies, gap, friction.clone());
+    let mut history = builder.axis(axis).tolerance(1e-7).build().unwrap();
+    let all: Vec<_> = FIRST.into_iter().chain(THEN).collect();
+    let steps = usize::try_from(model.steps()).unwrap();
+    run(&mut history, &all[..steps]);
+    history
+}
+
+fn saved() -> (HalfSpace, Vec<u8>) {
+    let (bodies, gap, friction) = scenes().swap_remove(0);
+    let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
+    run(&mut history, &FIRST);
+    let bytes = history.to_bytes();
+    (bodies, bytes)
+}
+
+#[test]
+fn damaged_bytes_are_refused() {
+    let (bodies, bytes) = saved();
+    let problem = |bytes: &[u8]| match History::from_bytes(&bodies, bytes) {
+        Err(Error::Format { problem, .. }) => problem,
+        other => panic!("{other:?}"),
+    };
+    assert!(problem(b"").contains("magic"));
+    assert!(problem(b"nothing of the kind").contains("do not begin"));
+    let mut newer = bytes.clone();
+    for version in [2, 4] {
+        newer[8] = version;
+        assert!(problem(&newer).contains(&format!("version {version} is unknown")));
+    }
+    for length in [9, 15, 20, 27, 100, bytes.len() / 2, bytes.len() - 1] {
+        problem(&bytes[..length]);
+    }
+    problem(&[&bytes[..], &[0]].concat());
+    for place in (12..bytes.len()).step_by(bytes.len() / 97) {
+        let mut damaged = bytes.clone();
+        damaged[place] ^= 0x10;
+        problem(&damaged);
+    }
+}
+
+/// FNV-1a, to make bytes that are damaged and hang together.
+fn sealed(mut bytes: Vec<u8>) -> Vec<u8> {
+    let end = bytes.len() - 8;
+    let sum = bytes[..end]
+        .iter()
+        .fold(0xcbf2_9ce4_8422_2325_u64, |sum, &byte| {
+            (sum ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+        });
+    bytes[end..].copy_from_slice(&sum.to_le_bytes());
+    bytes
+}
+
+#[test]
+fn contents_are_checked_behind_a_right_sum() {
+    let (bodies, bytes) = saved();
+    assert!(History::from_bytes(&bodies, &sealed(bytes.clone())).is_ok());
+    // Not a number, wherever it falls: it is found in scalars, windows and fields.
+    let mut accepted = 0;
+    for place in (20..bytes.len() - 24).step_by(61) {
+        let mut damaged = bytes.clone();
+        damaged[place..place + 16].copy_from_slice(&[0xff; 16]);
+        match State::from_bytes(&sealed(damaged)) {
+            Ok(_) => accepted += 1,
+            Err(Error::Format {
+                place: Place::Byte(byte),
+                ..
+            }) => assert!((20..place as u64 + 16).contains(&byte), "{byte}, {place}"),
+            Err(error) => panic!("{error}"),
+        }
+    }
+    // What no number can be wrong in: the limit of iterations.
+    assert!(accepted <= 1, "{accepted}");
+    let mut longer = bytes.clone();
+    longer.splice(bytes.len() - 8..bytes.len() - 8, [0; 8]);
+    let length = (longer.len() as u64).to_le_bytes();
+    longer[12..20].copy_from_slice(&length);
+    assert!(matches!(
+        History::from_bytes(&bodies, &sealed(longer)),
+        Err(Error::Format { .. })
+    ));
+}
+
+/// The number of steps follows bodies, options and a uniform friction with a cap.
+const STEPS: usize = 20 + (32 + 1 + 32) + (1 + 1 + 8 + 8 + 1) + (1 + 8 + 1 + 8);
+
+#[test]
+fn no_number_of_steps_overflows_later() {
+    let (bodies, bytes) = saved();
+    let with_steps = |steps: u64| {
+        let mut bytes = bytes.clone();
+        assert_eq!(bytes[STEPS..][..8], 3_u64.to_le_bytes());
+        bytes[STEPS..][..8].copy_from_slice(&steps.to_le_bytes());
+        History::from_bytes(&bodies, &sealed(bytes))
+    };
+    for steps in [u64::MAX, (1 << 53) + 1] {
+        let Err(Error::Format { place, problem, .. }) = with_steps(steps) else {
+            panic!("{steps} steps are accepted")
+        };
+        assert_eq!(place, Place::Byte(STEPS as u64));
+        assert!(problem.contains(&steps.to_string()), "{problem}");
+    }
+    let mut history = with_steps(1 << 53).unwrap();
+    run(&mut history, &THEN[..1]);
+    assert_eq!(history.steps(), (1 << 53) + 1);
+}
+
+#[test]
+fn a_claim_of_many_cells_takes_no_memory() {
+    let (_, mut bytes) = saved();
+    bytes[20..28].copy_from_slice(&(1_u64 << 40).to_le_bytes());
+    let bytes = sealed(bytes);
+    let mut refused = None;
+    let work = || refused = State::from_bytes(&bytes).err();
+    let memory = allocation_counter::measure(work).bytes_max;
+    let message = refused.unwrap().to_string();
+    assert!(
+        message.contains("the file ends within the cells"),
+        "{message}"
+    );
+    assert!(memory < 1000, "{memory}");
+}
+
+#[test]
+fn a_pressure_older_than_its_gap_is_still_known_to_be() {
+    let (bodies, gap, friction) = scenes().swap_remove(0);
+    let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
+    run(&mut history, &FIRST);
+    let mut worn = gap;
+    worn.as_mut_slice()[0] += 1.0;
+    history.set_gap(&worn).unwrap();
+    let mut restored = History::from_bytes(&bodies, &history.to_bytes()).unwrap();
+    for history in [&mut history, &mut restored] {
+        assert!(history.state().is_pressure_stale());
+        let step = history.step(&LoadStep::hold()).unwrap();
+        assert_eq!(step.warnings(), [Warning::StalePressure]);
+    }
+}
+
+#[test]
+fn other_bodies_are_refused() {
+    let (bodies, bytes) = saved();
+    let grid = bodies.grid();
+    for other in [
+        Grid::new(49, 60, 0.5, 0.7).unwrap(),
+        Grid::new(60, 49, 0.7, 0.5).unwrap(),
+    ] {
+        let outcome = History::from_bytes(&unit_bodies(other, 0.3), &bytes);
+        assert!(matches!(outcome, Err(Error::GridMismatch { .. })));
+    }
+    let outcome = History::from_bytes(&unit_bodies(grid, 0.31), &bytes);
+    assert!(matches!(outcome, Err(Error::MaterialMismatch { .. })));
+    let periodic = HalfSpace::with_boundary(grid, *bodies.pair(), Boundary::Periodic).unwrap();
+    let outcome = History::from_bytes(&periodic, &bytes);
+    assert!(matches!(outcome, Err(Error::BoundaryMismatch { .. })));
+}

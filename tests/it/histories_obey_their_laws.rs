@@ -1,0 +1,265 @@
+//! Laws that hold for any history: mirror images, nothing without slip, no slip at first touch, traction
+//! within the limit of its own pressure.
+
+use kit::{max_abs, max_difference, rough, unit_bodies};
+use stickslip::{
+    Axis, Error, Field, Friction, Grid, History, LoadStep, NormalControl, TangentialControl, Zone,
+    surface,
+};
+
+const FRICTION: f64 = 0.4;
+
+fn history(gap: &Field, axis: Axis) -> History {
+    let bodies = unit_bodies(gap.grid(), 0.3);
+    let friction = Friction::coulomb(FRICTION).unwrap();
+    let builder = History::builder(&bodies, gap, friction);
+    builder.axis(axis).tolerance(1e-9).build().unwrap()
+}
+
+fn run(history: &mut History, steps: &[(NormalControl, TangentialControl)], sign: f64) {
+    for &(normal, tangential) in steps {
+        let tangential = match tangential {
+            TangentialControl::Force(force) => TangentialControl::Force(sign * force),
+            TangentialControl::Shift(shift) => TangentialControl::Shift(sign * shift),
+            other => other,
+        };
+        let axis = history.axis().unwrap();
+        let step = LoadStep::hold().normal(normal).tangential(axis, tangential);
+        history.step(&step).unwrap();
+        assert_within_limits(history);
+    }
+}
+
+fn assert_within_limits(history: &History) {
+    let traction = history.traction()[history.axis().unwrap().index()];
+    let cells = traction
+        .as_slice()
+        .iter()
+        .zip(history.pressure().as_slice());
+    for ((q, p), zone) in cells.zip(history.zones()) {
+        assert!(q.abs() <= FRICTION * p);
+        assert_eq!(*zone == Zone::Separate, *p <= 0.0);
+        assert_eq!(*zone == Zone::Stick, q.abs() < FRICTION * p);
+    }
+}
+
+const PATH: [(NormalControl, TangentialControl); 6] = [
+    (NormalControl::Force(30.0), TangentialControl::Hold),
+    (NormalControl::Hold, TangentialControl::Force(9.0)),
+    (NormalControl::Force(20.0), TangentialControl::Hold),
+    (NormalControl::Force(35.0), TangentialControl::Force(-4.0)),
+    (NormalControl::Approach(1.6), TangentialControl::Shift(0.05)),
+    (NormalControl::Hold, TangentialControl::Hold),
+];
+
+#[test]
+fn mirror_images() {
+    let grid = Grid::square(48, 100.0).unwrap();
+    let gap = rough(grid, 8);
+    let flipped = Field::from_indices(grid, |ix, iy| gap.get(47 - ix, iy).unwrap());
+    let turned = Field::from_indices(grid, |ix, iy| gap.get(iy, ix).unwrap());
+    let mut original = history(&gap, Axis::X);
+    let mut mirror = history(&flipped, Axis::X);
+    let mut reversed = history(&gap, Axis::X);
+    let mut transposed = history(&turned, Axis::Y);
+    run(&mut original, &PATH, 1.0);
+    run(&mut mirror, &PATH, -1.0);
+    run(&mut reversed, &PATH, -1.0);
+    run(&mut transposed, &PATH, 1.0);
+    let traction = original.traction()[0];
+    let scale = max_abs(traction.as_slice());
+    let assert_same = |field: &Field, sign: f64, cell: &dyn Fn(usize, usize) -> [usize; 2]| {
+        let moved = Field::from_indices(grid, |ix, iy| {
+            let [ix, iy] = cell(ix, iy);
+            sign * field.get(ix, iy).unwrap()
+        });
+        let difference = max_difference(moved.as_slice(), traction.as_slice());
+        assert!(difference < 1e-5 * scale, "{difference:e}");
+    };
+    assert_same(reversed.traction()[0], -1.0, &|ix, iy| [ix, iy]);
+    assert_same(mirror.traction()[0], -1.0, &|ix, iy| [47 - ix, iy]);
+    assert_same(transposed.traction()[1], 1.0, &|ix, iy| [iy, ix]);
+    for (other, sign, axis) in [
+        (&mirror, -1.0, 0),
+        (&reversed, -1.0, 0),
+        (&transposed, 1.0, 1),
+    ] {
+        assert!((sign * other.shift()[axis] - original.shift()[0]).abs() < 1e-8);
+        let [a, b] = [other, &original].map(|history| history.dissipated_energy().integral());
+        assert!((a / b - 1.0).abs() < 1e-6);
+    }
+}
+
+/// Where nothing slips, load taken back leaves nothing behind: not a bit.
+#[test]
+fn nothing_is_left_without_slip() {
+    let grid = Grid::square(40, 8.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let ball = surface::sphere(grid, 10.0).unwrap();
+    let builder = History::builder(&bodies, &ball, Friction::coulomb(1e6).unwrap());
+    let mut history = builder.build().unwrap();
+    let press = LoadStep::hold().normal(NormalControl::Force(1.0));
+    history.step(&press).unwrap();
+    let force = |force| LoadStep::hold().tangential(Axis::X, TangentialControl::Force(force));
+    for value in [0.7, 1.9, -0.4] {
+        let step = history.step(&force(value)).unwrap();
+        assert!(step.stick_ratio() == 1.0 && step.energy().dissipated == 0.0);
+    }
+    history.step(&force(0.0)).unwrap();
+    assert!(history.shift() == [0.0; 2] && history.slip_path().max() == 0.0);
+    assert!(max_abs(history.traction()[0].as_slice()) == 0.0);
+    // By shift to round-off of nothing: zero is the answer there, too.
+    let shift = |shift| LoadStep::hold().tangential(Axis::X, TangentialControl::Shift(shift));
+    history.step(&shift(0.2)).unwrap();
+    history.step(&shift(0.0)).unwrap();
+    assert!(history.force() == [0.0; 2]);
+}
+
+/// A held step changes nothing beyond the tolerance, and needs no product in the normal direction.
+#[test]
+fn a_held_step_does_nothing() {
+    let gap = rough(Grid::square(48, 100.0).unwrap(), 9);
+    let mut history = history(&gap, Axis::X);
+    run(&mut history, &PATH, 1.0);
+    let (before, path) = (history.traction()[0].clone(), history.slip_path().clone());
+    let step = history.step(&LoadStep::hold()).unwrap();
+    assert!(step.normal_report().is_none());
+    let report = step.tangential_report().unwrap();
+    assert!(report.convolutions <= 3, "{report}");
+    assert!(step.energy().work == 0.0);
+    let difference = max_difference(history.traction()[0].as_slice(), before.as_slice());
+    assert!(difference < 1e-8 * max_abs(before.as_slice()));
+    let slipped = max_difference(history.slip_path().as_slice(), path.as_slice());
+    assert!(slipped < 1e-8 * path.max());
+}
+
+/// A contact that grows under a held shift: cells that enter carry nothing, having no slip to resist.
+#[test]
+fn new_contact_begins_unsheared() {
+    let grid = Grid::square(64, 16.0).unwrap();
+    let mut history = history(&surface::sphere(grid, 20.0).unwrap(), Axis::X);
+    let hold = TangentialControl::Hold;
+    run(&mut history, &[(NormalControl::Force(2.0), hold)], 1.0);
+    let force = TangentialControl::Force(0.5);
+    run(&mut history, &[(NormalControl::Hold, force)], 1.0);
+    let zones = history.zones().to_vec();
+    let (path, traction) = (history.slip_path().clone(), history.traction()[0].clone());
+    // Far beyond the window of the small contact.
+    run(&mut history, &[(NormalControl::Force(12.0), force)], 1.0);
+    assert_eq!(history.last_step().stick_ratio(), 1.0);
+    let mut entered = 0;
+    for (i, zone) in zones.iter().enumerate() {
+        let now = history.zones()[i];
+        assert!(now == Zone::Stick || *zone == Zone::Separate);
+        assert!(history.slip_path().as_slice()[i] == path.as_slice()[i]);
+        entered += usize::from(*zone == Zone::Separate && now == Zone::Stick);
+    }
+    assert!(entered > 100);
+    // All stick, under the same force: with nothing slipped, nothing has moved.
+    let difference = max_difference(history.traction()[0].as_slice(), traction.as_slice());
+    assert!(difference < 1e-6 * traction.max(), "{difference:e}");
+
+    // And apart again: no traction, whatever the shift; a force has nothing to act on.
+    run(
+        &mut history,
+        &[(NormalControl::Force(0.0), TangentialControl::Force(0.0))],
+        1.0,
+    );
+    let shift = history.shift()[0];
+    assert!(max_abs(history.traction()[0].as_slice()) == 0.0 && shift > 0.0);
+    let push = LoadStep::hold().tangential(Axis::X, TangentialControl::Force(0.1));
+    assert!(matches!(
+        history.step(&push),
+        Err(Error::BeyondSliding { limit: 0.0, .. })
+    ));
+    // Brought together elsewhere they stick there: no traction and no slip, but the shift.
+    run(
+        &mut history,
+        &[(NormalControl::Hold, TangentialControl::Shift(3.0))],
+        1.0,
+    );
+    run(
+        &mut history,
+        &[(NormalControl::Force(2.0), TangentialControl::Hold)],
+        1.0,
+    );
+    assert!(max_abs(history.traction()[0].as_slice()) < 1e-12);
+    run(
+        &mut history,
+        &[(NormalControl::Hold, TangentialControl::Force(0.0))],
+        1.0,
+    );
+    assert!((history.shift()[0] - 3.0).abs() < 1e-9);
+}
+
+/// Before anything has touched, the shift follows the machine, and no force has anything to act on.
+#[test]
+fn nothing_acts_before_the_first_touch() {
+    let grid = Grid::square(32, 16.0).unwrap();
+    for axis in [Axis::X, Axis::Y] {
+        let mut history = history(&surface::sphere(grid, 20.0).unwrap(), axis);
+        let step = |tangential| {
+            let apart = LoadStep::hold().normal(NormalControl::Force(0.0));
+            apart.tangential(axis, tangential)
+        };
+        let position = -0.75;
+        let spring = TangentialControl::Spring {
+            position,
+            stiffness: 2.0,
+        };
+        for (tangential, shift) in [
+            (TangentialControl::Force(0.0), 0.0),
+            (TangentialControl::Shift(0.5), 0.5),
+            (TangentialControl::Hold, 0.5),
+            (spring, position),
+            (TangentialControl::Force(-0.0), position),
+        ] {
+            history.step(&step(tangential)).unwrap();
+            assert_eq!(history.shift()[axis.index()], shift, "{tangential:?}");
+            let refused = history.step(&step(TangentialControl::Force(-0.1)));
+            assert!(matches!(
+                refused,
+                Err(Error::BeyondSliding {
+                    force: 0.1,
+                    limit: 0.0
+                })
+            ));
+            assert_eq!(history.shift()[axis.index()], shift);
+        }
+        // Brought together there, they stick there.
+        let hold = TangentialControl::Hold;
+        run(&mut history, &[(NormalControl::Force(2.0), hold)], 1.0);
+        assert_eq!(history.shift()[axis.index()], position);
+        assert_eq!(max_abs(history.traction()[axis.index()].as_slice()), 0.0);
+        assert_eq!(history.slip_path().max(), 0.0);
+    }
+}
+
+/// At the friction limit the contact slides by the least shift, and stays there under the same force.
+#[test]
+fn a_force_at_the_limit_slides() {
+    let grid = Grid::square(48, 12.0).unwrap();
+    let mut history = history(&surface::sphere(grid, 20.0).unwrap(), Axis::X);
+    run(
+        &mut history,
+        &[(NormalControl::Force(4.0), TangentialControl::Hold)],
+        1.0,
+    );
+    let limit = FRICTION * history.pressure().integral();
+    let mut shifts = Vec::new();
+    for force in [limit, limit, -limit, -limit, 0.0] {
+        run(
+            &mut history,
+            &[(NormalControl::Hold, TangentialControl::Force(force))],
+            1.0,
+        );
+        assert_eq!(history.last_step().is_gross_sliding(), force != 0.0);
+        shifts.push(history.shift()[0]);
+    }
+    assert!((shifts[1] - shifts[0]).abs() < 1e-12 * shifts[0]);
+    assert!((shifts[3] - shifts[2]).abs() < 1e-12 * shifts[0]);
+    assert!(
+        (shifts[2] + shifts[0]).abs() < 1e-3 * shifts[0],
+        "{shifts:?}"
+    );
+}

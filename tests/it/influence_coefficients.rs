@@ -1,0 +1,228 @@
+//! The nine influence coefficients equal their values from 80-digit arithmetic, near and far.
+
+use approx::assert_relative_eq;
+use kit::l2_difference;
+use proptest::prelude::*;
+use stickslip::fft::Convolution;
+use stickslip::influence::{Component, Rectangle, Table, Tensor};
+use stickslip::{ElasticPair, Field, Grid, Material, Operator};
+
+/// 60 points of one body and 7 of a pair; the file's head names its source.
+const REFERENCE: &str = include_str!("../data/influence.csv");
+
+/// 96 points of one body and 24 of a pair: cells from 1:100 to 100:1, points within, on and beside an edge, and up to
+/// a million cells away, Poisson's ratios -0.5, 0, 0.29, 0.499999 and 0.5. By another way than the first.
+const RANDOM_POINTS: &str = include_str!("../data/influence/random_points.csv");
+
+fn material(modulus: &str, poisson_ratio: &str) -> Material {
+    let nu = poisson_ratio.parse().unwrap();
+    match modulus.split_at(1) {
+        ("E", value) => Material::new(value.parse().unwrap(), nu).unwrap(),
+        ("G", value) => Material::from_shear_modulus(value.parse().unwrap(), nu).unwrap(),
+        _ => Material::rigid(),
+    }
+}
+
+fn components(t: &Tensor) -> [f64; 9] {
+    [t.xx, t.xy, t.xz, t.yx, t.yy, t.yz, t.zx, t.zy, t.zz]
+}
+
+/// Compares the coefficients with a table; returns its number of points.
+fn compare(table: &str) -> usize {
+    let rows = table.lines().filter(|line| !line.starts_with('#')).skip(1);
+    rows.map(|line| {
+        let columns: Vec<&str> = line.split(',').collect();
+        let number = |i: usize| columns[i].parse::<f64>().unwrap();
+        let rectangle = Rectangle::new(number(3), number(4)).unwrap();
+        let bodies = [
+            material(columns[5], columns[6]),
+            material(columns[7], columns[8]),
+        ];
+        let tensor = if bodies[1].is_rigid() {
+            rectangle.tensor(&bodies[0], number(1), number(2))
+        } else {
+            let pair = ElasticPair::new(bodies[0], bodies[1]).unwrap();
+            rectangle.pair_tensor(&pair, number(1), number(2))
+        };
+        let expected: Vec<f64> = (9..18).map(number).collect();
+        let normal = expected[8];
+        let coupling = expected[6].hypot(expected[7]);
+        for (k, (found, expected)) in components(&tensor).iter().zip(&expected).enumerate() {
+            let scale = if [2, 5, 6, 7].contains(&k) {
+                coupling
+            } else {
+                normal
+            };
+            let error = (found - expected).abs();
+            assert!(
+                error <= 1e-14 * scale,
+                "{}: component {k} is {found:e}, expected {expected:e}, error {:e}",
+                columns[0],
+                error / scale
+            );
+        }
+    })
+    .count()
+}
+
+#[test]
+fn the_nine_coefficients_equal_their_exact_values() {
+    assert_eq!(compare(REFERENCE), 67);
+}
+
+#[test]
+fn they_do_at_random_points() {
+    assert_eq!(compare(RANDOM_POINTS), 120);
+}
+
+#[test]
+fn a_rigid_body_moves_nothing_and_a_pair_of_one_is_the_other() {
+    let rectangle = Rectangle::new(0.5, 0.7).unwrap();
+    let rubber = Material::new(3.0, 0.49).unwrap();
+    assert_eq!(
+        components(&rectangle.tensor(&Material::rigid(), 0.3, 0.2)),
+        [0.0; 9]
+    );
+    let pair = ElasticPair::new(rubber, Material::rigid()).unwrap();
+    assert_eq!(
+        rectangle.pair_tensor(&pair, 0.3, 0.2),
+        rectangle.tensor(&rubber, 0.3, 0.2)
+    );
+    // As body 2 the shear is reversed, and with it the coupling.
+    let pair = ElasticPair::new(Material::rigid(), rubber).unwrap();
+    assert_eq!(
+        rectangle.pair_tensor(&pair, 0.3, 0.2).zx,
+        -rectangle.tensor(&rubber, 0.3, 0.2).zx
+    );
+}
+
+#[test]
+fn a_table_holds_the_coefficients_at_every_distance() {
+    let pair = ElasticPair::new(
+        Material::new(1.0, 0.2).unwrap(),
+        Material::new(2.0, 0.4).unwrap(),
+    )
+    .unwrap();
+    let grid = Grid::new(5, 4, 0.3, 0.5).unwrap();
+    let rectangle = Rectangle::new(0.15, 0.25).unwrap();
+    for (k, component) in Component::ALL.into_iter().enumerate() {
+        let table = Table::sample(grid, &pair, component).unwrap();
+        assert_eq!((table.component(), table.size()), (component, [5, 4]));
+        for i in -4..=4_isize {
+            for j in -3..=3_isize {
+                let tensor = rectangle.pair_tensor(&pair, i as f64 * 0.3, j as f64 * 0.5);
+                assert_eq!(
+                    table.get(i, j),
+                    Some(components(&tensor)[k]),
+                    "{component:?} {i} {j}"
+                );
+            }
+        }
+        assert_eq!((table.get(5, 0), table.get(0, -4)), (None, None));
+    }
+}
+
+/// On an axis across which a coefficient is odd it is zero, and no round-off, at any distance.
+#[test]
+fn what_is_odd_vanishes_on_its_axes() {
+    let pair = kit::unit_pair(0.3);
+    let soft = ElasticPair::new(Material::new(1.0, 0.2).unwrap(), Material::rigid()).unwrap();
+    let grid = Grid::new(30, 26, 0.3, 0.7).unwrap();
+    for pair in [pair, soft] {
+        for component in Component::ALL {
+            let table = Table::sample(grid, &pair, component).unwrap();
+            let [odd_x, odd_y] = component.is_odd();
+            assert!(
+                !odd_y || (0..30).all(|i| table.get(i, 0) == Some(0.0)),
+                "{component:?}"
+            );
+            assert!(
+                !odd_x || (0..26).all(|j| table.get(0, j) == Some(0.0)),
+                "{component:?}"
+            );
+        }
+    }
+}
+
+fn body() -> impl Strategy<Value = Material> {
+    (-3.0..12.0_f64, -0.9..0.5_f64)
+        .prop_map(|(decade, nu)| Material::new(10_f64.powf(decade), nu).unwrap())
+}
+
+/// Sides, their aspect ratio up to a hundred, and a point from the centre to far away.
+fn cell_and_point() -> impl Strategy<Value = (f64, f64, f64, f64)> {
+    (-9.0..3.0_f64, -2.0..2.0_f64, -3.0..6.0_f64, 0.0..6.3_f64).prop_map(
+        |(size, aspect, distance, angle)| {
+            let (a, b) = (10_f64.powf(size), 10_f64.powf(size + aspect));
+            let r = a.max(b) * 10_f64.powf(distance);
+            (a, b, r * angle.cos(), r * angle.sin())
+        },
+    )
+}
+
+proptest! {
+    /// Mirror images, exchange of the axes, and the identity of the trace.
+    #[test]
+    fn symmetries_hold((a, b, x, y) in cell_and_point(), body in body()) {
+        let cell = Rectangle::new(a, b).unwrap();
+        let t = cell.tensor(&body, x, y);
+        let mirrored = cell.tensor(&body, -x, y);
+        prop_assert_eq!(
+            components(&mirrored),
+            [t.xx, -t.xy, -t.xz, -t.yx, t.yy, t.yz, -t.zx, t.zy, t.zz]
+        );
+        let swapped = Rectangle::new(b, a).unwrap().tensor(&body, y, x);
+        assert_relative_eq!(swapped.xx, t.yy, max_relative = 1e-14);
+        assert_relative_eq!(swapped.zx, t.zy, max_relative = 1e-13);
+        assert_relative_eq!(swapped.zz, t.zz, max_relative = 1e-14);
+        let nu = body.poisson_ratio();
+        assert_relative_eq!(t.xx + t.yy, (2.0 - nu) / (1.0 - nu) * t.zz, max_relative = 1e-14);
+        prop_assert!(t.xx > 0.0 && t.yy > 0.0 && t.zz > 0.0);
+        prop_assert_eq!((t.xy, t.xz, t.yz), (t.yx, -t.zx, -t.zy));
+    }
+
+    /// A cell is the sum of its four quarters.
+    #[test]
+    fn a_cell_is_the_sum_of_its_quarters((a, b, x, y) in cell_and_point(), body in body()) {
+        let whole = components(&Rectangle::new(a, b).unwrap().tensor(&body, x, y));
+        let quarter = Rectangle::new(0.5 * a, 0.5 * b).unwrap();
+        let mut sum = [0.0; 9];
+        for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)] {
+            let part = components(&quarter.tensor(&body, x - 0.5 * sx * a, y - 0.5 * sy * b));
+            for (sum, part) in sum.iter_mut().zip(part) {
+                *sum += part;
+            }
+        }
+        for (sum, whole_k) in sum.iter().zip(whole) {
+            prop_assert!((sum - whole_k).abs() <= 2e-14 * whole[8], "{} {}", sum, whole_k);
+        }
+    }
+}
+
+/// The symbols have the signs and sizes of the coefficients of a free half-space, all nine: seen near a
+/// traction without mean, whose far field is that of nothing. What is left is
+/// that a free cell carries a uniform pressure, and the images.
+#[test]
+fn a_periodic_grid_has_those_of_a_free_one_near_a_local_traction() {
+    let cells = 128;
+    let grid = Grid::new(cells, cells, 1.0, 1.5).unwrap();
+    let pair = ElasticPair::new(Material::new(1.0, 0.2).unwrap(), Material::rigid()).unwrap();
+    // The Laplacian of a bell a few cells wide.
+    let traction = Field::from_fn(grid, |x, y| {
+        let r = (x * x + y * y) / 64.0;
+        (1.0 - r) * (-r).exp()
+    });
+    for component in Component::ALL {
+        let displacements = [
+            Convolution::new(grid, &pair, component).unwrap(),
+            Convolution::periodic(grid, &pair, component),
+        ]
+        .map(|operator| {
+            let mut out = vec![0.0; grid.cells()];
+            operator.apply([traction.as_slice()], [&mut out], &mut operator.workspace());
+            out
+        });
+        let error = l2_difference(&displacements[1], &displacements[0]);
+        assert!(error < 0.02, "{component:?} {error:e}");
+    }
+}

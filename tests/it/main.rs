@@ -1,0 +1,80 @@
+//! The promises of the library, one module each.
+//!
+//! They are one program, so that the library and what they share are linked once. What counts allocations is in
+//! `tests/alloc`.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::float_cmp,
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    reason = "a test fails loudly, compares exact results, and counts small things"
+)]
+
+mod a_finer_grid_keeps_the_long_waves;
+mod a_grid_that_repeats;
+mod another_code_agrees;
+mod another_code_agrees_in_the_plane;
+mod another_code_agrees_through_histories;
+mod bad_closed_forms_are_refused;
+mod bad_input_is_refused;
+mod bad_loads_are_refused;
+#[cfg(feature = "dense")]
+mod bad_matrices_are_refused;
+mod bad_surfaces_are_refused;
+mod both_tractions_in_the_plane;
+mod close_to_sliding_in_the_plane;
+mod closed_forms;
+#[cfg(feature = "dense")]
+mod convolution_equals_direct_sum;
+mod cycles_add_up_their_steps;
+mod data_of_another_code_is_consistent;
+mod displacement_control;
+#[cfg(feature = "dense")]
+mod engine_finds_the_exact_minimum;
+mod files_of_other_programs_are_read;
+mod files_survive_a_round_trip;
+mod fretting_loops_become_steady;
+mod frozen_scenes;
+#[cfg(feature = "dense")]
+mod hard_cases_are_right;
+mod heights_of_asked_skewness_and_kurtosis;
+mod hertz_and_cattaneo_mindlin;
+mod histories_balance_energy;
+mod histories_fail_without_a_trace;
+mod histories_follow_mindlin_deresiewicz;
+mod histories_go_on_after_a_restart;
+mod histories_in_the_plane;
+mod histories_keep_their_state_through_wear;
+mod histories_obey_the_spring;
+mod histories_obey_their_laws;
+mod histories_run_side_by_side;
+mod influence_coefficients;
+mod known_contacts_beyond_spheres;
+mod laws_hold;
+mod levelling_takes_off_the_form;
+mod load_paths_close_and_turn_exactly;
+mod measured_surfaces_are_prepared;
+mod methods_agree;
+#[cfg(feature = "serde")]
+mod plain_types_survive_serialisation;
+#[cfg(feature = "dense")]
+mod random_scenes_are_right;
+mod rough_contacts_follow_theory;
+mod rough_surfaces_follow_their_law;
+mod same_bits_on_any_threads;
+mod settings_change_between_solves;
+mod shapes_are_their_formulas;
+mod signs_follow_from_equilibrium;
+mod solves_stop_when_told;
+mod springs_drag_in_the_plane;
+mod starts_do_not_matter;
+mod states_and_endings;
+mod states_are_kept_and_returned_to;
+mod statistics_agree_with_an_independent_evaluation;
+mod statistics_obey_their_laws;
+mod superposition_is_exact;
+mod the_certificate_is_its_formula;
+mod too_large_is_refused;
+mod units_do_not_matter;
+mod wear_laws_sum_up;

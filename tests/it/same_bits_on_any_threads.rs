@@ -1,0 +1,143 @@
+//! The same bits on any number of threads, in any pool, beside any other work, and without.
+
+use kit::{rough, unit_bodies};
+use stickslip::{
+    Field, Friction, Grid, HalfSpace, TangentialModel, NormalControl, NormalProblem, NormalSolution,
+    TangentialLoad, TangentialProblem, TangentialSolution,
+};
+
+fn solve() -> (NormalSolution, [TangentialSolution; 2]) {
+    let grid = Grid::new(150, 133, 1.0, 1.1).unwrap();
+    solve_on(&unit_bodies(grid, 0.3), &rough(grid, 21))
+}
+
+fn solve_on(bodies: &HalfSpace, gap: &Field) -> (NormalSolution, [TangentialSolution; 2]) {
+    let normal = NormalProblem::builder(bodies, gap, NormalControl::Force(60.0));
+    let normal = normal.build().unwrap().solve().unwrap();
+    let load = TangentialLoad::force([12.0, 0.0]);
+    let friction = Friction::coulomb(0.4).unwrap();
+    let shear = [TangentialModel::Scalar, TangentialModel::Vector].map(|lateral| {
+        let shear = TangentialProblem::builder(bodies, &normal, friction.clone(), load);
+        shear.model(lateral).build().unwrap().solve().unwrap()
+    });
+    (normal, shear)
+}
+
+/// Leaves the bits of a solve behind, in a file for each way to build the crate: `.ci/run` compares them.
+#[test]
+fn with_threads_and_without() {
+    let (normal, shear) = solve();
+    let tractions = shear.iter().flat_map(TangentialSolution::traction);
+    let fields = [normal.pressure(), normal.gap()]
+        .into_iter()
+        .chain(tractions);
+    let samples = fields.flat_map(Field::as_slice);
+    let scalars = [normal.approach(), shear[0].shift()[0], shear[1].shift()[0]];
+    let bits: Vec<u8> = samples
+        .chain(&scalars)
+        .flat_map(|value| value.to_bits().to_le_bytes())
+        .collect();
+    let way = if cfg!(feature = "parallel") {
+        "bits_with_threads"
+    } else {
+        "bits_without_threads"
+    };
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR"));
+    std::fs::write(folder.join(way), &bits).unwrap();
+
+    // Here at least: again the same.
+    let (again, _) = solve();
+    assert_eq!(normal.pressure(), again.pressure());
+}
+
+/// Many threads at once over one half-space, whose operators the first to come makes for all.
+#[test]
+fn beside_other_solves_on_the_same_bodies() {
+    let grid = Grid::new(70, 61, 1.0, 1.1).unwrap();
+    let gap = rough(grid, 22);
+    let alone = solve_on(&unit_bodies(grid, 0.3), &gap);
+    let shared = unit_bodies(grid, 0.3);
+    let answers: Vec<_> = std::thread::scope(|scope| {
+        let solve = || scope.spawn(|| solve_on(&shared.clone(), &gap));
+        let threads: Vec<_> = (0..6).map(|_| solve()).collect();
+        threads
+            .into_iter()
+            .map(|thread| thread.join().unwrap())
+            .collect()
+    });
+    for answer in answers {
+        assert_same(&answer, &alone);
+    }
+}
+
+type Answer = (NormalSolution, [TangentialSolution; 2]);
+
+/// All but the times are the same.
+fn assert_same((normal, shear): &Answer, (other_normal, other_shear): &Answer) {
+    assert_eq!(normal.pressure(), other_normal.pressure());
+    assert_eq!(normal.gap(), other_normal.gap());
+    assert_eq!(
+        normal.approach().to_bits(),
+        other_normal.approach().to_bits()
+    );
+    let costs = |normal: &NormalSolution| {
+        let report = normal.report();
+        (
+            report.iterations,
+            report.convolutions,
+            report.rough_convolutions,
+        )
+    };
+    assert_eq!(costs(normal), costs(other_normal));
+    for (shear, other) in shear.iter().zip(other_shear) {
+        assert_eq!(shear.traction(), other.traction());
+        assert_eq!(shear.slip(), other.slip());
+        assert_eq!(shear.zones(), other.zones());
+        assert_eq!(shear.shift(), other.shift());
+    }
+}
+
+#[cfg(feature = "parallel")]
+fn pool_of(threads: usize) -> rayon::ThreadPool {
+    let builder = rayon::ThreadPoolBuilder::new().num_threads(threads);
+    builder.build().unwrap()
+}
+
+/// From within a pool of the caller, from a pool within a pool, and as tasks that wait for one another's threads.
+#[cfg(feature = "parallel")]
+#[test]
+fn in_pools_of_the_caller() {
+    use rayon::prelude::*;
+
+    let grid = Grid::new(70, 61, 1.0, 1.1).unwrap();
+    let gap = rough(grid, 22);
+    let bodies = unit_bodies(grid, 0.3);
+    let alone = pool_of(1).install(|| solve_on(&bodies, &gap));
+    let nested = pool_of(2).install(|| pool_of(3).install(|| solve_on(&bodies, &gap)));
+    assert_same(&nested, &alone);
+    for threads in [1, 2, 3] {
+        let tasks = (0..5).into_par_iter();
+        let answers: Vec<_> =
+            pool_of(threads).install(|| tasks.map(|_| solve_on(&bodies, &gap)).collect());
+        for answer in answers {
+            assert_same(&answer, &alone);
+        }
+    }
+    let (left, right) = pool_of(2).install(|| {
+        rayon::join(
+            || pool_of(1).install(|| solve_on(&bodies, &gap)),
+            || solve_on(&bodies, &gap),
+        )
+    });
+    assert_same(&left, &alone);
+    assert_same(&right, &alone);
+}
+
+#[cfg(feature = "parallel")]
+#[test]
+fn on_one_two_four_and_seven_threads() {
+    let one = pool_of(1).install(solve);
+    for threads in [2, 4, 7] {
+        assert_same(&pool_of(threads).install(solve), &one);
+    }
+}

@@ -1,0 +1,408 @@
+//! Who cancels, or sets a limit of time, waits for one product more and then has a feasible, labelled iterate; a
+//! limit of iterations is one for all a solve does on its grid.
+
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Duration;
+
+use kit::{rough, unit_bodies};
+use stickslip::cgm::{self, Iteration, Magnitude, Method, NonNegative, Problem, Settings};
+use stickslip::influence::Component;
+use stickslip::{
+    Axis, ElasticOperator, Error, Field, Friction, Grid, HalfSpace, History, TangentialModel, LoadStep,
+    NormalControl, NormalProblem, NormalSolution, NormalControl, Operator, Report, Status,
+    TangentialLoad, TangentialProblem, TangentialSolution, TangentialControl, surface,
+};
+
+/// An operator that counts its products.
+struct Counting {
+    inner: ElasticOperator,
+    products: AtomicUsize,
+}
+
+impl Counting {
+    fn of(bodies: &HalfSpace, component: Component) -> Self {
+        Self {
+            inner: bodies.operator(component).unwrap(),
+            products: AtomicUsize::new(0),
+        }
+    }
+
+    fn count(&self) -> usize {
+        self.products.load(Ordering::Relaxed)
+    }
+}
+
+impl Operator for Counting {
+    type Workspace = <ElasticOperator as Operator>::Workspace;
+
+    fn cells(&self) -> usize {
+        self.inner.cells()
+    }
+
+    fn workspace(&self) -> Self::Workspace {
+        self.inner.workspace()
+    }
+
+    fn apply(&self, x: [&[f64]; 1], out: [&mut [f64]; 1], workspace: &mut Self::Workspace) {
+        self.products.fetch_add(1, Ordering::Relaxed);
+        self.inner.apply(x, out, workspace);
+    }
+
+    fn apply_f32(&self, x: [&[f64]; 1], out: [&mut [f64]; 1], workspace: &mut Self::Workspace) {
+        self.products.fetch_add(1, Ordering::Relaxed);
+        self.inner.apply_f32(x, out, workspace);
+    }
+
+    fn lower_bound(&self) -> f64 {
+        self.inner.lower_bound()
+    }
+}
+
+fn bodies() -> HalfSpace {
+    unit_bodies(Grid::square(128, 100.0).unwrap(), 0.3)
+}
+
+/// The report of a solve that was ended.
+fn ended(outcome: Result<(), Error>, status: Status) -> Report {
+    let Err(Error::NotConverged(report)) = outcome else {
+        panic!("{outcome:?}");
+    };
+    assert_eq!(report.status, status);
+    // Infinite where there is no displacement yet to measure by.
+    assert!(report.residual >= 0.0 && report.certified_gap >= 0.0);
+    *report
+}
+
+/// Products of either precision.
+fn products(report: &Report) -> usize {
+    report.convolutions + report.rough_convolutions
+}
+
+#[test]
+fn the_engine_asks_before_every_product() {
+    let bodies = unit_bodies(Grid::square(48, 100.0).unwrap(), 0.3);
+    let gap = rough(bodies.grid(), 3);
+    let limits: Vec<f64> = gap.as_slice().iter().map(|h| (1.5 - h).max(0.0)).collect();
+    let shifted = vec![-1.0; limits.len()];
+    let inverse = bodies.preconditioner(Component::ZZ).unwrap().unwrap();
+    for method in [Method::ActiveSet, Method::PolonskyKeer] {
+        let settings = Settings::default().method(method).tolerance(1e-11);
+        for total in [None, Some(80.0)] {
+            // From its least value, or from an approach that closes some of it.
+            let datum = if total.is_some() { 0.0 } else { 1.0 };
+            let linear: Vec<f64> = gap.as_slice().iter().map(|h| h - datum).collect();
+            let normal = |x: &mut [f64], observer: &mut Observer<'_>, settings: &Settings| {
+                let operator = Counting::of(&bodies, Component::ZZ);
+                let problem = Problem::new(&operator, &linear, NonNegative);
+                let problem = problem.preconditioner(inverse.clone());
+                let problem = total.into_iter().fold(problem, Problem::total);
+                let outcome = cgm::minimise_with(
+                    &problem,
+                    settings,
+                    x,
+                    &mut problem.workspace(),
+                    &mut |iteration| observer(iteration, operator.count()),
+                );
+                assert!(x.iter().all(|p| *p >= 0.0));
+                (outcome, operator.count())
+            };
+            let shear = |x: &mut [f64], observer: &mut Observer<'_>, settings: &Settings| {
+                let operator = Counting::of(&bodies, Component::XX);
+                let problem = Problem::new(&operator, &shifted, Magnitude(&limits));
+                let problem = problem.preconditioner(inverse.clone());
+                let problem = total.into_iter().fold(problem, Problem::total);
+                let outcome = cgm::minimise_with(
+                    &problem,
+                    settings,
+                    x,
+                    &mut problem.workspace(),
+                    &mut |iteration| observer(iteration, operator.count()),
+                );
+                assert!(x.iter().zip(&limits).all(|(q, m)| q.abs() <= *m));
+                (outcome, operator.count())
+            };
+            for solve in [&normal as &Solve<'_>, &shear] {
+                stops(solve, &settings, limits.len(), total);
+            }
+        }
+    }
+}
+
+type Observer<'a> = dyn FnMut(&Iteration, usize) -> ControlFlow<()> + Send + 'a;
+type Solve<'a> =
+    dyn Fn(&mut [f64], &mut Observer<'_>, &Settings) -> (Result<(), Error>, usize) + 'a;
+
+fn stops(solve: &Solve<'_>, settings: &Settings, len: usize, total: Option<f64>) {
+    let sum = |x: &[f64]| x.iter().sum::<f64>();
+    let keeps_total = |x: &[f64]| total.is_none_or(|total| (sum(x) / total - 1.0).abs() < 1e-12);
+    // Undisturbed: never two products without a question.
+    let (mut calls, mut last) = (0, 0);
+    let mut watch = |_: &Iteration, count: usize| {
+        calls += 1;
+        assert!(
+            count <= last + 1,
+            "{count} products, {last} at the last question"
+        );
+        last = count;
+        ControlFlow::Continue(())
+    };
+    let mut x = vec![0.0; len];
+    let (outcome, count) = solve(&mut x, &mut watch, settings);
+    outcome.unwrap();
+    assert!(count <= last + 1 && calls > 20);
+    for stop in (0..calls).step_by(3) {
+        let (mut left, mut at_stop) = (stop, 0);
+        let mut cancel = |_: &Iteration, count: usize| {
+            if left == 0 {
+                at_stop = count;
+                return ControlFlow::Break(());
+            }
+            left -= 1;
+            ControlFlow::Continue(())
+        };
+        let mut x = vec![0.0; len];
+        let (outcome, count) = solve(&mut x, &mut cancel, settings);
+        let report = ended(outcome, Status::Cancelled);
+        assert!(
+            count <= at_stop + 1,
+            "{count} products, cancelled at {at_stop}"
+        );
+        assert!(count == products(&report) && keeps_total(&x));
+    }
+    let timed = settings.time_limit(Duration::ZERO);
+    let mut x = vec![0.0; len];
+    let (outcome, count) = solve(&mut x, &mut |_, _| ControlFlow::Continue(()), &timed);
+    ended(outcome, Status::TimeLimit);
+    assert!(count <= 1 && keeps_total(&x));
+}
+
+fn press(bodies: &HalfSpace, gap: &Field) -> NormalSolution {
+    let problem = NormalProblem::builder(bodies, gap, NormalControl::Force(60.0));
+    problem.build().unwrap().solve().unwrap()
+}
+
+/// Ends at the given call of the observer, perhaps by the clock.
+#[derive(Debug, Clone, Copy)]
+struct End {
+    call: usize,
+    by_clock: bool,
+}
+
+const LIMIT: Duration = Duration::from_millis(400);
+
+impl End {
+    const fn status(self) -> Status {
+        if self.by_clock {
+            Status::TimeLimit
+        } else {
+            Status::Cancelled
+        }
+    }
+
+    /// An observer that ends a solve, and the number of calls it has seen.
+    fn observer(self, calls: &mut usize) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send + '_ {
+        move |_| {
+            *calls += 1;
+            match *calls == self.call {
+                true if self.by_clock => std::thread::sleep(LIMIT),
+                true => return ControlFlow::Break(()),
+                false => {}
+            }
+            ControlFlow::Continue(())
+        }
+    }
+
+    /// The first calls are of the coarsest cells, and what follows is not solved any more.
+    fn check(self, calls: usize, report: &Report) {
+        let asked_again = usize::from(self.by_clock);
+        assert!(calls <= self.call + asked_again, "{self:?}: {calls} calls");
+        if self.call <= 3 {
+            // On the box of the contact and, of a normal contact, on the whole grid.
+            assert!(products(report) <= 2, "{self:?}: {report}");
+        }
+    }
+}
+
+fn ends() -> impl Iterator<Item = End> {
+    let cancelled = [1, 2, 3, 8, 13, 20, 27];
+    let timed = [1, 3, 9];
+    let end = |by_clock| move |call| End { call, by_clock };
+    cancelled
+        .into_iter()
+        .map(end(false))
+        .chain(timed.into_iter().map(end(true)))
+}
+
+#[test]
+fn normal_contacts_stop_on_every_grid_of_a_nested_start() {
+    let bodies = bodies();
+    let gap = rough(bodies.grid(), 5);
+    for end in ends() {
+        let builder = NormalProblem::builder(&bodies, &gap, NormalControl::Force(60.0));
+        let builder = builder.tolerance(1e-12);
+        let builder = if end.by_clock {
+            builder.time_limit(LIMIT)
+        } else {
+            builder
+        };
+        let mut solver = builder.build().unwrap().into_solver().unwrap();
+        let mut solution = solver.new_solution();
+        let mut calls = 0;
+        let outcome = solver.solve_observed(&mut solution, end.observer(&mut calls));
+        let report = ended(outcome, end.status());
+        end.check(calls, &report);
+        assert_eq!(solution.report(), &report);
+        assert!(solution.pressure().min() >= 0.0);
+        assert!((solution.force() / 60.0 - 1.0).abs() < 1e-12);
+        // The solver goes on from there.
+        if !end.by_clock {
+            solver.solve_into(&mut solution).unwrap();
+        }
+    }
+}
+
+#[test]
+fn tangential_contacts_stop_on_every_grid_of_a_nested_start() {
+    let bodies = bodies();
+    let normal = press(&bodies, &rough(bodies.grid(), 5));
+    let friction = 0.4;
+    for lateral in [TangentialModel::Scalar, TangentialModel::Vector] {
+        for end in ends() {
+            let coulomb = Friction::coulomb(friction).unwrap();
+            let load = TangentialLoad::force([13.0, 0.0]);
+            let builder = TangentialProblem::builder(&bodies, &normal, coulomb, load);
+            let builder = builder.model(lateral).tolerance(1e-12);
+            let builder = if end.by_clock {
+                builder.time_limit(LIMIT)
+            } else {
+                builder
+            };
+            let mut solver = builder.build().unwrap().into_solver().unwrap();
+            let mut solution = solver.new_solution();
+            let mut calls = 0;
+            let outcome = solver.solve_observed(&mut solution, end.observer(&mut calls));
+            let report = ended(outcome, end.status());
+            end.check(calls, &report);
+            assert_eq!(solution.report(), &report);
+            assert_feasible(&normal, &solution, friction);
+        }
+    }
+}
+
+fn assert_feasible(normal: &NormalSolution, solution: &TangentialSolution, friction: f64) {
+    let [x, y] = solution.traction().map(Field::as_slice);
+    for ((x, y), p) in x.iter().zip(y).zip(normal.pressure().as_slice()) {
+        assert!(x.hypot(*y) <= friction * p * (1.0 + 1e-14));
+    }
+    let [x, y] = solution.force();
+    assert!((x / 13.0 - 1.0).abs() < 1e-12 && y.abs() < 1e-11);
+}
+
+/// What a solve of several passes has done, and what its observer saw.
+struct Passes {
+    report: Report,
+    seen: Vec<Iteration>,
+}
+
+impl Passes {
+    fn new(outcome: Result<Report, Error>, seen: Vec<Iteration>) -> Self {
+        let report = outcome.unwrap_or_else(|error| match error {
+            Error::NotConverged(report) => *report,
+            other => panic!("{other}"),
+        });
+        Self { report, seen }
+    }
+
+    /// The counts go on from pass to pass, and what the history ends with is what was done.
+    fn assert_counted_once(&self) {
+        let Self { report, seen } = self;
+        for steps in [seen, &report.history] {
+            assert!(steps.is_sorted_by_key(|step| step.iteration));
+            assert!(steps.is_sorted_by_key(|step| step.convolutions));
+            assert!(steps.last().is_some_and(|last| {
+                last.iteration <= report.iterations && last.convolutions <= report.convolutions
+            }));
+        }
+    }
+}
+
+/// Solves under every limit, and looks whether it is kept.
+fn assert_limited(least: usize, solve: impl Fn(usize) -> Passes) {
+    let whole = solve(10_000);
+    assert_eq!(whole.report.status, Status::Converged);
+    whole.assert_counted_once();
+    let free = whole.report.iterations;
+    assert!(least < free, "{least}, {}", whole.report);
+    for limit in least..free {
+        let Passes { report, .. } = &solve(limit);
+        assert_eq!(
+            (report.status, report.iterations),
+            (Status::IterationLimit, limit)
+        );
+    }
+    assert_eq!(solve(free + 1).report.status, Status::Converged);
+}
+
+/// A load that outgrows the window is solved again in a wider one.
+#[test]
+fn a_window_made_wider_has_the_iterations_that_are_left() {
+    let grid = Grid::square(64, 100.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let ball = surface::sphere(grid, 300.0).unwrap();
+    let light = NormalControl::Force(0.02);
+    let builder = || NormalProblem::builder(&bodies, &ball, light).tolerance(1e-10);
+    let alone = builder().build().unwrap().solve().unwrap();
+    assert_limited(alone.report().iterations.max(1), |limit| {
+        let problem = builder().max_iterations(limit).build().unwrap();
+        let mut solver = problem.into_solver().unwrap();
+        let mut solution = solver.new_solution();
+        solver.solve_into(&mut solution).unwrap();
+        solver.set_load(NormalControl::Force(50.0)).unwrap();
+        let mut seen = Vec::new();
+        let outcome = solver.solve_observed(&mut solution, |step| {
+            seen.push(*step);
+            ControlFlow::Continue(())
+        });
+        assert!((solution.force() / 50.0 - 1.0).abs() < 1e-11 && solution.pressure().min() >= 0.0);
+        Passes::new(outcome.map(|()| solution.report().clone()), seen)
+    });
+}
+
+/// Behind a spring far softer than the contact a step is solved again, more closely.
+#[test]
+fn a_closer_look_behind_a_spring_has_the_iterations_that_are_left() {
+    let grid = Grid::square(48, 8.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let ball = surface::sphere(grid, 10.0).unwrap();
+    let press = LoadStep::hold().normal(NormalControl::Force(0.5));
+    let stiffness = 1e-4;
+    let drag = LoadStep::hold().tangential(
+        Axis::X,
+        TangentialControl::Spring {
+            position: 0.1 / stiffness,
+            stiffness,
+        },
+    );
+    for lateral in [TangentialModel::Scalar, TangentialModel::Vector] {
+        let builder = || {
+            let friction = Friction::coulomb(0.3).unwrap();
+            History::builder(&bodies, &ball, friction)
+                .model(lateral)
+                .tolerance(1e-6)
+        };
+        let mut alone = builder().build().unwrap();
+        let pressed = alone.step(&press).unwrap().normal_report().unwrap();
+        assert_limited(pressed.iterations, |limit| {
+            let mut history = builder().max_iterations(limit).build().unwrap();
+            history.step(&press).unwrap();
+            let mut seen = Vec::new();
+            let outcome = history.step_observed(&drag, |step| {
+                seen.push(*step);
+                ControlFlow::Continue(())
+            });
+            let report = outcome.map(|step| step.tangential_report().unwrap().clone());
+            Passes::new(report, seen)
+        });
+    }
+}

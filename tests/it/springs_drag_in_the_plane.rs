@@ -1,0 +1,366 @@
+//! In the plane, springs drag a body along x, along y or along both, beside any other load: each exerts
+//! k (X - delta), and the contact is that under those forces or those shifts.
+
+use kit::{max_abs, max_difference, rough, unit_bodies, unit_pair};
+use stickslip::history::LoadPath;
+use stickslip::{
+    Axis, Boundary, Error, Field, Friction, Grid, HalfSpace, History, TangentialModel, LoadStep,
+    NormalControl, TangentialControl, surface,
+};
+
+const FRICTION: f64 = 0.4;
+const LOAD: f64 = 4.0;
+const LIMIT: f64 = FRICTION * LOAD;
+/// Of the contact itself, about.
+const STIFFNESS: f64 = 4.0;
+const TOLERANCE: f64 = 1e-9;
+
+fn pressed(poisson_ratio: f64, lateral: TangentialModel) -> History {
+    let grid = Grid::square(48, 12.0).unwrap();
+    let ball = surface::sphere(grid, 20.0).unwrap();
+    press(&unit_bodies(grid, poisson_ratio), &ball, lateral)
+}
+
+fn press(bodies: &HalfSpace, gap: &Field, lateral: TangentialModel) -> History {
+    press_to(TOLERANCE, bodies, gap, lateral)
+}
+
+fn press_to(tolerance: f64, bodies: &HalfSpace, gap: &Field, lateral: TangentialModel) -> History {
+    let friction = Friction::coulomb(FRICTION).unwrap();
+    let builder = History::builder(bodies, gap, friction).model(lateral);
+    let mut history = builder.tolerance(tolerance).build().unwrap();
+    let press = LoadStep::hold().normal(NormalControl::Force(LOAD));
+    history.step(&press).unwrap();
+    history
+}
+
+fn spring(position: f64, stiffness: f64) -> TangentialControl {
+    TangentialControl::Spring {
+        position,
+        stiffness,
+    }
+}
+
+fn both(x: TangentialControl, y: TangentialControl) -> LoadStep {
+    LoadStep::hold()
+        .tangential(Axis::X, x)
+        .tangential(Axis::Y, y)
+}
+
+/// Largest difference of the tractions, of the largest the friction allows.
+fn traction_error(a: &History, b: &History) -> f64 {
+    let difference = |n: usize| {
+        let [a, b] = [a, b].map(|history| history.traction()[n].as_slice());
+        max_difference(a, b)
+    };
+    difference(0).max(difference(1)) / (FRICTION * a.pressure().max())
+}
+
+/// Largest difference of the shifts, of those at which all slides.
+fn shift_error(a: &History, b: &History) -> f64 {
+    max_difference(&a.shift(), &b.shift()) / (LIMIT / STIFFNESS)
+}
+
+#[test]
+fn springs_of_all_stiffnesses() {
+    use TangentialControl::{Force, Hold, Shift};
+    let grid = Grid::square(48, 12.0).unwrap();
+    let repeats = HalfSpace::with_boundary(grid, unit_pair(0.3), Boundary::Periodic).unwrap();
+    let scenes = [
+        (unit_bodies(grid, 0.3), surface::sphere(grid, 20.0).unwrap()),
+        (repeats, rough(grid, 6)),
+    ];
+    for (bodies, gap) in &scenes {
+        for stiffness in [1e-3, 0.1, STIFFNESS, 1e3, 1e7] {
+            let [mut by_spring, mut by_force, mut by_shift] =
+                [(); 3].map(|()| press(bodies, gap, TangentialModel::Vector));
+            // The far end that exerts about this force on a contact that sticks.
+            let pull = |part: f64, stiffness: f64| {
+                let compliance = 1.0 / STIFFNESS + 1.0 / stiffness;
+                spring(part * LIMIT * compliance, stiffness)
+            };
+            let other = 3.0 * stiffness;
+            for (x, y, twist) in [
+                (pull(0.5, stiffness), pull(-0.3, other), 0.0),
+                (pull(0.7, stiffness), Force(0.4 * LIMIT), 0.02),
+                (Shift(-0.1), pull(0.4, stiffness), 0.02),
+                (Hold, pull(-0.8, stiffness), -0.01),
+                (pull(-0.6, other), pull(0.6, stiffness), 0.0),
+            ] {
+                let twist = match bodies.boundary() {
+                    Boundary::Free => twist,
+                    Boundary::Periodic => 0.0,
+                };
+                by_spring.step(&both(x, y).twist(twist)).unwrap();
+                let (force, shift) = (by_spring.force(), by_spring.shift());
+                for (axis, load) in [x, y].into_iter().enumerate() {
+                    if let TangentialControl::Spring {
+                        position,
+                        stiffness,
+                    } = load
+                    {
+                        // As good as the stretch of the spring can be told from its ends.
+                        let error = force[axis] - stiffness * (position - shift[axis]);
+                        let round_off = stiffness * (position.abs() + shift[axis].abs());
+                        assert!(
+                            error.abs() < 1e-13 * (LIMIT + round_off),
+                            "{stiffness}: {error:e}"
+                        );
+                    }
+                }
+                assert!(force[0].hypot(force[1]) <= LIMIT * (1.0 + 1e-12));
+                let report = by_spring.last_step().tangential_report().unwrap();
+                assert!(report.is_converged() && report.residual <= TOLERANCE);
+                assert!(report.energy_error_bound() <= TOLERANCE);
+
+                by_force.step(&LoadStep::force(force).twist(twist)).unwrap();
+                by_shift.step(&LoadStep::shift(shift).twist(twist)).unwrap();
+                for other in [&by_force, &by_shift] {
+                    let (traction, shift) = (
+                        traction_error(&by_spring, other),
+                        shift_error(&by_spring, other),
+                    );
+                    assert!(traction < 1e-6, "{stiffness}: {traction:e}");
+                    assert!(shift < 1e-8, "{stiffness}: {shift:e}");
+                }
+            }
+        }
+    }
+}
+
+/// Pressed flat, surfaces that repeat do not yield to a mean traction: the springs alone do.
+#[test]
+fn flat_surfaces_that_repeat_yield_by_their_springs() {
+    let grid = Grid::square(16, 12.0).unwrap();
+    let bodies = HalfSpace::with_boundary(grid, unit_pair(0.3), Boundary::Periodic).unwrap();
+    for stiffness in [1e-3, 1.0, 1e3, 1e5] {
+        for lateral in [TangentialModel::Scalar, TangentialModel::Vector] {
+            let mut history = press(&bodies, &Field::zeros(grid), lateral);
+            for part in [0.5, -0.8, 0.1] {
+                let pull = spring(part * LIMIT / stiffness, stiffness);
+                let load = match lateral {
+                    TangentialModel::Scalar => LoadStep::hold().tangential(Axis::X, pull),
+                    TangentialModel::Vector => both(pull, spring(0.1 * LIMIT, 1.0)),
+                };
+                history.step(&load).unwrap();
+                let error = history.force()[0] / (part * LIMIT) - 1.0;
+                assert!(error.abs() < 1e-12, "{stiffness}, {lateral:?}: {error:e}");
+                assert!(history.slip_path().max() == 0.0);
+            }
+        }
+    }
+}
+
+/// Beside how little they yield, what a tolerance leaves of the shift may be much; of the force it must not.
+#[test]
+fn stiff_springs_tell_the_force_of_flat_surfaces_or_say_they_cannot() {
+    let grid = Grid::square(16, 12.0).unwrap();
+    let bodies = HalfSpace::with_boundary(grid, unit_pair(0.3), Boundary::Periodic).unwrap();
+    for lateral in [TangentialModel::Scalar, TangentialModel::Vector] {
+        for tolerance in [1e-4, 1e-6, 1e-8] {
+            let mut answered = 0;
+            for stiffness in [1e3, 1e5, 1e7, 1e9, 1e11] {
+                let mut history = press_to(tolerance, &bodies, &Field::zeros(grid), lateral);
+                let pull = spring(0.5 * LIMIT / stiffness, stiffness);
+                let step = LoadStep::hold().tangential(Axis::X, pull);
+                if history.step(&step).is_ok() {
+                    answered += 1;
+                    let error = (history.force()[0] / (0.5 * LIMIT) - 1.0).abs();
+                    assert!(
+                        error < 2.0 * tolerance,
+                        "{stiffness}, {lateral:?}: {error:e}"
+                    );
+                }
+            }
+            assert!(answered >= 2, "{lateral:?}, {tolerance}");
+        }
+    }
+}
+
+/// As stiff as a rod a spring prescribes the shift, soft and far away the force.
+#[test]
+fn the_stiffest_and_the_softest() {
+    let [mut rod, mut by_shift, mut soft, mut by_force] =
+        [(); 4].map(|()| pressed(0.3, TangentialModel::Vector));
+    for part in [[0.5, 0.2], [-0.3, 0.6], [0.1, -0.8]] {
+        let shift = part.map(|part| part * LIMIT / STIFFNESS);
+        let [x, y] = shift.map(|shift| spring(shift, 1e10));
+        rod.step(&both(x, y)).unwrap();
+        by_shift.step(&LoadStep::shift(shift)).unwrap();
+        let error = traction_error(&rod, &by_shift);
+        assert!(error < 1e-7, "{error:e}");
+
+        let force = part.map(|part| part * LIMIT);
+        let [x, y] = force.map(|force| spring(1e4 * force, 1e-4));
+        soft.step(&both(x, y)).unwrap();
+        by_force.step(&LoadStep::force(force)).unwrap();
+        let error = traction_error(&soft, &by_force);
+        // By what the contact moves the spring pulls less.
+        assert!(error < 1e-4, "{error:e}");
+    }
+}
+
+/// Without Poisson's ratio the tractions along x and y do not see each other's displacements.
+#[test]
+fn a_spring_along_an_axis_is_that_of_the_scalar_model() {
+    let [mut plane, mut scalar] =
+        [TangentialModel::Vector, TangentialModel::Scalar].map(|lateral| pressed(0.0, lateral));
+    for (position, stiffness) in [(0.4, 2.0), (0.7, 2.0), (-0.5, 8.0), (0.1, 0.5), (3.0, 2.0)] {
+        let load = LoadStep::hold().tangential(Axis::X, spring(position, stiffness));
+        plane.step(&load).unwrap();
+        scalar.step(&load).unwrap();
+        let (traction, shift) = (
+            traction_error(&plane, &scalar),
+            shift_error(&plane, &scalar),
+        );
+        assert!(traction < 1e-7 && shift < 1e-8, "{traction:e}, {shift:e}");
+        assert_eq!(plane.zones(), scalar.zones());
+    }
+}
+
+#[test]
+fn a_turned_path_turns_the_answer() {
+    let [mut one, mut other] = [(); 2].map(|()| pressed(0.3, TangentialModel::Vector));
+    let n = one.grid().nx();
+    let force = TangentialControl::Force;
+    for (x, [y, minus_y], twist) in [
+        (spring(0.4, 2.0), [spring(0.3, 5.0), spring(-0.3, 5.0)], 0.0),
+        (force(-0.4), [spring(-0.4, 3.0), spring(0.4, 3.0)], 0.03),
+        (spring(0.2, 1.0), [force(0.3), force(-0.3)], 0.01),
+        (
+            spring(-3.0, 2.0),
+            [spring(2.0, 2.0), spring(-2.0, 2.0)],
+            0.0,
+        ),
+    ] {
+        one.step(&both(x, y).twist(twist)).unwrap();
+        other.step(&both(minus_y, x).twist(twist)).unwrap();
+        let ([ax, ay], [bx, by]) = (one.shift(), other.shift());
+        assert!(max_abs(&[bx + ay, by - ax]) < 1e-8);
+        let ([ax, ay], [bx, by]) = (one.traction(), other.traction());
+        for (iy, ix) in (0..n).flat_map(|iy| (0..n).map(move |ix| (iy, ix))) {
+            let (i, turned) = (iy * n + ix, ix * n + (n - 1 - iy));
+            let error = [
+                bx.as_slice()[turned] + ay.as_slice()[i],
+                by.as_slice()[turned] - ax.as_slice()[i],
+            ];
+            assert!(max_abs(&error) < 1e-7, "{error:?}");
+        }
+    }
+}
+
+/// Round an ellipse with the far ends of two springs: what they take up and do not store, slip dissipates.
+#[test]
+fn a_closed_loop_dissipates_the_work_of_the_far_ends() {
+    let mut history = pressed(0.3, TangentialModel::Vector);
+    let stiffness = [2.0, 6.0];
+    let path = LoadPath::ellipse([0.6, 0.3], 1.0, 24).unwrap();
+    let mut last = [0.0; 2];
+    let spring_energy = |force: [f64; 2]| {
+        0.5 * (force[0] * force[0] / stiffness[0] + force[1] * force[1] / stiffness[1])
+    };
+    for cycle in 0..3 {
+        let before = history.force();
+        let (mut work, mut dissipated, mut stored) = (0.0, 0.0, 0.0);
+        for position in path.steps() {
+            let force = history.force();
+            let [x, y] = [0, 1].map(|axis| spring(position[axis], stiffness[axis]));
+            let step = history.step(&both(x, y)).unwrap();
+            let (after, energy) = (step.force(), step.energy());
+            for axis in 0..2 {
+                work += 0.5 * (force[axis] + after[axis]) * (position[axis] - last[axis]);
+            }
+            last = *position;
+            assert!(energy.dissipated >= 0.0 && energy.dissipated_mid_step >= 0.0);
+            let scale = energy.elastic_before.max(energy.elastic_after) + energy.work.abs();
+            assert!(energy.imbalance().abs() < 1e-12 * scale, "{energy:?}");
+            dissipated += energy.dissipated_mid_step;
+            stored += energy.elastic_after - energy.elastic_before;
+        }
+        stored += spring_energy(history.force()) - spring_energy(before);
+        let lost = (work - stored) / dissipated - 1.0;
+        assert!(lost.abs() < 1e-9, "{cycle}: {lost:e}");
+    }
+}
+
+/// Springs can slide the contact: together they pull as friction allows, and body 2 follows their far ends.
+#[test]
+fn springs_slide_the_contact() {
+    let mut history = pressed(0.3, TangentialModel::Vector);
+    let limit = FRICTION * history.pressure().integral();
+    let stiffness = [4.0, 2.0];
+    for (way, slides) in [(2.0, true), (4.0, true), (80.0, true), (79.5, false)] {
+        let position = [0.6 * way, 0.8 * way];
+        let [x, y] = [0, 1].map(|axis| spring(position[axis], stiffness[axis]));
+        let before = history.shift();
+        let step = history.step(&both(x, y)).unwrap();
+        assert_eq!(step.is_gross_sliding(), slides, "{way}");
+        let (force, shift) = (step.force(), step.shift());
+        let pull = force[0].hypot(force[1]);
+        for axis in 0..2 {
+            let given_way = position[axis] - force[axis] / stiffness[axis];
+            assert!((shift[axis] - given_way).abs() < 1e-12 * way);
+        }
+        if slides {
+            assert!((pull / limit - 1.0).abs() < 1e-3 && pull <= limit * (1.0 + 1e-12));
+            // Along the way body 2 goes, but for what the surfaces turn by themselves.
+            let [dx, dy] = [0, 1].map(|axis| shift[axis] - before[axis]);
+            let along = (force[0] * dx + force[1] * dy) / (pull * dx.hypot(dy));
+            assert!(along > 0.99);
+        } else {
+            assert!(pull < 0.9 * limit);
+        }
+    }
+
+    // Slid by a force at the limit, the contact leaves a spring across it where it is.
+    let slide = both(TangentialControl::Force(limit), spring(70.0, 2.0));
+    let step = history.step(&slide).unwrap();
+    assert!(step.is_gross_sliding());
+    assert!((step.force()[0] / limit - 1.0).abs() < 1e-12 && step.force()[1].abs() < 1e-12);
+    assert!((step.shift()[1] - 70.0).abs() < 1e-12);
+}
+
+#[test]
+fn refused_springs() {
+    let mut history = pressed(0.3, TangentialModel::Vector);
+    history
+        .step(&both(spring(0.2, 3.0), spring(0.1, 2.0)))
+        .unwrap();
+    let saved = history.to_bytes();
+    for stiffness in [0.0, -2.0, f64::INFINITY, f64::NAN] {
+        let bad = spring(0.1, stiffness);
+        for load in [
+            both(bad, TangentialControl::Hold),
+            both(TangentialControl::Force(0.1), bad),
+        ] {
+            let Err(Error::NotPositive { value, .. }) = history.step(&load) else {
+                panic!("{load:?}")
+            };
+            assert_eq!(value.to_bits(), stiffness.to_bits());
+        }
+    }
+    let refused = history.step(&both(TangentialControl::Hold, spring(f64::NAN, 2.0)));
+    assert!(matches!(refused, Err(Error::NotFinite { .. })));
+    assert_eq!(history.to_bytes(), saved);
+}
+
+/// Nothing of a spring is remembered but where it has left body 2.
+#[test]
+fn a_restored_history_goes_on_to_the_same_bits() {
+    let mut whole = pressed(0.3, TangentialModel::Vector);
+    let steps = [
+        both(spring(0.3, 2.0), spring(-0.4, 5.0)),
+        both(TangentialControl::Hold, TangentialControl::Force(0.2)),
+        both(spring(-0.2, 1.0), TangentialControl::Hold),
+    ];
+    whole.step(&steps[0]).unwrap();
+    let mut restored = {
+        let grid = whole.grid();
+        History::from_bytes(&unit_bodies(grid, 0.3), &whole.to_bytes()).unwrap()
+    };
+    for load in &steps[1..] {
+        whole.step(load).unwrap();
+        restored.step(load).unwrap();
+    }
+    assert_eq!(whole.to_bytes(), restored.to_bytes());
+}

@@ -1,0 +1,130 @@
+//! With proportional compliances, partial slip is the difference of two normal contacts: on any
+//! surface, cell by cell.
+
+use kit::{max_abs, max_difference, rough, unit_bodies};
+use stickslip::cgm::Method;
+use stickslip::tangential::JaegerSuperposition;
+use stickslip::{
+    Boundary, Error, Field, Friction, Grid, HalfSpace, NormalControl, NormalProblem, NormalSolution,
+    TangentialLoad, TangentialSolution, surface,
+};
+
+const FRICTION: f64 = 0.4;
+const TOLERANCE: f64 = 1e-13;
+
+fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
+    kit::press(
+        bodies,
+        gap,
+        NormalControl::Force(force),
+        TOLERANCE,
+        Method::ActiveSet,
+    )
+}
+
+fn shear(bodies: &HalfSpace, normal: &NormalSolution, force: [f64; 2]) -> TangentialSolution {
+    let (friction, load) = (
+        Friction::coulomb(FRICTION).unwrap(),
+        TangentialLoad::force(force),
+    );
+    kit::shear(
+        bodies,
+        normal,
+        &friction,
+        load,
+        TOLERANCE,
+        Method::ActiveSet,
+    )
+}
+
+#[test]
+fn at_poisson_ratio_zero_on_a_rough_surface() {
+    let grid = Grid::square(128, 100.0).unwrap();
+    let gap = rough(grid, 11);
+    let bodies = unit_bodies(grid, 0.0);
+    let load = 20.0;
+    let full = press(&bodies, &gap, load);
+    // A contact of many spots, neither a few cells nor closed.
+    let fraction = full.contact_cells() as f64 / grid.cells() as f64;
+    assert!((0.02..0.2).contains(&fraction), "{fraction}");
+    for f in [0.1, 0.5, 0.9, 0.999] {
+        let stick = press(&bodies, &gap, load * (1.0 - f));
+        let exact = JaegerSuperposition::new(&full, &stick, bodies.pair(), FRICTION).unwrap();
+        for (axis, force) in [[1.0, 0.0], [0.0, -1.0]].into_iter().enumerate() {
+            let sign = force[axis];
+            let found = shear(&bodies, &full, force.map(|unit| unit * FRICTION * load * f));
+            let expected: Vec<f64> = exact
+                .traction()
+                .as_slice()
+                .iter()
+                .map(|q| sign * q)
+                .collect();
+            let traction = found.traction()[axis].as_slice();
+            let error = max_difference(traction, &expected) / max_abs(&expected);
+            assert!(error <= 1e-9, "F/(mu W) = {f}, axis {axis}: {error:e}");
+            assert_eq!(found.zones(), exact.zones(), "F/(mu W) = {f}, axis {axis}");
+            let shift_error = (sign * found.shift()[axis] / exact.shift() - 1.0).abs();
+            assert!(
+                shift_error < 1e-10,
+                "F/(mu W) = {f}, axis {axis}: {shift_error:e}"
+            );
+            assert_eq!(max_abs(found.traction()[1 - axis].as_slice()), 0.0);
+        }
+    }
+}
+
+/// For other ratios it is an approximation, of the size theory says: it must be near, and it must
+/// not be exact, or the tangential compliance would be the normal one.
+#[test]
+fn at_other_poisson_ratios_it_is_near() {
+    let grid = Grid::square(96, 100.0).unwrap();
+    let gap = rough(grid, 12);
+    let (load, f) = (20.0, 0.4);
+    for (nu, least, most) in [(0.29, 5e-3, 0.07), (0.5, 1e-2, 0.14)] {
+        let bodies = unit_bodies(grid, nu);
+        let full = press(&bodies, &gap, load);
+        let stick = press(&bodies, &gap, load * (1.0 - f));
+        let near = JaegerSuperposition::new(&full, &stick, bodies.pair(), FRICTION).unwrap();
+        let found = shear(&bodies, &full, [FRICTION * load * f, 0.0]);
+        let error = kit::l2_difference(near.traction().as_slice(), found.traction()[0].as_slice());
+        assert!((least..most).contains(&error), "nu = {nu}: {error}");
+        assert!((near.shift() / found.shift()[0] - 1.0).abs() < 0.03);
+    }
+}
+
+/// Contacts of two scenes, of loads the wrong way round, or not solved have no difference that means anything.
+#[test]
+fn contacts_that_do_not_belong_together_are_refused() {
+    let grid = Grid::square(32, 16.0).unwrap();
+    let gap = surface::sphere(grid, 20.0).unwrap();
+    let bodies = unit_bodies(grid, 0.0);
+    let (full, stick) = (press(&bodies, &gap, 2.0), press(&bodies, &gap, 1.0));
+    let refused =
+        |full, stick| JaegerSuperposition::new(full, stick, bodies.pair(), FRICTION).unwrap_err();
+
+    let Error::Negative { value, .. } = refused(&stick, &full) else {
+        panic!("a lighter contact that is the heavier one is accepted");
+    };
+    assert!((value + FRICTION).abs() < 1e-9);
+    // The same load twice is no force, not one of the wrong sign.
+    let none = JaegerSuperposition::new(&full, &full, bodies.pair(), FRICTION).unwrap();
+    assert_eq!(none.force(), 0.0);
+
+    let repeated = HalfSpace::with_boundary(grid, *bodies.pair(), Boundary::Periodic).unwrap();
+    let repeated = press(&repeated, &gap, 1.0);
+    assert!(matches!(
+        refused(&full, &repeated),
+        Error::BoundaryMismatch { .. }
+    ));
+
+    let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(1.0));
+    let unsolved = problem
+        .build()
+        .unwrap()
+        .into_solver()
+        .unwrap()
+        .new_solution();
+    for error in [refused(&full, &unsolved), refused(&unsolved, &stick)] {
+        assert!(matches!(error, Error::NotConverged(_)), "{error}");
+    }
+}

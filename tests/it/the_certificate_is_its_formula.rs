@@ -1,0 +1,193 @@
+//! What a report says of an iterate is what the formulas of its fields give, not only a bound of it.
+
+use std::ops::ControlFlow;
+
+use approx::assert_relative_eq;
+use kit::{Random, max_abs};
+use stickslip::cgm::{self, Constraint, Interval, Method, NonNegative, Problem, Report, Settings};
+use stickslip::{Error, Operator};
+
+/// Springs in a ring, each coupled to the next: 2 on the diagonal, beside it the coupling. Of -1 it maps
+/// constants to zero.
+struct Chain {
+    len: usize,
+    coupling: f64,
+    lower_bound: f64,
+}
+
+impl Operator for Chain {
+    type Workspace = ();
+
+    fn cells(&self) -> usize {
+        self.len
+    }
+
+    fn workspace(&self) {}
+
+    fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], (): &mut ()) {
+        for (i, out) in out.iter_mut().enumerate() {
+            let beside = x[(i + self.len - 1) % self.len] + x[(i + 1) % self.len];
+            *out = 2.0 * x[i] + self.coupling * beside;
+        }
+    }
+
+    fn lower_bound(&self) -> f64 {
+        self.lower_bound
+    }
+}
+
+/// Cancelled when it was examined, before anything has moved.
+fn examined(chain: &Chain, linear: &[f64], interval: &Interval<'_>, x: &mut [f64]) -> Report {
+    let problem = Problem::new(chain, linear, interval.clone());
+    let mut workspace = problem.workspace();
+    let (start, mut calls) = (x.to_vec(), 0);
+    let cancel = &mut |_: &_| {
+        calls += 1;
+        if calls < 2 {
+            ControlFlow::Continue(())
+        } else {
+            ControlFlow::Break(())
+        }
+    };
+    let outcome = cgm::minimise_with(&problem, &Settings::default(), x, &mut workspace, cancel);
+    assert!(matches!(outcome, Ok(()) | Err(Error::NotConverged(_))));
+    assert_eq!(x, start);
+    workspace.report().clone()
+}
+
+/// Entries at either bound, between them and held, of either sign of gradient; as many as fill no lane.
+#[test]
+fn of_an_iterate_that_nothing_has_moved() {
+    let mut random = Random(7);
+    for len in [1, 2, 7, 29, 5003] {
+        for (coupling, lower_bound) in [(-0.5, 0.0), (-0.5, 0.3), (-0.5, 1.0), (-1.0, 0.3)] {
+            let chain = Chain {
+                len,
+                coupling,
+                lower_bound,
+            };
+            let mut x: Vec<f64> = (0..len).map(|_| random.uniform(-1.0, 3.0)).collect();
+            if coupling <= -1.0 {
+                // All alike, which displaces nothing: its size is what the eigenvalue makes of it.
+                x.fill(0.75);
+            }
+            let linear: Vec<f64> = (0..len).map(|_| random.uniform(-4.0, 4.0)).collect();
+            let bounds: Vec<[f64; 2]> = x
+                .iter()
+                .map(|&x| match random.integer(0, 3) {
+                    0 => [x, x + random.uniform(0.5, 2.0)],
+                    1 => [x - random.uniform(0.5, 2.0), x],
+                    2 => [x, x],
+                    _ => [x - random.uniform(0.1, 2.0), x + random.uniform(0.1, 2.0)],
+                })
+                .collect();
+            let [lower, upper] = [0, 1]
+                .map(|side| -> Vec<f64> { bounds.iter().map(|bounds| bounds[side]).collect() });
+            let interval = Interval {
+                lower: &lower,
+                upper: &upper,
+            };
+            let report = examined(&chain, &linear, &interval, &mut x);
+
+            let mut product = vec![0.0; len];
+            chain.apply([&x], [&mut product], &mut ());
+            let (mut moving, mut forbidden) = (vec![0.0], vec![0.0]);
+            let (mut dual, mut square, mut largest) = (0.0, 0.0, 0.0_f64);
+            for i in (0..len).filter(|&i| lower[i] < upper[i]) {
+                let g = product[i] + linear[i];
+                let is_allowed = (x[i] <= lower[i] && g > 0.0) || (x[i] >= upper[i] && g < 0.0);
+                let r = if is_allowed { 0.0 } else { g };
+                let [by_gap, by_eigenvalue] =
+                    [g * x[i] - interval.least_product(i, g), r * r / lower_bound];
+                if r != 0.0 && by_gap <= by_eigenvalue {
+                    dual += by_gap;
+                } else if r != 0.0 {
+                    square += by_eigenvalue;
+                }
+                largest = largest.max(x[i].abs());
+                moving.push(product[i]);
+                forbidden.push(r);
+            }
+            let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+            let bound = 0.5 * f64::sqrt(square) + f64::sqrt(0.25 * square + dual);
+            let displacement = max_abs(&moving).max(lower_bound * largest);
+            let energy = dot(&x, &product).max(lower_bound * dot(&x, &x));
+            let (residual, gap) = if max_abs(&forbidden) > 0.0 {
+                (max_abs(&forbidden) / displacement, bound * bound / energy)
+            } else {
+                (0.0, 0.0)
+            };
+            assert_relative_eq!(report.residual, residual, max_relative = 1e-13);
+            let is_between = |i: &usize| lower[*i] < x[*i] && x[*i] < upper[*i];
+            assert_eq!(report.history[0].free, (0..len).filter(is_between).count());
+            assert_relative_eq!(report.certified_gap, gap, max_relative = 1e-12);
+        }
+    }
+}
+
+/// Where all give way by the eigenvalue, `E = |r| / sqrt(lambda)`; where all do by the gap, `E^2` is its sum.
+#[test]
+fn of_a_single_entry() {
+    let interval = Interval {
+        lower: &[1.0],
+        upper: &[11.0],
+    };
+    for (x, b, lower_bound, square) in [
+        // g = 1, far from either bound: g^2 / lambda = 1/2 beats g (x - 1) = 4.
+        (5.0, -9.0, 2.0, 0.5),
+        // g = 1, an eighth from the bound it goes to: g (x - 1) = 1/8 beats 1/2.
+        (1.125, -1.25, 2.0, 0.125),
+        // The first without an eigenvalue.
+        (5.0, -9.0, 0.0, 4.0),
+        // g = -1, a quarter from the other: g (x - 11) = 1/4.
+        (10.75, -22.5, 2.0, 0.25),
+    ] {
+        let chain = Chain {
+            len: 1,
+            coupling: 0.0,
+            lower_bound,
+        };
+        let report = examined(&chain, &[b], &interval, &mut [x]);
+        let energy = 2.0 * x * x;
+        assert_relative_eq!(report.certified_gap, square / energy, max_relative = 1e-14);
+        assert_relative_eq!(report.residual, 0.5 / x, max_relative = 1e-14);
+    }
+}
+
+/// An operator that keeps its eigenvalues to itself leaves the residual alone to stop by: the gap is infinite as
+/// long as an entry without an upper bound wants to grow.
+#[test]
+fn without_an_eigenvalue_the_residual_decides() {
+    let chain = Chain {
+        len: 40,
+        coupling: -0.5,
+        lower_bound: 0.0,
+    };
+    let mut random = Random(11);
+    let linear: Vec<f64> = (0..40).map(|_| random.uniform(-4.0, 4.0)).collect();
+    for method in [Method::ActiveSet, Method::PolonskyKeer] {
+        let settings = Settings::default().tolerance(1e-6).method(method);
+        let mut x = vec![1.0; 40];
+        let problem = Problem::new(&chain, &linear, NonNegative);
+        let report = cgm::minimise(&problem, &settings, &mut x).unwrap().report;
+        assert!(report.residual > 0.0 && report.residual <= 1e-6, "{report}");
+        assert!(report.certified_gap.is_infinite(), "{report}");
+    }
+}
+
+/// An energy below zero, of an operator that is not what it should be, bounds nothing.
+#[test]
+fn no_gap_is_negative() {
+    let chain = Chain {
+        len: 3,
+        coupling: -2.0,
+        lower_bound: 0.0,
+    };
+    let interval = Interval {
+        lower: &[1.0; 3],
+        upper: &[3.0; 3],
+    };
+    let report = examined(&chain, &[0.0; 3], &interval, &mut [2.0; 3]);
+    assert_eq!(report.certified_gap, f64::INFINITY);
+    assert!(report.energy_error_bound().is_infinite());
+}

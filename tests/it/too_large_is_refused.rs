@@ -1,0 +1,79 @@
+//! What no memory can hold is refused with the bytes it would take, before any is taken.
+
+use kit::unit_pair;
+use stickslip::cgm::{self, NonNegative, Problem, Settings};
+use stickslip::fft::Convolution;
+use stickslip::history::LoadPath;
+use stickslip::influence::{Component, Table};
+use stickslip::surface::{self, SelfAffine};
+use stickslip::{Boundary, Error, Field, Grid, HalfSpace, Identity, Result};
+
+/// The bytes an outcome was refused for.
+fn bytes<T>(outcome: Result<T>) -> u128 {
+    match outcome.map(|_| ()) {
+        Err(error @ Error::Memory { bytes, .. }) => {
+            assert!(error.to_string().contains(&format!("{bytes} bytes")));
+            bytes
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn grids_that_no_index_reaches() {
+    const BILLION: usize = 1_000_000_000;
+    let padded = 128 * 1_000_000_000_000_000_000;
+    assert_eq!(bytes(Grid::new(BILLION, BILLION, 1.0, 1.0)), padded);
+    assert_eq!(bytes(Grid::square(BILLION, 1.0)), padded);
+    assert_eq!(
+        bytes(Grid::new(usize::MAX, 1, 1.0, 1.0)),
+        128 * usize::MAX as u128
+    );
+    // Twice along each axis is too much where once is not.
+    let grid = Grid::new(1 << 28, 1 << 27, 1.0, 1.0).unwrap();
+    let cropped = SelfAffine::with_rms_height(1.0).cropped();
+    assert_eq!(bytes(cropped.generate(grid)), 128 << 57);
+}
+
+/// More than any machine can address, though an index could.
+#[test]
+fn grids_that_no_machine_holds() {
+    let cells = 1_u128 << 55;
+    let grid = Grid::new(1 << 28, 1 << 27, 1.0, 1.0).unwrap();
+    let pair = unit_pair(0.3);
+    for boundary in [Boundary::Free, Boundary::Periodic] {
+        assert!(bytes(HalfSpace::with_boundary(grid, pair, boundary)) > 100 * cells);
+    }
+    assert!(bytes(Convolution::new(grid, &pair, Component::ZZ)) >= 8 * cells);
+    assert!(bytes(Table::sample(grid, &pair, Component::XY)) >= 8 * cells);
+    assert!(bytes(SelfAffine::with_rms_slope(0.1).generate(grid)) >= 16 * cells);
+    for shape in [
+        surface::sphere(grid, 1.0),
+        surface::ellipsoid(grid, 1.0, 2.0),
+        surface::cylinder(grid, 1.0),
+        surface::paraboloid(grid, [1.0, 0.0, 1.0]),
+        surface::cone(grid, 0.1),
+        surface::flat_punch(grid, 1.0, 1.0),
+        surface::wavy(grid, 1.0, 1.0),
+        surface::bisinusoidal(grid, 1.0, [1.0, 1.0]),
+    ] {
+        assert_eq!(bytes(shape), 8 * cells);
+    }
+    let small = Field::zeros(Grid::square(4, 1.0).unwrap());
+    let fine = Grid::new(1 << 28, 1 << 27, 1e-10, 1e-10).unwrap();
+    assert_eq!(bytes(surface::resample(&small, fine)), 8 * cells);
+}
+
+#[test]
+fn paths_and_problems_without_end() {
+    let steps = usize::MAX - 3;
+    let expected = 16 * steps as u128;
+    assert_eq!(bytes(LoadPath::sine([1.0, 0.0], steps)), expected);
+    assert_eq!(bytes(LoadPath::triangle([1.0, 0.0], steps)), expected);
+    assert_eq!(bytes(LoadPath::ellipse([1.0, 2.0], 0.3, steps)), expected);
+
+    // An operator may say what it likes of its size: the start tells.
+    let problem = Problem::new(Identity::new(usize::MAX), &[], NonNegative);
+    let outcome = cgm::minimise(&problem, &Settings::default(), &mut []);
+    assert!(matches!(outcome, Err(Error::Length { .. })));
+}

@@ -1,0 +1,174 @@
+//! Laws of wear: steps sum to the law of the total, coefficients may differ from cell to cell, and a jump is
+//! as long as every limit allows.
+
+use kit::{Random, max_difference, unit_bodies};
+use stickslip::history::wear::{self, CycleJump};
+use stickslip::history::{Cycle, FrettingLoop, LoadPath};
+use stickslip::{Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl, surface};
+
+fn random(grid: Grid, random: &mut Random) -> Field {
+    let samples = (0..grid.cells()).map(|_| random.uniform(0.0, 1.0));
+    Field::from_vec(grid, samples.collect()).unwrap()
+}
+
+/// Cells cross the threshold in different steps, and some not at all.
+#[test]
+fn a_threshold_is_crossed_once() {
+    let grid = Grid::new(20, 15, 0.5, 0.25).unwrap();
+    let (coefficient, threshold) = (0.3, 50.0);
+    let mut numbers = Random(3);
+    let mut total = Field::zeros(grid);
+    let mut depth = Field::constant(grid, 2.0);
+    for _ in 0..12 {
+        let step = random(grid, &mut numbers);
+        total.add_scaled(1.0, &step).unwrap();
+        wear::threshold_energy(coefficient, threshold, &total, &step, &mut depth).unwrap();
+    }
+    let mut energy = total.as_slice().iter();
+    let expected = Field::from_fn(grid, |_, _| {
+        let density = energy.next().unwrap() / grid.cell_area();
+        2.0 + coefficient * (density - threshold).max(0.0)
+    });
+    assert!(max_difference(depth.as_slice(), expected.as_slice()) < 1e-13);
+    assert!(expected.min() == 2.0 && expected.max() > 2.0);
+
+    // Without a threshold it is the law of dissipated energy.
+    let mut plain = [Field::zeros(grid), Field::zeros(grid)];
+    let step = random(grid, &mut numbers);
+    wear::threshold_energy(coefficient, 0.0, &step, &step, &mut plain[0]).unwrap();
+    wear::dissipated_energy(coefficient, &step, &mut plain[1]).unwrap();
+    assert_eq!(plain[0], plain[1]);
+}
+
+#[test]
+fn coefficients_may_differ_from_cell_to_cell() {
+    let grid = Grid::new(12, 10, 0.5, 0.25).unwrap();
+    let mut numbers = Random(8);
+    let [coefficients, pressure, slip] = [(); 3].map(|()| random(grid, &mut numbers));
+    let laws = |coefficient: wear::Coefficient<'_>| {
+        let mut depths = [(); 3].map(|()| Field::zeros(grid));
+        let [one, two, three] = &mut depths;
+        wear::archard(coefficient, &pressure, &slip, one).unwrap();
+        wear::dissipated_energy(coefficient, &slip, two).unwrap();
+        wear::threshold_energy(coefficient, 1.0, &slip, &slip, three).unwrap();
+        depths
+    };
+    let (by_cell, by_one) = (laws((&coefficients).into()), laws(1.0.into()));
+    for (found, unit) in by_cell.iter().zip(&by_one) {
+        let cells = found.as_slice().iter().zip(unit.as_slice());
+        for ((found, unit), coefficient) in cells.zip(coefficients.as_slice()) {
+            assert!((found - coefficient * unit).abs() <= 1e-14 * unit);
+        }
+    }
+    // The fastest cell sets what is stable.
+    let bodies = unit_bodies(grid, 0.3);
+    let mut rates = Field::zeros(grid);
+    wear::archard(
+        &coefficients,
+        &Field::constant(grid, 1.0),
+        &slip,
+        &mut rates,
+    )
+    .unwrap();
+    let stable = wear::stable_cycles(&bodies, &coefficients, &slip).unwrap();
+    let of_one = wear::stable_cycles(&bodies, rates.max(), &Field::constant(grid, 1.0)).unwrap();
+    assert!((stable / of_one - 1.0).abs() < 1e-14);
+}
+
+fn worn_cycle() -> (HalfSpace, History, Cycle) {
+    let grid = Grid::square(40, 12.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let ball = surface::sphere(grid, 20.0).unwrap();
+    let friction = Friction::coulomb(0.4).unwrap();
+    let mut history = History::builder(&bodies, &ball, friction).build().unwrap();
+    let path = LoadPath::triangle([0.5, 0.0], 8).unwrap();
+    let load = |shift| LoadStep::shift(shift).normal(NormalControl::Force(4.0));
+    let mut cycle = Cycle::new(&history);
+    let fretting = FrettingLoop::new(path, load);
+    fretting.cycle(&mut history, &mut cycle).unwrap();
+    (bodies, history, cycle)
+}
+
+/// Archard's law and that of dissipated energy, of the same wear in full slip, allow the same jump.
+#[test]
+fn a_jump_is_half_of_what_is_stable() {
+    let (bodies, _, cycle) = worn_cycle();
+    let [mut by_slip, mut by_energy] = [(); 2].map(|()| Field::zeros(bodies.grid()));
+    let (pressure, slip) = (cycle.slip_pressure(), cycle.slip_length());
+    wear::archard(0.01, pressure, slip, &mut by_slip).unwrap();
+    wear::dissipated_energy(0.01 / 0.4, cycle.dissipation(), &mut by_energy).unwrap();
+    let stable = wear::stable_cycles(&bodies, 0.01, slip).unwrap();
+    for depth in [by_slip, by_energy] {
+        let jump = CycleJump::new(&bodies, &cycle, &depth).unwrap();
+        assert!((jump.cycles().unwrap() / (0.5 * stable) - 1.0).abs() < 1e-6);
+    }
+}
+
+#[test]
+fn a_jump_is_the_least_of_its_limits() {
+    let (bodies, history, cycle) = worn_cycle();
+    let grid = bodies.grid();
+    let mut depth = Field::zeros(grid);
+    let (pressure, slip) = (cycle.slip_pressure(), cycle.slip_length());
+    wear::archard(1e-3, pressure, slip, &mut depth).unwrap();
+    let jump = CycleJump::new(&bodies, &cycle, &depth).unwrap();
+    let alone = jump.cycles().unwrap();
+    assert!(alone > 0.0 && alone.is_finite());
+    let largest = 0.1 * alone * depth.max();
+    let shallow = jump.largest_depth(largest).cycles().unwrap();
+    assert!((shallow / (0.1 * alone) - 1.0).abs() < 1e-14);
+    assert_eq!(
+        jump.largest_depth(history.approach() * 1e9).cycles(),
+        Ok(alone)
+    );
+    let last = jump
+        .largest_depth(largest)
+        .cycles_left(0.01 * alone)
+        .cycles();
+    assert_eq!(last, Ok(0.01 * alone));
+    assert_eq!(jump.cycles_left(0.0).cycles(), Ok(0.0));
+
+    // Where nothing wears, nothing limits but the cycles left.
+    let still = CycleJump::new(&bodies, &cycle, &Field::zeros(grid)).unwrap();
+    assert_eq!(still.cycles(), Ok(f64::INFINITY));
+    assert_eq!(
+        still.largest_depth(0.0).cycles_left(500.0).cycles(),
+        Ok(500.0)
+    );
+
+    for bad in [
+        jump.largest_depth(-1.0),
+        jump.largest_depth(f64::NAN),
+        jump.cycles_left(f64::INFINITY),
+    ] {
+        assert!(matches!(bad.cycles(), Err(Error::Negative { .. })));
+    }
+    let elsewhere = Field::zeros(Grid::square(8, 1.0).unwrap());
+    assert!(CycleJump::new(&bodies, &cycle, &elsewhere).is_err());
+    assert!(CycleJump::new(&bodies, &cycle, &Field::constant(grid, -1.0)).is_err());
+}
+
+#[test]
+fn laws_refuse_bad_numbers_and_fields() {
+    let grid = Grid::square(4, 1.0).unwrap();
+    let one = Field::constant(grid, 1.0);
+    let other = Field::zeros(Grid::square(5, 1.0).unwrap());
+    let bad = Field::constant(grid, -1.0);
+    let mut depth = Field::constant(grid, 3.0);
+    assert!(wear::archard(f64::NAN, &one, &one, &mut depth).is_err());
+    assert!(wear::archard(&bad, &one, &one, &mut depth).is_err());
+    assert!(wear::archard(&other, &one, &one, &mut depth).is_err());
+    assert!(wear::archard(1.0, &bad, &one, &mut depth).is_err());
+    assert!(wear::archard(1.0, &one, &bad, &mut depth).is_err());
+    assert!(wear::archard(1.0, &other, &one, &mut depth).is_err());
+    assert!(wear::dissipated_energy(-1.0, &one, &mut depth).is_err());
+    assert!(wear::dissipated_energy(1.0, &bad, &mut depth).is_err());
+    assert!(wear::dissipated_energy(1.0, &other, &mut depth).is_err());
+    assert!(wear::threshold_energy(1.0, f64::NAN, &one, &one, &mut depth).is_err());
+    assert!(wear::threshold_energy(1.0, -1.0, &one, &one, &mut depth).is_err());
+    assert!(wear::threshold_energy(1.0, 1.0, &bad, &one, &mut depth).is_err());
+    assert!(wear::threshold_energy(1.0, 1.0, &one, &other, &mut depth).is_err());
+    assert!(depth.add_scaled(f64::NAN, &one).is_err());
+    assert!(depth.add_scaled(1.0, &other).is_err());
+    assert_eq!(depth, Field::constant(grid, 3.0));
+}

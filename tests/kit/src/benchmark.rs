@@ -1,0 +1,105 @@
+//! Contacts to measure with: the ball of the paper, and a rough surface under three loads.
+
+use stickslip::analytical::{CattaneoMindlin, HertzSphere};
+use stickslip::cgm::Method;
+use stickslip::surface::SelfAffine;
+use stickslip::{
+    ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
+    NormalSolution, Result, TangentialLoad, TangentialProblem, surface,
+};
+
+pub const FRICTION: f64 = 0.5;
+/// Tangential force over the force at which the contact slides.
+pub const LOADING: f64 = 0.4;
+
+/// Mean pressures over the contact modulus: tried on 256 x 256 cells until about 2, 10 and 40 % of the
+/// cells touched. The surface is as steep on every grid, so nearly as many touch there.
+const ROUGH_LOADS: [(&str, f64); 3] = [
+    ("rough-2%", 0.0009),
+    ("rough-10%", 0.0044),
+    ("rough-40%", 0.024),
+];
+
+/// Two bodies, pressed and then sheared along x.
+#[derive(Debug)]
+pub struct Scene {
+    pub name: &'static str,
+    pub bodies: HalfSpace,
+    pub gap: Field,
+    pub force: f64,
+    exact: Option<CattaneoMindlin>,
+}
+
+/// The ball of the paper's Table 2, in SI units, on a square of three contact radii.
+pub fn ball(cells: u16) -> Result<Scene> {
+    let steel = Material::new(213e9, 0.29)?;
+    let pair = ElasticPair::new(steel, steel)?;
+    let hertz = HertzSphere::new(&pair, 3.5e-3, 100.0)?;
+    let grid = Grid::square(usize::from(cells), 3.0 * hertz.contact_radius())?;
+    let shear_force = LOADING * FRICTION * hertz.load();
+    Ok(Scene {
+        name: "sphere",
+        bodies: HalfSpace::new(grid, pair)?,
+        gap: surface::sphere(grid, hertz.radius())?,
+        force: hertz.load(),
+        exact: Some(CattaneoMindlin::new(hertz, FRICTION, shear_force)?),
+    })
+}
+
+/// One rough surface on two equal bodies whose contact modulus `E / 2(1 - nu^2)` is the unit of
+/// pressure and whose cells are the unit of length, under three loads.
+pub fn rough(cells: u16) -> Result<[Scene; 3]> {
+    let body = Material::new(2.0 * (1.0 - 0.3 * 0.3), 0.3)?;
+    let side = f64::from(cells);
+    let grid = Grid::square(usize::from(cells), side)?;
+    let rough = SelfAffine::with_rms_slope(0.1)
+        .longest_wavelength(side / 4.0)
+        .roll_off_wavelength(side / 4.0)
+        .seed(1)
+        .generate(grid)?;
+    let gap = surface::gap_of(rough.heights())?;
+    let bodies = HalfSpace::new(grid, ElasticPair::new(body, body)?)?;
+    Ok(ROUGH_LOADS.map(|(name, pressure)| Scene {
+        name,
+        bodies: bodies.clone(),
+        gap: gap.clone(),
+        force: pressure * gap.grid().area(),
+        exact: None,
+    }))
+}
+
+impl Scene {
+    pub fn normal(&self, method: Method, tolerance: f64) -> Result<NormalProblem> {
+        let load = NormalControl::Force(self.force);
+        NormalProblem::builder(&self.bodies, &self.gap, load)
+            .method(method)
+            .tolerance(tolerance)
+            .build()
+    }
+
+    pub fn tangential(
+        &self,
+        normal: &NormalSolution,
+        method: Method,
+        tolerance: f64,
+    ) -> Result<TangentialProblem> {
+        let friction = Friction::coulomb(FRICTION)?;
+        let load = TangentialLoad::force([LOADING * FRICTION * self.force, 0.0]);
+        TangentialProblem::builder(&self.bodies, normal, friction, load)
+            .method(method)
+            .tolerance(tolerance)
+            .build()
+    }
+
+    /// Pressure and shear traction at the centres of the cells, where they have a closed form.
+    pub fn closed_form(&self) -> Option<[Field; 2]> {
+        let exact = self.exact?;
+        let pressure = |x: f64, y: f64| exact.hertz().pressure(x.hypot(y));
+        let traction = |x: f64, y: f64| exact.traction(x.hypot(y));
+        let grid = self.bodies.grid();
+        Some([
+            Field::from_fn(grid, pressure),
+            Field::from_fn(grid, traction),
+        ])
+    }
+}

@@ -1,0 +1,214 @@
+//! Contacts solved by CONTACT, a code of other authors, in the signs of this crate.
+//!
+//! `tests/data/contact/README.md` states the source, the format and the signs of the files.
+
+use std::fmt::Debug;
+
+use stickslip::{ElasticPair, Field, Grid, Material};
+
+/// A contact and the steps of its loading, in mm, N and MPa.
+#[derive(Debug)]
+pub struct Case {
+    pub grid: Grid,
+    /// Centre of the first cell; that of the grid need not be the origin.
+    first: [f64; 2],
+    pub pair: ElasticPair,
+    pub friction: f64,
+    pub steps: Vec<Step>,
+}
+
+/// What is prescribed along z.
+#[derive(Debug, Clone, Copy)]
+pub enum Normal {
+    Force(f64),
+    Approach(f64),
+    /// The pressure of every cell is that of the [`Step::cells`].
+    Pressure,
+}
+
+/// What is prescribed along x or along y.
+#[derive(Debug, Clone, Copy)]
+pub enum Tangential {
+    /// On body 1.
+    Force(f64),
+    /// What the shift gains in the step.
+    Shift(f64),
+}
+
+/// One step: what is prescribed, and what CONTACT found at its end.
+#[derive(Debug)]
+pub struct Step {
+    /// Whether it goes on from the step before, or from bodies not loaded before.
+    pub continues: bool,
+    /// Factors of x^2, x y, y^2, x, y, 1 in the gap; zero where the pressure is prescribed.
+    gap: [f64; 6],
+    pub normal: Normal,
+    pub tangential: [Tangential; 2],
+    /// Normal force, and tangential force on body 1.
+    pub load: f64,
+    pub force: [f64; 2],
+    pub approach: f64,
+    /// What the shift gains in the step.
+    pub shift: [f64; 2],
+    /// At the end of the step; none where the normal problem was not solved.
+    pub elastic_energy: Option<f64>,
+    /// During the step.
+    pub dissipated_energy: f64,
+    /// The cells that touch.
+    pub cells: Vec<Cell>,
+}
+
+/// A cell that touches; column and row count from 0.
+#[derive(Debug, Clone, Copy)]
+pub struct Cell {
+    pub ix: usize,
+    pub iy: usize,
+    pub sticks: bool,
+    pub pressure: f64,
+    /// On body 1.
+    pub traction: [f64; 2],
+}
+
+impl Case {
+    /// The case of a file, which must be whole.
+    pub fn parse(text: &str) -> Self {
+        let mut lines = text
+            .lines()
+            .filter(|line| !line.starts_with('#'))
+            .peekable();
+        let [g1, nu1, g2, nu2] = numbers(after(lines.next(), "bodies"));
+        let body = |g, nu| Material::from_shear_modulus(g, nu).unwrap();
+        let grid = after(lines.next(), "grid");
+        let (size, [dx, dy, x, y]) = (counts::<2>(grid), numbers(skip(grid, 2)));
+        let [friction] = numbers(after(lines.next(), "friction"));
+        let mut steps = Vec::new();
+        while lines.peek().is_some() {
+            steps.push(Step::parse(&mut lines));
+        }
+        Self {
+            grid: Grid::new(size[0], size[1], dx, dy).unwrap(),
+            first: [x, y],
+            pair: ElasticPair::new(body(g1, nu1), body(g2, nu2)).unwrap(),
+            friction,
+            steps,
+        }
+    }
+
+    /// The undeformed gap of a step.
+    pub fn gap(&self, step: &Step) -> Field {
+        let [xx, xy, yy, along_x, along_y, constant] = step.gap;
+        Field::from_indices(self.grid, |ix, iy| {
+            let x = self.first[0] + ix as f64 * self.grid.dx();
+            let y = self.first[1] + iy as f64 * self.grid.dy();
+            xx * x * x + xy * x * y + yy * y * y + along_x * x + along_y * y + constant
+        })
+    }
+
+    /// A quantity of the cells that touch, zero elsewhere.
+    pub fn field(&self, step: &Step, quantity: impl Fn(&Cell) -> f64) -> Field {
+        let mut field = Field::zeros(self.grid);
+        for cell in &step.cells {
+            field.as_mut_slice()[cell.iy * self.grid.nx() + cell.ix] = quantity(cell);
+        }
+        field
+    }
+}
+
+impl Step {
+    fn parse<'a>(lines: &mut impl Iterator<Item = &'a str>) -> Self {
+        let continues = after(lines.next(), "step").ends_with("continue");
+        let mut line = lines.next();
+        let gap = line.filter(|line| line.starts_with("gap"));
+        if gap.is_some() {
+            line = lines.next();
+        }
+        let normal = match after(line, "normal").split_once(' ') {
+            Some(("force", value)) => Normal::Force(number(value)),
+            Some(("approach", value)) => Normal::Approach(number(value)),
+            _ => Normal::Pressure,
+        };
+        let tangential = ["along_x", "along_y"].map(|axis| {
+            match after(lines.next(), axis).split_once(' ').unwrap() {
+                ("force", value) => Tangential::Force(number(value)),
+                // CONTACT's shift is that of body 1 over body 2.
+                (_, value) => Tangential::Shift(-number(value)),
+            }
+        });
+        let [load, force_x, force_y] = numbers(after(lines.next(), "forces"));
+        let [approach, shift_x, shift_y] = numbers(after(lines.next(), "motion"));
+        let [elastic, friction] = numbers(after(lines.next(), "work"));
+        let heading = after(lines.next(), "cells");
+        let ([unit], [count, sticking]) = (numbers(heading), counts(skip(heading, 1)));
+        let cells = parse_cells(lines, unit, count);
+        assert_eq!(cells.iter().filter(|cell| cell.sticks).count(), sticking);
+        Self {
+            continues,
+            gap: gap.map_or([0.0; 6], |line| numbers(after(Some(line), "gap"))),
+            normal,
+            tangential,
+            load,
+            force: [force_x, force_y],
+            approach,
+            shift: [-shift_x, -shift_y],
+            elastic_energy: (elastic > 0.0).then_some(elastic),
+            dissipated_energy: -friction,
+            cells,
+        }
+    }
+}
+
+fn parse_cells<'a>(
+    lines: &mut impl Iterator<Item = &'a str>,
+    unit: f64,
+    count: usize,
+) -> Vec<Cell> {
+    let mut cells = Vec::with_capacity(count);
+    let mut place = [0, 0];
+    while cells.len() < count {
+        let line = lines.next().unwrap();
+        if let Some(at) = line.strip_prefix("at ") {
+            place = counts(at).map(|from_one| from_one - 1);
+            continue;
+        }
+        let [pressure, x, y] = numbers(skip(line, 1)).map(|units| units * unit);
+        cells.push(Cell {
+            ix: place[0],
+            iy: place[1],
+            sticks: counts(line) == [1],
+            pressure,
+            traction: [x, y],
+        });
+        place[0] += 1;
+    }
+    cells
+}
+
+/// The rest of a line that begins with a word.
+fn after<'a>(line: Option<&'a str>, word: &str) -> &'a str {
+    let rest = line.and_then(|line| line.strip_prefix(word)?.strip_prefix(' '));
+    rest.unwrap_or_else(|| panic!("{word} expected, found {line:?}"))
+}
+
+/// A line without its first words.
+fn skip(line: &str, words: usize) -> &str {
+    line.splitn(words + 1, ' ').last().unwrap()
+}
+
+fn number(word: &str) -> f64 {
+    word.parse().unwrap()
+}
+
+/// The numbers a line begins with.
+fn numbers<const N: usize>(line: &str) -> [f64; N] {
+    first_words(line, number)
+}
+
+/// The whole numbers a line begins with.
+fn counts<const N: usize>(line: &str) -> [usize; N] {
+    first_words(line, |word| word.parse().unwrap())
+}
+
+fn first_words<T: Debug, const N: usize>(line: &str, parse: impl Fn(&str) -> T) -> [T; N] {
+    let found: Vec<T> = line.split(' ').take(N).map(parse).collect();
+    found.try_into().unwrap()
+}

@@ -1,0 +1,186 @@
+//! The scenes, the oracle and the measures that tests, benches and unpackaged examples share.
+
+#![allow(
+    missing_docs,
+    clippy::missing_errors_doc,
+    clippy::missing_panics_doc,
+    clippy::must_use_candidate,
+    clippy::return_self_not_must_use,
+    reason = "it is no public interface"
+)]
+#![allow(
+    clippy::unwrap_used,
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    reason = "a test fails loudly, and counts small things"
+)]
+
+pub mod benchmark;
+pub mod contact;
+pub mod measure;
+mod random;
+pub mod refusal;
+#[cfg(feature = "dense")]
+pub mod scenes;
+pub mod waves;
+
+pub use random::Random;
+use stickslip::cgm::Method;
+use stickslip::influence::Component;
+use stickslip::{
+    ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
+    NormalSolution, Operator, TangentialLoad, TangentialProblem, TangentialSolution,
+};
+
+/// A rough gap: waves of all directions down to eight cells, amplitudes falling as for a Hurst
+/// exponent of 0.8, root-mean-square height one, least value zero.
+pub fn rough(grid: Grid, seed: u64) -> Field {
+    let mut random = Random(seed);
+    let side = grid.dx() * grid.nx() as f64;
+    let shortest = grid.nx() / 8;
+    let mut heights = Field::zeros(grid);
+    for kx in 0..=shortest {
+        for ky in -(shortest as i64)..=shortest as i64 {
+            let k = (kx as f64).hypot(ky as f64);
+            let is_half_plane = kx > 0 || ky > 0;
+            if !is_half_plane || k > shortest as f64 {
+                continue;
+            }
+            let amplitude = k.max(2.0).powf(-1.8);
+            let phase = random.uniform(0.0, std::f64::consts::TAU);
+            add_wave(
+                &mut heights,
+                [kx as f64, ky as f64].map(|k| k * std::f64::consts::TAU / side),
+                amplitude,
+                phase,
+            );
+        }
+    }
+    let n = grid.cells() as f64;
+    let square: f64 = heights.as_slice().iter().map(|h| h * h).sum();
+    let rms = (square / n).sqrt();
+    let least = heights.min();
+    for height in heights.as_mut_slice() {
+        *height = (*height - least) / rms;
+    }
+    heights
+}
+
+/// Adds `amplitude cos(k . r + phase)`, with one cosine and sine per row and column.
+fn add_wave(heights: &mut Field, [kx, ky]: [f64; 2], amplitude: f64, phase: f64) {
+    let grid = heights.grid();
+    let columns: Vec<(f64, f64)> = (0..grid.nx())
+        .map(|ix| (kx * grid.x(ix)).sin_cos())
+        .collect();
+    for (iy, row) in heights
+        .as_mut_slice()
+        .chunks_exact_mut(grid.nx())
+        .enumerate()
+    {
+        let (sin_y, cos_y) = (ky * grid.y(iy) + phase).sin_cos();
+        for (height, (sin_x, cos_x)) in row.iter_mut().zip(&columns) {
+            *height += amplitude * (cos_x * cos_y - sin_x * sin_y);
+        }
+    }
+}
+
+/// Two equal bodies of unit contact modulus: no coupling between pressure and shear.
+pub fn unit_pair(poisson_ratio: f64) -> ElasticPair {
+    let each = Material::new(2.0 * (1.0 - poisson_ratio * poisson_ratio), poisson_ratio).unwrap();
+    ElasticPair::new(each, each).unwrap()
+}
+
+pub fn unit_bodies(grid: Grid, poisson_ratio: f64) -> HalfSpace {
+    HalfSpace::new(grid, unit_pair(poisson_ratio)).unwrap()
+}
+
+/// The paper's Table 2: a steel sphere on steel, in metres, newtons and pascals.
+#[derive(Debug)]
+pub struct Table2;
+
+impl Table2 {
+    pub const RADIUS: f64 = 3.5e-3;
+    pub const FORCE: f64 = 100.0;
+    pub const FRICTION: f64 = 0.5;
+    pub const CONTACT_RADIUS: f64 = 1.311825049793251e-4;
+    pub const MAX_PRESSURE: f64 = 2.774530779353722e9;
+    pub const APPROACH: f64 = 4.916814175043042e-6;
+
+    pub fn pair() -> ElasticPair {
+        let steel = Material::new(213e9, 0.29).unwrap();
+        ElasticPair::new(steel, steel).unwrap()
+    }
+}
+
+pub fn press(
+    bodies: &HalfSpace,
+    gap: &Field,
+    load: NormalControl,
+    tolerance: f64,
+    method: Method,
+) -> NormalSolution {
+    let builder = NormalProblem::builder(bodies, gap, load)
+        .tolerance(tolerance)
+        .method(method);
+    builder.build().unwrap().solve().unwrap()
+}
+
+pub fn shear(
+    bodies: &HalfSpace,
+    normal: &NormalSolution,
+    friction: &Friction,
+    load: TangentialLoad,
+    tolerance: f64,
+    method: Method,
+) -> TangentialSolution {
+    let builder = TangentialProblem::builder(bodies, normal, friction.clone(), load);
+    builder
+        .tolerance(tolerance)
+        .method(method)
+        .build()
+        .unwrap()
+        .solve()
+        .unwrap()
+}
+
+pub fn max_abs(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |a, b| a.max(b.abs()))
+}
+
+/// `max |a - b|`.
+pub fn max_difference(a: &[f64], b: &[f64]) -> f64 {
+    assert_eq!(a.len(), b.len());
+    a.iter().zip(b).fold(0.0, |m, (a, b)| m.max((a - b).abs()))
+}
+
+/// `|a - b|_2 / |b|_2`.
+pub fn l2_difference(a: &[f64], b: &[f64]) -> f64 {
+    assert_eq!(a.len(), b.len());
+    let square: f64 = a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum();
+    let norm: f64 = b.iter().map(|b| b * b).sum();
+    (square / norm).sqrt()
+}
+
+/// `|a - b|_C / |b|_C` by the operator of a component.
+pub fn energy_difference(bodies: &HalfSpace, component: Component, a: &Field, b: &Field) -> f64 {
+    let operator = bodies.operator(component).unwrap();
+    let mut workspace = operator.workspace();
+    let mut norm = |v: &[f64]| {
+        let mut product = vec![0.0; v.len()];
+        operator.apply([v], [&mut product], &mut workspace);
+        v.iter()
+            .zip(&product)
+            .map(|(v, u)| v * u)
+            .sum::<f64>()
+            // Round-off may make the energy of a tiny difference negative.
+            .max(0.0)
+            .sqrt()
+    };
+    let difference: Vec<f64> = a
+        .as_slice()
+        .iter()
+        .zip(b.as_slice())
+        .map(|(a, b)| a - b)
+        .collect();
+    norm(&difference) / norm(b.as_slice())
+}

@@ -1,0 +1,61 @@
+//! Time and true error of a solve.
+
+use std::time::{Duration, Instant};
+
+use stickslip::influence::Component;
+use stickslip::{Error, Field, HalfSpace, Operator, Result};
+
+/// Solves of which the fastest counts.
+const REPEATS: usize = 3;
+/// No further repeat after this time in all.
+const PATIENCE: Duration = Duration::from_secs(10);
+
+/// The least time of a few solves, in milliseconds; one that does not converge is tried but once, and
+/// its report says so.
+pub fn fastest(mut solve: impl FnMut() -> Result<()>) -> Result<f64> {
+    let mut least = f64::INFINITY;
+    let first = Instant::now();
+    for _ in 0..REPEATS {
+        let start = Instant::now();
+        let outcome = solve();
+        least = least.min(1e3 * start.elapsed().as_secs_f64());
+        match outcome {
+            Ok(()) if first.elapsed() < PATIENCE => {}
+            Ok(()) | Err(Error::NotConverged(_)) => break,
+            Err(error) => return Err(error),
+        }
+    }
+    Ok(least)
+}
+
+/// Sum of all differences over the sum of the truth, in absolute values.
+pub fn distance(found: &Field, truth: &Field) -> f64 {
+    let pairs = found.as_slice().iter().zip(truth.as_slice());
+    let difference: f64 = pairs.map(|(found, truth)| (found - truth).abs()).sum();
+    difference
+        / truth
+            .as_slice()
+            .iter()
+            .map(|truth| truth.abs())
+            .sum::<f64>()
+}
+
+/// Energy norm of the difference over that of what was found, as the certified bound has it.
+pub fn energy_error(
+    bodies: &HalfSpace,
+    component: Component,
+    found: &Field,
+    truth: &Field,
+) -> Result<f64> {
+    let operator = bodies.operator(component)?;
+    let mut workspace = operator.workspace();
+    let mut product = vec![0.0; operator.cells()];
+    let mut energy = |x: &[f64]| -> f64 {
+        operator.apply([x], [&mut product], &mut workspace);
+        x.iter().zip(&product).map(|(x, u)| x * u).sum()
+    };
+    let pairs = found.as_slice().iter().zip(truth.as_slice());
+    let difference: Vec<f64> = pairs.map(|(found, truth)| found - truth).collect();
+    // Round-off may make the energy of a tiny difference negative.
+    Ok((energy(&difference).max(0.0) / energy(found.as_slice())).sqrt())
+}

@@ -1,0 +1,91 @@
+//! Hard scenes with a closed form, held to what cells of that size resolve.
+
+use stickslip::analytical::{FlatPunch, HertzSphere, Westergaard};
+use stickslip::{
+    Boundary, ElasticPair, Field, Grid, HalfSpace, Material, NormalControl, NormalProblem,
+    NormalSolution, Result, surface,
+};
+
+use super::gaps;
+use super::row::{Measured, Row};
+
+pub(crate) fn rows() -> Result<Vec<Row>> {
+    Ok(vec![flat_punch()?, small_sphere()?, closed_wave()?])
+}
+
+fn pair() -> Result<ElasticPair> {
+    ElasticPair::new(Material::new(1.0, 0.3)?, Material::rigid())
+}
+
+/// The approach of a punch whose edge runs between cells: off by part of a cell over its radius.
+fn flat_punch() -> Result<Row> {
+    let grid = Grid::square(128, 2.5)?;
+    let bodies = HalfSpace::new(grid, pair()?)?;
+    let punch = FlatPunch::new(bodies.pair(), 1.0, 1.0)?;
+    let gap = gaps::punch(grid, 1.0, 10.0);
+    row(
+        "flat punch, 128 x 128 cells",
+        &bodies,
+        &gap,
+        NormalControl::Force(1.0),
+        |solution| (solution.approach() / punch.approach() - 1.0, 0.01),
+    )
+}
+
+/// Hertz on a contact five cells wide.
+fn small_sphere() -> Result<Row> {
+    let grid = Grid::square(33, 33.0)?;
+    let bodies = HalfSpace::new(grid, pair()?)?;
+    let radius = 100.0;
+    // The load of a contact radius of two and a half cells.
+    let force = 4.0 / 3.0 * bodies.pair().contact_modulus() * 2.5_f64.powi(3) / radius;
+    let hertz = HertzSphere::new(bodies.pair(), radius, force)?;
+    let gap = surface::sphere(grid, radius)?;
+    row(
+        "sphere, five cells across",
+        &bodies,
+        &gap,
+        NormalControl::Force(force),
+        |solution| (solution.approach() / hertz.approach() - 1.0, 0.02),
+    )
+}
+
+/// A wave pressed flat by exactly the pressure that does it.
+fn closed_wave() -> Result<Row> {
+    let grid = Grid::square(64, 1.0)?;
+    let bodies = HalfSpace::with_boundary(grid, pair()?, Boundary::Periodic)?;
+    let gap = surface::wavy(grid, 0.01, 1.0)?;
+    let amplitude = 0.5 * (gap.max() - gap.min());
+    let pressure =
+        1.0001 * Westergaard::new(bodies.pair(), amplitude, 1.0, 1e-6)?.full_contact_pressure();
+    let load = NormalControl::Force(pressure * grid.area());
+    row("wave just pressed flat", &bodies, &gap, load, |solution| {
+        let mean_gap = gap.integral() / grid.area();
+        (solution.approach() / mean_gap - 1.0, 1e-9)
+    })
+}
+
+/// A solve, and the error of one number with the bound it must keep.
+fn row(
+    name: &str,
+    bodies: &HalfSpace,
+    gap: &Field,
+    load: NormalControl,
+    error: impl Fn(&NormalSolution) -> (f64, f64),
+) -> Result<Row> {
+    let solution = NormalProblem::builder(bodies, gap, load).build()?.solve()?;
+    let mut row = Row::new(name, "pressure");
+    row.ending = solution.report().status.to_string();
+    row.time = solution.report().time;
+    let (error, bound) = error(&solution);
+    row.report = Some(solution.report().clone());
+    row.error = Some(Measured {
+        value: error.abs(),
+        slack: bound,
+        against: "closed form",
+    });
+    row.blame(error.is_nan() || error.abs() > bound, || {
+        format!("{error:.2e} from the closed form, more than {bound:.0e}")
+    });
+    Ok(row)
+}

@@ -1,0 +1,382 @@
+//! Solves a scene and looks for anything that is wrong with the answer.
+//!
+//! Right is an answer that is feasible, whose complementarity holds to the tolerance on a product of its own,
+//! and whose distance from the truth is within the certified error.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use stickslip::cgm::{Method, Report};
+use stickslip::{
+    Axis, Field, TangentialModel, NormalControl, NormalProblem, NormalSolution, NormalSolver, Result,
+    TangentialLoad, TangentialProblem, TangentialSolution,
+};
+
+use super::compliance::{Compliance, dot};
+use super::oracle::{self, Truth, gathered, limits};
+use super::row::{Measured, Row};
+use super::{Demand, Expected, Scene, Shear};
+
+/// Cells up to which the dense twin is asked.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Judge {
+    pub(crate) dense_limit: usize,
+}
+
+impl Judge {
+    /// All halves of a scene; a panic is a fault like any other.
+    pub(crate) fn rows(self, scene: &Scene, method: Method) -> Vec<Row> {
+        let halves = AssertUnwindSafe(|| self.halves(scene, method));
+        match catch_unwind(halves) {
+            Ok(rows) => rows,
+            Err(_) => vec![broken(scene, "panicked".to_owned())],
+        }
+    }
+
+    fn halves(self, scene: &Scene, method: Method) -> Vec<Row> {
+        let (row, normal) = match self.press(scene, method) {
+            Ok(pressed) => pressed,
+            Err(error) => return vec![broken(scene, error.to_string())],
+        };
+        let mut rows = vec![row];
+        if let Some(normal) = normal.filter(|normal| normal.report().is_converged()) {
+            for shear in &scene.shears {
+                let row = self.shear(scene, shear, &normal, method);
+                rows.push(row.unwrap_or_else(|error| broken(scene, error.to_string())));
+            }
+        }
+        rows
+    }
+
+    fn press(self, scene: &Scene, method: Method) -> Result<(Row, Option<NormalSolution>)> {
+        let mut row = Row::new(&scene.name, "pressure");
+        let mut builder = NormalProblem::builder(&scene.bodies, &scene.gap, scene.load)
+            .tolerance(scene.settings.tolerance)
+            .method(method)
+            .max_iterations(scene.settings.max_iterations);
+        if let Some(limit) = scene.settings.time_limit {
+            builder = builder.time_limit(limit);
+        }
+        let mut solver = match builder.build().and_then(NormalProblem::into_solver) {
+            Ok(solver) => solver,
+            Err(error) => {
+                row.refuse(&error, scene.expected);
+                return Ok((row, None));
+            }
+        };
+        let mut solution = solver.new_solution();
+        if let Some(before) = &scene.before {
+            // However that ends, it must not be seen in what follows.
+            pose(&mut solver, before)?;
+            let _ = solver.solve_into(&mut solution);
+            pose(&mut solver, &(scene.gap.clone(), scene.load))?;
+        }
+        let outcome = solver.solve_into(&mut solution);
+        if !row.end(&outcome, solution.report(), scene.expected) {
+            return Ok((row, None));
+        }
+
+        let pressure = solution.pressure().as_slice();
+        row.blame(!pressure.iter().all(|p| *p >= 0.0 && p.is_finite()), || {
+            "a pressure is negative or not finite".to_owned()
+        });
+        if let NormalControl::Force(force) = scene.load {
+            let missing = (solution.force() - force).abs();
+            row.blame(missing > 1e-11 * force, || {
+                format!("the force is off by {missing:e} of {force:e}")
+            });
+        }
+        let compliance = Compliance::pressure(&scene.bodies)?;
+        let product = compliance.product(pressure);
+        let approach = solution.approach();
+        let sizes = (scene.gap.as_slice().iter()).map(|h| h.abs().max(approach.abs()));
+        let mut violated = 0.0_f64;
+        let mut noise = 0.0_f64;
+        let cells = pressure.iter().zip(&product).zip(scene.gap.as_slice());
+        for (((p, u), h), size) in cells.zip(sizes) {
+            let gap = u + (h - approach);
+            let forbidden = if *p > 0.0 { gap.abs() } else { (-gap).max(0.0) };
+            violated = violated.max(forbidden);
+            // A gap far from the contact has no say.
+            if forbidden > 0.0 {
+                noise = noise.max(size);
+            }
+        }
+        let answer = Answer {
+            compliance: &compliance,
+            x: pressure,
+            product: &product,
+            report: solution.report(),
+            tolerance: scene.settings.tolerance,
+            movable: &|_| true,
+        };
+        answer.check_residual(&mut row, violated, noise);
+        if solution.force() > 0.0 {
+            let truth = oracle::pressure(scene, &solution, method, self.dense_limit);
+            answer.check_error(&mut row, truth);
+        }
+        Ok((row, Some(solution)))
+    }
+
+    fn shear(
+        self,
+        scene: &Scene,
+        shear: &Shear,
+        normal: &NormalSolution,
+        method: Method,
+    ) -> Result<Row> {
+        let model = match shear.lateral {
+            TangentialModel::Vector => "plane",
+            TangentialModel::Scalar => "shear",
+        };
+        let separator = if shear.name.is_empty() { "" } else { ", " };
+        let half = format!("{model}{separator}{}", shear.name);
+        let mut row = Row::new(&scene.name, half);
+        let limits = limits(&shear.friction, normal);
+        let sum: f64 = limits.iter().sum();
+        let load = match shear.demand {
+            Demand::Force(parts) => {
+                let limit = sum * normal.grid().cell_area();
+                TangentialLoad::force(parts.map(|part| part * limit))
+            }
+            Demand::Shift(parts) => {
+                let along_x = Compliance::shear(&scene.bodies, Some(0))?;
+                let displacements = along_x.product(&limits);
+                let largest = displacements.iter().fold(0.0_f64, |a, u| a.max(u.abs()));
+                TangentialLoad::shift(parts.map(|part| part * largest))
+            }
+        };
+        let mut builder =
+            TangentialProblem::builder(&scene.bodies, normal, shear.friction.clone(), load)
+                .model(shear.lateral)
+                .neglect_coupling()
+                .tolerance(scene.settings.tolerance)
+                .method(method)
+                .max_iterations(scene.settings.max_iterations);
+        if let Some(limit) = scene.settings.time_limit {
+            builder = builder.time_limit(limit);
+        }
+        let expected = if normal.contact_cells() == 0 {
+            Expected::Refused("EmptyContact")
+        } else if sum <= 0.0 {
+            // Any part of nothing can be held.
+            Expected::Answer
+        } else {
+            shear.expected
+        };
+        let mut solver = match builder.build().and_then(TangentialProblem::into_solver) {
+            Ok(solver) => solver,
+            Err(error) => {
+                row.refuse(&error, expected);
+                return Ok(row);
+            }
+        };
+        let mut solution = solver.new_solution();
+        let outcome = solver.solve_into(&mut solution);
+        if row.end(&outcome, solution.report(), expected) {
+            self.examine_shear(&mut row, scene, shear, normal, load, &solution, method)?;
+        }
+        Ok(row)
+    }
+
+    #[expect(
+        clippy::too_many_arguments,
+        reason = "all that a tangential contact is"
+    )]
+    fn examine_shear(
+        self,
+        row: &mut Row,
+        scene: &Scene,
+        shear: &Shear,
+        normal: &NormalSolution,
+        load: TangentialLoad,
+        solution: &TangentialSolution,
+        method: Method,
+    ) -> Result<()> {
+        let limits = limits(&shear.friction, normal);
+        let sum: f64 = limits.iter().sum();
+        let [x, y] = solution.traction().map(Field::as_slice);
+        let excess = |i: usize| x[i].hypot(y[i]) - limits[i] * (1.0 + 1e-14);
+        row.blame(
+            (0..limits.len()).any(|i| excess(i) > 0.0 || excess(i).is_nan()),
+            || "a traction is beyond its limit".to_owned(),
+        );
+        let cell_area = normal.grid().cell_area();
+        if let TangentialLoad::force(force) = load {
+            let missing = (0..2).map(|b| (solution.force()[b] - force[b]).abs());
+            let magnitude: f64 = (0..limits.len()).map(|i| x[i].hypot(y[i])).sum();
+            let missing = missing.fold(0.0, f64::max);
+            let reported = 1.01 * solution.report().load_error + 2e-12;
+            row.blame(missing > reported * magnitude * cell_area, || {
+                format!("the force is off by {missing:e} of {force:?}")
+            });
+        }
+        if sum <= 0.0 {
+            return Ok(());
+        }
+        let compliance = Compliance::shear(&scene.bodies, solution.axis().map(Axis::index))?;
+        let q = gathered(solution);
+        let product = compliance.product(&q);
+        let answer = Answer {
+            compliance: &compliance,
+            x: &q,
+            product: &product,
+            report: solution.report(),
+            tolerance: scene.settings.tolerance,
+            movable: &|i| limits[i] > 0.0,
+        };
+        if !solution.is_gross_sliding() || solution.axis().is_some() {
+            let shift = solution.shift();
+            let violated = forbidden_slip(solution, &limits, &product);
+            answer.check_residual(row, violated, shift[0].abs().max(shift[1].abs()));
+        }
+        if q.iter().any(|q| *q != 0.0) {
+            let truth = oracle::tractions(
+                scene,
+                shear,
+                normal,
+                load,
+                solution,
+                method,
+                self.dense_limit,
+            );
+            let truth = truth.filter(|truth| truth.error < 1.0);
+            // The last digits before the limit no force finds that was itself found by a shift.
+            if truth.is_some() || !solution.is_gross_sliding() {
+                answer.check_error(row, truth);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Changes gap and load; between the two no load stands in the way.
+fn pose(solver: &mut NormalSolver, (gap, load): &(Field, NormalControl)) -> Result<()> {
+    solver.set_load(NormalControl::Force(0.0))?;
+    solver.set_gap(gap)?;
+    solver.set_load(*load)
+}
+
+/// A row that should not be.
+fn broken(scene: &Scene, fault: String) -> Row {
+    let mut row = Row::new(&scene.name, "all");
+    row.fault = Some(fault);
+    row
+}
+
+/// Relative distance from the limit within which a traction is at it.
+pub(crate) const RIM: f64 = 1.1e-12;
+
+/// The most slip that friction does not allow.
+fn forbidden_slip(solution: &TangentialSolution, limits: &[f64], product: &[f64]) -> f64 {
+    let cells = limits.len();
+    let components: Vec<usize> = match solution.axis() {
+        Some(axis) => vec![axis.index()],
+        None => vec![0, 1],
+    };
+    let traction = solution.traction();
+    let mut most = 0.0_f64;
+    for (i, &limit) in limits.iter().enumerate().filter(|(_, limit)| **limit > 0.0) {
+        let (mut q, mut slip) = ([0.0; 2], [0.0; 2]);
+        for (block, &b) in components.iter().enumerate() {
+            q[b] = traction[b].as_slice()[i];
+            slip[b] = product[block * cells + i] - solution.shift()[b];
+        }
+        let size = q[0].hypot(q[1]);
+        let forbidden = if size >= limit * (1.0 - RIM) {
+            // Against the traction it may slip as far as it likes.
+            let n = q.map(|q| q / size);
+            let against = (-(slip[0] * n[0] + slip[1] * n[1])).max(0.0);
+            (slip[0] + against * n[0]).hypot(slip[1] + against * n[1])
+        } else {
+            slip[0].hypot(slip[1])
+        };
+        most = most.max(forbidden);
+    }
+    most
+}
+
+/// An answer with a product of its own.
+pub(crate) struct Answer<'a> {
+    pub(crate) compliance: &'a Compliance,
+    pub(crate) x: &'a [f64],
+    pub(crate) product: &'a [f64],
+    pub(crate) report: &'a Report,
+    pub(crate) tolerance: f64,
+    pub(crate) movable: &'a dyn Fn(usize) -> bool,
+}
+
+impl Answer<'_> {
+    /// The largest displacement, or what the smallest eigenvalue makes of the largest unknown.
+    fn displacement(&self) -> f64 {
+        let cells = self.compliance.cells();
+        let size = |v: &[f64], i: usize| match v.get(i + cells) {
+            Some(y) => v[i].hypot(*y),
+            None => v[i].abs(),
+        };
+        let movable = (0..cells).filter(|i| (self.movable)(*i));
+        let largest = movable.fold([0.0_f64; 2], |[u, x], i| {
+            [u.max(size(self.product, i)), x.max(size(self.x, i))]
+        });
+        largest[0].max(self.compliance.lower_bound * largest[1])
+    }
+
+    /// `x' C x`, or what the smallest eigenvalue makes of it.
+    fn energy(&self) -> f64 {
+        dot(self.x, self.product).max(self.compliance.lower_bound * dot(self.x, self.x))
+    }
+
+    /// What round-off of a product may hide, relative in the energy norm.
+    fn round_off(&self) -> f64 {
+        let noise = 16.0 * f64::EPSILON * dot(self.product, self.product).sqrt();
+        1e-12 + 2.0 * noise / (self.compliance.lower_bound * self.energy()).sqrt()
+    }
+
+    /// What a total missed by round-off may change, if one cell has to make up for it.
+    fn missing_load(&self) -> f64 {
+        let magnitude: f64 = self.x.iter().map(|x| x.abs()).sum();
+        let mut one_cell = vec![0.0; self.x.len()];
+        one_cell[0] = self.report.load_error * magnitude;
+        self.compliance.norm(&one_cell) / self.energy().sqrt()
+    }
+
+    /// Holds the residual reported, and the tolerance, against the violation found.
+    pub(crate) fn check_residual(&self, row: &mut Row, violated: f64, size: f64) {
+        let displacement = self.displacement();
+        let slack = 1e-13 * displacement + 8.0 * f64::EPSILON * size;
+        let reported = self.report.residual;
+        row.blame(violated > 1.001 * reported * displacement + slack, || {
+            format!(
+                "complementarity is violated by {:.2e}, reported {reported:.2e}",
+                violated / displacement
+            )
+        });
+        let is_fine = self.report.is_converged();
+        let within = self.report.energy_error_bound().max(reported) <= self.tolerance;
+        row.blame(is_fine && !within, || {
+            format!("converged beyond its tolerance: {}", self.report)
+        });
+    }
+
+    /// Holds the certified error against the true one.
+    pub(crate) fn check_error(&self, row: &mut Row, truth: Option<Truth>) {
+        let Some(truth) = truth.filter(|truth| truth.error < 1.0) else {
+            row.blame(true, || "there is nothing to compare with".to_owned());
+            return;
+        };
+        let difference: Vec<f64> = self.x.iter().zip(&truth.x).map(|(a, b)| a - b).collect();
+        let size = self.energy().sqrt();
+        let distance = self.compliance.norm(&difference);
+        // Nothing deforms under a uniform traction that repeats.
+        let error = if distance > 0.0 { distance / size } else { 0.0 };
+        let slack = self.round_off() + self.missing_load() + 1.001 * truth.error;
+        let certified = self.report.energy_error_bound();
+        row.blame(error.is_nan() || error > 1.001 * certified + slack, || {
+            format!("the error {error:.2e} is beyond the certified {certified:.2e}")
+        });
+        row.error = Some(Measured {
+            value: error,
+            slack,
+            against: truth.against,
+        });
+    }
+}

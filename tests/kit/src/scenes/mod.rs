@@ -1,0 +1,130 @@
+//! Hard scenes: what they are, how they are solved, and what shows that an answer is right.
+
+pub mod campaign;
+pub mod catalogue;
+mod closed_forms;
+mod compliance;
+mod draw;
+mod gaps;
+mod judge;
+mod oracle;
+pub mod row;
+mod steps;
+
+use stickslip::cgm::Settings;
+use stickslip::{Field, Friction, HalfSpace, TangentialModel, NormalControl};
+
+/// A normal contact, and the tangential contacts under its pressure.
+#[derive(Debug)]
+pub(crate) struct Scene {
+    pub(crate) name: String,
+    pub(crate) bodies: HalfSpace,
+    pub(crate) gap: Field,
+    pub(crate) load: NormalControl,
+    pub(crate) settings: Settings,
+    pub(crate) expected: Expected,
+    /// What the same solver solves first.
+    pub(crate) before: Option<(Field, NormalControl)>,
+    pub(crate) shears: Vec<Shear>,
+}
+
+/// A tangential contact.
+#[derive(Debug)]
+pub(crate) struct Shear {
+    pub(crate) name: String,
+    pub(crate) friction: Friction,
+    pub(crate) demand: Demand,
+    pub(crate) lateral: TangentialModel,
+    pub(crate) expected: Expected,
+}
+
+/// A tangential load that fits any pressure.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Demand {
+    /// In parts of the sliding force.
+    Force([f64; 2]),
+    /// In parts of the largest displacement that tractions at the friction limit cause.
+    Shift([f64; 2]),
+}
+
+/// How a solve has to end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Expected {
+    /// Converged.
+    Answer,
+    /// Converged, or stalled at round-off.
+    AnswerOrRoundOff,
+    /// Refused with this variant of the error.
+    Refused(&'static str),
+}
+
+impl Scene {
+    /// With default settings, to be answered, nothing sheared yet.
+    pub(crate) fn new(
+        name: impl Into<String>,
+        bodies: &HalfSpace,
+        gap: Field,
+        load: NormalControl,
+    ) -> Self {
+        Self {
+            name: name.into(),
+            bodies: bodies.clone(),
+            gap,
+            load,
+            settings: Settings::default(),
+            expected: Expected::Answer,
+            before: None,
+            shears: Vec::new(),
+        }
+    }
+
+    pub(crate) fn tolerance(mut self, tolerance: f64) -> Self {
+        self.settings = self.settings.tolerance(tolerance);
+        self
+    }
+
+    pub(crate) fn expect(mut self, expected: Expected) -> Self {
+        self.expected = expected;
+        self
+    }
+
+    pub(crate) fn after(mut self, gap: Field, load: NormalControl) -> Self {
+        self.before = Some((gap, load));
+        self
+    }
+
+    pub(crate) fn shear(mut self, shear: Shear) -> Self {
+        self.shears.push(shear);
+        self
+    }
+
+    /// Sheared along x in the scalar model, and obliquely in that of the plane.
+    pub(crate) fn sheared(self, coefficient: f64, part: f64) -> stickslip::Result<Self> {
+        let friction = Friction::coulomb(coefficient)?;
+        Ok(self
+            .shear(Shear::new("", friction.clone(), Demand::Force([part, 0.0])))
+            .shear(Shear::new("", friction, Demand::Force([0.8 * part, -0.6 * part])).in_plane()))
+    }
+}
+
+impl Shear {
+    pub(crate) fn new(name: impl Into<String>, friction: Friction, demand: Demand) -> Self {
+        Self {
+            name: name.into(),
+            friction,
+            demand,
+            lateral: TangentialModel::Scalar,
+            expected: Expected::Answer,
+        }
+    }
+
+    pub(crate) fn in_plane(mut self) -> Self {
+        self.lateral = TangentialModel::Vector;
+        self
+    }
+
+    pub(crate) fn expect(mut self, expected: Expected) -> Self {
+        self.expected = expected;
+        self
+    }
+}

@@ -1,0 +1,258 @@
+//! The truth about a scene: from the dense twin, or from another solve with a finer tolerance.
+
+use std::time::Duration;
+
+use stickslip::cgm::{Interval, Method, NonNegative};
+use stickslip::dense::DenseOperator;
+use stickslip::influence::Component;
+use stickslip::{
+    Boundary, Friction, HalfSpace, NormalControl, NormalProblem, NormalSolution, Result,
+    TangentialLoad, TangentialProblem, TangentialSolution,
+};
+
+use super::{Scene, Shear};
+
+/// An answer to compare with, on the whole grid.
+#[derive(Debug)]
+pub(crate) struct Truth {
+    pub(crate) x: Vec<f64>,
+    /// Bound of its own error, relative in the energy norm.
+    pub(crate) error: f64,
+    pub(crate) against: &'static str,
+}
+
+impl Truth {
+    fn exact(x: Vec<f64>) -> Self {
+        Self {
+            x,
+            error: 0.0,
+            against: "dense twin",
+        }
+    }
+}
+
+/// Time a finer solve may take.
+const PATIENCE: Duration = Duration::from_secs(20);
+
+/// What may be missing of the limit in a force that counts as the limit.
+const SLIDING: f64 = 1.1e-12;
+
+/// The tolerance of a finer solve.
+fn finer(tolerance: f64) -> f64 {
+    (1e-3 * tolerance).max(1e-12)
+}
+
+/// The true pressure of the force or the approach that was found.
+pub(crate) fn pressure(
+    scene: &Scene,
+    found: &NormalSolution,
+    method: Method,
+    dense_limit: usize,
+) -> Option<Truth> {
+    let grid = scene.gap.grid();
+    let is_periodic = scene.bodies.boundary() == Boundary::Periodic;
+    let (datum, total) = match scene.load {
+        NormalControl::Force(force) => (scene.gap.min(), Some(force / grid.cell_area())),
+        // Certified is the error against the contact under the force found.
+        NormalControl::Approach(_) if is_periodic => {
+            let total = found.pressure().as_slice().iter().sum();
+            (scene.gap.min(), Some(total))
+        }
+        NormalControl::Approach(approach) => (approach, None),
+        _ => return None,
+    };
+    if grid.cells() <= dense_limit {
+        let linear: Vec<f64> = scene.gap.as_slice().iter().map(|h| h - datum).collect();
+        let all: Vec<usize> = (0..grid.cells()).collect();
+        let answer = matrix(&scene.bodies, Component::ZZ, &all)
+            .and_then(|matrix| matrix.minimise(&linear, &NonNegative, total));
+        if let Ok(minimum) = answer {
+            return Some(Truth::exact(minimum.x));
+        }
+    }
+    let load = match (scene.load, total) {
+        (NormalControl::Approach(_), Some(total)) => NormalControl::Force(total * grid.cell_area()),
+        (load, _) => load,
+    };
+    let solver = NormalProblem::builder(&scene.bodies, &scene.gap, load)
+        .tolerance(finer(scene.settings.tolerance))
+        .method(other(method))
+        .time_limit(PATIENCE)
+        .build()
+        .and_then(NormalProblem::into_solver);
+    let mut solver = solver.ok()?;
+    let mut solution = solver.new_solution();
+    // Stalled at round-off will do: it says how good it is.
+    let _ = solver.solve_into(&mut solution);
+    Some(Truth {
+        error: solution.report().energy_error_bound(),
+        x: solution.pressure().as_slice().to_vec(),
+        against: "finer solve",
+    })
+}
+
+/// The true tractions of the load that was put on; of the force found where a periodic grid was shifted.
+pub(crate) fn tractions(
+    scene: &Scene,
+    shear: &Shear,
+    normal: &NormalSolution,
+    load: TangentialLoad,
+    found: &TangentialSolution,
+    method: Method,
+    dense_limit: usize,
+) -> Option<Truth> {
+    let limits = limits(&shear.friction, normal);
+    let cell_area = normal.grid().cell_area();
+    let is_periodic = scene.bodies.boundary() == Boundary::Periodic;
+    let is_found = is_periodic && matches!(load, TangentialLoad::shift(_));
+    let load = if is_found {
+        TangentialLoad::force(found.force())
+    } else {
+        load
+    };
+    if let Some(truth) = sliding(&limits, load, cell_area, found) {
+        return Some(truth);
+    }
+    let blur = if is_found && found.axis().is_none() {
+        blur(&limits, found.force(), cell_area)
+    } else {
+        0.0
+    };
+    let contact: Vec<usize> = (0..limits.len()).filter(|&i| limits[i] > 0.0).collect();
+    let is_small = contact.len() <= dense_limit && limits.len() <= 8 * dense_limit.min(512);
+    let along = found.axis().filter(|_| is_small);
+    let exact = along
+        .and_then(|axis| exact_traction(scene, &limits, &contact, load, axis.index(), cell_area));
+    if let Some(x) = exact {
+        return Some(Truth::exact(x));
+    }
+    let solver = TangentialProblem::builder(&scene.bodies, normal, shear.friction.clone(), load)
+        .model(shear.lateral)
+        .neglect_coupling()
+        .tolerance(finer(scene.settings.tolerance))
+        .method(other(method))
+        .time_limit(PATIENCE)
+        .build()
+        .and_then(TangentialProblem::into_solver);
+    let mut solver = solver.ok()?;
+    let mut solution = solver.new_solution();
+    let _ = solver.solve_into(&mut solution);
+    Some(Truth {
+        error: solution.report().energy_error_bound() + blur,
+        x: gathered(&solution),
+        against: "finer solve",
+    })
+}
+
+/// What the rounding of a force that was found leaves open of the tractions in the plane: near sliding they turn by
+/// the root of what is missing of the limit.
+fn blur(limits: &[f64], [x, y]: [f64; 2], cell_area: f64) -> f64 {
+    let missing = 1.0 - x.hypot(y) / (limits.iter().sum::<f64>() * cell_area);
+    2.0 * f64::EPSILON / missing.max(f64::EPSILON).sqrt()
+}
+
+/// All cells at their limits along the force, if that is as good as the limit.
+fn sliding(
+    limits: &[f64],
+    load: TangentialLoad,
+    cell_area: f64,
+    found: &TangentialSolution,
+) -> Option<Truth> {
+    let limit = limits.iter().sum::<f64>() * cell_area;
+    let TangentialLoad::force([x, y]) = load else {
+        return None;
+    };
+    let size = x.hypot(y);
+    let missing = (1.0 - size / limit).max(0.0);
+    let along = |n: f64| limits.iter().map(move |limit| n / size * limit);
+    // In the plane tractions turn by the root of what is missing.
+    let (x, error): (Vec<f64>, f64) = if let Some(axis) = found.axis() {
+        (along([x, y][axis.index()]).collect(), 1e-10)
+    } else {
+        (along(x).chain(along(y)).collect(), 5e-6)
+    };
+    (limit > 0.0 && missing <= SLIDING).then_some(Truth {
+        x,
+        error,
+        against: "all slips",
+    })
+}
+
+fn exact_traction(
+    scene: &Scene,
+    limits: &[f64],
+    contact: &[usize],
+    load: TangentialLoad,
+    axis: usize,
+    cell_area: f64,
+) -> Option<Vec<f64>> {
+    let (shift, total) = match load {
+        TangentialLoad::force(force) => (0.0, Some(force[axis] / cell_area)),
+        TangentialLoad::shift(shift) => (shift[axis], None),
+        _ => return None,
+    };
+    let component = [Component::XX, Component::YY][axis];
+    let upper: Vec<f64> = contact.iter().map(|&i| limits[i]).collect();
+    let lower: Vec<f64> = upper.iter().map(|limit| -limit).collect();
+    let bounds = Interval {
+        lower: &lower,
+        upper: &upper,
+    };
+    let minimum = matrix(&scene.bodies, component, contact)
+        .and_then(|matrix| matrix.minimise(&vec![-shift; contact.len()], &bounds, total))
+        .ok()?;
+    let mut whole = vec![0.0; limits.len()];
+    for (&i, x) in contact.iter().zip(minimum.x) {
+        whole[i] = x;
+    }
+    Some(whole)
+}
+
+/// The influence of some cells on each other. That of a periodic grid gets a constant more, which changes no
+/// answer under a total.
+pub(crate) fn matrix(
+    bodies: &HalfSpace,
+    component: Component,
+    cells: &[usize],
+) -> Result<DenseOperator> {
+    let whole = DenseOperator::of_half_space(bodies, component)?;
+    let at = |i: usize, j: usize| whole.get(i, j).unwrap_or(f64::NAN);
+    let constant = match bodies.boundary() {
+        Boundary::Free => 0.0,
+        Boundary::Periodic => at(0, 0),
+    };
+    let entries = cells
+        .iter()
+        .flat_map(|&i| cells.iter().map(move |&j| at(i, j) + constant));
+    DenseOperator::from_rows(cells.len(), entries.collect())
+}
+
+/// The friction limit of every cell.
+pub(crate) fn limits(friction: &Friction, normal: &NormalSolution) -> Vec<f64> {
+    let pressures = normal.pressure().as_slice().iter().enumerate();
+    pressures
+        .map(|(i, &pressure)| {
+            if pressure > 0.0 {
+                friction.limit(i, pressure)
+            } else {
+                0.0
+            }
+        })
+        .collect()
+}
+
+/// The tractions of the model, one component or two.
+pub(crate) fn gathered(solution: &TangentialSolution) -> Vec<f64> {
+    let traction = solution.traction();
+    match solution.axis() {
+        Some(axis) => traction[axis.index()].as_slice().to_vec(),
+        None => [traction[0].as_slice(), traction[1].as_slice()].concat(),
+    }
+}
+
+pub(crate) fn other(method: Method) -> Method {
+    match method {
+        Method::ActiveSet => Method::PolonskyKeer,
+        _ => Method::ActiveSet,
+    }
+}

@@ -1,0 +1,158 @@
+//! One row of the table: a solve, how it ended, and whether that is right.
+
+use std::fmt;
+use std::time::Duration;
+
+use stickslip::cgm::{Report, Status};
+use stickslip::{Error, Result};
+
+use super::Expected;
+use super::compliance::Compliance;
+
+/// What was found in one solve.
+#[derive(Debug, Clone)]
+pub struct Row {
+    pub scene: String,
+    /// The half of the problem, or the model.
+    pub half: String,
+    /// How the solve ended, in a word.
+    pub ending: String,
+    /// None if it was refused.
+    pub report: Option<Report>,
+    pub error: Option<Measured>,
+    pub time: Duration,
+    /// What is wrong with it, if anything.
+    pub fault: Option<String>,
+}
+
+/// An error and what it was measured against.
+#[derive(Debug, Clone, Copy)]
+pub struct Measured {
+    /// Relative, in the energy norm.
+    pub value: f64,
+    /// What round-off and the answer compared with may add to it.
+    pub slack: f64,
+    pub against: &'static str,
+}
+
+impl Row {
+    pub(crate) fn new(scene: &str, half: impl Into<String>) -> Self {
+        Self {
+            scene: scene.to_owned(),
+            half: half.into(),
+            ending: String::new(),
+            report: None,
+            error: None,
+            time: Duration::ZERO,
+            fault: None,
+        }
+    }
+
+    /// Holds the certified error against the distance from an exact answer.
+    pub(crate) fn compare(
+        &mut self,
+        compliance: &Compliance,
+        x: &[f64],
+        exact: &[f64],
+        against: &'static str,
+    ) {
+        let difference: Vec<f64> = x.iter().zip(exact).map(|(a, b)| a - b).collect();
+        let value = compliance.norm(&difference) / compliance.norm(x);
+        let certified = self.report.as_ref().map_or(0.0, Report::energy_error_bound);
+        let slack = 1e-12;
+        self.blame(value.is_nan() || value > certified + slack, || {
+            format!("the error {value:.2e} is beyond the certified {certified:.2e}")
+        });
+        self.error = Some(Measured {
+            value,
+            slack,
+            against,
+        });
+    }
+
+    /// Keeps the first fault.
+    pub(crate) fn blame(&mut self, condition: bool, fault: impl FnOnce() -> String) {
+        if condition && self.fault.is_none() {
+            self.fault = Some(fault());
+        }
+    }
+
+    pub fn is_right(&self) -> bool {
+        self.fault.is_none()
+    }
+
+    /// Takes down how a solve ended; true if there is an iterate to look at.
+    pub(crate) fn end(&mut self, outcome: &Result<()>, report: &Report, wanted: Expected) -> bool {
+        match outcome {
+            Ok(()) | Err(Error::NotConverged(_)) => {
+                self.ending = report.status.to_string();
+                self.report = Some(report.clone());
+                self.time = report.time;
+                let stalls = wanted == Expected::AnswerOrRoundOff;
+                let is_fine = match (report.status, wanted) {
+                    (_, Expected::Refused(_)) => false,
+                    (Status::Converged, _) => outcome.is_ok(),
+                    (Status::Stalled, _) => stalls && report.energy_error_bound() < 1e-2,
+                    _ => false,
+                };
+                self.blame(!is_fine, || format!("{report}, expected {wanted:?}"));
+                true
+            }
+            Err(error) => {
+                self.refuse(error, wanted);
+                false
+            }
+        }
+    }
+
+    /// Takes down a refusal.
+    pub(crate) fn refuse(&mut self, error: &Error, wanted: Expected) {
+        let variant = variant(error);
+        self.blame(!is_refusal(&variant, wanted), || {
+            format!("refused ({error}), expected {wanted:?}")
+        });
+        self.ending = format!("refused: {variant}");
+    }
+}
+
+fn is_refusal(variant: &str, wanted: Expected) -> bool {
+    matches!(wanted, Expected::Refused(name) if name == variant)
+}
+
+/// The name of an error's variant.
+pub(crate) fn variant(error: &Error) -> String {
+    let text = format!("{error:?}");
+    let end = text.find([' ', '(']).unwrap_or(text.len());
+    text[..end].to_owned()
+}
+
+/// The line above the rows.
+pub const HEADER: &str = "| scene | half | ending | steps | products, double + single | certified error | error | against | ms | |\n\
+     |---|---|---|--:|--:|--:|--:|---|--:|---|";
+
+impl fmt::Display for Row {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let dash = || "-".to_owned();
+        let report = self.report.as_ref();
+        let steps = report.map_or_else(dash, |report| report.iterations.to_string());
+        let products = report.map_or_else(dash, |report| {
+            format!("{} + {}", report.convolutions, report.rough_convolutions)
+        });
+        let certified = report.map_or_else(dash, |report| {
+            format!("{:.1e}", report.energy_error_bound())
+        });
+        let error = self
+            .error
+            .map_or_else(dash, |error| format!("{:.1e}", error.value));
+        let against = self.error.map_or("-", |error| error.against);
+        let verdict = self.fault.as_deref().unwrap_or("");
+        write!(
+            formatter,
+            "| {} | {} | {} | {steps} | {products} | {certified} | {error} | {against} | {:.1} | {verdict} |",
+            self.scene,
+            self.half,
+            self.ending,
+            1e3 * self.time.as_secs_f64(),
+        )
+    }
+}
