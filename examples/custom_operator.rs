@@ -52,21 +52,21 @@ fn main() -> Result<(), Box<dyn Error>> {
         .map(|i| 0.25 * (i as f64 - 4.0).powi(2))
         .collect();
     let load = 5.0;
-    let problem = Problem::new(springs, &gap, NonNegative).total(load);
+    let problem = Problem::new(springs, [&gap], NonNegative).total(load);
 
     for method in [Method::ActiveSet, Method::PolonskyKeer] {
         let settings = Settings::default().tolerance(1e-12).method(method);
         let mut force = [load / SPRINGS as f64; SPRINGS];
-        let minimum = cgm::minimise(&problem, &settings, &mut force)?;
+        let minimum = cgm::minimise(&problem, &settings, [&mut force])?;
         println!("{method:?}: {}", minimum.report);
-        println!("  approach of the stamp {:.9}", minimum.multiplier);
+        println!("  approach of the stamp {:.9}", minimum.multiplier[0]);
         println!("  spring   force        gap under load");
 
         // Check of the contact conditions: no tension, no overlap, and a closed gap where there is force.
         let mut yielding = [0.0; SPRINGS];
         springs.apply([&force], [&mut yielding], &mut ());
         for i in 0..SPRINGS {
-            let open = yielding[i] + gap[i] - minimum.multiplier;
+            let open = yielding[i] + gap[i] - minimum.multiplier[0];
             println!("  {i:>6}   {:.9}  {open:>12.2e}", force[i]);
             assert!(force[i] >= 0.0 && open > -1e-11 && (force[i] * open).abs() < 1e-11);
         }
@@ -88,7 +88,13 @@ fn main() -> Result<(), Box<dyn Error>> {
             ControlFlow::Break(())
         }
     };
-    let outcome = cgm::minimise_with(&problem, &settings, &mut force, &mut workspace, &mut watch);
+    let outcome = cgm::minimise_with(
+        &problem,
+        &settings,
+        [&mut force],
+        &mut workspace,
+        &mut watch,
+    );
     match outcome {
         Err(stickslip::Error::NotConverged(report)) if report.status == Status::Cancelled => {
             println!("{report}");

@@ -14,8 +14,8 @@ use std::path::Path;
 
 use stickslip::history::{FrettingLoop, LoadPath};
 use stickslip::{
-    ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl, Result,
-    surface,
+    ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl,
+    Result, surface,
 };
 
 // SI units: metres, newtons, pascals, joules.

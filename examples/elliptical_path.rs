@@ -21,8 +21,8 @@ use plotters::prelude::{Color, RGBColor, SeriesLabelPosition};
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 use stickslip::history::{FrettingLoop, LoadPath, LoopOutcome, LoopPoint};
 use stickslip::{
-    ElasticPair, Field, Friction, Grid, HalfSpace, History, TangentialModel, LoadStep, Material,
-    NormalControl, Result, surface,
+    ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl,
+    Result, TangentialModel, surface,
 };
 use support::{Area, Chart};
 

@@ -15,8 +15,8 @@ use std::path::Path;
 use plotters::prelude::SeriesLabelPosition;
 use stickslip::surface::{self, SelfAffine};
 use stickslip::{
-    Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
-    NormalSolution, TangentialLoad, TangentialProblem, TangentialSolution,
+    Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl,
+    NormalProblem, NormalSolution, TangentialLoad, TangentialProblem, TangentialSolution,
 };
 use support::Area;
 

@@ -21,7 +21,8 @@ use stickslip::analytical::{CattaneoMindlin, HertzSphere, PopovLimitingShape};
 use stickslip::history::wear::{self, CycleJump};
 use stickslip::history::{Cycle, FrettingLoop, LoadPath};
 use stickslip::{
-    ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl, surface,
+    ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl,
+    surface,
 };
 
 // SI units: metres, newtons, pascals.

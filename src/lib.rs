@@ -202,10 +202,10 @@ mod material;
 pub mod normal;
 mod operator;
 mod parallel;
+mod passes;
 mod report;
 #[cfg(feature = "serde")]
 mod serial;
-mod passes;
 pub mod surface;
 pub mod tangential;
 mod window;

@@ -408,7 +408,8 @@ impl Shifted {
         if self.slope.least(prescribed) > f64::EPSILON * trace {
             self.slope.solve(self.missing, prescribed)
         } else {
-            self.missing.map(|missing| missing / trace.max(f64::MIN_POSITIVE))
+            self.missing
+                .map(|missing| missing / trace.max(f64::MIN_POSITIVE))
         }
     }
 }

@@ -6,7 +6,9 @@ use std::ops::ControlFlow;
 use crate::cgm::motion::Motion;
 use crate::cgm::run::Run;
 use crate::cgm::totals::TotalsSystem;
-use crate::cgm::vector::{at, chunks, dot, held, minus, norm, plus, put, slices, slices_mut, within};
+use crate::cgm::vector::{
+    at, chunks, dot, held, minus, norm, plus, put, slices, slices_mut, within,
+};
 use crate::cgm::{Constraint, MotionOf, Workspace};
 use crate::operator::Operator;
 use crate::report::Status;
@@ -127,38 +129,41 @@ fn advance<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
         (chunks(&mut run.x), chunks(gradient)),
         (chunks(direction), moving.compressed(&mut inner.residual)),
     );
-    let (sum, square, products) = moving.sweep(data, |entries, ((mut x, mut gradient), (mut full, residual))| {
-        let images = within(&image, &entries.chunk);
-        let directions = &directions[entries.range.clone()];
-        if let Some(&Move { length, .. }) = step {
-            for (gradient, images) in gradient.iter_mut().zip(images) {
-                for (g, u) in gradient.items.iter_mut().zip(images) {
-                    *g += length * u;
+    let (sum, square, products) = moving.sweep(
+        data,
+        |entries, ((mut x, mut gradient), (mut full, residual))| {
+            let images = within(&image, &entries.chunk);
+            let directions = &directions[entries.range.clone()];
+            if let Some(&Move { length, .. }) = step {
+                for (gradient, images) in gradient.iter_mut().zip(images) {
+                    for (g, u) in gradient.items.iter_mut().zip(images) {
+                        *g += length * u;
+                    }
+                }
+                for (place, d) in entries.places().zip(directions) {
+                    let moved = plus(held(&x, place), length, *d);
+                    put(&mut x, place, moved);
                 }
             }
-            for (place, d) in entries.places().zip(directions) {
-                let moved = plus(held(&x, place), length, *d);
-                put(&mut x, place, moved);
-            }
-        }
-        let motions = &motions[entries.chunk.clone()];
-        let (spread, last) = (&spread[entries.range.clone()], &last[entries.range.clone()]);
-        entries.sums(|k, place| {
-            let motion = motion_at::<K, N>(motions, place);
-            let r = match step {
-                // The residual of a curved bound is not the gradient's: it is followed from step to step.
-                Some(&Move { length, change }) if MotionOf::<K, N>::IS_CURVED => {
-                    let moved = motion.project(plus(change, -length, at(&images, place)));
-                    let bend = length * motion.stiffness();
-                    std::array::from_fn(|c| last[k][c] + moved[c] - bend * directions[k][c])
-                }
-                _ => motion.project(minus(multiplier, held(&gradient, place))),
-            };
-            residual.items[k] = r;
-            put(&mut full, place, motion.weighted(r));
-            (r, dot(r, r), spread[k].map(|w| dot(w, r)))
-        })
-    });
+            let motions = &motions[entries.chunk.clone()];
+            let (spread, last) = (&spread[entries.range.clone()], &last[entries.range.clone()]);
+            entries.sums(|k, place| {
+                let motion = motion_at::<K, N>(motions, place);
+                let r = match step {
+                    // The residual of a curved bound is not the gradient's: it is followed from step to step.
+                    Some(&Move { length, change }) if MotionOf::<K, N>::IS_CURVED => {
+                        let moved = motion.project(plus(change, -length, at(&images, place)));
+                        let bend = length * motion.stiffness();
+                        std::array::from_fn(|c| last[k][c] + moved[c] - bend * directions[k][c])
+                    }
+                    _ => motion.project(minus(multiplier, held(&gradient, place))),
+                };
+                residual.items[k] = r;
+                put(&mut full, place, motion.weighted(r));
+                (r, dot(r, r), spread[k].map(|w| dot(w, r)))
+            })
+        },
+    );
     let change = totals.without_mean(products);
     Residual {
         change,
@@ -207,17 +212,21 @@ fn correct<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
     let image = slices(image);
     let (residual, last) = (&*inner.residual, &*inner.last_residual);
     let data = moving.compressed(&mut inner.correction);
-    let (sum, product, overlap): ([f64; N], f64, f64) = moving.sweep(data, |entries, correction| {
-        let image = within(&image, &entries.chunk);
-        let motions = &motions[entries.chunk.clone()];
-        let (residual, last) = (&residual[entries.range.clone()], &last[entries.range.clone()]);
-        entries.sums(|k, place| {
-            let motion = motion_at::<K, N>(motions, place);
-            let z = motion.preconditioned(at(&image, place), residual[k]);
-            correction.items[k] = z;
-            (z, dot(z, residual[k]), dot(z, last[k]))
-        })
-    });
+    let (sum, product, overlap): ([f64; N], f64, f64) =
+        moving.sweep(data, |entries, correction| {
+            let image = within(&image, &entries.chunk);
+            let motions = &motions[entries.chunk.clone()];
+            let (residual, last) = (
+                &residual[entries.range.clone()],
+                &last[entries.range.clone()],
+            );
+            entries.sums(|k, place| {
+                let motion = motion_at::<K, N>(motions, place);
+                let z = motion.preconditioned(at(&image, place), residual[k]);
+                correction.items[k] = z;
+                (z, dot(z, residual[k]), dot(z, last[k]))
+            })
+        });
     let change = totals.balance(sum);
     Correction {
         change,

@@ -234,20 +234,21 @@ fn reclassify<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
     let (gradient, multiplier) = (slices(gradient), *multiplier);
     let tasks = motions.len().div_ceil(CHUNK);
     let data = (chunks(&mut run.x), blocks(motions));
-    let work = |task: usize, (mut x, motions): ([Blocks<'_, f64>; N], Blocks<'_, MotionOf<K, N>>)| {
-        let mut changed = 0_usize;
-        for (place, motion) in motions.items.iter_mut().enumerate() {
-            let cell = task * CHUNK + place;
-            let g = minus(at(&gradient, cell), multiplier);
-            let set = constraint.of(cell);
-            let (next, value) = set.next(*motion, held(&x, place), g, noise, lower_bound);
-            changed += usize::from(
-                next.moves() != motion.moves() || next.is_free() != motion.is_free(),
-            );
-            *motion = next;
-            put(&mut x, place, value);
-        }
-        (changed, x.map(|x| reduce::in_lanes(x.items)))
-    };
+    let work =
+        |task: usize, (mut x, motions): ([Blocks<'_, f64>; N], Blocks<'_, MotionOf<K, N>>)| {
+            let mut changed = 0_usize;
+            for (place, motion) in motions.items.iter_mut().enumerate() {
+                let cell = task * CHUNK + place;
+                let g = minus(at(&gradient, cell), multiplier);
+                let set = constraint.of(cell);
+                let (next, value) = set.next(*motion, held(&x, place), g, noise, lower_bound);
+                changed += usize::from(
+                    next.moves() != motion.moves() || next.is_free() != motion.is_free(),
+                );
+                *motion = next;
+                put(&mut x, place, value);
+            }
+            (changed, x.map(|x| reduce::in_lanes(x.items)))
+        };
     parallel::sweep(0..tasks, data, &work, &reduce::Tally::plus)
 }

@@ -6,8 +6,8 @@
 
 use std::ops::ControlFlow;
 
-use crate::cgm::run::Run;
 use crate::cgm::interval::{Side, shift_to_total};
+use crate::cgm::run::Run;
 use crate::cgm::{Admissible, Constraint, Interval, Workspace, reduce};
 use crate::operator::Operator;
 use crate::parallel::{self, Blocks, CHUNK, blocks};
@@ -120,7 +120,9 @@ fn set_multiplier<C: Operator, K: Constraint<1, Set = Interval>, P: Operator>(
 }
 
 /// `R = sum r^2` on the free entries (eq 20).
-fn residual_squares<C: Operator, K: Constraint<1, Set = Interval>, P: Operator>(run: &Run<'_, '_, C, K, P, 1>) -> f64 {
+fn residual_squares<C: Operator, K: Constraint<1, Set = Interval>, P: Operator>(
+    run: &Run<'_, '_, C, K, P, 1>,
+) -> f64 {
     let Workspace {
         motions: state,
         gradient: [gradient],
@@ -240,7 +242,10 @@ fn step<C: Operator, K: Constraint<1, Set = Interval>, P: Operator>(
 }
 
 /// The product after a step that clipped nothing, without a new one.
-fn follow<C: Operator, K: Constraint<1, Set = Interval>, P: Operator>(run: &mut Run<'_, '_, C, K, P, 1>, length: f64) {
+fn follow<C: Operator, K: Constraint<1, Set = Interval>, P: Operator>(
+    run: &mut Run<'_, '_, C, K, P, 1>,
+    length: f64,
+) {
     let Workspace {
         product: [product],
         gradient: [gradient],
@@ -261,7 +266,9 @@ fn follow<C: Operator, K: Constraint<1, Set = Interval>, P: Operator>(run: &mut 
 
 /// Moves the free entries to the total (eqs 25, 26) without leaving the bounds; all entries if
 /// the free ones cannot reach it.
-fn restore_total<C: Operator, K: Constraint<1, Set = Interval>, P: Operator>(run: &mut Run<'_, '_, C, K, P, 1>) {
+fn restore_total<C: Operator, K: Constraint<1, Set = Interval>, P: Operator>(
+    run: &mut Run<'_, '_, C, K, P, 1>,
+) {
     let [Some(total)] = run.sums() else {
         return;
     };

@@ -38,9 +38,7 @@ impl<'a, C: Operator<N>, K: Constraint<N>, const N: usize> Problem<'a, C, K, Ide
     }
 }
 
-impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
-    Problem<'a, C, K, P, N>
-{
+impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Problem<'a, C, K, P, N> {
     /// With the totals of the components (default: free).
     #[must_use]
     pub fn totals(mut self, totals: [Total; N]) -> Self {

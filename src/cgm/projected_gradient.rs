@@ -11,7 +11,9 @@ use std::ops::ControlFlow;
 use crate::cgm::motion::Linearised;
 use crate::cgm::run::Run;
 use crate::cgm::totals::{Total, sums_of};
-use crate::cgm::vector::{at, chunks, dot, held, minus, plus, put, slices, slices_mut, update_cells};
+use crate::cgm::vector::{
+    at, chunks, dot, held, minus, plus, put, slices, slices_mut, update_cells,
+};
 use crate::cgm::{Admissible, Constraint, Workspace, reduce};
 use crate::operator::Operator;
 use crate::parallel::{self, Blocks, CHUNK};
@@ -109,7 +111,9 @@ fn set_direction<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usiz
     if sums != [None; N] {
         K::Set::restore(slices_mut(direction), constraint, |_| true, sums);
     }
-    update_cells(direction, |i, d| minus(constraint.of(i).project(d), at(&x, i)));
+    update_cells(direction, |i, d| {
+        minus(constraint.of(i).project(d), at(&x, i))
+    });
     let direction = slices(direction);
     reduce::sums(x[0].len(), |i| {
         let d = at(&direction, i);
@@ -150,16 +154,17 @@ fn advance<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
     } = &mut *run.workspace;
     let (direction, image) = (slices(direction), slices(image));
     let tasks = direction[0].len().div_ceil(CHUNK);
-    let work = |task: usize, (mut x, mut gradient): ([Blocks<'_, f64>; N], [Blocks<'_, f64>; N])| {
-        for place in 0..x[0].items.len() {
-            let cell = task * CHUNK + place;
-            let moved = at(&direction, cell).map(|d| step * d);
-            let arrived = constraint.of(cell).arrive(held(&x, place), moved);
-            put(&mut x, place, arrived);
-            let next = plus(held(&gradient, place), step, at(&image, cell));
-            put(&mut gradient, place, next);
-        }
-    };
+    let work =
+        |task: usize, (mut x, mut gradient): ([Blocks<'_, f64>; N], [Blocks<'_, f64>; N])| {
+            for place in 0..x[0].items.len() {
+                let cell = task * CHUNK + place;
+                let moved = at(&direction, cell).map(|d| step * d);
+                let arrived = constraint.of(cell).arrive(held(&x, place), moved);
+                put(&mut x, place, arrived);
+                let next = plus(held(&gradient, place), step, at(&image, cell));
+                put(&mut gradient, place, next);
+            }
+        };
     let data = (chunks(&mut run.x), chunks(gradient));
     parallel::sweep(0..tasks, data, &work, &|(), ()| ());
     run.is_fresh = false;

@@ -88,7 +88,10 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
     pub(super) fn restore_totals(&mut self, preferred: impl Fn(MotionOf<K, N>) -> bool + Sync) {
         let motions = &self.workspace.motions;
         let preferred = |i: usize| preferred(motions[i]);
-        let (constraint, sums) = (&self.problem.constraint, self.problem.totals.map(Total::sum));
+        let (constraint, sums) = (
+            &self.problem.constraint,
+            self.problem.totals.map(Total::sum),
+        );
         K::Set::restore(slices_mut(&mut self.x), constraint, preferred, sums);
         self.is_fresh = false;
     }
@@ -252,7 +255,9 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
             };
             !rests || norm(set.project([0.0; N])) != 0.0
         };
-        reduce::first(cells, is_driven).is_none().then_some(multiplier)
+        reduce::first(cells, is_driven)
+            .is_none()
+            .then_some(multiplier)
     }
 
     pub(super) fn at_zero(&mut self, multiplier: [f64; N]) -> Status {

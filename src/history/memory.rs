@@ -5,9 +5,7 @@ use crate::field::clone_in_place;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::history::state::State;
-use crate::tangential::{
-    Axis, Increment, Motion, PlaneVector, Pressed, Zone, at, centre, zeros,
-};
+use crate::tangential::{Axis, Increment, Motion, PlaneVector, Pressed, Zone, at, centre, zeros};
 use crate::window::Window;
 
 /// Displacement and offset of the cells of a window.

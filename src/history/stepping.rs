@@ -17,8 +17,8 @@ use crate::history::memory::Memory;
 use crate::history::state::State;
 use crate::history::{LoadStep, Step};
 use crate::normal::{NormalControl, NormalProblem, NormalSolution, NormalSolver};
-use crate::report::{Report, Status};
 use crate::passes::with_memory;
+use crate::report::{Report, Status};
 use crate::tangential::{
     self, Axis, Friction, Increment, Motion, Pressed, Start, TangentialModel, Zone,
 };

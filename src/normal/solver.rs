@@ -5,9 +5,7 @@ use std::sync::Arc;
 
 use crate::cascade::{Conditions, Scene, nested_start};
 use crate::cgm::reduce;
-use crate::cgm::{
-    self, Interval, Iterate, Iteration, Method, NonNegative, Total, solver_settings,
-};
+use crate::cgm::{self, Interval, Iterate, Iteration, Method, NonNegative, Total, solver_settings};
 use crate::clock::Instant;
 use crate::elastic::{ElasticSolver, Observer};
 use crate::error::{Error, Result};

@@ -42,11 +42,7 @@ pub(crate) enum Start {
 
 impl Increment {
     /// Without traction.
-    pub(crate) fn new(
-        bodies: &HalfSpace,
-        axes: &'static [Axis],
-        pressed: Pressed,
-    ) -> Result<Self> {
+    pub(crate) fn new(bodies: &HalfSpace, axes: &'static [Axis], pressed: Pressed) -> Result<Self> {
         let Window { size, .. } = pressed.window;
         Ok(Self {
             bodies: bodies.clone(),

@@ -94,7 +94,10 @@ impl TangentialSolver {
         let demand = load.demand();
         let mut axes = load.axes(self.model)?;
         // A solver at rest keeps its axis.
-        if demand.check(self.increment.axes(), self.bodies.boundary()).is_ok() {
+        if demand
+            .check(self.increment.axes(), self.bodies.boundary())
+            .is_ok()
+        {
             axes = self.increment.axes();
         }
         demand.check(axes, self.bodies.boundary())?;

@@ -3,8 +3,8 @@
 
 use kit::{rough, unit_bodies};
 use stickslip::{
-    Field, Friction, Grid, TangentialModel, NormalControl, NormalProblem, TangentialLoad, TangentialProblem,
-    surface,
+    Field, Friction, Grid, NormalControl, NormalProblem, TangentialLoad, TangentialModel,
+    TangentialProblem, surface,
 };
 
 /// Allocations of one thread: the solve must run on it.

@@ -4,7 +4,8 @@
 use kit::{rough, unit_bodies};
 use stickslip::history::{Cycle, FrettingLoop, LoadPath, wear};
 use stickslip::{
-    Axis, Field, Friction, Grid, History, TangentialModel, LoadStep, NormalControl, TangentialControl, surface,
+    Axis, Field, Friction, Grid, History, LoadStep, NormalControl, TangentialControl,
+    TangentialModel, surface,
 };
 
 /// Allocations of one thread: the steps must run on it.

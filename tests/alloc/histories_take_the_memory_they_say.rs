@@ -2,8 +2,8 @@
 
 use kit::unit_bodies;
 use stickslip::{
-    Axis, Friction, Grid, HalfSpace, History, TangentialModel, LoadStep, NormalControl, TangentialControl,
-    surface,
+    Axis, Friction, Grid, HalfSpace, History, LoadStep, NormalControl, TangentialControl,
+    TangentialModel, surface,
 };
 
 const RADIUS: f64 = 1000.0;
@@ -44,7 +44,10 @@ fn measured(bodies: &HalfSpace, lateral: TangentialModel, contact_radius: f64) -
 fn per_cell_of_the_grid_and_of_the_contact() {
     let grid = Grid::square(512, 512.0).unwrap();
     let bodies = unit_bodies(grid, 0.3);
-    for (lateral, per_contact_cell) in [(TangentialModel::Scalar, 350.0), (TangentialModel::Vector, 580.0)] {
+    for (lateral, per_contact_cell) in [
+        (TangentialModel::Scalar, 350.0),
+        (TangentialModel::Vector, 580.0),
+    ] {
         let [[small, less], [large, more]] =
             [100.0, 155.0].map(|radius| measured(&bodies, lateral, radius));
         let slope = (more - less) / (large - small);

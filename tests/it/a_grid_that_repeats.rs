@@ -8,8 +8,8 @@ use proptest::prelude::*;
 use stickslip::cgm::Method;
 use stickslip::tangential::JaegerSuperposition;
 use stickslip::{
-    Boundary, Error, Field, Friction, Grid, HalfSpace, TangentialModel, NormalControl, NormalProblem,
-    TangentialLoad, TangentialProblem, TangentialSolution, surface,
+    Boundary, Error, Field, Friction, Grid, HalfSpace, NormalControl, NormalProblem,
+    TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution, surface,
 };
 
 const METHODS: [Method; 2] = [Method::ActiveSet, Method::PolonskyKeer];

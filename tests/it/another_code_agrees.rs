@@ -12,7 +12,8 @@ fn a_hertz_contact_on_nineteen_cells() {
     let body = Material::from_shear_modulus(200.0, 0.42).unwrap();
     let bodies = HalfSpace::new(grid, ElasticPair::new(body, body).unwrap()).unwrap();
     let gap = Field::from_fn(grid, |x, y| 0.01 * x * x + 0.01 * y * y);
-    let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(9.1954)).tolerance(1e-12);
+    let problem =
+        NormalProblem::builder(&bodies, &gap, NormalControl::Force(9.1954)).tolerance(1e-12);
     let solution = problem.build().unwrap().solve().unwrap();
 
     let mut expected = Field::zeros(grid);

@@ -5,7 +5,7 @@ use kit::press;
 use stickslip::cgm::Method;
 use stickslip::tangential::TangentialProblemBuilder;
 use stickslip::{
-    Friction, HalfSpace, TangentialModel, NormalControl, TangentialLoad, TangentialProblem, Zone,
+    Friction, HalfSpace, NormalControl, TangentialLoad, TangentialModel, TangentialProblem, Zone,
 };
 
 const TOLERANCE: f64 = 1e-10;

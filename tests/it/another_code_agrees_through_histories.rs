@@ -3,7 +3,8 @@
 use kit::contact::{Case, Normal, Step, Tangential};
 use kit::max_difference;
 use stickslip::{
-    Axis, Friction, HalfSpace, History, TangentialModel, LoadStep, NormalControl, TangentialControl, Zone,
+    Axis, Friction, HalfSpace, History, LoadStep, NormalControl, TangentialControl,
+    TangentialModel, Zone,
 };
 
 const TOLERANCE: f64 = 1e-10;

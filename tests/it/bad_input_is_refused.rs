@@ -2,7 +2,7 @@
 
 use kit::refusal::Rule::Positive;
 use kit::refusal::assert_checked;
-use stickslip::cgm::{self, Interval, Magnitude, NonNegative, Problem, Settings};
+use stickslip::cgm::{self, Bounds, Magnitude, NonNegative, Problem, Settings};
 use stickslip::influence::Rectangle;
 use stickslip::{
     ElasticPair, Error, Field, Friction, Grid, HalfSpace, Identity, Material, surface,
@@ -127,9 +127,9 @@ fn friction() {
 fn engine() {
     let solve = |linear: &[f64], x: &mut [f64]| {
         cgm::minimise(
-            &Problem::new(Identity::new(2), linear, NonNegative),
+            &Problem::new(Identity::new(2), [linear], NonNegative),
             &Settings::default(),
-            x,
+            [x],
         )
         .err()
     };
@@ -166,45 +166,46 @@ fn engine() {
         ([0.0, f64::NAN], [1.0, 1.0]),
         ([0.0, f64::INFINITY], [1.0, f64::INFINITY]),
     ] {
-        let interval = Interval {
+        let interval = Bounds {
             lower: &lower,
             upper: &upper,
         };
         let error = cgm::minimise(
-            &Problem::new(Identity::new(2), &linear, interval),
+            &Problem::new(Identity::new(2), [&linear], interval),
             &settings,
-            &mut x,
+            [&mut x],
         )
         .err();
         assert!(matches!(error, Some(Error::Bounds { index: 1, .. })));
     }
-    let uneven = Interval {
+    let uneven = Bounds {
         lower: &[0.0],
         upper: &[1.0; 2],
     };
     let error = cgm::minimise(
-        &Problem::new(Identity::new(2), &linear, uneven),
+        &Problem::new(Identity::new(2), [&linear], uneven),
         &settings,
-        &mut x,
+        [&mut x],
     )
     .err();
     assert!(matches!(error, Some(Error::Length { expected: 2, .. })));
     for total in [3.1, -3.1, f64::NAN, f64::INFINITY] {
-        let problem = Problem::new(Identity::new(2), &linear, Magnitude(&[1.0, 2.0])).total(total);
-        let error = cgm::minimise(&problem, &settings, &mut x).err();
+        let problem =
+            Problem::new(Identity::new(2), [&linear], Magnitude(&[1.0, 2.0])).total(total);
+        let error = cgm::minimise(&problem, &settings, [&mut x]).err();
         assert!(
             matches!(error, Some(Error::Total { total: t, lower: -3.0, upper: 3.0 }) if same(t, total))
         );
     }
     let problem =
-        Problem::new(Identity::new(2), &linear, NonNegative).preconditioner(Identity::new(3));
+        Problem::new(Identity::new(2), [&linear], NonNegative).preconditioner(Identity::new(3));
     assert!(matches!(
-        cgm::minimise(&problem, &settings, &mut x),
+        cgm::minimise(&problem, &settings, [&mut x]),
         Err(Error::Length { .. })
     ));
-    let problem = Problem::new(Identity::new(2), &linear, NonNegative);
-    let mut small = Problem::new(Identity::new(1), &linear[..1], NonNegative).workspace();
-    let outcome = cgm::minimise_with(&problem, &settings, &mut x, &mut small, &mut |_| {
+    let problem = Problem::new(Identity::new(2), [&linear], NonNegative);
+    let mut small = Problem::new(Identity::new(1), [&linear[..1]], NonNegative).workspace();
+    let outcome = cgm::minimise_with(&problem, &settings, [&mut x], &mut small, &mut |_| {
         std::ops::ControlFlow::Continue(())
     });
     assert!(matches!(
@@ -217,10 +218,10 @@ fn engine() {
     ));
     for tolerance in [0.0, 1.0, f64::NAN, f64::INFINITY, -1e300] {
         let settings = settings.tolerance(tolerance);
-        let outcome = cgm::minimise(&problem, &settings, &mut x);
+        let outcome = cgm::minimise(&problem, &settings, [&mut x]);
         assert!(matches!(outcome, Err(Error::Tolerance(t)) if same(t, tolerance)));
     }
-    let outcome = cgm::minimise(&problem, &settings.max_iterations(0), &mut x);
+    let outcome = cgm::minimise(&problem, &settings.max_iterations(0), [&mut x]);
     assert_eq!(outcome.err(), Some(Error::IterationLimit));
     assert_eq!(x, [1.0, 2.0], "refused before any work");
 }

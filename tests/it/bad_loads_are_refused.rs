@@ -5,8 +5,8 @@ use kit::refusal::mismatch;
 use kit::unit_bodies;
 use stickslip::tangential::JaegerSuperposition;
 use stickslip::{
-    ElasticPair, Error, Field, Friction, Grid, HalfSpace, TangentialModel, Material, NormalControl,
-    NormalProblem, NormalSolution, TangentialLoad, TangentialProblem, surface,
+    ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
+    NormalSolution, TangentialLoad, TangentialModel, TangentialProblem, surface,
 };
 
 const NEGATIVE: [f64; 4] = [-1e-300, f64::NAN, f64::INFINITY, f64::NEG_INFINITY];

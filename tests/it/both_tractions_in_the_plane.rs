@@ -6,8 +6,9 @@ use proptest::prelude::*;
 use stickslip::cgm::Method;
 use stickslip::influence::Component;
 use stickslip::{
-    Boundary, Error, Field, Friction, Grid, HalfSpace, TangentialModel, NormalControl, NormalSolution,
-    Operator, TangentialLoad, TangentialProblem, TangentialSolution, Zone, surface,
+    Axis, Boundary, Error, Field, Friction, Grid, HalfSpace, NormalControl, NormalSolution,
+    Operator, TangentialControl, TangentialLoad, TangentialModel, TangentialProblem,
+    TangentialSolution, Zone, surface,
 };
 
 const FRICTION: f64 = 0.5;
@@ -178,12 +179,20 @@ fn a_turned_load_turns_the_answer() {
         let [normal, normal_turned] =
             [gap.clone(), turned(&gap)].map(|gap| press(&bodies, &gap, 0.02 * grid.area()));
         let load = along(&normal, 0.7, [3.0, 1.0]);
-        let TangentialLoad::force([x, y]) = load else {
+        let [TangentialControl::Force(x), TangentialControl::Force(y)] =
+            [Axis::X, Axis::Y].map(|axis| load.control(axis))
+        else {
             unreachable!()
         };
         let plane = shear(&bodies, &normal, TangentialModel::Vector, load, 1e-11);
         let load = TangentialLoad::force([-y, x]);
-        let there = shear(&bodies, &normal_turned, TangentialModel::Vector, load, 1e-11);
+        let there = shear(
+            &bodies,
+            &normal_turned,
+            TangentialModel::Vector,
+            load,
+            1e-11,
+        );
         let scale = FRICTION * normal.pressure().max();
         let [qx, qy] = plane.traction().map(turned);
         let differences = [

@@ -2,8 +2,8 @@
 
 use kit::unit_bodies;
 use stickslip::{
-    Field, Friction, Grid, HalfSpace, TangentialModel, NormalControl, NormalProblem, NormalSolution,
-    TangentialLoad, TangentialProblem, TangentialSolution, Zone, surface,
+    Field, Friction, Grid, HalfSpace, NormalControl, NormalProblem, NormalSolution, TangentialLoad,
+    TangentialModel, TangentialProblem, TangentialSolution, Zone, surface,
 };
 
 const FRICTION: f64 = 0.5;
@@ -98,6 +98,10 @@ fn pressures_next_to_nothing() {
     let friction = Friction::coulomb(0.7).unwrap();
     let load = TangentialLoad::force([0.3 * pressure.integral(), 0.0]);
     let problem = TangentialProblem::builder(&bodies, &pressure, friction, load);
-    let solution = problem.model(TangentialModel::Vector).build().unwrap().solve();
+    let solution = problem
+        .model(TangentialModel::Vector)
+        .build()
+        .unwrap()
+        .solve();
     assert!(solution.unwrap().report().is_converged());
 }

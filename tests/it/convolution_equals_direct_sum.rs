@@ -77,7 +77,7 @@ impl<const N: usize> Tensor<N> {
     }
 
     /// Random numbers up to one; of mean zero where a mean moves nothing.
-    fn traction(&self, random: &mut common::Random) -> Vectors<N> {
+    fn traction(&self, random: &mut kit::Random) -> Vectors<N> {
         std::array::from_fn(|_| {
             let mut values: Vec<f64> = (0..self.cells).map(|_| random.uniform(-1.0, 1.0)).collect();
             if self.bodies.boundary() == Boundary::Periodic {
@@ -106,7 +106,7 @@ impl<const N: usize> Tensor<N> {
     }
 
     fn check(&self, seed: u64) -> Result<(), TestCaseError> {
-        let mut random = common::Random(seed);
+        let mut random = kit::Random(seed);
         let (x, y) = (self.traction(&mut random), self.traction(&mut random));
         let ([cx, single, direct], [cy, ..]) = (self.products(&x), self.products(&y));
         let scale = self.scale();

@@ -4,8 +4,8 @@ use kit::{max_abs, max_difference, rough, unit_bodies, unit_pair};
 use stickslip::analytical::{HertzSphere, MindlinDeresiewicz};
 use stickslip::history::{Cycle, FrettingLoop, LoadPath, Regime, wear};
 use stickslip::{
-    Axis, Error, Field, Friction, Grid, History, TangentialModel, LoadStep, NormalControl, TangentialControl,
-    surface,
+    Axis, Error, Field, Friction, Grid, History, LoadStep, NormalControl, TangentialControl,
+    TangentialModel, surface,
 };
 
 const FRICTION: f64 = 0.4;

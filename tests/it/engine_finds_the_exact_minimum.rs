@@ -1,7 +1,7 @@
 //! Both methods find the exact minimum of small scenes, and the certificate never lies about it.
 
 use kit::Random;
-use stickslip::cgm::{self, Interval, Magnitude, Method, Minimum, NonNegative, Problem, Settings};
+use stickslip::cgm::{self, Bounds, Magnitude, Method, Minimum, NonNegative, Problem, Settings};
 use stickslip::dense::DenseOperator;
 use stickslip::influence::Component;
 use stickslip::{Error, Field, Grid, HalfSpace, Operator, Result};
@@ -83,13 +83,13 @@ fn normal_contact_under_a_force() {
         for settings in both_methods() {
             let problem = Problem::new(
                 scene.bodies.operator(Component::ZZ).unwrap(),
-                linear,
+                [linear],
                 NonNegative,
             )
             .preconditioner(scene.bodies.preconditioner(Component::ZZ).unwrap().unwrap())
             .total(total);
             let mut x = vec![total / linear.len() as f64; linear.len()];
-            let found = cgm::minimise(&problem, &settings, &mut x)
+            let found = cgm::minimise(&problem, &settings, [&mut x])
                 .unwrap_or_else(|e| panic!("scene {seed} {:?}: {e}", settings.method));
             let error = energy_error(&matrix, &x, &exact.x);
             assert!(
@@ -100,7 +100,7 @@ fn normal_contact_under_a_force() {
             assert_certified(&found, error, seed);
             let scale = exact.multiplier.abs().max(kit::max_abs(linear));
             assert!(
-                (found.multiplier - exact.multiplier).abs() < 1e-9 * scale,
+                (found.multiplier[0] - exact.multiplier).abs() < 1e-9 * scale,
                 "scene {seed}"
             );
             assert!(x.iter().all(|&x| x >= 0.0));
@@ -134,13 +134,13 @@ fn tangential_contact_under_a_force() {
         for settings in both_methods() {
             let problem = Problem::new(
                 scene.bodies.operator(Component::XX).unwrap(),
-                &linear,
+                [&linear],
                 Magnitude(&limits),
             )
             .preconditioner(scene.bodies.preconditioner(Component::XX).unwrap().unwrap())
             .total(total);
             let mut x: Vec<f64> = limits.iter().map(|m| m * total / sum).collect();
-            let found = cgm::minimise(&problem, &settings, &mut x)
+            let found = cgm::minimise(&problem, &settings, [&mut x])
                 .unwrap_or_else(|e| panic!("scene {seed} {:?}: {e}", settings.method));
             let error = energy_error(&matrix, &x, &exact.x);
             assert!(
@@ -166,12 +166,12 @@ fn without_a_total() {
         for settings in both_methods() {
             let problem = Problem::new(
                 scene.bodies.operator(Component::ZZ).unwrap(),
-                &linear,
+                [&linear],
                 NonNegative,
             )
             .preconditioner(scene.bodies.preconditioner(Component::ZZ).unwrap().unwrap());
             let mut x = vec![0.0; linear.len()];
-            let found = cgm::minimise(&problem, &settings, &mut x)
+            let found = cgm::minimise(&problem, &settings, [&mut x])
                 .unwrap_or_else(|e| panic!("scene {seed} {:?}: {e}", settings.method));
             let error = energy_error(&matrix, &x, &exact.x);
             assert!(
@@ -199,7 +199,7 @@ fn the_certificate_bounds_the_error_of_unfinished_iterates() {
             .map(|_| scene.random.uniform(2.0, 5.0) * total / cells as f64)
             .collect();
         let lower = vec![0.0; cells];
-        let interval = Interval {
+        let interval = Bounds {
             lower: &lower,
             upper: &upper,
         };
@@ -212,22 +212,22 @@ fn the_certificate_bounds_the_error_of_unfinished_iterates() {
                 .max_iterations(steps);
             let fast = Problem::new(
                 scene.bodies.operator(Component::ZZ).unwrap(),
-                linear,
+                [linear],
                 interval.clone(),
             )
             .total(total);
             let unbounded =
-                Problem::new(WithoutBound(&matrix), linear, interval.clone()).total(total);
+                Problem::new(WithoutBound(&matrix), [linear], interval.clone()).total(total);
             let start = vec![total / cells as f64; cells];
             let (mut x, mut y) = (start.clone(), start);
-            let found = stopped(cgm::minimise(&fast, &settings, &mut x));
+            let found = stopped(cgm::minimise(&fast, &settings, [&mut x]));
             let error = energy_error(&matrix, &x, &exact.x);
             assert!(
                 error <= found.energy_error_bound() + 1e-12,
                 "scene {seed}: {error:e}, {found}"
             );
             tightness.push((found.energy_error_bound() + 1e-15) / (error + 1e-15));
-            let found = stopped(cgm::minimise(&unbounded, &settings, &mut y));
+            let found = stopped(cgm::minimise(&unbounded, &settings, [&mut y]));
             let error = energy_error(&matrix, &y, &exact.x);
             assert!(
                 error <= found.energy_error_bound() + 1e-12,
@@ -335,13 +335,13 @@ fn a_broken_operator_never_converges() {
                     0.0
                 };
                 let linear: Vec<f64> = linear.iter().map(|h| h - depth).collect();
-                let mut problem = Problem::new(operator, &linear, NonNegative);
+                let mut problem = Problem::new(operator, [&linear], NonNegative);
                 if let Some(total) = total {
                     problem = problem.total(total);
                 }
                 let mut x = vec![0.01; linear.len()];
                 let settings = Settings::default().tolerance(1e-13).method(method);
-                let outcome = cgm::minimise(&problem, &settings, &mut x);
+                let outcome = cgm::minimise(&problem, &settings, [&mut x]);
                 let Err(Error::NotConverged(report)) = outcome else {
                     panic!("{method:?} after {sound_products} products: {outcome:?}");
                 };

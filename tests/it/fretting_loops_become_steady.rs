@@ -6,8 +6,8 @@ use std::ops::ControlFlow;
 use kit::unit_bodies;
 use stickslip::history::{Cycle, FrettingLoop, LoadPath, LoopEnding, wear};
 use stickslip::{
-    Axis, Error, Field, Friction, Grid, HalfSpace, History, TangentialModel, LoadStep, NormalControl,
-    TangentialControl, surface,
+    Axis, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl,
+    TangentialControl, TangentialModel, surface,
 };
 
 const FRICTION: f64 = 0.4;

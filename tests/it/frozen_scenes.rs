@@ -17,9 +17,9 @@ use kit::{Random, rough, unit_bodies, unit_pair};
 use stickslip::cgm::{Method, Report};
 use stickslip::history::{LoadPath, wear};
 use stickslip::{
-    Axis, Boundary, Field, Friction, Grid, HalfSpace, History, TangentialModel, LoadStep, NormalControl,
-    NormalProblem, NormalSolution, NormalSolver, Pressure, TangentialLoad,
-    TangentialProblem, TangentialSolution, TangentialSolver, TangentialControl, Zone, surface,
+    Axis, Boundary, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl,
+    NormalProblem, NormalSolution, NormalSolver, Pressure, TangentialControl, TangentialLoad,
+    TangentialModel, TangentialProblem, TangentialSolution, TangentialSolver, Zone, surface,
 };
 
 /// How closely a scene must be found again.
@@ -330,7 +330,7 @@ fn normal_solver(
 }
 
 fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
-    common::press(
+    kit::press(
         bodies,
         gap,
         NormalControl::Force(force),
@@ -425,7 +425,7 @@ fn pressed_by_both(record: &mut Record, bodies: &HalfSpace, gap: &Field, load: N
         ("active set", Method::ActiveSet),
         ("polonsky keer", Method::PolonskyKeer),
     ] {
-        record.pressed(solve, &common::press(bodies, gap, load, 1e-8, method));
+        record.pressed(solve, &kit::press(bodies, gap, load, 1e-8, method));
     }
 }
 
@@ -446,7 +446,12 @@ fn rough_tenth_in_contact(record: &mut Record) {
 
 fn rough_two_fifths(record: &mut Record) {
     let (bodies, gap) = rough_plate(96, 2);
-    pressed_by_both(record, &bodies, &gap, NormalControl::Force(ROUGH_TWO_FIFTHS));
+    pressed_by_both(
+        record,
+        &bodies,
+        &gap,
+        NormalControl::Force(ROUGH_TWO_FIFTHS),
+    );
 }
 
 /// Forces under which 10 % and 40 % of a rough plate of 96 x 96 cells touch.
@@ -456,10 +461,15 @@ const ROUGH_TWO_FIFTHS: f64 = 300.0;
 fn periodic_rough(record: &mut Record) {
     let grid = Grid::new(64, 48, 1.0, 1.0).unwrap();
     let (bodies, gap) = (repeating(grid), rough(grid, 3));
-    pressed_by_both(record, &bodies, &gap, NormalControl::Force(0.03 * grid.area()));
+    pressed_by_both(
+        record,
+        &bodies,
+        &gap,
+        NormalControl::Force(0.03 * grid.area()),
+    );
     record.pressed(
         "approach",
-        &common::press(
+        &kit::press(
             &bodies,
             &gap,
             NormalControl::Approach(2.0),
@@ -475,7 +485,12 @@ fn periodic_wavy(record: &mut Record) {
         repeating(grid),
         surface::bisinusoidal(grid, 0.3, [6.0, 12.0]).unwrap(),
     );
-    pressed_by_both(record, &bodies, &gap, NormalControl::Force(0.03 * grid.area()));
+    pressed_by_both(
+        record,
+        &bodies,
+        &gap,
+        NormalControl::Force(0.03 * grid.area()),
+    );
 }
 
 fn oblong_odd_grid(record: &mut Record) {
@@ -523,9 +538,12 @@ fn large_nested(record: &mut Record) {
     let (bodies, mut gap) = ball(256);
     gap.add_scaled(0.02, &rough(bodies.grid(), 7)).unwrap();
     let load = NormalControl::Force(LOAD);
-    let normal = common::press(&bodies, &gap, load, 1e-6, Method::ActiveSet);
+    let normal = kit::press(&bodies, &gap, load, 1e-6, Method::ActiveSet);
     record.pressed("press", &normal);
-    for (solve, lateral) in [("shear", TangentialModel::Scalar), ("plane", TangentialModel::Vector)] {
+    for (solve, lateral) in [
+        ("shear", TangentialModel::Scalar),
+        ("plane", TangentialModel::Vector),
+    ] {
         let load = pull([0.6 * LIMIT, 0.0]);
         sheared(
             record,
@@ -832,7 +850,11 @@ fn springs_plane(record: &mut Record) {
     steps.step(&mut history, &pressing(LOAD));
     for (x, y, twist) in [
         (spring(0.4, 4.0), spring(-0.2, 1.0), 0.0),
-        (spring(0.6, 4.0), TangentialControl::Force(0.4 * LIMIT), 0.02),
+        (
+            spring(0.6, 4.0),
+            TangentialControl::Force(0.4 * LIMIT),
+            0.02,
+        ),
         (TangentialControl::Shift(-0.1), spring(0.4, 8.0), 0.02),
         (TangentialControl::Hold, spring(-0.5, 8.0), -0.01),
         (spring(-0.5, 4.0), spring(0.5, 4.0), 0.0),

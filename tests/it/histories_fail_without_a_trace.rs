@@ -6,8 +6,8 @@ use std::ops::ControlFlow;
 use kit::{rough, unit_bodies};
 use stickslip::cgm::Status;
 use stickslip::{
-    Axis, Error, Field, Friction, Grid, History, TangentialModel, LoadStep, NormalControl, TangentialControl,
-    surface,
+    Axis, Error, Field, Friction, Grid, History, LoadStep, NormalControl, TangentialControl,
+    TangentialModel, surface,
 };
 
 fn grid() -> Grid {
@@ -97,7 +97,9 @@ fn refused_loads() {
         assert!(message.contains(&remedy), "{message}");
         let message = |load| history.clone().step(&load).unwrap_err().to_string();
         let turned = message(load(12.0, axis, hold).twist(0.1));
-        assert!(turned.contains("twist of 1e-1") && turned.contains(".model(TangentialModel::Vector)"));
+        assert!(
+            turned.contains("twist of 1e-1") && turned.contains(".model(TangentialModel::Vector)")
+        );
         let dragged = message(LoadStep::hold().tangential(axis, spring(f64::NAN, 1.0)));
         let end = format!("position of the spring along {axis:?}").to_lowercase();
         assert!(dragged.contains(&end), "{dragged}");

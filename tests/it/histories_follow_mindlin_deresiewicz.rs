@@ -4,8 +4,8 @@
 use kit::{Table2, l2_difference, max_difference};
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 use stickslip::{
-    Axis, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl, TangentialControl, Zone,
-    surface,
+    Axis, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl, TangentialControl,
+    Zone, surface,
 };
 
 /// Largest force over the friction limit.

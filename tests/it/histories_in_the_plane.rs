@@ -7,8 +7,8 @@ use kit::{Random, max_abs, max_difference, rough, unit_bodies, unit_pair};
 use stickslip::analytical::{HertzSphere, LubkinTorsion};
 use stickslip::history::LoadPath;
 use stickslip::{
-    Axis, Boundary, Error, Field, Friction, Grid, HalfSpace, History, TangentialModel, LoadStep,
-    NormalControl, TangentialControl, Zone, surface,
+    Axis, Boundary, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl,
+    TangentialControl, TangentialModel, Zone, surface,
 };
 
 const FRICTION: f64 = 0.4;
@@ -53,8 +53,8 @@ fn forces([x, y]: [f64; 2]) -> LoadStep {
 fn a_load_along_an_axis_is_that_of_the_scalar_model() {
     let gap = sphere(48);
     let bodies = unit_bodies(gap.grid(), 0.0);
-    let [mut plane, mut scalar] =
-        [TangentialModel::Vector, TangentialModel::Scalar].map(|lateral| pressed(&bodies, &gap, lateral, 1e-9));
+    let [mut plane, mut scalar] = [TangentialModel::Vector, TangentialModel::Scalar]
+        .map(|lateral| pressed(&bodies, &gap, lateral, 1e-9));
     assert_eq!((plane.axis(), scalar.axis()), (None, Some(Axis::X)));
     let there = LoadPath::triangle([0.8 * LIMIT, 0.0], 16).unwrap();
     for force in there.cycles(2) {
@@ -201,7 +201,10 @@ fn displacement_stores_the_elastic_energy() {
     let free = unit_bodies(gap.grid(), 0.3);
     let periodic = HalfSpace::with_boundary(gap.grid(), *free.pair(), Boundary::Periodic).unwrap();
     for bodies in [free, periodic] {
-        for (lateral, across) in [(TangentialModel::Scalar, 0.0), (TangentialModel::Vector, 0.4)] {
+        for (lateral, across) in [
+            (TangentialModel::Scalar, 0.0),
+            (TangentialModel::Vector, 0.4),
+        ] {
             let mut history = pressed(&bodies, &gap, lateral, 1e-8);
             history.step(&forces([0.7, across])).unwrap();
             let displacement = history.displacement().unwrap();

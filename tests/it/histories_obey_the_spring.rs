@@ -2,7 +2,9 @@
 //! contact as under that force or that shift.
 
 use kit::{max_difference, unit_bodies};
-use stickslip::{Axis, Friction, Grid, History, LoadStep, NormalControl, TangentialControl, surface};
+use stickslip::{
+    Axis, Friction, Grid, History, LoadStep, NormalControl, TangentialControl, surface,
+};
 
 const FRICTION: f64 = 0.4;
 const LOAD: f64 = 4.0;

@@ -6,8 +6,8 @@ use std::thread;
 use kit::{rough, unit_bodies, unit_pair};
 use stickslip::history::LoadPath;
 use stickslip::{
-    Axis, Boundary, Field, Friction, Grid, HalfSpace, History, TangentialModel, LoadStep, NormalControl,
-    TangentialControl, surface,
+    Axis, Boundary, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl,
+    TangentialControl, TangentialModel, surface,
 };
 
 /// One history: where it starts from, and the loads it takes.
@@ -21,11 +21,7 @@ struct Course {
 impl Course {
     fn history(&self, bodies: &HalfSpace) -> History {
         let builder = History::builder(bodies, &self.gap, self.friction.clone());
-        builder
-            .model(self.lateral)
-            .tolerance(1e-7)
-            .build()
-            .unwrap()
+        builder.model(self.lateral).tolerance(1e-7).build().unwrap()
     }
 
     /// All that the history is and its last step did, in bits.

@@ -4,8 +4,8 @@ use kit::{Table2, energy_difference, rough, unit_bodies, unit_pair};
 use stickslip::cgm::{self, Magnitude, Method, NonNegative, Problem, Settings};
 use stickslip::influence::Component;
 use stickslip::{
-    Boundary, Field, Friction, Grid, HalfSpace, NormalControl, NormalSolution, Report, TangentialLoad,
-    TangentialSolution, surface,
+    Boundary, Field, Friction, Grid, HalfSpace, NormalControl, NormalSolution, Report,
+    TangentialLoad, TangentialSolution, surface,
 };
 
 const TOLERANCE: f64 = 1e-6;
@@ -95,22 +95,22 @@ fn active_sets_alone_solve_the_sphere_of_table_2_within_their_cost() {
     };
 
     let (operator, inverse) = engine(Component::ZZ);
-    let problem = Problem::new(operator, ball.as_slice(), NonNegative);
+    let problem = Problem::new(operator, [ball.as_slice()], NonNegative);
     let problem = problem.preconditioner(inverse).total(total);
     let mut pressure = vec![total / grid.cells() as f64; grid.cells()];
-    let normal = cgm::minimise(&problem, &settings, &mut pressure)
+    let normal = cgm::minimise(&problem, &settings, [&mut pressure])
         .unwrap()
         .report;
 
     let limits: Vec<f64> = pressure.iter().map(|p| Table2::FRICTION * p).collect();
     let (operator, inverse) = engine(Component::XX);
     let none = vec![0.0; grid.cells()];
-    let problem = Problem::new(operator, &none, Magnitude(&limits));
+    let problem = Problem::new(operator, [&none], Magnitude(&limits));
     let problem = problem
         .preconditioner(inverse)
         .total(0.4 * Table2::FRICTION * total);
     let mut traction: Vec<f64> = limits.iter().map(|m| 0.4 * m).collect();
-    let tangential = cgm::minimise(&problem, &settings, &mut traction)
+    let tangential = cgm::minimise(&problem, &settings, [&mut traction])
         .unwrap()
         .report;
     for report in [normal, tangential] {

@@ -14,9 +14,9 @@ use stickslip::history::{Cycle, FrettingLoop, LoadPath};
 use stickslip::influence::{Component, Rectangle};
 use stickslip::surface::{self, Amplitudes, PowerSpectrum, SelfAffine, Statistics};
 use stickslip::{
-    Axis, Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, History, TangentialModel, LoadStep,
-    Material, NormalControl, NormalProblem, NormalSolution, NormalControl, Result, Status,
-    TangentialLoad, TangentialProblem, TangentialSolution, TangentialControl, Warning, Zone,
+    Axis, Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
+    NormalControl, NormalProblem, NormalSolution, Result, Status, TangentialControl,
+    TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution, Warning, Zone,
 };
 
 /// What is read from text and from bytes, to the last bit but for the sign of what is no number.
@@ -248,9 +248,9 @@ fn minima_of_the_engines() {
     let (bodies, _) = pressed();
     let operator = bodies.operator(Component::ZZ).unwrap();
     let linear = surface::sphere(bodies.grid(), 10.0).unwrap();
-    let problem = Problem::new(operator, linear.as_slice(), NonNegative).total(10.0);
+    let problem = Problem::new(operator, [linear.as_slice()], NonNegative).total(10.0);
     let mut x = vec![10.0 / bodies.grid().cells() as f64; bodies.grid().cells()];
-    let minimum = minimise(&problem, &Settings::default(), &mut x).unwrap();
+    let minimum = minimise(&problem, &Settings::default(), [&mut x]).unwrap();
     survives(&minimum);
     #[cfg(feature = "dense")]
     {

@@ -5,8 +5,8 @@ use rayon::prelude::*;
 use stickslip::analytical::{HertzSphere, RoughSphere};
 use stickslip::surface::{self, SelfAffine};
 use stickslip::{
-    Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl, NormalSolution,
-    TangentialLoad, TangentialProblem,
+    Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl,
+    NormalSolution, TangentialLoad, TangentialProblem,
 };
 
 /// The discretisation error is far larger.

@@ -2,8 +2,8 @@
 
 use kit::{rough, unit_bodies};
 use stickslip::{
-    Field, Friction, Grid, HalfSpace, TangentialModel, NormalControl, NormalProblem, NormalSolution,
-    TangentialLoad, TangentialProblem, TangentialSolution,
+    Field, Friction, Grid, HalfSpace, NormalControl, NormalProblem, NormalSolution, TangentialLoad,
+    TangentialModel, TangentialProblem, TangentialSolution,
 };
 
 fn solve() -> (NormalSolution, [TangentialSolution; 2]) {

@@ -5,7 +5,7 @@ use kit::unit_bodies;
 use stickslip::cgm::{Method, Settings};
 use stickslip::{
     Axis, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl, NormalProblem,
-    NormalControl, Status, TangentialLoad, TangentialProblem, TangentialControl, surface,
+    Status, TangentialControl, TangentialLoad, TangentialProblem, surface,
 };
 
 fn ball() -> (HalfSpace, Field) {

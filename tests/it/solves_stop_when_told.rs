@@ -9,9 +9,9 @@ use kit::{rough, unit_bodies};
 use stickslip::cgm::{self, Iteration, Magnitude, Method, NonNegative, Problem, Settings};
 use stickslip::influence::Component;
 use stickslip::{
-    Axis, ElasticOperator, Error, Field, Friction, Grid, HalfSpace, History, TangentialModel, LoadStep,
-    NormalControl, NormalProblem, NormalSolution, NormalControl, Operator, Report, Status,
-    TangentialLoad, TangentialProblem, TangentialSolution, TangentialControl, surface,
+    Axis, ElasticOperator, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
+    NormalControl, NormalProblem, NormalSolution, Operator, Report, Status, TangentialControl,
+    TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution, surface,
 };
 
 /// An operator that counts its products.
@@ -94,13 +94,13 @@ fn the_engine_asks_before_every_product() {
             let linear: Vec<f64> = gap.as_slice().iter().map(|h| h - datum).collect();
             let normal = |x: &mut [f64], observer: &mut Observer<'_>, settings: &Settings| {
                 let operator = Counting::of(&bodies, Component::ZZ);
-                let problem = Problem::new(&operator, &linear, NonNegative);
+                let problem = Problem::new(&operator, [&linear], NonNegative);
                 let problem = problem.preconditioner(inverse.clone());
                 let problem = total.into_iter().fold(problem, Problem::total);
                 let outcome = cgm::minimise_with(
                     &problem,
                     settings,
-                    x,
+                    [x],
                     &mut problem.workspace(),
                     &mut |iteration| observer(iteration, operator.count()),
                 );
@@ -109,13 +109,13 @@ fn the_engine_asks_before_every_product() {
             };
             let shear = |x: &mut [f64], observer: &mut Observer<'_>, settings: &Settings| {
                 let operator = Counting::of(&bodies, Component::XX);
-                let problem = Problem::new(&operator, &shifted, Magnitude(&limits));
+                let problem = Problem::new(&operator, [&shifted], Magnitude(&limits));
                 let problem = problem.preconditioner(inverse.clone());
                 let problem = total.into_iter().fold(problem, Problem::total);
                 let outcome = cgm::minimise_with(
                     &problem,
                     settings,
-                    x,
+                    [x],
                     &mut problem.workspace(),
                     &mut |iteration| observer(iteration, operator.count()),
                 );

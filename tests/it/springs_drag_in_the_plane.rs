@@ -4,8 +4,8 @@
 use kit::{max_abs, max_difference, rough, unit_bodies, unit_pair};
 use stickslip::history::LoadPath;
 use stickslip::{
-    Axis, Boundary, Error, Field, Friction, Grid, HalfSpace, History, TangentialModel, LoadStep,
-    NormalControl, TangentialControl, surface,
+    Axis, Boundary, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl,
+    TangentialControl, TangentialModel, surface,
 };
 
 const FRICTION: f64 = 0.4;

@@ -209,8 +209,8 @@ fn stopping_in_a_nested_start() {
         // Left alone it goes on and ends.
         shear.solve_into(&mut sheared).unwrap();
     }
-    let limited =
-        NormalProblem::builder(&bodies, &gap, NormalControl::Force(20.0)).time_limit(Duration::ZERO);
+    let limited = NormalProblem::builder(&bodies, &gap, NormalControl::Force(20.0))
+        .time_limit(Duration::ZERO);
     let Err(Error::NotConverged(report)) = limited.build().unwrap().solve() else {
         panic!("no time at all");
     };

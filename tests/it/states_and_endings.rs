@@ -7,8 +7,8 @@ use kit::{Table2, max_abs, rough, unit_bodies};
 use stickslip::cgm::{self, Iteration, Magnitude, Method, Problem, Settings, Status};
 use stickslip::influence::Component;
 use stickslip::{
-    Error, Field, Friction, Grid, HalfSpace, TangentialModel, NormalControl, NormalProblem, NormalSolution,
-    NormalSolver, TangentialLoad, TangentialProblem, Warning, Zone, surface,
+    Error, Field, Friction, Grid, HalfSpace, NormalControl, NormalProblem, NormalSolution,
+    NormalSolver, TangentialLoad, TangentialModel, TangentialProblem, Warning, Zone, surface,
 };
 
 fn table_2(n: usize) -> (HalfSpace, NormalSolution) {
@@ -551,20 +551,20 @@ fn nothing_is_asked_of_a_uniform_offset() {
     let linear: Vec<f64> = limits.as_slice().iter().map(offset).collect();
     let operator = bodies.operator(Component::XX).unwrap();
     let inverse = bodies.preconditioner(Component::XX).unwrap().unwrap();
-    let problem = Problem::new(operator, &linear, Magnitude(limits.as_slice()));
+    let problem = Problem::new(operator, [&linear], Magnitude(limits.as_slice()));
     let problem = problem.preconditioner(inverse).total(0.0);
     let mut x = vec![0.0; grid.cells()];
-    let minimum = cgm::minimise(&problem, &Settings::default(), &mut x).unwrap();
+    let minimum = cgm::minimise(&problem, &Settings::default(), [&mut x]).unwrap();
     assert!(x.iter().all(|&x| x == 0.0));
-    assert_eq!(minimum.multiplier, 3.0);
+    assert_eq!(minimum.multiplier, [3.0]);
 
     // Almost uniform: to be solved, or given up in a bounded number of steps.
     let mut linear = linear;
     linear[16 * 32 + 16] += 1e-13;
     let operator = bodies.operator(Component::XX).unwrap();
     let inverse = bodies.preconditioner(Component::XX).unwrap().unwrap();
-    let problem = Problem::new(operator, &linear, Magnitude(limits.as_slice()));
+    let problem = Problem::new(operator, [&linear], Magnitude(limits.as_slice()));
     let problem = problem.preconditioner(inverse).total(0.0);
-    let outcome = cgm::minimise(&problem, &Settings::default(), &mut x);
+    let outcome = cgm::minimise(&problem, &Settings::default(), [&mut x]);
     assert!(matches!(outcome, Ok(_) | Err(Error::NotConverged(_))));
 }

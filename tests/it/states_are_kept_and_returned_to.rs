@@ -3,7 +3,8 @@
 use kit::{rough, unit_bodies};
 use stickslip::history::State;
 use stickslip::{
-    Axis, Error, Field, Friction, Grid, History, TangentialModel, LoadStep, NormalControl, TangentialControl,
+    Axis, Error, Field, Friction, Grid, History, LoadStep, NormalControl, TangentialControl,
+    TangentialModel,
 };
 
 fn grid() -> Grid {

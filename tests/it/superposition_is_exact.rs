@@ -5,8 +5,8 @@ use kit::{max_abs, max_difference, rough, unit_bodies};
 use stickslip::cgm::Method;
 use stickslip::tangential::JaegerSuperposition;
 use stickslip::{
-    Boundary, Error, Field, Friction, Grid, HalfSpace, NormalControl, NormalProblem, NormalSolution,
-    TangentialLoad, TangentialSolution, surface,
+    Boundary, Error, Field, Friction, Grid, HalfSpace, NormalControl, NormalProblem,
+    NormalSolution, TangentialLoad, TangentialSolution, surface,
 };
 
 const FRICTION: f64 = 0.4;

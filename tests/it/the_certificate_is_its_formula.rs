@@ -4,7 +4,9 @@ use std::ops::ControlFlow;
 
 use approx::assert_relative_eq;
 use kit::{Random, max_abs};
-use stickslip::cgm::{self, Constraint, Interval, Method, NonNegative, Problem, Report, Settings};
+use stickslip::cgm::{
+    self, Admissible, Bounds, Constraint, Method, NonNegative, Problem, Report, Settings,
+};
 use stickslip::{Error, Operator};
 
 /// Springs in a ring, each coupled to the next: 2 on the diagonal, beside it the coupling. Of -1 it maps
@@ -37,8 +39,8 @@ impl Operator for Chain {
 }
 
 /// Cancelled when it was examined, before anything has moved.
-fn examined(chain: &Chain, linear: &[f64], interval: &Interval<'_>, x: &mut [f64]) -> Report {
-    let problem = Problem::new(chain, linear, interval.clone());
+fn examined(chain: &Chain, linear: &[f64], interval: &Bounds<'_>, x: &mut [f64]) -> Report {
+    let problem = Problem::new(chain, [linear], interval.clone());
     let mut workspace = problem.workspace();
     let (start, mut calls) = (x.to_vec(), 0);
     let cancel = &mut |_: &_| {
@@ -49,7 +51,13 @@ fn examined(chain: &Chain, linear: &[f64], interval: &Interval<'_>, x: &mut [f64
             ControlFlow::Break(())
         }
     };
-    let outcome = cgm::minimise_with(&problem, &Settings::default(), x, &mut workspace, cancel);
+    let outcome = cgm::minimise_with(
+        &problem,
+        &Settings::default(),
+        [&mut *x],
+        &mut workspace,
+        cancel,
+    );
     assert!(matches!(outcome, Ok(()) | Err(Error::NotConverged(_))));
     assert_eq!(x, start);
     workspace.report().clone()
@@ -83,7 +91,7 @@ fn of_an_iterate_that_nothing_has_moved() {
                 .collect();
             let [lower, upper] = [0, 1]
                 .map(|side| -> Vec<f64> { bounds.iter().map(|bounds| bounds[side]).collect() });
-            let interval = Interval {
+            let interval = Bounds {
                 lower: &lower,
                 upper: &upper,
             };
@@ -98,7 +106,7 @@ fn of_an_iterate_that_nothing_has_moved() {
                 let is_allowed = (x[i] <= lower[i] && g > 0.0) || (x[i] >= upper[i] && g < 0.0);
                 let r = if is_allowed { 0.0 } else { g };
                 let [by_gap, by_eigenvalue] =
-                    [g * x[i] - interval.least_product(i, g), r * r / lower_bound];
+                    [interval.of(i).duality_gap([x[i]], [g]), r * r / lower_bound];
                 if r != 0.0 && by_gap <= by_eigenvalue {
                     dual += by_gap;
                 } else if r != 0.0 {
@@ -128,7 +136,7 @@ fn of_an_iterate_that_nothing_has_moved() {
 /// Where all give way by the eigenvalue, `E = |r| / sqrt(lambda)`; where all do by the gap, `E^2` is its sum.
 #[test]
 fn of_a_single_entry() {
-    let interval = Interval {
+    let interval = Bounds {
         lower: &[1.0],
         upper: &[11.0],
     };
@@ -168,8 +176,8 @@ fn without_an_eigenvalue_the_residual_decides() {
     for method in [Method::ActiveSet, Method::PolonskyKeer] {
         let settings = Settings::default().tolerance(1e-6).method(method);
         let mut x = vec![1.0; 40];
-        let problem = Problem::new(&chain, &linear, NonNegative);
-        let report = cgm::minimise(&problem, &settings, &mut x).unwrap().report;
+        let problem = Problem::new(&chain, [&linear], NonNegative);
+        let report = cgm::minimise(&problem, &settings, [&mut x]).unwrap().report;
         assert!(report.residual > 0.0 && report.residual <= 1e-6, "{report}");
         assert!(report.certified_gap.is_infinite(), "{report}");
     }
@@ -183,7 +191,7 @@ fn no_gap_is_negative() {
         coupling: -2.0,
         lower_bound: 0.0,
     };
-    let interval = Interval {
+    let interval = Bounds {
         lower: &[1.0; 3],
         upper: &[3.0; 3],
     };

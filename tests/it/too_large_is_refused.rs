@@ -73,7 +73,7 @@ fn paths_and_problems_without_end() {
     assert_eq!(bytes(LoadPath::ellipse([1.0, 2.0], 0.3, steps)), expected);
 
     // An operator may say what it likes of its size: the start tells.
-    let problem = Problem::new(Identity::new(usize::MAX), &[], NonNegative);
-    let outcome = cgm::minimise(&problem, &Settings::default(), &mut []);
+    let problem = Problem::new(Identity::new(usize::MAX), [&[]], NonNegative);
+    let outcome = cgm::minimise(&problem, &Settings::default(), [&mut []]);
     assert!(matches!(outcome, Err(Error::Length { .. })));
 }

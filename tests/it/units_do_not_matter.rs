@@ -2,8 +2,9 @@
 
 use kit::{Random, max_abs, max_difference};
 use stickslip::{
-    Axis, ElasticPair, Field, Friction, Grid, HalfSpace, History, TangentialModel, LoadStep, Material,
-    NormalControl, NormalProblem, NormalControl, TangentialLoad, TangentialProblem, TangentialControl,
+    Axis, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
+    NormalControl, NormalProblem, TangentialControl, TangentialLoad, TangentialModel,
+    TangentialProblem,
 };
 
 const FRICTION: f64 = 0.6;

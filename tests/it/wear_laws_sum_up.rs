@@ -4,7 +4,9 @@
 use kit::{Random, max_difference, unit_bodies};
 use stickslip::history::wear::{self, CycleJump};
 use stickslip::history::{Cycle, FrettingLoop, LoadPath};
-use stickslip::{Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl, surface};
+use stickslip::{
+    Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl, surface,
+};
 
 fn random(grid: Grid, random: &mut Random) -> Field {
     let samples = (0..grid.cells()).map(|_| random.uniform(0.0, 1.0));

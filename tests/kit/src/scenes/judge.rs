@@ -7,8 +7,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use stickslip::cgm::{Method, Report};
 use stickslip::{
-    Axis, Field, TangentialModel, NormalControl, NormalProblem, NormalSolution, NormalSolver, Result,
-    TangentialLoad, TangentialProblem, TangentialSolution,
+    Axis, Field, NormalControl, NormalProblem, NormalSolution, NormalSolver, Result,
+    TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution,
 };
 
 use super::compliance::{Compliance, dot};
@@ -150,7 +150,7 @@ impl Judge {
                 .model(shear.lateral)
                 .neglect_coupling()
                 .tolerance(scene.settings.tolerance)
-                .method(method)
+                .method(shear.method(method))
                 .max_iterations(scene.settings.max_iterations);
         if let Some(limit) = scene.settings.time_limit {
             builder = builder.time_limit(limit);
@@ -201,7 +201,7 @@ impl Judge {
             || "a traction is beyond its limit".to_owned(),
         );
         let cell_area = normal.grid().cell_area();
-        if let TangentialLoad::force(force) = load {
+        if let Some(force) = oracle::prescribed_force(load) {
             let missing = (0..2).map(|b| (solution.force()[b] - force[b]).abs());
             let magnitude: f64 = (0..limits.len()).map(|i| x[i].hypot(y[i])).sum();
             let missing = missing.fold(0.0, f64::max);

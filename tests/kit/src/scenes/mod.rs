@@ -11,8 +11,9 @@ mod oracle;
 pub mod row;
 mod steps;
 
+use stickslip::cgm::Method;
 use stickslip::cgm::Settings;
-use stickslip::{Field, Friction, HalfSpace, TangentialModel, NormalControl};
+use stickslip::{Field, Friction, HalfSpace, NormalControl, TangentialModel};
 
 /// A normal contact, and the tangential contacts under its pressure.
 #[derive(Debug)]
@@ -36,6 +37,16 @@ pub(crate) struct Shear {
     pub(crate) demand: Demand,
     pub(crate) lateral: TangentialModel,
     pub(crate) expected: Expected,
+}
+
+impl Shear {
+    /// The method to solve it by: that asked for, where its model has it.
+    pub(crate) fn method(&self, asked: Method) -> Method {
+        match self.lateral {
+            TangentialModel::Scalar => asked,
+            TangentialModel::Vector => Method::ActiveSet,
+        }
+    }
 }
 
 /// A tangential load that fits any pressure.

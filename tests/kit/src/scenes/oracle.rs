@@ -2,12 +2,12 @@
 
 use std::time::Duration;
 
-use stickslip::cgm::{Interval, Method, NonNegative};
+use stickslip::cgm::{Bounds, Method, NonNegative};
 use stickslip::dense::DenseOperator;
 use stickslip::influence::Component;
 use stickslip::{
-    Boundary, Friction, HalfSpace, NormalControl, NormalProblem, NormalSolution, Result,
-    TangentialLoad, TangentialProblem, TangentialSolution,
+    Axis, Boundary, Friction, HalfSpace, NormalControl, NormalProblem, NormalSolution, Result,
+    TangentialControl, TangentialLoad, TangentialProblem, TangentialSolution,
 };
 
 use super::{Scene, Shear};
@@ -104,7 +104,7 @@ pub(crate) fn tractions(
     let limits = limits(&shear.friction, normal);
     let cell_area = normal.grid().cell_area();
     let is_periodic = scene.bodies.boundary() == Boundary::Periodic;
-    let is_found = is_periodic && matches!(load, TangentialLoad::shift(_));
+    let is_found = is_periodic && prescribed_shift(load).is_some();
     let load = if is_found {
         TangentialLoad::force(found.force())
     } else {
@@ -130,7 +130,7 @@ pub(crate) fn tractions(
         .model(shear.lateral)
         .neglect_coupling()
         .tolerance(finer(scene.settings.tolerance))
-        .method(other(method))
+        .method(shear.method(other(method)))
         .time_limit(PATIENCE)
         .build()
         .and_then(TangentialProblem::into_solver);
@@ -142,6 +142,22 @@ pub(crate) fn tractions(
         x: gathered(&solution),
         against: "finer solve",
     })
+}
+
+/// The force of a load that prescribes one along both axes.
+pub(crate) fn prescribed_force(load: TangentialLoad) -> Option<[f64; 2]> {
+    match [load.control(Axis::X), load.control(Axis::Y)] {
+        [TangentialControl::Force(x), TangentialControl::Force(y)] => Some([x, y]),
+        _ => None,
+    }
+}
+
+/// The shift of a load that prescribes one along both axes.
+fn prescribed_shift(load: TangentialLoad) -> Option<[f64; 2]> {
+    match [load.control(Axis::X), load.control(Axis::Y)] {
+        [TangentialControl::Shift(x), TangentialControl::Shift(y)] => Some([x, y]),
+        _ => None,
+    }
 }
 
 /// What the rounding of a force that was found leaves open of the tractions in the plane: near sliding they turn by
@@ -159,9 +175,7 @@ fn sliding(
     found: &TangentialSolution,
 ) -> Option<Truth> {
     let limit = limits.iter().sum::<f64>() * cell_area;
-    let TangentialLoad::force([x, y]) = load else {
-        return None;
-    };
+    let [x, y] = prescribed_force(load)?;
     let size = x.hypot(y);
     let missing = (1.0 - size / limit).max(0.0);
     let along = |n: f64| limits.iter().map(move |limit| n / size * limit);
@@ -186,15 +200,15 @@ fn exact_traction(
     axis: usize,
     cell_area: f64,
 ) -> Option<Vec<f64>> {
-    let (shift, total) = match load {
-        TangentialLoad::force(force) => (0.0, Some(force[axis] / cell_area)),
-        TangentialLoad::shift(shift) => (shift[axis], None),
-        _ => return None,
+    let (shift, total) = match (prescribed_force(load), prescribed_shift(load)) {
+        (Some(force), _) => (0.0, Some(force[axis] / cell_area)),
+        (None, Some(shift)) => (shift[axis], None),
+        (None, None) => return None,
     };
     let component = [Component::XX, Component::YY][axis];
     let upper: Vec<f64> = contact.iter().map(|&i| limits[i]).collect();
     let lower: Vec<f64> = upper.iter().map(|limit| -limit).collect();
-    let bounds = Interval {
+    let bounds = Bounds {
         lower: &lower,
         upper: &upper,
     };

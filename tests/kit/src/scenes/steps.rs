@@ -1,10 +1,10 @@
 //! Histories over hard scenes: every step held to friction, to its own slip and to the dense twin.
 
-use stickslip::cgm::{Interval, Settings};
+use stickslip::cgm::{Bounds, Settings};
 use stickslip::influence::Component;
 use stickslip::{
-    Axis, Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, TangentialModel,
-    LoadStep, Material, NormalControl, NormalControl, Result, TangentialControl,
+    Axis, Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
+    Material, NormalControl, Result, TangentialControl, TangentialModel,
 };
 
 use super::compliance::Compliance;
@@ -84,7 +84,9 @@ impl Story {
                 Act::Shift(parts) => {
                     along(*parts, axis, |part| TangentialControl::Shift(part * reach))
                 }
-                Act::Press(part) => LoadStep::hold().normal(NormalControl::Force(part * self.force)),
+                Act::Press(part) => {
+                    LoadStep::hold().normal(NormalControl::Force(part * self.force))
+                }
                 Act::Hold => LoadStep::hold(),
             };
             let before = Before {
@@ -126,7 +128,11 @@ impl Story {
 }
 
 /// The same step along the axis of the model, or along both.
-fn along(parts: [f64; 2], axis: Option<usize>, step: impl Fn(f64) -> TangentialControl) -> LoadStep {
+fn along(
+    parts: [f64; 2],
+    axis: Option<usize>,
+    step: impl Fn(f64) -> TangentialControl,
+) -> LoadStep {
     let load = LoadStep::hold().tangential(Axis::X, step(parts[0]));
     match axis {
         Some(_) => load,
@@ -248,7 +254,7 @@ fn exact(
     let remembered = &before.slip[axis.index()];
     let linear: Vec<f64> = contact.iter().map(|&i| -remembered[i] - shift).collect();
     let component = [Component::XX, Component::YY][axis.index()];
-    let bounds = Interval {
+    let bounds = Bounds {
         lower: &lower,
         upper: &upper,
     };

@@ -46,13 +46,17 @@ pub(crate) fn starts() -> Result<Vec<Row>> {
     ] {
         let mut row = Row::new(&format!("start from {name}"), "pressure");
         let mut x = start;
-        let problem = Problem::new(bodies.operator(Component::ZZ)?, gap.as_slice(), NonNegative);
+        let problem = Problem::new(
+            bodies.operator(Component::ZZ)?,
+            [gap.as_slice()],
+            NonNegative,
+        );
         let problem = problem.total(total);
         let mut workspace = problem.workspace();
         let outcome = cgm::minimise_with(
             &problem,
             &Settings::default(),
-            &mut x,
+            [&mut x],
             &mut workspace,
             &mut |_| ControlFlow::Continue(()),
         );
@@ -71,10 +75,10 @@ pub(crate) fn broken_operators() -> Vec<Row> {
     for (name, sign) in [("NaN", f64::NAN), ("a negative definite map", -1.0)] {
         for method in [Method::ActiveSet, Method::PolonskyKeer] {
             let linear: Vec<f64> = (0..20).map(|i| f64::from(i) / 20.0).collect();
-            let problem = Problem::new(Diagonal(sign), &linear, NonNegative).total(1.0);
+            let problem = Problem::new(Diagonal(sign), [&linear], NonNegative).total(1.0);
             let mut row = Row::new(&format!("operator that is {name}"), format!("{method:?}"));
-            let mut x = vec![0.05; 20];
-            let outcome = cgm::minimise(&problem, &Settings::default().method(method), &mut x);
+            let mut x = vec![0.05_f64; 20];
+            let outcome = cgm::minimise(&problem, &Settings::default().method(method), [&mut x]);
             if let Err(Error::NotConverged(report)) = &outcome {
                 row.ending = report.status.to_string();
                 row.report = Some((**report).clone());
