@@ -64,7 +64,7 @@ fn run(history: &mut History, ball: &Field, cycles: usize) -> Result<Vec<Leaving
         history.set_gap(&gap)?;
         if cycle.steps() == STEPS {
             done.push(Leaving {
-                energy: cycle.energy().dissipated,
+                energy: cycle.energy().dissipated_energy,
                 depth,
                 max_pressure: history.pressure().max(),
                 worn_volume: gap.integral() - ball.integral(),
@@ -104,7 +104,7 @@ fn main() -> std::result::Result<(), Box<dyn Error>> {
         ("gap", History::gap as fn(&History) -> &Field),
         ("pressure", History::pressure),
         ("traction", |history| history.traction()[0]),
-        ("slip path", History::slip_path),
+        ("slip path", History::accumulated_slip),
         ("dissipated energy", History::dissipated_energy),
     ] {
         let bits = |history| {

@@ -120,7 +120,7 @@ impl Loop {
     fn run(bodies: &HalfSpace, ball: &Field, aspect: f64) -> Result<Self> {
         let (_, half) = steady_loop(bodies, ball, aspect, STEPS / 2)?;
         let (history, outcome) = steady_loop(bodies, ball, aspect, STEPS)?;
-        let [few, many] = [&half, &outcome].map(|of| of.last.energy().dissipated);
+        let [few, many] = [&half, &outcome].map(|of| of.last.energy().dissipated_energy);
         Ok(Self {
             aspect,
             outcome,
@@ -133,10 +133,10 @@ impl Loop {
         let cycle = &self.outcome.last;
         [
             self.aspect,
-            cycle.energy().dissipated * MICRO,
+            cycle.energy().dissipated_energy * MICRO,
             self.extrapolated_energy * MICRO,
             cycle.energy_ratio(),
-            cycle.slip_length().max() * MICRO,
+            cycle.slip_distance().max() * MICRO,
             cycle.stick_ratios()[0],
             self.outcome.cycles as f64,
         ]
@@ -219,7 +219,7 @@ fn draw_map(
     let (a, longest) = (hertz.contact_radius(), FRICTION * hertz.max_pressure());
     let view = -VIEW..VIEW;
     let mut chart = support::axes(area, (view.clone(), "x / a"), (view, "y / a"))?;
-    let slip = of.outcome.last.slip_length();
+    let slip = of.outcome.last.slip_distance();
     let grid = slip.grid();
     let mut brightness = Field::zeros(grid);
     brightness.add_scaled(-1.0, slip)?;

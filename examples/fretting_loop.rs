@@ -90,8 +90,8 @@ struct Point {
     shift: f64,
     exact_shift: f64,
     stick_ratio: f64,
-    dissipated: f64,
-    dissipated_mid_step: f64,
+    dissipated_energy: f64,
+    mid_step_dissipated_energy: f64,
     work: f64,
     products: usize,
 }
@@ -105,12 +105,12 @@ impl Point {
             shift: step.shift()[0],
             exact_shift: exact.shift(),
             stick_ratio: step.stick_ratio(),
-            dissipated: energy.dissipated,
-            dissipated_mid_step: energy.dissipated_mid_step,
+            dissipated_energy: energy.dissipated_energy,
+            mid_step_dissipated_energy: energy.mid_step_dissipated_energy,
             work: energy.work,
-            products: step
-                .tangential_report()
-                .map_or(0, |report| report.convolutions + report.rough_convolutions),
+            products: step.tangential_report().map_or(0, |report| {
+                report.double_precision_products + report.single_precision_products
+            }),
         }
     }
 
@@ -120,8 +120,8 @@ impl Point {
             self.shift * MICRO,
             self.exact_shift * MICRO,
             self.stick_ratio,
-            self.dissipated * MICRO,
-            self.dissipated_mid_step * MICRO,
+            self.dissipated_energy * MICRO,
+            self.mid_step_dissipated_energy * MICRO,
             self.work * MICRO,
             self.products as f64,
         ]
@@ -181,10 +181,10 @@ fn print_table(points: &[Point], profiles: &[Profile], cycle: &Cycle) {
     let exact = &profiles[0].exact;
     let (energy, of_loop) = (exact.energy_per_cycle(), cycle.energy());
     for (quantity, computed) in [
-        ("energy of a cycle, uJ", of_loop.dissipated),
+        ("energy of a cycle, uJ", of_loop.dissipated_energy),
         (
             "  by mean tractions of a step, uJ",
-            of_loop.dissipated_mid_step,
+            of_loop.mid_step_dissipated_energy,
         ),
         ("  area of the loop, a polygon, uJ", of_loop.work),
     ] {
@@ -192,9 +192,9 @@ fn print_table(points: &[Point], profiles: &[Profile], cycle: &Cycle) {
     }
     let rectangle = 4.0 * AMPLITUDE * points[STEPS / 4 - 1].exact_shift;
     print("energy ratio", cycle.energy_ratio(), energy / rectangle);
-    let imbalance = of_loop.dissipated_mid_step / of_loop.work - 1.0;
+    let imbalance = of_loop.mid_step_dissipated_energy / of_loop.work - 1.0;
     println!("\nmean tractions over area of the loop, less one: {imbalance:.1e}");
-    println!("the loop closes to {:.1e}", cycle.closure());
+    println!("the loop closes to {:.1e}", cycle.cyclic_residual());
 
     let farthest = points
         .iter()

@@ -43,7 +43,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     // A measurement is not periodic: its spectral slope would include the step from edge to edge.
     let slope = statistics.finite_difference_rms_slope();
     let pressure = AREA / RoughSphere::AREA_COEFFICIENT * slope * pair.contact_modulus();
-    let gap = surface::gap_of(&heights)?;
+    let gap = surface::gap_from_heights(&heights)?;
     let force = pressure * gap.grid().area();
     let normal = NormalProblem::builder(&bodies, &gap, NormalControl::Force(force))
         .tolerance(1e-6)
@@ -152,7 +152,7 @@ fn write_fields(
     shear: &TangentialSolution,
 ) -> Result<(), Box<dyn Error>> {
     let zone = |zone: &Zone| match zone {
-        Zone::Separate => 0.0,
+        Zone::Separated => 0.0,
         Zone::Stick => 1.0,
         Zone::Slip => 2.0,
     };

@@ -191,7 +191,7 @@ fn solve(bodies: &HalfSpace, job: &Job) -> stickslip::Result<Answer> {
         .cut_off_wavelength(cut_off * grid.dx())
         .seed(job.seed)
         .generate(grid)?;
-    let gap = surface::gap_of(rough.heights())?;
+    let gap = surface::gap_from_heights(rough.heights())?;
     let force = PRESSURE * bodies.pair().contact_modulus() * grid.area();
     let normal = NormalProblem::builder(bodies, &gap, NormalControl::Force(force))
         .tolerance(TOLERANCE)

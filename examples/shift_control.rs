@@ -23,8 +23,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let steel = Material::new(213e9, 0.29)?;
     let pair = ElasticPair::new(steel, steel)?;
     let hertz = HertzSphere::new(&pair, BALL_RADIUS, NORMAL_FORCE)?;
-    let sliding_force = FRICTION * NORMAL_FORCE;
-    let sliding_shift = CattaneoMindlin::new(hertz, FRICTION, sliding_force)?.sliding_shift();
+    let friction_capacity = FRICTION * NORMAL_FORCE;
+    let sliding_shift = CattaneoMindlin::new(hertz, FRICTION, friction_capacity)?.sliding_shift();
 
     // Press to the approach that Hertz gives for 100 N.
     let grid = Grid::square(256, 3.0 * hertz.contact_radius())?;
@@ -60,14 +60,14 @@ fn main() -> Result<(), Box<dyn Error>> {
         let fraction = f64::from(step) / 10.0;
         solver.set_load(TangentialLoad::shift([fraction * sliding_shift, 0.0]))?;
         solver.solve_into(&mut shear)?;
-        let force = shear.force()[0] / sliding_force;
+        let force = shear.force()[0] / friction_capacity;
         println!(
             "{fraction:>10.1} | {force:>9.6} | {:>11.6} | {:>9.5} | {:>11.5} | {:>10}{}",
             exact_force(fraction),
             shear.stick_ratio(),
             exact_stick(fraction),
             shear.report().iterations,
-            if shear.is_gross_sliding() {
+            if shear.is_gross_slip() {
                 "  gross sliding"
             } else {
                 ""

@@ -187,8 +187,8 @@ impl Run {
         format!(
             "{:>8.2} {:>4} {:>4} {:>8.1e} {:>8.1e} {:>8.1e} {:<9}",
             self.milliseconds,
-            self.report.convolutions,
-            self.report.rough_convolutions,
+            self.report.double_precision_products,
+            self.report.single_precision_products,
             self.report.energy_error_bound(),
             self.energy,
             self.l1,

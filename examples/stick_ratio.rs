@@ -110,7 +110,7 @@ fn shear(bodies: &HalfSpace, scene: &Scene, seed: u64) -> stickslip::Result<Shea
         .cut_off_wavelength(CUT_OFF)
         .seed(seed)
         .generate(grid)?;
-    let gap = surface::gap_of(rough.heights())?;
+    let gap = surface::gap_from_heights(rough.heights())?;
     let force = scene.mean_pressure * bodies.pair().contact_modulus() * grid.area();
     let normal = NormalProblem::builder(bodies, &gap, NormalControl::Force(force))
         .tolerance(TOLERANCE)
@@ -128,7 +128,7 @@ fn shear(bodies: &HalfSpace, scene: &Scene, seed: u64) -> stickslip::Result<Shea
     let mut ratios = Vec::new();
     for step in 0..=STEPS {
         let f = f64::from(step) / f64::from(STEPS);
-        solver.set_load(TangentialLoad::force([f * solver.sliding_force(), 0.0]))?;
+        solver.set_load(TangentialLoad::force([f * solver.friction_capacity(), 0.0]))?;
         solver.solve_into(&mut solution)?;
         ratios.push([f, solution.stick_ratio()]);
         if 2 * step == STEPS {

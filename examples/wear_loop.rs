@@ -82,7 +82,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         // One cycle, with the pressure of the worn gap.
         fretting.cycle(&mut history, &mut cycle)?;
         let mut depth = Field::zeros(grid);
-        let (pressure, slip) = (cycle.slip_pressure(), cycle.slip_length());
+        let (pressure, slip) = (cycle.slip_pressure(), cycle.slip_distance());
         wear::archard(WEAR_COEFFICIENT, pressure, slip, &mut depth)?;
         let jump = CycleJump::new(&bodies, &cycle, &depth)?
             .largest_depth(APPROACH_FRACTION * approach)
@@ -105,7 +105,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         gap.add_scaled(jump, &depth)?;
         history.set_gap(&gap)?;
         cycles += jump;
-        energy += jump * cycle.energy().dissipated;
+        energy += jump * cycle.energy().dissipated_energy;
     }
     print_end(&stages, &history, &limit);
     write(&stages, &limit)

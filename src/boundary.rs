@@ -7,7 +7,7 @@ pub enum Boundary {
     /// Unloaded half-space: the grid is a patch on infinite bodies (default). Exact, whatever the
     /// size of the grid, as long as contact stays inside it.
     #[default]
-    Free,
+    NonPeriodic,
     /// The grid repeats along x and y, with its gap and tractions: for nominally flat surfaces, where
     /// free edges would sag and bias the contact.
     ///

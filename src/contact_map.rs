@@ -97,7 +97,7 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
         let first = taken.iter().position(|taken| *taken)?;
         let last = taken.iter().rposition(|taken| *taken)?;
         let within = last + 1 - first;
-        if self.boundary == Boundary::Free {
+        if self.boundary == Boundary::NonPeriodic {
             return Some(within);
         }
         let runs = taken[first..=last].split(|taken| *taken).map(<[bool]>::len);
@@ -213,7 +213,7 @@ mod tests {
         let cells: Vec<bool> = drawing.chars().map(|c| c == '#').collect();
         let mut map = ContactMap {
             grid: Grid::new(8, 4, 0.5, 0.5).unwrap(),
-            boundary: Boundary::Free,
+            boundary: Boundary::NonPeriodic,
             contains: |i: usize| cells[i],
         };
         assert_eq!(map.cells(), 9);

@@ -182,7 +182,7 @@ pub enum Error {
     EmptyContact,
     /// The tangential force exceeds what friction can carry: no equilibrium exists.
     #[error("a tangential force of {force:e} exceeds the friction limit {limit:e}")]
-    BeyondSliding {
+    BeyondFrictionCapacity {
         /// Magnitude of the force requested.
         force: f64,
         /// Largest force that friction can carry, the area integral of the shear limit.

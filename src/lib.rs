@@ -59,7 +59,7 @@
 //! | embed contacts in a simulator | the page on [embedding](guide::embedding) |
 //! | assess the accuracy of a solution | its [`Report`] and its [`Warning`]s |
 //! | generate a rough surface or a smooth shape | [`surface::SelfAffine`]; [`surface::sphere`], [`cone`](surface::cone), [`sum`](surface::sum()) ... |
-//! | characterise a surface, prepare a measured one | [`surface::Statistics`], [`fill_missing`](surface::fill_missing), [`gap_of`](surface::gap_of) ... and the page on [rough surfaces](guide::rough_surfaces) |
+//! | characterise a surface, prepare a measured one | [`surface::Statistics`], [`fill_missing`](surface::fill_missing), [`gap_from_heights`](surface::gap_from_heights) ... and the page on [rough surfaces](guide::rough_surfaces) |
 //! | read surfaces, write fields for other programs | [`io`] |
 //! | press nominally flat surfaces without edges | [`HalfSpace::with_boundary`], [`Boundary::Periodic`] |
 //! | compare with a closed form: spheres, cones, punches, waves, rough surfaces | [`analytical`], [`tangential::JaegerSuperposition`] |
@@ -222,7 +222,7 @@ pub use normal::{NormalControl, NormalProblem, NormalSolution, NormalSolver};
 pub use operator::{Identity, Operator};
 pub use report::{Iteration, Report, Status};
 pub use tangential::{
-    Axis, Friction, Pressure, TangentialControl, TangentialLoad, TangentialModel,
+    Axis, Friction, PressureSource, TangentialControl, TangentialLoad, TangentialModel,
     TangentialProblem, TangentialSolution, TangentialSolver, Zone,
 };
 

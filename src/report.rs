@@ -52,9 +52,9 @@ pub struct Iteration {
     /// Conjugate-gradient steps so far; zero before the first.
     pub iteration: usize,
     /// Products with the operator in double precision so far.
-    pub convolutions: usize,
+    pub double_precision_products: usize,
     /// Products in single precision so far.
-    pub rough_convolutions: usize,
+    pub single_precision_products: usize,
     /// Largest complementarity residual, relative to the largest displacement (see [`Report::residual`]).
     #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
     pub residual: f64,
@@ -67,8 +67,8 @@ impl Iteration {
     pub(crate) fn after(self, [iterations, double, single]: [usize; 3]) -> Self {
         Self {
             iteration: iterations + self.iteration,
-            convolutions: double + self.convolutions,
-            rough_convolutions: single + self.rough_convolutions,
+            double_precision_products: double + self.double_precision_products,
+            single_precision_products: single + self.single_precision_products,
             ..self
         }
     }
@@ -88,9 +88,9 @@ pub struct Report {
     pub iterations: usize,
     /// Products with the operator in double precision, including the final check. Like all counts here,
     /// this covers the requested grid only; the work of a nested start on coarser grids appears in the time.
-    pub convolutions: usize,
+    pub double_precision_products: usize,
     /// Products in single precision, within the iteration only.
-    pub rough_convolutions: usize,
+    pub single_precision_products: usize,
     /// Largest complementarity residual: `|g_i|` on free entries, the wrong-signed part of
     /// `g_i` on entries at a bound, divided by the largest `|(Cx)_i|` over the entries that can
     /// move. If the operator's smallest eigenvalue times the largest unknown is larger, it is the divisor
@@ -98,10 +98,10 @@ pub struct Report {
     #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
     pub residual: f64,
     /// Certified bound on the squared relative error in the energy norm:
-    /// `(x - x*)' C (x - x*) <= certified_gap * x' C x`. If `lambda x' x` is larger than `x' C x`, it takes its place,
+    /// `(x - x*)' C (x - x*) <= duality_gap * x' C x`. If `lambda x' x` is larger than `x' C x`, it takes its place,
     /// with `lambda` the operator's known smallest eigenvalue. Dimensionless: a duality gap, not a distance.
     #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
-    pub certified_gap: f64,
+    pub duality_gap: f64,
     /// Relative error of the prescribed total, `|sum x - total| / sum |x|`; zero when no total
     /// is prescribed.
     #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
@@ -122,10 +122,10 @@ impl Report {
         Self {
             status: Status::Unsolved,
             iterations: 0,
-            convolutions: 0,
-            rough_convolutions: 0,
+            double_precision_products: 0,
+            single_precision_products: 0,
             residual: f64::INFINITY,
-            certified_gap: f64::INFINITY,
+            duality_gap: f64::INFINITY,
             load_error: 0.0,
             time: Duration::ZERO,
             history: Vec::new(),
@@ -152,12 +152,16 @@ impl Report {
     /// cells, and half to two thirds for 512 x 512 cells or more.
     #[must_use]
     pub fn products(&self) -> usize {
-        self.convolutions + self.rough_convolutions
+        self.double_precision_products + self.single_precision_products
     }
 
     /// Steps and products, in double and in single precision.
     pub(crate) fn counts(&self) -> [usize; 3] {
-        [self.iterations, self.convolutions, self.rough_convolutions]
+        [
+            self.iterations,
+            self.double_precision_products,
+            self.single_precision_products,
+        ]
     }
 
     /// Adds a further pass: appends its history, adds its counts, and takes over the rest.
@@ -167,8 +171,8 @@ impl Report {
         history.extend(pass.history.iter().map(|step| step.after(before)));
         *self = Self {
             iterations: before[0] + pass.iterations,
-            convolutions: before[1] + pass.convolutions,
-            rough_convolutions: before[2] + pass.rough_convolutions,
+            double_precision_products: before[1] + pass.double_precision_products,
+            single_precision_products: before[2] + pass.single_precision_products,
             history,
             ..*pass
         };
@@ -181,10 +185,10 @@ impl Report {
             && self.energy_error_bound() <= tolerance
     }
 
-    /// Certified bound on the relative error in the energy norm, `sqrt(certified_gap)`.
+    /// Certified bound on the relative error in the energy norm, `sqrt(duality_gap)`.
     #[must_use]
     pub fn energy_error_bound(&self) -> f64 {
-        self.certified_gap.sqrt()
+        self.duality_gap.sqrt()
     }
 }
 
@@ -220,8 +224,8 @@ impl fmt::Display for Report {
             "{} in {} iterations, {} + {} convolutions (double + single), {:.3} s: residual {:.1e}, ",
             self.status,
             self.iterations,
-            self.convolutions,
-            self.rough_convolutions,
+            self.double_precision_products,
+            self.single_precision_products,
             self.time.as_secs_f64(),
             self.residual,
         )?;

@@ -37,7 +37,7 @@ pub(crate) fn zones(
             let colour = match run[0] {
                 Zone::Stick => BLUE,
                 Zone::Slip => ORANGE,
-                Zone::Separate => GREY,
+                Zone::Separated => GREY,
             };
             if left < right {
                 rectangles.push(Rectangle::new(

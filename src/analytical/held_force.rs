@@ -25,7 +25,7 @@ impl HeldForce {
         let magnitude = force.abs();
         // The product above is rounded, so a force meant to equal it may exceed it by a rounding error.
         if magnitude > limit * (1.0 + 4.0 * f64::EPSILON) {
-            return Err(Error::BeyondSliding {
+            return Err(Error::BeyondFrictionCapacity {
                 force: magnitude,
                 limit,
             });

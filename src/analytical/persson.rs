@@ -128,7 +128,7 @@ impl Persson {
     ///
     /// # Errors
     /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for the traction or the limit,
-    /// [`Error::BeyondSliding`](crate::Error::BeyondSliding), with forces per nominal area, if
+    /// [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity), with forces per nominal area, if
     /// the traction exceeds $`\mu\bar p`$.
     pub fn stick_ratio(&self, friction: f64, mean_traction: f64) -> Result<f64> {
         let held = HeldForce::new(self.mean_pressure, friction, mean_traction)?;
@@ -176,12 +176,12 @@ fn argument(reduced_pressure: f64, area_coefficient: f64) -> f64 {
 /// # Errors
 /// [`Error::NotPositive`](crate::Error::NotPositive) for the load,
 /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for the force or the limit,
-/// [`Error::BeyondSliding`](crate::Error::BeyondSliding) if the force exceeds $`\mu W`$.
+/// [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force exceeds $`\mu W`$.
 ///
 /// ```
 /// use stickslip::{Error, analytical::linear_stick_ratio};
 /// assert!((linear_stick_ratio(100.0, 0.5, 20.0)? - 0.6).abs() < 1e-15);
-/// assert!(matches!(linear_stick_ratio(100.0, 0.5, 51.0), Err(Error::BeyondSliding { .. })));
+/// assert!(matches!(linear_stick_ratio(100.0, 0.5, 51.0), Err(Error::BeyondFrictionCapacity { .. })));
 /// # Ok::<(), Error>(())
 /// ```
 pub fn linear_stick_ratio(load: f64, friction: f64, force: f64) -> Result<f64> {

@@ -244,7 +244,7 @@ impl WestergaardPartialSlip {
     ///
     /// # Errors
     /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for the traction or a result,
-    /// [`Error::BeyondSliding`](crate::Error::BeyondSliding), with forces per nominal area, if
+    /// [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity), with forces per nominal area, if
     /// the traction exceeds $`\mu\bar p`$.
     pub fn new(contact: Westergaard, friction: f64, mean_traction: f64) -> Result<Self> {
         let held = HeldForce::new(contact.mean_pressure, friction, mean_traction)?;

@@ -44,7 +44,7 @@ impl Certificate {
 
     pub(crate) fn write_to(&self, report: &mut Report) {
         report.residual = self.residual;
-        report.certified_gap = self.gap;
+        report.duality_gap = self.gap;
         report.load_error = self.load_error;
     }
 }

@@ -13,9 +13,10 @@
 //! 284 (2015), the same remark for rolling contact).
 
 use crate::cgm::interval::EDGE;
-use crate::cgm::motion::{Linearised, Motion, Reach};
+use crate::cgm::motion::{Linearised, Reach};
 use crate::cgm::run::Run;
-use crate::cgm::totals::Small;
+use crate::cgm::small::Small;
+use crate::cgm::turn::{SINGLE, Turn, Weight};
 use crate::cgm::vector::{at, dot, norm, plus, slices, update_cells};
 use crate::cgm::{Admissible, Constraint, newton, reduce};
 use crate::error::{Error, Result, non_negative};
@@ -42,144 +43,6 @@ impl Disc {
     pub(crate) fn rim_along(self, q: [f64; 2]) -> [f64; 2] {
         let scale = self.radius / norm(q);
         q.map(|q| q * scale)
-    }
-}
-
-/// How a cell of a disc may move.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Turn {
-    /// In any direction: it sticks.
-    Free,
-    /// Along the circle: it slips.
-    Along {
-        /// Direction of the circle where the vector is.
-        tangent: [f64; 2],
-        /// Gradient against the vector over the radius: what the curvature of the circle adds to the stiffness.
-        stiffness: f64,
-        /// What the preconditioner makes of a residual here.
-        weight: Weight,
-    },
-    /// Not at all.
-    Fixed,
-}
-
-/// What of a residual the preconditioner answers as a smooth pattern, and what the cell alone.
-///
-/// The inverse operator $`M`$ does not know the stiffness $`k`$ of the circles. Were the operator a number $`c`$, the
-/// inverse of $`c + k`$ would be $`w^2 / c + (1 - w^2) / k'`$ for suitable shares: a part $`w^2 = c / (c + k)`$ of the
-/// residual is answered through $`M`$, weighted by $`w`$ on both sides so that the preconditioner stays symmetric, and
-/// the rest by the cell's own compliance, $`1 / (c_1 + k)`$ with $`c_1`$ that of a cell that moves alone.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Weight {
-    /// Of the residual before, and of the answer after the inverse operator.
-    pattern: f64,
-    /// Answer of the cell alone.
-    own: f64,
-}
-
-/// The stiffness at which pattern and cell share evenly, and the compliance of a cell that moves alone, in
-/// least eigenvalues of the operator: of the half-space a cell's own compliance is about two of them, and
-/// the mean about four. Measured on spheres: half as much of either changes little, twice as much costs a third more
-/// steps.
-const EVEN: f64 = 2.0;
-const SINGLE: f64 = 4.0;
-
-impl Weight {
-    const PATTERN: Self = Self {
-        pattern: 1.0,
-        own: 0.0,
-    };
-
-    /// For a stiffness of the circle beside an operator of this least eigenvalue.
-    fn new(stiffness: f64, lower_bound: f64) -> Self {
-        let even = EVEN * lower_bound;
-        if even <= 0.0 {
-            return Self::PATTERN;
-        }
-        let pattern = even / (even + stiffness);
-        Self {
-            pattern: pattern.sqrt(),
-            own: (1.0 - pattern) / (SINGLE * lower_bound + stiffness),
-        }
-    }
-}
-
-impl Turn {
-    /// At its limit with this traction, of this stiffness.
-    fn along(q: [f64; 2], stiffness: f64, weight: Weight) -> Self {
-        let size = norm(q);
-        Self::Along {
-            tangent: [-q[1] / size, q[0] / size],
-            stiffness,
-            weight,
-        }
-    }
-}
-
-impl Motion<2> for Turn {
-    const IS_CURVED: bool = true;
-    const FREE: Self = Self::Free;
-    const FIXED: Self = Self::Fixed;
-
-    fn moves(self) -> bool {
-        self != Self::Fixed
-    }
-
-    fn is_free(self) -> bool {
-        self == Self::Free
-    }
-
-    #[inline]
-    fn project(self, v: [f64; 2]) -> [f64; 2] {
-        match self {
-            Self::Free => v,
-            Self::Along { tangent, .. } => tangent.map(|t| t * dot(tangent, v)),
-            Self::Fixed => [0.0; 2],
-        }
-    }
-
-    #[inline]
-    fn stiffness(self) -> f64 {
-        match self {
-            Self::Along { stiffness, .. } => stiffness,
-            Self::Free | Self::Fixed => 0.0,
-        }
-    }
-
-    #[inline]
-    fn weighted(self, r: [f64; 2]) -> [f64; 2] {
-        match self {
-            Self::Along { weight, .. } => r.map(|r| weight.pattern * r),
-            Self::Free | Self::Fixed => r,
-        }
-    }
-
-    #[inline]
-    fn preconditioned(self, answer: [f64; 2], r: [f64; 2]) -> [f64; 2] {
-        match self {
-            Self::Free => answer,
-            Self::Along {
-                tangent, weight, ..
-            } => {
-                let along = weight.pattern * dot(tangent, answer);
-                [0, 1].map(|c| tangent[c] * along + weight.own * r[c])
-            }
-            Self::Fixed => [0.0; 2],
-        }
-    }
-
-    fn weighed(mut self, lower_bound: f64) -> Self {
-        if let Self::Along {
-            stiffness, weight, ..
-        } = &mut self
-        {
-            *weight = Weight::new(*stiffness, lower_bound);
-        }
-        self
-    }
-
-    fn released(self, _: [f64; 2], _: bool) -> Self {
-        self
     }
 }
 
@@ -310,7 +173,7 @@ impl Linearised<2> for Disc {
         let total = sums.map(|sum| sum.unwrap_or(0.0));
         let size = norm(total);
         if size.is_nan() || size > limit * (1.0 + EDGE) {
-            return Err(Error::BeyondSliding { force: size, limit });
+            return Err(Error::BeyondFrictionCapacity { force: size, limit });
         }
         Ok(if size > 0.0 && size >= limit * (1.0 - EDGE) {
             Reach::Extreme(total.map(|total| total / size))

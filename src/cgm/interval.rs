@@ -18,6 +18,10 @@ pub struct Interval {
 }
 
 /// Where a cell stands in its interval.
+#[expect(
+    unnameable_types,
+    reason = "it appears in the sealed traits of the sets alone"
+)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {
     /// Between the bounds, or free to move from one.

@@ -13,7 +13,7 @@
 //!
 //! Two methods stand behind one setting, see [`Method`]. Whatever the method and the outcome, the
 //! iterate returned is feasible and the [`Report`] is computed from a fresh product with it; its
-//! certified gap bounds the error in the energy norm (see [`Report::certified_gap`]).
+//! certified gap bounds the error in the energy norm (see [`Report::duality_gap`]).
 //!
 //! # The certified error
 //!
@@ -76,7 +76,7 @@
 //! let mut x = [0.0; 2];
 //! let minimum = cgm::minimise(&problem, &Settings::default(), &mut x)?;
 //! assert!((x[0] - 2.0).abs() < 1e-8 && x[1] == 0.0);
-//! assert!(minimum.report.certified_gap < 1e-16);
+//! assert!(minimum.report.duality_gap < 1e-16);
 //! # Ok::<(), stickslip::Error>(())
 //! ```
 
@@ -96,7 +96,9 @@ pub(crate) mod reduce;
 mod run;
 mod set;
 mod settings;
+mod small;
 mod totals;
+mod turn;
 pub(crate) mod vector;
 mod workspace;
 

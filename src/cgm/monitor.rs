@@ -28,8 +28,8 @@ impl<'a> Monitor<'a> {
         report: &mut Report,
     ) -> Self {
         report.iterations = 0;
-        report.convolutions = 0;
-        report.rough_convolutions = 0;
+        report.double_precision_products = 0;
+        report.single_precision_products = 0;
         report.residual = f64::INFINITY;
         report.history.clear();
         Self {
@@ -109,8 +109,8 @@ impl<'a> Monitor<'a> {
     fn entry(&self, free: usize, report: &Report) -> Iteration {
         Iteration {
             iteration: self.steps,
-            convolutions: report.convolutions,
-            rough_convolutions: report.rough_convolutions,
+            double_precision_products: report.double_precision_products,
+            single_precision_products: report.single_precision_products,
             residual: report.residual,
             free,
         }

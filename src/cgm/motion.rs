@@ -10,6 +10,10 @@ use crate::operator::Operator;
 use crate::report::Status;
 
 /// How one cell may move, in the linear system of an outer step.
+#[expect(
+    unnameable_types,
+    reason = "it appears in the sealed traits of the sets alone"
+)]
 pub trait Motion<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static {
     /// Whether a cell that can move may move in less than all directions.
     const IS_CURVED: bool;
@@ -46,6 +50,10 @@ pub trait Motion<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static
 }
 
 /// Where prescribed sums lie in what the sets allow together.
+#[expect(
+    unnameable_types,
+    reason = "it appears in the sealed traits of the sets alone"
+)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Reach<const N: usize> {
     /// Strictly between the extremes: multipliers exist.
@@ -55,6 +63,10 @@ pub enum Reach<const N: usize> {
 }
 
 /// What the engine asks of a kind of set, beside what [`Admissible`] says of it.
+#[expect(
+    unnameable_types,
+    reason = "it appears in the sealed traits of the sets alone"
+)]
 pub trait Linearised<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static {
     /// How a cell of this set may move.
     type Motion: Motion<N>;

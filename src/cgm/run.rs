@@ -108,7 +108,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         self.problem
             .operator
             .apply(slices(direction), slices_mut(image), operator);
-        report.convolutions += 1;
+        report.double_precision_products += 1;
     }
 
     /// `image = C direction`, in single precision.
@@ -123,7 +123,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         self.problem
             .operator
             .apply_f32(slices(direction), slices_mut(image), operator);
-        report.rough_convolutions += 1;
+        report.single_precision_products += 1;
     }
 
     /// `product = C x`, `gradient = C x + b`.
@@ -137,7 +137,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         self.problem
             .operator
             .apply(slices(&self.x), slices_mut(product), operator);
-        report.convolutions += 1;
+        report.double_precision_products += 1;
         self.form_gradient();
         self.is_fresh = true;
     }
@@ -153,7 +153,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         self.problem
             .operator
             .apply_f32(slices(&self.x), slices_mut(product), operator);
-        report.rough_convolutions += 1;
+        report.single_precision_products += 1;
         self.form_gradient();
     }
 
@@ -339,7 +339,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
             // all of them only in the limit of a large motion.
             merit = findings.load_error;
             let report = &mut self.workspace.report;
-            (report.residual, report.certified_gap) = (0.0, 0.0);
+            (report.residual, report.duality_gap) = (0.0, 0.0);
         }
         self.monitor
             .finish(status, merit, &mut self.workspace.report)

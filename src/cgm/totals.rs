@@ -26,6 +26,7 @@ use crate::cgm::inner::precondition;
 use crate::cgm::motion::Motion;
 use crate::cgm::reduce;
 use crate::cgm::run::Run;
+use crate::cgm::small::Small;
 use crate::cgm::vector::{at, chunks, dot, held, norm, plus, put, slices, within};
 use crate::cgm::{Constraint, MotionOf, Workspace};
 use crate::operator::Operator;
@@ -110,53 +111,6 @@ impl Total {
 /// The sum of each component over all cells, and the sum of its magnitudes.
 pub(super) fn sums_of<const N: usize>(x: &[&[f64]; N]) -> [[f64; 2]; N] {
     reduce::sum(x[0].len(), |i| at(x, i).map(|x| [x, x.abs()]))
-}
-
-/// A small symmetric matrix.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Small<const N: usize>(pub(super) [[f64; N]; N]);
-
-impl<const N: usize> Small<N> {
-    /// Solves for the active unknowns, the others being zero, by elimination.
-    pub(super) fn solve(&self, right: [f64; N], active: [bool; N]) -> [f64; N] {
-        let (mut rows, mut x) = (self.0, right);
-        let is_below = |row: usize, pivot: usize| active[row] && row > pivot;
-        for pivot in (0..N).filter(|&pivot| active[pivot]) {
-            for row in (0..N).filter(|&row| is_below(row, pivot)) {
-                let part = rows[row][pivot] / rows[pivot][pivot];
-                for column in pivot..N {
-                    rows[row][column] -= part * rows[pivot][column];
-                }
-                x[row] -= part * x[pivot];
-            }
-        }
-        for row in (0..N).rev() {
-            if !active[row] {
-                x[row] = 0.0;
-                continue;
-            }
-            for column in (0..N).filter(|&column| is_below(column, row)) {
-                x[row] -= rows[row][column] * x[column];
-            }
-            x[row] /= rows[row][row];
-        }
-        x
-    }
-
-    /// One over the trace of the inverse among the active unknowns: about the least eigenvalue.
-    pub(super) fn least(&self, active: [bool; N]) -> f64 {
-        let inverse = (0..N).filter(|&a| active[a]).map(|a| {
-            let mut unit = [0.0; N];
-            unit[a] = 1.0;
-            self.solve(unit, active)[a]
-        });
-        // From zero, not from the minus zero of an empty sum.
-        1.0 / inverse.fold(0.0, |sum, part| sum + part)
-    }
-
-    fn square(&self, v: [f64; N]) -> f64 {
-        dot(v, self.0.map(|row| dot(row, v)))
-    }
 }
 
 /// The totals beside the cells as they may move at present.

@@ -276,7 +276,7 @@ fn unsettled() -> Error {
     Error::NotConverged(Box::new(Report {
         status: Status::Stalled,
         residual: f64::NAN,
-        certified_gap: f64::INFINITY,
+        duality_gap: f64::INFINITY,
         ..Report::unsolved()
     }))
 }

@@ -75,7 +75,7 @@ impl DenseOperator {
         let grid = bodies.grid();
         check_size(grid.cells())?;
         let coefficients = match bodies.boundary() {
-            Boundary::Free => {
+            Boundary::NonPeriodic => {
                 let table = Table::sample(grid, bodies.pair(), component)?;
                 Field::from_indices(grid, |i, j| table.at(i, j))
             }

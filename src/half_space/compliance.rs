@@ -49,7 +49,7 @@ impl HalfSpace {
         make: impl FnOnce([usize; 2], [[&Kernel; N]; N]) -> T,
     ) -> Result<Arc<T>> {
         let size = match self.boundary() {
-            Boundary::Free => size,
+            Boundary::NonPeriodic => size,
             Boundary::Periodic => self.size(),
         };
         let is_kept = size == self.size();

@@ -64,13 +64,13 @@ const _: () = {
 };
 
 impl HalfSpace {
-    /// The pair meshed by `grid`, with [`Boundary::Free`] surroundings; nothing is computed yet.
+    /// The pair meshed by `grid`, with [`Boundary::NonPeriodic`] surroundings; nothing is computed yet.
     ///
     /// # Errors
     /// [`Error::NotPositive`] if the sides of a cell are too far apart
     /// to compare; [`Error::Memory`] if what a contact of all cells takes cannot be had.
     pub fn new(grid: Grid, pair: ElasticPair) -> Result<Self> {
-        Self::with_boundary(grid, pair, Boundary::Free)
+        Self::with_boundary(grid, pair, Boundary::NonPeriodic)
     }
 
     /// The pair meshed by `grid`, with the surroundings given; nothing is computed yet.
@@ -96,7 +96,7 @@ impl HalfSpace {
     pub fn with_boundary(grid: Grid, pair: ElasticPair, boundary: Boundary) -> Result<Self> {
         memory("contact of all cells", grid.size(), BYTES_PER_CELL)?;
         let samples = match boundary {
-            Boundary::Free => Some(Arc::new(samples(grid)?)),
+            Boundary::NonPeriodic => Some(Arc::new(samples(grid)?)),
             Boundary::Periodic => None,
         };
         Ok(Self::with_samples(grid, pair, samples))
@@ -131,7 +131,7 @@ impl HalfSpace {
     #[must_use]
     pub fn boundary(&self) -> Boundary {
         match self.shared.samples {
-            Some(_) => Boundary::Free,
+            Some(_) => Boundary::NonPeriodic,
             None => Boundary::Periodic,
         }
     }
@@ -249,13 +249,13 @@ impl HalfSpace {
 
     /// Whether cells of twice the sides fit.
     pub(crate) fn can_be_coarser(&self) -> bool {
-        self.boundary() == Boundary::Free || self.size().iter().all(|n| n % 2 == 0)
+        self.boundary() == Boundary::NonPeriodic || self.size().iter().all(|n| n % 2 == 0)
     }
 
     /// The whole grid where it repeats, else the window: where a contact in the window is solved.
     pub(crate) fn confined(&self, window: Window) -> Window {
         match self.boundary() {
-            Boundary::Free => window,
+            Boundary::NonPeriodic => window,
             Boundary::Periodic => Window::whole(self.grid()),
         }
     }
@@ -287,7 +287,7 @@ mod tests {
         let body = Material::new(1.0, 0.4).unwrap();
         let pair = ElasticPair::new(body, Material::rigid()).unwrap();
         for (nx, ny) in [(12, 9), (7, 16), (1, 5), (8, 8)] {
-            for boundary in [Boundary::Free, Boundary::Periodic] {
+            for boundary in [Boundary::NonPeriodic, Boundary::Periodic] {
                 let grid = Grid::new(nx, ny, 0.5, 0.7).unwrap();
                 let bodies = HalfSpace::with_boundary(grid, pair, boundary).unwrap();
                 let cells = nx * ny;
@@ -322,7 +322,7 @@ mod tests {
                 // x'Cx is at least the bound times x'x, less its mean where that moves nothing.
                 let mean = |q: &[f64]| q.iter().sum::<f64>() / cells as f64;
                 let means = [mean(x), mean(y)];
-                let is_free = boundary == Boundary::Free;
+                let is_free = boundary == Boundary::NonPeriodic;
                 let squares: f64 = (0..2 * cells)
                     .map(|i| (traction[i] - if is_free { 0.0 } else { means[i / cells] }).powi(2))
                     .sum();

@@ -65,7 +65,7 @@ impl HistoryBuilder<'_> {
     /// history.step(&shear)?;
     /// assert!(history.force()[1] > 0.0 && history.moment().abs() < 1e-9);
     /// let twist = history.step(&shear.twist(2e-3))?;
-    /// assert!(twist.moment() > 0.0 && twist.energy().dissipated > 0.0);
+    /// assert!(twist.moment() > 0.0 && twist.energy().dissipated_energy > 0.0);
     /// # Ok::<(), Error>(())
     /// ```
     pub fn model(mut self, model: TangentialModel) -> Self {

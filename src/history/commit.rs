@@ -4,7 +4,7 @@ use crate::cgm::vector::{dot, minus};
 use crate::history::EnergyBalance;
 use crate::history::memory::Memory;
 use crate::history::state::State;
-use crate::history::step::Step;
+use crate::history::step::StepResult;
 use crate::tangential::{Increment, Motion, Zone, centre};
 
 /// Makes a step that ended with the motion part of the state, and writes down what it did.
@@ -12,7 +12,7 @@ pub(super) fn commit(
     increment: Option<&Increment>,
     motion: Motion,
     state: &mut State,
-    step: &mut Step,
+    step: &mut StepResult,
 ) {
     let (before, force, moment) = (state.motion, state.force, state.moment);
     (step.stick_cells, step.slip_cells) = (0, 0);
@@ -40,7 +40,7 @@ fn enter(
     before: Motion,
     memory: &mut Memory,
     state: &mut State,
-    step: &mut Step,
+    step: &mut StepResult,
 ) {
     let (grid, pressed) = (state.grid(), &increment.pressed);
     let cell_area = grid.cell_area();
@@ -63,7 +63,7 @@ fn enter(
             memory.set_offset(k, relative);
         }
         state.zones[i] = match (is_contact, sticks) {
-            (false, _) => Zone::Separate,
+            (false, _) => Zone::Separated,
             (true, true) => Zone::Stick,
             (true, false) => Zone::Slip,
         };
@@ -77,8 +77,8 @@ fn enter(
         let energy = &mut step.energy;
         energy.elastic_before += 0.5 * cell_area * dot(before, u_before);
         energy.elastic_after += 0.5 * cell_area * dot(traction, u);
-        energy.dissipated += dissipated;
-        energy.dissipated_mid_step += mid_step;
+        energy.dissipated_energy += dissipated;
+        energy.mid_step_dissipated_energy += mid_step;
         *(if is_contact {
             &mut energy.residual
         } else {
@@ -93,11 +93,11 @@ fn enter(
             step.slip[axis].as_mut_slice()[i] = slip[axis];
         }
         moment += centre[0] * traction[1] - centre[1] * traction[0];
-        state.slip_path.as_mut_slice()[i] += length;
-        state.dissipated.as_mut_slice()[i] += dissipated;
-        step.slip_length.as_mut_slice()[i] = length;
-        step.dissipation.as_mut_slice()[i] = dissipated;
-        step.mid_step_dissipation.as_mut_slice()[i] = mid_step;
+        state.accumulated_slip.as_mut_slice()[i] += length;
+        state.dissipated_energy.as_mut_slice()[i] += dissipated;
+        step.slip_distance.as_mut_slice()[i] = length;
+        step.dissipated_energy.as_mut_slice()[i] = dissipated;
+        step.mid_step_dissipated_energy.as_mut_slice()[i] = mid_step;
     }
     state.force = sum.map(|sum| cell_area * sum);
     state.moment = cell_area * moment;

@@ -53,17 +53,17 @@ pub enum Regime {
 /// assert_eq!(cycle.regime(), Regime::PartialSlip);
 /// assert!((cycle.force_amplitude()[0] / 40.0 - 1.0).abs() < 1e-12);
 /// // The second cycle ends as it began, and all its work is dissipated.
-/// assert!(cycle.closure() < 1e-6);
+/// assert!(cycle.cyclic_residual() < 1e-6);
 /// let energy = cycle.energy();
-/// assert!((energy.work / energy.dissipated_mid_step - 1.0).abs() < 1e-6);
+/// assert!((energy.work / energy.mid_step_dissipated_energy - 1.0).abs() < 1e-6);
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Cycle {
-    slip_length: Field,
+    slip_distance: Field,
     slip_pressure: Field,
-    dissipation: Field,
+    dissipated_energy: Field,
     slip_amplitude: [Field; 2],
     /// The least slip since the start of the history, which the amplitude rises from.
     least_slip: [Field; 2],
@@ -85,9 +85,9 @@ pub struct Cycle {
 #[derive(serde::Deserialize)]
 #[serde(remote = "Cycle")]
 struct Unchecked {
-    slip_length: Field,
+    slip_distance: Field,
     slip_pressure: Field,
-    dissipation: Field,
+    dissipated_energy: Field,
     slip_amplitude: [Field; 2],
     least_slip: [Field; 2],
     first_traction: [Field; 2],
@@ -104,8 +104,12 @@ struct Unchecked {
 impl<'de> serde::Deserialize<'de> for Cycle {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         checked(Unchecked::deserialize(deserializer)?, |read| {
-            let grid = read.slip_length.grid();
-            let sums = [&read.slip_length, &read.slip_pressure, &read.dissipation];
+            let grid = read.slip_distance.grid();
+            let sums = [
+                &read.slip_distance,
+                &read.slip_pressure,
+                &read.dissipated_energy,
+            ];
             let vectors = [&read.slip_amplitude, &read.least_slip, &read.first_traction];
             for field in sums.into_iter().chain(vectors.into_iter().flatten()) {
                 field.check("field of the cycle", grid)?;
@@ -122,9 +126,9 @@ impl Cycle {
     pub fn new(history: &History) -> Self {
         let zeros = || Field::zeros(history.grid());
         let mut cycle = Self {
-            slip_length: zeros(),
+            slip_distance: zeros(),
             slip_pressure: zeros(),
-            dissipation: zeros(),
+            dissipated_energy: zeros(),
             slip_amplitude: [zeros(), zeros()],
             least_slip: [zeros(), zeros()],
             first_traction: [zeros(), zeros()],
@@ -152,9 +156,9 @@ impl Cycle {
 
     fn restart(&mut self, history: &History) {
         let sums = [
-            &mut self.slip_length,
+            &mut self.slip_distance,
             &mut self.slip_pressure,
-            &mut self.dissipation,
+            &mut self.dissipated_energy,
         ];
         for sum in sums.into_iter().chain(&mut self.slip_amplitude) {
             sum.as_mut_slice().fill(0.0);
@@ -187,8 +191,9 @@ impl Cycle {
         }
         self.last_step = step;
         let step = history.last_step();
-        self.slip_length.add_scaled(1.0, step.slip_length())?;
-        self.dissipation.add_scaled(1.0, step.dissipation())?;
+        self.slip_distance.add_scaled(1.0, step.slip_distance())?;
+        self.dissipated_energy
+            .add_scaled(1.0, step.dissipated_energy())?;
         self.average_pressure(history);
         for (axis, slip) in history.slip().into_iter().enumerate() {
             widen(
@@ -205,13 +210,13 @@ impl Cycle {
         }
         let (ratio, [least, largest]) = (step.stick_ratio(), self.stick_ratios);
         self.stick_ratios = [least.min(ratio), largest.max(ratio)];
-        self.slides |= step.is_gross_sliding();
+        self.slides |= step.is_gross_slip();
         self.points.push(LoopPoint::of(history));
         Ok(())
     }
 
     fn check(&self, history: &History) -> Result<()> {
-        let grid = self.slip_length.grid();
+        let grid = self.slip_distance.grid();
         grid.expect("history of the cycle", history.grid())
     }
 
@@ -219,8 +224,8 @@ impl Cycle {
     fn average_pressure(&mut self, history: &History) {
         let [pressure, slip, path] = [
             history.pressure(),
-            history.last_step().slip_length(),
-            &self.slip_length,
+            history.last_step().slip_distance(),
+            &self.slip_distance,
         ]
         .map(Field::as_slice);
         parallel::update(self.slip_pressure.as_mut_slice(), |first, chunk| {
@@ -258,14 +263,14 @@ impl Cycle {
 
     /// Length of the path that each cell slipped in the cycle (lengths, non-negative).
     #[must_use]
-    pub fn slip_length(&self) -> &Field {
-        &self.slip_length
+    pub fn slip_distance(&self) -> &Field {
+        &self.slip_distance
     }
 
     /// Pressure that each cell slipped under, the mean over the length of its path
     /// $`\sum p\,|s| / \sum |s|`$; zero where nothing slipped.
     ///
-    /// [`wear::archard`](crate::history::wear::archard) of this and of [`slip_length`](Self::slip_length) is
+    /// [`wear::archard`](crate::history::wear::archard) of this and of [`slip_distance`](Self::slip_distance) is
     /// the sum over the steps, whatever the pressure did.
     #[must_use]
     pub fn slip_pressure(&self) -> &Field {
@@ -279,10 +284,10 @@ impl Cycle {
     }
 
     /// Energy that each cell dissipated in the cycle, by its traction at the end of each step (energies): what
-    /// [`wear::dissipated_energy`](crate::history::wear::dissipated_energy) takes.
+    /// [`wear::energy`](crate::history::wear::energy) takes.
     #[must_use]
-    pub fn dissipation(&self) -> &Field {
-        &self.dissipation
+    pub fn dissipated_energy(&self) -> &Field {
+        &self.dissipated_energy
     }
 
     /// Work, elastic energy and dissipation of the cycle.
@@ -321,7 +326,7 @@ impl Cycle {
     pub fn regime(&self) -> Regime {
         if self.slides {
             Regime::GrossSlip
-        } else if self.slip_length.max() > 0.0 {
+        } else if self.slip_distance.max() > 0.0 {
             Regime::PartialSlip
         } else {
             Regime::FullStick
@@ -340,7 +345,7 @@ impl Cycle {
     /// slip. Loops round an ellipse may exceed one.
     #[must_use]
     pub fn energy_ratio(&self) -> f64 {
-        part_of(self.energy.dissipated, total_energy(&self.points))
+        part_of(self.energy.dissipated_energy, total_energy(&self.points))
     }
 
     /// How far the cycle is from closing: the largest change of a traction from beginning to end over the
@@ -348,7 +353,7 @@ impl Cycle {
     ///
     /// A cycle that closes repeats itself under the same loads.
     #[must_use]
-    pub fn closure(&self) -> f64 {
+    pub fn cyclic_residual(&self) -> f64 {
         let (first, last) = (self.points[0], self.points[self.steps()]);
         let moved = (last.shift[0] - first.shift[0]).hypot(last.shift[1] - first.shift[1]);
         let [x, y] = self.shift_amplitude();

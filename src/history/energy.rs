@@ -16,7 +16,7 @@
 /// holds for any two states, because the operator is symmetric. In the plane, products are those of vectors, and
 /// to the work comes that of the moment, $`\tfrac12 (M_n + M_{n+1})\,\Delta\varphi`$, as the motion of a cell is
 /// $`\delta + \varphi\,(-y, x)`$. The rest is what slip dissipates
-/// ([`dissipated_mid_step`](Self::dissipated_mid_step)), what cells that leave the contact let go
+/// ([`mid_step_dissipated_energy`](Self::mid_step_dissipated_energy)), what cells that leave the contact let go
 /// ([`released`](Self::released)) and what the tolerance of the solve leaves where there should be no slip
 /// ([`residual`](Self::residual)). What a spring stores, $`F^2 / 2k`$, is not among these: work is what it does to
 /// body 2.
@@ -33,10 +33,10 @@ pub struct EnergyBalance {
     /// Energy dissipated, by the tractions at the end of the step: $`-A \sum q_{n+1} s \ge 0`$. Under an
     /// unchanged pressure and a load that does not turn within the step, slip happens at the friction
     /// limit alone, and this is what it dissipates, however long the step.
-    pub dissipated: f64,
+    pub dissipated_energy: f64,
     /// Energy dissipated, by the mean tractions: $`-A \sum \bar q s`$, which closes the balance.
     /// Non-negative under an unchanged pressure and friction (in the plane but for the tolerance).
-    pub dissipated_mid_step: f64,
+    pub mid_step_dissipated_energy: f64,
     /// Energy of the tractions that cells drop as they leave the contact, by mean tractions.
     pub released: f64,
     /// Work on the motion that the tolerance leaves in stick cells.
@@ -48,8 +48,8 @@ impl EnergyBalance {
     pub(super) fn extend(&mut self, next: &Self) {
         self.work += next.work;
         self.elastic_after = next.elastic_after;
-        self.dissipated += next.dissipated;
-        self.dissipated_mid_step += next.dissipated_mid_step;
+        self.dissipated_energy += next.dissipated_energy;
+        self.mid_step_dissipated_energy += next.mid_step_dissipated_energy;
         self.released += next.released;
         self.residual += next.residual;
     }
@@ -57,7 +57,7 @@ impl EnergyBalance {
     /// What is missing in the balance: round-off.
     #[must_use]
     pub fn imbalance(&self) -> f64 {
-        let lost = self.dissipated_mid_step + self.released + self.residual;
+        let lost = self.mid_step_dissipated_energy + self.released + self.residual;
         self.work - (self.elastic_after - self.elastic_before) - lost
     }
 }

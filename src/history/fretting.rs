@@ -10,7 +10,7 @@ use crate::history::{Cycle, History, LoadPath, LoadStep};
 /// `load` turns each value of the path into a [`LoadStep`]: [`LoadStep::force`] and [`LoadStep::shift`] do, a
 /// closure makes a [`LoadStep::spring`], or adds normal load or twist. A history along an axis takes a path along
 /// that axis. In a loop that changes the gap, give the normal load in every step, `.normal(NormalControl::Force(w))`:
-/// else the pressure stays that of the old gap, and the [step](crate::history::Step::warnings) says so.
+/// else the pressure stays that of the old gap, and the [step](crate::history::StepResult::warnings) says so.
 ///
 /// ```
 /// use stickslip::history::{FrettingLoop, LoadPath, LoopEnding, Regime};
@@ -52,7 +52,7 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
         }
     }
 
-    /// Stops after the first cycle whose [closure](Cycle::closure) is no more than `tolerance`, in `(0, 1)`
+    /// Stops after the first cycle whose [closure](Cycle::cyclic_residual) is no more than `tolerance`, in `(0, 1)`
     /// (default: never). That is the largest of all cells: energies stand still cycles earlier.
     pub fn until_steady(mut self, tolerance: f64) -> Self {
         self.tolerance = Some(tolerance);
@@ -104,7 +104,10 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
                 ending = LoopEnding::Stopped;
             } else {
                 done += 1;
-                if self.tolerance.is_some_and(|most| last.closure() <= most) {
+                if self
+                    .tolerance
+                    .is_some_and(|most| last.cyclic_residual() <= most)
+                {
                     ending = LoopEnding::Steady;
                 }
             }

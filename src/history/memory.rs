@@ -64,7 +64,7 @@ impl Memory {
             }
             window.scatter(offset, &mut whole);
             for (i, offset) in self.window.indices().zip(&self.offset[axis]) {
-                if state.zones[i] != Zone::Separate {
+                if state.zones[i] != Zone::Separated {
                     whole[i] = *offset;
                 }
             }

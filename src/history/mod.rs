@@ -22,7 +22,7 @@
 //! same force or the same shift, never cut.
 //!
 //! Prescribed is the force, the shift, or the far end of a spring ([`TangentialControl`]). A force that friction no longer
-//! holds is [`Error::BeyondSliding`](crate::Error::BeyondSliding); one at the limit slides the contact, with
+//! holds is [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity); one at the limit slides the contact, with
 //! the least shift that makes all of it slip.
 //!
 //! Steps may be as long as the load goes one way: under an unchanged pressure the state after a monotonic
@@ -63,6 +63,7 @@ mod hysteresis;
 mod load;
 mod memory;
 mod path;
+mod reading;
 mod snapshot;
 mod state;
 mod step;
@@ -77,5 +78,5 @@ pub use hysteresis::LoopPoint;
 pub use load::LoadStep;
 pub use path::LoadPath;
 pub use state::State;
-pub use step::Step;
+pub use step::StepResult;
 pub use stepping::History;

@@ -68,8 +68,8 @@ pub struct State {
     pub(super) contact: Option<Memory>,
     pub(super) traction: [Field; 2],
     pub(super) slip: [Field; 2],
-    pub(super) slip_path: Field,
-    pub(super) dissipated: Field,
+    pub(super) accumulated_slip: Field,
+    pub(super) dissipated_energy: Field,
     pub(super) zones: Vec<Zone>,
     pub(super) motion: Motion,
     pub(super) force: [f64; 2],
@@ -88,8 +88,8 @@ clone_in_place!(State {
     contact,
     traction,
     slip,
-    slip_path,
-    dissipated,
+    accumulated_slip,
+    dissipated_energy,
     zones,
     motion,
     force,
@@ -122,9 +122,9 @@ impl State {
             contact: None,
             traction: [zeros(), zeros()],
             slip: [zeros(), zeros()],
-            slip_path: zeros(),
-            dissipated: zeros(),
-            zones: vec![Zone::Separate; grid.cells()],
+            accumulated_slip: zeros(),
+            dissipated_energy: zeros(),
+            zones: vec![Zone::Separated; grid.cells()],
             motion: Motion::default(),
             force: [0.0; 2],
             moment: 0.0,
@@ -223,15 +223,15 @@ impl State {
 
     /// Accumulated slip: length of the path slipped in all steps (lengths, non-negative).
     #[must_use]
-    pub fn slip_path(&self) -> &Field {
-        &self.slip_path
+    pub fn accumulated_slip(&self) -> &Field {
+        &self.accumulated_slip
     }
 
     /// Energy each cell has dissipated in all steps, the sum of
-    /// [`Step::dissipation`](crate::history::Step::dissipation) (energies, force times length, non-negative).
+    /// [`StepResult::dissipated_energy`](crate::history::StepResult::dissipated_energy) (energies, force times length, non-negative).
     #[must_use]
     pub fn dissipated_energy(&self) -> &Field {
-        &self.dissipated
+        &self.dissipated_energy
     }
 
     /// The zone of every cell after the last step, row-major with x fastest.

@@ -16,11 +16,11 @@ use crate::serial::checked;
 /// the step is in the [`History`](crate::history::History).
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Step {
+pub struct StepResult {
     pub(super) slip: [Field; 2],
-    pub(super) slip_length: Field,
-    pub(super) dissipation: Field,
-    pub(super) mid_step_dissipation: Field,
+    pub(super) slip_distance: Field,
+    pub(super) dissipated_energy: Field,
+    pub(super) mid_step_dissipated_energy: Field,
     pub(super) energy: EnergyBalance,
     pub(super) normal_force: f64,
     pub(super) approach: f64,
@@ -39,12 +39,12 @@ pub struct Step {
 /// What is read, before it is checked.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
-#[serde(remote = "Step")]
+#[serde(remote = "StepResult")]
 struct Unchecked {
     slip: [Field; 2],
-    slip_length: Field,
-    dissipation: Field,
-    mid_step_dissipation: Field,
+    slip_distance: Field,
+    dissipated_energy: Field,
+    mid_step_dissipated_energy: Field,
     energy: EnergyBalance,
     normal_force: f64,
     approach: f64,
@@ -60,16 +60,17 @@ struct Unchecked {
 }
 
 #[cfg(feature = "serde")]
-impl<'de> serde::Deserialize<'de> for Step {
+impl<'de> serde::Deserialize<'de> for StepResult {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         checked(Unchecked::deserialize(deserializer)?, |read| {
-            let grid = read.slip_length.grid();
+            let grid = read.slip_distance.grid();
             for slip in &read.slip {
                 slip.check("slip", grid)?;
             }
-            read.slip_length.check("slip length", grid)?;
-            read.dissipation.check("dissipated energy", grid)?;
-            read.mid_step_dissipation.check("dissipated energy", grid)?;
+            read.slip_distance.check("slip length", grid)?;
+            read.dissipated_energy.check("dissipated energy", grid)?;
+            read.mid_step_dissipated_energy
+                .check("dissipated energy", grid)?;
             finite("normal force", read.normal_force)?;
             finite("approach", read.approach)?;
             all_finite("tangential force", &read.force)?;
@@ -81,15 +82,15 @@ impl<'de> serde::Deserialize<'de> for Step {
     }
 }
 
-impl Step {
+impl StepResult {
     /// Nothing done yet.
     pub(super) fn new(grid: Grid) -> Self {
         let zeros = || Field::zeros(grid);
         Self {
             slip: [zeros(), zeros()],
-            slip_length: zeros(),
-            dissipation: zeros(),
-            mid_step_dissipation: zeros(),
+            slip_distance: zeros(),
+            dissipated_energy: zeros(),
+            mid_step_dissipated_energy: zeros(),
             energy: EnergyBalance::default(),
             normal_force: 0.0,
             approach: 0.0,
@@ -114,21 +115,21 @@ impl Step {
 
     /// Length of the slip of the step (lengths, non-negative).
     #[must_use]
-    pub fn slip_length(&self) -> &Field {
-        &self.slip_length
+    pub fn slip_distance(&self) -> &Field {
+        &self.slip_distance
     }
 
     /// Energy each cell dissipates in the step by its traction at the end, `-A q s >= 0`.
     #[must_use]
-    pub fn dissipation(&self) -> &Field {
-        &self.dissipation
+    pub fn dissipated_energy(&self) -> &Field {
+        &self.dissipated_energy
     }
 
     /// Energy each cell dissipates in the step by the mean of its tractions before and after,
     /// `-A (q_n + q_{n+1})/2 s`: the measure that closes the [`EnergyBalance`].
     #[must_use]
-    pub fn mid_step_dissipation(&self) -> &Field {
-        &self.mid_step_dissipation
+    pub fn mid_step_dissipated_energy(&self) -> &Field {
+        &self.mid_step_dissipated_energy
     }
 
     /// Work, elastic energy and dissipation of the step.
@@ -183,7 +184,7 @@ impl Step {
 
     /// Whether the whole contact is at its friction limit at the end of the step.
     #[must_use]
-    pub fn is_gross_sliding(&self) -> bool {
+    pub fn is_gross_slip(&self) -> bool {
         self.stick_cells == 0 && self.slip_cells > 0
     }
 

@@ -2,26 +2,22 @@
 
 use std::ops::ControlFlow;
 
-use crate::boundary::Boundary;
 use crate::cascade::Conditions;
-use crate::cgm::{Iteration, Settings, reduce};
+use crate::cgm::{Iteration, Settings};
 use crate::clock::Instant;
 use crate::elastic::Observer;
 use crate::error::Result;
 use crate::field::Field;
-use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::history::builder::HistoryBuilder;
 use crate::history::commit::commit;
 use crate::history::memory::Memory;
 use crate::history::state::State;
-use crate::history::{LoadStep, Step};
+use crate::history::{LoadStep, StepResult};
 use crate::normal::{NormalControl, NormalProblem, NormalSolution, NormalSolver};
 use crate::passes::with_memory;
 use crate::report::{Report, Status};
-use crate::tangential::{
-    self, Axis, Friction, Increment, Motion, Pressed, Start, TangentialModel, Zone,
-};
+use crate::tangential::{Friction, Increment, Motion, Pressed, Start, TangentialModel};
 use crate::window::Window;
 
 /// Two bodies in contact that remember their load: pressure, traction, slip and energy, step by step.
@@ -51,7 +47,7 @@ use crate::window::Window;
 /// history.step(&shear(30.0))?;
 /// let mut cycle = 0.0;
 /// for force in [-30.0, 30.0] {
-///     cycle += history.step(&shear(force))?.energy().dissipated;
+///     cycle += history.step(&shear(force))?.energy().dissipated_energy;
 /// }
 /// // A full cycle dissipates four times what the first quarter did.
 /// let hertz = analytical::HertzSphere::new(bodies.pair(), 3.5e-3, 100.0)?;
@@ -65,8 +61,8 @@ use crate::window::Window;
 /// ```
 #[derive(Debug, Clone)]
 pub struct History {
-    bodies: HalfSpace,
-    state: State,
+    pub(super) bodies: HalfSpace,
+    pub(super) state: State,
     press: NormalSolver,
     /// The normal contact of the step under way.
     candidate: NormalSolution,
@@ -74,7 +70,7 @@ pub struct History {
     increment: Option<Increment>,
     /// What takes the place of both if the step under way, which needs a wider window, succeeds.
     wider: Option<(Increment, Memory)>,
-    step: Step,
+    pub(super) step: StepResult,
 }
 
 const _: () = {
@@ -114,7 +110,7 @@ impl History {
             press,
             increment: new_increment(bodies, &state)?,
             wider: None,
-            step: Step::new(state.grid()),
+            step: StepResult::new(state.grid()),
             state,
         })
     }
@@ -176,9 +172,9 @@ impl History {
     /// [`Error::NotPositive`](crate::Error::NotPositive),
     /// [`Error::ApproachBeyondMeanGap`](crate::Error::ApproachBeyondMeanGap) or
     /// [`Error::NotModelled`](crate::Error::NotModelled) for the load;
-    /// [`Error::BeyondSliding`](crate::Error::BeyondSliding) if friction does not hold the force;
+    /// [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if friction does not hold the force;
     /// [`Error::NotConverged`](crate::Error::NotConverged). The history is then as it was, bit for bit.
-    pub fn step(&mut self, load: &LoadStep) -> Result<&Step> {
+    pub fn step(&mut self, load: &LoadStep) -> Result<&StepResult> {
         self.step_observed(load, |_| ControlFlow::Continue(()))
     }
 
@@ -190,7 +186,7 @@ impl History {
         &mut self,
         load: &LoadStep,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
-    ) -> Result<&Step> {
+    ) -> Result<&StepResult> {
         let demand = load.demand(self.twist());
         demand.check(self.state.axes, self.boundary())?;
         let motion = match self.attempt(load, &mut with_memory(&mut observer)) {
@@ -285,12 +281,6 @@ impl History {
         Ok(())
     }
 
-    /// The settings of the next step.
-    #[must_use]
-    pub fn settings(&self) -> &Settings {
-        self.state.settings()
-    }
-
     /// Changes tolerance, method and limits from the next step on, as after a restart; the state stays. A tolerance
     /// that is tightened bounds what is still to come, not the errors of steps done.
     ///
@@ -303,138 +293,6 @@ impl History {
         self.press.set_settings(settings)?;
         self.state.settings = settings;
         Ok(())
-    }
-
-    /// What the last step did; all zero before the first.
-    #[must_use]
-    pub fn last_step(&self) -> &Step {
-        &self.step
-    }
-
-    /// Steps taken since the start.
-    #[must_use]
-    pub fn steps(&self) -> u64 {
-        self.state.steps()
-    }
-
-    /// The grid of all fields.
-    #[must_use]
-    pub fn grid(&self) -> Grid {
-        self.bodies.grid()
-    }
-
-    /// What lies beyond the edge of the grid.
-    #[must_use]
-    pub fn boundary(&self) -> Boundary {
-        self.bodies.boundary()
-    }
-
-    /// The axis of tangential load and tractions in the scalar model, `None` in that of the plane.
-    #[must_use]
-    pub fn axis(&self) -> Option<Axis> {
-        self.state.axis()
-    }
-
-    /// The gap before loading (lengths), as last set.
-    #[must_use]
-    pub fn gap(&self) -> &Field {
-        self.state.gap()
-    }
-
-    /// The friction, as last set.
-    #[must_use]
-    pub fn friction(&self) -> &Friction {
-        self.state.friction()
-    }
-
-    /// The normal contact: pressure, approach, gap under load, contact area, warnings.
-    #[must_use]
-    pub fn normal(&self) -> &NormalSolution {
-        self.state.normal()
-    }
-
-    /// Pressure p >= 0; exactly zero outside the contact.
-    #[must_use]
-    pub fn pressure(&self) -> &Field {
-        self.state.pressure()
-    }
-
-    /// Approach of the bodies from the datum of the gap (a length).
-    #[must_use]
-    pub fn approach(&self) -> f64 {
-        self.state.approach()
-    }
-
-    /// Shear traction q on body 1 (pressures), positive along the axes; exactly zero outside the contact.
-    #[must_use]
-    pub fn traction(&self) -> [&Field; 2] {
-        self.state.traction()
-    }
-
-    /// Displacement of the surface of body 1 relative to that of body 2 by the tractions (lengths), of all
-    /// cells, in contact or not: computed when asked for, by the operators that the bodies then keep.
-    ///
-    /// # Errors
-    /// As [`HalfSpace::operator`].
-    pub fn displacement(&self) -> Result<[Field; 2]> {
-        tangential::displacement(&self.bodies, self.state.axes, self.traction())
-    }
-
-    /// Sum of the slips of all steps, with their signs (lengths).
-    #[must_use]
-    pub fn slip(&self) -> [&Field; 2] {
-        self.state.slip()
-    }
-
-    /// Length of the path slipped in all steps (lengths, non-negative).
-    #[must_use]
-    pub fn slip_path(&self) -> &Field {
-        self.state.slip_path()
-    }
-
-    /// Energy each cell has dissipated in all steps, the sum of [`Step::dissipation`] (energies, force
-    /// times length, non-negative).
-    #[must_use]
-    pub fn dissipated_energy(&self) -> &Field {
-        self.state.dissipated_energy()
-    }
-
-    /// The zone of every cell after the last step, row-major with x fastest.
-    #[must_use]
-    pub fn zones(&self) -> &[Zone] {
-        self.state.zones()
-    }
-
-    /// Shift of body 2 relative to body 1 since the start (lengths).
-    #[must_use]
-    pub fn shift(&self) -> [f64; 2] {
-        self.state.shift()
-    }
-
-    /// Rotation of body 2 relative to body 1 since the start (radians).
-    #[must_use]
-    pub fn twist(&self) -> f64 {
-        self.state.twist()
-    }
-
-    /// Tangential force that body 2 exerts on body 1.
-    #[must_use]
-    pub fn force(&self) -> [f64; 2] {
-        self.state.force()
-    }
-
-    /// Largest tangential force friction holds at the present pressure (a force): the integral of the friction limit.
-    #[must_use]
-    pub fn sliding_force(&self) -> f64 {
-        let pressure = self.pressure().as_slice();
-        let sum = reduce::sum(pressure.len(), |i| self.friction().limit(i, pressure[i]));
-        sum * self.grid().cell_area()
-    }
-
-    /// Moment about z, at the origin of the grid, that the tractions of body 2 exert on body 1.
-    #[must_use]
-    pub fn moment(&self) -> f64 {
-        self.state.moment()
     }
 }
 

@@ -232,7 +232,7 @@ impl NormalSolver {
         // Do not warm-start from NaN; and a first solve without contact has not found where to work.
         let pressure = &self.pressure;
         let touches = reduce::first(pressure.len(), |i| pressure[i] > 0.0).is_some();
-        let is_start = self.report.certified_gap.is_finite() && (touches || !is_cold);
+        let is_start = self.report.duality_gap.is_finite() && (touches || !is_cold);
         self.engine = is_start.then_some(engine);
         outcome.map_err(|_| Error::NotConverged(Box::new(self.report.clone())))
     }
@@ -286,7 +286,7 @@ impl NormalSolver {
             let Some(findings) = engine.examine(gap, load, &self.pressure) else {
                 return outcome;
             };
-            self.report.convolutions += 1;
+            self.report.double_precision_products += 1;
             findings.write_to(&mut self.report);
             // What has stalled may have done so because the contact is elsewhere.
             if !matches!(self.report.status, Status::Converged | Status::Stalled) {

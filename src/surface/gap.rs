@@ -20,7 +20,7 @@ pub fn inverted(heights: &Field) -> Field {
 /// surface in the frame of the other; its heights still point out of the body. Missing heights stay
 /// missing.
 #[must_use]
-pub fn mirrored_along_x(heights: &Field) -> Field {
+pub fn mirror_x(heights: &Field) -> Field {
     let mut mirrored = heights.clone();
     let nx = heights.grid().nx();
     for row in mirrored.as_mut_slice().chunks_exact_mut(nx) {
@@ -36,7 +36,7 @@ pub fn mirrored_along_x(heights: &Field) -> Field {
 /// # Errors
 /// [`Error::Sample`](crate::Error::Sample) for the first height that is missing or infinite;
 /// [`Error::NotFinite`](crate::Error::NotFinite) if their range overflows.
-pub fn gap_of(heights: &Field) -> Result<Field> {
+pub fn gap_from_heights(heights: &Field) -> Result<Field> {
     complete("heights", heights)?;
     let highest = heights.max();
     finite("range of the heights", highest - heights.min())?;
@@ -50,7 +50,7 @@ pub fn gap_of(heights: &Field) -> Result<Field> {
 /// The gap between two rough bodies that touch at one point, `h = max(z_1 + z_2) - (z_1 + z_2)`.
 ///
 /// The heights of each surface point out of its body, towards the other, so that peaks of both reduce the
-/// gap. Both are given in the same frame: apply [`mirrored_along_x`] first to the body that was turned
+/// gap. Both are given in the same frame: apply [`mirror_x`] first to the body that was turned
 /// over. The gap is a length with minimum zero.
 ///
 /// # Errors
@@ -63,7 +63,7 @@ pub fn gap_of(heights: &Field) -> Result<Field> {
 /// let grid = Grid::new(3, 1, 1.0, 1.0)?;
 /// let lower = Field::from_vec(grid, vec![0.0, 1.0, 0.5])?;
 /// let measured = Field::from_vec(grid, vec![2.0, 0.25, 0.0])?;
-/// let upper = surface::mirrored_along_x(&measured);
+/// let upper = surface::mirror_x(&measured);
 /// let gap = surface::gap_between(&upper, &lower)?;
 /// assert_eq!(gap.as_slice(), [2.5, 1.25, 0.0]);
 /// # Ok::<(), stickslip::Error>(())
@@ -76,5 +76,5 @@ pub fn gap_between(upper: &Field, lower: &Field) -> Result<Field> {
     for (z, lower) in sum.as_mut_slice().iter_mut().zip(lower.as_slice()) {
         *z += lower;
     }
-    gap_of(&sum)
+    gap_from_heights(&sum)
 }

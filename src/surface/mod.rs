@@ -5,7 +5,7 @@
 //!
 //! # Shapes and generated surfaces
 //! Shapes such as [`sphere`] are gaps. [`SelfAffine`] generates heights of a rough surface, which
-//! [`gap_of`] turns into a gap; gaps are added by [`sum`](sum()). Besides the errors listed for each function, all
+//! [`gap_from_heights`] turns into a gap; gaps are added by [`sum`](sum()). Besides the errors listed for each function, all
 //! return an error for a grid whose field memory cannot hold ([`Error::Memory`](crate::Error::Memory)), and for a
 //! shape with a height that overflows ([`Error::Sample`](crate::Error::Sample)).
 //!
@@ -13,7 +13,7 @@
 //! Heights `z(x, y)` point out of the body that they bound; NaN marks a missing height. To obtain a gap
 //! from a measurement, level it ([`level`](level())), close its holes with
 //! [`fill_missing`], select a part with [`crop()`] or [`resample()`], and set it against a plane with
-//! [`gap_of`] or against another surface with [`gap_between`]. [`Statistics`] and [`PowerSpectrum`]
+//! [`gap_from_heights`] or against another surface with [`gap_between`]. [`Statistics`] and [`PowerSpectrum`]
 //! characterise it.
 
 mod crop;
@@ -32,11 +32,13 @@ mod sum;
 
 pub use crop::crop;
 pub use fill::{Filled, fill_missing};
-pub use gap::{gap_between, gap_of, inverted, mirrored_along_x};
+pub use gap::{gap_between, gap_from_heights, inverted, mirror_x};
 pub use level::{Form, Levelled, level};
 pub use power_spectrum::PowerSpectrum;
 pub use resample::resample;
 pub use self_affine::{Amplitudes, RoughSurface, SelfAffine};
-pub use shape::{bisinusoidal, cone, cylinder, ellipsoid, flat_punch, paraboloid, sphere, wavy};
+pub use shape::{
+    bisinusoidal, cone, cylinder, ellipsoid, flat_punch, paraboloid, sinusoidal, sphere,
+};
 pub use statistics::Statistics;
 pub use sum::sum;

@@ -130,7 +130,7 @@ pub fn flat_punch(grid: Grid, radius: f64, recess: f64) -> Result<Field> {
 ///
 /// # Errors
 /// [`Error::NotPositive`](crate::Error::NotPositive) for the amplitude or the wavelength.
-pub fn wavy(grid: Grid, amplitude: f64, wavelength: f64) -> Result<Field> {
+pub fn sinusoidal(grid: Grid, amplitude: f64, wavelength: f64) -> Result<Field> {
     positive("amplitude", amplitude)?;
     positive("wavelength", wavelength)?;
     sampled(grid, |x, _| {

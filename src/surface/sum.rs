@@ -14,7 +14,7 @@ use crate::field::Field;
 /// let grid = Grid::square(32, 2.0)?;
 /// let ball = surface::sphere(grid, 10.0)?;
 /// let rough = surface::SelfAffine::with_rms_height(1e-3).generate(grid)?;
-/// let roughness = surface::gap_of(rough.heights())?;
+/// let roughness = surface::gap_from_heights(rough.heights())?;
 /// let gap = surface::sum(&[&ball, &roughness])?;
 /// assert_eq!(gap.as_slice()[5], ball.as_slice()[5] + roughness.as_slice()[5]);
 /// # Ok::<(), stickslip::Error>(())

@@ -193,8 +193,8 @@ impl Demand {
         let (quantity, value) = ("twist", finite("twist", self.twist)?);
         let remedy = match (axes.len(), boundary) {
             (_, Boundary::Periodic) => "a grid that repeats cannot turn, with any option",
-            (1, Boundary::Free) => "build it with .model(TangentialModel::Vector)",
-            (_, Boundary::Free) => return Ok(()),
+            (1, Boundary::NonPeriodic) => "build it with .model(TangentialModel::Vector)",
+            (_, Boundary::NonPeriodic) => return Ok(()),
         };
         if value == 0.0 {
             return Ok(());
@@ -216,7 +216,7 @@ impl Demand {
             let shift = &mut motion.shift[axis.index()];
             *shift = match self.control(axis) {
                 TangentialControl::Force(force) if force != 0.0 => {
-                    return Err(Error::BeyondSliding {
+                    return Err(Error::BeyondFrictionCapacity {
                         force: force.abs(),
                         limit: 0.0,
                     });

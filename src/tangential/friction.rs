@@ -10,7 +10,7 @@ use crate::grid::Grid;
 ///
 /// ```
 /// use stickslip::Friction;
-/// let capped = Friction::coulomb(0.5)?.shear_cap(300e6)?;
+/// let capped = Friction::coulomb(0.5)?.max_shear_stress(300e6)?;
 /// assert_eq!(capped.limit(0, 400e6), 200e6);
 /// assert_eq!(capped.limit(0, 900e6), 300e6);
 /// # Ok::<(), stickslip::Error>(())
@@ -24,7 +24,7 @@ use crate::grid::Grid;
 pub struct Friction {
     coefficient: Coefficient,
     /// `None` where there is none.
-    shear_cap: Option<f64>,
+    max_shear_stress: Option<f64>,
 }
 
 /// What was read, before it is checked.
@@ -33,7 +33,7 @@ pub struct Friction {
 #[serde(deny_unknown_fields)]
 struct Unchecked {
     coefficient: Coefficient,
-    shear_cap: Option<f64>,
+    max_shear_stress: Option<f64>,
 }
 
 #[cfg(feature = "serde")]
@@ -45,8 +45,8 @@ impl TryFrom<Unchecked> for Friction {
             Coefficient::Uniform(coefficient) => Self::coulomb(coefficient)?,
             Coefficient::PerCell(coefficients) => Self::per_cell(coefficients)?,
         };
-        match read.shear_cap {
-            Some(tau_max) => friction.shear_cap(tau_max),
+        match read.max_shear_stress {
+            Some(tau_max) => friction.max_shear_stress(tau_max),
             None => Ok(friction),
         }
     }
@@ -62,7 +62,7 @@ pub(crate) enum Coefficient {
 
 clone_in_place!(Friction {
     coefficient,
-    shear_cap
+    max_shear_stress
 });
 
 impl Clone for Coefficient {
@@ -92,7 +92,7 @@ impl Friction {
                 "coefficient of friction",
                 coefficient,
             )?),
-            shear_cap: None,
+            max_shear_stress: None,
         })
     }
 
@@ -104,7 +104,7 @@ impl Friction {
         all_non_negative("coefficient of friction", coefficients.as_slice())?;
         Ok(Self {
             coefficient: Coefficient::PerCell(coefficients),
-            shear_cap: None,
+            max_shear_stress: None,
         })
     }
 
@@ -112,8 +112,8 @@ impl Friction {
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive).
-    pub fn shear_cap(mut self, tau_max: f64) -> Result<Self> {
-        self.shear_cap = Some(positive("shear cap", tau_max)?);
+    pub fn max_shear_stress(mut self, tau_max: f64) -> Result<Self> {
+        self.max_shear_stress = Some(positive("shear cap", tau_max)?);
         Ok(self)
     }
 
@@ -131,12 +131,12 @@ impl Friction {
     }
 
     fn cap(&self) -> f64 {
-        self.shear_cap.unwrap_or(f64::INFINITY)
+        self.max_shear_stress.unwrap_or(f64::INFINITY)
     }
 
     /// The coefficient and the cap, `None` where there is none; whoever changes them keeps the rules of the constructors.
     pub(crate) fn parts_mut(&mut self) -> (&mut Coefficient, &mut Option<f64>) {
-        (&mut self.coefficient, &mut self.shear_cap)
+        (&mut self.coefficient, &mut self.max_shear_stress)
     }
 
     /// `Ok` if the coefficients fit the grid.

@@ -81,7 +81,7 @@ impl Limits {
         finite("sum of the friction limits", self.sum)?;
         let (force, limit) = (x.hypot(y), self.sum * cell_area);
         if force > limit * (1.0 + SLIDING) {
-            return Err(Error::BeyondSliding { force, limit });
+            return Err(Error::BeyondFrictionCapacity { force, limit });
         }
         Ok(())
     }

@@ -53,7 +53,7 @@ pub use friction::Friction;
 pub(crate) use increment::{Increment, Start, at, zeros};
 pub(crate) use limits::Pressed;
 pub(crate) use motion::{Motion, centre};
-pub use pressure::Pressure;
+pub use pressure::PressureSource;
 pub(crate) use problem::check_coupling;
 pub use problem::{TangentialProblem, TangentialProblemBuilder};
 pub use solution::TangentialSolution;

@@ -29,26 +29,26 @@ use crate::window::Window;
 /// ```
 #[derive(Debug, Clone, Copy)]
 #[non_exhaustive]
-pub enum Pressure<'a> {
+pub enum PressureSource<'a> {
     /// Of a normal contact on the same bodies, materials too, which must have converged.
     Solved(&'a NormalSolution),
     /// Of each cell, non-negative and finite, whatever bodies it was found on.
     Prescribed(&'a Field),
 }
 
-impl<'a> From<&'a NormalSolution> for Pressure<'a> {
+impl<'a> From<&'a NormalSolution> for PressureSource<'a> {
     fn from(solution: &'a NormalSolution) -> Self {
         Self::Solved(solution)
     }
 }
 
-impl<'a> From<&'a Field> for Pressure<'a> {
+impl<'a> From<&'a Field> for PressureSource<'a> {
     fn from(pressure: &'a Field) -> Self {
         Self::Prescribed(pressure)
     }
 }
 
-impl<'a> Pressure<'a> {
+impl<'a> PressureSource<'a> {
     /// The pressure of every cell, if it is one on these bodies.
     pub(super) fn checked(self, bodies: &HalfSpace) -> Result<&'a [f64]> {
         match self {

@@ -5,7 +5,7 @@ use crate::error::{Error, Result};
 use crate::half_space::HalfSpace;
 use crate::tangential::pressure::contact_window;
 use crate::tangential::{
-    Friction, Pressed, Pressure, TangentialLoad, TangentialModel, TangentialSolution,
+    Friction, Pressed, PressureSource, TangentialLoad, TangentialModel, TangentialSolution,
     TangentialSolver,
 };
 
@@ -52,7 +52,7 @@ pub struct TangentialProblem {
 #[must_use = "a builder does nothing until build() is called"]
 pub struct TangentialProblemBuilder<'a> {
     bodies: &'a HalfSpace,
-    pressure: Pressure<'a>,
+    pressure: PressureSource<'a>,
     friction: Friction,
     load: TangentialLoad,
     model: TangentialModel,
@@ -65,7 +65,7 @@ impl TangentialProblem {
     /// load.
     pub fn builder<'a>(
         bodies: &'a HalfSpace,
-        pressure: impl Into<Pressure<'a>>,
+        pressure: impl Into<PressureSource<'a>>,
         friction: Friction,
         load: TangentialLoad,
     ) -> TangentialProblemBuilder<'a> {
@@ -102,7 +102,7 @@ impl TangentialProblem {
 
     /// Largest tangential force friction holds: the integral of the friction limit.
     #[must_use]
-    pub fn sliding_force(&self) -> f64 {
+    pub fn friction_capacity(&self) -> f64 {
         self.pressed.limits.sum * self.bodies.grid().cell_area()
     }
 }
@@ -129,7 +129,7 @@ impl TangentialProblemBuilder<'_> {
     /// [`Error::NotConverged`] if the normal contact is not, with its report; [`Error::Sample`] for a prescribed
     /// pressure that is negative or not finite; [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or
     /// [`Error::MaterialMismatch`] for one of other bodies; [`Error::CoupledMaterials`], [`Error::ObliqueLoad`],
-    /// [`Error::NotFinite`], [`Error::EmptyContact`], [`Error::BeyondSliding`],
+    /// [`Error::NotFinite`], [`Error::EmptyContact`], [`Error::BeyondFrictionCapacity`],
     /// [`Error::Tolerance`], [`Error::IterationLimit`].
     pub fn build(self) -> Result<TangentialProblem> {
         let grid = self.bodies.grid();

@@ -67,7 +67,7 @@ impl TangentialSolution {
         Self {
             traction: zeros(),
             slip: zeros(),
-            zones: vec![Zone::Separate; grid.cells()],
+            zones: vec![Zone::Separated; grid.cells()],
             boundary,
             axis: Some(Axis::X),
             shift: [0.0; 2],
@@ -77,7 +77,7 @@ impl TangentialSolution {
     }
 
     pub(super) fn fill(&mut self, increment: &Increment, report: &Report) {
-        self.zones.fill(Zone::Separate);
+        self.zones.fill(Zone::Separated);
         for field in self.traction.iter_mut().chain(&mut self.slip) {
             field.as_mut_slice().fill(0.0);
         }
@@ -165,7 +165,7 @@ impl TangentialSolution {
 
     /// Whether the whole contact slips.
     #[must_use]
-    pub fn is_gross_sliding(&self) -> bool {
+    pub fn is_gross_slip(&self) -> bool {
         self.cells(Zone::Stick) == 0 && self.cells(Zone::Slip) > 0
     }
 
@@ -216,7 +216,7 @@ impl TangentialSolution {
         let contact = ContactMap {
             grid: self.grid(),
             boundary: self.boundary,
-            contains: |i: usize| self.zones[i] != Zone::Separate,
+            contains: |i: usize| self.zones[i] != Zone::Separated,
         };
         contact.warnings()
     }

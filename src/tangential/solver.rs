@@ -13,7 +13,7 @@ use crate::tangential::increment::{Increment, Start};
 use crate::tangential::motion::Motion;
 use crate::tangential::pressure::contact_window;
 use crate::tangential::{
-    Friction, Pressed, Pressure, TangentialLoad, TangentialModel, TangentialProblem,
+    Friction, Pressed, PressureSource, TangentialLoad, TangentialModel, TangentialProblem,
     TangentialSolution,
 };
 
@@ -88,7 +88,7 @@ impl TangentialSolver {
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::NotPositive`], [`Error::ObliqueLoad`], [`Error::NotModelled`] or
-    /// [`Error::BeyondSliding`]; for one along the other axis as
+    /// [`Error::BeyondFrictionCapacity`]; for one along the other axis as
     /// [`HalfSpace::operator`](crate::HalfSpace::operator); the load is then as it was.
     pub fn set_load(&mut self, load: TangentialLoad) -> Result<()> {
         let demand = load.demand();
@@ -115,7 +115,7 @@ impl TangentialSolver {
     /// Changes the friction of the next solve.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`], [`Error::NotFinite`] if the limits overflow, or [`Error::BeyondSliding`] if the present
+    /// [`Error::GridMismatch`], [`Error::NotFinite`] if the limits overflow, or [`Error::BeyondFrictionCapacity`] if the present
     /// load is more than the new friction holds; the friction is then as it was.
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
         friction.check(self.bodies.grid())?;
@@ -133,10 +133,10 @@ impl TangentialSolver {
     /// # Errors
     /// [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::MaterialMismatch`],
     /// [`Error::NotConverged`], [`Error::Sample`], [`Error::EmptyContact`], [`Error::NotFinite`] if the limits
-    /// overflow, or [`Error::BeyondSliding`] if the present load is more than friction now holds; as
+    /// overflow, or [`Error::BeyondFrictionCapacity`] if the present load is more than friction now holds; as
     /// [`HalfSpace::operator`](crate::HalfSpace::operator) where the contact has left its box; the pressure is then as
     /// it was.
-    pub fn set_pressure<'a>(&mut self, pressure: impl Into<Pressure<'a>>) -> Result<()> {
+    pub fn set_pressure<'a>(&mut self, pressure: impl Into<PressureSource<'a>>) -> Result<()> {
         let samples = pressure.into().checked(&self.bodies)?;
         let contact = contact_window(&self.bodies, samples)?;
         if self.increment.pressed.window.covers(contact) {
@@ -168,7 +168,7 @@ impl TangentialSolver {
 
     /// Largest tangential force friction holds: the integral of the friction limit.
     #[must_use]
-    pub fn sliding_force(&self) -> f64 {
+    pub fn friction_capacity(&self) -> f64 {
         self.increment.pressed.limits.sum * self.bodies.grid().cell_area()
     }
 

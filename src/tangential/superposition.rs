@@ -85,7 +85,7 @@ impl JaegerSuperposition {
             .collect();
         let zones = pressures
             .map(|(&full, &stick)| match (full > 0.0, stick > 0.0) {
-                (false, _) => Zone::Separate,
+                (false, _) => Zone::Separated,
                 (true, true) => Zone::Stick,
                 (true, false) => Zone::Slip,
             })

@@ -5,7 +5,7 @@
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Zone {
     /// No pressure: out of contact.
-    Separate,
+    Separated,
     /// In contact, below the friction limit, without slip.
     Stick,
     /// In contact, at the friction limit.

@@ -55,16 +55,16 @@ fn check(gap: &Field, load: f64, lateral: TangentialModel) {
                 .unwrap();
             history.set_friction(&friction[1]).unwrap();
             history.step(&step).unwrap();
-            let slip = history.last_step().slip_length();
+            let slip = history.last_step().slip_distance();
             wear::archard(1e-4, history.pressure(), slip, &mut worn).unwrap();
-            let energy = history.last_step().dissipation();
-            wear::dissipated_energy(1e-4, energy, &mut depth).unwrap();
+            let energy = history.last_step().dissipated_energy();
+            wear::energy(1e-4, energy, &mut depth).unwrap();
             let so_far = history.dissipated_energy();
             wear::threshold_energy(1e-4, 1.0, so_far, energy, &mut depth).unwrap();
             history.set_gap(&worn).unwrap();
         }
         fretting.cycle(&mut history, &mut total).unwrap();
-        worn.add_scaled(1e-6, total.dissipation()).unwrap();
+        worn.add_scaled(1e-6, total.dissipated_energy()).unwrap();
         worn.as_mut_slice().copy_from_slice(gap.as_slice());
         history.set_gap(&worn).unwrap();
     };

@@ -67,7 +67,12 @@ fn scalars_agree(case: &Case, step: &Step, shift: [f64; 2], history: &History) {
     close("load", normal.force(), step.load, step.load);
     close("approach", normal.approach(), step.approach, step.approach);
     let dissipated = step.dissipated_energy;
-    close("dissipated", energy.dissipated, dissipated, dissipated);
+    close(
+        "dissipated",
+        energy.dissipated_energy,
+        dissipated,
+        dissipated,
+    );
     if let Some(expected) = step.elastic_energy {
         let gap = case.gap(step);
         let cells = normal.pressure().as_slice().iter().zip(gap.as_slice());

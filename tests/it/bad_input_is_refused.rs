@@ -118,7 +118,7 @@ fn friction() {
     }
     let friction = Friction::coulomb(0.5).unwrap();
     for value in NOT_POSITIVE {
-        let error = friction.clone().shear_cap(value).err();
+        let error = friction.clone().max_shear_stress(value).err();
         assert!(matches!(error, Some(Error::NotPositive { value: v, .. }) if same(v, value)));
     }
 }
@@ -255,7 +255,7 @@ fn pairs_of_extremes() {
 #[test]
 fn limits_of_no_number() {
     let uneven = Friction::per_cell(Field::constant(grid(), 0.5)).unwrap();
-    let capped = uneven.clone().shear_cap(2.0).unwrap();
+    let capped = uneven.clone().max_shear_stress(2.0).unwrap();
     for friction in [uneven, capped] {
         assert!(friction.limit(48, 1.0).is_nan());
         assert!(friction.limit(3, f64::NAN).is_nan());

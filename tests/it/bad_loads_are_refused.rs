@@ -117,7 +117,7 @@ fn a_refused_change_leaves_the_solver_as_it_was() {
     let slippery = Friction::coulomb(0.05).unwrap();
     assert!(matches!(
         solver.set_friction(&slippery),
-        Err(Error::BeyondSliding { .. })
+        Err(Error::BeyondFrictionCapacity { .. })
     ));
     let foreign = Friction::per_cell(Field::zeros(other)).unwrap();
     assert!(matches!(
@@ -153,7 +153,8 @@ fn tangential_loads() {
         build(TangentialLoad::force([0.1, 0.2])),
         Some(Error::ObliqueLoad { x: 0.1, y: 0.2 })
     );
-    let Some(Error::BeyondSliding { force, limit }) = build(TangentialLoad::force([0.0, -0.51]))
+    let Some(Error::BeyondFrictionCapacity { force, limit }) =
+        build(TangentialLoad::force([0.0, -0.51]))
     else {
         panic!("more than friction holds");
     };
@@ -340,7 +341,7 @@ fn loads_in_the_plane() {
         let load = TangentialLoad::force(load);
         for refused in [build(load).err(), solver.set_load(load).err()] {
             assert!(
-                matches!(refused, Some(Error::BeyondSliding { .. })),
+                matches!(refused, Some(Error::BeyondFrictionCapacity { .. })),
                 "{refused:?}"
             );
         }
@@ -368,7 +369,7 @@ fn a_refused_pressure_changes_nothing() {
         let problem = builder.model(lateral).build().unwrap();
         let expected = problem.solve().unwrap();
         let mut solver = problem.into_solver().unwrap();
-        let sliding = solver.sliding_force();
+        let sliding = solver.friction_capacity();
         let refused = solver.set_pressure(&pressed(&other)).unwrap_err();
         assert_eq!(
             refused,
@@ -377,7 +378,7 @@ fn a_refused_pressure_changes_nothing() {
         assert_eq!(solver.set_pressure(&light(0.0)), Err(Error::EmptyContact));
         let refused = solver.set_pressure(&light(0.3));
         assert!(
-            matches!(refused, Err(Error::BeyondSliding { .. })),
+            matches!(refused, Err(Error::BeyondFrictionCapacity { .. })),
             "{refused:?}"
         );
         let unsolved = NormalProblem::builder(&bodies, &gap, NormalControl::Force(1.0));
@@ -393,7 +394,7 @@ fn a_refused_pressure_changes_nothing() {
         ));
         let superposed = JaegerSuperposition::new(&normal, &unsolved, bodies.pair(), 0.5);
         assert!(matches!(superposed, Err(Error::NotConverged(_))));
-        assert!(same(solver.sliding_force(), sliding));
+        assert!(same(solver.friction_capacity(), sliding));
         let mut solution = solver.new_solution();
         solver.solve_into(&mut solution).unwrap();
         assert_eq!(solution.traction(), expected.traction());
@@ -450,7 +451,7 @@ fn shears_at_the_ends_of_the_doubles() {
                         assert!(shear.report().is_converged());
                         assert!(shear.force()[1].abs() <= 0.5 * (1.0 + 1e-12), "{load:?}");
                     }
-                    Err(Error::NotConverged(_) | Error::BeyondSliding { .. }) => {}
+                    Err(Error::NotConverged(_) | Error::BeyondFrictionCapacity { .. }) => {}
                     Err(error) => panic!("{load:?}: {error}"),
                 }
             }

@@ -37,10 +37,10 @@ fn shapes() {
         size(surface::flat_punch(grid, 1.0, value))
     });
     assert_checked("amplitude", Positive, |value| {
-        size(surface::wavy(grid, value, 1.0))
+        size(surface::sinusoidal(grid, value, 1.0))
     });
     assert_checked("wavelength", Positive, |value| {
-        size(surface::wavy(grid, 1.0, value))
+        size(surface::sinusoidal(grid, 1.0, value))
     });
     let both = |amplitude, wavelengths| size(surface::bisinusoidal(grid, amplitude, wavelengths));
     assert_checked("amplitude", Positive, |value| both(value, [1.0; 2]));
@@ -87,7 +87,7 @@ fn measure(heights: &Field) -> Vec<Result<f64, Error>> {
     vec![
         Statistics::of(heights).map(|s| s.rms_height() + s.spectral_rms_slope()),
         PowerSpectrum::of(heights).map(|spectrum| spectrum.moments().iter().sum()),
-        field(surface::gap_of(heights)),
+        field(surface::gap_from_heights(heights)),
         field(surface::gap_between(heights, &Field::zeros(heights.grid()))),
         field(surface::resample(heights, Grid::square(3, 1.0).unwrap())),
     ]
@@ -194,7 +194,7 @@ fn wear_laws_leave_the_depth_as_it_was() {
         kept(&|d| wear::archard(k, &ones, &ones, d))
     });
     assert_checked("wear coefficient", NonNegative, |k| {
-        kept(&|d| wear::dissipated_energy(k, &ones, d))
+        kept(&|d| wear::energy(k, &ones, d))
     });
     let with = |value| {
         let mut field = ones.clone();
@@ -208,7 +208,7 @@ fn wear_laws_leave_the_depth_as_it_was() {
         kept(&|d| wear::archard(1.0, &ones, &with(s), d))
     });
     assert_checked("dissipated energy", NonNegative, |e| {
-        kept(&|d| wear::dissipated_energy(1.0, &with(e), d))
+        kept(&|d| wear::energy(1.0, &with(e), d))
     });
     assert_checked("threshold of dissipated energy", NonNegative, |e| {
         kept(&|d| wear::threshold_energy(1.0, e, &ones, &ones, d))
@@ -219,16 +219,16 @@ fn wear_laws_leave_the_depth_as_it_was() {
     let greatest = kept(&|d| wear::archard(1e200, &with(1e200), &ones, d));
     assert!(matches!(greatest, Err(Error::NotFinite { .. })));
     let small = Grid::new(12, 9, 1e-160, 1e-140).unwrap();
-    let energy = wear::dissipated_energy(1e20, &Field::zeros(small), &mut Field::zeros(small));
+    let energy = wear::energy(1e20, &Field::zeros(small), &mut Field::zeros(small));
     assert!(matches!(energy, Err(Error::NotFinite { .. })));
     let other = Field::zeros(small);
     let refused = kept(&|d| wear::archard(1.0, &ones, &other, d)).unwrap_err();
     assert_eq!(refused, mismatch("slip length", grid(), small));
 
     assert_checked("wear coefficient", NonNegative, |k| {
-        Ok(1.0 / wear::stable_cycles(&bodies, k, &ones)?)
+        Ok(1.0 / wear::max_stable_cycles(&bodies, k, &ones)?)
     });
-    let refused = wear::stable_cycles(&bodies, 1.0, &other).unwrap_err();
+    let refused = wear::max_stable_cycles(&bodies, 1.0, &other).unwrap_err();
     assert_eq!(refused, mismatch("slip length", grid(), small));
 }
 

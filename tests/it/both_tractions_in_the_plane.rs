@@ -72,7 +72,7 @@ fn along(normal: &NormalSolution, f: f64, [x, y]: [f64; 2]) -> TangentialLoad {
 fn without_lateral_contraction_it_is_the_scalar_model() {
     for (bodies, normal) in [
         ball(96, 0.0),
-        rough_contact(64, 0.0, Boundary::Free),
+        rough_contact(64, 0.0, Boundary::NonPeriodic),
         rough_contact(64, 0.0, Boundary::Periodic),
     ] {
         for f in [0.1, 0.5, 0.9, 0.999] {
@@ -173,7 +173,7 @@ fn turned(field: &Field) -> Field {
 #[test]
 fn a_turned_load_turns_the_answer() {
     let grid = Grid::square(48, 64.0).unwrap();
-    for boundary in [Boundary::Free, Boundary::Periodic] {
+    for boundary in [Boundary::NonPeriodic, Boundary::Periodic] {
         let bodies = HalfSpace::with_boundary(grid, unit_pair(0.4), boundary).unwrap();
         let gap = rough(grid, 8);
         let [normal, normal_turned] =
@@ -212,7 +212,7 @@ fn a_turned_load_turns_the_answer() {
 fn displacement_control_inverts_force_control() {
     for (bodies, normal) in [
         ball(64, 0.3),
-        rough_contact(64, 0.5, Boundary::Free),
+        rough_contact(64, 0.5, Boundary::NonPeriodic),
         rough_contact(64, 0.3, Boundary::Periodic),
     ] {
         for f in [0.2, 0.7, 0.95] {
@@ -234,7 +234,7 @@ fn a_force_at_the_limit_slides_and_beyond_it_is_refused() {
     let limit: f64 = FRICTION * normal.force();
     let sliding = TangentialLoad::force([0.6 * limit, -0.8 * limit]);
     let plane = shear(&bodies, &normal, TangentialModel::Vector, sliding, 1e-8);
-    assert!(plane.is_gross_sliding());
+    assert!(plane.is_gross_slip());
     assert!((plane.force()[0] / (0.6 * limit) - 1.0).abs() < 1e-12);
     let shift = plane.shift();
     assert!((shift[0] / shift[1] + 0.75).abs() < 0.05, "{shift:?}");
@@ -244,7 +244,7 @@ fn a_force_at_the_limit_slides_and_beyond_it_is_refused() {
     let refused = TangentialProblem::builder(&bodies, &normal, friction.clone(), beyond)
         .model(TangentialModel::Vector)
         .build();
-    let Err(Error::BeyondSliding { force, .. }) = refused else {
+    let Err(Error::BeyondFrictionCapacity { force, .. }) = refused else {
         panic!("{refused:?}")
     };
     assert!((force / limit - 0.61_f64.hypot(0.8)).abs() < 1e-9);
@@ -254,7 +254,7 @@ fn a_force_at_the_limit_slides_and_beyond_it_is_refused() {
 
 #[test]
 fn a_load_path_ends_where_a_single_solve_does() {
-    let (bodies, normal) = rough_contact(64, 0.4, Boundary::Free);
+    let (bodies, normal) = rough_contact(64, 0.4, Boundary::NonPeriodic);
     let friction = Friction::coulomb(FRICTION).unwrap();
     let mut solver =
         TangentialProblem::builder(&bodies, &normal, friction, TangentialLoad::force([0.0; 2]))
@@ -373,7 +373,7 @@ proptest! {
         )
     ) {
         let grid = Grid::new(n, m, 1.0, 1.3).unwrap();
-        let boundary = if is_periodic { Boundary::Periodic } else { Boundary::Free };
+        let boundary = if is_periodic { Boundary::Periodic } else { Boundary::NonPeriodic };
         let bodies = HalfSpace::with_boundary(grid, unit_pair(nu), boundary).unwrap();
         let normal = press(&bodies, &rough(grid, seed), 10_f64.powf(pressure) * grid.area());
         let load = along(&normal, f, [angle.cos(), angle.sin()]);

@@ -40,7 +40,7 @@ fn the_shift_grows_with_the_root_of_what_is_missing() {
         let mut shifts = Vec::new();
         for missing in [1e-4, 1e-5, 1e-6, 1e-7] {
             let solution = shear(&bodies, &normal, missing);
-            assert!(solution.is_gross_sliding());
+            assert!(solution.is_gross_slip());
             for (found, n) in solution.force().into_iter().zip(DIRECTION) {
                 let asked = (1.0 - missing) * limit * n;
                 assert!((found - asked).abs() <= 2e-12 * limit);
@@ -82,9 +82,9 @@ fn the_sliding_force_is_a_force_that_slides() {
             let problem = TangentialProblem::builder(&bodies, &pressure, friction, load);
             problem.model(lateral).build().unwrap()
         };
-        let limit = problem(0.0).sliding_force();
+        let limit = problem(0.0).friction_capacity();
         let solution = problem(limit).solve().unwrap();
-        assert!(solution.is_gross_sliding());
+        assert!(solution.is_gross_slip());
     }
 }
 

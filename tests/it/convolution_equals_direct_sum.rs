@@ -24,7 +24,7 @@ fn pair() -> impl Strategy<Value = ElasticPair> {
 }
 
 fn boundary() -> impl Strategy<Value = Boundary> {
-    prop_oneof![Just(Boundary::Free), Just(Boundary::Periodic)]
+    prop_oneof![Just(Boundary::NonPeriodic), Just(Boundary::Periodic)]
 }
 
 /// Operator, preconditioner and explicit matrix of a tensor on one grid.
@@ -46,7 +46,7 @@ impl<const N: usize> Tensor<N> {
         });
         // A mean on a periodic grid moves nothing: raise its eigenvalue beyond all others.
         let raised = match bodies.boundary() {
-            Boundary::Free => 0.0,
+            Boundary::NonPeriodic => 0.0,
             Boundary::Periodic => (0..N)
                 .map(|n| parts[n][n].get(0, 0).unwrap())
                 .fold(0.0, f64::max),
@@ -143,7 +143,7 @@ impl<const N: usize> Tensor<N> {
             bound,
             smallest
         );
-        let has_wave = self.bodies.boundary() == Boundary::Free || self.cells > 1;
+        let has_wave = self.bodies.boundary() == Boundary::NonPeriodic || self.cells > 1;
         // Strong coupling of auxetic bodies makes some continuations indefinite.
         let is_definite = N == 1 || self.bodies.pair().dundurs_beta().abs() <= 0.5;
         prop_assert!(!has_wave || !is_definite || bound > 0.0);
@@ -152,7 +152,7 @@ impl<const N: usize> Tensor<N> {
 
     /// On a periodic grid the preconditioner is the inverse, in single precision.
     fn check_inverse(&self, x: &Vectors<N>) -> Result<(), TestCaseError> {
-        if self.bodies.boundary() == Boundary::Free {
+        if self.bodies.boundary() == Boundary::NonPeriodic {
             return Ok(());
         }
         let inverse = self.bodies.tensor_preconditioner(self.directions).unwrap();

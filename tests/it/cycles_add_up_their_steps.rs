@@ -55,7 +55,7 @@ fn everything_is_the_sum_over_the_steps() {
         run(&mut history, &mut cycle, &path);
         cycle.begin(&history).unwrap();
 
-        let mut slip_length = Field::zeros(grid);
+        let mut slip_distance = Field::zeros(grid);
         let mut dissipation = Field::zeros(grid);
         let mut depth = Field::zeros(grid);
         let mut slips = vec![history.slip().map(Clone::clone)];
@@ -69,24 +69,26 @@ fn everything_is_the_sum_over_the_steps() {
             history.step(&load).unwrap();
             cycle.add(&history).unwrap();
             let (pressure, step) = (pressure(&history), history.last_step());
-            slip_length.add_scaled(1.0, step.slip_length()).unwrap();
-            dissipation.add_scaled(1.0, step.dissipation()).unwrap();
-            wear::archard(0.1, &pressure, step.slip_length(), &mut depth).unwrap();
+            slip_distance.add_scaled(1.0, step.slip_distance()).unwrap();
+            dissipation
+                .add_scaled(1.0, step.dissipated_energy())
+                .unwrap();
+            wear::archard(0.1, &pressure, step.slip_distance(), &mut depth).unwrap();
             slips.push(history.slip().map(Clone::clone));
             work += step.energy().work;
-            mid_step += step.energy().dissipated_mid_step;
+            mid_step += step.energy().mid_step_dissipated_energy;
             imbalance += step.energy().imbalance();
             ratios.push(step.stick_ratio());
             shifts.push(history.shift());
         }
         assert_eq!(cycle.steps(), 16);
-        assert_eq!(cycle.slip_length(), &slip_length);
-        assert_eq!(cycle.dissipation(), &dissipation);
+        assert_eq!(cycle.slip_distance(), &slip_distance);
+        assert_eq!(cycle.dissipated_energy(), &dissipation);
         let mut by_cycle = Field::zeros(grid);
         wear::archard(
             0.1,
             cycle.slip_pressure(),
-            cycle.slip_length(),
+            cycle.slip_distance(),
             &mut by_cycle,
         )
         .unwrap();
@@ -94,7 +96,10 @@ fn everything_is_the_sum_over_the_steps() {
         assert!(depth.max() > 0.0 && error < 1e-14 * depth.max());
 
         let energy = cycle.energy();
-        assert_eq!((energy.work, energy.dissipated_mid_step), (work, mid_step));
+        assert_eq!(
+            (energy.work, energy.mid_step_dissipated_energy),
+            (work, mid_step)
+        );
         assert!((energy.imbalance() - imbalance).abs() < 1e-13 * work);
         for axis in 0..2 {
             let amplitude = Field::from_indices(grid, |ix, iy| {
@@ -106,7 +111,7 @@ fn everything_is_the_sum_over_the_steps() {
             });
             let found = cycle.slip_amplitude()[axis].as_slice();
             let error = max_difference(found, amplitude.as_slice());
-            assert!(error <= 1e-14 * max_abs(slip_length.as_slice()));
+            assert!(error <= 1e-14 * max_abs(slip_distance.as_slice()));
             let of_axis = shifts.iter().map(|shift| shift[axis]);
             let half = 0.5
                 * (of_axis.clone().fold(f64::NEG_INFINITY, f64::max)
@@ -142,10 +147,10 @@ fn the_area_of_the_loop_is_dissipated() {
         area += mean * (ends[1].shift[0] - ends[0].shift[0]);
     }
     let energy = cycle.energy();
-    assert!((area / energy.dissipated_mid_step - 1.0).abs() < 1e-7);
-    assert!((cycle.closure()) < 1e-7);
+    assert!((area / energy.mid_step_dissipated_energy - 1.0).abs() < 1e-7);
+    assert!((cycle.cyclic_residual()) < 1e-7);
     let exact = MindlinDeresiewicz::new(hertz, FRICTION, &[0.7 * LIMIT]).unwrap();
-    let error = energy.dissipated / exact.energy_per_cycle() - 1.0;
+    let error = energy.dissipated_energy / exact.energy_per_cycle() - 1.0;
     assert!(error.abs() < 2e-3, "{error:e}");
     let [shift, _] = cycle.shift_amplitude();
     let ratio = exact.energy_per_cycle() / (4.0 * 0.7 * LIMIT * shift);
@@ -211,7 +216,7 @@ fn a_cycle_without_slip_is_full_stick() {
     let mut history = ball(1e-8);
     let mut cycle = Cycle::new(&history);
     assert_eq!(
-        (cycle.steps(), cycle.closure(), cycle.energy_ratio()),
+        (cycle.steps(), cycle.cyclic_residual(), cycle.energy_ratio()),
         (0, 0.0, 0.0)
     );
     // The outermost cells carry a hundredth of the largest pressure, which is more than this asks of them.
@@ -221,11 +226,15 @@ fn a_cycle_without_slip_is_full_stick() {
         &LoadPath::sine([1e-4 * LIMIT, 0.0], 8).unwrap(),
     );
     assert_eq!(cycle.regime(), Regime::FullStick);
-    assert_eq!(cycle.slip_length().max(), 0.0);
+    assert_eq!(cycle.slip_distance().max(), 0.0);
     assert_eq!(cycle.stick_ratios(), [1.0, 1.0]);
     assert_eq!(cycle.slip_pressure().max(), 0.0);
     // It closes, although its first and last tractions are next to nothing.
-    assert!(cycle.closure() < 1e-5, "{}", cycle.closure());
+    assert!(
+        cycle.cyclic_residual() < 1e-5,
+        "{}",
+        cycle.cyclic_residual()
+    );
 }
 
 #[test]
@@ -237,9 +246,9 @@ fn a_first_loading_does_not_close() {
     assert_eq!(cycle.regime(), Regime::FullStick);
     let path = LoadPath::sine([0.8 * LIMIT, 0.0], 8).unwrap();
     run(&mut history, &mut cycle, &path);
-    assert!(cycle.closure() > 0.1);
+    assert!(cycle.cyclic_residual() > 0.1);
     run(&mut history, &mut cycle, &path);
-    assert!(cycle.closure() < 1e-6);
+    assert!(cycle.cyclic_residual() < 1e-6);
 }
 
 /// A cycle of torsion alone has an energy ratio too.
@@ -253,12 +262,12 @@ fn torsion_counts() {
     let cycle = outcome.last;
     let turn = cycle.points()[2];
     assert!(turn.twist == 0.05 && turn.moment > 0.0);
-    let expected = cycle.energy().dissipated / (4.0 * turn.moment * turn.twist);
+    let expected = cycle.energy().dissipated_energy / (4.0 * turn.moment * turn.twist);
     let ratio = cycle.energy_ratio();
     assert!(
         (ratio / expected - 1.0).abs() < 1e-3 && ratio > 0.01,
         "{ratio} {expected} {}",
-        cycle.closure()
+        cycle.cyclic_residual()
     );
 }
 

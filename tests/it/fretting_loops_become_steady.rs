@@ -77,7 +77,7 @@ fn it_stops_where_the_loop_is_steady() {
         shifted.run(&mut along[1], 20).unwrap(),
     ] {
         assert_eq!((outcome.cycles, outcome.ending), (2, LoopEnding::Steady));
-        assert!(outcome.last.closure() <= 1e-4);
+        assert!(outcome.last.cyclic_residual() <= 1e-4);
         assert_eq!(outcome.last.steps(), 16);
     }
     let outcome = sheared.run(&mut pressed(None), 20).unwrap();
@@ -91,7 +91,7 @@ fn it_stops_where_the_loop_is_steady() {
     assert!((2..=8).contains(&outcome.cycles));
     let next = round.run(&mut history, 20).unwrap();
     assert_eq!((next.cycles, next.ending), (1, LoopEnding::Steady));
-    let energies = [&outcome, &next].map(|outcome| outcome.last.energy().dissipated);
+    let energies = [&outcome, &next].map(|outcome| outcome.last.energy().dissipated_energy);
     assert!((energies[1] / energies[0] - 1.0).abs() < 1e-2);
 }
 
@@ -105,7 +105,7 @@ fn it_says_when_the_loop_is_not_steady() {
         (outcome.cycles, outcome.ending),
         (1, LoopEnding::CycleLimit)
     );
-    assert!(outcome.last.closure() > 0.1);
+    assert!(outcome.last.cyclic_residual() > 0.1);
     let none = fretting.run(&mut history, 0).unwrap();
     assert_eq!((none.cycles, none.last.steps()), (0, 0));
 
@@ -118,8 +118,8 @@ fn it_says_when_the_loop_is_not_steady() {
     let outcome = FrettingLoop::new(path, load)
         .until_steady(1e-4)
         .run_observed(&mut history, 4, |history, _| {
-            let energy = history.last_step().dissipation();
-            wear::dissipated_energy(0.5, energy, &mut gap)?;
+            let energy = history.last_step().dissipated_energy();
+            wear::energy(0.5, energy, &mut gap)?;
             history.set_gap(&gap)?;
             Ok(ControlFlow::Continue(()))
         })
@@ -128,7 +128,7 @@ fn it_says_when_the_loop_is_not_steady() {
         (outcome.cycles, outcome.ending),
         (4, LoopEnding::CycleLimit)
     );
-    assert!(outcome.last.closure() > 1e-3);
+    assert!(outcome.last.cyclic_residual() > 1e-3);
     assert!(history.gap() == &gap && gap != scene().1);
 }
 
@@ -178,7 +178,7 @@ fn a_failed_step_leaves_the_history_after_the_last_good_one() {
     let fretting = FrettingLoop::new(path, LoadStep::force);
     let mut cycle = Cycle::new(&history);
     let failed = fretting.cycle(&mut history, &mut cycle);
-    assert!(matches!(failed, Err(Error::BeyondSliding { .. })));
+    assert!(matches!(failed, Err(Error::BeyondFrictionCapacity { .. })));
     assert_eq!((history.steps(), cycle.steps()), (4, 3));
     assert_eq!(history.to_bytes(), twin.to_bytes());
 }

@@ -18,7 +18,7 @@ use stickslip::cgm::{Method, Report};
 use stickslip::history::{LoadPath, wear};
 use stickslip::{
     Axis, Boundary, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl,
-    NormalProblem, NormalSolution, NormalSolver, Pressure, TangentialControl, TangentialLoad,
+    NormalProblem, NormalSolution, NormalSolver, PressureSource, TangentialControl, TangentialLoad,
     TangentialModel, TangentialProblem, TangentialSolution, TangentialSolver, Zone, surface,
 };
 
@@ -139,9 +139,12 @@ impl Record {
 
     /// Iterations, products in double and in single precision.
     fn costs(&mut self, quantity: &str, report: &Report) {
-        let (double, single) = (report.convolutions, report.rough_convolutions);
+        let (double, single) = (
+            report.double_precision_products,
+            report.single_precision_products,
+        );
         self.counts(quantity, &[report.iterations, double, single], COSTS);
-        self.bits(&[report.residual, report.certified_gap, report.load_error]);
+        self.bits(&[report.residual, report.duality_gap, report.load_error]);
     }
 
     fn number(&mut self, quantity: &str, value: f64, scale: f64) {
@@ -265,11 +268,12 @@ impl<'a> Steps<'a> {
             step.twist(),
             energy.work,
             energy.elastic_after,
-            energy.dissipated,
+            energy.dissipated_energy,
             energy.released,
         ];
-        self.record.bits(step.slip_length().as_slice());
-        self.record.bits(step.mid_step_dissipation().as_slice());
+        self.record.bits(step.slip_distance().as_slice());
+        self.record
+            .bits(step.mid_step_dissipated_energy().as_slice());
         for (list, number) in self.numbers.iter_mut().zip(numbers) {
             list.push(number);
         }
@@ -287,7 +291,7 @@ impl<'a> Steps<'a> {
         record.solve = format!("{}end: ", self.name);
         record.zones(history.zones());
         record.sums(&[("pressure", history.pressure().as_slice())]);
-        record.sums(&[("slip path", history.slip_path().as_slice())]);
+        record.sums(&[("slip path", history.accumulated_slip().as_slice())]);
         record.sums(&[("dissipation", history.dissipated_energy().as_slice())]);
         record.plane("traction", history.traction());
         record.plane("slip", history.slip());
@@ -345,7 +349,7 @@ fn coulomb() -> Friction {
 
 fn shear_solver<'a>(
     bodies: &'a HalfSpace,
-    pressure: impl Into<Pressure<'a>>,
+    pressure: impl Into<PressureSource<'a>>,
     friction: Friction,
     load: TangentialLoad,
     (lateral, method, tolerance): (TangentialModel, Method, f64),
@@ -383,7 +387,7 @@ fn sheared<'a>(
     record: &mut Record,
     solve: &str,
     bodies: &'a HalfSpace,
-    pressure: impl Into<Pressure<'a>>,
+    pressure: impl Into<PressureSource<'a>>,
     load: TangentialLoad,
     how: (TangentialModel, Method, f64),
 ) {
@@ -584,7 +588,9 @@ fn friction_per_cell_capped(record: &mut Record) {
         0.2 + 0.05 * ((ix + 3 * iy) % 7) as f64
     });
     let friction = Friction::per_cell(coefficients).unwrap();
-    let friction = friction.shear_cap(0.2 * normal.pressure().max()).unwrap();
+    let friction = friction
+        .max_shear_stress(0.2 * normal.pressure().max())
+        .unwrap();
     for (solve, load) in [("force", pull([15.0, 0.0])), ("shift", drag([0.0, 0.3]))] {
         let mut solver = shear_solver(&bodies, &normal, friction.clone(), load, SCALAR);
         record.sheared(solve, &solve_shear(&mut solver));
@@ -737,7 +743,7 @@ fn history_wear(record: &mut Record) {
         wear::archard(
             0.02,
             history.pressure(),
-            history.last_step().slip_length(),
+            history.last_step().slip_distance(),
             &mut worn,
         )
         .unwrap();
@@ -772,7 +778,7 @@ fn history_shifts_holds(record: &mut Record) {
     let coefficients = Field::from_fn(grid, |x, _| 0.4 + 0.01 * x);
     let friction = Friction::per_cell(coefficients)
         .unwrap()
-        .shear_cap(0.08)
+        .max_shear_stress(0.08)
         .unwrap();
     let (bodies, mut gap) = (unit_bodies(grid, 0.3), surface::sphere(grid, 20.0).unwrap());
     gap.add_scaled(0.03, &rough(grid, 12)).unwrap();

@@ -107,13 +107,13 @@ fn refused_loads() {
 
         // A far wider contact first, then a force it does not hold.
         let refused = history.step(&load(400.0, axis, TangentialControl::Force(-250.0)));
-        let Err(Error::BeyondSliding { force, limit }) = refused else {
+        let Err(Error::BeyondFrictionCapacity { force, limit }) = refused else {
             panic!("{refused:?}")
         };
         assert!(force == 250.0 && (limit / 200.0 - 1.0).abs() < 1e-12);
         // A held force that a lighter load does not hold.
         let refused = history.step(&load(3.0, axis, TangentialControl::Force(-2.0)));
-        assert!(matches!(refused, Err(Error::BeyondSliding { .. })));
+        assert!(matches!(refused, Err(Error::BeyondFrictionCapacity { .. })));
 
         let other = Field::zeros(Grid::square(63, 100.0).unwrap());
         assert!(history.set_gap(&other).is_err());
@@ -244,12 +244,12 @@ fn loads_at_the_ends_of_the_doubles() {
 
 fn is_of_numbers(history: &History) -> bool {
     let fields = history.traction().into_iter().chain(history.slip());
-    let fields = fields.chain([history.pressure(), history.slip_path()]);
+    let fields = fields.chain([history.pressure(), history.accumulated_slip()]);
     let energy = history.last_step().energy();
     let scalars = [
         history.shift(),
         history.force(),
-        [energy.work, energy.dissipated],
+        [energy.work, energy.dissipated_energy],
     ]
     .concat();
     let mut numbers = fields.flat_map(Field::as_slice).chain(&scalars);

@@ -129,8 +129,8 @@ fn steps_do_not_matter() {
         let [a, b] = [few, many].map(|history| history.traction()[0].as_slice());
         assert!(max_difference(a, b) < 1e-6 * scale);
         assert!((few.shift()[0] / many.shift()[0] - 1.0).abs() < 1e-7);
-        let [a, b] = [few, many].map(|history| history.slip_path().as_slice());
-        assert!(max_difference(a, b) < 1e-6 * few.slip_path().max());
+        let [a, b] = [few, many].map(|history| history.accumulated_slip().as_slice());
+        assert!(max_difference(a, b) < 1e-6 * few.accumulated_slip().max());
         let [a, b] = [few, many].map(|history| history.dissipated_energy().integral());
         assert!((a / b - 1.0).abs() < 1e-7, "{a:e} {b:e}");
         let [a, b] = [few, many].map(stuck);
@@ -153,8 +153,8 @@ fn a_warm_step_is_cheap() {
         let part = AMPLITUDE * (std::f64::consts::TAU * f64::from(step) / 40.0).cos();
         shear_to(&mut history, part, 1);
         let report = history.last_step().tangential_report().unwrap();
-        double += report.convolutions;
-        single += report.rough_convolutions;
+        double += report.double_precision_products;
+        single += report.single_precision_products;
     }
     assert!(double <= 40 * 3 && single <= 40 * 18, "{double} + {single}");
 }

@@ -23,7 +23,10 @@ const THEN: [[f64; 2]; 4] = [[6.0, 0.0], [9.0, 3.0], [2.0, 0.5], [40.0, -3.0]];
 
 fn scenes() -> Vec<(HalfSpace, Field, Friction)> {
     let grid = Grid::new(60, 49, 0.5, 0.7).unwrap();
-    let uniform = Friction::coulomb(0.45).unwrap().shear_cap(0.3).unwrap();
+    let uniform = Friction::coulomb(0.45)
+        .unwrap()
+        .max_shear_stress(0.3)
+        .unwrap();
     let coefficients = Field::from_fn(grid, |x, _| 0.4 + 0.001 * x);
     let per_cell = Friction::per_cell(coefficients).unwrap();
     let periodic = HalfSpace::with_boundary(grid, unit_pair(0.2), Boundary::Periodic).unwrap();

@@ -66,8 +66,8 @@ fn a_load_along_an_axis_is_that_of_the_scalar_model() {
         let error = max_difference(along.as_slice(), scalar.traction()[0].as_slice());
         assert!(error < 1e-7 * largest, "{:e}", error / largest);
         assert!(max_abs(across.as_slice()) < 1e-7 * largest);
-        let scale = 1e-7 * scalar.slip_path().max();
-        let [a, b] = [&plane, &scalar].map(|history| history.slip_path().as_slice());
+        let scale = 1e-7 * scalar.accumulated_slip().max();
+        let [a, b] = [&plane, &scalar].map(|history| history.accumulated_slip().as_slice());
         assert!(max_difference(a, b) <= scale);
         assert!((plane.shift()[0] - scalar.shift()[0]).abs() < 1e-7);
         assert_eq!(plane.zones(), scalar.zones());
@@ -124,7 +124,7 @@ fn slip_opposes_traction() {
         let size = random.uniform(0.2, 0.95) * LIMIT;
         let load = forces([size * angle.cos(), size * angle.sin()]);
         let step = history.step(&load).unwrap().clone();
-        let largest = step.slip_length().max();
+        let largest = step.slip_distance().max();
         for (i, zone) in history.zones().iter().enumerate() {
             let slip = step.slip().map(|slip| slip.as_slice()[i]);
             let traction = history.traction().map(|traction| traction.as_slice()[i]);
@@ -156,7 +156,7 @@ fn every_step_balances() {
     let periodic = HalfSpace::with_boundary(grid, unit_pair(0.3), Boundary::Periodic).unwrap();
     for (bodies, gap) in [(&free, &sphere(48)), (&free, &rough), (&periodic, &rough)] {
         let mut history = pressed(bodies, gap, TangentialModel::Vector, 1e-7);
-        let turn = if bodies.boundary() == Boundary::Free {
+        let turn = if bodies.boundary() == Boundary::NonPeriodic {
             0.05
         } else {
             0.0
@@ -182,14 +182,14 @@ fn every_step_balances() {
             let energy = step.energy();
             let scale = energy.elastic_before.max(energy.elastic_after) + energy.work.abs();
             assert!(energy.imbalance().abs() < 1e-12 * scale, "{energy:?}");
-            assert!(step.dissipation().min() >= 0.0);
+            assert!(step.dissipated_energy().min() >= 0.0);
             if held {
-                assert!(step.mid_step_dissipation().min() >= -1e-9 * scale);
+                assert!(step.mid_step_dissipated_energy().min() >= -1e-9 * scale);
                 assert!(energy.residual.abs() < 1e-5 * scale, "{energy:?}");
                 assert!(energy.released.abs() < 1e-14 * scale);
             }
-            let sum: f64 = step.dissipation().as_slice().iter().sum();
-            assert!((sum - energy.dissipated).abs() <= 1e-12 * energy.dissipated);
+            let sum: f64 = step.dissipated_energy().as_slice().iter().sum();
+            assert!((sum - energy.dissipated_energy).abs() <= 1e-12 * energy.dissipated_energy);
         }
     }
 }
@@ -232,9 +232,11 @@ fn a_closed_loop_dissipates_its_work() {
             for (force, part) in path.steps().iter().zip(turns.steps()) {
                 let load = forces(*force).twist(turn * part[0]);
                 let energy = *history.step(&load).unwrap().energy();
-                assert!(energy.dissipated >= 0.0 && energy.dissipated_mid_step >= 0.0);
+                assert!(
+                    energy.dissipated_energy >= 0.0 && energy.mid_step_dissipated_energy >= 0.0
+                );
                 work += energy.work;
-                dissipated += energy.dissipated_mid_step;
+                dissipated += energy.mid_step_dissipated_energy;
                 stored += energy.elastic_after - energy.elastic_before;
             }
             let lost = (work - stored) / dissipated - 1.0;
@@ -265,7 +267,7 @@ fn without_slip_the_way_back_ends_at_the_start() {
         history.step(&forces(force).twist(twist)).unwrap();
         largest = largest.max(history.traction()[0].max());
     }
-    assert!(history.slip_path().max() == 0.0);
+    assert!(history.accumulated_slip().max() == 0.0);
     for axis in 0..2 {
         assert!(max_abs(history.traction()[axis].as_slice()) < 1e-8 * largest);
         assert!(history.shift()[axis].abs() < 1e-10);
@@ -313,10 +315,10 @@ fn sliding_along_x_leaves_the_shift_along_y() {
             TangentialControl::Shift(0.01),
         ))
         .unwrap();
-    assert!(history.last_step().is_gross_sliding());
+    assert!(history.last_step().is_gross_slip());
     assert!((history.shift()[1] - 0.01).abs() < 1e-15);
     assert!((history.force()[0] / LIMIT - 1.0).abs() < 1e-12);
-    assert!(history.last_step().dissipation().min() >= 0.0);
+    assert!(history.last_step().dissipated_energy().min() >= 0.0);
 }
 
 /// Dragged along y through the friction limit, or turned through it, under a force it goes on carrying.
@@ -334,18 +336,18 @@ fn all_slides_under_a_force() {
                 history.step(&load).unwrap();
                 let [x, y] = history.force();
                 assert!((x - part * LIMIT).abs() < 1e-11 * LIMIT);
-                assert!(history.last_step().dissipation().min() >= 0.0);
+                assert!(history.last_step().dissipated_energy().min() >= 0.0);
                 if shift.abs() >= 1.0 {
-                    assert!(history.last_step().is_gross_sliding());
+                    assert!(history.last_step().is_gross_slip());
                     let sliding = (LIMIT * LIMIT - x * x).sqrt().copysign(shift);
                     assert!((y / sliding - 1.0).abs() < 1e-4);
                 }
             }
             for twist in [0.1, 0.5, 1.0, -0.5, 0.0] {
                 let load = forces([part * LIMIT, 0.0]).twist(twist);
-                if bodies.boundary() == Boundary::Free {
+                if bodies.boundary() == Boundary::NonPeriodic {
                     history.step(&load).unwrap();
-                    assert!(twist.abs() < 0.5 || history.last_step().is_gross_sliding());
+                    assert!(twist.abs() < 0.5 || history.last_step().is_gross_slip());
                 }
             }
         }
@@ -392,7 +394,7 @@ fn a_failed_step_leaves_every_bit() {
     assert!(history.step(&forces([0.0, f64::NAN])).is_err());
     let wide = forces([30.0, 40.0]).normal(NormalControl::Force(20.0 * LOAD));
     let refused = history.step(&wide);
-    assert!(matches!(refused, Err(Error::BeyondSliding { force, .. }) if force == 50.0));
+    assert!(matches!(refused, Err(Error::BeyondFrictionCapacity { force, .. }) if force == 50.0));
     for patience in [1, 8] {
         let mut seen = 0;
         let outcome = history.step_observed(&forces([0.3, 0.9]).twist(0.02), |_| {

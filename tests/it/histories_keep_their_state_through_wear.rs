@@ -35,11 +35,11 @@ fn full_slip_wears_by_load_and_path() {
         for (from, to) in [(50.0, 53.0), (53.0, 61.0), (61.0, 65.0)] {
             shear(&mut history, TangentialControl::Shift(to));
             let step = history.last_step();
-            assert!(step.is_gross_sliding());
+            assert!(step.is_gross_slip());
             path += to - from;
             let [by_slip, by_energy] = &mut removed;
-            wear::archard(2e-3, history.pressure(), step.slip_length(), by_slip).unwrap();
-            wear::dissipated_energy(2e-3 / 0.4, step.dissipation(), by_energy).unwrap();
+            wear::archard(2e-3, history.pressure(), step.slip_distance(), by_slip).unwrap();
+            wear::energy(2e-3 / 0.4, step.dissipated_energy(), by_energy).unwrap();
         }
         for removed in removed {
             let expected = 2e-3 * 30.0 * path;
@@ -71,7 +71,7 @@ fn a_new_gap_keeps_the_state() {
     for [a, b] in [
         [history.traction()[0], twin.traction()[0]],
         [history.slip()[0], twin.slip()[0]],
-        [history.slip_path(), twin.slip_path()],
+        [history.accumulated_slip(), twin.accumulated_slip()],
         [history.dissipated_energy(), twin.dissipated_energy()],
         [history.pressure(), twin.pressure()],
     ] {
@@ -83,7 +83,7 @@ fn a_new_gap_keeps_the_state() {
     }
     assert!((history.approach() - twin.approach() - 0.125).abs() < 1e-12);
     assert!((history.shift()[0] / twin.shift()[0] - 1.0).abs() < 1e-6);
-    assert!((history.slip_path().max() / twin.slip_path().max() - 1.0).abs() < 1e-6);
+    assert!((history.accumulated_slip().max() / twin.accumulated_slip().max() - 1.0).abs() < 1e-6);
 
     // Worn in the middle under a held pressure: nothing happens before the pressure is let go.
     let mut worn = ball.clone();
@@ -163,36 +163,38 @@ fn a_new_friction_is_obeyed() {
     let ball = surface::sphere(grid, 20.0).unwrap();
     let builder = History::builder(&bodies, &ball, Friction::coulomb(0.4).unwrap());
     let mut history = builder.build().unwrap();
-    assert_eq!(history.sliding_force(), 0.0);
+    assert_eq!(history.friction_capacity(), 0.0);
     press(&mut history, NormalControl::Force(4.0));
     shear(&mut history, TangentialControl::Force(1.2));
-    let (shift, path) = (history.shift()[0], history.slip_path().integral());
-    assert!((history.sliding_force() - 1.6).abs() < 1e-12);
+    let (shift, path) = (history.shift()[0], history.accumulated_slip().integral());
+    assert!((history.friction_capacity() - 1.6).abs() < 1e-12);
 
     history
         .set_friction(&Friction::coulomb(0.8).unwrap())
         .unwrap();
-    assert!((history.sliding_force() - 3.2).abs() < 1e-12);
+    assert!((history.friction_capacity() - 3.2).abs() < 1e-12);
     shear(&mut history, TangentialControl::Force(1.2));
     assert!((history.shift()[0] / shift - 1.0).abs() < 1e-7);
-    assert!((history.slip_path().integral() / path - 1.0).abs() < 1e-7);
+    assert!((history.accumulated_slip().integral() / path - 1.0).abs() < 1e-7);
 
     history
         .set_friction(&Friction::coulomb(0.32).unwrap())
         .unwrap();
     shear(&mut history, TangentialControl::Force(1.2));
-    assert!(history.shift()[0] > 1.05 * shift && history.slip_path().integral() > 1.05 * path);
+    assert!(
+        history.shift()[0] > 1.05 * shift && history.accumulated_slip().integral() > 1.05 * path
+    );
     history
         .set_friction(&Friction::coulomb(0.2).unwrap())
         .unwrap();
-    let holds = history.sliding_force();
+    let holds = history.friction_capacity();
     let held = LoadStep::hold().tangential(Axis::X, TangentialControl::Force(1.2));
     let refused = history.step(&held);
     assert!(
-        matches!(refused, Err(Error::BeyondSliding { limit, .. }) if (limit - holds).abs() < 1e-12)
+        matches!(refused, Err(Error::BeyondFrictionCapacity { limit, .. }) if (limit - holds).abs() < 1e-12)
     );
     shear(&mut history, TangentialControl::Force(holds));
-    assert!(history.last_step().is_gross_sliding());
+    assert!(history.last_step().is_gross_slip());
 }
 
 #[test]
@@ -200,7 +202,7 @@ fn stable_cycles_are_stable() {
     let bodies = HalfSpace::new(Grid::square(32, 32.0).unwrap(), Table2::pair()).unwrap();
     let grid = bodies.grid();
     let modulus = bodies.pair().contact_modulus();
-    let stable = |slip: f64| wear::stable_cycles(&bodies, 1e-12, &Field::constant(grid, slip));
+    let stable = |slip: f64| wear::max_stable_cycles(&bodies, 1e-12, &Field::constant(grid, slip));
     // 1.16 dx/E* over k s.
     let cycles = stable(0.5).unwrap();
     assert!((cycles * 1e-12 * 0.5 * modulus / 1.161 - 1.0).abs() < 1e-3);
@@ -209,7 +211,7 @@ fn stable_cycles_are_stable() {
     // On slender cells it is what the operator does to the stiffest pattern.
     let slender = unit_bodies(Grid::new(32, 32, 1.0, 0.25).unwrap(), 0.3);
     let grid = slender.grid();
-    let cycles = wear::stable_cycles(&slender, 1.0, &Field::constant(grid, 1.0)).unwrap();
+    let cycles = wear::max_stable_cycles(&slender, 1.0, &Field::constant(grid, 1.0)).unwrap();
     let board = Field::from_indices(grid, |ix, iy| if (ix + iy) % 2 == 0 { 1.0 } else { -1.0 });
     let operator = slender.operator(Component::ZZ).unwrap();
     let mut image = Field::zeros(grid);
@@ -227,7 +229,7 @@ fn stable_cycles_are_stable() {
         let grid = bodies.grid();
         let mut gap = Field::from_fn(grid, |x, y| 1e-3 * ((3.0 * x).sin() + (7.0 * y).cos()));
         let slip = Field::constant(grid, 1.0);
-        let cycles = factor * wear::stable_cycles(&bodies, 1.0, &slip).unwrap();
+        let cycles = factor * wear::max_stable_cycles(&bodies, 1.0, &slip).unwrap();
         let builder = History::builder(&bodies, &gap, Friction::coulomb(0.0).unwrap());
         let mut history = builder.build().unwrap();
         for _ in 0..30 {

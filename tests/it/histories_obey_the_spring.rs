@@ -80,7 +80,7 @@ fn a_spring_slides_the_contact() {
         };
         shear(&mut history, spring);
         let step = history.last_step();
-        assert_eq!(step.is_gross_sliding(), slides);
+        assert_eq!(step.is_gross_slip(), slides);
         if slides {
             assert!((step.force()[1] / limit - 1.0).abs() < 1e-12);
             assert!((step.shift()[1] - (position - limit / 4.0)).abs() < 1e-12);

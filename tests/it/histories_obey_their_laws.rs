@@ -38,7 +38,7 @@ fn assert_within_limits(history: &History) {
         .zip(history.pressure().as_slice());
     for ((q, p), zone) in cells.zip(history.zones()) {
         assert!(q.abs() <= FRICTION * p);
-        assert_eq!(*zone == Zone::Separate, *p <= 0.0);
+        assert_eq!(*zone == Zone::Separated, *p <= 0.0);
         assert_eq!(*zone == Zone::Stick, q.abs() < FRICTION * p);
     }
 }
@@ -103,10 +103,10 @@ fn nothing_is_left_without_slip() {
     let force = |force| LoadStep::hold().tangential(Axis::X, TangentialControl::Force(force));
     for value in [0.7, 1.9, -0.4] {
         let step = history.step(&force(value)).unwrap();
-        assert!(step.stick_ratio() == 1.0 && step.energy().dissipated == 0.0);
+        assert!(step.stick_ratio() == 1.0 && step.energy().dissipated_energy == 0.0);
     }
     history.step(&force(0.0)).unwrap();
-    assert!(history.shift() == [0.0; 2] && history.slip_path().max() == 0.0);
+    assert!(history.shift() == [0.0; 2] && history.accumulated_slip().max() == 0.0);
     assert!(max_abs(history.traction()[0].as_slice()) == 0.0);
     // By shift to round-off of nothing: zero is the answer there, too.
     let shift = |shift| LoadStep::hold().tangential(Axis::X, TangentialControl::Shift(shift));
@@ -121,15 +121,18 @@ fn a_held_step_does_nothing() {
     let gap = rough(Grid::square(48, 100.0).unwrap(), 9);
     let mut history = history(&gap, Axis::X);
     run(&mut history, &PATH, 1.0);
-    let (before, path) = (history.traction()[0].clone(), history.slip_path().clone());
+    let (before, path) = (
+        history.traction()[0].clone(),
+        history.accumulated_slip().clone(),
+    );
     let step = history.step(&LoadStep::hold()).unwrap();
     assert!(step.normal_report().is_none());
     let report = step.tangential_report().unwrap();
-    assert!(report.convolutions <= 3, "{report}");
+    assert!(report.double_precision_products <= 3, "{report}");
     assert!(step.energy().work == 0.0);
     let difference = max_difference(history.traction()[0].as_slice(), before.as_slice());
     assert!(difference < 1e-8 * max_abs(before.as_slice()));
-    let slipped = max_difference(history.slip_path().as_slice(), path.as_slice());
+    let slipped = max_difference(history.accumulated_slip().as_slice(), path.as_slice());
     assert!(slipped < 1e-8 * path.max());
 }
 
@@ -143,16 +146,19 @@ fn new_contact_begins_unsheared() {
     let force = TangentialControl::Force(0.5);
     run(&mut history, &[(NormalControl::Hold, force)], 1.0);
     let zones = history.zones().to_vec();
-    let (path, traction) = (history.slip_path().clone(), history.traction()[0].clone());
+    let (path, traction) = (
+        history.accumulated_slip().clone(),
+        history.traction()[0].clone(),
+    );
     // Far beyond the window of the small contact.
     run(&mut history, &[(NormalControl::Force(12.0), force)], 1.0);
     assert_eq!(history.last_step().stick_ratio(), 1.0);
     let mut entered = 0;
     for (i, zone) in zones.iter().enumerate() {
         let now = history.zones()[i];
-        assert!(now == Zone::Stick || *zone == Zone::Separate);
-        assert!(history.slip_path().as_slice()[i] == path.as_slice()[i]);
-        entered += usize::from(*zone == Zone::Separate && now == Zone::Stick);
+        assert!(now == Zone::Stick || *zone == Zone::Separated);
+        assert!(history.accumulated_slip().as_slice()[i] == path.as_slice()[i]);
+        entered += usize::from(*zone == Zone::Separated && now == Zone::Stick);
     }
     assert!(entered > 100);
     // All stick, under the same force: with nothing slipped, nothing has moved.
@@ -170,7 +176,7 @@ fn new_contact_begins_unsheared() {
     let push = LoadStep::hold().tangential(Axis::X, TangentialControl::Force(0.1));
     assert!(matches!(
         history.step(&push),
-        Err(Error::BeyondSliding { limit: 0.0, .. })
+        Err(Error::BeyondFrictionCapacity { limit: 0.0, .. })
     ));
     // Brought together elsewhere they stick there: no traction and no slip, but the shift.
     run(
@@ -219,7 +225,7 @@ fn nothing_acts_before_the_first_touch() {
             let refused = history.step(&step(TangentialControl::Force(-0.1)));
             assert!(matches!(
                 refused,
-                Err(Error::BeyondSliding {
+                Err(Error::BeyondFrictionCapacity {
                     force: 0.1,
                     limit: 0.0
                 })
@@ -231,7 +237,7 @@ fn nothing_acts_before_the_first_touch() {
         run(&mut history, &[(NormalControl::Force(2.0), hold)], 1.0);
         assert_eq!(history.shift()[axis.index()], position);
         assert_eq!(max_abs(history.traction()[axis.index()].as_slice()), 0.0);
-        assert_eq!(history.slip_path().max(), 0.0);
+        assert_eq!(history.accumulated_slip().max(), 0.0);
     }
 }
 
@@ -253,7 +259,7 @@ fn a_force_at_the_limit_slides() {
             &[(NormalControl::Hold, TangentialControl::Force(force))],
             1.0,
         );
-        assert_eq!(history.last_step().is_gross_sliding(), force != 0.0);
+        assert_eq!(history.last_step().is_gross_slip(), force != 0.0);
         shifts.push(history.shift()[0]);
     }
     assert!((shifts[1] - shifts[0]).abs() < 1e-12 * shifts[0]);

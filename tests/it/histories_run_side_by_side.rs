@@ -40,14 +40,14 @@ fn go_on(history: &mut History, steps: &[LoadStep]) {
 
 fn bits(history: &History) -> Vec<u8> {
     let (mut bits, step) = (history.to_bytes(), history.last_step());
-    let fields = [step.slip_length(), step.dissipation()];
+    let fields = [step.slip_distance(), step.dissipated_energy()];
     let samples = fields.into_iter().flat_map(Field::as_slice);
     let (energy, reports) = (
         step.energy(),
         [step.normal_report(), step.tangential_report()],
     );
-    let counts = reports.map(|report| report.map_or(0, |report| report.convolutions));
-    let scalars = [energy.work, energy.dissipated, energy.residual];
+    let counts = reports.map(|report| report.map_or(0, |report| report.double_precision_products));
+    let scalars = [energy.work, energy.dissipated_energy, energy.residual];
     bits.extend(
         samples
             .chain(&scalars)

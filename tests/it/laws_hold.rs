@@ -132,7 +132,7 @@ proptest! {
         let fields = normal.pressure().as_slice().iter().zip(solution.traction()[0].as_slice());
         for ((p, q), (s, zone)) in fields.zip(solution.slip()[0].as_slice().iter().zip(solution.zones())) {
             match zone {
-                Zone::Separate => prop_assert!(*p == 0.0 && *q == 0.0 && *s == 0.0),
+                Zone::Separated => prop_assert!(*p == 0.0 && *q == 0.0 && *s == 0.0),
                 Zone::Stick => prop_assert!(q.abs() < FRICTION * p && *s == 0.0),
                 Zone::Slip => {
                     prop_assert!((q.abs() / (FRICTION * p) - 1.0).abs() < 1e-15);
@@ -234,7 +234,7 @@ proptest! {
             }
             wider = Some(solution);
         }
-        prop_assert!(wider.unwrap().is_gross_sliding());
+        prop_assert!(wider.unwrap().is_gross_slip());
     }
 
     /// More approach, more force; at first touch and above there is none.

@@ -3,7 +3,7 @@
 use kit::Random;
 use proptest::prelude::*;
 use stickslip::surface::{
-    crop, fill_missing, gap_between, gap_of, inverted, mirrored_along_x, resample,
+    crop, fill_missing, gap_between, gap_from_heights, inverted, mirror_x, resample,
 };
 use stickslip::{Error, Field, Grid};
 
@@ -258,7 +258,7 @@ fn gaps_need_whole_surfaces_on_one_grid() {
     ));
     let holed = with_holes(&lower, |ix, iy| (ix, iy) == (5, 1));
     for error in [
-        gap_of(&holed).err(),
+        gap_from_heights(&holed).err(),
         gap_between(&holed, &lower).err(),
         gap_between(&lower, &holed).err(),
     ] {
@@ -292,14 +292,14 @@ proptest! {
         raised.as_mut_slice().iter_mut().for_each(|z| *z += datum);
         assert_close(&gap_between(&raised, &lower).unwrap(), &gap, 1e-14);
         let plane = Field::constant(grid, datum);
-        assert_close(&gap_between(&plane, &lower).unwrap(), &gap_of(&lower).unwrap(), 1e-14);
+        assert_close(&gap_between(&plane, &lower).unwrap(), &gap_from_heights(&lower).unwrap(), 1e-14);
         // A body on its own replica closes everywhere.
         prop_assert_eq!(gap_between(&inverted(&upper), &upper).unwrap().max(), 0.0);
-        prop_assert_eq!(&mirrored_along_x(&mirrored_along_x(&upper)), &upper);
-        prop_assert_eq!(mirrored_along_x(&upper).get(0, ny - 1), upper.get(nx - 1, ny - 1));
+        prop_assert_eq!(&mirror_x(&mirror_x(&upper)), &upper);
+        prop_assert_eq!(mirror_x(&upper).get(0, ny - 1), upper.get(nx - 1, ny - 1));
         // The scene turned over as a whole has the gap turned over.
-        let turned = gap_between(&mirrored_along_x(&upper), &mirrored_along_x(&lower)).unwrap();
-        prop_assert_eq!(turned, mirrored_along_x(&gap));
+        let turned = gap_between(&mirror_x(&upper), &mirror_x(&lower)).unwrap();
+        prop_assert_eq!(turned, mirror_x(&gap));
     }
 
     /// Filling knows neither datum nor unit, and stays between the known heights.

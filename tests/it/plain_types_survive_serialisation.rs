@@ -48,7 +48,7 @@ fn scenes() {
     let holes = Field::from_vec(Grid::new(5, 1, 1.0, 1.0).unwrap(), missing.to_vec()).unwrap();
     read_back(&holes);
 
-    for boundary in [Boundary::Free, Boundary::Periodic] {
+    for boundary in [Boundary::NonPeriodic, Boundary::Periodic] {
         survives(&boundary);
     }
     let odd = Material::from_shear_modulus(200.0 / 3.0, 0.42).unwrap();
@@ -62,7 +62,7 @@ fn scenes() {
         Friction::per_cell(Field::constant(grid(), 1.0 / 3.0)).unwrap(),
     ] {
         survives(&friction);
-        survives(&friction.shear_cap(0.3).unwrap());
+        survives(&friction.max_shear_stress(0.3).unwrap());
     }
 }
 
@@ -163,7 +163,7 @@ fn answers_and_what_is_said_about_them() {
     survives(&normal);
     survives(normal.report());
     survives(&normal.report().history[0]);
-    for zone in [Zone::Separate, Zone::Stick, Zone::Slip] {
+    for zone in [Zone::Separated, Zone::Stick, Zone::Slip] {
         survives(&zone);
     }
     let [read, _] = read_back(&normal);
@@ -286,8 +286,11 @@ fn by_the_words_of_their_constructors() {
     let pair = ElasticPair::new(Table2::pair().bodies()[0], Material::rigid()).unwrap();
     is_written(&pair, &json!({"bodies": [steel, rigid]}));
     is_written(
-        &Friction::coulomb(0.5).unwrap().shear_cap(300e6).unwrap(),
-        &json!({"coefficient": {"Uniform": 0.5}, "shear_cap": 300e6}),
+        &Friction::coulomb(0.5)
+            .unwrap()
+            .max_shear_stress(300e6)
+            .unwrap(),
+        &json!({"coefficient": {"Uniform": 0.5}, "max_shear_stress": 300e6}),
     );
     is_written(
         &LoadPath::table(vec![[1.0, 0.0], [0.5, -1.0]]).unwrap(),
@@ -362,7 +365,11 @@ fn answers_that_contradict_themselves_are_refused() {
     let ball = surface::sphere(bodies.grid(), 10.0).unwrap();
     let friction = Friction::coulomb(0.4).unwrap();
     let history = History::builder(&bodies, &ball, friction).build().unwrap();
-    let length = spoilt(history.last_step(), "/slip_length/samples/2", json!("NaN"));
+    let length = spoilt(
+        history.last_step(),
+        "/slip_distance/samples/2",
+        json!("NaN"),
+    );
     is(length, "slip length at index 2 is NaN");
     let grid = spoilt(history.last_step(), "/dissipation/grid/dy", json!(1.0));
     is(
@@ -453,8 +460,8 @@ proptest! {
 
     #[test]
     fn frictions_as_by_their_constructor(mu in any_number(), cap in any_number()) {
-        let constructed = Friction::coulomb(mu).and_then(|friction| friction.shear_cap(cap));
-        let text = json!({"coefficient": {"Uniform": mu}, "shear_cap": cap});
+        let constructed = Friction::coulomb(mu).and_then(|friction| friction.max_shear_stress(cap));
+        let text = json!({"coefficient": {"Uniform": mu}, "max_shear_stress": cap});
         agrees(constructed, &text, &(0_u32, mu, Some(cap)));
         let field = Field::from_vec(Grid::new(2, 1, 1.0, 1.0).unwrap(), vec![0.5, mu]).unwrap();
         let text = json!({"coefficient": {"PerCell": field}});

@@ -93,7 +93,7 @@ fn area_falls_with_the_rms_slope() {
                 .seed(2)
                 .generate(bodies.grid())
                 .unwrap();
-            let gap = surface::gap_of(rough.heights()).unwrap();
+            let gap = surface::gap_from_heights(rough.heights()).unwrap();
             let contact = press(&bodies, &gap, force);
             [rough.rms_slope(), contact.contact_area_corrected()]
         })
@@ -109,7 +109,7 @@ fn area_grows_with_the_load() {
         .roll_off_wavelength(25.0)
         .seed(4);
     let rough = rough.generate(bodies.grid()).unwrap();
-    let gap = surface::gap_of(rough.heights()).unwrap();
+    let gap = surface::gap_from_heights(rough.heights()).unwrap();
     let points = [2e-3, 4e-3, 8e-3, 16e-3, 32e-3].map(|pressure| {
         let contact = press(&bodies, &gap, pressure * 25.0 * bodies.grid().area());
         [pressure, contact.contact_area_corrected()]
@@ -137,7 +137,7 @@ fn stick_falls_linearly_with_the_tangential_load() {
                 .seed(seed as u64)
                 .generate(bodies.grid())
                 .unwrap();
-            let gap = surface::gap_of(rough.heights()).unwrap();
+            let gap = surface::gap_from_heights(rough.heights()).unwrap();
             let normal = press(&bodies, &gap, pressure * 25.0 * bodies.grid().area());
             assert!(normal.contact_cells() >= 2000);
             let friction = Friction::coulomb(0.5).unwrap();
@@ -151,7 +151,7 @@ fn stick_falls_linearly_with_the_tangential_load() {
             let mut deviations = Vec::new();
             for step in 0..=10 {
                 let f = f64::from(step) / 10.0;
-                let load = TangentialLoad::force([f * solver.sliding_force(), 0.0]);
+                let load = TangentialLoad::force([f * solver.friction_capacity(), 0.0]);
                 solver.set_load(load).unwrap();
                 solver.solve_into(&mut shear).unwrap();
                 let stick = shear.stick_ratio();
@@ -180,7 +180,7 @@ fn free_edges_bias_a_nominally_flat_contact() {
     let rough = SelfAffine::with_rms_height(0.3)
         .roll_off_wavelength(25.0)
         .seed(1);
-    let gap = surface::gap_of(rough.generate(grid).unwrap().heights()).unwrap();
+    let gap = surface::gap_from_heights(rough.generate(grid).unwrap().heights()).unwrap();
     let outer_share = |bodies: &HalfSpace| {
         let contact = press(bodies, &gap, 0.02 * 25.0 * grid.area());
         let is_outer = |i: usize| {

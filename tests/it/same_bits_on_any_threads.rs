@@ -84,8 +84,8 @@ fn assert_same((normal, shear): &Answer, (other_normal, other_shear): &Answer) {
         let report = normal.report();
         (
             report.iterations,
-            report.convolutions,
-            report.rough_convolutions,
+            report.double_precision_products,
+            report.single_precision_products,
         )
     };
     assert_eq!(costs(normal), costs(other_normal));

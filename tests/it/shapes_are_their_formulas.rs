@@ -2,7 +2,7 @@
 
 use approx::assert_relative_eq;
 use stickslip::surface::{
-    bisinusoidal, cone, cylinder, ellipsoid, flat_punch, paraboloid, sphere, sum, wavy,
+    bisinusoidal, cone, cylinder, ellipsoid, flat_punch, paraboloid, sinusoidal, sphere, sum,
 };
 use stickslip::{Error, Field, Grid, Result};
 
@@ -28,7 +28,7 @@ fn every_shape_touches_at_the_origin_and_nowhere_overlaps() {
         paraboloid(grid, [0.3, 0.1, 0.2]),
         cone(grid, 0.2),
         flat_punch(grid, 1.0, 0.5),
-        wavy(grid, 0.1, 1.3),
+        sinusoidal(grid, 0.1, 1.3),
         bisinusoidal(grid, 0.1, [1.3, 0.7]),
     ] {
         let shape = shape.unwrap();
@@ -60,7 +60,7 @@ fn shapes_have_their_numbers() {
         max_relative = 1e-12
     );
     // Half a period on is a trough of straight waves, and of both ways only along one axis.
-    assert_relative_eq!(value(wavy(grid, 0.1, 2.0)), 0.2, max_relative = 1e-12);
+    assert_relative_eq!(value(sinusoidal(grid, 0.1, 2.0)), 0.2, max_relative = 1e-12);
     let both = bisinusoidal(grid, 0.1, [2.0, 1.2]).unwrap();
     assert!(at(&both, 30, 20).abs() < 1e-15);
     assert_relative_eq!(at(&both, 30, 16), 0.2, max_relative = 1e-12);
@@ -124,8 +124,8 @@ fn bad_input_is_refused() {
             cone(grid, value),
             flat_punch(grid, value, 1.0),
             flat_punch(grid, 1.0, value),
-            wavy(grid, value, 1.0),
-            wavy(grid, 1.0, value),
+            sinusoidal(grid, value, 1.0),
+            sinusoidal(grid, 1.0, value),
             bisinusoidal(grid, value, [1.0, 1.0]),
             bisinusoidal(grid, 1.0, [value, 1.0]),
             bisinusoidal(grid, 1.0, [1.0, value]),

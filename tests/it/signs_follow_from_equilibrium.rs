@@ -75,7 +75,7 @@ fn two_different_bodies_touch_stick_and_slip() {
                 // Body 2 runs ahead of body 1 and pulls it forward.
                 assert!(slip <= 1e-12 && on_one.as_slice()[i] > 0.0);
             }
-            Zone::Separate => assert_eq!(on_one.as_slice()[i], 0.0),
+            Zone::Separated => assert_eq!(on_one.as_slice()[i], 0.0),
         }
     }
 }

@@ -70,13 +70,13 @@ fn ended(outcome: Result<(), Error>, status: Status) -> Report {
     };
     assert_eq!(report.status, status);
     // Infinite where there is no displacement yet to measure by.
-    assert!(report.residual >= 0.0 && report.certified_gap >= 0.0);
+    assert!(report.residual >= 0.0 && report.duality_gap >= 0.0);
     *report
 }
 
 /// Products of either precision.
 fn products(report: &Report) -> usize {
-    report.convolutions + report.rough_convolutions
+    report.double_precision_products + report.single_precision_products
 }
 
 #[test]
@@ -319,9 +319,10 @@ impl Passes {
         let Self { report, seen } = self;
         for steps in [seen, &report.history] {
             assert!(steps.is_sorted_by_key(|step| step.iteration));
-            assert!(steps.is_sorted_by_key(|step| step.convolutions));
+            assert!(steps.is_sorted_by_key(|step| step.double_precision_products));
             assert!(steps.last().is_some_and(|last| {
-                last.iteration <= report.iterations && last.convolutions <= report.convolutions
+                last.iteration <= report.iterations
+                    && last.double_precision_products <= report.double_precision_products
             }));
         }
     }

@@ -36,7 +36,7 @@ fn assert_same(bodies: &HalfSpace, gap: &Field, load: NormalControl, friction: &
         friction.clone(),
         TangentialLoad::shift([0.0; 2]),
     );
-    let limit = problem.build().unwrap().sliding_force();
+    let limit = problem.build().unwrap().friction_capacity();
     for load in [
         TangentialLoad::force([f * limit, 0.0]),
         TangentialLoad::force([0.0, -f * limit]),

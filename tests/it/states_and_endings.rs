@@ -29,14 +29,14 @@ fn sliding_is_a_state_with_its_shift() {
     let build = |load| TangentialProblem::builder(&bodies, &normal, friction.clone(), load).build();
     let limit = build(TangentialLoad::force([0.0, 0.0]))
         .unwrap()
-        .sliding_force();
+        .friction_capacity();
     assert!((limit / 50.0 - 1.0).abs() < 1e-12);
     for fraction in [1.0, 1.0 - 5e-13, 1.0 + 5e-13, -1.0] {
         let sliding = build(TangentialLoad::force([0.0, fraction * limit]))
             .unwrap()
             .solve()
             .unwrap();
-        assert!(sliding.is_gross_sliding());
+        assert!(sliding.is_gross_slip());
         assert_eq!((sliding.stick_ratio(), sliding.stick_area()), (0.0, 0.0));
         // The shift at which the last cell lets go: delta_0 of the closed form.
         let onset = 2.9604761406069e-6 * fraction.signum();
@@ -51,14 +51,14 @@ fn sliding_is_a_state_with_its_shift() {
     }
     assert!(matches!(
         build(TangentialLoad::force([1.001 * limit, 0.0])),
-        Err(Error::BeyondSliding { .. })
+        Err(Error::BeyondFrictionCapacity { .. })
     ));
     // By shift one may go on: the force stays.
     let dragged = build(TangentialLoad::shift([-9e-6, 0.0]))
         .unwrap()
         .solve()
         .unwrap();
-    assert!(dragged.is_gross_sliding());
+    assert!(dragged.is_gross_slip());
     assert!((dragged.force()[0] / -limit - 1.0).abs() < 1e-12);
     assert!((dragged.shift()[0] + 9e-6).abs() < 1e-20);
     assert!(dragged.dissipated_energy() > 0.0);
@@ -104,7 +104,7 @@ fn no_load_is_stick_without_traction() {
         assert_eq!(max_abs(shear.traction()[0].as_slice()), 0.0);
         assert_eq!((shear.shift(), shear.force()), ([0.0; 2], [0.0; 2]));
         assert_eq!(shear.stick_ratio(), 1.0);
-        assert!(shear.report().is_converged() && shear.report().certified_gap == 0.0);
+        assert!(shear.report().is_converged() && shear.report().duality_gap == 0.0);
     }
 }
 
@@ -145,14 +145,14 @@ fn friction_may_vary_vanish_and_be_capped() {
     };
     assert!(matches!(
         build(1e-9),
-        Err(Error::BeyondSliding { limit: 0.0, .. })
+        Err(Error::BeyondFrictionCapacity { limit: 0.0, .. })
     ));
-    assert!(build(0.0).unwrap().solve().unwrap().is_gross_sliding());
+    assert!(build(0.0).unwrap().solve().unwrap().is_gross_slip());
     // A shear cap flattens the traction.
     let cap = 0.3 * Table2::FRICTION * Table2::MAX_PRESSURE;
     let friction = Friction::coulomb(Table2::FRICTION)
         .unwrap()
-        .shear_cap(cap)
+        .max_shear_stress(cap)
         .unwrap();
     let shear = TangentialProblem::builder(
         &bodies,
@@ -305,7 +305,7 @@ fn limits_and_cancellation_leave_a_feasible_labelled_iterate() {
             {
                 let outcome = cancelled.solve_observed(&mut solution, |iteration| {
                     seen += 1;
-                    assert!(iteration.convolutions <= 2 * seen + 2);
+                    assert!(iteration.double_precision_products <= 2 * seen + 2);
                     if seen < 5 {
                         ControlFlow::Continue(())
                     } else {
@@ -370,7 +370,7 @@ fn a_warm_start_changes_the_cost_only() {
         solver.solve_into(&mut solution).unwrap();
     }
     assert!(kit::l2_difference(solution.pressure().as_slice(), cold.pressure().as_slice()) < 1e-7);
-    assert!(solution.report().convolutions < cold.report().convolutions);
+    assert!(solution.report().double_precision_products < cold.report().double_precision_products);
     solver.reset();
     solver.solve_into(&mut solution).unwrap();
     assert_eq!(solution.pressure(), cold.pressure());
@@ -394,7 +394,10 @@ fn an_observer_sees_nothing_of_the_last_solve() {
     let gap = rough(grid, 10);
     let assert_blank = |first: Option<Iteration>| {
         let first = first.unwrap();
-        assert_eq!((first.iteration, first.convolutions, first.free), (0, 0, 0));
+        assert_eq!(
+            (first.iteration, first.double_precision_products, first.free),
+            (0, 0, 0)
+        );
         assert!(first.residual.is_infinite());
     };
     for method in [Method::ActiveSet, Method::PolonskyKeer] {
@@ -538,7 +541,7 @@ fn an_empty_solution_claims_nothing() {
         .unwrap()
         .new_solution();
     assert_eq!(empty.report().status, Status::Unsolved);
-    assert!(!empty.is_gross_sliding());
+    assert!(!empty.is_gross_slip());
 }
 
 /// No total, and a linear term that is the same wherever anything can move: the multiplier takes it all.

@@ -112,7 +112,7 @@ fn of_numbers_that_the_history_shows_too() {
     assert_eq!(state.zones(), history.zones());
     assert_eq!(state.steps(), 3);
     let read = State::from_bytes(&state.to_bytes()).unwrap();
-    assert_eq!(read.slip_path(), history.slip_path());
+    assert_eq!(read.accumulated_slip(), history.accumulated_slip());
     assert_eq!(read.dissipated_energy(), history.dissipated_energy());
     assert_eq!(read.gap(), history.gap());
     assert_eq!(read.friction(), history.friction());

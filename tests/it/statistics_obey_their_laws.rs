@@ -2,7 +2,7 @@
 
 use kit::Random;
 use proptest::prelude::*;
-use stickslip::surface::{PowerSpectrum, Statistics, inverted, mirrored_along_x};
+use stickslip::surface::{PowerSpectrum, Statistics, inverted, mirror_x};
 use stickslip::{Field, Grid};
 
 /// Heights of some skewness, on odd, even and slender grids.
@@ -127,7 +127,7 @@ proptest! {
     #[test]
     fn mirrors_and_axes_do_not_matter(heights in surface()) {
         let expected = parameters(&heights);
-        let found = parameters(&mirrored_along_x(&heights));
+        let found = parameters(&mirror_x(&heights));
         assert_close(&found.0, &expected.0, 1e-13);
         assert_close(&found.1, &expected.1, 1e-12);
         let (lengths, mut numbers) = parameters(&transposed(&heights));

@@ -123,16 +123,19 @@ impl Scene {
                 let step = LoadStep::hold().normal(NormalControl::Force(load * self.normal));
                 let step = step.tangential(Axis::X, tangential);
                 let energy = history.step(&step).unwrap().energy();
-                let parts = [energy.work, energy.dissipated];
+                let parts = [energy.work, energy.dissipated_energy];
                 energies.extend(parts.map(|part| part / self.force / self.length));
                 shifts.extend(history.shift().map(|s| s / self.length));
             }
             let tractions = history.traction().map(|q| without(q, self.pressure));
             let tractions = Answer::new("traction of a history", tractions.concat());
-            let slip_path = Answer::new("slip path", without(history.slip_path(), self.length));
+            let accumulated_slip = Answer::new(
+                "slip path",
+                without(history.accumulated_slip(), self.length),
+            );
             answers.extend([
                 tractions.of(largest_limit),
-                slip_path.of(shift),
+                accumulated_slip.of(shift),
                 Answer::new("shift of a history", shifts).of(shift),
                 Answer::new("energy of a history", energies).of(limit / self.force * shift),
             ]);

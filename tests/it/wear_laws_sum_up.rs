@@ -38,7 +38,7 @@ fn a_threshold_is_crossed_once() {
     let mut plain = [Field::zeros(grid), Field::zeros(grid)];
     let step = random(grid, &mut numbers);
     wear::threshold_energy(coefficient, 0.0, &step, &step, &mut plain[0]).unwrap();
-    wear::dissipated_energy(coefficient, &step, &mut plain[1]).unwrap();
+    wear::energy(coefficient, &step, &mut plain[1]).unwrap();
     assert_eq!(plain[0], plain[1]);
 }
 
@@ -51,7 +51,7 @@ fn coefficients_may_differ_from_cell_to_cell() {
         let mut depths = [(); 3].map(|()| Field::zeros(grid));
         let [one, two, three] = &mut depths;
         wear::archard(coefficient, &pressure, &slip, one).unwrap();
-        wear::dissipated_energy(coefficient, &slip, two).unwrap();
+        wear::energy(coefficient, &slip, two).unwrap();
         wear::threshold_energy(coefficient, 1.0, &slip, &slip, three).unwrap();
         depths
     };
@@ -72,8 +72,9 @@ fn coefficients_may_differ_from_cell_to_cell() {
         &mut rates,
     )
     .unwrap();
-    let stable = wear::stable_cycles(&bodies, &coefficients, &slip).unwrap();
-    let of_one = wear::stable_cycles(&bodies, rates.max(), &Field::constant(grid, 1.0)).unwrap();
+    let stable = wear::max_stable_cycles(&bodies, &coefficients, &slip).unwrap();
+    let of_one =
+        wear::max_stable_cycles(&bodies, rates.max(), &Field::constant(grid, 1.0)).unwrap();
     assert!((stable / of_one - 1.0).abs() < 1e-14);
 }
 
@@ -96,10 +97,10 @@ fn worn_cycle() -> (HalfSpace, History, Cycle) {
 fn a_jump_is_half_of_what_is_stable() {
     let (bodies, _, cycle) = worn_cycle();
     let [mut by_slip, mut by_energy] = [(); 2].map(|()| Field::zeros(bodies.grid()));
-    let (pressure, slip) = (cycle.slip_pressure(), cycle.slip_length());
+    let (pressure, slip) = (cycle.slip_pressure(), cycle.slip_distance());
     wear::archard(0.01, pressure, slip, &mut by_slip).unwrap();
-    wear::dissipated_energy(0.01 / 0.4, cycle.dissipation(), &mut by_energy).unwrap();
-    let stable = wear::stable_cycles(&bodies, 0.01, slip).unwrap();
+    wear::energy(0.01 / 0.4, cycle.dissipated_energy(), &mut by_energy).unwrap();
+    let stable = wear::max_stable_cycles(&bodies, 0.01, slip).unwrap();
     for depth in [by_slip, by_energy] {
         let jump = CycleJump::new(&bodies, &cycle, &depth).unwrap();
         assert!((jump.cycles().unwrap() / (0.5 * stable) - 1.0).abs() < 1e-6);
@@ -111,7 +112,7 @@ fn a_jump_is_the_least_of_its_limits() {
     let (bodies, history, cycle) = worn_cycle();
     let grid = bodies.grid();
     let mut depth = Field::zeros(grid);
-    let (pressure, slip) = (cycle.slip_pressure(), cycle.slip_length());
+    let (pressure, slip) = (cycle.slip_pressure(), cycle.slip_distance());
     wear::archard(1e-3, pressure, slip, &mut depth).unwrap();
     let jump = CycleJump::new(&bodies, &cycle, &depth).unwrap();
     let alone = jump.cycles().unwrap();
@@ -163,9 +164,9 @@ fn laws_refuse_bad_numbers_and_fields() {
     assert!(wear::archard(1.0, &bad, &one, &mut depth).is_err());
     assert!(wear::archard(1.0, &one, &bad, &mut depth).is_err());
     assert!(wear::archard(1.0, &other, &one, &mut depth).is_err());
-    assert!(wear::dissipated_energy(-1.0, &one, &mut depth).is_err());
-    assert!(wear::dissipated_energy(1.0, &bad, &mut depth).is_err());
-    assert!(wear::dissipated_energy(1.0, &other, &mut depth).is_err());
+    assert!(wear::energy(-1.0, &one, &mut depth).is_err());
+    assert!(wear::energy(1.0, &bad, &mut depth).is_err());
+    assert!(wear::energy(1.0, &other, &mut depth).is_err());
     assert!(wear::threshold_energy(1.0, f64::NAN, &one, &one, &mut depth).is_err());
     assert!(wear::threshold_energy(1.0, -1.0, &one, &one, &mut depth).is_err());
     assert!(wear::threshold_energy(1.0, 1.0, &bad, &one, &mut depth).is_err());

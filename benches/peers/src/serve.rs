@@ -173,7 +173,7 @@ fn line(whole: f64, solve: f64, part: f64, report: &Report) -> String {
         r#"{{"whole": {whole}, "solve": {solve}, "status": "{}", "part": {part}, "bound": {:e}, "double": {}, "single": {}}}"#,
         report.status,
         report.energy_error_bound(),
-        report.convolutions,
-        report.rough_convolutions,
+        report.double_precision_products,
+        report.single_precision_products,
     )
 }

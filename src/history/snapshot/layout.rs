@@ -56,7 +56,7 @@ impl Host {
         for side in &mut self.sides {
             codec.number("cell side", side, POSITIVE)?;
         }
-        let boundaries = [Boundary::Free, Boundary::Periodic];
+        let boundaries = [Boundary::NonPeriodic, Boundary::Periodic];
         codec.kind("boundary", &mut self.boundary, &boundaries)?;
         for [modulus, ratio] in &mut self.materials {
             codec.number("Young's modulus", modulus, POSITIVE_OR_INFINITE)?;
@@ -127,12 +127,12 @@ impl State {
             let slip = self.slip[axis.index()].as_mut_slice();
             codec.numbers("slip", slip, FINITE)?;
         }
-        let path = self.slip_path.as_mut_slice();
+        let path = self.accumulated_slip.as_mut_slice();
         codec.numbers("accumulated slip", path, NOT_NEGATIVE)?;
-        let dissipated = self.dissipated.as_mut_slice();
+        let dissipated = self.dissipated_energy.as_mut_slice();
         codec.numbers("dissipated energy", dissipated, NOT_NEGATIVE)?;
         for zone in &mut self.zones {
-            let zones = [Zone::Separate, Zone::Stick, Zone::Slip];
+            let zones = [Zone::Separated, Zone::Stick, Zone::Slip];
             codec.kind("zone", zone, &zones)?;
         }
         self.visit_contact(codec)
@@ -207,14 +207,14 @@ fn visit_normal<C: Codec>(codec: &mut C, normal: &mut NormalSolution) -> Result<
     codec.kind("status", &mut report.status, &statuses)?;
     for count in [
         &mut report.iterations,
-        &mut report.convolutions,
-        &mut report.rough_convolutions,
+        &mut report.double_precision_products,
+        &mut report.single_precision_products,
     ] {
         codec.count("count of the report", count, ..=LARGEST_COUNT)?;
     }
     for error in [
         &mut report.residual,
-        &mut report.certified_gap,
+        &mut report.duality_gap,
         &mut report.load_error,
     ] {
         codec.number("error of the report", error, NOT_NEGATIVE_OR_INFINITE)?;

@@ -14,7 +14,7 @@ use crate::history::wear::check;
 /// // Only the half at positive x wears.
 /// let soft = Field::from_fn(grid, |x, _| if x > 0.0 { 0.2 } else { 0.0 });
 /// let (energy, mut depth) = (Field::constant(grid, 5.0), Field::zeros(grid));
-/// wear::dissipated_energy(&soft, &energy, &mut depth)?;
+/// wear::energy(&soft, &energy, &mut depth)?;
 /// assert!((depth.integral() - 0.2 * 5.0 * 128.0).abs() < 1e-12);
 /// # Ok::<(), stickslip::Error>(())
 /// ```

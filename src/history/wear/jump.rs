@@ -20,7 +20,7 @@ use crate::parallel;
 /// ```
 ///
 /// and none changes sign below half of that, where a [`CycleJump`] stays. `coefficient` is the sum of both
-/// bodies, `slip_length` that of one cycle. For the energy law, pass its coefficient times that of
+/// bodies, `slip_distance` that of one cycle. For the energy law, pass its coefficient times that of
 /// friction.
 ///
 /// # Errors
@@ -35,19 +35,19 @@ use crate::parallel;
 /// let grid = Grid::square(64, 64e-6)?;
 /// let pair = ElasticPair::new(Material::new(115e9, 0.0)?, Material::rigid())?;
 /// let bodies = HalfSpace::new(grid, pair)?;
-/// let cycles = wear::stable_cycles(&bodies, 1e-14, &Field::constant(grid, 40e-6))?;
+/// let cycles = wear::max_stable_cycles(&bodies, 1e-14, &Field::constant(grid, 40e-6))?;
 /// assert!((cycles - 25.2).abs() < 0.1);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
-pub fn stable_cycles<'a>(
+pub fn max_stable_cycles<'a>(
     bodies: &HalfSpace,
     coefficient: impl Into<Coefficient<'a>>,
-    slip_length: &Field,
+    slip_distance: &Field,
 ) -> Result<f64> {
     let coefficient = coefficient.into();
     coefficient.check(bodies.grid())?;
-    check("slip length", slip_length, bodies.grid())?;
-    let slip = slip_length.as_slice();
+    check("slip length", slip_distance, bodies.grid())?;
+    let slip = slip_distance.as_slice();
     let rate = largest(slip.len(), |i| coefficient.at(i) * slip[i]);
     Ok(2.0 * cycles_without_overshoot(bodies, rate)?)
 }
@@ -57,7 +57,7 @@ pub fn stable_cycles<'a>(
 ///
 /// The depth $`h`$ that a cycle removes, by any law that is proportional to the pressure $`p`$ it slipped
 /// under, changes with it by $`h/p`$, and $`N h / p < \lambda_{min}`$ in every cell lets no pattern of
-/// pressure change sign: half of what is [stable](stable_cycles). The shape of the contact and the cycles
+/// pressure change sign: half of what is [stable](max_stable_cycles). The shape of the contact and the cycles
 /// left set other limits.
 ///
 /// ```
@@ -77,7 +77,7 @@ pub fn stable_cycles<'a>(
 /// while done < 1000.0 {
 ///     fretting.cycle(&mut history, &mut cycle)?;
 ///     let mut depth = Field::zeros(grid);
-///     wear::dissipated_energy(1e-2, cycle.dissipation(), &mut depth)?;
+///     wear::energy(1e-2, cycle.dissipated_energy(), &mut depth)?;
 ///     let jump = CycleJump::new(&bodies, &cycle, &depth)?
 ///         .largest_depth(0.05 * history.approach())
 ///         .cycles_left(1000.0 - done)

@@ -8,8 +8,8 @@ use crate::parallel;
 /// Adds the depth that Archard's law removes, `k p |s|` (lengths).
 ///
 /// `coefficient` is k = K/H, Archard's dimensionless coefficient over the hardness, of the body or the sum of both: the
-/// volume removed per normal force and sliding distance (one over a pressure; 1 mm3/(N m) is 1e-9 1/Pa). `slip_length` is that of
-/// a [step](crate::history::Step::slip_length), or that of a [cycle](crate::history::Cycle::slip_length) with
+/// volume removed per normal force and sliding distance (one over a pressure; 1 mm3/(N m) is 1e-9 1/Pa). `slip_distance` is that of
+/// a [step](crate::history::StepResult::slip_distance), or that of a [cycle](crate::history::Cycle::slip_distance) with
 /// the [pressure](crate::history::Cycle::slip_pressure) it slipped under. Archard, J. Appl. Phys. 24 (1953)
 /// 981, <https://doi.org/10.1063/1.1721448>.
 ///
@@ -21,17 +21,17 @@ use crate::parallel;
 pub fn archard<'a>(
     coefficient: impl Into<Coefficient<'a>>,
     pressure: &Field,
-    slip_length: &Field,
+    slip_distance: &Field,
     depth: &mut Field,
 ) -> Result<()> {
     let coefficient = coefficient.into();
     let grid = depth.grid();
     coefficient.check(grid)?;
     check("pressure", pressure, grid)?;
-    check("slip length", slip_length, grid)?;
-    let deepest = coefficient.largest() * pressure.max() * slip_length.max();
+    check("slip length", slip_distance, grid)?;
+    let deepest = coefficient.largest() * pressure.max() * slip_distance.max();
     finite("greatest depth of wear", deepest)?;
-    let (pressure, slip) = (pressure.as_slice(), slip_length.as_slice());
+    let (pressure, slip) = (pressure.as_slice(), slip_distance.as_slice());
     remove(depth, |i| coefficient.at(i) * pressure[i] * slip[i]);
     Ok(())
 }
@@ -40,7 +40,7 @@ pub fn archard<'a>(
 ///
 /// `coefficient` alpha is that of the body, or the sum of both: the volume removed per energy dissipated (one
 /// over a pressure); in gross slip it is Archard's k over the coefficient of friction. `energy` is what each cell
-/// dissipates in a [step](crate::history::Step::dissipation) or a [cycle](crate::history::Cycle::dissipation).
+/// dissipates in a [step](crate::history::StepResult::dissipated_energy) or a [cycle](crate::history::Cycle::dissipated_energy).
 /// Fouvry, Kapsa & Vincent, Wear 200 (1996) 186, <https://doi.org/10.1016/S0043-1648(96)07306-1>.
 ///
 /// # Errors
@@ -48,7 +48,7 @@ pub fn archard<'a>(
 /// for a coefficient or energy that is negative or not finite,
 /// [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::NotFinite`](crate::Error::NotFinite) for the
 /// greatest depth; the depth is then as it was.
-pub fn dissipated_energy<'a>(
+pub fn energy<'a>(
     coefficient: impl Into<Coefficient<'a>>,
     energy: &Field,
     depth: &mut Field,

@@ -2,7 +2,7 @@
 //!
 //! The laws add to a field of the caller, so that they serve a body's own depth, the depth of a cycle, and
 //! the gap itself: removal from either body opens it. Their [`Coefficient`] is a number or a field. A
-//! law of one's own needs no more than slip, pressure or energy of a [step](crate::history::Step) or a
+//! law of one's own needs no more than slip, pressure or energy of a [step](crate::history::StepResult) or a
 //! [cycle](crate::history::Cycle). [`CycleJump`] tells how many cycles may be worn off at once.
 //!
 //! Here the gap is worn after every step:
@@ -22,7 +22,7 @@
 //! let path = LoadPath::sine([0.4, 0.0], 8)?;
 //! let fretting = FrettingLoop::new(path, |shift| LoadStep::shift(shift).normal(NormalControl::Force(0.5)));
 //! fretting.run_observed(&mut history, 2, |history, _| {
-//!     let slip = history.last_step().slip_length();
+//!     let slip = history.last_step().slip_distance();
 //!     wear::archard(1e-2, history.pressure(), slip, &mut gap)?;
 //!     history.set_gap(&gap)?;
 //!     Ok(ControlFlow::Continue(()))
@@ -36,8 +36,8 @@ mod jump;
 mod law;
 
 pub use coefficient::Coefficient;
-pub use jump::{CycleJump, stable_cycles};
-pub use law::{archard, dissipated_energy, threshold_energy};
+pub use jump::{CycleJump, max_stable_cycles};
+pub use law::{archard, energy, threshold_energy};
 
 use crate::error::{Result, all_non_negative};
 use crate::field::Field;

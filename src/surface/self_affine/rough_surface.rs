@@ -56,7 +56,7 @@ impl RoughSurface {
         }
     }
 
-    /// Heights above the mean plane (lengths), pointing out of the body; [`gap_of`](crate::surface::gap_of)
+    /// Heights above the mean plane (lengths), pointing out of the body; [`gap_from_heights`](crate::surface::gap_from_heights)
     /// turns them into a gap.
     #[must_use]
     pub fn heights(&self) -> &Field {

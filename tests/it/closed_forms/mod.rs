@@ -147,7 +147,8 @@ fn assert_bad_shear_is_refused<T: std::fmt::Debug>(
         ));
     }
     for beyond in [1.000001 * limit, -1.000001 * limit] {
-        let Err(Error::BeyondSliding { force, limit: held }) = shear(FRICTION, beyond) else {
+        let Err(Error::BeyondFrictionCapacity { force, limit: held }) = shear(FRICTION, beyond)
+        else {
             panic!("a force beyond friction was accepted");
         };
         assert_close(force, beyond.abs());
@@ -155,7 +156,7 @@ fn assert_bad_shear_is_refused<T: std::fmt::Debug>(
     }
     assert!(matches!(
         shear(0.0, 1e-300),
-        Err(Error::BeyondSliding { .. })
+        Err(Error::BeyondFrictionCapacity { .. })
     ));
     assert!(shear(FRICTION, limit).is_ok() && shear(FRICTION, -limit).is_ok());
     assert!(shear(0.0, 0.0).is_ok());

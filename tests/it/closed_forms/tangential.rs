@@ -264,7 +264,7 @@ fn wrong_arguments_are_refused() -> Result<()> {
     }
     assert!(matches!(shear(1e307, 1.0), Some(Error::NotFinite { .. })));
     for beyond in [50.000001, -50.000001] {
-        let Some(Error::BeyondSliding { force, limit }) = shear(0.5, beyond) else {
+        let Some(Error::BeyondFrictionCapacity { force, limit }) = shear(0.5, beyond) else {
             panic!("a force beyond friction was accepted");
         };
         assert_close(force, 50.000001);
@@ -272,7 +272,7 @@ fn wrong_arguments_are_refused() -> Result<()> {
     }
     assert!(matches!(
         shear(0.0, 1e-300),
-        Some(Error::BeyondSliding { .. })
+        Some(Error::BeyondFrictionCapacity { .. })
     ));
     // 0.29 * 100 is a rounding less than 29: the force meant to equal the limit is accepted.
     assert_eq!(shear(0.29, 29.0), None);

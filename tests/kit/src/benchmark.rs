@@ -57,7 +57,7 @@ pub fn rough(cells: u16) -> Result<[Scene; 3]> {
         .roll_off_wavelength(side / 4.0)
         .seed(1)
         .generate(grid)?;
-    let gap = surface::gap_of(rough.heights())?;
+    let gap = surface::gap_from_heights(rough.heights())?;
     let bodies = HalfSpace::new(grid, ElasticPair::new(body, body)?)?;
     Ok(ROUGH_LOADS.map(|(name, pressure)| Scene {
         name,

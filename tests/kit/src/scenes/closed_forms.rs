@@ -54,7 +54,7 @@ fn small_sphere() -> Result<Row> {
 fn closed_wave() -> Result<Row> {
     let grid = Grid::square(64, 1.0)?;
     let bodies = HalfSpace::with_boundary(grid, pair()?, Boundary::Periodic)?;
-    let gap = surface::wavy(grid, 0.01, 1.0)?;
+    let gap = surface::sinusoidal(grid, 0.01, 1.0)?;
     let amplitude = 0.5 * (gap.max() - gap.min());
     let pressure =
         1.0001 * Westergaard::new(bodies.pair(), amplitude, 1.0, 1e-6)?.full_contact_pressure();

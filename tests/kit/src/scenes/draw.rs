@@ -24,7 +24,11 @@ pub(crate) fn scene(index: u64) -> Result<Scene> {
     let mut random = random_of(index);
     let pair = pair(&mut random)?;
     let grid = grid(&mut random)?;
-    let boundary = random.pick(&[Boundary::Free, Boundary::Free, Boundary::Periodic]);
+    let boundary = random.pick(&[
+        Boundary::NonPeriodic,
+        Boundary::NonPeriodic,
+        Boundary::Periodic,
+    ]);
     let bodies = HalfSpace::with_boundary(grid, pair, boundary)?;
     let gap = gap(grid, &mut random);
     let (load, expected) = load(&bodies, &gap, &mut random);
@@ -169,7 +173,7 @@ fn load(bodies: &HalfSpace, gap: &Field, random: &mut Random) -> (NormalControl,
         } else {
             gap.min() + side * random.decade(-6.0, -1.0)
         };
-        let is_open = bodies.boundary() == Boundary::Free || approach < mean;
+        let is_open = bodies.boundary() == Boundary::NonPeriodic || approach < mean;
         let expected = if is_open {
             Expected::Answer
         } else {
@@ -242,7 +246,7 @@ fn shear(grid: Grid, random: &mut Random) -> Result<Shear> {
         )
     } else if part > 1.0 {
         let demand = Demand::Force(direction.map(|n| n * part));
-        (demand, Expected::Refused("BeyondSliding"))
+        (demand, Expected::Refused("BeyondFrictionCapacity"))
     } else {
         (Demand::Force(direction.map(|n| n * part)), Expected::Answer)
     };

@@ -224,7 +224,7 @@ impl Judge {
             tolerance: scene.settings.tolerance,
             movable: &|i| limits[i] > 0.0,
         };
-        if !solution.is_gross_sliding() || solution.axis().is_some() {
+        if !solution.is_gross_slip() || solution.axis().is_some() {
             let shift = solution.shift();
             let violated = forbidden_slip(solution, &limits, &product);
             answer.check_residual(row, violated, shift[0].abs().max(shift[1].abs()));
@@ -241,7 +241,7 @@ impl Judge {
             );
             let truth = truth.filter(|truth| truth.error < 1.0);
             // The last digits before the limit no force finds that was itself found by a shift.
-            if truth.is_some() || !solution.is_gross_sliding() {
+            if truth.is_some() || !solution.is_gross_slip() {
                 answer.check_error(row, truth);
             }
         }

@@ -136,7 +136,10 @@ impl fmt::Display for Row {
         let report = self.report.as_ref();
         let steps = report.map_or_else(dash, |report| report.iterations.to_string());
         let products = report.map_or_else(dash, |report| {
-            format!("{} + {}", report.convolutions, report.rough_convolutions)
+            format!(
+                "{} + {}",
+                report.double_precision_products, report.single_precision_products
+            )
         });
         let certified = report.map_or_else(dash, |report| {
             format!("{:.1e}", report.energy_error_bound())

@@ -69,7 +69,7 @@ impl Story {
         let mut history = builder.build()?;
         history.step(&LoadStep::hold().normal(NormalControl::Force(self.force)))?;
         let first = limits(&self.friction, history.normal());
-        let sliding_force = first.iter().sum::<f64>() * history.grid().cell_area();
+        let friction_capacity = first.iter().sum::<f64>() * history.grid().cell_area();
         let axis = history.axis().map(Axis::index);
         let compliance = Compliance::shear(&self.bodies, axis)?;
         let reach = largest(&Compliance::shear(&self.bodies, Some(0))?.product(&first));
@@ -79,7 +79,7 @@ impl Story {
             let mut row = Row::new(&self.name, format!("step {}, {act:?}", number + 1));
             let load = match act {
                 Act::Force(parts) => along(*parts, axis, |part| {
-                    TangentialControl::Force(part * sliding_force)
+                    TangentialControl::Force(part * friction_capacity)
                 }),
                 Act::Shift(parts) => {
                     along(*parts, axis, |part| TangentialControl::Shift(part * reach))
@@ -96,10 +96,10 @@ impl Story {
             let now = limits(&self.friction, history.normal()).iter().sum::<f64>();
             let expected = match act {
                 Act::Force(parts) => {
-                    let asked = parts[0].hypot(parts[1]) * sliding_force;
+                    let asked = parts[0].hypot(parts[1]) * friction_capacity;
                     let limit = now * history.grid().cell_area();
                     if asked > (1.0 + 1e-12) * limit {
-                        Expected::Refused("BeyondSliding")
+                        Expected::Refused("BeyondFrictionCapacity")
                     } else if asked > (1.0 - 1e-7) * limit && axis.is_none() {
                         Expected::AnswerOrRoundOff
                     } else {
@@ -167,7 +167,7 @@ fn check(
     let squares: f64 = limits.iter().map(|limit| limit * limit).sum();
     // Neither has one that is small beside the work of the whole force on the whole shift.
     let shift = largest(&before.shift).max(largest(&history.shift()));
-    let travel = history.slip_path().max().max(shift);
+    let travel = history.accumulated_slip().max().max(shift);
     let sum: f64 = limits.iter().sum();
     let noise = 1e-13 * (compliance.lower_bound * squares + sum * travel);
     let noise = noise * history.grid().cell_area();
@@ -197,7 +197,7 @@ fn check(
         tolerance: story.settings.tolerance,
         movable: &|i| limits[i] > 0.0,
     };
-    let is_all_turned = history.axis().is_none() && step.is_gross_sliding();
+    let is_all_turned = history.axis().is_none() && step.is_gross_slip();
     let mut violated = 0.0_f64;
     for i in (0..cells).filter(|&i| limits[i] > 0.0) {
         let traction = [x[i], y[i]];
@@ -216,7 +216,7 @@ fn check(
         };
         violated = violated.max(forbidden);
     }
-    let moved = history.slip_path().max();
+    let moved = history.accumulated_slip().max();
     let shifted = largest(&before.shift).max(largest(&history.shift()));
     if !is_all_turned {
         answer.check_residual(row, violated, moved.max(shifted));
@@ -267,7 +267,7 @@ fn exact(
     }
     // What was slipped on the way may be far larger than any displacement now.
     let compliance = Compliance::shear(&story.bodies, Some(axis.index())).ok()?;
-    let travel = history.slip_path().max().max(largest(&linear));
+    let travel = history.accumulated_slip().max().max(largest(&linear));
     let noise = 16.0 * f64::EPSILON * travel * (linear.len() as f64).sqrt();
     let size = compliance.norm(&x);
     let error = noise / (compliance.lower_bound.sqrt() * size);
@@ -317,7 +317,7 @@ fn scenes() -> Result<Vec<(&'static str, HalfSpace, Field, f64)>> {
     let body = Material::new(2.0, 0.3)?;
     let pair = ElasticPair::new(body, body)?;
     let grid = Grid::square(12, 12.0)?;
-    let [free, periodic] = [Boundary::Free, Boundary::Periodic]
+    let [free, periodic] = [Boundary::NonPeriodic, Boundary::Periodic]
         .map(|boundary| HalfSpace::with_boundary(grid, pair, boundary));
     let (free, periodic) = (free?, periodic?);
     let noise = gaps::white_noise(grid, 5.0, &mut Random(8));

@@ -83,7 +83,7 @@ pub(crate) fn grids() -> Result<Vec<Scene>> {
         (97, 101),
         (2, 2),
     ] {
-        for boundary in [Boundary::Free, Boundary::Periodic] {
+        for boundary in [Boundary::NonPeriodic, Boundary::Periodic] {
             let grid = Grid::new(nx, ny, 1.0, 1.0)?;
             let bodies = HalfSpace::with_boundary(grid, pair(0.3)?, boundary)?;
             let gap = gaps::bowl(grid, 2.0 * nx.max(ny) as f64);
@@ -92,7 +92,7 @@ pub(crate) fn grids() -> Result<Vec<Scene>> {
         }
     }
     for (dx, dy) in [(1.0, 100.0), (100.0, 1.0)] {
-        for boundary in [Boundary::Free, Boundary::Periodic] {
+        for boundary in [Boundary::NonPeriodic, Boundary::Periodic] {
             let grid = Grid::new(20, 20, dx, dy)?;
             let bodies = HalfSpace::with_boundary(grid, pair(0.3)?, boundary)?;
             let gap = gaps::bowl(grid, 1e4);

@@ -47,7 +47,7 @@ pub(crate) fn loads() -> Result<Vec<Scene>> {
                     shear = shear.in_plane();
                 }
                 if part > 1.0 + 1e-12 {
-                    shear = shear.expect(Expected::Refused("BeyondSliding"));
+                    shear = shear.expect(Expected::Refused("BeyondFrictionCapacity"));
                 } else if is_in_plane && part > 0.9999999 {
                     shear = shear.expect(Expected::AnswerOrRoundOff);
                 }
@@ -86,7 +86,7 @@ pub(crate) fn frictions() -> Result<Vec<Scene>> {
             "a jump of 1e6 between neighbours",
             Friction::per_cell(jumping)?,
         ),
-        ("capped", Friction::coulomb(0.5)?.shear_cap(1e-2)?),
+        ("capped", Friction::coulomb(0.5)?.max_shear_stress(1e-2)?),
     ] {
         for part in [0.5, 0.97] {
             let demand = Demand::Force([part, 0.0]);

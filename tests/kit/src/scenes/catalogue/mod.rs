@@ -61,6 +61,6 @@ pub(crate) fn press(bodies: &HalfSpace, part: f64) -> NormalControl {
 pub(crate) fn suffix(boundary: Boundary) -> &'static str {
     match boundary {
         Boundary::Periodic => ", periodic",
-        Boundary::Free => "",
+        Boundary::NonPeriodic => "",
     }
 }

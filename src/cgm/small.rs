@@ -1,0 +1,51 @@
+//! Matrices of as many rows as a cell has components.
+
+use crate::cgm::vector::dot;
+
+/// A small symmetric matrix.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Small<const N: usize>(pub(super) [[f64; N]; N]);
+
+impl<const N: usize> Small<N> {
+    /// Solves for the active unknowns, the others being zero, by elimination.
+    pub(super) fn solve(&self, right: [f64; N], active: [bool; N]) -> [f64; N] {
+        let (mut rows, mut x) = (self.0, right);
+        let is_below = |row: usize, pivot: usize| active[row] && row > pivot;
+        for pivot in (0..N).filter(|&pivot| active[pivot]) {
+            for row in (0..N).filter(|&row| is_below(row, pivot)) {
+                let part = rows[row][pivot] / rows[pivot][pivot];
+                for column in pivot..N {
+                    rows[row][column] -= part * rows[pivot][column];
+                }
+                x[row] -= part * x[pivot];
+            }
+        }
+        for row in (0..N).rev() {
+            if !active[row] {
+                x[row] = 0.0;
+                continue;
+            }
+            for column in (0..N).filter(|&column| is_below(column, row)) {
+                x[row] -= rows[row][column] * x[column];
+            }
+            x[row] /= rows[row][row];
+        }
+        x
+    }
+
+    /// One over the trace of the inverse among the active unknowns: about the least eigenvalue.
+    pub(super) fn least(&self, active: [bool; N]) -> f64 {
+        let inverse = (0..N).filter(|&a| active[a]).map(|a| {
+            let mut unit = [0.0; N];
+            unit[a] = 1.0;
+            self.solve(unit, active)[a]
+        });
+        // From zero, not from the minus zero of an empty sum.
+        1.0 / inverse.fold(0.0, |sum, part| sum + part)
+    }
+
+    /// `v' A v`.
+    pub(super) fn square(&self, v: [f64; N]) -> f64 {
+        dot(v, self.0.map(|row| dot(row, v)))
+    }
+}
