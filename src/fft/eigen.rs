@@ -102,8 +102,9 @@ fn diagonalised<const N: usize>(mut a: [[f64; N]; N]) -> ([f64; N], [[f64; N]; N
 /// Turns the axes `p` and `q` so that the entry between them vanishes.
 fn rotate<const N: usize>(a: &mut [[f64; N]; N], vectors: &mut [[f64; N]; N], p: usize, q: usize) {
     let slope = 0.5 * (a[q][q] - a[p][p]) / a[p][q];
-    let tangent = 1.0_f64.copysign(slope) / (slope.abs() + slope.hypot(1.0));
-    let cosine = 1.0 / tangent.hypot(1.0);
+    // The entry is not small beside its matrix, so that the square of the slope cannot overflow.
+    let tangent = 1.0_f64.copysign(slope) / (slope.abs() + (1.0 + slope * slope).sqrt());
+    let cosine = 1.0 / (1.0 + tangent * tangent).sqrt();
     let sine = tangent * cosine;
     let change = tangent * a[p][q];
     a[p][p] -= change;

@@ -82,8 +82,8 @@ impl<const N: usize> Symbol<f64, N> {
         let shape = Shape::new(my / 2 + 1, kernels);
         let mut values = vec![0.0; (mx / 2 + 1) * shape.stride()];
         for (i, j) in upper_triangle::<N>() {
-            // A transform is i times the values of an imaginary entry, and S is -i * i = 1 or i * i = -1 times
-            // that, by the field that is turned.
+            // The transform of an imaginary entry is i times its values. S is -i times that if row i is
+            // turned, i times that if column j is.
             let is_negated = shape.turns_in[j] && !shape.turns_out[i];
             let sign = if is_negated { -1.0 } else { 1.0 };
             let lines = Lines {

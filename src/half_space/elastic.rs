@@ -18,42 +18,39 @@ pub struct ElasticOperator<const N: usize = 1>(pub(super) Arc<Convolution<N>>);
 #[derive(Debug, Clone)]
 pub struct ElasticPreconditioner<const N: usize = 1>(pub(super) Arc<CirculantInverse<N>>);
 
-impl<const N: usize> Operator<N> for ElasticOperator<N> {
-    type Workspace = ConvolutionWorkspace<N>;
+/// An operator that leaves everything to the one it points to.
+macro_rules! operator_by {
+    ($name:ident, $workspace:ident) => {
+        impl<const N: usize> Operator<N> for $name<N> {
+            type Workspace = $workspace<N>;
 
-    fn cells(&self) -> usize {
-        self.0.cells()
-    }
+            fn cells(&self) -> usize {
+                self.0.cells()
+            }
 
-    fn workspace(&self) -> Self::Workspace {
-        self.0.workspace()
-    }
+            fn workspace(&self) -> $workspace<N> {
+                self.0.workspace()
+            }
 
-    fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut Self::Workspace) {
-        self.0.apply(x, out, workspace);
-    }
+            fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut $workspace<N>) {
+                self.0.apply(x, out, workspace);
+            }
 
-    fn apply_f32(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut Self::Workspace) {
-        self.0.apply_f32(x, out, workspace);
-    }
+            fn apply_f32(
+                &self,
+                x: [&[f64]; N],
+                out: [&mut [f64]; N],
+                workspace: &mut $workspace<N>,
+            ) {
+                self.0.apply_f32(x, out, workspace);
+            }
 
-    fn lower_bound(&self) -> f64 {
-        self.0.lower_bound()
-    }
+            fn lower_bound(&self) -> f64 {
+                self.0.lower_bound()
+            }
+        }
+    };
 }
 
-impl<const N: usize> Operator<N> for ElasticPreconditioner<N> {
-    type Workspace = SingleWorkspace<N>;
-
-    fn cells(&self) -> usize {
-        self.0.cells()
-    }
-
-    fn workspace(&self) -> Self::Workspace {
-        self.0.workspace()
-    }
-
-    fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut Self::Workspace) {
-        self.0.apply(x, out, workspace);
-    }
-}
+operator_by!(ElasticOperator, ConvolutionWorkspace);
+operator_by!(ElasticPreconditioner, SingleWorkspace);
