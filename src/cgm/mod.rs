@@ -1,4 +1,4 @@
-//! The constrained minimum every contact problem is: the engine, which knows no physics.
+//! The constrained minimum that every contact problem is: one engine for any number of unknowns a cell, without physics.
 //!
 //! ```math
 //! \min_x \; \tfrac12 x' C x + b' x
@@ -6,14 +6,21 @@
 //! \quad\text{optionally}\quad \textstyle\sum_i x_i = S .
 //! ```
 //!
-//! `C` is an [`Operator`], symmetric and positive definite; `K_i` a [`Constraint`]; the multiplier
-//! of the total is returned. For a normal contact `x` is the pressure, `b` the gap, `S` the load
-//! over the cell area and the multiplier the approach; for a tangential one `x` is the traction
-//! between its friction limits, and the multiplier the shift.
+//! Each cell `i` has `N` unknowns. `C` is an [`Operator`], symmetric and positive definite; `K_i` is the set that a
+//! [`Constraint`] gives the cell, an [`Interval`] for one unknown or a [`Disc`] for two. A [`Total`] prescribes the sum of
+//! a component, or ties it to a spring; its multiplier is returned. For a normal contact `x` is the pressure, `b` the gap,
+//! `S` the load over the cell area and the multiplier the approach; for a tangential one `x` is the traction within its
+//! friction limit, along one axis or in the plane, and the multiplier the shift. Vectors are arrays of one slice a
+//! component.
 //!
-//! Two methods stand behind one setting, see [`Method`]. Whatever the method and the outcome, the
-//! iterate returned is feasible and the [`Report`] is computed from a fresh product with it; its
-//! certified gap bounds the error in the energy norm (see [`Report::duality_gap`]).
+//! The solver is Newton's method on the law of every cell: the sets decide how each cell may move, conjugate gradients
+//! solve the linear problem of the cells that move, bordered by the totals, and then the sets are decided again. For
+//! intervals that is an active-set method; for discs the linear problem contains the curvature of the circles. If the
+//! sets cycle, projected gradients lead past that place.
+//!
+//! [`Method`] selects the iteration. Whatever the method and the outcome, the iterate returned is feasible and the
+//! [`Report`] is recomputed from a product with it; its duality gap bounds the error in the energy norm (see
+//! [`Report::duality_gap`]).
 //!
 //! # The certified error
 //!
@@ -37,11 +44,16 @@
 //! ```
 //!
 //! The first is the Frank-Wolfe gap (<https://doi.org/10.1002/nav.3800030109>), of first order in
-//! the residual; the second is of second order. For an operator that does not know such a `lambda` the
-//! first is all there is (infinite while an entry without an upper bound wants to grow), and an
+//! the residual; the second is of second order. For an operator that does not know such a `lambda` only the
+//! first is available (infinite while a cell without an upper bound wants to grow), and an
 //! iteration then stops on the residual alone.
 //!
-//! A total missed by round-off is reported by itself: `x*` is the minimum of the total `x` has. The same
+//! A spring of compliance `c` adds `c (sum x)^2 / 2` to the objective and `c (sum (x - x*))^2 >= 0` to `E^2`. Its multiplier
+//! follows the sum, `delta = X - c sum x`, so that `g` is the gradient of the whole objective and the bound holds for the
+//! energy norm of `C` alone too. Residuals are then relative to the largest displacement, or to what the stiffest spring
+//! would stretch if all unknowns pulled one way, where that is more.
+//!
+//! A total missed by round-off is reported separately: `x*` is the minimum of the total `x` has. The same
 //! `x*` is meant, whether or not a total is prescribed, where the operator maps constants to zero and
 //! `lambda` bounds the other eigenvalues: `x - x*` then has sum zero. All of this holds up to the round-off
 //! of the product.
@@ -72,9 +84,9 @@
 //! use stickslip::{Identity, Operator};
 //!
 //! // The point of the first quadrant nearest to (2, -1): C = 1, b = -(2, -1).
-//! let problem = Problem::new(Identity::new(2), &[-2.0, 1.0], NonNegative);
+//! let problem = Problem::new(Identity::new(2), [&[-2.0, 1.0]], NonNegative);
 //! let mut x = [0.0; 2];
-//! let minimum = cgm::minimise(&problem, &Settings::default(), &mut x)?;
+//! let minimum = cgm::minimise(&problem, &Settings::default(), [&mut x])?;
 //! assert!((x[0] - 2.0).abs() < 1e-8 && x[1] == 0.0);
 //! assert!(minimum.report.duality_gap < 1e-16);
 //! # Ok::<(), stickslip::Error>(())

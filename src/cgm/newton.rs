@@ -96,7 +96,9 @@ fn start<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
     let sums = std::array::from_fn(|c| reduce::total(&run.x[c]));
     totals.spread_missing(run, sums);
     run.ask()?;
-    run.refresh_f32();
+    if !run.is_fresh {
+        run.refresh_f32();
+    }
     ControlFlow::Continue(totals)
 }
 

@@ -155,6 +155,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
             .apply_f32(slices(&self.x), slices_mut(product), operator);
         report.single_precision_products += 1;
         self.form_gradient();
+        self.is_fresh = false;
     }
 
     fn form_gradient(&mut self) {

@@ -1,7 +1,7 @@
 //! What the steps of a cycle add up to.
 
-use std::ops::Range;
-
+use crate::cgm::reduce;
+use crate::cgm::vector::norm;
 #[cfg(feature = "serde")]
 use crate::error::positive;
 use crate::error::{Error, Result};
@@ -241,16 +241,8 @@ impl Cycle {
     fn compare_traction(&mut self, history: &History) {
         let [x, y] = history.traction().map(Field::as_slice);
         let [first_x, first_y] = self.first_traction.each_ref().map(Field::as_slice);
-        let squares = |i: usize| {
-            let change = [x[i] - first_x[i], y[i] - first_y[i]];
-            [
-                x[i] * x[i] + y[i] * y[i],
-                change[0] * change[0] + change[1] * change[1],
-            ]
-        };
-        let larger = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].max(b[1])];
-        let leaf = |range: Range<usize>| range.map(squares).fold([0.0; 2], larger);
-        let [traction, change] = parallel::fold(x.len(), leaf, larger).map(f64::sqrt);
+        let traction = reduce::max(x.len(), |i| norm([x[i], y[i]]));
+        let change = reduce::max(x.len(), |i| norm([x[i] - first_x[i], y[i] - first_y[i]]));
         self.traction_change = change;
         self.largest_traction = self.largest_traction.max(traction);
     }

@@ -19,6 +19,10 @@ pub enum TangentialControl {
     /// that was found.
     Shift(f64),
     /// A machine that drags body 2 by a spring: the force is $`F = k\,(X - \delta)`$, the shift $`\delta`$ follows.
+    ///
+    /// A spring a million times softer than the contact prescribes the force in effect: give that instead, because slip
+    /// is lost in the round-off of the stretch. Residuals are relative to the largest displacement of the bodies, or to
+    /// what the stiffest spring would stretch if all tractions pulled one way, where that is more.
     Spring {
         /// Position X of the far end of the spring (a length, either sign), since the unloaded state.
         position: f64,

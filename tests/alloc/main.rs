@@ -15,3 +15,4 @@ mod damaged_files_are_refused;
 mod histories_allocate_nothing;
 #[cfg(feature = "parallel")]
 mod histories_take_the_memory_they_say;
+mod states_take_no_more_than_they_are;

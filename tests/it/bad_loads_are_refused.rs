@@ -3,10 +3,11 @@
 
 use kit::refusal::mismatch;
 use kit::unit_bodies;
+use stickslip::cgm::{Method, Settings};
 use stickslip::tangential::JaegerSuperposition;
 use stickslip::{
-    ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
-    NormalSolution, TangentialLoad, TangentialModel, TangentialProblem, surface,
+    ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, Material, NormalControl,
+    NormalProblem, NormalSolution, TangentialLoad, TangentialModel, TangentialProblem, surface,
 };
 
 const NEGATIVE: [f64; 4] = [-1e-300, f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
@@ -457,4 +458,38 @@ fn shears_at_the_ends_of_the_doubles() {
             }
         }
     }
+}
+
+/// A setting that a model cannot honour is an error, in problems, solvers and histories.
+#[test]
+fn a_method_that_the_model_does_not_have() {
+    let bodies = unit_bodies(Grid::square(24, 12.0).unwrap(), 0.3);
+    let gap = surface::sphere(bodies.grid(), 20.0).unwrap();
+    let press = NormalProblem::builder(&bodies, &gap, NormalControl::Force(4.0));
+    let normal = press.build().unwrap().solve().unwrap();
+    let friction = Friction::coulomb(0.5).unwrap();
+    let is_refused = |error: Option<Error>| matches!(error, Some(Error::Method { .. }));
+    let load = TangentialLoad::force([0.5, 0.0]);
+    let shear = || {
+        TangentialProblem::builder(&bodies, &normal, friction.clone(), load)
+            .model(TangentialModel::Vector)
+    };
+    assert!(is_refused(
+        shear().method(Method::PolonskyKeer).build().err()
+    ));
+    let settings = Settings::default().method(Method::PolonskyKeer);
+    let mut solver = shear().build().unwrap().into_solver().unwrap();
+    assert!(is_refused(solver.set_settings(settings).err()));
+    assert_eq!(solver.settings().method, Method::ActiveSet);
+    let history =
+        || History::builder(&bodies, &gap, friction.clone()).model(TangentialModel::Vector);
+    assert!(is_refused(
+        history().method(Method::PolonskyKeer).build().err()
+    ));
+    assert!(is_refused(
+        history().build().unwrap().set_settings(settings).err()
+    ));
+    // A normal problem has no pressure to hold.
+    let held = NormalProblem::builder(&bodies, &gap, NormalControl::Hold).build();
+    assert_eq!(held.err(), Some(Error::NothingToHold));
 }

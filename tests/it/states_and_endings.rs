@@ -420,7 +420,11 @@ fn an_observer_sees_nothing_of_the_last_solve() {
             let friction = Friction::coulomb(0.5).unwrap();
             let load = |force| TangentialLoad::force([force, 0.0]);
             let builder = TangentialProblem::builder(&bodies, &normal, friction, load(3.0));
-            let builder = builder.model(lateral).method(method);
+            let builder = builder.model(lateral);
+            let builder = match lateral {
+                TangentialModel::Scalar => builder.method(method),
+                TangentialModel::Vector => builder,
+            };
             let mut shear = builder.build().unwrap().into_solver().unwrap();
             let mut solution = shear.new_solution();
             shear.solve_into(&mut solution).unwrap();

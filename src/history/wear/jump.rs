@@ -1,5 +1,6 @@
 //! How many cycles may be jumped.
 
+use crate::cgm::reduce;
 use crate::error::{Result, non_negative};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
@@ -7,7 +8,6 @@ use crate::history::Cycle;
 use crate::history::wear::{Coefficient, check};
 use crate::influence::Component;
 use crate::operator::Operator;
-use crate::parallel;
 
 /// Cycles whose wear may be taken off at once without the pressure swinging up: explicit wear by Archard's
 /// law is stable below (infinite where nothing slips).
@@ -48,7 +48,7 @@ pub fn max_stable_cycles<'a>(
     coefficient.check(bodies.grid())?;
     check("slip length", slip_distance, bodies.grid())?;
     let slip = slip_distance.as_slice();
-    let rate = largest(slip.len(), |i| coefficient.at(i) * slip[i]);
+    let rate = reduce::max(slip.len(), |i| coefficient.at(i) * slip[i]);
     Ok(2.0 * cycles_without_overshoot(bodies, rate)?)
 }
 
@@ -113,7 +113,7 @@ impl CycleJump {
         )?;
         check("depth of the cycle", depth, bodies.grid())?;
         let (pressure, removed) = (cycle.slip_pressure().as_slice(), depth.as_slice());
-        let rate = largest(removed.len(), |i| {
+        let rate = reduce::max(removed.len(), |i| {
             if pressure[i] > 0.0 {
                 removed[i] / pressure[i]
             } else {
@@ -168,8 +168,4 @@ fn cycles_without_overshoot(bodies: &HalfSpace, rate: f64) -> Result<f64> {
     } else {
         f64::INFINITY
     })
-}
-
-fn largest(cells: usize, of: impl Fn(usize) -> f64 + Sync) -> f64 {
-    parallel::fold(cells, |range| range.map(&of).fold(0.0, f64::max), f64::max)
 }
