@@ -17,9 +17,12 @@ pub(crate) const CHUNK: usize = 4096;
 fn join<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + Send) -> (A, B) {
     let (mut a, mut b) = (Some(a), Some(b));
     let (mut from_a, mut from_b) = (None, None);
-    join_tasks(&mut || from_a = a.take().map(|a| a()), &mut || {
-        from_b = b.take().map(|b| b())
-    });
+    join_tasks(
+        &mut || {
+            from_a = a.take().map(|a| a());
+        },
+        &mut || from_b = b.take().map(|b| b()),
+    );
     let results = from_a.zip(from_b);
     results.expect("each task runs once")
 }

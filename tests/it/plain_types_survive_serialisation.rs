@@ -4,11 +4,11 @@
 use std::fmt::Debug;
 use std::time::Duration;
 
-use kit::{Table2, rough, unit_bodies, unit_pair};
+use kit::serde_json::{self, Value, json};
+use kit::{Table2, postcard, rough, unit_bodies, unit_pair};
 use proptest::prelude::*;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
-use serde_json::{Value, json};
 use stickslip::cgm::{Method, Settings};
 use stickslip::history::{Cycle, FrettingLoop, LoadPath};
 use stickslip::influence::{Component, Rectangle};

@@ -31,6 +31,8 @@ use stickslip::{
     ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
     NormalSolution, Operator, TangentialLoad, TangentialProblem, TangentialSolution,
 };
+#[cfg(feature = "serde")]
+pub use {postcard, serde_json};
 
 /// A rough gap: waves of all directions down to eight cells, amplitudes falling as for a Hurst
 /// exponent of 0.8, root-mean-square height one, least value zero.
