@@ -82,7 +82,7 @@ pub(crate) fn examine<const N: usize>(
         |range| {
             let [x, product] = [&x, &product].map(|vector| within(vector, &range));
             let linear = within(&linear, &range);
-            let mut found = Findings::default();
+            let mut found = Findings::<N>::new();
             for (k, cell) in range.enumerate() {
                 let (u, b) = (at(&product, k), at(&linear, k));
                 let g = std::array::from_fn(|c| u[c] + (b[c] - datum[c]) - multiplier[c]);
@@ -94,7 +94,13 @@ pub(crate) fn examine<const N: usize>(
     );
     let missing: [f64; N] =
         std::array::from_fn(|c| totals[c].sum().map_or(0.0, |total| sums.sum[c] - total));
-    let bound = 0.5 * found.squares.sqrt() + (0.25 * found.squares + found.dual).sqrt();
+    let squares = (0..N).fold(found.squares, |squares, c| match totals[c] {
+        Total::Spring { compliance, .. } => {
+            squares - held_by_spring(found.pushed[c], x[0].len(), compliance, lower_bound)
+        }
+        Total::Free | Total::Sum(_) => squares,
+    });
+    let bound = 0.5 * squares.sqrt() + (0.25 * squares + found.dual).sqrt();
     // An operator that maps constants to zero leaves a uniform answer neither displacement nor energy to measure by.
     // What a spring stretches, or what the smallest eigenvalue would make of the answer, takes their place.
     let springs = totals.iter().filter_map(|total| match total {
@@ -114,6 +120,15 @@ pub(crate) fn examine<const N: usize>(
         load_error: ratio(norm(missing), sums.magnitude),
         free: found.free,
     }
+}
+
+/// What a spring takes from the bound `B^2` of a uniform gradient, whose parts add up to `pushed`: it is `1 / (n c)` times
+/// the square, where that is less than by the smallest eigenvalue.
+fn held_by_spring(pushed: f64, cells: usize, compliance: f64, lower_bound: f64) -> f64 {
+    let cells = cells as f64;
+    let gain = 1.0 / lower_bound - 1.0 / (cells * compliance);
+    // All parts are a little more than their mean.
+    (1.0 - 1e-12) * (pushed * pushed / cells * gain).max(0.0)
 }
 
 /// What all cells add up to.
@@ -170,8 +185,8 @@ impl<const N: usize> Sums<N> {
 }
 
 /// What the cells that can move show.
-#[derive(Clone, Copy, Default)]
-struct Findings {
+#[derive(Clone, Copy)]
+struct Findings<const N: usize> {
     /// Largest displacement, forbidden gradient and unknown.
     displacement: f64,
     forbidden: f64,
@@ -180,11 +195,25 @@ struct Findings {
     /// The two shares of the bound, `A` and `B^2`.
     dual: f64,
     squares: f64,
+    /// Sum of the forbidden gradients that the second share is made of.
+    pushed: [f64; N],
 }
 
-impl Findings {
+impl<const N: usize> Findings<N> {
+    fn new() -> Self {
+        Self {
+            displacement: 0.0,
+            forbidden: 0.0,
+            largest: 0.0,
+            free: 0,
+            dual: 0.0,
+            squares: 0.0,
+            pushed: [0.0; N],
+        }
+    }
+
     #[inline]
-    fn add<S: Admissible<N>, const N: usize>(
+    fn add<S: Admissible<N>>(
         &mut self,
         x: [f64; N],
         u: [f64; N],
@@ -195,7 +224,8 @@ impl Findings {
         if !set.can_move() {
             return;
         }
-        let forbidden = norm(set.forbidden(x, g));
+        let pushing = set.forbidden(x, g);
+        let forbidden = norm(pushing);
         self.displacement = larger(self.displacement, norm(u));
         self.forbidden = larger(self.forbidden, forbidden);
         self.largest = larger(self.largest, norm(x));
@@ -208,6 +238,7 @@ impl Findings {
                 self.dual += dual.max(0.0);
             } else {
                 self.squares += square;
+                self.pushed = self.pushed.plus(pushing);
             }
         }
     }
@@ -220,6 +251,7 @@ impl Findings {
             free: self.free + other.free,
             dual: self.dual + other.dual,
             squares: self.squares + other.squares,
+            pushed: self.pushed.plus(other.pushed),
         }
     }
 }

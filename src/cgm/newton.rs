@@ -93,7 +93,7 @@ fn start<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
     }
     run.hold_springs();
     let totals = linearise(run);
-    let sums = std::array::from_fn(|c| reduce::total(&run.x[c]));
+    let sums = std::array::from_fn(|c| reduce::total(run.x[c]));
     totals.spread_missing(run, sums);
     run.ask()?;
     if !run.is_fresh {

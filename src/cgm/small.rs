@@ -14,8 +14,9 @@ impl<const N: usize> Small<N> {
         for pivot in (0..N).filter(|&pivot| active[pivot]) {
             for row in (0..N).filter(|&row| is_below(row, pivot)) {
                 let part = rows[row][pivot] / rows[pivot][pivot];
-                for column in pivot..N {
-                    rows[row][column] -= part * rows[pivot][column];
+                let above = rows[pivot];
+                for (value, above) in rows[row].iter_mut().zip(above).skip(pivot) {
+                    *value -= part * above;
                 }
                 x[row] -= part * x[pivot];
             }

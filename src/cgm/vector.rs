@@ -79,7 +79,7 @@ pub(crate) fn within<'a, const N: usize>(
 pub(crate) fn chunks<V: DerefMut<Target = [f64]>, const N: usize>(
     vector: &mut [V; N],
 ) -> [Blocks<'_, f64>; N] {
-    vector.each_mut().map(|part| blocks(&mut **part))
+    vector.each_mut().map(|part| blocks(part))
 }
 
 /// Replaces every cell by `f(cell, its components)`.

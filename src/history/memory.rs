@@ -1,7 +1,7 @@
 //! What the cells in and around the contact remember of their slip.
 
 use crate::error::Result;
-use crate::field::clone_in_place;
+use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::history::state::State;
@@ -53,7 +53,7 @@ impl Memory {
         let grid = bodies.grid();
         let window = self.window.union(contact.widened(grid));
         let mut increment = Increment::new(bodies, state.axes, Pressed::new(window))?;
-        increment.set_traction(state.traction.each_ref().map(|field| field.as_slice()));
+        increment.set_traction(state.traction.each_ref().map(Field::as_slice));
         let mut wide = Self::first(grid, state.axes, window, state.motion);
         wide.displacement = increment.fresh_displacement();
         let mut whole = vec![0.0; grid.cells()];

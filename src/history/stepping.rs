@@ -198,13 +198,13 @@ impl History {
             }
         };
         let Self { state, step, .. } = self;
-        if load.normal_control() != NormalControl::Hold {
+        if load.normal_control() == NormalControl::Hold {
+            step.normal_report.clone_from(&Report::unsolved());
+        } else {
             std::mem::swap(&mut state.normal, &mut self.candidate);
             state.is_pressure_stale = false;
             state.press_window = self.press.window();
             step.normal_report.clone_from(state.normal.report());
-        } else {
-            step.normal_report.clone_from(&Report::unsolved());
         }
         step.is_pressure_stale = state.is_pressure_stale;
         step.normal_force = state.normal.force();

@@ -87,24 +87,21 @@ pub(crate) fn displacement(
     traction: [&Field; 2],
 ) -> Result<[Field; 2]> {
     let mut displacement = [Field::zeros(bodies.grid()), Field::zeros(bodies.grid())];
-    match axes {
-        [axis] => {
-            let (direction, axis) = (axis.direction(), axis.index());
-            let operator = bodies.operator(Component::of(direction, direction))?;
-            operator.apply(
-                [traction[axis].as_slice()],
-                [displacement[axis].as_mut_slice()],
-                &mut operator.workspace(),
-            );
-        }
-        _ => {
-            let operator = bodies.tensor_operator([Direction::X, Direction::Y])?;
-            operator.apply(
-                traction.map(Field::as_slice),
-                displacement.each_mut().map(Field::as_mut_slice),
-                &mut operator.workspace(),
-            );
-        }
+    if let [axis] = axes {
+        let (direction, axis) = (axis.direction(), axis.index());
+        let operator = bodies.operator(Component::of(direction, direction))?;
+        operator.apply(
+            [traction[axis].as_slice()],
+            [displacement[axis].as_mut_slice()],
+            &mut operator.workspace(),
+        );
+    } else {
+        let operator = bodies.tensor_operator([Direction::X, Direction::Y])?;
+        operator.apply(
+            traction.map(Field::as_slice),
+            displacement.each_mut().map(Field::as_mut_slice),
+            &mut operator.workspace(),
+        );
     }
     Ok(displacement)
 }
@@ -144,7 +141,7 @@ where
 }
 
 /// The components along these axes, to write to.
-fn of_mut<'a, const N: usize>(axes: [Axis; N], both: &'a mut PlaneVector) -> [&'a mut [f64]; N] {
+fn of_mut<const N: usize>(axes: [Axis; N], both: &mut PlaneVector) -> [&mut [f64]; N] {
     let mut parts = both.each_mut().map(Some);
     // Each axis occurs once.
     axes.map(|axis| parts[axis.index()].take().map_or(&mut [][..], |part| part))

@@ -24,7 +24,7 @@ impl<const N: usize> FrictionScene<'_, N> {
     }
 }
 
-impl<'a, const N: usize> Scene<N> for FrictionScene<'a, N>
+impl<const N: usize> Scene<N> for FrictionScene<'_, N>
 where
     Within: Ball<N>,
 {

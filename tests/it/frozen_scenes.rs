@@ -1,8 +1,9 @@
 //! What a rebuilt core must not change: costs and answers of small scenes, as `tests/data/frozen_scenes.csv` holds them.
 //!
-//! `FREEZE=write cargo test --test frozen_scenes` writes that file anew; without the variable the test recomputes and
+//! `FREEZE=write cargo test --test it frozen_scenes` writes that file anew; without the variable the test recomputes and
 //! compares. In scenes tagged `exact`, counts must be equal and numbers equal to 1e-13 of their scale. In scenes tagged
-//! `solver`, counts of iterations and products are not compared, and numbers to 1e-9 of their scale.
+//! `rounded`, the order of sums has changed since the file was written: counts must agree to a few, numbers to 1e-9 of
+//! their scale. In scenes tagged `solver` counts are not compared, and numbers agree to 1e-9 of their scale.
 //!
 //! The iterations enlarge rounding: where gaps change in their last bits, numbers of 18 of the 29 scenes change by more
 //! than 1e-13 (up to 2e-9, where solves have a tolerance of 1e-8), and counts of a few solves by one to five. So `exact`
@@ -26,27 +27,47 @@ use stickslip::{
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Agreement {
     Exact,
+    Rounded,
     Solver,
 }
-use Agreement::{Exact, Solver};
+use Agreement::{Exact, Rounded, Solver};
 
 impl Agreement {
     fn tolerance(self) -> f64 {
         match self {
             Exact => 1e-13,
-            Solver => 1e-9,
+            Rounded | Solver => 1e-9,
         }
     }
 
     fn name(self) -> &'static str {
         match self {
             Exact => "exact",
+            Rounded => "rounded",
             Solver => "solver",
         }
     }
 }
 
-const SCENES: &[(&str, Agreement, fn(&mut Record))] = &[
+/// By how much rounding moves counts of iterations and products: measured up to 6.
+const ROUNDED_COUNTS: i64 = 8;
+
+/// Transforms choose their code by the vector units of the processor: with others than those of the one that wrote the
+/// file, all scenes are rounded otherwise.
+fn has_the_same_transforms() -> bool {
+    #[cfg(target_arch = "x86_64")]
+    {
+        std::arch::is_x86_feature_detected!("avx") && std::arch::is_x86_feature_detected!("fma")
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    {
+        false
+    }
+}
+
+type Scene = (&'static str, Agreement, fn(&mut Record));
+
+const SCENES: &[Scene] = &[
     ("sphere_by_force", Exact, sphere_by_force),
     ("sphere_by_approach", Exact, sphere_by_approach),
     ("rough_tenth_in_contact", Exact, rough_tenth_in_contact),
@@ -56,23 +77,23 @@ const SCENES: &[(&str, Agreement, fn(&mut Record))] = &[
     ("oblong_odd_grid", Exact, oblong_odd_grid),
     ("warm_normal_loads", Exact, warm_normal_loads),
     ("contact_leaves_window", Exact, contact_leaves_window),
-    ("large_nested", Exact, large_nested),
+    ("large_nested", Rounded, large_nested),
     ("shear_x_by_force", Exact, shear_x_by_force),
     ("shear_y_by_shift", Exact, shear_y_by_shift),
     ("friction_per_cell_capped", Exact, friction_per_cell_capped),
     ("gross_sliding", Exact, gross_sliding),
     ("shear_polonsky_keer", Exact, shear_polonsky_keer),
-    ("warm_shear", Exact, warm_shear),
-    ("plane_oblique_force", Exact, plane_oblique_force),
-    ("plane_oblique_shift", Exact, plane_oblique_shift),
-    ("plane_near_sliding", Exact, plane_near_sliding),
-    ("plane_periodic", Exact, plane_periodic),
-    ("plane_prescribed", Exact, plane_prescribed),
-    ("plane_warm", Exact, plane_warm),
+    ("warm_shear", Rounded, warm_shear),
+    ("plane_oblique_force", Rounded, plane_oblique_force),
+    ("plane_oblique_shift", Rounded, plane_oblique_shift),
+    ("plane_near_sliding", Rounded, plane_near_sliding),
+    ("plane_periodic", Rounded, plane_periodic),
+    ("plane_prescribed", Rounded, plane_prescribed),
+    ("plane_warm", Rounded, plane_warm),
     ("history_wear", Exact, history_wear),
-    ("history_plane_growth", Exact, history_plane_growth),
-    ("history_shifts_holds", Exact, history_shifts_holds),
-    ("history_restored", Exact, history_restored),
+    ("history_plane_growth", Rounded, history_plane_growth),
+    ("history_shifts_holds", Rounded, history_shifts_holds),
+    ("history_restored", Rounded, history_restored),
     ("springs_scalar", Solver, springs_scalar),
     ("springs_plane", Solver, springs_plane),
     #[cfg(feature = "dense")]
@@ -932,6 +953,10 @@ fn scenes_are_as_they_were() {
         std::fs::read_to_string(file).unwrap()
     };
     for &(scene, agreement, run) in SCENES {
+        let agreement = match agreement {
+            Exact if !has_the_same_transforms() => Rounded,
+            other => other,
+        };
         let record = Record::of(run, agreement);
         writeln!(hashes, "{scene} {:016x}", record.hash).unwrap();
         let prefix = format!("{scene},");
@@ -954,10 +979,9 @@ fn scenes_are_as_they_were() {
     }
     std::fs::write(concat!(env!("CARGO_TARGET_TMPDIR"), "/frozen_bits"), hashes).unwrap();
     if is_writing {
-        assert!(
-            cfg!(feature = "dense"),
-            "without its feature a scene is left out"
-        );
+        #[cfg(not(feature = "dense"))]
+        panic!("without its feature a scene is left out");
+        #[cfg(feature = "dense")]
         std::fs::write(file, text).unwrap();
     }
     assert!(
@@ -977,6 +1001,17 @@ fn agrees(line: &str, [quantity, value, scale]: [&String; 3], agreement: Agreeme
     old_quantity == quantity
         && match scale.as_str() {
             COSTS if agreement == Solver => true,
+            COSTS if agreement == Rounded => {
+                let counts = |word: &str| -> Vec<i64> {
+                    word.split(' ')
+                        .map(|count| count.parse().unwrap())
+                        .collect()
+                };
+                let pairs = counts(value).into_iter().zip(counts(old_value));
+                pairs
+                    .into_iter()
+                    .all(|(new, old)| (new - old).abs() <= ROUNDED_COUNTS)
+            }
             CELLS | COSTS | "" => old_value == value,
             _ => {
                 (number(value) - number(old_value)).abs()
