@@ -44,6 +44,26 @@ pub(crate) mod numbers {
     }
 }
 
+/// An array of any length, `#[serde(with = "crate::serial::array")]`.
+pub(crate) mod array {
+    use super::{Deserializer, Error, Serializer, numbers};
+
+    pub(crate) fn serialize<S: Serializer, const N: usize>(
+        values: &[f64; N],
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        numbers::serialize(values, serializer)
+    }
+
+    pub(crate) fn deserialize<'de, D: Deserializer<'de>, const N: usize>(
+        deserializer: D,
+    ) -> Result<[f64; N], D::Error> {
+        let values = numbers::deserialize(deserializer)?;
+        let found = values.len();
+        <[f64; N]>::try_from(values).map_err(|_| D::Error::invalid_length(found, &"another length"))
+    }
+}
+
 /// The value read, if it passes the check.
 pub(crate) fn checked<T, E: Error>(
     read: T,

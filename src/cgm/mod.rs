@@ -6,7 +6,7 @@
 //! \quad\text{optionally}\quad \textstyle\sum_i x_i = S .
 //! ```
 //!
-//! Each cell `i` has `N` unknowns. `C` is an [`Operator`], symmetric and positive definite; `K_i` is the set that a
+//! Each cell `i` has `N` unknowns. `C` is an [`Operator`](crate::Operator), symmetric and positive definite; `K_i` is the set that a
 //! [`Constraint`] gives the cell, an [`Interval`] for one unknown or a [`Disc`] for two. A [`Total`] prescribes the sum of
 //! a component, or ties it to a spring; its multiplier is returned. For a normal contact `x` is the pressure, `b` the gap,
 //! `S` the load over the cell area and the multiplier the approach; for a tangential one `x` is the traction within its

@@ -21,7 +21,7 @@
 //! drops its traction. If the pressure alone changes, tractions are found anew under the
 //! same force or the same shift, never cut.
 //!
-//! Prescribed is the force, the shift, or the far end of a spring ([`TangentialControl`]). A force that friction no longer
+//! Prescribed is the force, the shift, or the far end of a spring ([`TangentialControl`](crate::TangentialControl)). A force that friction no longer
 //! holds is [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity); one at the limit slides the contact, with
 //! the least shift that makes all of it slip.
 //!

@@ -86,7 +86,7 @@ impl History {
     /// cells, in contact or not: computed when asked for, by the operators that the bodies then keep.
     ///
     /// # Errors
-    /// As [`HalfSpace::operator`].
+    /// As [`HalfSpace::operator`](crate::HalfSpace::operator).
     pub fn displacement(&self) -> Result<[Field; 2]> {
         tangential::displacement(&self.bodies, self.state.axes, self.traction())
     }

@@ -49,6 +49,9 @@ impl Agreement {
     }
 }
 
+/// Without its feature a scene is left out, and the file is not written.
+const HAS_ALL_SCENES: bool = cfg!(feature = "dense");
+
 /// By how much rounding moves counts of iterations and products: measured up to 6.
 const ROUNDED_COUNTS: i64 = 8;
 
@@ -978,10 +981,7 @@ fn scenes_are_as_they_were() {
         }
     }
     std::fs::write(concat!(env!("CARGO_TARGET_TMPDIR"), "/frozen_bits"), hashes).unwrap();
-    if is_writing {
-        #[cfg(not(feature = "dense"))]
-        panic!("without its feature a scene is left out");
-        #[cfg(feature = "dense")]
+    if is_writing && HAS_ALL_SCENES {
         std::fs::write(file, text).unwrap();
     }
     assert!(
