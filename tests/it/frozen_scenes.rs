@@ -1,9 +1,9 @@
 //! What a rebuilt core must not change: costs and answers of small scenes, as `tests/data/frozen_scenes.csv` holds them.
 //!
 //! `FREEZE=write cargo test --test it frozen_scenes` writes that file anew; without the variable the test recomputes and
-//! compares. In scenes tagged `exact`, counts must be equal and numbers equal to 1e-13 of their scale. In scenes tagged
-//! `rounded`, the order of sums has changed since the file was written: counts must agree to a few, numbers to 1e-9 of
-//! their scale. In scenes tagged `solver` counts are not compared, and numbers agree to 1e-9 of their scale.
+//! compares. In scenes that are `Exact`, counts must be equal and numbers equal to 1e-13 of their scale. In those that are
+//! `Rounded`, the order of sums has changed since the file was written: counts must agree to a few, numbers to 1e-9 of
+//! their scale. In those of the `Solver` counts are not compared, and numbers agree to 1e-9 of their scale.
 //!
 //! The iterations enlarge rounding: where gaps change in their last bits, numbers of 18 of the 29 scenes change by more
 //! than 1e-13 (up to 2e-9, where solves have a tolerance of 1e-8), and counts of a few solves by one to five. So `exact`
@@ -37,14 +37,6 @@ impl Agreement {
         match self {
             Exact => 1e-13,
             Rounded | Solver => 1e-9,
-        }
-    }
-
-    fn name(self) -> &'static str {
-        match self {
-            Exact => "exact",
-            Rounded => "rounded",
-            Solver => "solver",
         }
     }
 }
@@ -126,11 +118,10 @@ struct Record {
 }
 
 impl Record {
-    fn of(scene: fn(&mut Self), agreement: Agreement) -> Self {
+    fn of(scene: fn(&mut Self)) -> Self {
         let (hash, solve) = (0xcbf2_9ce4_8422_2325, String::new());
         let rows = Vec::new();
         let mut record = Self { rows, hash, solve };
-        record.row("agreement", agreement.name().to_owned(), "");
         scene(&mut record);
         record
     }
@@ -960,7 +951,7 @@ fn scenes_are_as_they_were() {
             Exact if !has_the_same_transforms() => Rounded,
             other => other,
         };
-        let record = Record::of(run, agreement);
+        let record = Record::of(run);
         writeln!(hashes, "{scene} {:016x}", record.hash).unwrap();
         let prefix = format!("{scene},");
         let mut lines = frozen.lines().filter_map(|line| line.strip_prefix(&prefix));
