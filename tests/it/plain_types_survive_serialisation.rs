@@ -371,7 +371,11 @@ fn answers_that_contradict_themselves_are_refused() {
         json!("NaN"),
     );
     is(length, "slip length at index 2 is NaN");
-    let grid = spoilt(history.last_step(), "/dissipated_energy/grid/dy", json!(1.0));
+    let grid = spoilt(
+        history.last_step(),
+        "/dissipated_energy/grid/dy",
+        json!(1.0),
+    );
     is(
         grid,
         "dissipated energy lives on [24, 20] cells of sides [0.5, 1.0], expected [24, 20]",
