@@ -9,8 +9,7 @@
 //! ```
 //!
 //! the stiffness of the operator along the circle and $`|g|/m`$ more, because turning the traction turns the tangent
-//! too. Without the second term iterations of clipped gradients stall (Zhao, Vollebregt & Oosterlee, J. Comput. Phys.
-//! 284 (2015), the same remark for rolling contact).
+//! too. Without the second term iterations of clipped gradients stall (Zhao, Vollebregt & Oosterlee 2015).
 
 use crate::cgm::interval::EDGE;
 use crate::cgm::motion::{Linearised, Reach};
