@@ -12,12 +12,12 @@
 //! too. Without the second term iterations of clipped gradients stall (Zhao, Vollebregt & Oosterlee 2015).
 
 use crate::cgm::interval::EDGE;
-use crate::cgm::motion::{Linearised, Reach};
+use crate::cgm::motion::{Linearised, Motion, Reach};
 use crate::cgm::run::Run;
 use crate::cgm::small::Small;
-use crate::cgm::turn::{SINGLE, Turn, Weight};
+use crate::cgm::turn::{SINGLE, Turn};
 use crate::cgm::vector::{at, dot, norm, plus, slices, update_cells};
-use crate::cgm::{Admissible, Constraint, newton, reduce};
+use crate::cgm::{Admissible, Constraint, reduce};
 use crate::error::{Error, Result, non_negative};
 use crate::operator::Operator;
 use crate::report::Status;
@@ -113,16 +113,18 @@ impl Linearised<2> for Disc {
         plus(q, 1.0, d)
     }
 
+    #[inline]
     fn motion(self, q: [f64; 2]) -> Turn {
         if self.radius <= 0.0 {
             Turn::Fixed
         } else if self.is_at_limit(q) {
-            Turn::along(q, 0.0, Weight::PATTERN)
+            Turn::along(q, 0.0)
         } else {
             Turn::Free
         }
     }
 
+    #[inline]
     fn measured(self, mut motion: Turn, g: [f64; 2]) -> Turn {
         if let Turn::Along {
             tangent, stiffness, ..
@@ -134,6 +136,7 @@ impl Linearised<2> for Disc {
         motion
     }
 
+    #[inline]
     fn next(
         self,
         was: Turn,
@@ -150,16 +153,14 @@ impl Linearised<2> for Disc {
             // slip is measured, a total that is spread in the meantime would turn it right round.
             Turn::Free => {
                 let excess = SINGLE * lower_bound * (1.0 - self.radius / size);
-                let slips = Turn::along(q, 0.0, Weight::PATTERN);
-                (
-                    self.measured(slips, q.map(|q| -excess * q)),
-                    self.rim_along(q),
-                )
+                let held = self.measured(Turn::along(q, 0.0), q.map(|q| -excess * q));
+                (held.weighed(lower_bound), self.rim_along(q))
             }
             Turn::Along { .. } if dot(g, q) > noise * size => (Turn::Free, self.project(q)),
-            Turn::Along {
-                stiffness, weight, ..
-            } => (Turn::along(q, stiffness, weight), self.rim_along(q)),
+            Turn::Along { stiffness, .. } => {
+                let turned = Turn::along(q, stiffness).weighed(lower_bound);
+                (turned, self.rim_along(q))
+            }
         }
     }
 
@@ -218,7 +219,7 @@ impl Linearised<2> for Disc {
     fn single_loop<C: Operator<2>, K: Constraint<2, Set = Self>, P: Operator<2>>(
         run: &mut Run<'_, '_, C, K, P, 2>,
     ) -> Option<Status> {
-        newton::iterate(run)
+        run.newton()
     }
 }
 

@@ -9,82 +9,16 @@ use crate::cgm::totals::TotalsSystem;
 use crate::cgm::vector::{
     at, chunks, dot, held, minus, norm, plus, put, slices, slices_mut, within,
 };
-use crate::cgm::{Constraint, MotionOf, Workspace};
+use crate::cgm::{Constraint, MotionOf};
 use crate::operator::Operator;
 use crate::report::Status;
 
 /// Steps before the sets are looked at again.
 const INNER_LIMIT: usize = 60;
 
-/// From the residual `delta - (C x + b)`, with approximate products: what they miss the next outer step sees.
-///
-/// The multipliers of sums are eliminated: each preconditioned residual carries the change that keeps the sums, at
-/// once. Those of springs are unknowns that move along the direction, as far as it goes.
-pub(super) fn solve<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
-    run: &mut Run<'_, '_, C, K, P, N>,
-    totals: &TotalsSystem<N>,
-    reduction: f64,
-) -> ControlFlow<Status> {
-    let first = advance(run, totals, None);
-    let (mut products, mut last_products) = (first.products, [0.0; N]);
-    let (mut previous, mut turning) = (0.0, [0.0; N]);
-    for step in 0..INNER_LIMIT {
-        precondition(run);
-        let Correction {
-            change,
-            product,
-            overlap,
-        } = correct(run, totals, products, last_products);
-        let at_once = only(totals.has_sum(), change);
-        add_to_multiplier(run, at_once);
-        if product.is_nan() || product <= 0.0 {
-            break;
-        }
-        // Polak-Ribiere forgives the noise of single precision.
-        let conjugation = (step > 0).then(|| ((product - overlap) / previous).max(0.0));
-        previous = product;
-        let along = turn(run, change, at_once, conjugation);
-        turning = plus(
-            only(totals.has_spring(), change),
-            conjugation.unwrap_or(0.0),
-            turning,
-        );
-
-        run.proceed()?;
-        run.apply_f32_to_direction();
-        run.count_step();
-        let (curvature, square) = curvature(run);
-        let curvature = curvature + totals.curvature(turning);
-        let (length, is_last) = match run.slide(curvature, square) {
-            Some(flattest) => (along / flattest, true),
-            None => (along / curvature, step + 1 == INNER_LIMIT),
-        };
-        if !(length.is_finite() && (is_last || curvature > 0.0)) {
-            break;
-        }
-        let moved = turning.map(|change| length * change);
-        add_to_multiplier(run, moved);
-        let change = plus(at_once, 1.0, moved);
-        let residual = advance(run, totals, Some(&Move { length, change }));
-        (last_products, products) = (products, residual.products);
-        if is_last || residual.square <= reduction * reduction * first.square {
-            add_to_multiplier(run, residual.change);
-            break;
-        }
-    }
-    ControlFlow::Continue(())
-}
-
 /// The components of a kind, zero elsewhere.
 fn only<const N: usize>(kind: [bool; N], values: [f64; N]) -> [f64; N] {
     std::array::from_fn(|c| if kind[c] { values[c] } else { 0.0 })
-}
-
-fn add_to_multiplier<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
-    run: &mut Run<'_, '_, C, K, P, N>,
-    change: [f64; N],
-) {
-    run.workspace.multiplier = plus(run.workspace.multiplier, 1.0, change);
 }
 
 /// A step along the direction, at multipliers changed since the last residual.
@@ -103,88 +37,6 @@ struct Residual<const N: usize> {
     products: [f64; N],
 }
 
-/// Takes the step, if one is given, and the residual there: compressed, and weighted in `direction` to be
-/// preconditioned. The stiffness of curved bounds is part of the residual, not of the gradient.
-fn advance<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
-    run: &mut Run<'_, '_, C, K, P, N>,
-    totals: &TotalsSystem<N>,
-    step: Option<&Move<N>>,
-) -> Residual<N> {
-    let Workspace {
-        inner,
-        motions,
-        moving,
-        gradient,
-        direction,
-        image,
-        spread,
-        multiplier,
-        ..
-    } = &mut *run.workspace;
-    std::mem::swap(&mut inner.residual, &mut inner.last_residual);
-    run.is_fresh &= step.is_none();
-    let (image, multiplier) = (slices(image), *multiplier);
-    let (directions, last, spread) = (&*inner.direction, &*inner.last_residual, &*spread);
-    let data = (
-        (chunks(&mut run.x), chunks(gradient)),
-        (chunks(direction), moving.compressed(&mut inner.residual)),
-    );
-    let (sum, square, products) = moving.sweep(
-        data,
-        |entries, ((mut x, mut gradient), (mut full, residual))| {
-            let images = within(&image, &entries.chunk);
-            let directions = &directions[entries.range.clone()];
-            if let Some(&Move { length, .. }) = step {
-                for (gradient, images) in gradient.iter_mut().zip(images) {
-                    for (g, u) in gradient.items.iter_mut().zip(images) {
-                        *g += length * u;
-                    }
-                }
-                for (place, d) in entries.places().zip(directions) {
-                    let moved = plus(held(&x, place), length, *d);
-                    put(&mut x, place, moved);
-                }
-            }
-            let motions = &motions[entries.chunk.clone()];
-            let (spread, last) = (&spread[entries.range.clone()], &last[entries.range.clone()]);
-            entries.sums(|k, place| {
-                let motion = motion_at::<K, N>(motions, place);
-                let r = match step {
-                    // The residual of a curved bound is not the gradient's: it is followed from step to step.
-                    Some(&Move { length, change }) if MotionOf::<K, N>::IS_CURVED => {
-                        let moved = motion.project(plus(change, -length, at(&images, place)));
-                        let bend = length * motion.stiffness();
-                        std::array::from_fn(|c| last[k][c] + moved[c] - bend * directions[k][c])
-                    }
-                    _ => motion.project(minus(multiplier, held(&gradient, place))),
-                };
-                residual.items[k] = r;
-                put(&mut full, place, motion.weighted(r));
-                (r, dot(r, r), spread[k].map(|w| dot(w, r)))
-            })
-        },
-    );
-    let change = totals.without_mean(products);
-    Residual {
-        change,
-        products,
-        square: square + 2.0 * dot(change, sum) + totals.square(change),
-    }
-}
-
-/// How a cell that moves may move.
-#[inline]
-fn motion_at<K: Constraint<N>, const N: usize>(
-    motions: &[MotionOf<K, N>],
-    place: usize,
-) -> MotionOf<K, N> {
-    if MotionOf::<K, N>::IS_CURVED {
-        motions[place]
-    } else {
-        Motion::FREE
-    }
-}
-
 /// The preconditioned residual `z = M r + change w`, of which `M r` is kept.
 struct Correction<const N: usize> {
     /// The change of the multipliers that keeps the totals.
@@ -195,121 +47,221 @@ struct Correction<const N: usize> {
     overlap: f64,
 }
 
-/// Gathers `M r` from `image`, with the `w_a' r` and `w_a' r_last`.
-fn correct<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
-    run: &mut Run<'_, '_, C, K, P, N>,
-    totals: &TotalsSystem<N>,
-    products: [f64; N],
-    last_products: [f64; N],
-) -> Correction<N> {
-    let Workspace {
-        inner,
-        motions,
-        moving,
-        image,
-        ..
-    } = &mut *run.workspace;
-    let image = slices(image);
-    let (residual, last) = (&*inner.residual, &*inner.last_residual);
-    let data = moving.compressed(&mut inner.correction);
-    let (sum, product, overlap): ([f64; N], f64, f64) =
-        moving.sweep(data, |entries, correction| {
-            let image = within(&image, &entries.chunk);
-            let motions = &motions[entries.chunk.clone()];
-            let (residual, last) = (
-                &residual[entries.range.clone()],
-                &last[entries.range.clone()],
-            );
-            entries.sums(|k, place| {
-                let motion = motion_at::<K, N>(motions, place);
-                let z = motion.preconditioned(at(&image, place), residual[k]);
-                correction.items[k] = z;
-                (z, dot(z, residual[k]), dot(z, last[k]))
-            })
-        });
-    let change = totals.balance(sum);
-    Correction {
-        change,
-        // Without a sum, z makes nothing of the change of a sum's multiplier.
-        product: product + dot(change, products),
-        overlap: overlap + dot(change, last_products),
+impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '_, C, K, P, N> {
+    /// From the residual `delta - (C x + b)`, with approximate products: what they miss the next outer step sees.
+    ///
+    /// The multipliers of sums are eliminated: each preconditioned residual carries the change that keeps the sums,
+    /// at once. Those of springs are unknowns that move along the direction, as far as it goes.
+    pub(super) fn solve_linear(
+        &mut self,
+        totals: &TotalsSystem<N>,
+        reduction: f64,
+    ) -> ControlFlow<Status> {
+        let first = self.step_and_residual(totals, None);
+        let (mut products, mut last_products) = (first.products, [0.0; N]);
+        let (mut previous, mut turning) = (0.0, [0.0; N]);
+        for step in 0..INNER_LIMIT {
+            self.precondition();
+            let Correction {
+                change,
+                product,
+                overlap,
+            } = self.correct(totals, products, last_products);
+            let at_once = only(totals.has_sum(), change);
+            self.add_to_multiplier(at_once);
+            if product.is_nan() || product <= 0.0 {
+                break;
+            }
+            // Polak-Ribiere forgives the noise of single precision.
+            let conjugation = (step > 0).then(|| ((product - overlap) / previous).max(0.0));
+            previous = product;
+            let along = self.turn(change, at_once, conjugation);
+            let with_springs = only(totals.has_spring(), change);
+            turning = plus(with_springs, conjugation.unwrap_or(0.0), turning);
+
+            self.proceed()?;
+            self.apply_f32_to_direction();
+            self.count_step();
+            let (curvature, square) = self.curvature();
+            let curvature = curvature + totals.curvature(turning);
+            let (length, is_last) = match self.slide(curvature, square) {
+                Some(flattest) => (along / flattest, true),
+                None => (along / curvature, step + 1 == INNER_LIMIT),
+            };
+            if !(length.is_finite() && (is_last || curvature > 0.0)) {
+                break;
+            }
+            let moved = turning.map(|change| length * change);
+            self.add_to_multiplier(moved);
+            let change = plus(at_once, 1.0, moved);
+            let residual = self.step_and_residual(totals, Some(&Move { length, change }));
+            (last_products, products) = (products, residual.products);
+            if is_last || residual.square <= reduction * reduction * first.square {
+                self.add_to_multiplier(residual.change);
+                break;
+            }
+        }
+        ControlFlow::Continue(())
     }
-}
 
-/// The next direction `d = z + conjugation d`, compressed and full; returns `d' (r + at_once)`.
-fn turn<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
-    run: &mut Run<'_, '_, C, K, P, N>,
-    change: [f64; N],
-    at_once: [f64; N],
-    conjugation: Option<f64>,
-) -> f64 {
-    let Workspace {
-        inner,
-        moving,
-        direction,
-        spread,
-        ..
-    } = &mut *run.workspace;
-    let (residual, correction, spread) = (&*inner.residual, &*inner.correction, &*spread);
-    let has_change = norm(change) != 0.0;
-    let data = (chunks(direction), moving.compressed(&mut inner.direction));
-    moving.sweep(data, |entries, (mut full, compressed)| {
-        let residual = &residual[entries.range.clone()];
-        let correction = &correction[entries.range.clone()];
-        let spread = &spread[entries.range.clone()];
-        entries.sums(|k, place| {
-            let mut d = correction[k];
-            if has_change {
-                for (change, w) in change.iter().zip(spread[k]) {
-                    d = plus(d, *change, w);
+    fn add_to_multiplier(&mut self, change: [f64; N]) {
+        self.workspace.multiplier = plus(self.workspace.multiplier, 1.0, change);
+    }
+
+    /// Takes the step, if one is given, and the residual there: compressed, and weighted in `direction` to be
+    /// preconditioned. The stiffness of curved bounds is part of the residual, not of the gradient.
+    fn step_and_residual(
+        &mut self,
+        totals: &TotalsSystem<N>,
+        step: Option<&Move<N>>,
+    ) -> Residual<N> {
+        self.is_fresh &= step.is_none();
+        let w = &mut *self.workspace;
+        std::mem::swap(&mut w.inner.residual, &mut w.inner.last_residual);
+        let (image, multiplier) = (slices(&w.image), w.multiplier);
+        let (directions, last, spread) = (&w.inner.direction, &w.inner.last_residual, &w.spread);
+        let motions = &w.motions;
+        let data = (
+            (chunks(&mut self.x), chunks(&mut w.gradient)),
+            (
+                chunks(&mut w.direction),
+                w.moving.compressed(&mut w.inner.residual),
+            ),
+        );
+        let (sum, square, products) = w.moving.sweep(
+            data,
+            |entries, ((mut x, mut gradient), (mut full, residual))| {
+                let images = within(&image, &entries.chunk);
+                if let (Some(step), false) = (step, MotionOf::<K, N>::IS_STEADY) {
+                    // The gradient of the other cells tells which of them will move.
+                    for (gradient, images) in gradient.iter_mut().zip(images) {
+                        for (g, u) in gradient.items.iter_mut().zip(images) {
+                            *g += step.length * u;
+                        }
+                    }
                 }
-            }
-            if let Some(conjugation) = conjugation {
-                d = plus(d, conjugation, compressed.items[k]);
-            }
-            compressed.items[k] = d;
-            put(&mut full, place, d);
-            dot(d, plus(residual[k], 1.0, at_once))
-        })
-    })
-}
+                let directions = &directions[entries.range.clone()];
+                let (spread, last) = (&spread[entries.range.clone()], &last[entries.range.clone()]);
+                entries.sums(|k, place| {
+                    let (motion, u) = (entries.motion(motions, k, place), at(&images, place));
+                    if let Some(&Move { length, .. }) = step {
+                        let moved = plus(held(&x, place), length, directions[k]);
+                        put(&mut x, place, moved);
+                        if MotionOf::<K, N>::IS_STEADY {
+                            let g = plus(held(&gradient, place), length, u);
+                            put(&mut gradient, place, g);
+                        }
+                    }
+                    let r = match step {
+                        // The residual of a curved bound is not the gradient's: it is followed from step to step.
+                        Some(&Move { length, change }) if MotionOf::<K, N>::IS_CURVED => {
+                            let moved = motion.project(plus(change, -length, u));
+                            let bend = length * motion.stiffness();
+                            std::array::from_fn(|c| last[k][c] + moved[c] - bend * directions[k][c])
+                        }
+                        _ => motion.project(minus(multiplier, held(&gradient, place))),
+                    };
+                    residual.items[k] = r;
+                    put(&mut full, place, motion.weighted(r));
+                    (r, dot(r, r), spread[k].map(|w| dot(w, r)))
+                })
+            },
+        );
+        let change = totals.without_mean(products);
+        Residual {
+            change,
+            products,
+            square: square + 2.0 * dot(change, sum) + totals.square(change),
+        }
+    }
 
-/// `d' (C + K) d`, of the product in `image` and the stiffness `K` of curved bounds, and `d' d`.
-fn curvature<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
-    run: &Run<'_, '_, C, K, P, N>,
-) -> (f64, f64) {
-    let Workspace {
-        inner,
-        motions,
-        moving,
-        image,
-        ..
-    } = &*run.workspace;
-    let image = slices(image);
-    moving.sweep((), |entries, ()| {
-        let motions = &motions[entries.chunk.clone()];
-        let directions = &inner.direction[entries.range.clone()];
-        let image = within(&image, &entries.chunk);
-        entries.sums(|k, place| {
-            let d = directions[k];
-            let square = dot(d, d);
-            let stiffness = motion_at::<K, N>(motions, place).stiffness();
-            (dot(d, at(&image, place)) + stiffness * square, square)
-        })
-    })
-}
+    /// `image = M direction`.
+    pub(super) fn precondition(&mut self) {
+        let w = &mut *self.workspace;
+        let (direction, image) = (slices(&w.direction), slices_mut(&mut w.image));
+        let preconditioner = &self.problem.preconditioner;
+        preconditioner.apply_f32(direction, image, &mut w.preconditioner);
+    }
 
-/// `image = M direction`.
-pub(super) fn precondition<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
-    run: &mut Run<'_, '_, C, K, P, N>,
-) {
-    let Workspace {
-        preconditioner,
-        direction,
-        image,
-        ..
-    } = &mut *run.workspace;
-    run.problem
-        .preconditioner
-        .apply_f32(slices(direction), slices_mut(image), preconditioner);
+    /// Gathers `M r` from `image`, with the `w_a' r` and `w_a' r_last`.
+    fn correct(
+        &mut self,
+        totals: &TotalsSystem<N>,
+        products: [f64; N],
+        last_products: [f64; N],
+    ) -> Correction<N> {
+        let w = &mut *self.workspace;
+        let image = slices(&w.image);
+        let (residual, last) = (&w.inner.residual, &w.inner.last_residual);
+        let motions = &w.motions;
+        let data = w.moving.compressed(&mut w.inner.correction);
+        let (sum, product, overlap): ([f64; N], f64, f64) =
+            w.moving.sweep(data, |entries, correction| {
+                let image = within(&image, &entries.chunk);
+                let (residual, last) = (
+                    &residual[entries.range.clone()],
+                    &last[entries.range.clone()],
+                );
+                entries.sums(|k, place| {
+                    let motion = entries.motion(motions, k, place);
+                    let z = motion.preconditioned(at(&image, place), residual[k]);
+                    correction.items[k] = z;
+                    (z, dot(z, residual[k]), dot(z, last[k]))
+                })
+            });
+        let change = totals.balance(sum);
+        Correction {
+            change,
+            // Without a sum, z makes nothing of the change of a sum's multiplier.
+            product: product + dot(change, products),
+            overlap: overlap + dot(change, last_products),
+        }
+    }
+
+    /// The next direction `d = z + conjugation d`, compressed and full; returns `d' (r + at_once)`.
+    fn turn(&mut self, change: [f64; N], at_once: [f64; N], conjugation: Option<f64>) -> f64 {
+        let w = &mut *self.workspace;
+        let (residual, correction, spread) = (&w.inner.residual, &w.inner.correction, &w.spread);
+        let has_change = norm(change) != 0.0;
+        let compressed = w.moving.compressed(&mut w.inner.direction);
+        let data = (chunks(&mut w.direction), compressed);
+        w.moving.sweep(data, |entries, (mut full, compressed)| {
+            let residual = &residual[entries.range.clone()];
+            let correction = &correction[entries.range.clone()];
+            let spread = &spread[entries.range.clone()];
+            entries.sums(|k, place| {
+                let mut d = correction[k];
+                if has_change {
+                    for (change, w) in change.iter().zip(spread[k]) {
+                        d = plus(d, *change, w);
+                    }
+                }
+                if let Some(conjugation) = conjugation {
+                    d = plus(d, conjugation, compressed.items[k]);
+                }
+                compressed.items[k] = d;
+                put(&mut full, place, d);
+                dot(d, plus(residual[k], 1.0, at_once))
+            })
+        })
+    }
+
+    /// `d' (C + K) d`, of the product in `image` and the stiffness `K` of curved bounds, and `d' d`.
+    fn curvature(&self) -> (f64, f64) {
+        let w = &*self.workspace;
+        let (motions, direction, image) = (&w.motions, &w.inner.direction, slices(&w.image));
+        w.moving.sweep((), |entries, ()| {
+            let directions = &direction[entries.range.clone()];
+            let image = within(&image, &entries.chunk);
+            entries.sums(|k, place| {
+                let d = directions[k];
+                let square = dot(d, d);
+                let motion = entries.motion(motions, k, place);
+                (
+                    dot(d, at(&image, place)) + motion.stiffness() * square,
+                    square,
+                )
+            })
+        })
+    }
 }

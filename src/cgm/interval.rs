@@ -2,10 +2,10 @@
 
 use crate::cgm::motion::{Linearised, Motion, Reach};
 use crate::cgm::run::Run;
-use crate::cgm::{Admissible, Constraint, polonsky_keer, reduce};
+use crate::cgm::vector::update_cells;
+use crate::cgm::{Admissible, Constraint, reduce};
 use crate::error::{Error, Result};
 use crate::operator::Operator;
-use crate::parallel;
 use crate::report::Status;
 
 /// The numbers from `lower` to `upper`; equal bounds fix the cell.
@@ -36,6 +36,7 @@ pub enum Side {
 
 impl Motion<1> for Side {
     const IS_CURVED: bool = false;
+    const IS_STEADY: bool = false;
     const FREE: Self = Self::Free;
     const FIXED: Self = Self::Fixed;
 
@@ -238,7 +239,7 @@ impl Linearised<1> for Interval {
     fn single_loop<C: Operator, K: Constraint<1, Set = Self>, P: Operator>(
         run: &mut Run<'_, '_, C, K, P, 1>,
     ) -> Option<Status> {
-        polonsky_keer::iterate(run)
+        run.polonsky_keer()
     }
 }
 
@@ -307,11 +308,11 @@ fn shift(
         }
         shift = next;
     }
-    parallel::update(x, |first, chunk| {
-        for (i, value) in (first..).zip(chunk) {
-            if selected(i) {
-                [*value] = constraint.of(i).project([*value + shift]);
-            }
+    update_cells(&mut [&mut *x], |i, [value]| {
+        if selected(i) {
+            constraint.of(i).project([value + shift])
+        } else {
+            [value]
         }
     });
     let [sum, magnitude] = reduce::sums(x.len(), |i| [x[i], x[i].abs()]);

@@ -17,6 +17,8 @@ use crate::report::Status;
 pub trait Motion<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static {
     /// Whether a cell that can move may move in less than all directions.
     const IS_CURVED: bool;
+    /// Whether the same cells move from start to end: those whose set has more than a point.
+    const IS_STEADY: bool;
     /// In any direction.
     const FREE: Self;
     /// Not at all.

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use crate::cgm::motion::Motion;
 use crate::cgm::reduce::Tally;
 use crate::parallel::{self, Blocks, CHUNK, Ragged, Split, blocks};
 
@@ -15,6 +16,8 @@ pub(super) struct MovingCells {
     offsets: Vec<u16>,
     counts: Vec<usize>,
     starts: Vec<usize>,
+    /// Where the chunks of a full vector start, and its end.
+    firsts: Vec<usize>,
 }
 
 /// The cells that move of one chunk.
@@ -30,6 +33,33 @@ impl Entries<'_> {
     /// Their places in the chunk of a full vector.
     pub(super) fn places(&self) -> impl Iterator<Item = usize> {
         self.offsets.iter().map(|&offset| usize::from(offset))
+    }
+
+    /// Visits the cells whose motion is kept, all or those that move, with the place of the motion in its chunk and of
+    /// the cell in its.
+    pub(super) fn visit<M: Motion<N>, const N: usize>(&self, mut f: impl FnMut(usize, usize)) {
+        if M::IS_STEADY {
+            self.places().enumerate().for_each(|(k, place)| f(k, place));
+        } else {
+            (0..self.chunk.len()).for_each(|place| f(place, place));
+        }
+    }
+
+    /// How a listed cell moves: the one at place `k` of the list and `place` of the chunk.
+    #[inline]
+    pub(super) fn motion<M: Motion<N>, const N: usize>(
+        &self,
+        motions: &[M],
+        k: usize,
+        place: usize,
+    ) -> M {
+        if M::IS_STEADY {
+            motions[self.range.start + k]
+        } else if M::IS_CURVED {
+            motions[self.chunk.start + place]
+        } else {
+            M::FREE
+        }
     }
 
     /// Sums of `f(place in the compressed part, place in the chunk)`, in lanes so that additions
@@ -61,6 +91,7 @@ impl MovingCells {
             offsets: vec![0; len],
             counts: vec![0; chunks],
             starts: vec![0; chunks + 1],
+            firsts: (0..=chunks).map(|chunk| (chunk * CHUNK).min(len)).collect(),
         }
     }
 
@@ -101,6 +132,30 @@ impl MovingCells {
         Ragged {
             items: &mut items[..self.len()],
             starts: &self.starts,
+        }
+    }
+
+    /// How the cells move, as they are kept, of which each chunk owns its part.
+    pub(super) fn motions<'a, M: Motion<N>, const N: usize>(
+        &'a self,
+        motions: &'a mut [M],
+    ) -> Ragged<'a, M> {
+        if M::IS_STEADY {
+            self.compressed(motions)
+        } else {
+            Ragged {
+                items: motions,
+                starts: &self.firsts,
+            }
+        }
+    }
+
+    /// The same to read, in one piece.
+    pub(super) fn kept<'a, M: Motion<N>, const N: usize>(&self, motions: &'a [M]) -> &'a [M] {
+        if M::IS_STEADY {
+            &motions[..self.len()]
+        } else {
+            motions
         }
     }
 

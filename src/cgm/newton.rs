@@ -8,249 +8,212 @@
 
 use std::ops::ControlFlow;
 
-use crate::cgm::inner::solve;
 use crate::cgm::motion::{Linearised, Motion};
 use crate::cgm::progress::Progress;
 use crate::cgm::run::Run;
 use crate::cgm::totals::{Total, TotalsSystem};
 use crate::cgm::vector::{at, chunks, held, minus, put, slices, within};
-use crate::cgm::{Constraint, MotionOf, Workspace, reduce};
+use crate::cgm::{Constraint, MotionOf, reduce};
 use crate::operator::Operator;
-use crate::parallel::{self, Blocks, CHUNK, blocks};
+use crate::parallel;
 use crate::report::Status;
 
 /// Outer steps without progress that are a cycle; where bounds are curved, sets settle sooner.
 const CYCLE: usize = 12;
 const CYCLE_CURVED: usize = 5;
 
-/// Ends with the status of the run; `None` if the sets cycle.
-pub(super) fn iterate<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
-    run: &mut Run<'_, '_, C, K, P, N>,
-) -> Option<Status> {
-    match steps(run) {
-        ControlFlow::Break(status) => Some(status),
-        ControlFlow::Continue(()) => run.monitor.stuck(),
+impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '_, C, K, P, N> {
+    /// Ends with the status of the run; `None` if the sets cycle.
+    pub(super) fn newton(&mut self) -> Option<Status> {
+        match self.newton_steps() {
+            ControlFlow::Break(status) => Some(status),
+            ControlFlow::Continue(()) => self.monitor.stuck(),
+        }
     }
-}
 
-/// Breaks with a status; continues where the method is stuck.
-fn steps<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
-    run: &mut Run<'_, '_, C, K, P, N>,
-) -> ControlFlow<Status> {
-    let is_curved = MotionOf::<K, N>::IS_CURVED;
-    let mut progress = Progress::new(if is_curved { CYCLE_CURVED } else { CYCLE });
-    let mut totals = start(run)?;
-    loop {
-        totals.set_multiplier(run);
-        let findings = run.examine();
-        let mut merit = run.merit(&findings);
-        if merit <= run.monitor.settings.tolerance {
-            // Judge what will be returned.
-            run.make_feasible();
-            let feasible = run.examine();
-            merit = run.merit(&feasible);
-        }
-        run.judge(merit, findings.free)?;
-        if progress.is_stuck_at(merit) {
-            return ControlFlow::Continue(());
-        }
-        let reduction = progress.reduction(merit, run.monitor.settings.tolerance);
-        measure(run);
-        solve(run, &totals, reduction)?;
-        let (changes, sums) = reclassify(run, findings.displacement);
-        progress.changes = changes;
-        if is_curved || changes > 0 {
-            totals = linearise(run);
-        }
-        totals.spread_missing(run, sums);
-        run.ask()?;
-        if !run.is_fresh {
-            if progress.is_early() {
-                run.refresh_f32();
-            } else {
-                run.refresh();
+    /// Breaks with a status; continues where the method is stuck.
+    fn newton_steps(&mut self) -> ControlFlow<Status> {
+        let is_curved = MotionOf::<K, N>::IS_CURVED;
+        let mut progress = Progress::new(if is_curved { CYCLE_CURVED } else { CYCLE });
+        let mut totals = self.newton_start()?;
+        loop {
+            self.set_multiplier(&totals);
+            let findings = self.examine();
+            let mut merit = self.merit(&findings);
+            if merit <= self.monitor.settings.tolerance {
+                // Judge what will be returned.
+                self.make_feasible();
+                let feasible = self.examine();
+                merit = self.merit(&feasible);
+            }
+            self.judge(merit, findings.free)?;
+            if progress.is_stuck_at(merit) {
+                return ControlFlow::Continue(());
+            }
+            let reduction = progress.reduction(merit, self.monitor.settings.tolerance);
+            self.measure(false);
+            self.solve_linear(&totals, reduction)?;
+            let (changes, sums) = self.reclassify(findings.displacement);
+            progress.changes = changes;
+            if is_curved || changes > 0 {
+                totals = self.linearise();
+            }
+            self.spread_missing(&totals, sums);
+            self.ask()?;
+            if !self.is_fresh {
+                if progress.is_early() {
+                    self.refresh_f32();
+                } else {
+                    self.refresh();
+                }
             }
         }
     }
-}
 
-/// Brings the start within its sets and near its totals, with a first gradient.
-///
-/// Curved bounds are measured before anything is spread: tiny cells at the rim, not stiff yet, would turn right round.
-fn start<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
-    run: &mut Run<'_, '_, C, K, P, N>,
-) -> ControlFlow<Status, TotalsSystem<N>> {
-    run.mark_start();
-    if MotionOf::<K, N>::IS_CURVED {
-        run.restore_totals(Motion::moves);
-        run.ask()?;
-        run.refresh_f32();
-        list(run);
-        set_mean_multiplier(run);
-        run.hold_springs();
-        measure(run);
-        return ControlFlow::Continue(linearise(run));
+    /// Brings the start within its sets and near its totals, with a first gradient.
+    ///
+    /// Curved bounds are measured before anything is spread: tiny cells at the rim, not stiff yet, would turn right
+    /// round.
+    fn newton_start(&mut self) -> ControlFlow<Status, TotalsSystem<N>> {
+        self.mark_start();
+        if MotionOf::<K, N>::IS_CURVED {
+            self.restore_totals(false);
+            self.ask()?;
+            self.refresh_f32();
+            self.list_moving();
+            self.set_mean_multiplier();
+            self.hold_springs();
+            self.measure(true);
+            return ControlFlow::Continue(self.totals_system());
+        }
+        self.hold_springs();
+        self.list_moving();
+        let totals = self.totals_system();
+        let sums = std::array::from_fn(|c| reduce::total(self.x[c]));
+        self.spread_missing(&totals, sums);
+        self.ask()?;
+        if !self.is_fresh {
+            self.refresh_f32();
+        }
+        ControlFlow::Continue(totals)
     }
-    run.hold_springs();
-    let totals = linearise(run);
-    let sums = std::array::from_fn(|c| reduce::total(run.x[c]));
-    totals.spread_missing(run, sums);
-    run.ask()?;
-    if !run.is_fresh {
-        run.refresh_f32();
-    }
-    ControlFlow::Continue(totals)
-}
 
-/// Lists the cells that move, tells the preconditioner how stiff they are, and finds how totals spread over them.
-fn linearise<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
-    run: &mut Run<'_, '_, C, K, P, N>,
-) -> TotalsSystem<N> {
-    list(run);
-    if run.workspace.moving.len() == 0 {
-        release(run);
-        list(run);
+    /// The linear problem of the cells as they move now.
+    fn linearise(&mut self) -> TotalsSystem<N> {
+        if !MotionOf::<K, N>::IS_STEADY {
+            self.list_moving();
+        }
+        self.totals_system()
     }
-    if MotionOf::<K, N>::IS_CURVED {
-        let lower_bound = run.lower_bound;
-        parallel::update(&mut run.workspace.motions, |_, chunk| {
-            for motion in chunk {
-                *motion = motion.weighed(lower_bound);
+
+    /// Lists the cells that move; with none nothing could change, and some are released.
+    fn list_moving(&mut self) {
+        let w = &mut *self.workspace;
+        if !MotionOf::<K, N>::IS_STEADY {
+            w.moving.update(|i| w.motions[i].moves());
+            if w.moving.len() == 0 {
+                self.release();
+                let w = &mut *self.workspace;
+                w.moving.update(|i| w.motions[i].moves());
+            }
+        }
+        let w = &mut *self.workspace;
+        // The inner iteration writes these on the cells that move only; what has no total spreads nothing.
+        for part in &mut w.direction {
+            part.fill(0.0);
+        }
+        if N > 1 {
+            w.spread.fill([[0.0; N]; N]);
+        }
+    }
+
+    /// Releases the cells that are pushed, or all if a total asks for a change.
+    fn release(&mut self) {
+        let has_total = self.sums() != [None; N];
+        if !has_total && !self.is_fresh {
+            self.refresh();
+        }
+        let w = &mut *self.workspace;
+        let (gradient, multiplier) = (slices(&w.gradient), w.multiplier);
+        parallel::update(&mut w.motions, |first, chunk| {
+            for (i, motion) in (first..).zip(chunk) {
+                *motion = motion.released(minus(at(&gradient, i), multiplier), has_total);
             }
         });
     }
-    TotalsSystem::new(run)
-}
 
-fn list<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
-    run: &mut Run<'_, '_, C, K, P, N>,
-) {
-    let Workspace {
-        moving,
-        motions,
-        direction,
-        spread,
-        ..
-    } = &mut *run.workspace;
-    moving.update(|i| motions[i].moves());
-    // The inner iteration writes these on the cells that move only; what has no total spreads nothing.
-    for part in direction {
-        part.fill(0.0);
+    /// The mean of the gradient where cells are free, or of all that move if none is, for the totals; zero elsewhere.
+    fn set_mean_multiplier(&mut self) {
+        let w = &mut *self.workspace;
+        let (motions, gradient) = (&w.motions, slices(&w.gradient));
+        let means: [([f64; N], f64); 2] = w.moving.sweep((), |entries, ()| {
+            let gradient = within(&gradient, &entries.chunk);
+            entries.sums(|k, place| {
+                let (g, nothing) = ((at(&gradient, place), 1.0), ([0.0; N], 0.0));
+                if entries.motion(motions, k, place).is_free() {
+                    [g, nothing]
+                } else {
+                    [nothing, g]
+                }
+            })
+        });
+        let (sum, count) = if means[0].1 > 0.0 { means[0] } else { means[1] };
+        let totals = self.problem.totals;
+        w.multiplier = std::array::from_fn(|c| match totals[c] {
+            Total::Free => 0.0,
+            Total::Sum(_) | Total::Spring { .. } => sum[c] / count,
+        });
     }
-    if N > 1 {
-        spread.fill([[0.0; N]; N]);
-    }
-}
 
-/// With no cell to move nothing can change: releases those that are pushed, or all if a total asks for a change.
-fn release<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
-    run: &mut Run<'_, '_, C, K, P, N>,
-) {
-    let has_total = run.sums() != [None; N];
-    if !has_total && !run.is_fresh {
-        run.refresh();
-    }
-    let Workspace {
-        motions,
-        gradient,
-        multiplier,
-        ..
-    } = &mut *run.workspace;
-    let (gradient, multiplier) = (slices(gradient), *multiplier);
-    parallel::update(motions, |first, chunk| {
-        for (i, motion) in (first..).zip(chunk) {
-            *motion = motion.released(minus(at(&gradient, i), multiplier), has_total);
+    /// The stiffness of every curved bound, from the gradient just measured; known to the preconditioner only if
+    /// `weighed`.
+    fn measure(&mut self, weighed: bool) {
+        if !MotionOf::<K, N>::IS_CURVED {
+            return;
         }
-    });
-}
-
-/// The mean of the gradient where cells are free, or of all that move if none is, for the totals; zero elsewhere.
-fn set_mean_multiplier<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
-    run: &mut Run<'_, '_, C, K, P, N>,
-) {
-    let Workspace {
-        motions,
-        moving,
-        gradient,
-        ..
-    } = &*run.workspace;
-    let gradient = slices(gradient);
-    let means: [([f64; N], f64); 2] = moving.sweep((), |entries, ()| {
-        let motions = &motions[entries.chunk.clone()];
-        let gradient = within(&gradient, &entries.chunk);
-        entries.sums(|_, place| {
-            let (g, nothing) = ((at(&gradient, place), 1.0), ([0.0; N], 0.0));
-            if motions[place].is_free() {
-                [g, nothing]
-            } else {
-                [nothing, g]
-            }
-        })
-    });
-    let (sum, count) = if means[0].1 > 0.0 { means[0] } else { means[1] };
-    let has_total = run.problem.totals.map(|total| total != Total::Free);
-    run.workspace.multiplier =
-        std::array::from_fn(|c| if has_total[c] { sum[c] / count } else { 0.0 });
-}
-
-/// The stiffness of every curved bound, from the gradient just measured.
-fn measure<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
-    run: &mut Run<'_, '_, C, K, P, N>,
-) {
-    if !MotionOf::<K, N>::IS_CURVED {
-        return;
-    }
-    let constraint = &run.problem.constraint;
-    let Workspace {
-        motions,
-        gradient,
-        multiplier,
-        ..
-    } = &mut *run.workspace;
-    let (gradient, multiplier) = (slices(gradient), *multiplier);
-    parallel::update(motions, |first, chunk| {
-        for (i, motion) in (first..).zip(chunk) {
-            let g = minus(at(&gradient, i), multiplier);
-            *motion = constraint.of(i).measured(*motion, g);
-        }
-    });
-}
-
-/// Decides at the equilibrated state how every cell moves next, all at once, and puts it into its set. Returns
-/// how many changed, and the sums of all unknowns.
-fn reclassify<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
-    run: &mut Run<'_, '_, C, K, P, N>,
-    largest: f64,
-) -> (usize, [f64; N]) {
-    let constraint = &run.problem.constraint;
-    // Below this a wrong sign is noise of the inner solution, and would come and go.
-    let noise = (0.01 * run.monitor.settings.tolerance).max(f64::EPSILON) * largest;
-    let lower_bound = run.lower_bound;
-    run.is_fresh = false;
-    let Workspace {
-        motions,
-        gradient,
-        multiplier,
-        ..
-    } = &mut *run.workspace;
-    let (gradient, multiplier) = (slices(gradient), *multiplier);
-    let tasks = motions.len().div_ceil(CHUNK);
-    let data = (chunks(&mut run.x), blocks(motions));
-    let work =
-        |task: usize, (mut x, motions): ([Blocks<'_, f64>; N], Blocks<'_, MotionOf<K, N>>)| {
-            let mut changed = 0_usize;
-            for (place, motion) in motions.items.iter_mut().enumerate() {
-                let cell = task * CHUNK + place;
+        let (constraint, lower_bound) = (&self.problem.constraint, self.lower_bound);
+        let w = &mut *self.workspace;
+        let (gradient, multiplier) = (slices(&w.gradient), w.multiplier);
+        let data = w.moving.motions(&mut w.motions);
+        w.moving.sweep(data, |entries, motions| {
+            entries.visit::<MotionOf<K, N>, N>(|kept, place| {
+                let cell = entries.chunk.start + place;
                 let g = minus(at(&gradient, cell), multiplier);
+                let measured = constraint.of(cell).measured(motions.items[kept], g);
+                motions.items[kept] = if weighed {
+                    measured.weighed(lower_bound)
+                } else {
+                    measured
+                };
+            });
+        });
+    }
+
+    /// Decides at the equilibrated state how every cell moves next, all at once, and puts it into its set. Returns
+    /// how many changed, and the sums of all unknowns.
+    fn reclassify(&mut self, largest: f64) -> (usize, [f64; N]) {
+        let constraint = &self.problem.constraint;
+        // Below this a wrong sign is noise of the inner solution, and would come and go.
+        let noise = (0.01 * self.monitor.settings.tolerance).max(f64::EPSILON) * largest;
+        let lower_bound = self.lower_bound;
+        self.is_fresh = false;
+        let w = &mut *self.workspace;
+        let (gradient, multiplier) = (slices(&w.gradient), w.multiplier);
+        let data = (chunks(&mut self.x), w.moving.motions(&mut w.motions));
+        w.moving.sweep(data, |entries, (mut x, motions)| {
+            let mut changed = 0_usize;
+            entries.visit::<MotionOf<K, N>, N>(|kept, place| {
+                let cell = entries.chunk.start + place;
+                let g = minus(at(&gradient, cell), multiplier);
+                let was = motions.items[kept];
                 let set = constraint.of(cell);
-                let (next, value) = set.next(*motion, held(&x, place), g, noise, lower_bound);
-                changed += usize::from(
-                    next.moves() != motion.moves() || next.is_free() != motion.is_free(),
-                );
-                *motion = next;
+                let (next, value) = set.next(was, held(&x, place), g, noise, lower_bound);
+                let is_same = next.moves() == was.moves() && next.is_free() == was.is_free();
+                changed += usize::from(!is_same);
+                motions.items[kept] = next;
                 put(&mut x, place, value);
-            }
+            });
             (changed, x.map(|x| reduce::in_lanes(x.items)))
-        };
-    parallel::sweep(0..tasks, data, &work, &reduce::Tally::plus)
+        })
+    }
 }

@@ -5,9 +5,7 @@ use std::ops::ControlFlow;
 use crate::cgm::motion::{Linearised, Reach};
 use crate::cgm::run::Run;
 use crate::cgm::totals::Total;
-use crate::cgm::{
-    Constraint, Method, MotionOf, Settings, Workspace, newton, projected_gradient, set,
-};
+use crate::cgm::{Constraint, Method, MotionOf, Settings, Workspace, set};
 use crate::error::{Error, Result, all_finite, finite, length, positive};
 use crate::operator::{Identity, Operator};
 use crate::parallel;
@@ -202,7 +200,7 @@ fn iterate<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
     loop {
         let before = run.monitor.best;
         let ended = match run.monitor.settings.method {
-            Method::ActiveSet => newton::iterate(run),
+            Method::ActiveSet => run.newton(),
             Method::PolonskyKeer => K::Set::single_loop(run),
         };
         if let Some(status) = ended {
@@ -216,7 +214,7 @@ fn iterate<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
         if stalls > STALLS {
             return Status::Stalled;
         }
-        match projected_gradient::iterate(run, fallback_steps) {
+        match run.project_gradients(fallback_steps) {
             ControlFlow::Break(status) => return status,
             // The objective no longer falls: one look by the method, and that is all.
             ControlFlow::Continue(true) => stalls = STALLS,

@@ -6,10 +6,9 @@ use crate::cgm::certificate::{Certificate, Iterate, examine};
 use crate::cgm::monitor::Monitor;
 use crate::cgm::motion::{Linearised, Motion};
 use crate::cgm::totals::{Total, sums_of};
-use crate::cgm::vector::{at, dot, norm, slices, slices_mut, update_cells};
+use crate::cgm::vector::{at, dot, norm, plus, slices, slices_mut, update_cells};
 use crate::cgm::{Admissible, Constraint, MotionOf, Problem, Settings, Workspace, reduce};
 use crate::operator::Operator;
-use crate::parallel;
 use crate::report::{Iteration, Status};
 
 /// Of the least stiffness there is but for constants: less is none, in single precision; and what is
@@ -75,19 +74,25 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
     pub(super) fn mark_start(&mut self) {
         let constraint = &self.problem.constraint;
         update_cells(&mut self.x, |i, x| constraint.of(i).project(x));
-        let x = slices(&self.x);
-        parallel::update(&mut self.workspace.motions, |first, chunk| {
-            for (i, motion) in (first..).zip(chunk) {
-                *motion = constraint.of(i).motion(at(&x, i));
-            }
+        let (x, w) = (slices(&self.x), &mut *self.workspace);
+        if MotionOf::<K, N>::IS_STEADY {
+            w.moving.update(|i| constraint.of(i).can_move());
+        }
+        let data = w.moving.motions(&mut w.motions);
+        w.moving.sweep(data, |entries, motions| {
+            entries.visit::<MotionOf<K, N>, N>(|kept, place| {
+                let cell = entries.chunk.start + place;
+                motions.items[kept] = constraint.of(cell).motion(at(&x, cell));
+            });
         });
         self.is_fresh = false;
     }
 
-    /// Moves the cells to their sums: those whose motion is preferred, if they suffice.
-    pub(super) fn restore_totals(&mut self, preferred: impl Fn(MotionOf<K, N>) -> bool + Sync) {
+    /// Moves the cells to their sums: those that move, if they suffice, or `all` alike.
+    pub(super) fn restore_totals(&mut self, all: bool) {
         let motions = &self.workspace.motions;
-        let preferred = |i: usize| preferred(motions[i]);
+        let is_steady = MotionOf::<K, N>::IS_STEADY;
+        let preferred = |i: usize| all || is_steady || motions[i].moves();
         let (constraint, sums) = (
             &self.problem.constraint,
             self.problem.totals.map(Total::sum),
@@ -98,79 +103,50 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
 
     /// `image = C direction`.
     pub(super) fn apply_to_direction(&mut self) {
-        let Workspace {
-            operator,
-            direction,
-            image,
-            report,
-            ..
-        } = &mut *self.workspace;
-        self.problem
-            .operator
-            .apply(slices(direction), slices_mut(image), operator);
-        report.double_precision_products += 1;
+        let w = &mut *self.workspace;
+        let (direction, image) = (slices(&w.direction), slices_mut(&mut w.image));
+        let operator = &self.problem.operator;
+        operator.apply(direction, image, &mut w.operator);
+        w.report.double_precision_products += 1;
     }
 
     /// `image = C direction`, in single precision.
     pub(super) fn apply_f32_to_direction(&mut self) {
-        let Workspace {
-            operator,
-            direction,
-            image,
-            report,
-            ..
-        } = &mut *self.workspace;
-        self.problem
-            .operator
-            .apply_f32(slices(direction), slices_mut(image), operator);
-        report.single_precision_products += 1;
+        let w = &mut *self.workspace;
+        let (direction, image) = (slices(&w.direction), slices_mut(&mut w.image));
+        let operator = &self.problem.operator;
+        operator.apply_f32(direction, image, &mut w.operator);
+        w.report.single_precision_products += 1;
     }
 
     /// `product = C x`, `gradient = C x + b`.
     pub(super) fn refresh(&mut self) {
-        let Workspace {
-            operator,
-            product,
-            report,
-            ..
-        } = &mut *self.workspace;
-        self.problem
-            .operator
-            .apply(slices(&self.x), slices_mut(product), operator);
-        report.double_precision_products += 1;
+        let w = &mut *self.workspace;
+        let operator = &self.problem.operator;
+        let product = slices_mut(&mut w.product);
+        operator.apply(slices(&self.x), product, &mut w.operator);
+        w.report.double_precision_products += 1;
         self.form_gradient();
         self.is_fresh = true;
     }
 
     /// The same in single precision: good enough to iterate, not to test convergence.
     pub(super) fn refresh_f32(&mut self) {
-        let Workspace {
-            operator,
-            product,
-            report,
-            ..
-        } = &mut *self.workspace;
-        self.problem
-            .operator
-            .apply_f32(slices(&self.x), slices_mut(product), operator);
-        report.single_precision_products += 1;
+        let w = &mut *self.workspace;
+        let operator = &self.problem.operator;
+        let product = slices_mut(&mut w.product);
+        operator.apply_f32(slices(&self.x), product, &mut w.operator);
+        w.report.single_precision_products += 1;
         self.form_gradient();
         self.is_fresh = false;
     }
 
     fn form_gradient(&mut self) {
-        let Workspace {
-            product, gradient, ..
-        } = &mut *self.workspace;
-        let parts = gradient.iter_mut().zip(&*product).zip(self.problem.linear);
-        for ((gradient, product), linear) in parts {
-            parallel::update(gradient, |first, chunk| {
-                let terms = product[first..].iter().zip(&linear[first..]);
-                for (value, (u, b)) in chunk.iter_mut().zip(terms) {
-                    *value = u + b;
-                }
-            });
-        }
+        let w = &mut *self.workspace;
+        let (product, linear) = (slices(&w.product), self.problem.linear);
+        update_cells(&mut w.gradient, |i, _| {
+            plus(at(&product, i), 1.0, at(&linear, i))
+        });
     }
 
     /// The curvature that takes a direction `d` of `square = d' d` on the cells that move to their bounds, if
@@ -178,8 +154,12 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
     pub(super) fn slide(&self, curvature: f64, square: f64) -> Option<f64> {
         let stiffness = self.lower_bound * square;
         let is_flat = self.problem.totals.contains(&Total::Free) && curvature < FLAT * stiffness;
-        let motions = &self.workspace.motions;
-        let slides = || reduce::first(motions.len(), |i| !motions[i].is_free()).is_none();
+        let (moving, motions) = (&self.workspace.moving, &self.workspace.motions);
+        let motions = moving.kept(motions);
+        let slides = || {
+            motions.len() == self.cells()
+                && reduce::first(motions.len(), |i| !motions[i].is_free()).is_none()
+        };
         (is_flat && slides()).then_some(FLATTEST * stiffness)
     }
 
@@ -311,7 +291,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
             let missing: [f64; N] =
                 std::array::from_fn(|c| prescribed[c].map_or(0.0, |sum| sum - sums[c]));
             if norm(missing) > 1e-13 * magnitude {
-                self.restore_totals(Motion::moves);
+                self.restore_totals(false);
             }
         }
         if !self.is_fresh {

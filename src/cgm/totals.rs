@@ -22,13 +22,12 @@
 //! (A constraint preconditioner: Keller, Gould & Wathen, SIAM J. Matrix Anal. Appl. 21 (2000) 1300,
 //! <https://doi.org/10.1137/S0895479899351805>.)
 
-use crate::cgm::inner::precondition;
 use crate::cgm::motion::Motion;
 use crate::cgm::reduce;
 use crate::cgm::run::Run;
 use crate::cgm::small::Small;
 use crate::cgm::vector::{at, chunks, dot, held, norm, plus, put, slices, within};
-use crate::cgm::{Constraint, MotionOf, Workspace};
+use crate::cgm::{Constraint, MotionOf};
 use crate::operator::Operator;
 
 /// What is prescribed of the sum of one component over all cells.
@@ -126,37 +125,6 @@ pub(super) struct TotalsSystem<const N: usize> {
 }
 
 impl<const N: usize> TotalsSystem<N> {
-    /// Finds how changes of the multipliers spread over the cells that move.
-    pub(super) fn new<C: Operator<N>, K: Constraint<N>, P: Operator<N>>(
-        run: &mut Run<'_, '_, C, K, P, N>,
-    ) -> Self {
-        let mut system = Self {
-            totals: run.problem.totals,
-            patterns: Small([[0.0; N]; N]),
-            matrix: Small([[0.0; N]; N]),
-            mobility: mobility(run),
-        };
-        let prescribed = system.prescribed();
-        if prescribed == [false; N] {
-            return system;
-        }
-        if MotionOf::<K, N>::IS_CURVED && !system.can_follow(run) {
-            let motions = &mut run.workspace.motions;
-            for motion in motions.iter_mut().filter(|motion| motion.moves()) {
-                *motion = Motion::FREE;
-            }
-            system.mobility = mobility(run);
-        }
-        for a in (0..N).filter(|&a| prescribed[a]) {
-            system.patterns.0[a] = spread(run, a);
-            system.matrix.0[a] = system.patterns.0[a];
-            if let Total::Spring { compliance, .. } = system.totals[a] {
-                system.matrix.0[a][a] += 1.0 / compliance;
-            }
-        }
-        system
-    }
-
     /// Components whose sum is prescribed or held by a spring.
     fn prescribed(&self) -> [bool; N] {
         self.totals.map(|total| total != Total::Free)
@@ -197,97 +165,8 @@ impl<const N: usize> TotalsSystem<N> {
         })
     }
 
-    /// Spreads what is missing of the totals, with the present sums of the components.
-    pub(super) fn spread_missing<C: Operator<N>, K: Constraint<N>, P: Operator<N>>(
-        &self,
-        run: &mut Run<'_, '_, C, K, P, N>,
-        sums: [f64; N],
-    ) {
-        let prescribed = self.prescribed();
-        if prescribed == [false; N] {
-            return;
-        }
-        let multiplier = run.workspace.multiplier;
-        let missing = std::array::from_fn(|a| match self.totals[a] {
-            Total::Free => 0.0,
-            Total::Sum(total) => total - sums[a],
-            Total::Spring {
-                far_end,
-                compliance,
-            } => (far_end - multiplier[a]) / compliance - sums[a],
-        });
-        let change = self.matrix.solve(missing, prescribed);
-        if norm(change) == 0.0 {
-            return;
-        }
-        let Workspace { spread, moving, .. } = &*run.workspace;
-        moving.sweep(chunks(&mut run.x), |entries, mut x| {
-            let spread = &spread[entries.range.clone()];
-            for (place, w) in entries.places().zip(spread) {
-                let moved = (0..N).fold(held(&x, place), |x, a| plus(x, change[a], w[a]));
-                put(&mut x, place, moved);
-            }
-        });
-        for a in (0..N).filter(|&a| self.totals[a].is_spring()) {
-            run.workspace.multiplier[a] += change[a];
-        }
-        run.is_fresh = false;
-    }
-
-    /// The multipliers that leave no mean residual, weighted as the totals spread; those of springs within the
-    /// round-off of what the springs make of the sums.
-    pub(super) fn set_multiplier<C: Operator<N>, K: Constraint<N>, P: Operator<N>>(
-        &self,
-        run: &mut Run<'_, '_, C, K, P, N>,
-    ) {
-        let prescribed = self.prescribed();
-        if prescribed == [false; N] {
-            return;
-        }
-        let Workspace {
-            spread,
-            moving,
-            gradient,
-            multiplier,
-            ..
-        } = &mut *run.workspace;
-        let gradient = slices(gradient);
-        let products: [f64; N] = moving.sweep((), |entries, ()| {
-            let spread = &spread[entries.range.clone()];
-            let gradient = within(&gradient, &entries.chunk);
-            entries.sums(|k, place| spread[k].map(|w| dot(w, at(&gradient, place))))
-        });
-        let mean = self.patterns.solve(products, prescribed);
-        if self.has_spring() == [false; N] {
-            *multiplier = mean;
-            return;
-        }
-        let sums = sums_of(&slices(&run.x));
-        for a in (0..N).filter(|&a| self.totals[a].is_spring()) {
-            multiplier[a] = self.totals[a].held(mean[a], sums[a]);
-        }
-        // The sums' multipliers beside those.
-        let right = std::array::from_fn(|b| {
-            let springs = (0..N).filter(|&a| self.totals[a].is_spring());
-            springs.fold(products[b], |sum, a| {
-                sum - self.patterns.0[b][a] * multiplier[a]
-            })
-        });
-        let free = self.patterns.solve(right, self.has_sum());
-        for a in (0..N).filter(|&a| self.has_sum()[a]) {
-            multiplier[a] = free[a];
-        }
-    }
-
-    /// Whether the cells can take up a change of the totals: not if all can only turn, and all point along it.
-    fn can_follow<C: Operator<N>, K: Constraint<N>, P: Operator<N>>(
-        &self,
-        run: &Run<'_, '_, C, K, P, N>,
-    ) -> bool {
-        let motions = &run.workspace.motions;
-        if reduce::first(motions.len(), |i| motions[i].is_free()).is_some() {
-            return true;
-        }
+    /// Whether cells of which none is free can take up a change of the totals: not if all point along it.
+    fn can_turn(&self) -> bool {
         let all: f64 = (0..N).map(|a| self.mobility.0[a][a]).sum();
         self.mobility.least(self.has_sum()) > LEAST_TURN * all
     }
@@ -297,60 +176,156 @@ impl<const N: usize> TotalsSystem<N> {
 /// are turned away from the total by very little, and it is that which carries it.
 const LEAST_TURN: f64 = 1e-13;
 
-/// Finds how a change of one multiplier spreads over the cells, and what it changes of all sums.
-fn spread<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
-    run: &mut Run<'_, '_, C, K, P, N>,
-    a: usize,
-) -> [f64; N] {
-    let mut unit = [0.0; N];
-    unit[a] = 1.0;
-    let Workspace {
-        motions,
-        moving,
-        direction,
-        ..
-    } = &mut *run.workspace;
-    moving.sweep(chunks(direction), |entries, mut full| {
-        let motions = &motions[entries.chunk.clone()];
-        for place in entries.places() {
-            let motion = motions[place];
-            put(&mut full, place, motion.weighted(motion.project(unit)));
+impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '_, C, K, P, N> {
+    /// Finds how changes of the multipliers spread over the cells that move.
+    pub(super) fn totals_system(&mut self) -> TotalsSystem<N> {
+        let mut system = TotalsSystem {
+            totals: self.problem.totals,
+            patterns: Small([[0.0; N]; N]),
+            matrix: Small([[0.0; N]; N]),
+            mobility: self.mobility(),
+        };
+        let prescribed = system.prescribed();
+        if prescribed == [false; N] {
+            return system;
         }
-    });
-    precondition(run);
-    let Workspace {
-        motions,
-        moving,
-        spread,
-        image,
-        ..
-    } = &mut *run.workspace;
-    let image = slices(image);
-    moving.sweep(moving.compressed(spread), |entries, spread| {
-        let motions = &motions[entries.chunk.clone()];
-        let image = within(&image, &entries.chunk);
-        entries.sums(|k, place| {
-            let motion = motions[place];
-            let w = motion.preconditioned(at(&image, place), motion.project(unit));
-            spread.items[k][a] = w;
-            w
-        })
-    })
-}
-
-fn mobility<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
-    run: &Run<'_, '_, C, K, P, N>,
-) -> Small<N> {
-    let Workspace {
-        motions, moving, ..
-    } = &*run.workspace;
-    let unit = |a: usize| std::array::from_fn(|c| if a == c { 1.0 } else { 0.0 });
-    if !MotionOf::<K, N>::IS_CURVED {
-        let count = moving.len() as f64;
-        return Small(std::array::from_fn(|a| unit(a).map(|one: f64| one * count)));
+        if MotionOf::<K, N>::IS_CURVED && !self.has_free_cell() && !system.can_turn() {
+            let w = &mut *self.workspace;
+            w.moving
+                .sweep(w.moving.motions(&mut w.motions), |entries, motions| {
+                    entries.visit::<MotionOf<K, N>, N>(|kept, _| {
+                        if motions.items[kept].moves() {
+                            motions.items[kept] = Motion::FREE;
+                        }
+                    });
+                });
+            system.mobility = self.mobility();
+        }
+        for a in (0..N).filter(|&a| prescribed[a]) {
+            system.patterns.0[a] = self.spread(a);
+            system.matrix.0[a] = system.patterns.0[a];
+            if let Total::Spring { compliance, .. } = system.totals[a] {
+                system.matrix.0[a][a] += 1.0 / compliance;
+            }
+        }
+        system
     }
-    Small(moving.sweep((), |entries, ()| {
-        let motions = &motions[entries.chunk.clone()];
-        entries.sums(|_, place| std::array::from_fn(|a| motions[place].project(unit(a))))
-    }))
+
+    fn has_free_cell(&self) -> bool {
+        let motions = self.workspace.moving.kept(&self.workspace.motions);
+        reduce::first(motions.len(), |i| motions[i].is_free()).is_some()
+    }
+
+    /// The sum of what cells can do of a uniform motion along each component.
+    fn mobility(&self) -> Small<N> {
+        let w = &*self.workspace;
+        let unit = |a: usize| std::array::from_fn(|c| if a == c { 1.0 } else { 0.0 });
+        if !MotionOf::<K, N>::IS_CURVED {
+            let count = w.moving.len() as f64;
+            return Small(std::array::from_fn(|a| unit(a).map(|one: f64| one * count)));
+        }
+        let motions = &w.motions;
+        Small(w.moving.sweep((), |entries, ()| {
+            entries.sums(|k, place| {
+                let motion = entries.motion(motions, k, place);
+                std::array::from_fn(|a| motion.project(unit(a)))
+            })
+        }))
+    }
+
+    /// Finds how a change of one multiplier spreads over the cells, and what it changes of all sums.
+    fn spread(&mut self, a: usize) -> [f64; N] {
+        let mut unit = [0.0; N];
+        unit[a] = 1.0;
+        let w = &mut *self.workspace;
+        let motions = &w.motions;
+        w.moving
+            .sweep(chunks(&mut w.direction), |entries, mut full| {
+                for (k, place) in entries.places().enumerate() {
+                    let motion = entries.motion(motions, k, place);
+                    put(&mut full, place, motion.weighted(motion.project(unit)));
+                }
+            });
+        self.precondition();
+        let w = &mut *self.workspace;
+        let (motions, image) = (&w.motions, slices(&w.image));
+        let data = w.moving.compressed(&mut w.spread);
+        w.moving.sweep(data, |entries, spread| {
+            let image = within(&image, &entries.chunk);
+            entries.sums(|k, place| {
+                let motion = entries.motion(motions, k, place);
+                let w = motion.preconditioned(at(&image, place), motion.project(unit));
+                spread.items[k][a] = w;
+                w
+            })
+        })
+    }
+
+    /// Spreads what is missing of the totals, with the present sums of the components.
+    pub(super) fn spread_missing(&mut self, system: &TotalsSystem<N>, sums: [f64; N]) {
+        let prescribed = system.prescribed();
+        if prescribed == [false; N] {
+            return;
+        }
+        let w = &mut *self.workspace;
+        let missing = std::array::from_fn(|a| match system.totals[a] {
+            Total::Free => 0.0,
+            Total::Sum(total) => total - sums[a],
+            Total::Spring {
+                far_end,
+                compliance,
+            } => (far_end - w.multiplier[a]) / compliance - sums[a],
+        });
+        let change = system.matrix.solve(missing, prescribed);
+        if norm(change) == 0.0 {
+            return;
+        }
+        let spread = &w.spread;
+        w.moving.sweep(chunks(&mut self.x), |entries, mut x| {
+            for (place, w) in entries.places().zip(&spread[entries.range.clone()]) {
+                let moved = (0..N).fold(held(&x, place), |x, a| plus(x, change[a], w[a]));
+                put(&mut x, place, moved);
+            }
+        });
+        for a in (0..N).filter(|&a| system.totals[a].is_spring()) {
+            w.multiplier[a] += change[a];
+        }
+        self.is_fresh = false;
+    }
+
+    /// The multipliers that leave no mean residual, weighted as the totals spread; those of springs within the
+    /// round-off of what the springs make of the sums.
+    pub(super) fn set_multiplier(&mut self, system: &TotalsSystem<N>) {
+        let prescribed = system.prescribed();
+        if prescribed == [false; N] {
+            return;
+        }
+        let w = &mut *self.workspace;
+        let gradient = slices(&w.gradient);
+        let products: [f64; N] = w.moving.sweep((), |entries, ()| {
+            let spread = &w.spread[entries.range.clone()];
+            let gradient = within(&gradient, &entries.chunk);
+            entries.sums(|k, place| spread[k].map(|w| dot(w, at(&gradient, place))))
+        });
+        let mean = system.patterns.solve(products, prescribed);
+        if system.has_spring() == [false; N] {
+            w.multiplier = mean;
+            return;
+        }
+        let sums = sums_of(&slices(&self.x));
+        for a in (0..N).filter(|&a| system.totals[a].is_spring()) {
+            w.multiplier[a] = system.totals[a].held(mean[a], sums[a]);
+        }
+        // The sums' multipliers beside those.
+        let right = std::array::from_fn(|b| {
+            let springs = (0..N).filter(|&a| system.totals[a].is_spring());
+            springs.fold(products[b], |sum, a| {
+                sum - system.patterns.0[b][a] * w.multiplier[a]
+            })
+        });
+        let free = system.patterns.solve(right, system.has_sum());
+        for a in (0..N).filter(|&a| system.has_sum()[a]) {
+            w.multiplier[a] = free[a];
+        }
+    }
 }

@@ -51,7 +51,7 @@ const EVEN: f64 = 2.0;
 pub(super) const SINGLE: f64 = 4.0;
 
 impl Weight {
-    pub(super) const PATTERN: Self = Self {
+    const PATTERN: Self = Self {
         pattern: 1.0,
         own: 0.0,
     };
@@ -71,19 +71,20 @@ impl Weight {
 }
 
 impl Turn {
-    /// At its limit with this traction, of this stiffness.
-    pub(super) fn along(q: [f64; 2], stiffness: f64, weight: Weight) -> Self {
+    /// At its limit with this traction, of this stiffness, of which the preconditioner is not told yet.
+    pub(super) fn along(q: [f64; 2], stiffness: f64) -> Self {
         let size = norm(q);
         Self::Along {
             tangent: [-q[1] / size, q[0] / size],
             stiffness,
-            weight,
+            weight: Weight::PATTERN,
         }
     }
 }
 
 impl Motion<2> for Turn {
     const IS_CURVED: bool = true;
+    const IS_STEADY: bool = true;
     const FREE: Self = Self::Free;
     const FIXED: Self = Self::Fixed;
 

@@ -19,6 +19,7 @@ pub struct Workspace<C: Operator<N>, P: Operator<N>, M, const N: usize = 1> {
     pub(super) inner: Inner<N>,
     /// How a change of each multiplier spreads, `w_a = M e_a`, on the cells that move.
     pub(super) spread: Vec<[[f64; N]; N]>,
+    /// How each cell moves; of [steady](Motion::IS_STEADY) ones only those that move, in the order of their list.
     pub(super) motions: Vec<M>,
     pub(super) moving: MovingCells,
     pub(super) report: Report,
