@@ -156,8 +156,8 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
                         // The residual of a curved bound is not the gradient's: it is followed from step to step.
                         Some(&Move { length, change }) if MotionOf::<K, N>::IS_CURVED => {
                             let moved = motion.project(plus(change, -length, u));
-                            let bend = length * motion.stiffness();
-                            std::array::from_fn(|c| last[k][c] + moved[c] - bend * directions[k][c])
+                            let bend = motion.bend(directions[k]);
+                            std::array::from_fn(|c| last[k][c] + moved[c] - length * bend[c])
                         }
                         _ => motion.project(minus(multiplier, held(&gradient, place))),
                     };
@@ -255,12 +255,8 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             let image = within(&image, &entries.chunk);
             entries.sums(|k, place| {
                 let d = directions[k];
-                let square = dot(d, d);
-                let motion = entries.motion(motions, k, place);
-                (
-                    dot(d, at(&image, place)) + motion.stiffness() * square,
-                    square,
-                )
+                let bend = entries.motion(motions, k, place).bend(d);
+                (dot(d, plus(at(&image, place), 1.0, bend)), dot(d, d))
             })
         })
     }

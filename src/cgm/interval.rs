@@ -55,8 +55,8 @@ impl Motion<1> for Side {
     }
 
     #[inline]
-    fn stiffness(self) -> f64 {
-        0.0
+    fn bend(self, _: [f64; 1]) -> [f64; 1] {
+        [0.0]
     }
 
     #[inline]

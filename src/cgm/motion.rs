@@ -33,8 +33,8 @@ pub trait Motion<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static
     /// The part of a vector along which the cell can move.
     fn project(self, v: [f64; N]) -> [f64; N];
 
-    /// The stiffness that the curvature of the bound adds along the tangent.
-    fn stiffness(self) -> f64;
+    /// What the curvature of the bound adds to the product of the operator with a direction `d` of the motion.
+    fn bend(self, d: [f64; N]) -> [f64; N];
 
     /// What of a residual goes to the inverse operator.
     fn weighted(self, r: [f64; N]) -> [f64; N];

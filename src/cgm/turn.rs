@@ -27,10 +27,16 @@ pub enum Turn {
 
 /// What of a residual the preconditioner answers as a smooth pattern, and what the cell alone.
 ///
-/// The inverse operator $`M`$ does not know the stiffness $`k`$ of the circles. Were the operator a number $`c`$, the
-/// inverse of $`c + k`$ would be $`w^2 / c + (1 - w^2) / k'`$ for suitable shares: a part $`w^2 = c / (c + k)`$ of the
-/// residual is answered through $`M`$, weighted by $`w`$ on both sides so that the preconditioner stays symmetric, and
-/// the rest by the cell's own compliance, $`1 / (c_1 + k)`$ with $`c_1`$ that of a cell that moves alone.
+/// The inverse operator $`M`$ does not know the stiffness $`k`$ of the circles. Both limits of the system $`C + k`$ have
+/// an inverse at hand: that of $`k \ll C`$ is $`M`$, that of $`k \gg C`$ is $`1 / (c_1 + k)`$ in each cell, with
+/// $`c_1`$ the compliance of a cell that moves alone. Between them the preconditioner is
+///
+/// ```math
+/// W M W + (1 - W^2)\, (c_1 + k)^{-1}, \qquad W^2 = \frac{e}{e + k} ,
+/// ```
+///
+/// with the weights $`0 < W \le 1`$ of the cells: symmetric and positive definite like both parts, and exact in both
+/// limits. The stiffness $`e`$ of equal shares is a choice, measured (`EVEN` below).
 #[expect(
     unnameable_types,
     reason = "it appears in the sealed traits of the sets alone"
@@ -106,10 +112,10 @@ impl Motion<2> for Turn {
     }
 
     #[inline]
-    fn stiffness(self) -> f64 {
+    fn bend(self, d: [f64; 2]) -> [f64; 2] {
         match self {
-            Self::Along { stiffness, .. } => stiffness,
-            Self::Free | Self::Fixed => 0.0,
+            Self::Along { stiffness, .. } => d.map(|d| stiffness * d),
+            Self::Free | Self::Fixed => [0.0; 2],
         }
     }
 

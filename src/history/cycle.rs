@@ -61,13 +61,7 @@ pub enum Regime {
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Cycle {
-    slip_distance: Field,
-    slip_pressure: Field,
-    dissipated_energy: Field,
-    slip_amplitude: [Field; 2],
-    /// The least slip since the start of the history, which the amplitude rises from.
-    least_slip: [Field; 2],
-    first_traction: [Field; 2],
+    sums: Sums,
     /// The largest magnitude of a traction in the cycle.
     largest_traction: f64,
     /// The largest magnitude of what a traction has changed since the beginning.
@@ -80,17 +74,38 @@ pub struct Cycle {
     last_step: u64,
 }
 
+/// What the steps of a cycle add up to in every cell.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+struct Sums {
+    slip_distance: Field,
+    slip_pressure: Field,
+    dissipated_energy: Field,
+    slip_amplitude: [Field; 2],
+    /// The least slip since the start of the history, which the amplitude rises from.
+    least_slip: [Field; 2],
+    first_traction: [Field; 2],
+}
+
+#[cfg(feature = "serde")]
+impl Sums {
+    fn fields(&self) -> impl Iterator<Item = &Field> {
+        let scalars = [
+            &self.slip_distance,
+            &self.slip_pressure,
+            &self.dissipated_energy,
+        ];
+        let vectors = [&self.slip_amplitude, &self.least_slip, &self.first_traction];
+        scalars.into_iter().chain(vectors.into_iter().flatten())
+    }
+}
+
 /// What is read, before it is checked.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(remote = "Cycle")]
 struct Unchecked {
-    slip_distance: Field,
-    slip_pressure: Field,
-    dissipated_energy: Field,
-    slip_amplitude: [Field; 2],
-    least_slip: [Field; 2],
-    first_traction: [Field; 2],
+    sums: Sums,
     largest_traction: f64,
     traction_change: f64,
     energy: EnergyBalance,
@@ -104,14 +119,8 @@ struct Unchecked {
 impl<'de> serde::Deserialize<'de> for Cycle {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         checked(Unchecked::deserialize(deserializer)?, |read| {
-            let grid = read.slip_distance.grid();
-            let sums = [
-                &read.slip_distance,
-                &read.slip_pressure,
-                &read.dissipated_energy,
-            ];
-            let vectors = [&read.slip_amplitude, &read.least_slip, &read.first_traction];
-            for field in sums.into_iter().chain(vectors.into_iter().flatten()) {
+            let grid = read.sums.slip_distance.grid();
+            for field in read.sums.fields() {
                 field.check("field of the cycle", grid)?;
             }
             positive("points of the cycle", read.points.len() as f64)?;
@@ -126,12 +135,14 @@ impl Cycle {
     pub fn new(history: &History) -> Self {
         let zeros = || Field::zeros(history.grid());
         let mut cycle = Self {
-            slip_distance: zeros(),
-            slip_pressure: zeros(),
-            dissipated_energy: zeros(),
-            slip_amplitude: [zeros(), zeros()],
-            least_slip: [zeros(), zeros()],
-            first_traction: [zeros(), zeros()],
+            sums: Sums {
+                slip_distance: zeros(),
+                slip_pressure: zeros(),
+                dissipated_energy: zeros(),
+                slip_amplitude: [zeros(), zeros()],
+                least_slip: [zeros(), zeros()],
+                first_traction: [zeros(), zeros()],
+            },
             largest_traction: 0.0,
             traction_change: 0.0,
             energy: EnergyBalance::default(),
@@ -156,15 +167,15 @@ impl Cycle {
 
     fn restart(&mut self, history: &History) {
         let sums = [
-            &mut self.slip_distance,
-            &mut self.slip_pressure,
-            &mut self.dissipated_energy,
+            &mut self.sums.slip_distance,
+            &mut self.sums.slip_pressure,
+            &mut self.sums.dissipated_energy,
         ];
-        for sum in sums.into_iter().chain(&mut self.slip_amplitude) {
+        for sum in sums.into_iter().chain(&mut self.sums.slip_amplitude) {
             sum.as_mut_slice().fill(0.0);
         }
-        let slips = self.least_slip.iter_mut().zip(history.slip());
-        let tractions = self.first_traction.iter_mut().zip(history.traction());
+        let slips = self.sums.least_slip.iter_mut().zip(history.slip());
+        let tractions = self.sums.first_traction.iter_mut().zip(history.traction());
         for (first, of_history) in slips.chain(tractions) {
             first.as_mut_slice().copy_from_slice(of_history.as_slice());
         }
@@ -191,14 +202,17 @@ impl Cycle {
         }
         self.last_step = step;
         let step = history.last_step();
-        self.slip_distance.add_scaled(1.0, step.slip_distance())?;
-        self.dissipated_energy
+        self.sums
+            .slip_distance
+            .add_scaled(1.0, step.slip_distance())?;
+        self.sums
+            .dissipated_energy
             .add_scaled(1.0, step.dissipated_energy())?;
         self.average_pressure(history);
         for (axis, slip) in history.slip().into_iter().enumerate() {
             widen(
-                &mut self.least_slip[axis],
-                &mut self.slip_amplitude[axis],
+                &mut self.sums.least_slip[axis],
+                &mut self.sums.slip_amplitude[axis],
                 slip,
             );
         }
@@ -216,7 +230,7 @@ impl Cycle {
     }
 
     fn check(&self, history: &History) -> Result<()> {
-        let grid = self.slip_distance.grid();
+        let grid = self.sums.slip_distance.grid();
         grid.expect("history of the cycle", history.grid())
     }
 
@@ -225,10 +239,10 @@ impl Cycle {
         let [pressure, slip, path] = [
             history.pressure(),
             history.last_step().slip_distance(),
-            &self.slip_distance,
+            &self.sums.slip_distance,
         ]
         .map(Field::as_slice);
-        parallel::update(self.slip_pressure.as_mut_slice(), |first, chunk| {
+        parallel::update(self.sums.slip_pressure.as_mut_slice(), |first, chunk| {
             for (i, mean) in (first..).zip(chunk) {
                 if slip[i] > 0.0 {
                     *mean += slip[i] / path[i] * (pressure[i] - *mean);
@@ -240,7 +254,7 @@ impl Cycle {
     /// Sees how far the tractions are from those at the beginning.
     fn compare_traction(&mut self, history: &History) {
         let [x, y] = history.traction().map(Field::as_slice);
-        let [first_x, first_y] = self.first_traction.each_ref().map(Field::as_slice);
+        let [first_x, first_y] = self.sums.first_traction.each_ref().map(Field::as_slice);
         let traction = reduce::max(x.len(), |i| norm([x[i], y[i]]));
         let change = reduce::max(x.len(), |i| norm([x[i] - first_x[i], y[i] - first_y[i]]));
         self.traction_change = change;
@@ -256,7 +270,7 @@ impl Cycle {
     /// Length of the path that each cell slipped in the cycle (lengths, non-negative).
     #[must_use]
     pub fn slip_distance(&self) -> &Field {
-        &self.slip_distance
+        &self.sums.slip_distance
     }
 
     /// Pressure that each cell slipped under, the mean over the length of its path
@@ -266,20 +280,20 @@ impl Cycle {
     /// the sum over the steps, whatever the pressure did.
     #[must_use]
     pub fn slip_pressure(&self) -> &Field {
-        &self.slip_pressure
+        &self.sums.slip_pressure
     }
 
     /// Slip amplitude: half the range of each component of the slip of each cell (lengths, non-negative).
     #[must_use]
     pub fn slip_amplitude(&self) -> [&Field; 2] {
-        self.slip_amplitude.each_ref()
+        self.sums.slip_amplitude.each_ref()
     }
 
     /// Energy that each cell dissipated in the cycle, by its traction at the end of each step (energies): what
     /// [`wear::energy`](crate::history::wear::energy) takes.
     #[must_use]
     pub fn dissipated_energy(&self) -> &Field {
-        &self.dissipated_energy
+        &self.sums.dissipated_energy
     }
 
     /// Work, elastic energy and dissipation of the cycle.
@@ -318,7 +332,7 @@ impl Cycle {
     pub fn regime(&self) -> Regime {
         if self.slides {
             Regime::GrossSlip
-        } else if self.slip_distance.max() > 0.0 {
+        } else if self.sums.slip_distance.max() > 0.0 {
             Regime::PartialSlip
         } else {
             Regime::FullStick

@@ -939,7 +939,7 @@ const HEADING: &str = "# Costs and answers of small scenes, computed by this cra
 #[test]
 fn scenes_are_as_they_were() {
     let (mut text, mut hashes, mut faults) = (HEADING.to_owned(), String::new(), String::new());
-    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/frozen_scenes.csv");
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../data/frozen_scenes.csv");
     let is_writing = std::env::var("FREEZE").is_ok_and(|word| word == "write");
     let frozen = if is_writing {
         String::new()
