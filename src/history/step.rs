@@ -2,7 +2,7 @@
 
 use crate::contact_map::Warning;
 #[cfg(feature = "serde")]
-use crate::error::{all_finite, finite};
+use crate::error::{all_finite, at_least, finite};
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::history::EnergyBalance;
@@ -77,6 +77,15 @@ impl<'de> serde::Deserialize<'de> for StepResult {
             finite("moment", read.moment)?;
             all_finite("shift", &read.shift)?;
             finite("twist", read.twist)?;
+            for counted in [read.stick_cells, read.slip_cells] {
+                let (counted, cells) = (counted as f64, grid.cells() as f64);
+                at_least(
+                    "those that stick or slip",
+                    counted,
+                    "number of cells",
+                    cells,
+                )?;
+            }
             Ok(())
         })
     }

@@ -12,7 +12,7 @@ const MISSING: [usize; 2] = [3, 1];
 
 fn path(name: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
-        .join("tests/data/files")
+        .join("../data/files")
         .join(name)
 }
 

@@ -32,6 +32,7 @@ mod data_of_another_code_is_consistent;
 mod displacement_control;
 #[cfg(feature = "dense")]
 mod engine_finds_the_exact_minimum;
+mod engine_serves_any_operator;
 mod files_of_other_programs_are_read;
 mod files_survive_a_round_trip;
 mod fretting_loops_become_steady;
@@ -58,6 +59,7 @@ mod measured_surfaces_are_prepared;
 mod methods_agree;
 #[cfg(feature = "serde")]
 mod plain_types_survive_serialisation;
+mod problems_take_every_load;
 #[cfg(feature = "dense")]
 mod random_scenes_are_right;
 mod rough_contacts_follow_theory;

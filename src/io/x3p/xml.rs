@@ -17,7 +17,7 @@ pub(super) fn elements(xml: &[u8], mut visit: impl FnMut(&str, &str) -> Result<(
     let xml = std::str::from_utf8(xml).map_err(|error| broken(format!("not UTF-8: {error}")))?;
     let mut reader = Reader::from_str(xml);
     reader.config_mut().expand_empty_elements = true;
-    // The names of the open elements with slashes before them, and where each of them begins.
+    // The names of the open elements below the root with slashes before them, and where each of them begins.
     let (mut path, mut starts) = (String::new(), Vec::new());
     let mut text = String::new();
     loop {
@@ -27,9 +27,13 @@ pub(super) fn elements(xml: &[u8], mut visit: impl FnMut(&str, &str) -> Result<(
                 if starts.len() == DEEPEST {
                     return Err(broken(format!("elements more than {DEEPEST} deep")));
                 }
+                let is_root = starts.is_empty();
                 starts.push(path.len());
-                path.push('/');
-                path.push_str(&String::from_utf8_lossy(element.local_name().as_ref()));
+                // The name of the root may be anything, and as long as the file.
+                if !is_root {
+                    path.push('/');
+                    path.push_str(&String::from_utf8_lossy(element.local_name().as_ref()));
+                }
                 text.clear();
             }
             Event::Text(content) => {
@@ -61,8 +65,7 @@ pub(super) fn elements(xml: &[u8], mut visit: impl FnMut(&str, &str) -> Result<(
                 }
             }
             Event::End(_) => {
-                let below_root = path.splitn(3, '/').nth(2).unwrap_or_default();
-                visit(below_root, text.trim())?;
+                visit(path.get(1..).unwrap_or_default(), text.trim())?;
                 path.truncate(starts.pop().unwrap_or(0));
                 text.clear();
             }

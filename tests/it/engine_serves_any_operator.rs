@@ -1,0 +1,231 @@
+//! The engine takes an operator and a constraint of the caller's own, of one or two unknowns a cell, and what it
+//! returns satisfies the conditions of the minimum, which for a convex problem are sufficient.
+
+use kit::Random;
+use stickslip::cgm::{self, Constraint, Disc, Interval, Problem, Settings, Total};
+use stickslip::{Error, Operator};
+
+/// A symmetric positive definite matrix over all components of all cells; nothing is known of its eigenvalues.
+struct Matrix {
+    rows: Vec<Vec<f64>>,
+    cells: usize,
+}
+
+impl Matrix {
+    fn random(cells: usize, components: usize, random: &mut Random) -> Self {
+        let size = cells * components;
+        let root: Vec<Vec<f64>> = (0..size)
+            .map(|_| (0..size).map(|_| random.uniform(-1.0, 1.0)).collect())
+            .collect();
+        let entry = |i: usize, j: usize| {
+            let product: f64 = root[i].iter().zip(&root[j]).map(|(a, b)| a * b).sum();
+            product + if i == j { 0.1 * size as f64 } else { 0.0 }
+        };
+        let rows = (0..size).map(|i| (0..size).map(|j| entry(i, j)).collect());
+        Self {
+            rows: rows.collect(),
+            cells,
+        }
+    }
+}
+
+impl<const N: usize> Operator<N> for Matrix {
+    type Workspace = ();
+
+    fn cells(&self) -> usize {
+        self.cells
+    }
+
+    fn workspace(&self) {}
+
+    fn apply(&self, x: [&[f64]; N], u: [&mut [f64]; N], (): &mut ()) {
+        for (c, u) in u.into_iter().enumerate() {
+            for (i, u) in u.iter_mut().enumerate() {
+                let row = self.rows[c * self.cells + i].chunks_exact(self.cells);
+                let products = row
+                    .zip(x)
+                    .flat_map(|(row, x)| row.iter().zip(x).map(|(a, x)| a * x));
+                *u = products.sum();
+            }
+        }
+    }
+}
+
+/// Discs, some of them points.
+struct Discs(Vec<f64>);
+
+impl Constraint<2> for Discs {
+    type Set = Disc;
+
+    fn of(&self, cell: usize) -> Disc {
+        Disc {
+            radius: self.0[cell],
+        }
+    }
+}
+
+/// Intervals about one centre for all.
+struct Intervals(f64);
+
+impl Constraint for Intervals {
+    type Set = Interval;
+
+    fn of(&self, _: usize) -> Interval {
+        Interval {
+            lower: self.0 - 0.5,
+            upper: self.0 + 0.5,
+        }
+    }
+}
+
+/// What residuals are measured by: the largest displacement, or what the stiffest spring would stretch.
+fn scale<const N: usize>(totals: [Total; N], u: [&[f64]; N], x: [&[f64]; N]) -> f64 {
+    let size = |v: [&[f64]; N], i: usize| v.iter().map(|v| v[i].powi(2)).sum::<f64>().sqrt();
+    let cells = 0..x[0].len();
+    let largest = cells.clone().fold(0.0, |max: f64, i| max.max(size(u, i)));
+    let springs = totals.iter().filter_map(|total| match total {
+        Total::Spring { compliance, .. } => Some(*compliance),
+        _ => None,
+    });
+    let magnitude: f64 = cells.map(|i| size(x, i)).sum();
+    springs
+        .reduce(f64::min)
+        .map_or(largest, |compliance| largest.max(compliance * magnitude))
+}
+
+fn sums_are_kept<const N: usize>(totals: [Total; N], x: [&[f64]; N], multiplier: [f64; N]) {
+    for ((total, x), multiplier) in totals.into_iter().zip(x).zip(multiplier) {
+        let (sum, size): (f64, f64) = (x.iter().sum(), x.iter().map(|x| x.abs()).sum());
+        match total {
+            Total::Sum(asked) => assert!((sum - asked).abs() < 1e-12 * size),
+            Total::Spring {
+                far_end,
+                compliance,
+            } => assert!((multiplier - (far_end - compliance * sum)).abs() < 1e-12 * (1.0 + size)),
+            _ => assert_eq!(multiplier, 0.0),
+        }
+    }
+}
+
+#[test]
+fn two_unknowns_a_cell() {
+    let settings = Settings::default().tolerance(1e-10);
+    for seed in 0..60 {
+        let mut random = Random(seed);
+        let cells = random.integer(1, 20);
+        let matrix = Matrix::random(cells, 2, &mut random);
+        let mut field = || -> Vec<f64> { (0..cells).map(|_| random.uniform(-3.0, 3.0)).collect() };
+        let (bx, by) = (field(), field());
+        let radii: Vec<f64> = (0..cells)
+            .map(|_| random.uniform(-0.1, 0.3).max(0.0))
+            .collect();
+        let limit: f64 = radii.iter().sum();
+        let mut total = || match random.integer(0, 2) {
+            0 => Total::Free,
+            1 => Total::Sum(0.6 * limit * random.uniform(-1.0, 1.0)),
+            _ => Total::Spring {
+                far_end: random.uniform(-2.0, 2.0),
+                compliance: 10_f64.powf(random.uniform(-3.0, 3.0)),
+            },
+        };
+        let totals = [total(), total()];
+        let problem = Problem::new(&matrix, [&bx, &by], Discs(radii.clone())).totals(totals);
+        let (mut x, mut y) = (vec![0.0; cells], vec![0.0; cells]);
+        let found = cgm::minimise(&problem, &settings, [&mut x, &mut y])
+            .unwrap_or_else(|error| panic!("{seed} {totals:?}: {error}"));
+        if limit == 0.0 {
+            continue;
+        }
+        sums_are_kept(totals, [&x, &y], found.multiplier);
+
+        let (mut ux, mut uy) = (vec![0.0; cells], vec![0.0; cells]);
+        matrix.apply([&x, &y], [&mut ux, &mut uy], &mut ());
+        let scale = scale(totals, [&ux, &uy], [&x, &y]);
+        for i in 0..cells {
+            let size = x[i].hypot(y[i]);
+            assert!(size <= radii[i] * (1.0 + 1e-14), "{seed}");
+            let g = [
+                ux[i] + bx[i] - found.multiplier[0],
+                uy[i] + by[i] - found.multiplier[1],
+            ];
+            // Inside, no gradient is left; at the limit it points against the vector.
+            let (along, across) = if size > 0.0 {
+                let (along, across) = (g[0] * x[i] + g[1] * y[i], g[0] * y[i] - g[1] * x[i]);
+                (along / size, across / size)
+            } else {
+                (g[0].hypot(g[1]), 0.0)
+            };
+            if radii[i] > 0.0 {
+                let is_at_limit = size > radii[i] * (1.0 - 1e-9);
+                let wrong = if is_at_limit {
+                    along.max(0.0)
+                } else {
+                    along.abs()
+                };
+                assert!(wrong.max(across.abs()) < 1e-9 * scale, "{seed} {totals:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn one_unknown_a_cell() {
+    let settings = Settings::default().tolerance(1e-10);
+    for seed in 100..160 {
+        let mut random = Random(seed);
+        let cells = random.integer(1, 20);
+        let matrix = Matrix::random(cells, 1, &mut random);
+        let linear: Vec<f64> = (0..cells).map(|_| random.uniform(-3.0, 3.0)).collect();
+        let centre = random.uniform(-1.0, 1.0);
+        let totals = [match random.integer(0, 2) {
+            0 => Total::Free,
+            1 => Total::Sum(cells as f64 * (centre + random.uniform(-0.3, 0.3))),
+            _ => Total::Spring {
+                far_end: random.uniform(-2.0, 2.0),
+                compliance: 10_f64.powf(random.uniform(-3.0, 3.0)),
+            },
+        }];
+        let problem = Problem::new(&matrix, [&linear], Intervals(centre)).totals(totals);
+        let mut x = vec![0.0; cells];
+        let found = cgm::minimise(&problem, &settings, [&mut x])
+            .unwrap_or_else(|error| panic!("{seed} {totals:?}: {error}"));
+        sums_are_kept(totals, [&x], found.multiplier);
+
+        let mut u = vec![0.0; cells];
+        matrix.apply([&x], [&mut u], &mut ());
+        let scale = scale(totals, [&u], [&x]);
+        for i in 0..cells {
+            let g = u[i] + linear[i] - found.multiplier[0];
+            let wrong = if x[i] <= centre - 0.5 {
+                (-g).max(0.0)
+            } else if x[i] >= centre + 0.5 {
+                g.max(0.0)
+            } else {
+                g.abs()
+            };
+            assert!(wrong < 1e-9 * scale, "{seed} {totals:?}: {wrong:e}");
+        }
+    }
+}
+
+#[test]
+fn a_workspace_of_another_size_is_refused() {
+    let mut random = Random(7);
+    let [small, large] = [3, 5].map(|cells| Matrix::random(cells, 2, &mut random));
+    let linear = [1.0; 5];
+    let of = |matrix, cells| {
+        let linear: &[f64] = &linear[..cells];
+        Problem::new(matrix, [linear, linear], Discs(vec![0.1; cells]))
+    };
+    let mut workspace = of(&small, 3).workspace();
+    let (mut x, mut y) = ([0.0; 5], [0.0; 5]);
+    let refused = cgm::minimise_with(
+        &of(&large, 5),
+        &Settings::default(),
+        [&mut x, &mut y],
+        &mut workspace,
+        &mut |_| std::ops::ControlFlow::Continue(()),
+    );
+    assert!(matches!(refused, Err(Error::Length { .. })));
+    assert_eq!((x, y), ([0.0; 5], [0.0; 5]));
+}
