@@ -66,6 +66,11 @@ impl<S: Admissible<N>, const N: usize> ElasticSolver<S, N> {
         self.workspace.multiplier()
     }
 
+    /// Measures the last answer in another unit.
+    pub(crate) fn rescale(&mut self, factor: f64) {
+        self.workspace.rescale(factor);
+    }
+
     pub(crate) fn report(&self) -> &Report {
         self.workspace.report()
     }

@@ -101,6 +101,15 @@ pub enum Error {
         /// Dundurs' second parameter of the pair.
         beta: f64,
     },
+    /// The cells are so much longer than wide that the smallest eigenvalue of the compliance is round-off of the
+    /// largest: no error could be certified.
+    #[error(
+        "cells of sides {sides:?} are too long: double precision does not resolve the compliance of their short waves"
+    )]
+    CellsTooLong {
+        /// Sides of a cell (lengths).
+        sides: [f64; 2],
+    },
     /// A slice, field or list has the wrong number of entries.
     #[error("{quantity} has {found} entries, expected {expected}")]
     Length {

@@ -156,9 +156,9 @@
 //! The model covers elastic half-spaces with small slopes and strains, free surroundings or a periodic grid, and any
 //! history of load along one axis or in the plane, including twist. Along an axis the traction across the load is
 //! neglected, as in the paper; on the sphere of Poisson's ratio 0.29 this changes the force by less than 0.1 %. The
-//! plane model ([`TangentialModel::Vector`]) finds both components, in about three times the time. Tangential problems and
-//! histories refuse materials whose pressure and shear are coupled (Dundurs' beta not zero) until the coupling is
-//! neglected explicitly. The plane model reproduces the histories of CONTACT's test bench, among them 21 steps of a
+//! vector model ([`TangentialModel::Vector`]) finds both components, in about three times the time. Tangential problems
+//! and histories refuse materials whose pressure and shear are coupled (Dundurs' beta not zero) until the coupling is
+//! neglected explicitly. The vector model reproduces the histories of CONTACT's test bench, among them 21 steps of a
 //! moving sphere, to 1e-9 of the largest pressure (`tests/it/another_code_agrees_through_histories.rs`).
 //!
 //! Not modelled: the coupling of pressure and shear itself, rolling, layers, plasticity, adhesion, viscosity, heat.

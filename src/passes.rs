@@ -40,8 +40,8 @@ pub(crate) fn check_iterations_left(settings: &Settings, report: &mut Report) ->
     Err(Error::NotConverged(Box::new(report.clone())))
 }
 
-/// The settings with what earlier passes have left of their limits; [`check_iterations_left`] has found that there are iterations
-/// left.
+/// The settings with what earlier passes have left of their limits; [`check_iterations_left`] has found that there are
+/// iterations left.
 pub(crate) fn with_limits_left(settings: &Settings, start: Instant, earlier: &Report) -> Settings {
     let left = settings.max_iterations - earlier.iterations;
     with_time_left(settings, start).max_iterations(left)

@@ -56,8 +56,9 @@ impl CattaneoMindlin {
     /// bodies is neglected.
     ///
     /// # Errors
-    /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for the force or a result,
-    /// [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force exceeds $`\mu W`$.
+    /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
+    /// the force or a result, [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force
+    /// exceeds $`\mu W`$.
     pub fn new(hertz: HertzSphere, friction: f64, force: f64) -> Result<Self> {
         let slip = PartialSlip::new(hertz.load(), friction, force)?;
         let (pair, poisson_ratio) = (hertz.pair(), hertz.pair().poisson_ratio());
@@ -251,8 +252,9 @@ impl CattaneoMindlinEllipse {
     /// bodies is neglected.
     ///
     /// # Errors
-    /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for the force or a result,
-    /// [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force exceeds $`\mu W`$.
+    /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
+    /// the force or a result, [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force
+    /// exceeds $`\mu W`$.
     pub fn new(hertz: HertzEllipse, friction: f64, force: f64) -> Result<Self> {
         let slip = PartialSlip::new(hertz.load(), friction, force)?;
         let [along, across] = hertz.semi_axes();

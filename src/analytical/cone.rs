@@ -193,8 +193,9 @@ impl ConePartialSlip {
     /// bodies is neglected.
     ///
     /// # Errors
-    /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for the force or a result,
-    /// [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force exceeds $`\mu W`$.
+    /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
+    /// the force or a result, [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force
+    /// exceeds $`\mu W`$.
     pub fn new(cone: Cone, friction: f64, force: f64) -> Result<Self> {
         let held = HeldForce::new(cone.load, friction, force)?;
         let nu = cone.pair.poisson_ratio();

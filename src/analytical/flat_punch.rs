@@ -118,8 +118,9 @@ impl FlatPunch {
     /// $`|F| = \mu W`$, and then slides at once.
     ///
     /// # Errors
-    /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for the force or a result,
-    /// [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force exceeds $`\mu W`$.
+    /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
+    /// the force or a result, [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force
+    /// exceeds $`\mu W`$.
     pub fn full_stick(&self, friction: f64, force: f64) -> Result<MindlinFullStick> {
         HeldForce::new(self.load, friction, force)?;
         MindlinFullStick::new(&self.pair, self.radius, force)

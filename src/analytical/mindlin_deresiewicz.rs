@@ -61,8 +61,9 @@ impl MindlinDeresiewicz {
     /// coupling between pressure and shear of dissimilar bodies is neglected.
     ///
     /// # Errors
-    /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for a force or a result,
-    /// [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if a force exceeds $`\mu W`$.
+    /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
+    /// a force or a result, [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if a force exceeds
+    /// $`\mu W`$.
     pub fn new(hertz: HertzSphere, friction: f64, path: &[f64]) -> Result<Self> {
         for &force in path {
             HeldForce::new(hertz.load(), friction, force)?;

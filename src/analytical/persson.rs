@@ -127,9 +127,9 @@ impl Persson {
     /// loads, and never less than that. Superposition after Ciavarella (1998) and Jaeger (1998).
     ///
     /// # Errors
-    /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for the traction or the limit,
-    /// [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity), with forces per nominal area, if
-    /// the traction exceeds $`\mu\bar p`$.
+    /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
+    /// the traction or the limit, [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity), with forces
+    /// per nominal area, if the traction exceeds $`\mu\bar p`$.
     pub fn stick_ratio(&self, friction: f64, mean_traction: f64) -> Result<f64> {
         let held = HeldForce::new(self.mean_pressure, friction, mean_traction)?;
         let b = argument(self.reduced_pressure, self.area_coefficient);
@@ -175,8 +175,9 @@ fn argument(reduced_pressure: f64, area_coefficient: f64) -> f64 {
 ///
 /// # Errors
 /// [`Error::NotPositive`](crate::Error::NotPositive) for the load,
-/// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for the force or the limit,
-/// [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force exceeds $`\mu W`$.
+/// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for the
+/// force or the limit, [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force exceeds
+/// $`\mu W`$.
 ///
 /// ```
 /// use stickslip::{Error, analytical::linear_stick_ratio};

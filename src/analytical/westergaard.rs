@@ -243,9 +243,9 @@ impl WestergaardPartialSlip {
     /// dissimilar bodies is neglected.
     ///
     /// # Errors
-    /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for the traction or a result,
-    /// [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity), with forces per nominal area, if
-    /// the traction exceeds $`\mu\bar p`$.
+    /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
+    /// the traction or a result, [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity), with forces
+    /// per nominal area, if the traction exceeds $`\mu\bar p`$.
     pub fn new(contact: Westergaard, friction: f64, mean_traction: f64) -> Result<Self> {
         let held = HeldForce::new(contact.mean_pressure, friction, mean_traction)?;
         finite("maximum traction", friction * contact.max_pressure())?;

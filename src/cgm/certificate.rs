@@ -122,8 +122,8 @@ pub(crate) fn examine<const N: usize>(
     }
 }
 
-/// What a spring takes from the bound `B^2` of a uniform gradient, whose parts add up to `pushed`: it is `1 / (n c)` times
-/// the square, where that is less than by the smallest eigenvalue.
+/// What a spring takes from the bound `B^2` of a uniform gradient, whose parts add up to `pushed`: it is `1 / (n c)`
+/// times the square, where that is less than by the smallest eigenvalue.
 fn held_by_spring(pushed: f64, cells: usize, compliance: f64, lower_bound: f64) -> f64 {
     let cells = cells as f64;
     let gain = 1.0 / lower_bound - 1.0 / (cells * compliance);

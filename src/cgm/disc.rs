@@ -9,8 +9,8 @@
 //! ```
 //!
 //! the stiffness of the operator along the circle and $`|g|/m`$ more, because turning the traction turns the tangent
-//! too. Without the second term iterations of clipped gradients stall (Zhao, Vollebregt & Oosterlee, report 14-02 of the Delft Institute of Applied
-//! Mathematics, 2014).
+//! too. Without the second term iterations of clipped gradients stall (Zhao, Vollebregt & Oosterlee, report 14-02 of
+//! the Delft Institute of Applied Mathematics, 2014).
 
 use crate::cgm::interval::EDGE;
 use crate::cgm::motion::{Linearised, Motion, Reach};

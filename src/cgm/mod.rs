@@ -1,4 +1,4 @@
-//! The constrained minimum that every contact problem is: one engine for any number of unknowns a cell, without physics.
+//! The constrained minimum behind every contact problem: one engine for any number of unknowns a cell.
 //!
 //! ```math
 //! \min_x \; \tfrac12 x' C x + b' x
@@ -6,12 +6,12 @@
 //! \quad\text{optionally}\quad \textstyle\sum_i x_i = S .
 //! ```
 //!
-//! Each cell `i` has `N` unknowns. `C` is an [`Operator`](crate::Operator), symmetric and positive definite; `K_i` is the set that a
-//! [`Constraint`] gives the cell, an [`Interval`] for one unknown or a [`Disc`] for two. A [`Total`] prescribes the sum of
-//! a component, or ties it to a spring; its multiplier is returned. For a normal contact `x` is the pressure, `b` the gap,
-//! `S` the load over the cell area and the multiplier the approach; for a tangential one `x` is the traction within its
-//! friction limit, along one axis or in the plane, and the multiplier the shift. Vectors are arrays of one slice a
-//! component.
+//! Each cell `i` has `N` unknowns. `C` is an [`Operator`](crate::Operator), symmetric and positive definite; `K_i` is
+//! the set that a [`Constraint`] gives the cell, an [`Interval`] for one unknown or a [`Disc`] for two. A [`Total`]
+//! prescribes the sum of a component, or ties it to a spring; its multiplier is returned. For a normal contact `x` is
+//! the pressure, `b` the gap, `S` the load over the cell area and the multiplier the approach; for a tangential one `x`
+//! is the traction within its friction limit, along one axis or in the plane, and the multiplier the shift. Vectors are
+//! arrays of one slice a component.
 //!
 //! The solver is Newton's method on the law of every cell: the sets decide how each cell may move, conjugate gradients
 //! solve the linear problem of the cells that move, bordered by the totals, and then the sets are decided again. For
@@ -48,10 +48,10 @@
 //! first is available (infinite while a cell without an upper bound wants to grow), and an
 //! iteration then stops on the residual alone.
 //!
-//! A spring of compliance `c` adds `c (sum x)^2 / 2` to the objective and `c (sum (x - x*))^2 >= 0` to `E^2`. Its multiplier
-//! follows the sum, `delta = X - c sum x`, so that `g` is the gradient of the whole objective and the bound holds for the
-//! energy norm of `C` alone too. Of `B` the mean of `r` over the `n` cells then counts by `n c`, where that is more than
-//! `lambda`. Residuals are then relative to the largest displacement, or to what the stiffest spring
+//! A spring of compliance `c` adds `c (sum x)^2 / 2` to the objective and `c (sum (x - x*))^2 >= 0` to `E^2`. Its
+//! multiplier follows the sum, `delta = X - c sum x`, so that `g` is the gradient of the whole objective and the bound
+//! holds for the energy norm of `C` alone too. Of `B` the mean of `r` over the `n` cells then counts by `n c`, where
+//! that is more than `lambda`. Residuals are then relative to the largest displacement, or to what the stiffest spring
 //! would stretch if all unknowns pulled one way, where that is more.
 //!
 //! A total missed by round-off is reported separately: `x*` is the minimum of the total `x` has. The same
@@ -63,7 +63,7 @@
 //!
 //! A tolerance below what the product leaves ends as [`Status::Stalled`], with the certified error that was
 //! reached. Measured with a tolerance of 1e-16, [`Report::energy_error_bound`] of the pressure, and of the traction in
-//! the scalar and the plane model at 0.6 of the sliding force:
+//! the scalar and the vector model at 0.6 of the sliding force:
 //!
 //! | cells | sphere | rough surface | flat on flat |
 //! |--:|---|---|---|

@@ -34,7 +34,10 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     /// Breaks with a status; continues where the method is stuck.
     fn newton_steps(&mut self) -> ControlFlow<Status> {
         let is_curved = MotionOf::<K, N>::IS_CURVED;
-        let mut progress = Progress::new(if is_curved { CYCLE_CURVED } else { CYCLE });
+        let mut progress = Progress::new(
+            if is_curved { CYCLE_CURVED } else { CYCLE },
+            self.inner_reduction,
+        );
         let mut totals = self.newton_start()?;
         loop {
             self.set_multiplier(&totals);
@@ -48,6 +51,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             }
             self.judge(merit, findings.free)?;
             if progress.is_stuck_at(merit) {
+                self.inner_reduction = progress.inner_reduction;
                 return ControlFlow::Continue(());
             }
             let reduction = progress.reduction(merit, self.monitor.settings.tolerance);

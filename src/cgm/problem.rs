@@ -133,10 +133,10 @@ pub struct Minimum<const N: usize = 1> {
 ///
 /// # Errors
 /// [`Error::Length`], [`Error::Sample`], [`Error::Bounds`], [`Error::Negative`], [`Error::Total`] or
-/// [`Error::BeyondFrictionCapacity`] for sums the sets cannot hold, [`Error::NotPositive`] or [`Error::NotFinite`] for a
-/// spring, [`Error::Method`] for a method that does not know the sets,
-/// [`Error::Tolerance`] or [`Error::IterationLimit`] before any work, with `x` as it was;
-/// [`Error::NotConverged`] with the last feasible iterate in `x`.
+/// [`Error::BeyondFrictionCapacity`] for sums the sets cannot hold, [`Error::NotPositive`] or [`Error::NotFinite`] for
+/// a spring, [`Error::Method`] for a method that does not know the sets, [`Error::Tolerance`] or
+/// [`Error::IterationLimit`] before any work, with `x` as it was; [`Error::NotConverged`] with the last feasible
+/// iterate in `x`.
 pub fn minimise<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
     problem: &Problem<'_, C, K, P, N>,
     settings: &Settings,

@@ -1,7 +1,11 @@
 //! Whether the outer steps of an active-set method still get anywhere.
 
-/// Reduction of the inner residual per outer step.
-const INNER_REDUCTION: f64 = 0.1;
+/// Reduction of the inner residual per outer step, while the sets make progress.
+pub(super) const INNER_REDUCTION: f64 = 0.1;
+/// The same at the least: what the sets are decided by may be this part of the largest residual, where cells are long.
+const LEAST_REDUCTION: f64 = 1e-6;
+/// Outer steps without progress after which the inner solution is taken for too coarse to decide by.
+const DOUBT: usize = 2;
 
 /// Residual above which single precision tells the sets as well as double does.
 const EARLY: f64 = 1e-3;
@@ -20,17 +24,20 @@ pub(super) struct Progress {
     fewest: usize,
     best: f64,
     without: usize,
+    /// Reduction of the inner residual while sets change: once tightened it stays so.
+    pub(super) inner_reduction: f64,
 }
 
 impl Progress {
     /// Before the first step; `cycle` steps without progress are a cycle.
-    pub(super) fn new(cycle: usize) -> Self {
+    pub(super) fn new(cycle: usize, inner_reduction: f64) -> Self {
         Self {
             cycle,
             changes: usize::MAX,
             fewest: usize::MAX,
             best: f64::INFINITY,
             without: 0,
+            inner_reduction,
         }
     }
 
@@ -49,6 +56,9 @@ impl Progress {
             return false;
         }
         self.without += 1;
+        if self.without >= DOUBT {
+            self.inner_reduction = (0.1 * self.inner_reduction).max(LEAST_REDUCTION);
+        }
         let patience = if self.changes == 0 {
             PATIENCE
         } else {
@@ -60,7 +70,7 @@ impl Progress {
     /// How far the next inner iteration should reduce its residual.
     pub(super) fn reduction(&self, merit: f64, tolerance: f64) -> f64 {
         if self.changes > 0 {
-            INNER_REDUCTION
+            self.inner_reduction
         } else {
             (0.3 * tolerance / merit).clamp(1e-4, INNER_REDUCTION)
         }

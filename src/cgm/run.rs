@@ -5,16 +5,19 @@ use std::ops::ControlFlow;
 use crate::cgm::certificate::{Certificate, Iterate, examine};
 use crate::cgm::monitor::Monitor;
 use crate::cgm::motion::{Linearised, Motion};
+use crate::cgm::progress::INNER_REDUCTION;
 use crate::cgm::totals::{Total, sums_of};
 use crate::cgm::vector::{at, dot, norm, plus, slices, slices_mut, update_cells};
 use crate::cgm::{Admissible, Constraint, MotionOf, Problem, Settings, Workspace, reduce};
 use crate::operator::Operator;
 use crate::report::{Iteration, Status};
 
-/// Of the least stiffness there is but for constants: less is none, in single precision; and what is
-/// taken for none, to get to the bounds in a step.
+/// Part of the smallest eigenvalue below which a curvature is round-off of single precision.
 const FLAT: f64 = 1e-3;
+/// Part of the smallest eigenvalue that replaces such a curvature: one step then reaches the bounds.
 const FLATTEST: f64 = 1e-30;
+/// The same where no eigenvalue is known: small in any system of units.
+const NOTHING: f64 = 1e-60;
 
 /// One solve under way.
 #[expect(
@@ -31,6 +34,8 @@ pub struct Run<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N
     pub(super) is_fresh: bool,
     /// Of the eigenvalues; zero if none is known.
     pub(super) lower_bound: f64,
+    /// Reduction of the inner residual that the next pass of Newton's method begins with.
+    pub(super) inner_reduction: f64,
     /// Free cells, as last examined.
     free: usize,
     /// Whether the totals leave no choice: every cell stands at an extreme of its set.
@@ -56,6 +61,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
             x,
             workspace,
             is_fresh: false,
+            inner_reduction: INNER_REDUCTION,
             free: 0,
             is_extreme: false,
         }
@@ -150,17 +156,24 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
     }
 
     /// The curvature that takes a direction `d` of `square = d' d` on the cells that move to their bounds, if
-    /// its own, `d' C d`, is none: an operator that maps constants to zero lets all cells together slide.
+    /// its own, `d' C d`, is none: an operator that maps constants to zero lets all cells together slide. One that maps
+    /// everything to zero, as that of a single cell that repeats, has no stiffness to compare with.
     pub(super) fn slide(&self, curvature: f64, square: f64) -> Option<f64> {
         let stiffness = self.lower_bound * square;
-        let is_flat = self.problem.totals.contains(&Total::Free) && curvature < FLAT * stiffness;
+        let is_flat = self.problem.totals.contains(&Total::Free)
+            && (curvature < FLAT * stiffness || curvature == 0.0);
         let (moving, motions) = (&self.workspace.moving, &self.workspace.motions);
         let motions = moving.kept(motions);
         let slides = || {
             motions.len() == self.cells()
                 && reduce::first(motions.len(), |i| !motions[i].is_free()).is_none()
         };
-        (is_flat && slides()).then_some(FLATTEST * stiffness)
+        let flattest = if stiffness > 0.0 {
+            FLATTEST * stiffness
+        } else {
+            NOTHING * square
+        };
+        (is_flat && slides()).then_some(flattest)
     }
 
     /// Examines the iterate by the product at hand, and writes the findings to the report. They are certain only if

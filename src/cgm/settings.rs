@@ -156,8 +156,8 @@ macro_rules! solver_settings {
         /// Changes tolerance, method and limits of the next solve, which starts from the last answer all the same.
         ///
         /// # Errors
-        /// As [`Settings::check`](crate::cgm::Settings::check), and [`Error::Method`](crate::Error::Method) for a method
-        /// that the model does not have; the settings are then as they were.
+        /// As [`Settings::check`](crate::cgm::Settings::check), and [`Error::Method`](crate::Error::Method) for a
+        /// method that the model does not have; the settings are then as they were.
         pub fn set_settings(&mut self, settings: crate::cgm::Settings) -> Result<()> {
             settings.check()?;
             let check: fn(&Self, &crate::cgm::Settings) -> Result<()> = $check;

@@ -80,6 +80,21 @@ impl Total {
         }
     }
 
+    /// What asks the same of unknowns and displacements measured in a unit.
+    pub(crate) fn in_unit(self, unit: f64) -> Self {
+        match self {
+            Self::Free => Self::Free,
+            Self::Sum(sum) => Self::Sum(sum / unit),
+            Self::Spring {
+                far_end,
+                compliance,
+            } => Self::Spring {
+                far_end: far_end / unit,
+                compliance,
+            },
+        }
+    }
+
     pub(super) fn is_spring(self) -> bool {
         matches!(self, Self::Spring { .. })
     }

@@ -27,8 +27,8 @@ pub enum Turn {
 
 /// What of a residual the preconditioner answers as a smooth pattern, and what the cell alone.
 ///
-/// The inverse operator $`M`$ does not know the stiffness $`k`$ of the circles. Both limits of the system $`C + k`$ have
-/// an inverse at hand: that of $`k \ll C`$ is $`M`$, that of $`k \gg C`$ is $`1 / (c_1 + k)`$ in each cell, with
+/// The inverse operator $`M`$ does not know the stiffness $`k`$ of the circles. Both limits of the system $`C + k`$
+/// have an inverse at hand: that of $`k \ll C`$ is $`M`$, that of $`k \gg C`$ is $`1 / (c_1 + k)`$ in each cell, with
 /// $`c_1`$ the compliance of a cell that moves alone. Between them the preconditioner is
 ///
 /// ```math

@@ -68,6 +68,14 @@ impl<C: Operator<N>, P: Operator<N>, M: Motion<N>, const N: usize> Workspace<C, 
         self.product.each_ref().map(Vec::as_slice)
     }
 
+    /// Measures product and multipliers of the last solve in another unit.
+    pub(crate) fn rescale(&mut self, factor: f64) {
+        let values = self.product.iter_mut().flatten();
+        for value in values.chain(&mut self.multiplier) {
+            *value *= factor;
+        }
+    }
+
     /// The report of the last solve, converged or not.
     #[must_use]
     pub fn report(&self) -> &Report {

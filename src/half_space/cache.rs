@@ -49,8 +49,8 @@ impl Entry {
 }
 
 impl Cache {
-    /// The value of these components and this size, made if there is none; kept for good, or as long as
-    /// anyone uses it.
+    /// The value for these components and this size, made if there is none. It is kept as long as the cache, or only
+    /// as long as someone holds it.
     ///
     /// Nothing is made under the lock, for the reason that
     /// [`get_or_make`](crate::parallel::get_or_make) gives.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::boundary::Boundary;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::fft::{CirculantInverse, Convolution};
 use crate::half_space::{HalfSpace, Shared};
 use crate::influence::{Component, Direction, Kernel, Symbols};
@@ -27,6 +27,13 @@ impl HalfSpace {
     ) -> Result<Compliance<N>> {
         let components = tensor(directions);
         let operator = self.convolution(components, size)?;
+        // Without a bound nothing could be certified. A single cell that repeats has no wave to bound.
+        let grid = self.grid();
+        if N < 3 && operator.lower_bound() <= 0.0 && grid.cells() > 1 {
+            return Err(Error::CellsTooLong {
+                sides: [grid.dx(), grid.dy()],
+            });
+        }
         let inverse = self.made(components, size, |size, kernels| {
             CirculantInverse::new(size, kernels, operator.lower_bound())
         })?;

@@ -24,11 +24,11 @@ pub use elastic::{ElasticOperator, ElasticPreconditioner};
 ///
 /// A component is sampled and transformed when a problem first asks for it, once; clones share it, and
 /// contacts on equal windows of the grid share what they need while any of them lives. The
-/// samples behind `XX`, `YY` and `ZZ` take 16 bytes per cell together, those of `XY`, `XZ` and `YZ` 8 each, and serve the coarser grids of
-/// nested starts too; each operator takes 12 and its preconditioner one, the coarser ones a third more. An
-/// operator of two directions takes three times that, one of all three six times.
-/// With a periodic boundary there are no samples, and an operator takes three bytes per cell.
-/// `Send + Sync`: many solvers may run over one `HalfSpace` on many threads.
+/// samples behind `XX`, `YY` and `ZZ` take 16 bytes per cell together, those of `XY`, `XZ` and `YZ` 8 each, and serve
+/// the coarser grids of nested starts too; each operator takes 12 and its preconditioner one, the coarser ones a third
+/// more. An operator of two directions takes three times that, one of all three six times. With a periodic boundary
+/// there are no samples, and an operator takes three bytes per cell. `Send + Sync`: many solvers may run over one
+/// `HalfSpace` on many threads.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Grid, HalfSpace, Material};

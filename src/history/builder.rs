@@ -38,14 +38,14 @@ impl<'a> HistoryBuilder<'a> {
 impl HistoryBuilder<'_> {
     settings_methods!();
 
-    /// The axis of tangential load and tractions (default [`Axis::X`]); the plane model has none.
+    /// The axis of tangential load and tractions (default [`Axis::X`]); the vector model has none.
     pub fn axis(mut self, axis: Axis) -> Self {
         self.axis = axis;
         self
     }
 
-    /// Which tractions are found (default [`TangentialModel::Scalar`]). With [`TangentialModel::Vector`] a history takes
-    /// loads of any direction and twist.
+    /// Which tractions are found (default [`TangentialModel::Scalar`]). With [`TangentialModel::Vector`] a history
+    /// takes loads of any direction and twist.
     ///
     /// ```
     /// use stickslip::*;

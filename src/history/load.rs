@@ -106,7 +106,7 @@ impl LoadStep {
 
     /// With the rotation $`\varphi`$ of body 2 relative to body 1 about the origin of the grid at the end of the
     /// step, since the start of the history (radians, positive from x to y): beside the shift it moves body 2
-    /// by $`(-\varphi y, \varphi x)`$. Only the plane model takes other than zero, and only on a grid that does
+    /// by $`(-\varphi y, \varphi x)`$. Only the vector model takes other than zero, and only on a grid that does
     /// not repeat.
     pub fn twist(mut self, twist: f64) -> Self {
         self.twist = Some(twist);

@@ -21,9 +21,9 @@
 //! drops its traction. If the pressure alone changes, tractions are found anew under the
 //! same force or the same shift, never cut.
 //!
-//! Prescribed is the force, the shift, or the far end of a spring ([`TangentialControl`](crate::TangentialControl)). A force that friction no longer
-//! holds is [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity); one at the limit slides the contact, with
-//! the least shift that makes all of it slip.
+//! Prescribed is the force, the shift, or the far end of a spring ([`TangentialControl`](crate::TangentialControl)). A
+//! force that friction no longer holds is [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity); one
+//! at the limit slides the contact, with the least shift that makes all of it slip.
 //!
 //! Steps may be as long as the load goes one way: under an unchanged pressure the state after a monotonic
 //! load does not depend on the steps that led there. This is the transient shift of

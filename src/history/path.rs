@@ -90,10 +90,9 @@ impl LoadPath {
         })
     }
 
-    /// Through a table of values, each the end of a step.
+    /// A path through a table of values, each the end of a step.
     ///
-    /// A path that is to close ends where it began; repeated, any path goes on from its last value
-    /// to its first.
+    /// A closed path ends with the value it began with. When a path is repeated, its first value follows its last.
     ///
     /// # Errors
     /// [`Error::EmptyPath`] if there is no step, [`Error::Sample`] for a value that is not finite;

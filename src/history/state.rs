@@ -228,7 +228,8 @@ impl State {
     }
 
     /// Energy each cell has dissipated in all steps, the sum of
-    /// [`StepResult::dissipated_energy`](crate::history::StepResult::dissipated_energy) (energies, force times length, non-negative).
+    /// [`StepResult::dissipated_energy`](crate::history::StepResult::dissipated_energy) (energies, force times length,
+    /// non-negative).
     #[must_use]
     pub fn dissipated_energy(&self) -> &Field {
         &self.dissipated_energy

@@ -5,9 +5,9 @@
 //!
 //! # Shapes and generated surfaces
 //! Shapes such as [`sphere`] are gaps. [`SelfAffine`] generates heights of a rough surface, which
-//! [`gap_from_heights`] turns into a gap; gaps are added by [`sum`](sum()). Besides the errors listed for each function, all
-//! return an error for a grid whose field memory cannot hold ([`Error::Memory`](crate::Error::Memory)), and for a
-//! shape with a height that overflows ([`Error::Sample`](crate::Error::Sample)).
+//! [`gap_from_heights`] turns into a gap; gaps are added by [`sum`](sum()). Besides the errors listed for each
+//! function, all return an error for a grid whose field memory cannot hold ([`Error::Memory`](crate::Error::Memory)),
+//! and for a shape with a height that overflows ([`Error::Sample`](crate::Error::Sample)).
 //!
 //! # Measured surfaces
 //! Heights `z(x, y)` point out of the body that they bound; NaN marks a missing height. To obtain a gap

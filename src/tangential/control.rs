@@ -128,8 +128,8 @@ impl TangentialLoad {
         self
     }
 
-    /// With the rotation $`\varphi`$ of body 2 relative to body 1 about the origin of the grid (radians, positive from x
-    /// to y): beside the shift it moves body 2 by $`(-\varphi y, \varphi x)`$. Only the vector model takes other than
+    /// With the rotation $`\varphi`$ of body 2 relative to body 1 about the origin of the grid (radians, positive from
+    /// x to y): beside the shift it moves body 2 by $`(-\varphi y, \varphi x)`$. Only the vector model takes other than
     /// zero, and only on a grid that does not repeat.
     #[must_use]
     pub fn twist(mut self, twist: f64) -> Self {

@@ -57,6 +57,9 @@ pub(super) trait ShearEngine: Debug + Send + Sync {
     /// The shift that forces and springs cause beyond what is prescribed.
     fn multiplier(&self) -> [f64; 2];
 
+    /// Measures the last answer in another unit.
+    fn rescale(&mut self, factor: f64);
+
     fn report(&self) -> &Report;
 
     fn boxed(&self) -> Box<dyn ShearEngine>;
@@ -207,6 +210,10 @@ where
 
     fn multiplier(&self) -> [f64; 2] {
         self.both(self.solver.multiplier())
+    }
+
+    fn rescale(&mut self, factor: f64) {
+        self.solver.rescale(factor);
     }
 
     fn report(&self) -> &Report {

@@ -23,7 +23,7 @@ use crate::grid::Grid;
 )]
 pub struct Friction {
     coefficient: Coefficient,
-    /// `None` where there is none.
+    /// `None` without a cap.
     max_shear_stress: Option<f64>,
 }
 
@@ -134,7 +134,8 @@ impl Friction {
         self.max_shear_stress.unwrap_or(f64::INFINITY)
     }
 
-    /// The coefficient and the cap, `None` where there is none; whoever changes them keeps the rules of the constructors.
+    /// The coefficient and the cap, `None` where there is none; a change must keep the rules of the
+    /// constructors.
     pub(crate) fn parts_mut(&mut self) -> (&mut Coefficient, &mut Option<f64>) {
         (&mut self.coefficient, &mut self.max_shear_stress)
     }

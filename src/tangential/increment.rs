@@ -2,7 +2,6 @@
 
 use crate::cascade::Conditions;
 use crate::cgm::Total;
-use crate::cgm::vector::norm;
 use crate::error::{Result, finite};
 use crate::half_space::HalfSpace;
 use crate::passes::with_time_left;
@@ -116,7 +115,8 @@ impl Increment {
 
     /// Whether a cell of the window carries all that friction holds there.
     pub(crate) fn is_at_limit(&self, cell: usize) -> bool {
-        is_at_limit(norm(self.traction(cell)), self.pressed.limits.cells[cell])
+        let [x, y] = self.traction(cell);
+        is_at_limit(x.hypot(y), self.pressed.limits.cells[cell])
     }
 
     /// Finds the tractions at the end of a step, and the motion of body 2 there, which was `before` at its beginning.
@@ -138,6 +138,28 @@ impl Increment {
         };
         let totals = self.prescribe(demand, offset)?;
         self.set_linear(offset);
+        let outcome = match self.pressed.limits.unit() {
+            None => self.minimise(totals, start, conditions),
+            Some(unit) => {
+                self.rescale(1.0 / unit);
+                let totals = totals.map(|total| total.in_unit(unit));
+                let outcome = self.minimise(totals, start, conditions);
+                self.rescale(unit);
+                self.engine.rescale(unit);
+                outcome
+            }
+        };
+        let beyond = self.engine.multiplier();
+        self.motion.shift = [0, 1].map(|axis| self.motion.shift[axis] + beyond[axis]);
+        outcome
+    }
+
+    fn minimise(
+        &mut self,
+        totals: [Total; 2],
+        start: Start,
+        conditions: &mut Conditions<'_, '_>,
+    ) -> Result<()> {
         let Pressed { window, limits, .. } = &self.pressed;
         let task = Task {
             limits: &limits.cells,
@@ -158,12 +180,17 @@ impl Increment {
         }
         let settings = with_time_left(conditions.settings, conditions.start);
         let observer = &mut *conditions.observer;
-        let outcome = self
-            .engine
-            .minimise(task, &mut self.traction, &settings, observer);
-        let beyond = self.engine.multiplier();
-        self.motion.shift = [0, 1].map(|axis| self.motion.shift[axis] + beyond[axis]);
-        outcome
+        self.engine
+            .minimise(task, &mut self.traction, &settings, observer)
+    }
+
+    /// Measures limits, tractions and displacements in another unit; the operator relates them in any.
+    fn rescale(&mut self, factor: f64) {
+        self.pressed.limits.rescale(factor);
+        let fields = self.traction.iter_mut().chain(&mut self.linear);
+        for value in fields.flatten() {
+            *value *= factor;
+        }
     }
 
     /// What is prescribed of the sums of the tractions; the motion becomes the one they are measured from.

@@ -1,5 +1,7 @@
 //! The friction limits of a contact, and the one rule of what is at them.
 
+use std::ops::RangeInclusive;
+
 use crate::cgm::reduce;
 use crate::error::{Error, Result, finite};
 use crate::tangential::Friction;
@@ -7,6 +9,9 @@ use crate::window::Window;
 
 /// Relative distance from the friction limit within which a force slides the contact, and a cell slips.
 const SLIDING: f64 = 1e-12;
+
+/// Largest limits beside which the squares of tractions stay within the range of numbers.
+const ORDINARY: RangeInclusive<f64> = 1e-100..=1e100;
 
 /// Part of the largest limit below which a limit counts as zero.
 const NOTHING: f64 = 1e-30;
@@ -68,12 +73,30 @@ impl Limits {
             };
         }
         // Beside the largest these carry nothing, and their squares would underflow.
-        let cells = &mut self.cells;
-        let least = NOTHING * reduce::max(cells.len(), |i| cells[i]);
-        for limit in &mut *cells {
+        let least = NOTHING * self.largest();
+        for limit in &mut self.cells {
             *limit = if *limit < least { 0.0 } else { *limit };
         }
-        self.sum = reduce::total(cells);
+        self.sum = reduce::total(&self.cells);
+    }
+
+    fn largest(&self) -> f64 {
+        reduce::max(self.cells.len(), |i| self.cells[i])
+    }
+
+    /// A power of two near the largest limit, where tractions have to be measured in such a unit: their squares would
+    /// overflow or underflow.
+    pub(crate) fn unit(&self) -> Option<f64> {
+        let largest = self.largest();
+        let is_extreme = largest > 0.0 && !ORDINARY.contains(&largest);
+        is_extreme.then(|| largest.log2().clamp(-1000.0, 1000.0).floor().exp2())
+    }
+
+    pub(crate) fn rescale(&mut self, factor: f64) {
+        for limit in &mut self.cells {
+            *limit *= factor;
+        }
+        self.sum *= factor;
     }
 
     /// Refuses a force that friction cannot hold, and limits that overflow.

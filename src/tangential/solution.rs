@@ -144,14 +144,15 @@ impl TangentialSolution {
     /// Shift delta, the rigid motion of body 2 relative to body 1 (lengths, of the sign of the force):
     /// prescribed, or the multiplier of the force. On a periodic grid it is measured from the mean plane
     /// of the surface.
-    /// Under a force that slides the whole contact, the shift at which the last cell lets go (in the plane
-    /// model the displacement of that cell, to which the slip of the others is not yet parallel).
+    /// Under a force that slides the whole contact it is the shift at which the last cell begins to slip (in the
+    /// vector model the displacement of that cell; the slip of the others is not yet parallel to it).
     #[must_use]
     pub fn shift(&self) -> [f64; 2] {
         self.shift
     }
 
-    /// Rotation of body 2 relative to body 1 about the origin of the grid, as prescribed (radians, positive from x to y).
+    /// Rotation of body 2 relative to body 1 about the origin of the grid, as prescribed (radians, positive from x to
+    /// y).
     #[must_use]
     pub fn twist(&self) -> f64 {
         self.twist

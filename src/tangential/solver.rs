@@ -115,8 +115,8 @@ impl TangentialSolver {
     /// Changes the friction of the next solve.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`], [`Error::NotFinite`] if the limits overflow, or [`Error::BeyondFrictionCapacity`] if the present
-    /// load is more than the new friction holds; the friction is then as it was.
+    /// [`Error::GridMismatch`], [`Error::NotFinite`] if the limits overflow, or [`Error::BeyondFrictionCapacity`] if
+    /// the present load is more than the new friction holds; the friction is then as it was.
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
         friction.check(self.bodies.grid())?;
         let pressure = &self.increment.pressed.pressure;

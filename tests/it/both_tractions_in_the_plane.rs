@@ -1,4 +1,4 @@
-//! The plane model: slip opposes traction in direction, loads may have any, and where the two components do not
+//! The vector model: slip opposes traction in direction, loads may have any, and where the two components do not
 //! couple it is the scalar model.
 
 use kit::{Table2, max_abs, rough, unit_bodies, unit_pair};

@@ -1,13 +1,15 @@
-//! What a rebuilt core must not change: costs and answers of small scenes, as `tests/data/frozen_scenes.csv` holds them.
+//! What a rebuilt core must not change: costs and answers of small scenes, as `tests/data/frozen_scenes.csv` holds
+//! them.
 //!
-//! `FREEZE=write cargo test --test it frozen_scenes` writes that file anew; without the variable the test recomputes and
-//! compares. In scenes that are `Exact`, counts must be equal and numbers equal to 1e-13 of their scale. In those that are
-//! `Rounded`, the order of sums has changed since the file was written: counts must agree to a few, numbers to 1e-9 of
-//! their scale. In those of the `Solver` counts are not compared, and numbers agree to 1e-9 of their scale.
+//! `FREEZE=write cargo test --test it frozen_scenes` writes that file anew; without the variable the test recomputes
+//! and compares. In scenes that are `Exact`, counts must be equal and numbers equal to 1e-13 of their scale. In those
+//! that are `Rounded`, the order of sums has changed since the file was written: counts must agree to a few, numbers to
+//! 1e-9 of their scale. In those of the `Solver` counts are not compared, and numbers agree to 1e-9 of their scale.
 //!
 //! The iterations enlarge rounding: where gaps change in their last bits, numbers of 18 of the 29 scenes change by more
-//! than 1e-13 (up to 2e-9, where solves have a tolerance of 1e-8), and counts of a few solves by one to five. So `exact`
-//! asks for the same sums in the same order, on a processor with the vector units of the one that wrote the file.
+//! than 1e-13 (up to 2e-9, where solves have a tolerance of 1e-8), and counts of a few solves by one to five. So
+//! `exact` asks for the same sums in the same order, on a processor with the vector units of the one that wrote the
+//! file.
 //!
 //! The test also leaves a hash of all bits of every scene in `frozen_bits`, in the folder for temporary files of the
 //! target directory: two versions of the code can be compared on one machine.

@@ -31,7 +31,7 @@ fn pressed(bodies: &HalfSpace, gap: &Field, lateral: TangentialModel, tolerance:
     history
 }
 
-/// The sphere in the plane model.
+/// The sphere in the vector model.
 fn ball(poisson_ratio: f64, tolerance: f64) -> History {
     let gap = sphere(48);
     let bodies = unit_bodies(gap.grid(), poisson_ratio);

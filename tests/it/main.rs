@@ -33,6 +33,7 @@ mod displacement_control;
 #[cfg(feature = "dense")]
 mod engine_finds_the_exact_minimum;
 mod engine_serves_any_operator;
+mod extremes_are_met;
 mod files_of_other_programs_are_read;
 mod files_survive_a_round_trip;
 mod fretting_loops_become_steady;

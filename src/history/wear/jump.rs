@@ -135,13 +135,13 @@ impl CycleJump {
         self
     }
 
-    /// With no more than the cycles left to simulate (default: without limit).
+    /// Limits the jump to the cycles left to simulate (default: no limit).
     pub fn cycles_left(mut self, cycles: f64) -> Self {
         self.cycles_left = Some(cycles);
         self
     }
 
-    /// The number of cycles, not rounded: the least of what the limits allow, infinite where there is none.
+    /// The number of cycles, not rounded: the least that a limit allows, infinite without a limit.
     ///
     /// # Errors
     /// [`Error::Negative`](crate::Error::Negative) for a limit that is negative or not finite.

@@ -8,10 +8,10 @@ use crate::parallel;
 /// Adds the depth that Archard's law removes, `k p |s|` (lengths).
 ///
 /// `coefficient` is k = K/H, Archard's dimensionless coefficient over the hardness, of the body or the sum of both: the
-/// volume removed per normal force and sliding distance (one over a pressure; 1 mm3/(N m) is 1e-9 1/Pa). `slip_distance` is that of
-/// a [step](crate::history::StepResult::slip_distance), or that of a [cycle](crate::history::Cycle::slip_distance) with
-/// the [pressure](crate::history::Cycle::slip_pressure) it slipped under. Archard, J. Appl. Phys. 24 (1953)
-/// 981, <https://doi.org/10.1063/1.1721448>.
+/// volume removed per normal force and sliding distance (one over a pressure; 1 mm3/(N m) is 1e-9 1/Pa).
+/// `slip_distance` is that of a [step](crate::history::StepResult::slip_distance), or that of a
+/// [cycle](crate::history::Cycle::slip_distance) with the [pressure](crate::history::Cycle::slip_pressure) it slipped
+/// under. Archard, J. Appl. Phys. 24 (1953) 981, <https://doi.org/10.1063/1.1721448>.
 ///
 /// # Errors
 /// [`Error::Negative`](crate::Error::Negative) for the coefficient, [`Error::Sample`](crate::Error::Sample)
@@ -40,8 +40,9 @@ pub fn archard<'a>(
 ///
 /// `coefficient` alpha is that of the body, or the sum of both: the volume removed per energy dissipated (one
 /// over a pressure); in gross slip it is Archard's k over the coefficient of friction. `energy` is what each cell
-/// dissipates in a [step](crate::history::StepResult::dissipated_energy) or a [cycle](crate::history::Cycle::dissipated_energy).
-/// Fouvry, Kapsa & Vincent, Wear 200 (1996) 186, <https://doi.org/10.1016/S0043-1648(96)07306-1>.
+/// dissipates in a [step](crate::history::StepResult::dissipated_energy) or a
+/// [cycle](crate::history::Cycle::dissipated_energy). Fouvry, Kapsa & Vincent, Wear 200 (1996) 186,
+/// <https://doi.org/10.1016/S0043-1648(96)07306-1>.
 ///
 /// # Errors
 /// [`Error::Negative`](crate::Error::Negative) for the coefficient, [`Error::Sample`](crate::Error::Sample)

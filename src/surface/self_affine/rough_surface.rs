@@ -56,8 +56,8 @@ impl RoughSurface {
         }
     }
 
-    /// Heights above the mean plane (lengths), pointing out of the body; [`gap_from_heights`](crate::surface::gap_from_heights)
-    /// turns them into a gap.
+    /// Heights above the mean plane (lengths), pointing out of the body;
+    /// [`gap_from_heights`](crate::surface::gap_from_heights) turns them into a gap.
     #[must_use]
     pub fn heights(&self) -> &Field {
         &self.heights

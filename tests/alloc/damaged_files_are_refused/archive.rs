@@ -340,6 +340,19 @@ fn bombs() {
     refuse(&lying, "X3P, in main.xml: cannot be expanded");
 }
 
+/// Each element costs its own name, not those around it: this one would take hours else.
+#[test]
+fn long_names_around_many_elements() {
+    let name = "n".repeat(2 << 20);
+    let many = "<a/>".repeat(400_000);
+    let elements = format!("<{name}>{many}</{name}>");
+    refuse(&with_main(&elements), "X3P, in main.xml");
+    refuse(
+        &with_main(&format!("<r>{elements}</r>")),
+        "X3P, in main.xml",
+    );
+}
+
 /// Files of other programs, with random changes.
 fn files() -> Vec<Vec<u8>> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/files/");

@@ -1,0 +1,141 @@
+//! What lies at the edge of numbers and grids is solved, or refused with a number: never returned wrong.
+
+use std::f64::consts::FRAC_PI_2;
+
+use kit::{Random, unit_bodies, unit_pair};
+use stickslip::analytical::{HertzSphere, LubkinTorsion};
+use stickslip::{
+    Boundary, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl,
+    NormalProblem, TangentialLoad, TangentialModel, TangentialProblem, surface,
+};
+
+const MODELS: [TangentialModel; 2] = [TangentialModel::Scalar, TangentialModel::Vector];
+
+fn periodic(grid: Grid) -> HalfSpace {
+    HalfSpace::with_boundary(grid, unit_pair(0.3), Boundary::Periodic).unwrap()
+}
+
+/// Its displacement has mean zero, so that nothing resists a shift but friction.
+#[test]
+fn one_cell_that_repeats_slides() {
+    let grid = Grid::new(1, 1, 2.0, 0.5).unwrap();
+    let (bodies, gap) = (periodic(grid), Field::zeros(grid));
+    let (load, coefficient) = (2.0, 0.3);
+    let friction = Friction::coulomb(coefficient).unwrap();
+    let press = NormalControl::Force(load);
+    let pressed = NormalProblem::builder(&bodies, &gap, press)
+        .build()
+        .unwrap();
+    let pressed = pressed.solve().unwrap();
+    for model in MODELS {
+        for shift in [1e-9, -0.1, 1e6] {
+            let load_case = TangentialLoad::shift([shift, 0.0]);
+            let problem =
+                TangentialProblem::builder(&bodies, &pressed, friction.clone(), load_case);
+            let sheared = problem.model(model).build().unwrap().solve().unwrap();
+            let mut history = History::builder(&bodies, &gap, friction.clone())
+                .model(model)
+                .build()
+                .unwrap();
+            history.step(&LoadStep::hold().normal(press)).unwrap();
+            history.step(&LoadStep::shift([shift, 0.0])).unwrap();
+            for force in [sheared.force(), history.force()] {
+                let expected = coefficient * load * shift.signum();
+                assert!(
+                    (force[0] - expected).abs() < 1e-15 && force[1] == 0.0,
+                    "{force:?}"
+                );
+            }
+            assert!(sheared.is_gross_slip() && sheared.report().duality_gap == 0.0);
+        }
+    }
+}
+
+/// White noise on cells of any shape, pressed and sheared.
+#[test]
+fn long_cells_that_repeat_converge() {
+    let mut random = Random(5);
+    for scene in 0..150 {
+        let length = 10_f64.powf(random.uniform(0.0, 6.0));
+        let sides = if scene % 2 == 0 {
+            [length, 1.0]
+        } else {
+            [1.0, length]
+        };
+        let (nx, ny) = (random.integer(2, 15), random.integer(2, 15));
+        let grid = Grid::new(nx, ny, sides[0], sides[1]).unwrap();
+        let bodies = periodic(grid);
+        let heights = Field::from_fn(grid, |_, _| random.uniform(0.0, 1.0));
+        let gap = surface::gap_from_heights(&heights).unwrap();
+        let force = 10_f64.powf(random.uniform(-3.0, 0.0)) * grid.area();
+        let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(force));
+        let pressed = problem.build().unwrap().solve();
+        let pressed =
+            pressed.unwrap_or_else(|error| panic!("{scene}: {nx} x {ny}, {sides:?}: {error}"));
+        let friction = Friction::coulomb(0.3).unwrap();
+        let load = TangentialLoad::force([random.uniform(0.0, 0.28) * force, 0.0]);
+        for model in MODELS {
+            let problem = TangentialProblem::builder(&bodies, &pressed, friction.clone(), load);
+            let sheared = problem.model(model).build().unwrap().solve();
+            sheared.unwrap_or_else(|error| {
+                panic!("{scene}: {nx} x {ny}, {sides:?}, {model:?}: {error}")
+            });
+        }
+    }
+}
+
+/// Where rounding hides the stiffness of the shortest waves nothing can be certified.
+#[test]
+fn cells_too_long_to_certify_are_refused() {
+    let grid = Grid::new(14, 14, 1e15, 1.0).unwrap();
+    let gap = Field::from_fn(grid, |x, y| (x * 1e-15 + y).sin() + 1.0);
+    let force = NormalControl::Force(0.1 * grid.area());
+    let problem = NormalProblem::builder(&periodic(grid), &gap, force).build();
+    let refused = problem.and_then(|problem| problem.solve());
+    assert!(
+        matches!(refused, Err(Error::CellsTooLong { sides }) if sides == [1e15, 1.0]),
+        "{refused:?}"
+    );
+}
+
+/// The squares of the tractions leave the range of numbers long before the tractions do.
+#[test]
+fn tractions_of_any_size() {
+    let grid = Grid::square(24, 8.0).unwrap();
+    let (bodies, ball) = (unit_bodies(grid, 0.3), surface::sphere(grid, 20.0).unwrap());
+    let pressed = NormalProblem::builder(&bodies, &ball, NormalControl::Force(1.0));
+    let pressed = pressed.build().unwrap().solve().unwrap();
+    for model in MODELS {
+        let solve = |coefficient: f64| {
+            let load = TangentialLoad::force([0.5 * coefficient, 0.0]);
+            let friction = Friction::coulomb(coefficient).unwrap();
+            let problem = TangentialProblem::builder(&bodies, &pressed, friction, load);
+            problem.model(model).build().unwrap().solve().unwrap()
+        };
+        let ordinary = solve(0.5);
+        for coefficient in [1e-290, 1e-160, 1e-90, 1e120, 1e155, 1e290] {
+            let found = solve(coefficient);
+            let ratio = found.shift()[0] / coefficient / (ordinary.shift()[0] / 0.5);
+            assert!(
+                (ratio - 1.0).abs() < 1e-8,
+                "{model:?} {coefficient:e}: {ratio}"
+            );
+            assert!(
+                found.zones() == ordinary.zones(),
+                "{model:?} {coefficient:e}"
+            );
+            assert!(found.report().energy_error_bound() > 0.0);
+        }
+    }
+}
+
+#[test]
+fn the_least_twist_sticks() {
+    let hertz = HertzSphere::new(&unit_pair(0.3), 10.0, 1.0).unwrap();
+    let torsion = LubkinTorsion::new(hertz, 1.0, 5e-324).unwrap();
+    assert!(torsion.stick_ratio() == 1.0 && torsion.moment() < 1e-300);
+    // The next sizes have digits.
+    let small = LubkinTorsion::new(hertz, 1.0, 1e-300).unwrap();
+    let stick = 2.0 * hertz.pair().shear_modulus() / hertz.max_pressure() * 1e-300 / FRAC_PI_2;
+    assert!((-small.stick_ratio().ln()).abs() <= 2.0 * stick);
+}
