@@ -30,9 +30,11 @@ pub type Result<T, E = Error> = std::result::Result<T, E>;
 
 /// The reason a call failed: one variant per violated rule, with the offending number.
 ///
+/// `Debug` writes the same sentence as `Display`: it is what a program prints whose `main` returns the error.
+///
 /// Arguments are checked before any work, and a failed call leaves the caller's state unchanged. The exception is
 /// [`Error::NotConverged`]: `solve_into` and `solve_observed` then leave the last feasible iterate in the solution.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
     /// A grid needs at least one cell along each axis.
@@ -337,8 +339,10 @@ pub enum Error {
         problem: String,
     },
     /// A file violates the rules of its format, or uses an unsupported part of it.
-    #[error("{format}, {place}: {problem}")]
+    #[error("{}{format}, {place}: {problem}", prefix(.file.as_deref()))]
     Format {
+        /// The file, if it was read from one.
+        file: Option<String>,
         /// The format, by its usual abbreviation.
         format: &'static str,
         /// Where the file violates the rule.
@@ -366,6 +370,17 @@ pub enum Error {
     /// the last feasible iterate; a [`History`](crate::History) remains as it was before the step.
     #[error("not converged: {0}")]
     NotConverged(Box<Report>),
+}
+
+impl fmt::Debug for Error {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, formatter)
+    }
+}
+
+/// The name of a file before what is wrong in it.
+fn prefix(file: Option<&str>) -> String {
+    file.map_or_else(String::new, |file| format!("{file}: "))
 }
 
 /// A place in a file.

@@ -7,8 +7,10 @@ pub(super) fn integral(length: f64, integrand: impl Fn(f64) -> f64) -> f64 {
     let half = 0.5 * length / panels;
     let mut sum = 0.0;
     // Counted, not until the end is reached: panels of the least numbers have no width.
-    for panel in 0..panels as usize {
-        let middle = (2 * panel + 1) as f64 * half;
+    let mut panel = 0.0;
+    while panel < panels {
+        let middle = (2.0 * panel + 1.0) * half;
+        panel += 1.0;
         for [node, weight] in GAUSS_8 {
             let reach = half * node;
             sum += weight * (integrand(middle - reach) + integrand(middle + reach));

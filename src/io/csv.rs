@@ -7,7 +7,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use super::text::{Separator, lines};
-use super::{Format, Place, bytes_of, check_sides, write_bytes};
+use super::{Format, Place, check_sides, parse_file, write_bytes};
 use crate::error::Result;
 use crate::field::Field;
 
@@ -19,7 +19,7 @@ const FORMAT: Format = Format("CSV");
 /// [`Error::File`](crate::Error::File) if the file cannot be read, otherwise as [`parse`].
 pub fn read(path: impl AsRef<Path>, cell_sides: [f64; 2]) -> Result<Field> {
     check_sides(cell_sides)?;
-    parse(&bytes_of(path.as_ref())?, cell_sides)
+    parse_file(path.as_ref(), |bytes| parse(bytes, cell_sides))
 }
 
 /// The field in the bytes of a file, on cells of sides `[dx, dy]` (lengths).

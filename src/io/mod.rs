@@ -65,22 +65,32 @@ pub(crate) use bytes::Cursor;
 /// ```
 pub fn read(path: impl AsRef<Path>) -> Result<Field> {
     let path = path.as_ref();
-    let bytes = bytes_of(path)?;
-    if sdf::is_sdf(&bytes) {
-        return sdf::parse(&bytes);
-    }
-    if sur::is_sur(&bytes) {
-        return sur::parse(&bytes);
-    }
-    if bytes.starts_with(b"PK\x03\x04") {
-        return parse_x3p(&bytes);
-    }
     let extension = path.extension().unwrap_or_default();
-    if extension.eq_ignore_ascii_case("xyz") {
-        return xyz::parse(&bytes);
-    }
-    let problem = "neither SDF, SUR, X3P nor XYZ; NPY and CSV need cell sides: use their modules";
-    Err(Format("surface").at_byte(0, problem))
+    parse_file(path, |bytes| {
+        if sdf::is_sdf(bytes) {
+            return sdf::parse(bytes);
+        }
+        if sur::is_sur(bytes) {
+            return sur::parse(bytes);
+        }
+        if bytes.starts_with(b"PK\x03\x04") {
+            return parse_x3p(bytes);
+        }
+        if extension.eq_ignore_ascii_case("xyz") {
+            return xyz::parse(bytes);
+        }
+        let is = |known: &str| extension.eq_ignore_ascii_case(known);
+        Err(Format("surface").at_byte(
+            0,
+            if bytes.starts_with(b"\x93NUMPY") || is("npy") {
+                "NPY does not hold the cell sides: call io::npy::read with them"
+            } else if is("csv") || is("asc") || is("txt") {
+                "text does not hold the cell sides: call io::csv::read with them"
+            } else {
+                "neither SDF, SUR, X3P nor XYZ; NPY and CSV are read by io::npy::read and io::csv::read"
+            },
+        ))
+    })
 }
 
 #[cfg(feature = "x3p")]
@@ -100,6 +110,7 @@ pub(crate) struct Format(pub(crate) &'static str);
 impl Format {
     fn at(self, place: Place, problem: impl Into<String>) -> Error {
         Error::Format {
+            file: None,
             format: self.0,
             place,
             problem: problem.into(),
@@ -137,9 +148,15 @@ fn check_sides([dx, dy]: [f64; 2]) -> Result<()> {
     Ok(())
 }
 
-/// The contents of a file.
-fn bytes_of(path: &Path) -> Result<Vec<u8>> {
-    std::fs::read(path).map_err(|error| refused(path, &error))
+/// What the bytes of a file say; an error in them names the file.
+fn parse_file<T>(path: &Path, parse: impl FnOnce(&[u8]) -> Result<T>) -> Result<T> {
+    let bytes = std::fs::read(path).map_err(|error| refused(path, &error))?;
+    parse(&bytes).map_err(|mut error| {
+        if let Error::Format { file, .. } = &mut error {
+            *file = Some(path.display().to_string());
+        }
+        error
+    })
 }
 
 /// Creates or replaces a file.

@@ -9,7 +9,7 @@ use std::path::Path;
 
 use super::bytes::{Cursor, Number, Order};
 use super::text::excerpt;
-use super::{Format, Place, bytes_of, check_sides, write_bytes};
+use super::{Format, Place, check_sides, parse_file, write_bytes};
 use crate::error::Result;
 use crate::field::Field;
 
@@ -24,7 +24,7 @@ const HEADER_LENGTH: u16 = 118;
 /// [`Error::File`](crate::Error::File) if the file cannot be read, otherwise as [`parse`].
 pub fn read(path: impl AsRef<Path>, cell_sides: [f64; 2]) -> Result<Field> {
     check_sides(cell_sides)?;
-    parse(&bytes_of(path.as_ref())?, cell_sides)
+    parse_file(path.as_ref(), |bytes| parse(bytes, cell_sides))
 }
 
 /// The field in the bytes of a file, on cells of sides `[dx, dy]` (lengths).

@@ -10,7 +10,7 @@ use std::path::Path;
 
 use super::bytes::{Cursor, Number, Order};
 use super::text::{Separator, excerpt, lines};
-use super::{Format, Place, bytes_of, write_bytes};
+use super::{Format, Place, parse_file, write_bytes};
 use crate::error::Result;
 use crate::field::Field;
 use crate::grid::Grid;
@@ -24,7 +24,7 @@ const TEXT: &[u8; 8] = b"aISO-1.0";
 /// # Errors
 /// [`Error::File`](crate::Error::File) if the file cannot be read, otherwise as [`parse`].
 pub fn read(path: impl AsRef<Path>) -> Result<Field> {
-    parse(&bytes_of(path.as_ref())?)
+    parse_file(path.as_ref(), parse)
 }
 
 /// The surface in the bytes of a file (metres).

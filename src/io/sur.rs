@@ -10,7 +10,7 @@ use std::path::Path;
 
 use super::bytes::{Cursor, Number, Order};
 use super::text::excerpt;
-use super::{Format, Place, bytes_of};
+use super::{Format, Place, parse_file};
 use crate::error::Result;
 use crate::field::Field;
 
@@ -23,7 +23,7 @@ const COMPRESSED: &[u8; 12] = b"DSCOMPRESSED";
 /// # Errors
 /// [`Error::File`](crate::Error::File) if the file cannot be read, otherwise as [`parse`].
 pub fn read(path: impl AsRef<Path>) -> Result<Field> {
-    parse(&bytes_of(path.as_ref())?)
+    parse_file(path.as_ref(), parse)
 }
 
 /// The surface in the bytes of a file (metres).

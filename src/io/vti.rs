@@ -16,6 +16,8 @@ const FORMAT: Format = Format("VTI");
 ///
 /// # Errors
 /// As [`to_bytes`]; [`Error::File`](crate::Error::File) if the file cannot be written.
+#[doc(alias = "paraview")]
+#[doc(alias = "ParaView")]
 pub fn write(path: impl AsRef<Path>, fields: &[(&str, &Field)]) -> Result<()> {
     write_bytes(path.as_ref(), &to_bytes(fields)?)
 }

@@ -5,7 +5,7 @@
 use std::path::Path;
 
 use super::text::{Separator, lines};
-use super::{Format, Place, bytes_of};
+use super::{Format, Place, parse_file};
 use crate::error::Result;
 use crate::field::Field;
 
@@ -22,7 +22,7 @@ const NOISE: f64 = 1e-3;
 /// # Errors
 /// [`Error::File`](crate::Error::File) if the file cannot be read, otherwise as [`parse`].
 pub fn read(path: impl AsRef<Path>) -> Result<Field> {
-    parse(&bytes_of(path.as_ref())?)
+    parse_file(path.as_ref(), parse)
 }
 
 /// The surface in the bytes of a file.

@@ -125,6 +125,8 @@ impl NormalSolution {
     /// Approach delta of the bodies from the datum of the initial gap (a length): prescribed, or the
     /// multiplier of the force. On a periodic grid it is the mean of the initial gap less that of the gap
     /// under load.
+    #[doc(alias = "indentation")]
+    #[doc(alias = "penetration")]
     #[must_use]
     pub fn approach(&self) -> f64 {
         self.approach

@@ -114,12 +114,15 @@ impl Statistics {
     }
 
     /// Arithmetic mean height Sa $`= \langle |z| \rangle`$ (a length).
+    #[doc(alias = "Sa")]
     #[must_use]
     pub fn arithmetic_mean_height(&self) -> f64 {
         self.arithmetic_mean_height
     }
 
     /// Root-mean-square height Sq $`= \langle z^2 \rangle^{1/2}`$ (a length).
+    #[doc(alias = "Sq")]
+    #[doc(alias = "roughness")]
     #[must_use]
     pub fn rms_height(&self) -> f64 {
         self.rms_height
@@ -127,6 +130,7 @@ impl Statistics {
 
     /// Skewness Ssk $`= \langle z^3 \rangle/S_q^3`$: negative where valleys are deeper than peaks are
     /// high. NaN for a flat surface.
+    #[doc(alias = "Ssk")]
     #[must_use]
     pub fn skewness(&self) -> f64 {
         self.skewness
@@ -134,6 +138,7 @@ impl Statistics {
 
     /// Kurtosis Sku $`= \langle z^4 \rangle/S_q^4`$, at least $`S_{sk}^2 + 1`$; 3 for a Gaussian
     /// surface. NaN for a flat surface.
+    #[doc(alias = "Sku")]
     #[must_use]
     pub fn kurtosis(&self) -> f64 {
         self.kurtosis
@@ -152,6 +157,7 @@ impl Statistics {
     }
 
     /// Height from the deepest valley to the highest peak Sz (a length).
+    #[doc(alias = "Sz")]
     #[must_use]
     pub fn height_range(&self) -> f64 {
         self.highest_peak + self.deepest_valley

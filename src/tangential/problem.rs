@@ -37,6 +37,8 @@ const UNCOUPLED: f64 = 1e-12;
 /// assert!((shear.shift()[0] / exact.shift() - 1.0).abs() < 1e-3);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
+#[doc(alias = "partial slip")]
+#[doc(alias = "stick slip")]
 #[derive(Debug, Clone)]
 pub struct TangentialProblem {
     pub(super) bodies: HalfSpace,

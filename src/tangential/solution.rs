@@ -111,6 +111,7 @@ impl TangentialSolution {
 
     /// Shear traction q on body 1 along x and along y (pressures), positive along the axis; exactly
     /// zero outside the contact.
+    #[doc(alias = "shear stress")]
     #[must_use]
     pub fn traction(&self) -> [&Field; 2] {
         self.traction.each_ref()

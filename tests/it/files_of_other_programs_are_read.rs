@@ -161,10 +161,19 @@ fn x3p_without_its_feature_is_an_error() {
 
 #[test]
 fn a_file_that_cannot_be_recognised_is_refused() {
-    for name in ["f8.npy", "commas.csv"] {
-        let error = io::read(path(name)).err();
-        assert!(matches!(error, Some(Error::Format { .. })), "{error:?}");
+    for (name, remedy) in [("f8.npy", "io::npy::read"), ("commas.csv", "io::csv::read")] {
+        let error = io::read(path(name)).unwrap_err();
+        assert!(matches!(error, Error::Format { .. }), "{error}");
+        // What `fn main() -> Result<()>` prints says which file is meant and what to do.
+        for said in [error.to_string(), format!("{error:?}")] {
+            assert!(said.contains(name) && said.contains(remedy), "{said}");
+        }
     }
+    let damaged = io::npy::read(path("commas.csv"), [1.0; 2]).unwrap_err();
+    assert!(
+        damaged.to_string().contains("commas.csv: NPY, at byte 0"),
+        "{damaged}"
+    );
     let error = io::read(path("absent.sdf")).err();
     assert!(matches!(error, Some(Error::File { path, .. }) if path.ends_with("absent.sdf")));
 }

@@ -381,6 +381,14 @@ fn answers_that_contradict_themselves_are_refused() {
         "dissipated energy lives on [24, 20] cells of sides [0.5, 1.0], expected [24, 20]",
     );
 
+    for count in ["/stick_cells", "/slip_cells"] {
+        let counted = spoilt(history.last_step(), count, json!(u64::MAX));
+        is(
+            counted,
+            "number of cells must be at least those that stick or slip",
+        );
+    }
+
     let spectrum = PowerSpectrum::of(&ball).unwrap();
     let modes = spoilt(&spectrum, "/modes", json!([]));
     is(modes, "modes has 0 entries");

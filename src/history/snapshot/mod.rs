@@ -95,6 +95,7 @@ impl TryFrom<Vec<u8>> for State {
 impl History {
     /// The bytes of the [state](History::state): all that the next step needs but the bodies, which are known again
     /// by grid, boundary and elastic constants. See [`State::to_bytes`].
+    #[doc(alias = "checkpoint")]
     #[must_use]
     pub fn to_bytes(&self) -> Vec<u8> {
         self.state().to_bytes()

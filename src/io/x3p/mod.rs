@@ -12,7 +12,7 @@ use std::path::Path;
 
 use super::bytes::{Number, Order};
 use super::text::excerpt;
-use super::{Format, Place, bytes_of};
+use super::{Format, Place, parse_file};
 use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::grid::Grid;
@@ -26,7 +26,7 @@ const MAIN: &str = "main.xml";
 /// # Errors
 /// [`Error::File`] if the file cannot be read, else as [`parse`].
 pub fn read(path: impl AsRef<Path>) -> Result<Field> {
-    parse(&bytes_of(path.as_ref())?)
+    parse_file(path.as_ref(), parse)
 }
 
 /// The surface in the bytes of a file (metres).
