@@ -1,6 +1,7 @@
 //! The error type: every way a call can be refused or fail, with the offending number.
 
 mod check;
+mod place;
 
 use std::fmt;
 
@@ -8,6 +9,7 @@ pub(crate) use check::{
     all_finite, all_non_negative, at_least, finite, length, memory, non_negative, not_converged,
     positive, samples_obey,
 };
+pub use place::Place;
 
 use crate::report::Report;
 
@@ -381,26 +383,4 @@ impl fmt::Debug for Error {
 /// The name of a file before what is wrong in it.
 fn prefix(file: Option<&str>) -> String {
     file.map_or_else(String::new, |file| format!("{file}: "))
-}
-
-/// A place in a file.
-#[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Place {
-    /// Bytes from the beginning of the file.
-    Byte(u64),
-    /// A line of text; the first is line 1.
-    Line(usize),
-    /// A named part of a file: an entry of an archive, an element of a header, a field.
-    Entry(String),
-}
-
-impl fmt::Display for Place {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Byte(byte) => write!(formatter, "at byte {byte}"),
-            Self::Line(line) => write!(formatter, "on line {line}"),
-            Self::Entry(name) => write!(formatter, "in {name}"),
-        }
-    }
 }

@@ -1,0 +1,25 @@
+//! Where a file violates the rules of its format.
+
+use std::fmt;
+
+/// A place in a file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Place {
+    /// Bytes from the beginning of the file.
+    Byte(u64),
+    /// A line of text; the first is line 1.
+    Line(usize),
+    /// A named part of a file: an entry of an archive, an element of a header, a field.
+    Entry(String),
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Byte(byte) => write!(formatter, "at byte {byte}"),
+            Self::Line(line) => write!(formatter, "on line {line}"),
+            Self::Entry(name) => write!(formatter, "in {name}"),
+        }
+    }
+}
