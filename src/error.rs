@@ -190,7 +190,7 @@ pub enum Error {
     RepeatedDirection,
     /// The bodies do not touch: there is no contact to load tangentially.
     #[error(
-        "the contact is empty: no cell carries pressure (there is no load, or the approach does not exceed the least gap)"
+        "the contact is empty, no cell carries pressure: press the bodies first, by a force or an approach beyond the least gap"
     )]
     EmptyContact,
     /// The tangential force exceeds what friction can carry: no equilibrium exists.
@@ -367,6 +367,16 @@ pub enum Error {
         step: u64,
         /// The number of the last step that the cycle holds or begins after.
         last: u64,
+    },
+    /// A cycle that does not close was to stand for those that follow.
+    #[error(
+        "the cycle ends {residual:e} of its amplitude from where it began, more than {limit:e}: run cycles until they are steady before jumping over any, or allow more with closed_within()"
+    )]
+    CycleNotClosed {
+        /// [`Cycle::cyclic_residual`](crate::history::Cycle::cyclic_residual).
+        residual: f64,
+        /// The largest one allowed.
+        limit: f64,
     },
     /// The iteration ended before it reached the tolerance. After `solve_into` or `solve_observed` the solution holds
     /// the last feasible iterate; a [`History`](crate::History) remains as it was before the step.

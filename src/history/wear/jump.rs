@@ -1,7 +1,7 @@
 //! How many cycles may be jumped.
 
 use crate::cgm::reduce;
-use crate::error::{Result, non_negative};
+use crate::error::{Error, Result, non_negative};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::Cycle;
@@ -73,7 +73,9 @@ pub fn max_stable_cycles<'a>(
 ///     LoadStep::shift(shift).normal(NormalControl::Force(0.5))
 /// });
 ///
+/// // The first cycle, from rest, does not stand for those that follow.
 /// let (mut cycle, mut done) = (Cycle::new(&history), 0.0);
+/// fretting.cycle(&mut history, &mut cycle)?;
 /// while done < 1000.0 {
 ///     fretting.cycle(&mut history, &mut cycle)?;
 ///     let mut depth = Field::zeros(grid);
@@ -94,9 +96,14 @@ pub fn max_stable_cycles<'a>(
 pub struct CycleJump {
     without_overshoot: f64,
     depth_per_cycle: f64,
+    residual: f64,
+    closed_within: f64,
     largest_depth: Option<f64>,
     cycles_left: Option<f64>,
 }
+
+/// Residual of a cycle that still stands for those that follow: wear and jumps change a steady one by less.
+const CLOSED: f64 = 0.25;
 
 impl CycleJump {
     /// A jump over cycles like this one, which removed this depth (lengths), of both bodies together. Where nothing
@@ -123,6 +130,8 @@ impl CycleJump {
         Ok(Self {
             without_overshoot: cycles_without_overshoot(bodies, rate)?,
             depth_per_cycle: depth.max(),
+            residual: cycle.cyclic_residual(),
+            closed_within: CLOSED,
             largest_depth: None,
             cycles_left: None,
         })
@@ -135,6 +144,13 @@ impl CycleJump {
         self
     }
 
+    /// Accepts a cycle whose [residual](Cycle::cyclic_residual) is no more than this (default: 0.25). A first cycle from
+    /// rest does not close, and would stand for others than those that follow.
+    pub fn closed_within(mut self, residual: f64) -> Self {
+        self.closed_within = residual;
+        self
+    }
+
     /// Limits the jump to the cycles left to simulate (default: no limit).
     pub fn cycles_left(mut self, cycles: f64) -> Self {
         self.cycles_left = Some(cycles);
@@ -144,8 +160,16 @@ impl CycleJump {
     /// The number of cycles, not rounded: the least that a limit allows, infinite without a limit.
     ///
     /// # Errors
-    /// [`Error::Negative`](crate::Error::Negative) for a limit that is negative or not finite.
+    /// [`Error::Negative`](crate::Error::Negative) for a limit that is negative or not finite,
+    /// [`Error::CycleNotClosed`] for a cycle that does not close within what is allowed.
     pub fn cycles(&self) -> Result<f64> {
+        let limit = non_negative("residual of a closed cycle", self.closed_within)?;
+        if self.residual.is_nan() || self.residual > limit {
+            return Err(Error::CycleNotClosed {
+                residual: self.residual,
+                limit,
+            });
+        }
         let mut cycles = self.without_overshoot;
         if let Some(depth) = self.largest_depth {
             let depth = non_negative("largest depth", depth)?;
