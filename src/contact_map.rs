@@ -159,18 +159,17 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
     }
 
     /// Contact cells on the edge of a grid that has edges.
-    fn cells_on_edge(&self) -> usize {
+    pub(crate) fn cells_on_edge(&self) -> usize {
         if self.boundary == Boundary::Periodic {
             return 0;
         }
         let (nx, ny) = (self.grid.nx(), self.grid.ny());
-        (0..self.grid.cells())
-            .filter(|&i| {
-                let (ix, iy) = (i % nx, i / nx);
-                let on_edge = ix == 0 || iy == 0 || ix + 1 == nx || iy + 1 == ny;
-                on_edge && (self.contains)(i)
-            })
-            .count()
+        let edge = (0..ny).flat_map(|iy| {
+            let is_whole = iy == 0 || iy + 1 == ny;
+            let stride = if is_whole { 1 } else { (nx - 1).max(1) };
+            (0..nx).step_by(stride).map(move |ix| iy * nx + ix)
+        });
+        edge.filter(|&i| (self.contains)(i)).count()
     }
 
     /// Number of cells of each spot, a set connected through the sides of its cells; in the order of first cells.

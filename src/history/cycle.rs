@@ -7,23 +7,11 @@ use crate::error::positive;
 use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::history::hysteresis::{LoopPoint, half_range, total_energy};
-use crate::history::{EnergyBalance, History};
+use crate::history::remarks::Remarks;
+use crate::history::{EnergyBalance, History, Regime};
 use crate::parallel::{self, Blocks, CHUNK, blocks};
 #[cfg(feature = "serde")]
 use crate::serial::checked;
-
-/// The sliding regime of a cycle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[non_exhaustive]
-pub enum Regime {
-    /// No cell slipped.
-    FullStick,
-    /// Some cells slipped, but some stuck at the end of each step.
-    PartialSlip,
-    /// The whole contact was at its friction limit at the end of a step.
-    GrossSlip,
-}
 
 /// Slip, energy and the loop of force and shift, added up over the steps of a cycle.
 ///
@@ -70,6 +58,7 @@ pub struct Cycle {
     points: Vec<LoopPoint>,
     stick_ratios: [f64; 2],
     slides: bool,
+    pub(super) remarks: Remarks,
     /// The number of the last step in it, or of that it begins after.
     last_step: u64,
 }
@@ -112,6 +101,7 @@ struct Unchecked {
     points: Vec<LoopPoint>,
     stick_ratios: [f64; 2],
     slides: bool,
+    remarks: Remarks,
     last_step: u64,
 }
 
@@ -149,6 +139,7 @@ impl Cycle {
             points: Vec::new(),
             stick_ratios: [1.0, 0.0],
             slides: false,
+            remarks: Remarks::default(),
             last_step: 0,
         };
         cycle.restart(history);
@@ -184,6 +175,7 @@ impl Cycle {
         self.points.clear();
         self.points.push(LoopPoint::of(history));
         (self.stick_ratios, self.slides) = ([1.0, 0.0], false);
+        self.remarks = Remarks::default();
         self.last_step = history.steps();
         self.compare_traction(history);
     }
@@ -225,6 +217,7 @@ impl Cycle {
         let (ratio, [least, largest]) = (step.stick_ratio(), self.stick_ratios);
         self.stick_ratios = [least.min(ratio), largest.max(ratio)];
         self.slides |= step.is_gross_slip();
+        self.remarks = self.remarks.and(step.remarks);
         self.points.push(LoopPoint::of(history));
         Ok(())
     }

@@ -6,6 +6,7 @@ use crate::error::{all_finite, at_least, finite};
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::history::EnergyBalance;
+use crate::history::remarks::Remarks;
 use crate::report::{Report, Status};
 #[cfg(feature = "serde")]
 use crate::serial::checked;
@@ -30,8 +31,7 @@ pub struct StepResult {
     pub(super) twist: f64,
     pub(super) stick_cells: usize,
     pub(super) slip_cells: usize,
-    /// Whether the pressure was held although the gap had changed.
-    pub(super) is_pressure_stale: bool,
+    pub(super) remarks: Remarks,
     pub(super) normal_report: Report,
     pub(super) tangential_report: Report,
 }
@@ -54,7 +54,7 @@ struct Unchecked {
     twist: f64,
     stick_cells: usize,
     slip_cells: usize,
-    is_pressure_stale: bool,
+    remarks: Remarks,
     normal_report: Report,
     tangential_report: Report,
 }
@@ -109,7 +109,7 @@ impl StepResult {
             twist: 0.0,
             stick_cells: 0,
             slip_cells: 0,
-            is_pressure_stale: false,
+            remarks: Remarks::default(),
             normal_report: Report::with_room(),
             tangential_report: Report::with_room(),
         }
@@ -210,12 +210,11 @@ impl StepResult {
     }
 
     /// Remarks on the step: [`Warning::StalePressure`] if it held the pressure although
-    /// [`set_gap`](crate::History::set_gap) had changed the gap. Those on the contact are in
-    /// [`History::normal`](crate::History::normal).
+    /// [`set_gap`](crate::History::set_gap) had changed the gap, [`Warning::ContactAtEdge`]. That spots are too small
+    /// to resolve is among the warnings of [`History::normal`](crate::History::normal) only.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
-        let stale = self.is_pressure_stale.then_some(Warning::StalePressure);
-        stale.into_iter().collect()
+        self.remarks.warnings()
     }
 }
 

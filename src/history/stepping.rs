@@ -12,6 +12,7 @@ use crate::half_space::HalfSpace;
 use crate::history::builder::HistoryBuilder;
 use crate::history::commit::commit;
 use crate::history::memory::Memory;
+use crate::history::remarks::Remarks;
 use crate::history::state::State;
 use crate::history::{LoadStep, StepResult};
 use crate::normal::{NormalControl, NormalProblem, NormalSolution, NormalSolver};
@@ -206,7 +207,10 @@ impl History {
             state.press_window = self.press.window();
             step.normal_report.clone_from(state.normal.report());
         }
-        step.is_pressure_stale = state.is_pressure_stale;
+        step.remarks = Remarks {
+            is_pressure_stale: state.is_pressure_stale,
+            edge_cells: state.normal.cells_on_edge(),
+        };
         step.normal_force = state.normal.force();
         step.approach = state.approach();
         if let Some((increment, memory)) = self.wider.take() {

@@ -224,6 +224,11 @@ impl NormalSolution {
         self.contact_map().warnings()
     }
 
+    /// Contact cells on the edge of a grid that has edges.
+    pub(crate) fn cells_on_edge(&self) -> usize {
+        self.contact_map().cells_on_edge()
+    }
+
     fn contact_map(&self) -> ContactMap<impl Fn(usize) -> bool + '_> {
         let pressure = self.pressure.as_slice();
         ContactMap {

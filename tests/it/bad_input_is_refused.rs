@@ -275,5 +275,5 @@ fn messages_name_the_number() {
     let message = surface::sum(&[]).unwrap_err().to_string();
     assert_eq!(message, "list of fields has 0 entries, expected 1");
     let message = Error::EmptyContact.to_string();
-    assert!(message.contains("no load") && message.contains("least gap"));
+    assert!(message.contains("press the bodies first") && message.contains("least gap"));
 }

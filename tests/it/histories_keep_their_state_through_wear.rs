@@ -147,12 +147,38 @@ fn a_held_pressure_of_an_old_gap_is_remarked() {
     expected.resize(8, Vec::new());
     assert_eq!(warnings, expected);
 
+    // The outcome of a loop remembers what any of its steps was warned of.
+    let outcome = forgetful.run(&mut history, 1).unwrap();
+    assert_eq!(outcome.last.warnings(), [Warning::StalePressure]);
+    let outcome = mindful.run(&mut history, 1).unwrap();
+    assert_eq!(outcome.last.warnings(), []);
+
+    history.set_gap(&worn).unwrap();
     // A step that is refused leaves the pressure as old as it was.
     let refused = history.step(&LoadStep::force([99.0, 0.0]).normal(NormalControl::Force(4.0)));
     assert!(refused.is_err());
     let step = history.step(&LoadStep::hold()).unwrap();
     assert_eq!(step.warnings(), [Warning::StalePressure]);
     assert!(step.warnings()[0].to_string().contains("old gap"));
+}
+
+/// A contact that grows to the edge of the grid is no longer that of a half-space.
+#[test]
+fn contact_at_the_edge_is_remarked() {
+    let grid = Grid::new(9, 7, 1.0, 1.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let flat = Field::zeros(grid);
+    let builder = History::builder(&bodies, &flat, Friction::coulomb(0.4).unwrap());
+    let mut history = builder.build().unwrap();
+    let press = LoadStep::hold().normal(NormalControl::Force(4.0));
+    let step = history.step(&press).unwrap();
+    let expected = [Warning::ContactAtEdge {
+        cells: 2 * (9 + 7) - 4,
+    }];
+    assert_eq!(step.warnings(), expected);
+    let path = LoadPath::sine([0.1, 0.0], 4).unwrap();
+    let outcome = FrettingLoop::new(path, LoadStep::force).run(&mut history, 1);
+    assert_eq!(outcome.unwrap().last.warnings(), expected);
 }
 
 /// Less friction lets go what more held; more friction changes nothing.
