@@ -24,8 +24,8 @@ use crate::operator::Operator;
 /// friction.
 ///
 /// # Errors
-/// [`Error::Negative`](crate::Error::Negative) for the coefficient,
-/// [`Error::GridMismatch`](crate::Error::GridMismatch) or [`Error::Sample`](crate::Error::Sample) for
+/// [`Error::Negative`] for the coefficient,
+/// [`Error::GridMismatch`] or [`Error::Sample`] for
 /// coefficients and slip length; as [`HalfSpace::operator`].
 ///
 /// ```
@@ -110,7 +110,7 @@ impl CycleJump {
     /// slipped under pressure, as beside the contact after smoothing the depth, it sets no limit.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::Sample`](crate::Error::Sample) for a
+    /// [`Error::GridMismatch`], [`Error::Sample`] for a
     /// depth that is negative or not finite; as [`HalfSpace::operator`].
     pub fn new(bodies: &HalfSpace, cycle: &Cycle, depth: &Field) -> Result<Self> {
         check(
@@ -160,7 +160,7 @@ impl CycleJump {
     /// The number of cycles, not rounded: the least that a limit allows, infinite without a limit.
     ///
     /// # Errors
-    /// [`Error::Negative`](crate::Error::Negative) for a limit that is negative or not finite,
+    /// [`Error::Negative`] for a limit that is negative or not finite,
     /// [`Error::CycleNotClosed`] for a cycle that does not close within what is allowed.
     pub fn cycles(&self) -> Result<f64> {
         let limit = non_negative("residual of a closed cycle", self.closed_within)?;
