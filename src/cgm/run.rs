@@ -156,8 +156,8 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
     }
 
     /// The curvature that takes a direction `d` of `square = d' d` on the cells that move to their bounds, if
-    /// its own, `d' C d`, is none: an operator that maps constants to zero lets all cells together slide. One that maps
-    /// everything to zero, as that of a single cell that repeats, has no stiffness to compare with.
+    /// its own, `d' C d`, is zero. An operator that maps constants to zero does not resist a uniform direction. The
+    /// operator of a single periodic cell maps everything to zero and has no stiffness to compare with.
     pub(super) fn slide(&self, curvature: f64, square: f64) -> Option<f64> {
         let stiffness = self.lower_bound * square;
         let is_flat = self.problem.totals.contains(&Total::Free)

@@ -49,7 +49,7 @@ impl Entry {
 }
 
 impl Cache {
-    /// The value for these components and this size, made if there is none. It is kept as long as the cache, or only
+    /// The value for these components and this size, made at the first request. It is kept as long as the cache, or only
     /// as long as someone holds it.
     ///
     /// Nothing is made under the lock, for the reason that

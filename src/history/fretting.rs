@@ -161,6 +161,7 @@ pub struct LoopOutcome {
     pub cycles: usize,
     /// Why there were no more.
     pub ending: LoopEnding,
-    /// The last cycle, with the [warnings](Cycle::warnings) of its steps: not a whole one where the observer broke off, of no steps where none were asked for.
+    /// The last cycle, with the [warnings](Cycle::warnings) of its steps. It is incomplete if the observer broke off,
+    /// and has no steps if none were asked for.
     pub last: Cycle,
 }

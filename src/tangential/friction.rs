@@ -134,7 +134,7 @@ impl Friction {
         self.max_shear_stress.unwrap_or(f64::INFINITY)
     }
 
-    /// The coefficient and the cap, `None` where there is none; a change must keep the rules of the
+    /// The coefficient and the cap (`None` without a cap). A change must keep the rules of the
     /// constructors.
     pub(crate) fn parts_mut(&mut self) -> (&mut Coefficient, &mut Option<f64>) {
         (&mut self.coefficient, &mut self.max_shear_stress)
