@@ -8,6 +8,7 @@ use crate::error::Result;
 use crate::fft::{CirculantInverse, Convolution};
 use crate::half_space::{Compliance, HalfSpace};
 use crate::influence::Direction;
+use crate::operator::Operator;
 use crate::report::Report;
 
 /// Who watches a solve and may cancel it.
@@ -52,9 +53,10 @@ impl<S: Admissible<N>, const N: usize> ElasticSolver<S, N> {
         cgm::minimise_with(&problem, settings, x, &mut self.workspace, observer)
     }
 
-    /// The operator.
-    pub(crate) fn operator(&self) -> &Convolution<N> {
-        &self.compliance.operator
+    /// Writes `C x` to `out`; the answer stays.
+    pub(crate) fn apply(&mut self, x: [&[f64]; N], out: [&mut [f64]; N]) {
+        let workspace = self.workspace.operator_mut();
+        self.compliance.operator.apply(x, out, workspace);
     }
 
     /// `C x` of the answer.

@@ -68,6 +68,11 @@ impl<C: Operator<N>, P: Operator<N>, M: Motion<N>, const N: usize> Workspace<C, 
         self.product.each_ref().map(Vec::as_slice)
     }
 
+    /// The buffers of a product, for one beside the solves.
+    pub(crate) fn operator_mut(&mut self) -> &mut C::Workspace {
+        &mut self.operator
+    }
+
     /// Measures product and multipliers of the last solve in another unit.
     pub(crate) fn rescale(&mut self, factor: f64) {
         let values = self.product.iter_mut().flatten();

@@ -4,8 +4,8 @@ use crate::cgm::{Settings, settings_methods};
 use crate::error::Result;
 use crate::field::Field;
 use crate::half_space::HalfSpace;
-use crate::history::History;
 use crate::history::state::State;
+use crate::history::{History, TouchRule};
 use crate::tangential::{Axis, Friction, TangentialModel, check_coupling};
 
 /// Options of a [`History`]; each has a default.
@@ -19,6 +19,7 @@ pub struct HistoryBuilder<'a> {
     model: TangentialModel,
     settings: Settings,
     neglect_coupling: bool,
+    touch_rule: TouchRule,
 }
 
 impl<'a> HistoryBuilder<'a> {
@@ -31,6 +32,7 @@ impl<'a> HistoryBuilder<'a> {
             model: TangentialModel::default(),
             settings: Settings::default(),
             neglect_coupling: false,
+            touch_rule: TouchRule::default(),
         }
     }
 }
@@ -80,6 +82,13 @@ impl HistoryBuilder<'_> {
         self
     }
 
+    /// How far a cell that comes into contact within a step follows its motion (default
+    /// [`TouchRule::Growth`](crate::history::TouchRule::Growth)).
+    pub fn touch_rule(mut self, touch_rule: TouchRule) -> Self {
+        self.touch_rule = touch_rule;
+        self
+    }
+
     /// Checks everything and copies the gap; nothing is solved yet.
     ///
     /// # Errors
@@ -101,7 +110,8 @@ impl HistoryBuilder<'_> {
         self.friction.check(bodies.grid())?;
         let (gap, boundary) = (self.gap.clone(), bodies.boundary());
         let (pair, settings) = (bodies.pair(), self.settings);
-        let state = State::new(gap, boundary, pair, self.friction, axes, settings);
+        let rule = self.touch_rule;
+        let state = State::new(gap, boundary, pair, self.friction, axes, settings, rule);
         History::from_state(bodies, state)
     }
 }

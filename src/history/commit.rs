@@ -28,7 +28,7 @@ pub(super) fn commit(
     let shifted: f64 = (0..2)
         .map(|axis| 0.5 * (force[axis] + state.force[axis]) * change.shift[axis])
         .sum();
-    step.energy.work = shifted + 0.5 * (moment + state.moment) * change.twist;
+    step.energy.work += shifted + 0.5 * (moment + state.moment) * change.twist;
     (step.force, step.moment) = (state.force, state.moment);
     (step.shift, step.twist) = (motion.shift, motion.twist);
     state.steps += 1;
@@ -51,7 +51,9 @@ fn enter(
         let (traction, u) = (increment.traction(k), increment.displacement(k));
         let before = state.traction.each_ref().map(|field| field.as_slice()[i]);
         let mean = [0, 1].map(|axis| 0.5 * (before[axis] + traction[axis]));
-        let [u_before, offset] = memory.at(k);
+        let (u_before, offset) = (memory.displacement(k), increment.offset(k));
+        // What a cell that came into contact was spared of the motion of the step.
+        let lag = minus(memory.offset(k), offset);
         let relative = minus(u, state.motion.at(centre));
         let moved = minus(relative, offset);
         let is_contact = pressed.pressure[k] > 0.0;
@@ -59,9 +61,14 @@ fn enter(
         // Slip along the traction is solver residual.
         let slips = is_contact && !sticks && dot(traction, moved) <= 0.0;
         let slip = if slips { moved } else { [0.0; 2] };
-        if slips || !is_contact {
-            memory.set_offset(k, relative);
-        }
+        memory.set_offset(
+            k,
+            if slips || !is_contact {
+                relative
+            } else {
+                offset
+            },
+        );
         state.zones[i] = match (is_contact, sticks) {
             (false, _) => Zone::Separated,
             (true, true) => Zone::Stick,
@@ -72,9 +79,11 @@ fn enter(
 
         let dissipated = 0.0 - cell_area * dot(traction, slip);
         let mid_step = 0.0 - cell_area * dot(mean, slip);
-        let stretched = minus(minus(u, u_before), change.at(centre));
+        let followed = minus(change.at(centre), lag);
+        let stretched = minus(minus(u, u_before), followed);
         let rest = 0.0 - cell_area * dot(mean, minus(stretched, slip));
         let energy = &mut step.energy;
+        energy.work -= cell_area * dot(mean, lag);
         energy.elastic_before += 0.5 * cell_area * dot(before, u_before);
         energy.elastic_after += 0.5 * cell_area * dot(traction, u);
         energy.dissipated_energy += dissipated;

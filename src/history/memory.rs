@@ -73,9 +73,14 @@ impl Memory {
         Ok((increment, wide))
     }
 
-    /// Displacement and offset of a cell.
-    pub(super) fn at(&self, cell: usize) -> [[f64; 2]; 2] {
-        [at(&self.displacement, cell), at(&self.offset, cell)]
+    /// Displacement of a cell.
+    pub(super) fn displacement(&self, cell: usize) -> [f64; 2] {
+        at(&self.displacement, cell)
+    }
+
+    /// Offset of a cell.
+    pub(super) fn offset(&self, cell: usize) -> [f64; 2] {
+        at(&self.offset, cell)
     }
 
     /// Sets the offset of a cell.

@@ -70,6 +70,7 @@ mod snapshot;
 mod state;
 mod step;
 mod stepping;
+mod touch;
 pub mod wear;
 
 pub use builder::HistoryBuilder;
@@ -83,3 +84,4 @@ pub use regime::Regime;
 pub use state::State;
 pub use step::StepResult;
 pub use stepping::History;
+pub use touch::TouchRule;

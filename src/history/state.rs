@@ -6,6 +6,7 @@ use crate::error::{Error, Result};
 use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
+use crate::history::TouchRule;
 use crate::history::memory::Memory;
 use crate::material::ElasticPair;
 use crate::normal::NormalSolution;
@@ -61,6 +62,8 @@ pub struct State {
     pub(super) gap: Field,
     /// The normal contact after the last step.
     pub(super) normal: NormalSolution,
+    /// The gap that the pressure belongs to; another than `gap` after wear.
+    pub(super) pressed_gap: Field,
     pub(super) is_pressure_stale: bool,
     /// Where the pressure was found; `None` before the first contact.
     pub(super) press_window: Option<Window>,
@@ -75,6 +78,7 @@ pub struct State {
     pub(super) force: [f64; 2],
     pub(super) moment: f64,
     pub(super) steps: u64,
+    pub(super) touch_rule: TouchRule,
 }
 
 clone_in_place!(State {
@@ -83,6 +87,7 @@ clone_in_place!(State {
     friction,
     gap,
     normal,
+    pressed_gap,
     is_pressure_stale,
     press_window,
     contact,
@@ -95,6 +100,7 @@ clone_in_place!(State {
     force,
     moment,
     steps,
+    touch_rule,
 });
 
 const QUANTITY: &str = "state of a history";
@@ -108,6 +114,7 @@ impl State {
         friction: Friction,
         axes: &'static [Axis],
         settings: Settings,
+        touch_rule: TouchRule,
     ) -> Self {
         let grid = gap.grid();
         let zeros = || Field::zeros(grid);
@@ -116,6 +123,7 @@ impl State {
             settings,
             friction,
             normal: NormalSolution::empty(&gap, boundary, pair),
+            pressed_gap: gap.clone(),
             gap,
             is_pressure_stale: false,
             press_window: None,
@@ -129,6 +137,7 @@ impl State {
             force: [0.0; 2],
             moment: 0.0,
             steps: 0,
+            touch_rule,
         }
     }
 
@@ -182,6 +191,12 @@ impl State {
     #[must_use]
     pub fn gap(&self) -> &Field {
         &self.gap
+    }
+
+    /// How far a cell that comes into contact within a step follows its motion.
+    #[must_use]
+    pub fn touch_rule(&self) -> TouchRule {
+        self.touch_rule
     }
 
     /// Whether the gap has changed since the pressure was found. A step that holds the pressure then carries

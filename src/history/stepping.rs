@@ -14,6 +14,7 @@ use crate::history::commit::commit;
 use crate::history::memory::Memory;
 use crate::history::remarks::Remarks;
 use crate::history::state::State;
+use crate::history::touch;
 use crate::history::{LoadStep, StepResult};
 use crate::normal::{NormalControl, NormalProblem, NormalSolution, NormalSolver};
 use crate::passes::with_memory;
@@ -203,7 +204,10 @@ impl History {
             step.normal_report.clone_from(&Report::unsolved());
         } else {
             std::mem::swap(&mut state.normal, &mut self.candidate);
-            state.is_pressure_stale = false;
+            if state.is_pressure_stale {
+                state.pressed_gap.clone_from(&state.gap);
+                state.is_pressure_stale = false;
+            }
             state.press_window = self.press.window();
             step.normal_report.clone_from(state.normal.report());
         }
@@ -245,14 +249,17 @@ impl History {
         };
         let pressure = pressed.pressure().as_slice();
         increment.pressed.set(pressure, &state.friction);
+        increment.set_offset(&memory.offset);
+        if load.normal_control() != NormalControl::Hold {
+            touch::follow_growth(increment, state, pressed, load, &demand);
+        }
         increment.set_traction(state.traction.each_ref().map(Field::as_slice));
         let mut conditions = Conditions {
             settings: &state.settings,
             start: Instant::now(),
             observer,
         };
-        let (before, offset) = (state.motion, Some(&memory.offset));
-        increment.solve(&demand, before, offset, Start::Present, &mut conditions)?;
+        increment.solve(&demand, state.motion, Start::Present, &mut conditions)?;
         Ok(increment.motion())
     }
 
@@ -269,8 +276,8 @@ impl History {
         self.press.set_gap(gap)?;
         let state = &mut self.state;
         let is_pressed = state.normal.report().status != Status::Unsolved;
-        let changes = state.gap.as_slice().iter().ne(gap.as_slice());
-        state.is_pressure_stale |= is_pressed && changes;
+        let differs = state.pressed_gap.as_slice() != gap.as_slice();
+        state.is_pressure_stale = is_pressed && differs;
         state.gap.as_mut_slice().copy_from_slice(gap.as_slice());
         Ok(())
     }

@@ -48,8 +48,8 @@ pub(super) trait ShearEngine: Debug + Send + Sync {
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<PlaneVector>;
 
-    /// The displacements that tractions cause, computed anew.
-    fn displacement(&self, traction: &PlaneVector) -> PlaneVector;
+    /// The displacements that tractions cause; the answer stays.
+    fn apply(&mut self, traction: &PlaneVector, displacement: &mut PlaneVector);
 
     /// The displacements of the last answer.
     fn product(&self) -> [&[f64]; 2];
@@ -193,15 +193,9 @@ where
         Ok(self.both(found))
     }
 
-    fn displacement(&self, traction: &PlaneVector) -> PlaneVector {
-        let mut displacement = traction.each_ref().map(|part| vec![0.0; part.len()]);
-        let operator = self.solver.operator();
-        operator.apply(
-            self.of(traction),
-            of_mut(self.axes, &mut displacement),
-            &mut operator.workspace(),
-        );
-        displacement
+    fn apply(&mut self, traction: &PlaneVector, displacement: &mut PlaneVector) {
+        let traction = self.of(traction);
+        self.solver.apply(traction, of_mut(self.axes, displacement));
     }
 
     fn product(&self) -> [&[f64]; 2] {

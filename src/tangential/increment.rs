@@ -16,7 +16,7 @@ use crate::window::Window;
 /// The tangential contact on a window: pressure, limits and tractions of its cells, and the engine that solves a step.
 ///
 /// A step finds tractions $`q`$ and a motion $`\delta`$ of body 2 with $`s = C q - S - \delta`$ for the slip of the
-/// step. The offset $`S`$ is what $`u - \delta`$ is in a cell while it sticks, zero from rest.
+/// step. The offset $`S`$ is what $`u - \delta`$ is in a cell while it sticks, zero from rest. A history sets it.
 #[derive(Debug, Clone)]
 pub(crate) struct Increment {
     bodies: HalfSpace,
@@ -25,7 +25,12 @@ pub(crate) struct Increment {
     engine: Box<dyn ShearEngine>,
     /// The start of the next step, and the answer of the last.
     traction: PlaneVector,
+    /// Offset of every cell in this step.
+    offset: PlaneVector,
     linear: PlaneVector,
+    /// Displacements that the change of the pressure would cause as a traction along x, and along y; of no cells until
+    /// they are asked for.
+    growth: [PlaneVector; 2],
     /// Motion of body 2 at the end of the last step.
     motion: Motion,
 }
@@ -48,7 +53,9 @@ impl Increment {
             axes,
             engine: engine_along(bodies, axes, size)?,
             traction: zeros(axes, pressed.window.cells()),
+            offset: zeros(axes, pressed.window.cells()),
             linear: zeros(axes, pressed.window.cells()),
+            growth: Default::default(),
             motion: Motion::default(),
             pressed,
         })
@@ -109,8 +116,55 @@ impl Increment {
     }
 
     /// The displacement that the present tractions cause, computed anew.
-    pub(crate) fn fresh_displacement(&self) -> PlaneVector {
-        self.engine.displacement(&self.traction)
+    pub(crate) fn fresh_displacement(&mut self) -> PlaneVector {
+        let mut displacement = zeros(self.axes, self.pressed.window.cells());
+        self.engine.apply(&self.traction, &mut displacement);
+        displacement
+    }
+
+    /// The offset of a cell of the window in this step.
+    pub(crate) fn offset(&self, cell: usize) -> [f64; 2] {
+        at(&self.offset, cell)
+    }
+
+    /// Takes the offsets of a step.
+    pub(crate) fn set_offset(&mut self, offset: &PlaneVector) {
+        for (target, offset) in self.offset.iter_mut().zip(offset) {
+            target.copy_from_slice(offset);
+        }
+    }
+
+    /// Moves the offset of a cell back, as if body 2 had moved so much less there.
+    pub(crate) fn lag(&mut self, cell: usize, lag: [f64; 2]) {
+        for axis in self.axes.iter().map(|axis| axis.index()) {
+            self.offset[axis][cell] -= lag[axis];
+        }
+    }
+
+    /// Finds the displacements that the pressures of the cells, less what they were before, would cause as tractions
+    /// along x, and along y. The present tractions are lost.
+    pub(crate) fn find_growth(&mut self, before: &[f64]) {
+        for axis in self.axes.iter().map(|axis| axis.index()) {
+            let Pressed {
+                window, pressure, ..
+            } = &self.pressed;
+            for part in &mut self.traction {
+                part.fill(0.0);
+            }
+            let cells = window.indices().zip(pressure);
+            for (traction, (i, pressure)) in self.traction[axis].iter_mut().zip(cells) {
+                *traction = pressure - before[i];
+            }
+            if self.growth[axis][axis].is_empty() {
+                self.growth[axis] = zeros(self.axes, self.pressed.window.cells());
+            }
+            self.engine.apply(&self.traction, &mut self.growth[axis]);
+        }
+    }
+
+    /// The displacement of a cell that [`Self::find_growth`] found for tractions along an axis.
+    pub(crate) fn growth(&self, along: Axis, cell: usize) -> [f64; 2] {
+        at(&self.growth[along.index()], cell)
     }
 
     /// Whether a cell of the window carries all that friction holds there.
@@ -128,7 +182,6 @@ impl Increment {
         &mut self,
         demand: &Demand,
         before: Motion,
-        offset: Option<&PlaneVector>,
         start: Start,
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<()> {
@@ -136,8 +189,8 @@ impl Increment {
             twist: demand.twist,
             ..before
         };
-        let totals = self.prescribe(demand, offset)?;
-        self.set_linear(offset);
+        let totals = self.prescribe(demand)?;
+        self.set_linear();
         let outcome = match self.pressed.limits.unit() {
             None => self.minimise(totals, start, conditions),
             Some(unit) => {
@@ -194,13 +247,13 @@ impl Increment {
     }
 
     /// What is prescribed of the sums of the tractions; the motion becomes the one they are measured from.
-    fn prescribe(&mut self, demand: &Demand, offset: Option<&PlaneVector>) -> Result<[Total; 2]> {
+    fn prescribe(&mut self, demand: &Demand) -> Result<[Total; 2]> {
         let cell_area = self.bodies.grid().cell_area();
         let limits = &self.pressed.limits;
         limits.check(demand.force(), cell_area)?;
         let sums = limits.sums(demand.force(), cell_area);
         let can_carry = limits.sum > 0.0;
-        let datum = self.datum(offset);
+        let datum = self.datum();
         let mut totals = [Total::Free; 2];
         for &axis in self.axes {
             let component = axis.index();
@@ -230,7 +283,7 @@ impl Increment {
 
     /// The shift that, with a twist, would leave the cell of the largest limit without traction: measured from
     /// there, a contact that has nowhere slipped asks for exactly none.
-    fn datum(&self, offset: Option<&PlaneVector>) -> [f64; 2] {
+    fn datum(&self) -> [f64; 2] {
         let Pressed { window, limits, .. } = &self.pressed;
         let cells = limits.cells.iter().zip(window.indices());
         let strongest = cells
@@ -240,7 +293,7 @@ impl Increment {
             return [0.0; 2];
         };
         let turned = Motion {
-            shift: offset.map_or([0.0; 2], |offset| at(offset, cell)),
+            shift: self.offset(cell),
             ..self.motion
         }
         .at(centre(self.bodies.grid(), index));
@@ -248,13 +301,10 @@ impl Increment {
     }
 
     /// Asks every cell to follow the motion, from its offset.
-    fn set_linear(&mut self, offset: Option<&PlaneVector>) {
+    fn set_linear(&mut self) {
         let grid = self.bodies.grid();
         for (k, i) in self.pressed.window.indices().enumerate() {
-            let (offset, motion) = (
-                offset.map_or([0.0; 2], |offset| at(offset, k)),
-                self.motion.at(centre(grid, i)),
-            );
+            let (offset, motion) = (at(&self.offset, k), self.motion.at(centre(grid, i)));
             for axis in self.axes.iter().map(|axis| axis.index()) {
                 self.linear[axis][k] = -(offset[axis] + motion[axis]);
             }

@@ -218,9 +218,9 @@ impl TangentialSolver {
             Start::Nested
         };
         let demand = self.load.demand();
-        let outcome =
-            self.increment
-                .solve(&demand, Motion::default(), None, start, &mut conditions);
+        let outcome = self
+            .increment
+            .solve(&demand, Motion::default(), start, &mut conditions);
         let is_answered = matches!(outcome, Ok(()) | Err(Error::NotConverged(_)));
         // Do not warm-start from NaN.
         self.is_warm = is_answered && self.increment.report().residual.is_finite();

@@ -12,6 +12,7 @@ use crate::cgm::{Method, Settings};
 use crate::error::Result;
 use crate::field::Field;
 use crate::grid::Grid;
+use crate::history::TouchRule;
 use crate::history::memory::Memory;
 use crate::history::state::State;
 use crate::material::{ElasticPair, Material};
@@ -86,6 +87,7 @@ impl Host {
             friction,
             Axis::X.alone(),
             settings,
+            TouchRule::default(),
         ))
     }
 
@@ -111,7 +113,20 @@ impl State {
         codec.numbers("tangential force", &mut self.force, FINITE)?;
         codec.number("moment", &mut self.moment, FINITE)?;
 
+        let rules = [TouchRule::Growth, TouchRule::WholeStep];
+        codec.kind("touch rule", &mut self.touch_rule, &rules)?;
         codec.numbers("gap", self.gap.as_mut_slice(), FINITE)?;
+        let mut is_another = self.pressed_gap.as_slice() != self.gap.as_slice();
+        codec.kind("mark of a changed gap", &mut is_another, &[false, true])?;
+        if is_another {
+            codec.numbers(
+                "gap of the pressure",
+                self.pressed_gap.as_mut_slice(),
+                FINITE,
+            )?;
+        } else {
+            self.pressed_gap.clone_from(&self.gap);
+        }
         visit_normal(codec, &mut self.normal)?;
         let is_stale = &mut self.is_pressure_stale;
         codec.kind("mark of a stale pressure", is_stale, &[false, true])?;

@@ -3,7 +3,7 @@
 //! | bytes | holds |
 //! |---|---|
 //! | 8 | `\x93STKSLIP` |
-//! | 4 | version of the format, 3 |
+//! | 4 | version of the format, 4 |
 //! | 8 | number of all bytes |
 //! | | bodies, then the parts of the state in the order of its `visit` |
 //! | 8 | FNV-1a sum of all bytes before |
@@ -24,7 +24,7 @@ use layout::{Host, LEAST_PER_CELL};
 
 const FORMAT: Format = Format("saved history");
 const MAGIC: &[u8; 8] = b"\x93STKSLIP";
-const VERSION: u32 = 3;
+const VERSION: u32 = 4;
 /// Magic, version and length; and the sum at the end.
 const HEADER: usize = 20;
 const SUM: usize = 8;
