@@ -10,6 +10,7 @@ pub(crate) use check::{
     positive, samples_obey,
 };
 pub use place::Place;
+use place::prefix;
 
 use crate::report::Report;
 
@@ -378,6 +379,18 @@ pub enum Error {
         /// The largest one allowed.
         limit: f64,
     },
+    /// A load was cut into the shortest steps allowed, and the error of one is still beyond its tolerance.
+    #[error(
+        "a step of {part:e} of the load still has an error of {error:e}, more than its share of {tolerance:e}"
+    )]
+    StepTooLong {
+        /// Length of the step, as a part of the load.
+        part: f64,
+        /// [`StepError::traction`](crate::history::StepError::traction) of the step.
+        error: f64,
+        /// The tolerance of the whole load.
+        tolerance: f64,
+    },
     /// The iteration ended before it reached the tolerance. After `solve_into` or `solve_observed` the solution holds
     /// the last feasible iterate; a [`History`](crate::History) remains as it was before the step.
     #[error("not converged: {0}")]
@@ -388,9 +401,4 @@ impl fmt::Debug for Error {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, formatter)
     }
-}
-
-/// The name of a file before what is wrong in it.
-fn prefix(file: Option<&str>) -> String {
-    file.map_or_else(String::new, |file| format!("{file}: "))
 }

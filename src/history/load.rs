@@ -1,5 +1,6 @@
 //! What a step of a history does to the bodies.
 
+use crate::history::State;
 use crate::normal::NormalControl;
 use crate::tangential::{Axis, Demand, TangentialControl};
 
@@ -111,6 +112,45 @@ impl LoadStep {
     pub fn twist(mut self, twist: f64) -> Self {
         self.twist = Some(twist);
         self
+    }
+
+    /// The step to a part of this one, in `[0, 1]`: what is prescribed has come that part of its way from the state.
+    pub(super) fn part(&self, state: &State, part: f64) -> Self {
+        let between = |start: f64, end: f64| {
+            if part < 1.0 {
+                start + part * (end - start)
+            } else {
+                end
+            }
+        };
+        let along = |axis: usize| {
+            let (shift, force) = (state.shift()[axis], state.force()[axis]);
+            match self.tangential[axis] {
+                TangentialControl::Force(end) => TangentialControl::Force(between(force, end)),
+                TangentialControl::Shift(end) => TangentialControl::Shift(between(shift, end)),
+                TangentialControl::Hold => TangentialControl::Hold,
+                TangentialControl::Spring {
+                    position,
+                    stiffness,
+                } => TangentialControl::Spring {
+                    position: between(shift + force / stiffness, position),
+                    stiffness,
+                },
+            }
+        };
+        Self {
+            normal: match self.normal {
+                NormalControl::Force(end) => {
+                    NormalControl::Force(between(state.normal().force(), end))
+                }
+                NormalControl::Approach(end) => {
+                    NormalControl::Approach(between(state.approach(), end))
+                }
+                NormalControl::Hold => NormalControl::Hold,
+            },
+            tangential: [along(0), along(1)],
+            twist: self.twist.map(|end| between(state.twist(), end)),
+        }
     }
 
     /// What is prescribed in the normal direction.

@@ -54,6 +54,7 @@
 //! [`wear`] turns the slip or the energy of steps or cycles into depth removed; [`History::set_gap`] gives it back,
 //! with tractions and slip kept.
 
+mod adaptive;
 mod builder;
 mod commit;
 mod cycle;
@@ -73,6 +74,7 @@ mod stepping;
 mod touch;
 pub mod wear;
 
+pub use adaptive::{AdaptiveSteps, StepError};
 pub use builder::HistoryBuilder;
 pub use cycle::Cycle;
 pub use energy::EnergyBalance;

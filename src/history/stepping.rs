@@ -204,10 +204,8 @@ impl History {
             step.normal_report.clone_from(&Report::unsolved());
         } else {
             std::mem::swap(&mut state.normal, &mut self.candidate);
-            if state.is_pressure_stale {
-                state.pressed_gap.clone_from(&state.gap);
-                state.is_pressure_stale = false;
-            }
+            state.pressed_gap.clone_from(&state.gap);
+            state.is_pressure_stale = false;
             state.press_window = self.press.window();
             step.normal_report.clone_from(state.normal.report());
         }

@@ -1,18 +1,20 @@
 //! The touch rule: how far cells that come into contact within a step follow its motion.
 
 use crate::cgm::reduce;
+use crate::cgm::vector::{minus, plus};
+use crate::field::Field;
 use crate::history::LoadStep;
 use crate::history::state::State;
 use crate::normal::{NormalControl, NormalSolution};
-use crate::tangential::{Axis, Demand, Increment, Motion, TangentialControl, centre};
+use crate::tangential::{Axis, Demand, Growth, Increment, TangentialControl, centre};
 
 /// How far a cell that comes into contact within a step follows the motion of the step.
 ///
-/// The whole page on it is that of [`crate::history`].
+/// What the two do to the tractions is told on the page of [`crate::history`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum TouchRule {
-    /// As far as it would if all that grew within the step stuck, where friction allows that.
+    /// As far as it would if all that grows within the step stuck, where friction allows that.
     #[default]
     Growth,
     /// All of it, also the part before it touched: the rule of codes that know the start of the step only, such as
@@ -20,13 +22,17 @@ pub enum TouchRule {
     WholeStep,
 }
 
-/// Growth of the force, relative to the force, below which it is round-off.
+/// Growth of the normal force, relative to the force, below which it is round-off.
 const NO_GROWTH: f64 = 1e-9;
+
+/// Part of the sum of squares below which a regression has nothing to tell a slope by.
+const NO_SPREAD: f64 = 1e-12;
 
 /// Sets the offsets of the cells that come into contact back by what they do not follow of the motion.
 ///
-/// Traction grows as $`c\,\Delta p`$ if all sticks. Its mean displacement over the contact is $`K c\,\Delta u_z`$, so
-/// the shift that belongs to it is $`D_p = K c\,\Delta\delta_z`$, and a new cell follows $`C_{tt}(c\,\Delta p)`$ of it.
+/// If all sticks, the tractions grow by $`(c + w\,e_z \times r)\,\Delta p`$, with r from the centre of $`\Delta p`$. A
+/// new cell follows what that displaces it, instead of the motion of the step; where friction does not hold the
+/// growth, it follows all of the motion.
 pub(super) fn follow_growth(
     increment: &mut Increment,
     state: &State,
@@ -43,35 +49,22 @@ pub(super) fn follow_growth(
     let Some(press) = Press::new(state, pressed, load) else {
         return;
     };
-    increment.find_growth(before);
-    let compliance = press.mean_compliance(increment);
-    let Some(slope) = press.slope(state, demand, &compliance, increment.axes()) else {
+    let turn = demand.twist - state.motion.twist;
+    let Some(stuck) = Stuck::new(&press, increment, demand, turn) else {
         return;
     };
-    let shift = times(&compliance, slope).map(|shift| shift * press.approach);
-    let turn = Motion {
-        shift: [0.0; 2],
-        twist: demand.twist - state.motion.twist,
-    };
-    let grid = state.grid();
     for (k, i) in increment.pressed.window.indices().enumerate() {
         let pressure = increment.pressed.pressure[k];
         if pressure <= 0.0 || before[i] > 0.0 {
             continue;
         }
-        let turned = turn.at(centre(grid, i));
-        let turning = solve(&compliance, turned, increment.axes());
-        let whole = [0, 1].map(|axis| slope[axis] + turning[axis] / press.approach);
-        if whole[0].hypot(whole[1]) * pressure >= increment.pressed.limits.cells[k] {
-            continue;
+        let around = stuck.around(centre(state.grid(), i));
+        let [x, y] = plus(stuck.slope, stuck.turning, around);
+        if x.hypot(y) * pressure < increment.pressed.limits.cells[k] {
+            let motion = plus(stuck.shift, turn, around);
+            let followed = stuck.displacement(increment, k);
+            increment.lag(k, minus(motion, followed));
         }
-        let missed = press.gap(i).clamp(0.0, press.approach) / press.approach;
-        let columns = [Axis::X, Axis::Y].map(|axis| increment.growth(axis, k));
-        let lag = [0, 1].map(|axis| {
-            let followed = slope[0] * columns[0][axis] + slope[1] * columns[1][axis];
-            shift[axis] - followed + missed * turned[axis]
-        });
-        increment.lag(k, lag);
     }
 }
 
@@ -79,123 +72,233 @@ pub(super) fn follow_growth(
 struct Press<'a> {
     state: &'a State,
     pressed: &'a NormalSolution,
-    /// Approach at the beginning of the step: that of first touch, if the load is a force and nothing touched yet.
-    start: f64,
-    /// Growth of the approach, positive.
+    /// Growth of the normal displacement of the cells that were in contact before: that of the approach but for wear.
+    /// Positive.
     approach: f64,
-    /// Growth of the normal force.
+    /// Growth of the normal force, not negative.
     force: f64,
 }
 
 impl<'a> Press<'a> {
-    /// `None` if the bodies did not approach each other.
+    /// `None` if the bodies were not pressed further together.
     fn new(state: &'a State, pressed: &'a NormalSolution, load: &LoadStep) -> Option<Self> {
         let force = pressed.force() - state.normal.force();
+        let is_growth = force.abs() > NO_GROWTH * pressed.force();
         let mut press = Self {
             state,
             pressed,
-            start: state.approach(),
             approach: 0.0,
-            force: if force.abs() > NO_GROWTH * pressed.force() {
-                force
-            } else {
-                0.0
-            },
+            force: if is_growth { force } else { 0.0 },
         };
-        let is_first = state.pressure().max() <= 0.0;
-        if is_first && matches!(load.normal_control(), NormalControl::Force(_)) {
-            let least = reduce::least(state.grid().cells(), |i| Some(press.gap(i)));
-            press.start += least.map_or(0.0, |(_, gap)| gap);
-        }
-        press.approach = pressed.approach() - press.start;
+        press.approach = press
+            .mean_displacement()
+            .unwrap_or_else(|| pressed.approach() - press.first_approach(load.normal_control()));
         (press.approach > 0.0 && press.force >= 0.0).then_some(press)
-    }
-
-    /// Gap of a cell at the beginning of the step, after wear.
-    fn gap(&self, index: usize) -> f64 {
-        let worn = self.state.gap.as_slice()[index] - self.state.pressed_gap.as_slice()[index];
-        let moved = self.start - self.state.approach();
-        self.state.normal.gap().as_slice()[index] + worn - moved
     }
 
     /// Growth of the normal displacement of a cell.
     fn displacement(&self, index: usize) -> f64 {
-        self.pressed.gap().as_slice()[index] - self.gap(index) + self.approach
+        let displacement = |contact: &NormalSolution, gap: &Field| {
+            contact.gap().as_slice()[index] + (contact.approach() - gap.as_slice()[index])
+        };
+        let state = self.state;
+        displacement(self.pressed, &state.gap) - displacement(&state.normal, &state.pressed_gap)
     }
 
-    /// K: the mean tangential displacement over the contact by the growth of the pressure as a traction, for each
-    /// normal displacement. Rows are components of the displacement, columns those of the traction.
-    fn mean_compliance(&self, increment: &Increment) -> [[f64; 2]; 2] {
-        let pressed = &increment.pressed;
-        let sums = pressed
-            .window
-            .indices()
-            .enumerate()
-            .fold([0.0; 5], |sums, (k, i)| {
-                let normal = self.displacement(i);
-                let weight = pressed.pressure[k] * normal;
-                let [x, y] = [Axis::X, Axis::Y].map(|axis| increment.growth(axis, k));
-                let parts = [normal, x[0], y[0], x[1], y[1]];
-                std::array::from_fn(|at| sums[at] + weight * parts[at])
-            });
-        let [square, rest @ ..] = sums;
-        let [xx, xy, yx, yy] = rest.map(|sum| sum / square);
-        [[xx, xy], [yx, yy]]
+    /// Mean growth of the normal displacement where there was contact before, and is; `None` if that is nowhere.
+    fn mean_displacement(&self) -> Option<f64> {
+        let (before, after) = (
+            self.state.pressure().as_slice(),
+            self.pressed.pressure().as_slice(),
+        );
+        let [sum, weights] = reduce::sum(before.len(), |i| {
+            let weight = before[i].min(after[i]);
+            if weight > 0.0 {
+                [weight * self.displacement(i), weight]
+            } else {
+                [0.0; 2]
+            }
+        });
+        (weights > 0.0).then(|| sum / weights)
     }
 
-    /// c: the traction, for each pressure, with which the contact would grow under this load if all of it stuck.
-    fn slope(
-        &self,
-        state: &State,
-        demand: &Demand,
-        compliance: &[[f64; 2]; 2],
-        axes: &[Axis],
-    ) -> Option<[f64; 2]> {
-        let (mut rows, mut right) = ([[0.0; 2]; 2], [0.0; 2]);
-        for &axis in axes {
-            let a = axis.index();
-            let (shift, force) = (state.shift()[a], state.force()[a]);
-            let along = compliance[a].map(|part| part * self.approach);
-            let unit = [0, 1].map(|b| if a == b { self.force } else { 0.0 });
-            (rows[a], right[a]) = match demand.control(axis) {
-                TangentialControl::Hold => (along, 0.0),
-                TangentialControl::Shift(end) => (along, end - shift),
-                TangentialControl::Force(end) if self.force > 0.0 => (unit, end - force),
-                TangentialControl::Force(end) if end == force => {
-                    ([0, 1].map(|b| f64::from(u8::from(a == b))), 0.0)
-                }
-                TangentialControl::Force(_) => return None,
-                TangentialControl::Spring {
-                    position,
-                    stiffness,
-                } => (
-                    [0, 1].map(|b| unit[b] + stiffness * along[b]),
-                    stiffness * (position - shift) - force,
-                ),
-            };
+    /// Approach at the beginning of a step without contact before: that of first touch, if the load is a force.
+    fn first_approach(&self, control: NormalControl) -> f64 {
+        let state = self.state;
+        match control {
+            NormalControl::Force(_) => state.gap.min(),
+            _ => state.approach(),
         }
-        let slope = solve(&rows, right, axes);
-        slope.iter().all(|part| part.is_finite()).then_some(slope)
+    }
+
+    /// The centre of the growth of the pressure; the origin if that has none.
+    fn centre(&self, increment: &Increment) -> [f64; 2] {
+        let (before, grid) = (self.state.pressure().as_slice(), self.state.grid());
+        let pressed = &increment.pressed;
+        let (mut sum, mut first) = (0.0, [0.0; 2]);
+        for (k, i) in pressed.window.indices().enumerate() {
+            let grown = pressed.pressure[k] - before[i];
+            sum += grown;
+            first = plus(first, grown, centre(grid, i));
+        }
+        if self.force > 0.0 {
+            first.map(|first| first / sum)
+        } else {
+            [0.0; 2]
+        }
     }
 }
 
-/// `A x`.
-fn times(matrix: &[[f64; 2]; 2], x: [f64; 2]) -> [f64; 2] {
-    matrix.map(|row| row[0] * x[0] + row[1] * x[1])
+/// How the contact would grow in the step if all of it stuck.
+struct Stuck {
+    /// The point the tractions turn about.
+    centre: [f64; 2],
+    /// Traction for each growth of pressure.
+    slope: [f64; 2],
+    /// The same for each distance from the centre.
+    turning: f64,
+    /// The shift at the centre that belongs to it.
+    shift: [f64; 2],
 }
 
-/// Solves for the unknowns along these axes; the others are zero.
-fn solve(matrix: &[[f64; 2]; 2], right: [f64; 2], axes: &[Axis]) -> [f64; 2] {
-    let mut x = [0.0; 2];
-    if let [axis] = axes {
-        let a = axis.index();
-        x[a] = right[a] / matrix[a][a];
-        return x;
+impl Stuck {
+    fn new(
+        press: &Press<'_>,
+        increment: &mut Increment,
+        demand: &Demand,
+        turn: f64,
+    ) -> Option<Self> {
+        let before = press.state.pressure().as_slice();
+        for &axis in increment.axes() {
+            let (growth, direction) = match axis {
+                Axis::X => (Growth::AlongX, [1.0, 0.0]),
+                Axis::Y => (Growth::AlongY, [0.0, 1.0]),
+            };
+            increment.find_growth(growth, before, |_| direction);
+        }
+        let mut stuck = Self {
+            centre: press.centre(increment),
+            slope: [0.0; 2],
+            turning: 0.0,
+            shift: [0.0; 2],
+        };
+        if turn != 0.0 {
+            increment.find_growth(Growth::About, before, |point| stuck.around(point));
+            stuck.turning = turn / stuck.rotation(press, increment)?;
+        }
+        let compliance = mean_compliance(press, increment);
+        let [x, y] = stuck.centre;
+        let turned = [-turn * y, turn * x];
+        stuck.slope = slope(press, demand, &compliance, turned, increment.axes())?;
+        let [x, y] = compliance.map(|row| row[0] * stuck.slope[0] + row[1] * stuck.slope[1]);
+        stuck.shift = [x, y].map(|shift| shift * press.approach);
+        Some(stuck)
     }
-    let [[xx, xy], [yx, yy]] = *matrix;
+
+    /// What a rotation by one about the centre moves a point.
+    fn around(&self, point: [f64; 2]) -> [f64; 2] {
+        let [x, y] = minus(point, self.centre);
+        [-y, x]
+    }
+
+    /// What the growth displaces a cell.
+    fn displacement(&self, increment: &Increment, cell: usize) -> [f64; 2] {
+        let part = |growth| increment.growth(growth, cell);
+        let [x, y] = self.slope;
+        let along_x = part(Growth::AlongX).map(|u| x * u);
+        let along = plus(along_x, y, part(Growth::AlongY));
+        plus(along, self.turning, part(Growth::About))
+    }
+
+    /// The rotation of the cells that were in contact at the beginning of the step, for each unit of `turning`: the
+    /// regression of the rotation over the part of the step that a cell was apart, there where that is zero. On a sphere
+    /// the rotation is linear in it.
+    fn rotation(&self, press: &Press<'_>, increment: &Increment) -> Option<f64> {
+        let pressed = &increment.pressed;
+        let [
+            mut ones,
+            mut parts,
+            mut squares,
+            mut rotations,
+            mut products,
+        ] = [0.0; 5];
+        for (k, i) in pressed.window.indices().enumerate() {
+            let [x, y] = self.around(centre(press.state.grid(), i));
+            let [u, v] = increment.growth(Growth::About, k);
+            let part = 1.0 - press.displacement(i) / press.approach;
+            let (weight, moment) = (
+                pressed.pressure[k] * (x * x + y * y),
+                pressed.pressure[k] * (x * u + y * v),
+            );
+            ones += weight;
+            parts += weight * part;
+            squares += weight * part * part;
+            rotations += moment;
+            products += moment * part;
+        }
+        let determinant = ones * squares - parts * parts;
+        let at_start = if determinant > NO_SPREAD * ones * ones {
+            (squares * rotations - parts * products) / determinant
+        } else {
+            rotations / ones
+        };
+        (at_start.is_finite() && at_start > 0.0).then_some(at_start)
+    }
+}
+
+/// K: the mean tangential displacement over the contact by the growth of the pressure as a traction, for each normal
+/// displacement. Rows are components of the displacement, columns those of the traction.
+fn mean_compliance(press: &Press<'_>, increment: &Increment) -> [[f64; 2]; 2] {
+    let pressed = &increment.pressed;
+    let (mut square, mut sums) = (0.0, [[0.0; 2]; 2]);
+    for (k, i) in pressed.window.indices().enumerate() {
+        let normal = press.displacement(i);
+        let weight = pressed.pressure[k] * normal;
+        square += weight * normal;
+        for (column, growth) in [Growth::AlongX, Growth::AlongY].into_iter().enumerate() {
+            let displacement = increment.growth(growth, k);
+            sums[0][column] += weight * displacement[0];
+            sums[1][column] += weight * displacement[1];
+        }
+    }
+    sums.map(|row| row.map(|sum| sum / square))
+}
+
+/// c: the traction, for each growth of pressure, with which the contact would grow under this load if all of it stuck,
+/// of a contact whose centre the twist moves by `turned`. `None` if a force is to grow that pressure does not.
+fn slope(
+    press: &Press<'_>,
+    demand: &Demand,
+    compliance: &[[f64; 2]; 2],
+    turned: [f64; 2],
+    axes: &[Axis],
+) -> Option<[f64; 2]> {
+    // Row by row: what is prescribed along each axis, and that there is none across the axis of the scalar model.
+    let (mut rows, mut right) = ([[1.0, 0.0], [0.0, 1.0]], [0.0; 2]);
+    for a in axes.iter().map(|axis| axis.index()) {
+        let (shift, force) = (press.state.shift()[a], press.state.force()[a]);
+        let by_shift = compliance[a].map(|part| part * press.approach);
+        let by_force = rows[a].map(|part| part * press.force);
+        (rows[a], right[a]) = match demand.controls[a] {
+            TangentialControl::Hold => (by_shift, turned[a]),
+            TangentialControl::Shift(end) => (by_shift, end - shift + turned[a]),
+            TangentialControl::Force(end) if press.force > 0.0 => (by_force, end - force),
+            TangentialControl::Force(end) if end == force => continue,
+            TangentialControl::Force(_) => return None,
+            TangentialControl::Spring {
+                position,
+                stiffness,
+            } => (
+                plus(by_force, stiffness, by_shift),
+                stiffness * (position - shift + turned[a]) - force,
+            ),
+        };
+    }
+    let [[xx, xy], [yx, yy]] = rows;
     let determinant = xx * yy - xy * yx;
-    [
+    let slope = [
         (yy * right[0] - xy * right[1]) / determinant,
         (xx * right[1] - yx * right[0]) / determinant,
-    ]
+    ];
+    slope.iter().all(|part| part.is_finite()).then_some(slope)
 }

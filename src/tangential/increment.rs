@@ -28,11 +28,18 @@ pub(crate) struct Increment {
     /// Offset of every cell in this step.
     offset: PlaneVector,
     linear: PlaneVector,
-    /// Displacements that the change of the pressure would cause as a traction along x, and along y; of no cells until
-    /// they are asked for.
-    growth: [PlaneVector; 2],
+    /// Displacements that a growth of traction would cause; of no cells until they are asked for.
+    growth: [PlaneVector; 3],
     /// Motion of body 2 at the end of the last step.
     motion: Motion,
+}
+
+/// A growth of traction in proportion to that of the pressure: along an axis, or about a point.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Growth {
+    AlongX,
+    AlongY,
+    About,
 }
 
 /// How a step begins.
@@ -141,30 +148,32 @@ impl Increment {
         }
     }
 
-    /// Finds the displacements that the pressures of the cells, less what they were before, would cause as tractions
-    /// along x, and along y. The present tractions are lost.
-    pub(crate) fn find_growth(&mut self, before: &[f64]) {
-        for axis in self.axes.iter().map(|axis| axis.index()) {
-            let Pressed {
-                window, pressure, ..
-            } = &self.pressed;
-            for part in &mut self.traction {
-                part.fill(0.0);
+    /// Finds the displacements that the growth of the pressure would cause as a traction of this direction and size in
+    /// each point. The present tractions are lost.
+    pub(crate) fn find_growth(
+        &mut self,
+        growth: Growth,
+        before: &[f64],
+        direction: impl Fn([f64; 2]) -> [f64; 2],
+    ) {
+        let (grid, Pressed { window, .. }) = (self.bodies.grid(), &self.pressed);
+        for (k, i) in window.indices().enumerate() {
+            let grown = self.pressed.pressure[k] - before[i];
+            let direction = direction(centre(grid, i));
+            for axis in self.axes.iter().map(|axis| axis.index()) {
+                self.traction[axis][k] = grown * direction[axis];
             }
-            let cells = window.indices().zip(pressure);
-            for (traction, (i, pressure)) in self.traction[axis].iter_mut().zip(cells) {
-                *traction = pressure - before[i];
-            }
-            if self.growth[axis][axis].is_empty() {
-                self.growth[axis] = zeros(self.axes, self.pressed.window.cells());
-            }
-            self.engine.apply(&self.traction, &mut self.growth[axis]);
         }
+        let displacement = &mut self.growth[growth as usize];
+        if displacement.iter().all(Vec::is_empty) {
+            *displacement = zeros(self.axes, window.cells());
+        }
+        self.engine.apply(&self.traction, displacement);
     }
 
-    /// The displacement of a cell that [`Self::find_growth`] found for tractions along an axis.
-    pub(crate) fn growth(&self, along: Axis, cell: usize) -> [f64; 2] {
-        at(&self.growth[along.index()], cell)
+    /// The displacement of a cell that [`Self::find_growth`] found last; zero where it never was asked.
+    pub(crate) fn growth(&self, growth: Growth, cell: usize) -> [f64; 2] {
+        at(&self.growth[growth as usize], cell)
     }
 
     /// Whether a cell of the window carries all that friction holds there.

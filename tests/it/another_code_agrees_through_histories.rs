@@ -2,6 +2,7 @@
 
 use kit::contact::{Case, Normal, Step, Tangential};
 use kit::max_difference;
+use stickslip::history::TouchRule;
 use stickslip::{
     Axis, Friction, HalfSpace, History, LoadStep, NormalControl, TangentialControl,
     TangentialModel, Zone,
@@ -36,6 +37,7 @@ fn every_step_agrees(text: &str, steps: usize) {
     let friction = Friction::coulomb(case.friction).unwrap();
     let mut history = History::builder(&bodies, &case.gap(&case.steps[0]), friction)
         .model(TangentialModel::Vector)
+        .touch_rule(TouchRule::WholeStep)
         .tolerance(TOLERANCE)
         .build()
         .unwrap();

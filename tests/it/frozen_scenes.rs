@@ -18,7 +18,7 @@ use std::fmt::Write;
 
 use kit::{Random, rough, unit_bodies, unit_pair};
 use stickslip::cgm::{Method, Report};
-use stickslip::history::{LoadPath, wear};
+use stickslip::history::{LoadPath, TouchRule, wear};
 use stickslip::{
     Axis, Boundary, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl,
     NormalProblem, NormalSolution, NormalSolver, PressureSource, TangentialControl, TangentialLoad,
@@ -419,7 +419,10 @@ fn history(
     friction: Friction,
     tolerance: f64,
 ) -> History {
-    let builder = History::builder(bodies, gap, friction).tolerance(tolerance);
+    // The rule that the old core had.
+    let builder = History::builder(bodies, gap, friction)
+        .tolerance(tolerance)
+        .touch_rule(TouchRule::WholeStep);
     let builder = match axis {
         Some(axis) => builder.axis(axis),
         None => builder.model(TangentialModel::Vector),

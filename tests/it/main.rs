@@ -38,6 +38,7 @@ mod files_of_other_programs_are_read;
 mod files_survive_a_round_trip;
 mod fretting_loops_become_steady;
 mod frozen_scenes;
+mod growing_contacts_take_any_steps;
 #[cfg(feature = "dense")]
 mod hard_cases_are_right;
 mod heights_of_asked_skewness_and_kurtosis;

@@ -1,0 +1,234 @@
+//! The error of a step, and steps short enough for a tolerance.
+
+use crate::cgm::reduce;
+use crate::error::{Error, Result};
+use crate::field::Field;
+use crate::history::{History, LoadStep, State, StepResult};
+
+/// Shortest step, as a part of the load.
+const SHORTEST: f64 = 1.0 / 4096.0;
+
+/// What one step differs by from the same load in two.
+///
+/// Of a step whose error is of second order in its length, the two halves have a third of this; where it is of first
+/// order, they have as much.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub struct StepError {
+    /// Sum of the lengths of the differences of the tractions, over the sum of the friction limits; zero without
+    /// contact.
+    pub traction: f64,
+    /// Difference of the tangential force `[x, y]`.
+    pub force: [f64; 2],
+    /// Difference of the shift `[x, y]` (lengths).
+    pub shift: [f64; 2],
+    /// Difference of the energy dissipated, by the tractions at the ends of the steps.
+    pub dissipated_energy: f64,
+}
+
+/// Takes a load in steps short enough for a tolerance, and tells the error of a step.
+///
+/// The state after a step is that of a load that went straight from beginning to end, up to an error that
+/// [`crate::history`] tells the order of. A step is compared with the same load in two halves, and the halves count. They
+/// are taken if [`StepError::traction`] is at most the step's part of the tolerance, else the step is shortened. All
+/// that is prescribed goes from its value before to that of the load in proportion. Its buffers take the memory of
+/// four states; a step allocates nothing but what [`History::step`] does.
+///
+/// ```
+/// use stickslip::history::AdaptiveSteps;
+/// use stickslip::*;
+/// let grid = Grid::square(48, 0.30e-3)?;
+/// let steel = Material::new(213e9, 0.29)?;
+/// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
+/// let ball = surface::sphere(grid, 3.5e-3)?;
+/// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.5)?).build()?;
+/// history.step(&LoadStep::hold().normal(NormalControl::Force(50.0)))?;
+///
+/// // The force turns back while the contact grows: the direction of slip is lost in a long step.
+/// history.step(&LoadStep::force([20.0, 0.0]))?;
+/// let load = LoadStep::force([-20.0, 0.0]).normal(NormalControl::Force(100.0));
+/// let mut steps = AdaptiveSteps::new(&history, 0.02)?;
+/// let whole = steps.error(&mut history, &load)?;
+/// let taken = steps.step(&mut history, &load)?;
+/// assert!(whole.traction > 0.02 && taken > 2);
+/// assert!((history.force()[0] + 20.0).abs() < 1e-4);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct AdaptiveSteps {
+    tolerance: f64,
+    /// The state that the load began from.
+    beginning: State,
+    /// The state that the step under way began from.
+    kept: State,
+    /// State and result after the first half of the step.
+    middle: (State, StepResult),
+    /// Tractions after the step as a whole.
+    whole: [Field; 2],
+}
+
+impl AdaptiveSteps {
+    /// For histories on the grid of this one, with the tolerance of [`StepError::traction`] for a whole load, in `(0, 1)`.
+    ///
+    /// A tolerance within a hundred times that of the history's [settings](History::settings) asks for the error of the
+    /// solves, which no step is short enough for.
+    ///
+    /// # Errors
+    /// [`Error::Tolerance`].
+    pub fn new(history: &History, tolerance: f64) -> Result<Self> {
+        if !(tolerance > 0.0 && tolerance < 1.0) {
+            return Err(Error::Tolerance(tolerance));
+        }
+        let state = history.state();
+        Ok(Self {
+            tolerance,
+            beginning: state.clone(),
+            kept: state.clone(),
+            middle: (state.clone(), history.last_step().clone()),
+            whole: state.traction().map(Clone::clone),
+        })
+    }
+
+    /// The error that [`History::step`] makes with this load. The history is then as it was; its
+    /// [last step](History::last_step) is the second half of this one.
+    ///
+    /// # Errors
+    /// As [`History::step`], and [`Error::GridMismatch`] for a history on another grid.
+    pub fn error(&mut self, history: &mut History, load: &LoadStep) -> Result<StepError> {
+        self.begin(history)?;
+        let outcome = self.compare(history, load, [0.0, 1.0]);
+        history.set_state(&self.beginning)?;
+        outcome
+    }
+
+    /// Takes a load, in as many steps as it needs, and returns how many.
+    ///
+    /// # Errors
+    /// As [`History::step`]; [`Error::GridMismatch`] for a history on another grid; [`Error::StepTooLong`] if steps of
+    /// 1/4096 of the load are not short enough. The history is then as it was.
+    pub fn step(&mut self, history: &mut History, load: &LoadStep) -> Result<usize> {
+        self.step_observed(history, load, |_| Ok(()))
+    }
+
+    /// [`AdaptiveSteps::step`] with an observer that sees the history after every step taken, for example to
+    /// [add](crate::history::Cycle::add) it to a cycle. What it gathered before an error belongs to no load.
+    ///
+    /// # Errors
+    /// As [`AdaptiveSteps::step`], and those of the observer.
+    pub fn step_observed(
+        &mut self,
+        history: &mut History,
+        load: &LoadStep,
+        mut observer: impl FnMut(&History) -> Result<()>,
+    ) -> Result<usize> {
+        self.begin(history)?;
+        let outcome = self.advance(history, load, &mut observer);
+        if outcome.is_err() {
+            history.set_state(&self.beginning)?;
+        }
+        outcome
+    }
+
+    fn begin(&mut self, history: &History) -> Result<()> {
+        self.whole[0].check("buffers of adaptive steps", history.grid())?;
+        self.beginning.clone_from(history.state());
+        self.kept.clone_from(history.state());
+        Ok(())
+    }
+
+    fn advance(
+        &mut self,
+        history: &mut History,
+        load: &LoadStep,
+        observer: &mut impl FnMut(&History) -> Result<()>,
+    ) -> Result<usize> {
+        let (mut start, mut part, mut steps) = (0.0, 1.0_f64, 0);
+        while start < 1.0 {
+            // Parts are powers of two, and never pass the end.
+            let end = start + part;
+            let error = self.compare(history, load, [start, end])?.traction;
+            let allowed = part * self.tolerance;
+            if error <= allowed {
+                self.show_middle(history, observer)?;
+                observer(history)?;
+                self.kept.clone_from(history.state());
+                (start, steps) = (end, steps + 2);
+                let may_double = error <= 0.25 * allowed && (start / part) % 2.0 == 0.0;
+                if may_double && start + 2.0 * part <= 1.0 {
+                    part *= 2.0;
+                }
+            } else if part > SHORTEST {
+                history.set_state(&self.kept)?;
+                part *= 0.5;
+            } else {
+                return Err(Error::StepTooLong {
+                    part,
+                    error,
+                    tolerance: self.tolerance,
+                });
+            }
+        }
+        Ok(steps)
+    }
+
+    /// Takes the step from one part of the load to another as a whole, then again in two halves, and stays there.
+    fn compare(
+        &mut self,
+        history: &mut History,
+        load: &LoadStep,
+        [start, end]: [f64; 2],
+    ) -> Result<StepError> {
+        let part = |part| load.part(&self.beginning, part);
+        let whole = history.step(&part(end))?;
+        let (force, shift) = (whole.force(), whole.shift());
+        let dissipated = whole.energy().dissipated_energy;
+        for (kept, traction) in self.whole.iter_mut().zip(history.traction()) {
+            kept.clone_from(traction);
+        }
+        history.set_state(&self.kept)?;
+        history.step(&part(0.5 * (start + end)))?;
+        let (state, step) = &mut self.middle;
+        state.clone_from(history.state());
+        step.clone_from(history.last_step());
+        let second = history.step(&part(end))?;
+        let halves = step.energy().dissipated_energy + second.energy().dissipated_energy;
+        let difference = |a: [f64; 2], b: [f64; 2]| [a[0] - b[0], a[1] - b[1]];
+        Ok(StepError {
+            force: difference(force, second.force()),
+            shift: difference(shift, second.shift()),
+            dissipated_energy: dissipated - halves,
+            traction: self.distance(history),
+        })
+    }
+
+    /// How far the tractions of the whole step are from those of the history, over the sum of its friction limits.
+    fn distance(&self, history: &History) -> f64 {
+        let ([x, y], [u, v]) = (self.whole.each_ref(), history.traction());
+        let sum = reduce::sum(x.as_slice().len(), |i| {
+            (x.as_slice()[i] - u.as_slice()[i]).hypot(y.as_slice()[i] - v.as_slice()[i])
+        });
+        let capacity = history.friction_capacity();
+        if capacity > 0.0 {
+            sum * history.grid().cell_area() / capacity
+        } else {
+            0.0
+        }
+    }
+
+    /// Shows the observer the history after the first half of the step.
+    fn show_middle(
+        &mut self,
+        history: &mut History,
+        observer: &mut impl FnMut(&History) -> Result<()>,
+    ) -> Result<()> {
+        let swap = |history: &mut History, (state, step): &mut (State, StepResult)| {
+            std::mem::swap(&mut history.state, state);
+            std::mem::swap(&mut history.step, step);
+        };
+        swap(history, &mut self.middle);
+        let outcome = observer(history);
+        swap(history, &mut self.middle);
+        outcome
+    }
+}
