@@ -138,24 +138,8 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
         warnings
     }
 
-    /// The cells to the left, below, to the right and above; beyond an edge none, or the periodic image.
     fn neighbours(&self, i: usize) -> [Option<usize>; 4] {
-        let (nx, cells) = (self.grid.nx(), self.grid.cells());
-        let wraps = self.boundary == Boundary::Periodic;
-        let (ix, last_row) = (i % nx, cells - nx);
-        let step = |is_inside: bool, next: usize, image: usize| {
-            if is_inside {
-                Some(next)
-            } else {
-                wraps.then_some(image)
-            }
-        };
-        [
-            step(ix > 0, i.wrapping_sub(1), i + nx - 1),
-            step(i >= nx, i.wrapping_sub(nx), i + last_row),
-            step(ix + 1 < nx, i + 1, i - ix),
-            step(i < last_row, i + nx, i % nx),
-        ]
+        neighbours(i, self.grid.size(), self.boundary)
     }
 
     /// Contact cells on the edge of a grid that has edges.
@@ -197,6 +181,25 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
         }
         sizes
     }
+}
+
+/// The cells to the left, below, to the right and above one of `nx` by `ny`; beyond an edge none, or the periodic image.
+pub(crate) fn neighbours(i: usize, [nx, ny]: [usize; 2], boundary: Boundary) -> [Option<usize>; 4] {
+    let wraps = boundary == Boundary::Periodic;
+    let (ix, last_row) = (i % nx, nx * (ny - 1));
+    let step = |is_inside: bool, next: usize, image: usize| {
+        if is_inside {
+            Some(next)
+        } else {
+            wraps.then_some(image)
+        }
+    };
+    [
+        step(ix > 0, i.wrapping_sub(1), i + nx - 1),
+        step(i >= nx, i.wrapping_sub(nx), i + last_row),
+        step(ix + 1 < nx, i + 1, i - ix),
+        step(i < last_row, i + nx, ix),
+    ]
 }
 
 #[cfg(test)]

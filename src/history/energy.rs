@@ -15,7 +15,8 @@
 ///
 /// holds for any two states, because the operator is symmetric. In the plane, products are those of vectors, and
 /// to the work comes that of the moment, $`\tfrac12 (M_n + M_{n+1})\,\Delta\varphi`$, as the motion of a cell is
-/// $`\delta + \varphi\,(-y, x)`$. The rest is what slip dissipates
+/// $`\delta + \varphi\,(-y, x)`$. A cell that comes into contact within the step follows a part of the motion
+/// ([`TouchRule`](crate::history::TouchRule)), which then stands for $`\Delta\delta`$ on both sides. The rest is what slip dissipates
 /// ([`mid_step_dissipated_energy`](Self::mid_step_dissipated_energy)), what cells that leave the contact let go
 /// ([`released`](Self::released)) and what the tolerance of the solve leaves where there should be no slip
 /// ([`residual`](Self::residual)). What a spring stores, $`F^2 / 2k`$, is not among these: work is what it does to
@@ -24,7 +25,8 @@
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct EnergyBalance {
-    /// Work of the tangential load, mean force times change of the shift, and mean moment times that of the twist.
+    /// Work of the tangential load, mean force times change of the shift, and mean moment times that of the twist; of
+    /// cells that come into contact, by the part of the motion that they follow.
     pub work: f64,
     /// Elastic energy of shear before the step.
     pub elastic_before: f64,

@@ -17,7 +17,8 @@
 //! $`\tfrac12 q' C q - S' q`$ under a force, or of $`\tfrac12 q' C q - (S + \delta)' q`$ under a shift, in which a
 //! cell remembers the offset $`S = u - \delta`$ it slipped to last, so that errors of one step are not handed to the
 //! next. A cell
-//! that comes into contact takes the offset it has then: it begins without slip. A cell that leaves
+//! that comes into contact within the step follows the part of the motion that is left for it
+//! ([`TouchRule`], [growing contacts](crate::guide::growing_contacts)). A cell that leaves
 //! drops its traction. If the pressure alone changes, tractions are found anew under the
 //! same force or the same shift, never cut.
 //!

@@ -26,8 +26,8 @@ use crate::window::Window;
 ///
 /// Vectors are `[x, y]`; the scalar model leaves the component across its axis at zero.
 ///
-/// Beside its bodies it takes 190 bytes per cell of the grid and 350 per cell of the contact's bounding box,
-/// in the vector model ([`HistoryBuilder::model`]) 580 there, operators included, and one or two megabytes
+/// Beside its bodies it takes 200 bytes per cell of the grid and 380 per cell of the contact's bounding box,
+/// in the vector model ([`HistoryBuilder::model`]) 650 there, operators included, and one or two megabytes
 /// whatever the size. A contact that outgrows the box takes a wider one for good, and in that step a quarter more in
 /// all, in the plane two fifths. After the first steps, a step within it allocates nothing.
 ///

@@ -10,7 +10,7 @@ use crate::tangential::{Axis, Demand, Growth, Increment, TangentialControl, cent
 
 /// How far a cell that comes into contact within a step follows the motion of the step.
 ///
-/// What the two do to the tractions is told on the page of [`crate::history`].
+/// [`crate::guide::growing_contacts`] derives the first and compares the two.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum TouchRule {
@@ -53,17 +53,29 @@ pub(super) fn follow_growth(
     let Some(stuck) = Stuck::new(&press, increment, demand, turn) else {
         return;
     };
-    for (k, i) in increment.pressed.window.indices().enumerate() {
+    let window = increment.pressed.window;
+    let contact = increment.pressed.pressure.iter().map(|p| *p > 0.0);
+    increment.growth.begin_excess(increment.axes(), contact);
+    for (k, i) in window.indices().enumerate() {
+        if increment.pressed.pressure[k] > 0.0 && before[i] > 0.0 {
+            let motion = stuck.motion(centre(state.grid(), i));
+            let excess = minus(stuck.displacement(increment, k), motion);
+            increment.growth.set_excess(k, excess);
+        }
+    }
+    let boundary = state.boundary();
+    increment.growth.carry_excess(window.size, boundary);
+    for (k, i) in window.indices().enumerate() {
         let pressure = increment.pressed.pressure[k];
         if pressure <= 0.0 || before[i] > 0.0 {
             continue;
         }
-        let around = stuck.around(centre(state.grid(), i));
-        let [x, y] = plus(stuck.slope, stuck.turning, around);
+        let point = centre(state.grid(), i);
+        let [x, y] = stuck.traction(point);
         if x.hypot(y) * pressure < increment.pressed.limits.cells[k] {
-            let motion = plus(stuck.shift, turn, around);
-            let followed = stuck.displacement(increment, k);
-            increment.lag(k, minus(motion, followed));
+            let excess = increment.growth.excess(k);
+            let followed = minus(stuck.displacement(increment, k), excess);
+            increment.lag(k, minus(stuck.motion(point), followed));
         }
     }
 }
@@ -159,6 +171,8 @@ struct Stuck {
     turning: f64,
     /// The shift at the centre that belongs to it.
     shift: [f64; 2],
+    /// The rotation in the step.
+    turn: f64,
 }
 
 impl Stuck {
@@ -181,6 +195,7 @@ impl Stuck {
             slope: [0.0; 2],
             turning: 0.0,
             shift: [0.0; 2],
+            turn,
         };
         if turn != 0.0 {
             increment.find_growth(Growth::About, before, |point| stuck.around(point));
@@ -201,9 +216,19 @@ impl Stuck {
         [-y, x]
     }
 
+    /// The traction in a point for each growth of pressure.
+    fn traction(&self, point: [f64; 2]) -> [f64; 2] {
+        plus(self.slope, self.turning, self.around(point))
+    }
+
+    /// The motion of a point in the step.
+    fn motion(&self, point: [f64; 2]) -> [f64; 2] {
+        plus(self.shift, self.turn, self.around(point))
+    }
+
     /// What the growth displaces a cell.
     fn displacement(&self, increment: &Increment, cell: usize) -> [f64; 2] {
-        let part = |growth| increment.growth(growth, cell);
+        let part = |growth| increment.growth.displacement(growth, cell);
         let [x, y] = self.slope;
         let along_x = part(Growth::AlongX).map(|u| x * u);
         let along = plus(along_x, y, part(Growth::AlongY));
@@ -224,7 +249,7 @@ impl Stuck {
         ] = [0.0; 5];
         for (k, i) in pressed.window.indices().enumerate() {
             let [x, y] = self.around(centre(press.state.grid(), i));
-            let [u, v] = increment.growth(Growth::About, k);
+            let [u, v] = increment.growth.displacement(Growth::About, k);
             let part = 1.0 - press.displacement(i) / press.approach;
             let (weight, moment) = (
                 pressed.pressure[k] * (x * x + y * y),
@@ -256,7 +281,7 @@ fn mean_compliance(press: &Press<'_>, increment: &Increment) -> [[f64; 2]; 2] {
         let weight = pressed.pressure[k] * normal;
         square += weight * normal;
         for (column, growth) in [Growth::AlongX, Growth::AlongY].into_iter().enumerate() {
-            let displacement = increment.growth(growth, k);
+            let displacement = increment.growth.displacement(growth, k);
             sums[0][column] += weight * displacement[0];
             sums[1][column] += weight * displacement[1];
         }

@@ -8,6 +8,7 @@ use crate::passes::with_time_left;
 use crate::report::Report;
 use crate::tangential::control::Demand;
 use crate::tangential::engine::{PlaneVector, ShearEngine, Task, engine_along};
+use crate::tangential::growth::{Growth, GrowthFields};
 use crate::tangential::limits::is_at_limit;
 use crate::tangential::motion::{Motion, centre};
 use crate::tangential::{Axis, Pressed, TangentialControl};
@@ -28,18 +29,9 @@ pub(crate) struct Increment {
     /// Offset of every cell in this step.
     offset: PlaneVector,
     linear: PlaneVector,
-    /// Displacements that a growth of traction would cause; of no cells until they are asked for.
-    growth: [PlaneVector; 3],
+    pub(crate) growth: GrowthFields,
     /// Motion of body 2 at the end of the last step.
     motion: Motion,
-}
-
-/// A growth of traction in proportion to that of the pressure: along an axis, or about a point.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum Growth {
-    AlongX,
-    AlongY,
-    About,
 }
 
 /// How a step begins.
@@ -62,7 +54,7 @@ impl Increment {
             traction: zeros(axes, pressed.window.cells()),
             offset: zeros(axes, pressed.window.cells()),
             linear: zeros(axes, pressed.window.cells()),
-            growth: Default::default(),
+            growth: GrowthFields::default(),
             motion: Motion::default(),
             pressed,
         })
@@ -164,16 +156,9 @@ impl Increment {
                 self.traction[axis][k] = grown * direction[axis];
             }
         }
-        let displacement = &mut self.growth[growth as usize];
-        if displacement.iter().all(Vec::is_empty) {
-            *displacement = zeros(self.axes, window.cells());
-        }
+        let cells = window.cells();
+        let displacement = self.growth.displacement_mut(growth, self.axes, cells);
         self.engine.apply(&self.traction, displacement);
-    }
-
-    /// The displacement of a cell that [`Self::find_growth`] found last; zero where it never was asked.
-    pub(crate) fn growth(&self, growth: Growth, cell: usize) -> [f64; 2] {
-        at(&self.growth[growth as usize], cell)
     }
 
     /// Whether a cell of the window carries all that friction holds there.

@@ -34,6 +34,7 @@
 mod control;
 mod engine;
 mod friction;
+mod growth;
 mod increment;
 mod limits;
 mod motion;
@@ -50,7 +51,8 @@ pub use control::{TangentialControl, TangentialLoad};
 pub(crate) use engine::{PlaneVector, displacement};
 pub(crate) use friction::Coefficient;
 pub use friction::Friction;
-pub(crate) use increment::{Growth, Increment, Start, at, zeros};
+pub(crate) use growth::Growth;
+pub(crate) use increment::{Increment, Start, at, zeros};
 pub(crate) use limits::Pressed;
 pub(crate) use motion::{Motion, centre};
 pub use pressure::PressureSource;

@@ -303,7 +303,7 @@ fn the_rule_is_never_worse_than_none() {
                     "path {number}: {with:e} {without:e}"
                 );
                 // Twice the prototype's; beyond the last straight leg the direction of slip decides.
-                let bound = if roughness == 0.0 { 0.007 } else { 0.16 };
+                let bound = if roughness == 0.0 { 0.006 } else { 0.06 };
                 assert!(number > 2 || with < bound, "path {number}: {with:e}");
                 if number < 2 && roughness == 0.0 {
                     assert!(with < 0.05 * without);
@@ -437,7 +437,8 @@ fn adaptive_steps_meet_their_tolerance() {
         })
         .iter()
         .sum();
-    for tolerance in [3e-2, 1e-2, 3e-3] {
+    let mut most = 0;
+    for tolerance in [1e-2, 3e-3, 1e-3] {
         let mut history = start.clone();
         let mut steps = AdaptiveSteps::new(&history, tolerance).unwrap();
         let mut seen = Vec::new();
@@ -449,8 +450,11 @@ fn adaptive_steps_meet_their_tolerance() {
             .unwrap();
         assert!(seen.len() == taken && seen.is_sorted() && taken >= 2);
         let error = distance(&history, &exact) * size / capacity;
-        assert!(error < 2.0 * tolerance, "{tolerance}: {error:e} in {taken}");
+        assert!(error < 4.0 * tolerance, "{tolerance}: {error:e} in {taken}");
+        most = most.max(taken);
     }
+
+    assert!((20..60).contains(&most));
 
     // A straight leg is one step, in two halves.
     let mut history = start.clone();
