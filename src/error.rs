@@ -2,15 +2,14 @@
 
 mod check;
 mod place;
-
-use std::fmt;
+mod show;
 
 pub(crate) use check::{
     all_finite, all_non_negative, at_least, finite, length, memory, non_negative, not_converged,
     positive, samples_obey,
 };
 pub use place::Place;
-use place::prefix;
+use show::prefix;
 
 use crate::report::Report;
 
@@ -395,10 +394,4 @@ pub enum Error {
     /// the last feasible iterate; a [`History`](crate::History) remains as it was before the step.
     #[error("not converged: {0}")]
     NotConverged(Box<Report>),
-}
-
-impl fmt::Debug for Error {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, formatter)
-    }
 }

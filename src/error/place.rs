@@ -23,8 +23,3 @@ impl fmt::Display for Place {
         }
     }
 }
-
-/// The name of a file before what is wrong in it.
-pub(super) fn prefix(file: Option<&str>) -> String {
-    file.map_or_else(String::new, |file| format!("{file}: "))
-}
