@@ -46,8 +46,11 @@ LAYERS = [
         "normal": ENGINE | {"contact_map", "elastic", "passes", "cascade"},
         "tangential": ENGINE | {"contact_map", "elastic", "passes", "cascade", "normal"},
     }),
+    ("what follows from a solution", {
+        "stiffness": ENGINE | {"elastic", "normal", "tangential"},
+    }),
     ("what goes on through many steps", {
-        "history": ENGINE | {"contact_map", "elastic", "passes", "cascade", "normal", "tangential", "io"},
+        "history": ENGINE | {"contact_map", "elastic", "passes", "cascade", "normal", "tangential", "stiffness", "io"},
     }),
 ]
 # Of some modules, others may use these items only: the tangential problem reads the normal solution, never how it

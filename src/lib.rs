@@ -206,6 +206,7 @@ mod passes;
 mod report;
 #[cfg(feature = "serde")]
 mod serial;
+pub mod stiffness;
 pub mod surface;
 pub mod tangential;
 mod window;

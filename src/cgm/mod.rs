@@ -109,7 +109,7 @@ pub(crate) mod reduce;
 mod run;
 mod set;
 mod settings;
-mod small;
+pub(crate) mod small;
 mod totals;
 mod turn;
 pub(crate) mod vector;

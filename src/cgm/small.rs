@@ -4,11 +4,11 @@ use crate::cgm::vector::dot;
 
 /// A small symmetric matrix.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Small<const N: usize>(pub(super) [[f64; N]; N]);
+pub(crate) struct Small<const N: usize>(pub(crate) [[f64; N]; N]);
 
 impl<const N: usize> Small<N> {
     /// Solves for the active unknowns, the others being zero, by elimination.
-    pub(super) fn solve(&self, right: [f64; N], active: [bool; N]) -> [f64; N] {
+    pub(crate) fn solve(&self, right: [f64; N], active: [bool; N]) -> [f64; N] {
         let (mut rows, mut x) = (self.0, right);
         let is_below = |row: usize, pivot: usize| active[row] && row > pivot;
         for pivot in (0..N).filter(|&pivot| active[pivot]) {

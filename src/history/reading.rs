@@ -7,6 +7,7 @@ use crate::field::Field;
 use crate::grid::Grid;
 use crate::history::{History, StepResult};
 use crate::normal::NormalSolution;
+use crate::stiffness::{ContactStiffness, Sheared};
 use crate::tangential::{self, Axis, Friction, Zone};
 
 impl History {
@@ -140,6 +141,25 @@ impl History {
         let pressure = self.pressure().as_slice();
         let sum = reduce::sum(pressure.len(), |i| self.friction().limit(i, pressure[i]));
         sum * self.grid().cell_area()
+    }
+
+    /// The stiffness of the contact: normal, tangential on loading and at reversal, and of the tangential load by the
+    /// approach; see [`crate::stiffness`].
+    ///
+    /// Loading is the derivative of the force of the last step by its motion, the sets held; in the vector model the slip
+    /// of the step taken last resists turning. Cells that come into contact follow further motion wholly.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`](crate::Error::NotFinite) where a periodic contact is closed everywhere,
+    /// [`Error::NotConverged`](crate::Error::NotConverged), as [`HalfSpace::operator`](crate::HalfSpace::operator).
+    pub fn stiffness(&self) -> Result<ContactStiffness> {
+        let sheared = Sheared {
+            zones: self.zones(),
+            traction: self.traction(),
+            slip: self.last_step().slip(),
+        };
+        let (normal, friction) = (self.normal(), self.friction());
+        ContactStiffness::of(&self.bodies, normal, friction, &sheared, self.axis())
     }
 
     /// Moment about z, at the origin of the grid, that the tractions of body 2 exert on body 1.

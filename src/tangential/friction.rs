@@ -121,17 +121,30 @@ impl Friction {
     /// beyond the field of coefficients.
     #[must_use]
     pub fn limit(&self, index: usize, pressure: f64) -> f64 {
-        let coefficient = match &self.coefficient {
-            Coefficient::Uniform(coefficient) => *coefficient,
-            Coefficient::PerCell(field) => field.as_slice().get(index).copied().unwrap_or(f64::NAN),
-        };
-        let (limit, cap) = (coefficient * pressure, self.cap());
+        let (limit, cap) = (self.coefficient_at(index) * pressure, self.cap());
         // A minimum would pass over NaN.
         if limit > cap { cap } else { limit }
     }
 
+    fn coefficient_at(&self, index: usize) -> f64 {
+        match &self.coefficient {
+            Coefficient::Uniform(coefficient) => *coefficient,
+            Coefficient::PerCell(field) => field.as_slice().get(index).copied().unwrap_or(f64::NAN),
+        }
+    }
+
     fn cap(&self) -> f64 {
         self.max_shear_stress.unwrap_or(f64::INFINITY)
+    }
+
+    /// How the limit of a cell grows with its pressure.
+    pub(crate) fn slope(&self, index: usize, pressure: f64) -> f64 {
+        let coefficient = self.coefficient_at(index);
+        if coefficient * pressure < self.cap() {
+            coefficient
+        } else {
+            0.0
+        }
     }
 
     /// The coefficient and the cap (`None` without a cap). A change must keep the rules of the

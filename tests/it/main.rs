@@ -77,6 +77,7 @@ mod states_and_endings;
 mod states_are_kept_and_returned_to;
 mod statistics_agree_with_an_independent_evaluation;
 mod statistics_obey_their_laws;
+mod stiffness_is_the_slope_of_solves;
 mod superposition_is_exact;
 mod the_certificate_is_its_formula;
 mod too_large_is_refused;

@@ -1,0 +1,43 @@
+//! The stiffness of a contact: how its forces change with its motions, at fixed sets of cells.
+//!
+//! A multi-body code or a Newton iteration around this crate needs $`dW/d\delta_z`$ and $`dF/d\delta`$. Differences of
+//! solves give them with the noise of the sets, and one-sided ones mix loading with reversal. Here they follow from
+//! linear solves with the operator on the cells of the contact:
+//!
+//! - **normal**: all cells that carry pressure follow a change of the approach;
+//! - **loading**: cells that stick follow a change of the shift, cells that slip stay at their limit. In the scalar model
+//!   that holds their traction; in the vector model it turns, against the stiffness $`|s|/m`$ that slip s under the limit m
+//!   has;
+//! - **reversal**: all cells of the contact stick, as they do at first when the shift goes back;
+//! - **by approach**: pressing changes the limit of cells that slip, and so the tangential force under an unchanged shift.
+//!
+//! The motions are shift along x, shift along y and twist; the loads are the forces and the moment about the origin of
+//! the grid. What a model leaves out has zero rows and columns. The matrices are symmetric.
+//!
+//! ```
+//! use stickslip::*;
+//! let grid = Grid::square(96, 0.30e-3)?;
+//! let steel = Material::new(213e9, 0.29)?;
+//! let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
+//! let ball = surface::sphere(grid, 3.5e-3)?;
+//! let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.5)?).build()?;
+//! history.step(&LoadStep::hold().normal(NormalControl::Force(100.0)))?;
+//! history.step(&LoadStep::force([25.0, 0.0]))?;
+//!
+//! let stiffness = history.stiffness()?;
+//! let hertz = analytical::HertzSphere::new(bodies.pair(), 3.5e-3, 100.0)?;
+//! let closed_form = 2.0 * bodies.pair().contact_modulus() * hertz.contact_radius();
+//! assert!((stiffness.normal.value / closed_form - 1.0).abs() < 0.01);
+//! // Half of the load that slides: the slope falls with the radius of the stick zone, and is back at reversal.
+//! let ratio = stiffness.tangential.loading[0][0] / stiffness.tangential.reversal[0][0];
+//! assert!((ratio - 0.5_f64.cbrt()).abs() < 0.01);
+//! // Further pressing at this shift raises the force.
+//! assert!(stiffness.by_approach[0] > 0.0);
+//! # Ok::<(), Error>(())
+//! ```
+
+mod contact;
+mod system;
+
+pub(crate) use contact::Sheared;
+pub use contact::{ContactStiffness, NormalStiffness, TangentialStiffness};

@@ -1,0 +1,342 @@
+//! The stiffness of a contact is the slope of its solves, and that of the closed forms.
+
+use stickslip::analytical::{CattaneoMindlin, HertzSphere};
+use stickslip::stiffness::ContactStiffness;
+use stickslip::{
+    Axis, Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
+    Material, NormalControl, NormalProblem, NormalSolution, TangentialControl, TangentialLoad,
+    TangentialModel, TangentialProblem, TangentialSolution, surface,
+};
+
+const FRICTION: f64 = 0.4;
+const SOLVE: f64 = 1e-12;
+
+struct Scene {
+    bodies: HalfSpace,
+    gap: Field,
+    friction: Friction,
+    model: TangentialModel,
+}
+
+impl Scene {
+    fn ball(cells: usize, poisson_ratio: f64, model: TangentialModel) -> Self {
+        let grid = Grid::square(cells, 12.0).unwrap();
+        Self {
+            bodies: kit::unit_bodies(grid, poisson_ratio),
+            gap: surface::sphere(grid, 20.0).unwrap(),
+            friction: Friction::coulomb(FRICTION).unwrap(),
+            model,
+        }
+    }
+
+    fn rough(boundary: Boundary, model: TangentialModel) -> Self {
+        let grid = Grid::new(48, 40, 2.0, 2.5).unwrap();
+        let bodies = HalfSpace::with_boundary(grid, kit::unit_pair(0.3), boundary).unwrap();
+        let mut gap = kit::rough(Grid::square(48, 96.0).unwrap(), 4);
+        let heights = gap.as_mut_slice()[..grid.cells()].to_vec();
+        gap = Field::from_vec(grid, heights).unwrap();
+        Self {
+            bodies,
+            gap,
+            friction: Friction::coulomb(FRICTION).unwrap(),
+            model,
+        }
+    }
+
+    fn press(&self, control: NormalControl) -> NormalSolution {
+        let problem = NormalProblem::builder(&self.bodies, &self.gap, control).tolerance(SOLVE);
+        problem.build().unwrap().solve().unwrap()
+    }
+
+    fn shear(&self, normal: &NormalSolution, load: TangentialLoad) -> TangentialSolution {
+        TangentialProblem::builder(&self.bodies, normal, self.friction.clone(), load)
+            .model(self.model)
+            .tolerance(SOLVE)
+            .build()
+            .unwrap()
+            .solve()
+            .unwrap()
+    }
+}
+
+fn moment(solution: &TangentialSolution) -> f64 {
+    let [qx, qy] = solution.traction();
+    let grid = solution.grid();
+    let arm = |i: usize| [grid.x(i % grid.nx()), grid.y(i / grid.nx())];
+    let turn = |i: usize| arm(i)[0] * qy.as_slice()[i] - arm(i)[1] * qx.as_slice()[i];
+    (0..grid.cells()).map(turn).sum::<f64>() * grid.cell_area()
+}
+
+fn loads(solution: &TangentialSolution) -> [f64; 3] {
+    let [x, y] = solution.force();
+    [x, y, moment(solution)]
+}
+
+fn close(found: f64, expected: f64, scale: f64, what: &str) {
+    let error = (found - expected).abs() / scale;
+    assert!(
+        error < 1e-8,
+        "{what}: {found:e} for {expected:e}, {error:e}"
+    );
+}
+
+#[test]
+fn normal_stiffness_is_the_slope_of_the_force() {
+    for scene in [
+        Scene::ball(48, 0.3, TangentialModel::Scalar),
+        Scene::rough(Boundary::NonPeriodic, TangentialModel::Scalar),
+        Scene::rough(Boundary::Periodic, TangentialModel::Scalar),
+    ] {
+        let contact = scene.press(NormalControl::Force(6.0));
+        let stiffness = contact.stiffness(&scene.bodies).unwrap();
+        assert!(stiffness.bound <= 1e-10);
+        let step = 1e-6 * contact.approach().abs();
+        let [more, less] = [step, -step].map(|step| {
+            let solution = scene.press(NormalControl::Approach(contact.approach() + step));
+            assert_eq!(solution.contact_cells(), contact.contact_cells());
+            solution.force()
+        });
+        // What is left is the round-off of the difference.
+        let slope = (more - less) / (2.0 * step);
+        assert!((slope / stiffness.value - 1.0).abs() < 1e-6, "{slope:e}");
+        // A wider step within the same set has less of it.
+        let step = 100.0 * step;
+        let [more, less] = [step, -step].map(|step| {
+            let solution = scene.press(NormalControl::Approach(contact.approach() + step));
+            (solution.contact_cells(), solution.force())
+        });
+        if more.0 == contact.contact_cells() && less.0 == more.0 {
+            let slope = (more.1 - less.1) / (2.0 * step);
+            close(slope, stiffness.value, stiffness.value, "slope");
+        }
+    }
+}
+
+/// Hertz: 2 E* a; Mindlin: that times the ratio of the compliances. What the staircase of the edge leaves falls with
+/// the cells, on the mean of some loads.
+#[test]
+fn hertz_and_mindlin_are_met_on_fine_grids() {
+    let poisson = 0.3;
+    let mean_errors = |cells: usize| {
+        let scene = Scene::ball(cells, poisson, TangentialModel::Scalar);
+        let loads = [5.0, 5.3, 5.6, 5.9, 6.2, 6.5, 6.8, 7.1];
+        let errors = loads.map(|load| {
+            let normal = scene.press(NormalControl::Force(load));
+            let hertz = HertzSphere::new(scene.bodies.pair(), 20.0, load).unwrap();
+            let exact = 2.0 * scene.bodies.pair().contact_modulus() * hertz.contact_radius();
+            let shear = scene.shear(&normal, TangentialLoad::force([0.1, 0.0]));
+            let mindlin = exact * 2.0 * (1.0 - poisson) / (2.0 - poisson);
+            let sheared = shear.stiffness(&scene.bodies).unwrap();
+            [
+                normal.stiffness(&scene.bodies).unwrap().value / exact - 1.0,
+                sheared.reversal[0][0] / mindlin - 1.0,
+            ]
+        });
+        [0, 1].map(|kind| errors.iter().map(|error| error[kind].abs()).sum::<f64>() / 8.0)
+    };
+    let (coarse, fine) = (mean_errors(24), mean_errors(96));
+    for kind in [0, 1] {
+        assert!(coarse[kind] < 0.02, "{coarse:?}");
+        assert!(fine[kind] < 0.3 * coarse[kind], "{coarse:?} {fine:?}");
+    }
+}
+
+/// Without Poisson's effect the stiffness under F is that of the contact under W - F/mu, on any surface and on the grid.
+#[test]
+fn slopes_of_cattaneo_and_mindlin_are_those_of_lighter_contacts() {
+    for model in [TangentialModel::Scalar, TangentialModel::Vector] {
+        let scene = Scene::ball(64, 0.0, model);
+        let load = 6.0;
+        let normal = scene.press(NormalControl::Force(load));
+        let full = normal.stiffness(&scene.bodies).unwrap();
+        let pair = scene.bodies.pair();
+        let hertz = HertzSphere::new(pair, 20.0, load).unwrap();
+        for part in [0.1, 0.3, 0.5, 0.7, 0.9] {
+            let force = part * FRICTION * load;
+            let shear = scene.shear(&normal, TangentialLoad::force([force, 0.0]));
+            let found =
+                ContactStiffness::new(&scene.bodies, &normal, &scene.friction, &shear).unwrap();
+            let lighter = scene.press(NormalControl::Force(load - force / FRICTION));
+            let stick = lighter.stiffness(&scene.bodies).unwrap();
+            let tangential = found.tangential;
+            let relative = tangential.loading[0][0] / stick.value - 1.0;
+            // Cells at the very edge of stick may be counted on either side.
+            assert!(relative.abs() < 1e-6, "{part}: {relative:e}");
+            assert!((tangential.reversal[0][0] / full.value - 1.0).abs() < 1e-9);
+            assert!((found.normal.value / full.value - 1.0).abs() < 1e-12);
+            // F = mu (W - W') with the approach of W' less the shift over mu: pressing at this shift.
+            let exact = FRICTION * (full.value - stick.value);
+            assert!((found.by_approach[0] / exact - 1.0).abs() < 1e-6);
+            let closed = CattaneoMindlin::new(hertz, FRICTION, force).unwrap();
+            let slope = 2.0 * pair.contact_modulus() * closed.stick_radius();
+            assert!((tangential.loading[0][0] / slope - 1.0).abs() < 0.05);
+        }
+    }
+}
+
+#[test]
+fn loading_is_the_slope_of_solves_in_the_plane() {
+    for (scene, twist) in [
+        (Scene::ball(40, 0.3, TangentialModel::Vector), 4e-3),
+        (
+            Scene::rough(Boundary::NonPeriodic, TangentialModel::Vector),
+            1e-3,
+        ),
+        (
+            Scene::rough(Boundary::Periodic, TangentialModel::Vector),
+            0.0,
+        ),
+    ] {
+        let normal = scene.press(NormalControl::Force(6.0));
+        let along = scene.shear(&normal, TangentialLoad::force([1.2, 0.6]));
+        let shift = along.shift();
+        let load =
+            |motion: [f64; 3]| TangentialLoad::shift([motion[0], motion[1]]).twist(motion[2]);
+        let motion = [shift[0], shift[1], twist];
+        let shear = scene.shear(&normal, load(motion));
+        let found = shear.stiffness(&scene.bodies).unwrap();
+        assert!(found.bound <= 1e-10);
+        let modes = if twist > 0.0 { 3 } else { 2 };
+        for column in 0..modes {
+            let scale = if column < 2 { shift[0].abs() } else { twist };
+            // Second order in the step, then extrapolated.
+            let slope = |part: f64| {
+                let at = |sign: f64| {
+                    let mut moved = motion;
+                    moved[column] += sign * part * scale;
+                    loads(&scene.shear(&normal, load(moved)))
+                };
+                let (more, less) = (at(1.0), at(-1.0));
+                [0, 1, 2].map(|row| (more[row] - less[row]) / (2.0 * part * scale))
+            };
+            let (wide, narrow) = (slope(2e-5), slope(1e-5));
+            for row in 0..modes {
+                let extrapolated = (4.0 * narrow[row] - wide[row]) / 3.0;
+                let size = (found.loading[row][row] * found.loading[column][column]).sqrt();
+                let error = (extrapolated - found.loading[row][column]).abs() / size;
+                assert!(error < 1e-6, "{row} {column}: {error:e}");
+                let mirrored = found.loading[column][row];
+                assert!((found.loading[row][column] - mirrored).abs() < 1e-9 * size);
+            }
+        }
+    }
+}
+
+#[test]
+fn pressing_raises_the_force_by_the_limit_of_what_slips() {
+    let mut scene = Scene::ball(40, 0.3, TangentialModel::Vector);
+    for cap in [f64::INFINITY, 0.08] {
+        if cap.is_finite() {
+            scene.friction = Friction::coulomb(FRICTION)
+                .unwrap()
+                .max_shear_stress(cap)
+                .unwrap();
+        }
+        let normal = scene.press(NormalControl::Force(6.0));
+        let shift = scene
+            .shear(&normal, TangentialLoad::force([0.9, 0.4]))
+            .shift();
+        let load = TangentialLoad::shift(shift).twist(2e-3);
+        let shear = scene.shear(&normal, load);
+        let found = ContactStiffness::new(&scene.bodies, &normal, &scene.friction, &shear).unwrap();
+        let slope = |part: f64| {
+            let at = |sign: f64| {
+                let approach = normal.approach() * (1.0 + sign * part);
+                loads(&scene.shear(&scene.press(NormalControl::Approach(approach)), load))
+            };
+            let (more, less) = (at(1.0), at(-1.0));
+            [0, 1, 2].map(|row| (more[row] - less[row]) / (2.0 * part * normal.approach()))
+        };
+        let (wide, narrow) = (slope(2e-5), slope(1e-5));
+        let scale = found.by_approach[0].abs() + found.tangential.loading[0][0] * 1e-3;
+        for row in 0..3 {
+            let error =
+                ((4.0 * narrow[row] - wide[row]) / 3.0 - found.by_approach[row]).abs() / scale;
+            assert!(error < 1e-6, "{row}: {error:e} of {:?}", found.by_approach);
+        }
+    }
+}
+
+/// Of a history: loading by the difference of the next steps, reversal by a step back.
+#[test]
+fn histories_go_on_by_loading_and_turn_by_reversal() {
+    let scene = Scene::ball(48, 0.3, TangentialModel::Scalar);
+    let builder = History::builder(&scene.bodies, &scene.gap, scene.friction.clone());
+    let mut history = builder.axis(Axis::Y).tolerance(SOLVE).build().unwrap();
+    assert_eq!(history.stiffness().unwrap().normal.value, 0.0);
+    let press = LoadStep::hold().normal(NormalControl::Force(6.0));
+    history.step(&press).unwrap();
+    let shear = |force| LoadStep::hold().tangential(Axis::Y, TangentialControl::Force(force));
+    history.step(&shear(1.3)).unwrap();
+    history.step(&shear(0.4)).unwrap();
+    let (found, start) = (history.stiffness().unwrap(), history.state().clone());
+    let (shift, force) = (history.shift()[1], history.force()[1]);
+    let mut slope = |step: f64| {
+        history.set_state(&start).unwrap();
+        let moved = TangentialControl::Shift(shift + step);
+        history
+            .step(&LoadStep::hold().tangential(Axis::Y, moved))
+            .unwrap();
+        (history.force()[1] - force) / step
+    };
+    let step = 1e-6 * shift.abs();
+    assert!((slope(-step) / found.tangential.loading[1][1] - 1.0).abs() < 1e-6);
+    assert!((slope(step) / found.tangential.reversal[1][1] - 1.0).abs() < 1e-6);
+    assert_eq!(found.tangential.loading[0], [0.0; 3]);
+    assert!(found.tangential.loading[1][1] < found.tangential.reversal[1][1]);
+
+    // Behind a spring of the same stiffness, half of it is felt.
+    let own = found.tangential.reversal[1][1];
+    let felt = found.tangential.through_springs([own, own]).unwrap();
+    assert!((felt.reversal[1][1] / own - 0.5).abs() < 1e-12);
+    let refused = found.tangential.through_springs([1.0, -1.0]);
+    assert!(matches!(refused, Err(Error::NotPositive { .. })));
+}
+
+/// What slides as a whole resists nothing along its axis, and across it in the plane.
+#[test]
+fn sliding_contacts_have_no_stiffness_along() {
+    for model in [TangentialModel::Scalar, TangentialModel::Vector] {
+        let scene = Scene::ball(32, 0.0, model);
+        let normal = scene.press(NormalControl::Force(6.0));
+        let stuck = scene.shear(&normal, TangentialLoad::force([0.1, 0.0]));
+        let shear = scene.shear(&normal, TangentialLoad::shift([5.0, 0.0]));
+        assert!(shear.is_gross_slip());
+        let found = ContactStiffness::new(&scene.bodies, &normal, &scene.friction, &shear).unwrap();
+        let full = stuck.stiffness(&scene.bodies).unwrap().reversal[0][0];
+        assert!(found.tangential.loading[0][0].abs() < 1e-6 * full);
+        assert!((found.tangential.reversal[0][0] / full - 1.0).abs() < 1e-9);
+        // All of the growth of the normal force turns into friction.
+        let expected = FRICTION * found.normal.value;
+        assert!((found.by_approach[0] / expected - 1.0).abs() < 1e-6);
+    }
+}
+
+#[test]
+fn other_bodies_and_closed_gaps_are_refused() {
+    let scene = Scene::ball(32, 0.3, TangentialModel::Scalar);
+    let normal = scene.press(NormalControl::Force(6.0));
+    let shear = scene.shear(&normal, TangentialLoad::force([1.0, 0.0]));
+    let other = Scene::ball(31, 0.3, TangentialModel::Scalar);
+    let refused = normal.stiffness(&other.bodies);
+    assert!(matches!(refused, Err(Error::GridMismatch { .. })));
+    let refused = shear.stiffness(&other.bodies);
+    assert!(matches!(refused, Err(Error::GridMismatch { .. })));
+    let softer = Material::new(0.5, 0.3).unwrap();
+    let pair = ElasticPair::new(softer, softer).unwrap();
+    let softer = HalfSpace::new(normal.grid(), pair).unwrap();
+    let refused = normal.stiffness(&softer);
+    assert!(matches!(refused, Err(Error::MaterialMismatch { .. })));
+
+    // A flat contact that repeats resists pressing without limit.
+    let grid = Grid::square(8, 1.0).unwrap();
+    let bodies = HalfSpace::with_boundary(grid, *scene.bodies.pair(), Boundary::Periodic).unwrap();
+    let flat = Field::zeros(grid);
+    let contact = NormalProblem::builder(&bodies, &flat, NormalControl::Force(1.0));
+    let contact = contact.build().unwrap().solve().unwrap();
+    let refused = contact.stiffness(&bodies);
+    assert!(
+        matches!(refused, Err(Error::NotFinite { .. })),
+        "{refused:?}"
+    );
+}
