@@ -52,6 +52,9 @@ LAYERS = [
     ("what goes on through many steps", {
         "history": ENGINE | {"contact_map", "elastic", "passes", "cascade", "normal", "tangential", "stiffness", "io"},
     }),
+    ("what is told of all of these", {
+        "spots": {"contact_map", "error", "grid", "normal", "tangential", "history"},
+    }),
 ]
 # Of some modules, others may use these items only: the tangential problem reads the normal solution, never how it
 # was found.

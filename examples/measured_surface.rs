@@ -125,11 +125,11 @@ fn print_contact(normal: &NormalSolution, shear: &TangentialSolution, theory: &P
         100.0 * normal.contact_area_corrected() / area,
         100.0 * theory.contact_fraction()
     );
-    let spots = normal.contact_spots();
+    let spots = normal.spots();
     println!(
         "{} spots, the largest of {} cells",
-        spots.len(),
-        spots.first().unwrap_or(&0)
+        spots.as_slice().len(),
+        spots.largest().map_or(0, |spot| spot.cells)
     );
     println!(
         "stick ratio {:.3} at F = {LOADING} mu W, shift {:.3e} m",

@@ -155,7 +155,7 @@ fn print_table(contacts: &[Sheared]) {
             "{:>7} | {:>13} | {:>5} | {:>7.2} |",
             i + 1,
             normal.contact_cells(),
-            normal.contact_spots().len(),
+            normal.spots().as_slice().len(),
             100.0 * normal.contact_area() / normal.grid().area()
         );
         for [f, stick] in &contact.ratios {

@@ -158,28 +158,47 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
 
     /// Number of cells of each spot, a set connected through the sides of its cells; in the order of first cells.
     pub(crate) fn spot_sizes(&self) -> Vec<usize> {
-        let mut visited = vec![false; self.grid.cells()];
         let mut sizes = Vec::new();
-        let mut stack = Vec::new();
+        self.walk_spots(|spot, _, _| {
+            sizes.resize(spot + 1, 0);
+            sizes[spot] += 1;
+        });
+        sizes
+    }
+
+    /// Shows every cell of every spot once: the number of the spot, the cell, and where it lies, in columns and rows from
+    /// the corner of the grid; on a periodic grid beyond its edges where the spot goes on there from its first cell.
+    pub(crate) fn walk_spots(&self, mut show: impl FnMut(usize, usize, [i64; 2])) {
+        let mut visited = vec![false; self.grid.cells()];
+        let (mut spot, mut stack) = (0, Vec::new());
+        let nx = self.grid.nx();
         for seed in 0..visited.len() {
             if visited[seed] || !(self.contains)(seed) {
                 continue;
             }
             visited[seed] = true;
-            stack.push(seed);
-            let mut size = 0;
-            while let Some(i) = stack.pop() {
-                size += 1;
-                for j in self.neighbours(i).into_iter().flatten() {
-                    if !visited[j] && (self.contains)(j) {
-                        visited[j] = true;
-                        stack.push(j);
+            stack.push((seed, [(seed % nx) as i64, (seed / nx) as i64]));
+            while let Some((cell, [column, row])) = stack.pop() {
+                show(spot, cell, [column, row]);
+                let places = [[-1, 0], [0, -1], [1, 0], [0, 1]];
+                for (next, [x, y]) in self.neighbours(cell).into_iter().zip(places) {
+                    let Some(next) = next else { continue };
+                    if !visited[next] && (self.contains)(next) {
+                        visited[next] = true;
+                        stack.push((next, [column + x, row + y]));
                     }
                 }
             }
-            sizes.push(size);
+            spot += 1;
         }
-        sizes
+    }
+
+    /// The sides of a cell along y and along x beyond which the set ends.
+    pub(crate) fn open_sides(&self, cell: usize) -> [usize; 2] {
+        let [left, below, right, above] = self
+            .neighbours(cell)
+            .map(|next| usize::from(next.is_none_or(|next| !(self.contains)(next))));
+        [left + right, below + above]
     }
 }
 

@@ -206,6 +206,7 @@ mod passes;
 mod report;
 #[cfg(feature = "serde")]
 mod serial;
+mod spots;
 pub mod stiffness;
 pub mod surface;
 pub mod tangential;
@@ -222,6 +223,7 @@ pub use material::{ElasticPair, Material};
 pub use normal::{NormalControl, NormalProblem, NormalSolution, NormalSolver};
 pub use operator::{Identity, Operator};
 pub use report::{Iteration, Report, Status};
+pub use spots::{ContactSpots, Spot};
 pub use tangential::{
     Axis, Friction, PressureSource, TangentialControl, TangentialLoad, TangentialModel,
     TangentialProblem, TangentialSolution, TangentialSolver, Zone,

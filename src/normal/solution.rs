@@ -2,12 +2,16 @@
 
 use crate::boundary::Boundary;
 use crate::contact_map::{ContactMap, Warning};
+use crate::error::{Error, Result};
 #[cfg(feature = "serde")]
 use crate::error::{all_non_negative, finite};
 use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
+use crate::half_space::HalfSpace;
+use crate::influence::Component;
 use crate::material::ElasticPair;
 use crate::normal::NormalProblem;
+use crate::operator::Operator;
 use crate::parallel;
 use crate::report::Report;
 #[cfg(feature = "serde")]
@@ -138,6 +142,71 @@ impl NormalSolution {
         self.pressure.integral()
     }
 
+    /// Moments about x and about y, at the origin of the grid, that the pressure exerts on body 1 (force times length):
+    /// $`(\sum y\,p,\; -\sum x\,p)\,A`$, A the area of a cell.
+    #[must_use]
+    pub fn moments(&self) -> [f64; 2] {
+        let [x, y] = self.first_moments();
+        [y, 0.0 - x]
+    }
+
+    /// Where the normal force acts (lengths); `None` without contact.
+    #[must_use]
+    pub fn centre_of_pressure(&self) -> Option<[f64; 2]> {
+        let force = self.force();
+        (force > 0.0).then(|| self.first_moments().map(|moment| moment / force))
+    }
+
+    /// Sums of x p and of y p, times the area of a cell.
+    fn first_moments(&self) -> [f64; 2] {
+        let (grid, pressure) = (self.grid(), self.pressure.as_slice());
+        let sums = parallel::sums(pressure.len(), |i| {
+            let (x, y) = (grid.x(i % grid.nx()), grid.y(i / grid.nx()));
+            [x * pressure[i], y * pressure[i]]
+        });
+        sums.map(|sum| sum * grid.cell_area())
+    }
+
+    /// Normal displacement $`u_z`$ by the pressure, of all cells, that of body 1 plus that of body 2 (lengths, positive
+    /// where the surfaces give way): one product with the operator of the bodies.
+    ///
+    /// # Errors
+    /// [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or [`Error::MaterialMismatch`] for bodies that the solution is
+    /// not of; as [`HalfSpace::operator`].
+    pub fn displacement(&self, bodies: &HalfSpace) -> Result<Field> {
+        self.check_bodies(bodies)?;
+        let operator = bodies.operator(Component::ZZ)?;
+        let mut displacement = Field::zeros(self.grid());
+        operator.apply(
+            [self.pressure.as_slice()],
+            [displacement.as_mut_slice()],
+            &mut operator.workspace(),
+        );
+        Ok(displacement)
+    }
+
+    /// Elastic energy of the normal contact, $`\tfrac A2 \sum p\,u_z`$ (force times length).
+    ///
+    /// # Errors
+    /// As [`NormalSolution::displacement`].
+    pub fn elastic_energy(&self, bodies: &HalfSpace) -> Result<f64> {
+        let displacement = self.displacement(bodies)?;
+        let (p, u) = (self.pressure.as_slice(), displacement.as_slice());
+        let [sum] = parallel::sums(p.len(), |i| [p[i] * u[i]]);
+        Ok(0.5 * self.grid().cell_area() * sum)
+    }
+
+    /// `Ok` if the solution is one of these bodies.
+    pub(crate) fn check_bodies(&self, bodies: &HalfSpace) -> Result<()> {
+        let quantity = "normal contact";
+        bodies.check_host(quantity, self.grid(), self.boundary)?;
+        if self.pair == *bodies.pair() {
+            Ok(())
+        } else {
+            Err(Error::MaterialMismatch { quantity })
+        }
+    }
+
     /// What lies beyond the edge of the grid.
     #[must_use]
     pub fn boundary(&self) -> Boundary {
@@ -196,15 +265,6 @@ impl NormalSolution {
         Some([columns as f64 * grid.dx(), rows as f64 * grid.dy()])
     }
 
-    /// Cells of each contact spot, the largest spot first; a spot is a set of contact cells connected
-    /// through their sides, across the edges of a periodic grid too.
-    #[must_use]
-    pub fn contact_spots(&self) -> Vec<usize> {
-        let mut sizes = self.contact_map().spot_sizes();
-        sizes.sort_unstable_by(|a, b| b.cmp(a));
-        sizes
-    }
-
     /// Mean pressure over the contact by counting; zero without contact.
     #[must_use]
     pub fn mean_pressure(&self) -> f64 {
@@ -229,7 +289,7 @@ impl NormalSolution {
         self.contact_map().cells_on_edge()
     }
 
-    fn contact_map(&self) -> ContactMap<impl Fn(usize) -> bool + '_> {
+    pub(crate) fn contact_map(&self) -> ContactMap<impl Fn(usize) -> bool + '_> {
         let pressure = self.pressure.as_slice();
         ContactMap {
             grid: self.pressure.grid(),

@@ -1,7 +1,7 @@
 //! The stiffness of a contact that is solved.
 
 use crate::cgm::small::Small;
-use crate::error::{Error, Result, positive};
+use crate::error::{Result, positive};
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
@@ -58,7 +58,7 @@ impl TangentialStiffness {
     /// and y (a force over a length each), and by the twist, $`(K^{-1} + k^{-1})^{-1}`$.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for a spring.
+    /// [`Error::NotPositive`](crate::Error::NotPositive) for a spring.
     pub fn through_springs(&self, springs: [f64; 2]) -> Result<Self> {
         for stiffness in springs {
             positive("stiffness of the spring", stiffness)?;
@@ -89,9 +89,9 @@ impl NormalSolution {
     /// edge runs along sides of cells. On a periodic grid the approach is that of the mean planes.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or [`Error::MaterialMismatch`] for bodies that the solution is
-    /// not of; [`Error::NotFinite`] where a periodic contact is closed everywhere and resists without limit;
-    /// [`Error::NotConverged`]; as [`HalfSpace::operator`].
+    /// [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) or [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) for bodies that the solution is
+    /// not of; [`Error::NotFinite`](crate::Error::NotFinite) where a periodic contact is closed everywhere and resists without limit;
+    /// [`Error::NotConverged`](crate::Error::NotConverged); as [`HalfSpace::operator`].
     pub fn stiffness(&self, bodies: &HalfSpace) -> Result<NormalStiffness> {
         Ok(pressed(bodies, self)?.map_or(
             NormalStiffness {
@@ -110,8 +110,8 @@ impl TangentialSolution {
     /// resists turning; on grids that do not repeat the vector model has the twist.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`] or [`Error::BoundaryMismatch`] for bodies that the solution is not of;
-    /// [`Error::NotConverged`]; as [`HalfSpace::operator`].
+    /// [`Error::GridMismatch`](crate::Error::GridMismatch) or [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) for bodies that the solution is not of;
+    /// [`Error::NotConverged`](crate::Error::NotConverged); as [`HalfSpace::operator`].
     pub fn stiffness(&self, bodies: &HalfSpace) -> Result<TangentialStiffness> {
         bodies.check_host("tangential contact", self.grid(), self.boundary())?;
         let sheared = Sheared {
@@ -129,7 +129,7 @@ impl ContactStiffness {
     /// Of a contact under a load from rest: pressed, and sheared with this friction.
     ///
     /// # Errors
-    /// As [`NormalSolution::stiffness`] and [`TangentialSolution::stiffness`]; [`Error::GridMismatch`] for the friction.
+    /// As [`NormalSolution::stiffness`] and [`TangentialSolution::stiffness`]; [`Error::GridMismatch`](crate::Error::GridMismatch) for the friction.
     pub fn new(
         bodies: &HalfSpace,
         normal: &NormalSolution,
@@ -186,11 +186,7 @@ struct Press {
 
 /// `None` without contact.
 fn pressed(bodies: &HalfSpace, normal: &NormalSolution) -> Result<Option<Press>> {
-    bodies.check_host("normal contact", normal.grid(), normal.boundary())?;
-    if normal.pair() != bodies.pair() {
-        let quantity = "normal contact";
-        return Err(Error::MaterialMismatch { quantity });
-    }
+    normal.check_bodies(bodies)?;
     let pressure = normal.pressure().as_slice();
     let Some(window) = Window::around(bodies.grid(), |i| pressure[i] > 0.0) else {
         return Ok(None);

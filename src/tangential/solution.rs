@@ -1,17 +1,20 @@
 //! The answer to a tangential contact.
 
 use crate::boundary::Boundary;
+use crate::cgm::reduce;
 use crate::contact_map::{ContactMap, Warning};
+use crate::error::Result;
 #[cfg(feature = "serde")]
 use crate::error::{all_finite, finite, length};
 use crate::field::Field;
 use crate::grid::Grid;
+use crate::half_space::HalfSpace;
 use crate::report::Report;
 #[cfg(feature = "serde")]
 use crate::serial::checked;
 use crate::tangential::increment::Increment;
 use crate::tangential::motion::centre;
-use crate::tangential::{Axis, Zone};
+use crate::tangential::{Axis, Zone, displacement};
 
 /// Traction, slip, zones and shift of a tangential contact.
 ///
@@ -163,6 +166,46 @@ impl TangentialSolution {
     #[must_use]
     pub fn force(&self) -> [f64; 2] {
         self.traction.each_ref().map(Field::integral)
+    }
+
+    /// Moment about z, at the origin of the grid, that the tractions of body 2 exert on body 1 (force times length,
+    /// positive from x to y).
+    #[must_use]
+    pub fn moment(&self) -> f64 {
+        let (grid, [x, y]) = (self.grid(), self.traction());
+        let (x, y) = (x.as_slice(), y.as_slice());
+        let moment = reduce::sum(x.len(), |i| {
+            let [along_x, along_y] = centre(grid, i);
+            along_x * y[i] - along_y * x[i]
+        });
+        moment * grid.cell_area()
+    }
+
+    /// Displacement of the surface of body 1 relative to that of body 2 by the tractions (lengths), of all cells, in
+    /// contact or not: one product with the operator of the bodies.
+    ///
+    /// # Errors
+    /// [`Error::GridMismatch`](crate::Error::GridMismatch) or
+    /// [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) for bodies that the solution is not of; as
+    /// [`HalfSpace::operator`].
+    pub fn displacement(&self, bodies: &HalfSpace) -> Result<[Field; 2]> {
+        bodies.check_host("tangential contact", self.grid(), self.boundary)?;
+        let axes = self.axis.map_or(Axis::BOTH, Axis::alone);
+        displacement(bodies, axes, self.traction())
+    }
+
+    /// Elastic energy of shear, $`\tfrac A2 \sum q \cdot u`$ (force times length).
+    ///
+    /// # Errors
+    /// As [`TangentialSolution::displacement`].
+    pub fn elastic_energy(&self, bodies: &HalfSpace) -> Result<f64> {
+        let displacement = self.displacement(bodies)?;
+        let pairs = self.traction.iter().zip(&displacement);
+        let energy = pairs.fold(0.0, |sum, (q, u)| {
+            let (q, u) = (q.as_slice(), u.as_slice());
+            sum + reduce::sum(q.len(), |i| q[i] * u[i])
+        });
+        Ok(0.5 * self.grid().cell_area() * energy)
     }
 
     /// Whether the whole contact slips.

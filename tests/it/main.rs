@@ -25,6 +25,7 @@ mod bad_surfaces_are_refused;
 mod both_tractions_in_the_plane;
 mod close_to_sliding_in_the_plane;
 mod closed_forms;
+mod contact_spots_add_up;
 #[cfg(feature = "dense")]
 mod convolution_equals_direct_sum;
 mod cycles_add_up_their_steps;
@@ -59,6 +60,7 @@ mod levelling_takes_off_the_form;
 mod load_paths_close_and_turn_exactly;
 mod measured_surfaces_are_prepared;
 mod methods_agree;
+mod moments_and_energies_follow_from_the_fields;
 #[cfg(feature = "serde")]
 mod plain_types_survive_serialisation;
 mod problems_take_every_load;

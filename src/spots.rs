@@ -1,0 +1,186 @@
+//! Contact spots.
+
+use crate::contact_map::ContactMap;
+use crate::error::Result;
+use crate::grid::Grid;
+use crate::history::History;
+use crate::normal::NormalSolution;
+use crate::tangential::{TangentialSolution, Zone};
+
+/// The spots of a contact: sets of contact cells connected through their sides, across the edges of a periodic grid too.
+///
+/// ```
+/// use stickslip::*;
+/// let grid = Grid::new(64, 32, 0.25, 0.25)?;
+/// let rubber = Material::new(1.0, 0.5)?;
+/// let bodies = HalfSpace::new(grid, ElasticPair::new(rubber, Material::rigid())?)?;
+/// // Two balls side by side, the second lower by 0.05.
+/// let ball = |x: f64, y: f64| (x * x + y * y) / 20.0;
+/// let gap = Field::from_fn(grid, |x, y| ball(x + 4.0, y).min(ball(x - 4.0, y) + 0.05));
+/// let contact = NormalProblem::builder(&bodies, &gap, NormalControl::Force(0.5)).build()?.solve()?;
+///
+/// let spots = contact.spots();
+/// let [first, second] = spots.as_slice() else { panic!("{} spots", spots.as_slice().len()) };
+/// assert!(first.load > second.load && (first.load + second.load - 0.5).abs() < 1e-9);
+/// assert!((first.centroid[0] + 4.0).abs() < 0.1 && (second.centroid[0] - 4.0).abs() < 0.1);
+/// assert_eq!(spots.label(16 * 64 + 16), Some(0));
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct ContactSpots {
+    grid: Grid,
+    /// The number of the spot of every cell, counted from one; zero outside the contact.
+    labels: Vec<u32>,
+    spots: Vec<Spot>,
+}
+
+/// One contact spot.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub struct Spot {
+    /// Number of its cells.
+    pub cells: usize,
+    /// Area, by counting cells.
+    pub area: f64,
+    /// Normal force that it carries.
+    pub load: f64,
+    /// Load over area.
+    pub mean_pressure: f64,
+    /// Largest pressure of its cells.
+    pub max_pressure: f64,
+    /// Centre of the area (lengths). A spot across the edges of a periodic grid has it in the grid; one that goes all round
+    /// has none that means much.
+    pub centroid: [f64; 2],
+    /// Length of its edge, along the sides of its cells: longer than the edge of a round spot by a factor of 4/pi.
+    pub perimeter: f64,
+    /// Stick cells over all its cells; `None` for a contact that is pressed only.
+    pub stick_ratio: Option<f64>,
+}
+
+/// What is summed up over the cells of a spot.
+#[derive(Default)]
+struct Sums {
+    cells: usize,
+    pressure: f64,
+    largest: f64,
+    place: [f64; 2],
+    open_sides: [usize; 2],
+    stick: usize,
+}
+
+impl ContactSpots {
+    fn new(normal: &NormalSolution, zones: Option<&[Zone]>) -> Self {
+        let (grid, pressure) = (normal.grid(), normal.pressure().as_slice());
+        let map = normal.contact_map();
+        let (mut labels, mut sums) = (vec![0; grid.cells()], Vec::new());
+        map.walk_spots(|spot, cell, place| {
+            labels[cell] = u32::try_from(spot + 1).unwrap_or(u32::MAX);
+            if sums.len() <= spot {
+                sums.push(Sums::default());
+            }
+            let Some(sums) = sums.last_mut() else { return };
+            sums.cells += 1;
+            sums.pressure += pressure[cell];
+            sums.largest = sums.largest.max(pressure[cell]);
+            let open = map.open_sides(cell);
+            for axis in 0..2 {
+                sums.place[axis] += place[axis] as f64;
+                sums.open_sides[axis] += open[axis];
+            }
+            let sticks = zones.is_some_and(|zones| zones[cell] == Zone::Stick);
+            sums.stick += usize::from(sticks);
+        });
+        let spots = sums.iter().map(|sums| sums.spot(&map, zones.is_some()));
+        Self {
+            grid,
+            spots: spots.collect(),
+            labels,
+        }
+    }
+
+    /// The spots, in the order of their first cells.
+    #[must_use]
+    pub fn as_slice(&self) -> &[Spot] {
+        &self.spots
+    }
+
+    /// The place of the spot that a cell belongs to, in [`ContactSpots::as_slice`]; `None` outside the contact and the grid.
+    #[must_use]
+    pub fn label(&self, cell: usize) -> Option<usize> {
+        let label = self.labels.get(cell).copied().unwrap_or(0);
+        (label as usize).checked_sub(1)
+    }
+
+    /// The number of the spot of every cell, counted from one; zero outside the contact. Row-major with x fastest.
+    #[must_use]
+    pub fn labels(&self) -> &[u32] {
+        &self.labels
+    }
+
+    /// The grid of the labels.
+    #[must_use]
+    pub fn grid(&self) -> Grid {
+        self.grid
+    }
+
+    /// The largest spot, by cells; the first of equals, `None` without contact.
+    #[must_use]
+    pub fn largest(&self) -> Option<&Spot> {
+        self.spots.iter().rev().max_by_key(|spot| spot.cells)
+    }
+}
+
+impl Sums {
+    fn spot<F: Fn(usize) -> bool>(&self, map: &ContactMap<F>, has_zones: bool) -> Spot {
+        let (grid, cells) = (map.grid, self.cells as f64);
+        let (area, load) = (cells * grid.cell_area(), self.pressure * grid.cell_area());
+        let centre = |axis: usize| {
+            let (count, side) = (
+                [grid.nx(), grid.ny()][axis] as f64,
+                [grid.dx(), grid.dy()][axis],
+            );
+            let place = (self.place[axis] / cells).rem_euclid(count);
+            (place - 0.5 * (count - 1.0)) * side
+        };
+        let [along_y, along_x] = self.open_sides.map(|sides| sides as f64);
+        Spot {
+            cells: self.cells,
+            area,
+            load,
+            mean_pressure: load / area,
+            max_pressure: self.largest,
+            centroid: [centre(0), centre(1)],
+            perimeter: along_y * grid.dy() + along_x * grid.dx(),
+            stick_ratio: has_zones.then(|| self.stick as f64 / cells),
+        }
+    }
+}
+
+impl NormalSolution {
+    /// The contact spots.
+    #[must_use]
+    pub fn spots(&self) -> ContactSpots {
+        ContactSpots::new(self, None)
+    }
+}
+
+impl TangentialSolution {
+    /// The contact spots under this pressure, with the part of each that sticks.
+    ///
+    /// # Errors
+    /// [`Error::GridMismatch`](crate::Error::GridMismatch) for a pressure on another grid.
+    pub fn spots(&self, normal: &NormalSolution) -> Result<ContactSpots> {
+        self.grid().expect("normal contact", normal.grid())?;
+        Ok(ContactSpots::new(normal, Some(self.zones())))
+    }
+}
+
+impl History {
+    /// The contact spots after the last step, with the part of each that sticks.
+    #[must_use]
+    pub fn spots(&self) -> ContactSpots {
+        ContactSpots::new(self.normal(), Some(self.zones()))
+    }
+}

@@ -1,0 +1,102 @@
+//! Contact spots have the areas, loads and places of what they are cut out of.
+
+use stickslip::{
+    Boundary, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl, NormalProblem,
+    NormalSolution, TangentialLoad, TangentialProblem, Zone, surface,
+};
+
+fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
+    let problem = NormalProblem::builder(bodies, gap, NormalControl::Force(force));
+    problem.build().unwrap().solve().unwrap()
+}
+
+#[test]
+fn of_a_rough_contact() {
+    for boundary in [Boundary::NonPeriodic, Boundary::Periodic] {
+        let grid = Grid::square(64, 64.0).unwrap();
+        let bodies = HalfSpace::with_boundary(grid, kit::unit_pair(0.3), boundary).unwrap();
+        let contact = press(&bodies, &kit::rough(grid, 5), 60.0);
+        let friction = Friction::coulomb(0.4).unwrap();
+        let load = TangentialLoad::force([12.0, 0.0]);
+        let shear = TangentialProblem::builder(&bodies, &contact, friction, load);
+        let shear = shear.build().unwrap().solve().unwrap();
+        let spots = shear.spots(&contact).unwrap();
+        let all = spots.as_slice();
+        assert!(all.len() > 5);
+        let sum = |f: &dyn Fn(&stickslip::Spot) -> f64| all.iter().map(f).sum::<f64>();
+        assert!((sum(&|spot| spot.load) / contact.force() - 1.0).abs() < 1e-12);
+        assert!((sum(&|spot| spot.area) / contact.contact_area() - 1.0).abs() < 1e-12);
+        let stick = sum(&|spot| spot.stick_ratio.unwrap() * spot.area);
+        assert!((stick / shear.stick_area() - 1.0).abs() < 1e-12);
+        let largest = all.iter().map(|spot| spot.max_pressure).fold(0.0, f64::max);
+        assert_eq!(largest, contact.pressure().max());
+        for spot in all {
+            assert!((spot.mean_pressure - spot.load / spot.area).abs() <= 1e-12 * spot.load);
+            assert!(spot.mean_pressure <= spot.max_pressure * (1.0 + 1e-12));
+            // No edge is shorter than that of a circle.
+            assert!(spot.perimeter >= (4.0 * std::f64::consts::PI * spot.area).sqrt());
+        }
+        // Labels name the spots, and neighbours in contact have the same.
+        for (cell, zone) in shear.zones().iter().enumerate() {
+            assert_eq!(spots.label(cell).is_some(), *zone != Zone::Separated);
+        }
+        for (number, spot) in all.iter().enumerate() {
+            let cells = spots
+                .labels()
+                .iter()
+                .filter(|label| **label as usize == number + 1);
+            assert_eq!(cells.count(), spot.cells);
+        }
+        for cell in 0..grid.cells() - 1 {
+            if cell % 64 < 63 {
+                if let (Some(one), Some(two)) = (spots.label(cell), spots.label(cell + 1)) {
+                    assert_eq!(one, two);
+                }
+            }
+        }
+        assert_eq!(contact.spots().as_slice()[0].stick_ratio, None);
+        assert_eq!(spots.label(grid.cells()), None);
+    }
+}
+
+/// A ball over the corner of a grid that repeats is one spot there.
+#[test]
+fn across_the_edges_of_a_grid_that_repeats() {
+    let grid = Grid::new(40, 32, 0.5, 0.5).unwrap();
+    let bodies = HalfSpace::with_boundary(grid, kit::unit_pair(0.3), Boundary::Periodic).unwrap();
+    // The period is 20 by 16; the ball is pressed at (9, -7), near a corner.
+    let gap = Field::from_fn(grid, |x, y| {
+        let near = |x: f64, centre: f64, period: f64| {
+            (x - centre - period * ((x - centre) / period).round()).powi(2)
+        };
+        (near(x, 9.0, 20.0) + near(y, -7.0, 16.0)) / 20.0
+    });
+    let contact = press(&bodies, &gap, 2.0);
+    let spots = contact.spots();
+    let [spot] = spots.as_slice() else {
+        panic!("{} spots", spots.as_slice().len());
+    };
+    let [x, y] = spot.centroid;
+    assert!((x - 9.0).abs() < 0.1 && (y + 7.0).abs() < 0.1, "{x} {y}");
+    // The sides of the cells of a disc measure its circumscribed square.
+    let width = contact.contact_extent().unwrap();
+    assert!((spot.perimeter - 2.0 * (width[0] + width[1])).abs() < 1e-9);
+}
+
+#[test]
+fn of_a_history() {
+    let grid = Grid::square(32, 12.0).unwrap();
+    let bodies = kit::unit_bodies(grid, 0.3);
+    let ball = surface::sphere(grid, 20.0).unwrap();
+    let friction = Friction::coulomb(0.4).unwrap();
+    let mut history = History::builder(&bodies, &ball, friction).build().unwrap();
+    assert_eq!(history.spots().largest(), None);
+    history
+        .step(&LoadStep::hold().normal(NormalControl::Force(4.0)))
+        .unwrap();
+    history.step(&LoadStep::force([1.0, 0.0])).unwrap();
+    let spots = history.spots();
+    let spot = spots.largest().unwrap();
+    assert_eq!(spot.stick_ratio, Some(history.last_step().stick_ratio()));
+    assert!(spot.centroid[0].abs() < 1e-9 && spot.centroid[1].abs() < 1e-9);
+}
