@@ -190,7 +190,7 @@ impl Linearised<2> for Disc {
         constraint: &impl Constraint<2, Set = Self>,
         _: impl Fn(usize) -> bool + Sync,
         sums: [Option<f64>; 2],
-    ) {
+    ) -> bool {
         let mut t = [0.0; 2];
         if sums != [None, None] {
             let old = slices(&q);
@@ -214,6 +214,8 @@ impl Linearised<2> for Disc {
             }
         }
         update_cells(&mut q, |i, q| constraint.of(i).project(plus(q, 1.0, t)));
+        // All cells move, and their sets follow from where they are.
+        true
     }
 
     /// Refused before any work.

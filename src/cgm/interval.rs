@@ -228,12 +228,13 @@ impl Linearised<1> for Interval {
         constraint: &impl Constraint<1, Set = Self>,
         preferred: impl Fn(usize) -> bool + Sync,
         [sum]: [Option<f64>; 1],
-    ) {
-        if let Some(total) = sum {
-            if !shift_to_total(x, constraint, preferred, total) {
-                shift_to_total(x, constraint, |_| true, total);
-            }
+    ) -> bool {
+        let Some(total) = sum else { return true };
+        let suffices = shift_to_total(x, constraint, preferred, total);
+        if !suffices {
+            shift_to_total(x, constraint, |_| true, total);
         }
+        suffices
     }
 
     fn single_loop<C: Operator, K: Constraint<1, Set = Self>, P: Operator>(

@@ -120,13 +120,14 @@ pub trait Linearised<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'st
         Self: Admissible<N>;
 
     /// Moves the cells within their sets to the nearest points that have the sums, those of `preferred` alone if
-    /// they suffice.
+    /// they suffice; says whether they did.
     fn restore(
         x: [&mut [f64]; N],
         constraint: &impl Constraint<N, Set = Self>,
         preferred: impl Fn(usize) -> bool + Sync,
         sums: [Option<f64>; N],
-    ) where
+    ) -> bool
+    where
         Self: Admissible<N>;
 
     /// The iteration of [`Method::PolonskyKeer`](crate::cgm::Method::PolonskyKeer): ends with the status of the run,

@@ -43,13 +43,18 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             self.set_multiplier(&totals);
             let findings = self.examine();
             let mut merit = self.merit(&findings);
+            let mut keeps_sets = true;
             if merit <= self.monitor.settings.tolerance {
                 // Judge what will be returned.
-                self.make_feasible();
+                keeps_sets = self.make_feasible();
                 let feasible = self.examine();
                 merit = self.merit(&feasible);
             }
             self.judge(merit, findings.free)?;
+            if !keeps_sets {
+                // Cells were far beyond their bounds, and have pushed others off theirs.
+                totals = self.newton_start()?;
+            }
             if progress.is_stuck_at(merit) {
                 self.inner_reduction = progress.inner_reduction;
                 return ControlFlow::Continue(());

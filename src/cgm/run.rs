@@ -94,8 +94,8 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         self.is_fresh = false;
     }
 
-    /// Moves the cells to their sums: those that move, if they suffice, or `all` alike.
-    pub(super) fn restore_totals(&mut self, all: bool) {
+    /// Moves the cells to their sums: those that move, if they suffice, or `all` alike. Says whether they sufficed.
+    pub(super) fn restore_totals(&mut self, all: bool) -> bool {
         let motions = &self.workspace.motions;
         let is_steady = MotionOf::<K, N>::IS_STEADY;
         let preferred = |i: usize| all || is_steady || motions[i].moves();
@@ -103,8 +103,8 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
             &self.problem.constraint,
             self.problem.totals.map(Total::sum),
         );
-        K::Set::restore(slices_mut(&mut self.x), constraint, preferred, sums);
         self.is_fresh = false;
+        K::Set::restore(slices_mut(&mut self.x), constraint, preferred, sums)
     }
 
     /// `image = C direction`.
@@ -286,8 +286,9 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
     }
 
     /// Moves the iterate within its sets and to its sums, if it is not there but for round-off;
-    /// its product is then fresh.
-    pub(super) fn make_feasible(&mut self) {
+    /// its product is then fresh. Says whether the cells stay in the sets they were in.
+    pub(super) fn make_feasible(&mut self) -> bool {
+        let mut keeps_sets = true;
         let constraint = &self.problem.constraint;
         let x = slices(&self.x);
         let outside = reduce::max(self.cells(), |i| constraint.of(i).excess(at(&x, i)));
@@ -304,13 +305,14 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
             let missing: [f64; N] =
                 std::array::from_fn(|c| prescribed[c].map_or(0.0, |sum| sum - sums[c]));
             if norm(missing) > 1e-13 * magnitude {
-                self.restore_totals(false);
+                keeps_sets = self.restore_totals(false);
             }
         }
         if !self.is_fresh {
             self.refresh();
         }
         self.hold_springs();
+        keeps_sets
     }
 
     /// The multipliers of the springs follow what the iterate has become.

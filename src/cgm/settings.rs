@@ -42,8 +42,8 @@ pub struct Settings {
     /// The error accepted (default 1e-8): bounds the certified error in the energy norm, relative
     /// to the norm of the answer, and the largest complementarity residual, relative to the largest
     /// displacement. For an operator without a [`lower_bound`](crate::Operator::lower_bound) the
-    /// residual alone. The sum of all traction errors is as small within a factor of three; single
-    /// cells at the edge of a smooth contact may be off by ten to a hundred times more.
+    /// residual alone. The sum of all traction errors is as small within a factor of three on square cells, of eight on
+    /// cells of 1 : 315; single cells at the edge of a smooth contact may be off by ten to a hundred times more.
     pub tolerance: f64,
     /// Conjugate-gradient steps allowed (default 10 000).
     pub max_iterations: usize,

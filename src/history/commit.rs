@@ -55,20 +55,12 @@ fn enter(
         // What a cell that came into contact was spared of the motion of the step.
         let lag = minus(memory.offset(k), offset);
         let relative = minus(u, state.motion.at(centre));
-        let moved = minus(relative, offset);
         let is_contact = pressed.pressure[k] > 0.0;
         let sticks = !increment.is_at_limit(k);
-        // Slip along the traction is solver residual.
-        let slips = is_contact && !sticks && dot(traction, moved) <= 0.0;
-        let slip = if slips { moved } else { [0.0; 2] };
-        memory.set_offset(
-            k,
-            if slips || !is_contact {
-                relative
-            } else {
-                offset
-            },
-        );
+        let found = increment.slip(k, centre).filter(|_| is_contact);
+        let slip = found.unwrap_or([0.0; 2]);
+        let is_loose = found.is_some() || !is_contact;
+        memory.set_offset(k, if is_loose { relative } else { offset });
         state.zones[i] = match (is_contact, sticks) {
             (false, _) => Zone::Separated,
             (true, true) => Zone::Stick,

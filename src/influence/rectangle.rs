@@ -1,6 +1,6 @@
 //! The nine influence coefficients of one rectangular cell, near and far.
 
-use crate::error::{Result, positive};
+use crate::error::{Error, Result, positive};
 use crate::influence::Component;
 use crate::influence::integrals::Cell;
 use crate::material::{Compliances, ElasticPair, Material};
@@ -44,15 +44,22 @@ pub struct Tensor {
     pub zz: f64,
 }
 
+/// Shorter side over the longer below which powers of the ratio vanish.
+const SLENDEREST: f64 = 1e-100;
+
 impl Rectangle {
     /// A cell of half sides `a` and `b` (lengths).
     ///
     /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive) if one of them is not positive and finite, or so
-    /// small compared with the other that their ratio vanishes.
+    /// [`Error::NotPositive`] if one of them is not positive and finite; [`Error::CellsTooLong`] beyond a ratio of 1e100,
+    /// where powers of it leave the range of numbers.
     pub fn new(a: f64, b: f64) -> Result<Self> {
         positive("half side a of the cell", a)?;
         positive("half side b of the cell", b)?;
+        if a.min(b) < SLENDEREST * a.max(b) {
+            let sides = [2.0 * a, 2.0 * b];
+            return Err(Error::CellsTooLong { sides });
+        }
         let longer = positive("longer side of the cell", 2.0 * a.max(b))?;
         // The mantissa bits are cleared. A subnormal number becomes zero, and is refused as a unit.
         let unit = f64::from_bits(longer.to_bits() & f64::INFINITY.to_bits());

@@ -12,6 +12,9 @@ const TOLERANCE: f64 = 1e-15;
 /// Iterations allowed beyond one for each missing height.
 const LEAST_LIMIT: usize = 100;
 
+/// Height above which differences may overflow.
+const TALL: f64 = 1e300;
+
 /// Share of the fill-in that the factorisation moves to the diagonal.
 const MODIFIED: f64 = 0.97;
 
@@ -94,14 +97,18 @@ pub fn fill_missing(heights: &Field) -> Result<Filled> {
     }
     let mut heights = heights.clone();
     let z = heights.as_mut_slice();
-    let known_heights = || z.iter().copied().filter(|z| !z.is_nan());
+    // Near the largest number there is, differences would overflow.
+    let tall = z.iter().any(|z| z.abs() > TALL);
+    let down = if tall { 1.0 / 1024.0 } else { 1.0 };
+    let known_heights = || z.iter().filter(|z| !z.is_nan()).map(|z| z * down);
     let mean = known_heights().map(|z| z / known as f64).sum::<f64>();
     // In units of the largest deviation the squares neither overflow nor vanish.
     let largest = known_heights().fold(0.0, |unit: f64, z| unit.max((z - mean).abs()));
     let unit = if largest > 0.0 { largest } else { 1.0 };
-    let solution = holes.solve(holes.pull_of_known(z, mean, unit))?;
+    let pull = holes.pull_of_known(z, |z| (z * down - mean) / unit);
+    let solution = holes.solve(pull)?;
     for (unknown, value) in holes.unknowns.iter().zip(solution) {
-        z[unknown.cell] = mean + unit * value;
+        z[unknown.cell] = (mean + unit * value) / down;
     }
     Ok(Filled { heights, cells })
 }
@@ -157,14 +164,14 @@ impl Holes {
         }
     }
 
-    /// The right side `b`: each known neighbour's weight times its height above the datum, in units.
-    fn pull_of_known(&self, z: &[f64], datum: f64, unit: f64) -> Vec<f64> {
+    /// The right side `b`: each known neighbour's weight times its height, in units above a datum.
+    fn pull_of_known(&self, z: &[f64], in_units: impl Fn(f64) -> f64) -> Vec<f64> {
         let pull = |unknown: &Unknown| {
             let [below, above] = neighbours(self.grid, unknown.cell);
             let pull = |axis: usize| {
                 let cells = [below[axis], above[axis]].into_iter().flatten();
                 let known = cells.map(|cell| z[cell]).filter(|z| !z.is_nan());
-                self.weights[axis] * known.map(|z| (z - datum) / unit).sum::<f64>()
+                self.weights[axis] * known.map(&in_units).sum::<f64>()
             };
             pull(0) + pull(1)
         };

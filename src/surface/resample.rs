@@ -1,7 +1,7 @@
 //! A surface on another grid.
 
 use super::heights::complete;
-use crate::error::{Error, Result, memory};
+use crate::error::{Error, Result, all_finite, memory};
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::parallel;
@@ -23,7 +23,7 @@ const SLACK: f64 = 1e-9;
 /// longer ones.
 ///
 /// # Errors
-/// [`Error::Sample`] for the first height that is missing or infinite; [`Error::BeyondSamples`] if
+/// [`Error::Sample`] for the first height that is missing or infinite, or that would be beyond the range of numbers; [`Error::BeyondSamples`] if
 /// a cell centre of the grid lies outside the source's grid, that is more than half a source cell
 /// beyond the outermost sample; [`Error::Memory`].
 ///
@@ -61,6 +61,7 @@ pub fn resample(heights: &Field, grid: Grid) -> Result<Field> {
             *value = rows[row].apply(|iy| column.apply(|ix| z[iy * width + ix]));
         }
     });
+    all_finite("resampled surface", resampled.as_slice())?;
     Ok(resampled)
 }
 

@@ -2,6 +2,7 @@
 
 use crate::cascade::Conditions;
 use crate::cgm::Total;
+use crate::cgm::vector::{dot, minus};
 use crate::error::{Result, finite};
 use crate::half_space::HalfSpace;
 use crate::passes::with_time_left;
@@ -159,6 +160,17 @@ impl Increment {
         let cells = window.cells();
         let displacement = self.growth.displacement_mut(growth, self.axes, cells);
         self.engine.apply(&self.traction, displacement);
+    }
+
+    /// Slip of a cell of the window in the step, if it slips: of a cell that carries all that friction holds and has
+    /// moved against its traction. A motion along the traction is residual of the solve.
+    pub(crate) fn slip(&self, cell: usize, centre: [f64; 2]) -> Option<[f64; 2]> {
+        let moved = minus(
+            minus(self.displacement(cell), self.motion.at(centre)),
+            self.offset(cell),
+        );
+        let slips = self.is_at_limit(cell) && dot(self.traction(cell), moved) <= 0.0;
+        slips.then_some(moved)
     }
 
     /// Whether a cell of the window carries all that friction holds there.

@@ -93,15 +93,13 @@ impl TangentialSolution {
             if pressed.pressure[k] <= 0.0 {
                 continue;
             }
-            let slips = increment.is_at_limit(k);
-            self.zones[i] = if slips { Zone::Slip } else { Zone::Stick };
-            let (traction, displacement) = (increment.traction(k), increment.displacement(k));
-            let moved = motion.at(centre(grid, i));
+            let is_at_limit = increment.is_at_limit(k);
+            self.zones[i] = if is_at_limit { Zone::Slip } else { Zone::Stick };
+            let traction = increment.traction(k);
+            let slip = increment.slip(k, centre(grid, i)).unwrap_or([0.0; 2]);
             for axis in increment.axes().iter().map(|axis| axis.index()) {
                 self.traction[axis].as_mut_slice()[i] = traction[axis];
-                if slips {
-                    self.slip[axis].as_mut_slice()[i] = displacement[axis] - moved[axis];
-                }
+                self.slip[axis].as_mut_slice()[i] = slip[axis];
             }
         }
     }

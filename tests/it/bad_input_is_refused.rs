@@ -47,13 +47,13 @@ fn grids() {
     );
     assert!(matches!(
         Rectangle::new(1e-300, 1e300),
-        Err(Error::NotPositive { .. })
+        Err(Error::CellsTooLong { .. })
     ));
     let slender = Grid::new(2, 2, 1e-200, 1e200).unwrap();
     let pair = ElasticPair::new(Material::new(1.0, 0.3).unwrap(), Material::rigid()).unwrap();
     assert!(matches!(
         HalfSpace::new(slender, pair),
-        Err(Error::NotPositive { .. })
+        Err(Error::CellsTooLong { .. })
     ));
     let grid = Grid::new(3, 2, 1.0, 1.0).unwrap();
     let short = Field::from_vec(grid, vec![0.0; 5]);

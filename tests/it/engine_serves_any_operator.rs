@@ -2,7 +2,9 @@
 //! returns satisfies the conditions of the minimum, which for a convex problem are sufficient.
 
 use kit::Random;
-use stickslip::cgm::{self, Constraint, Disc, Interval, Problem, Settings, Total};
+use stickslip::cgm::{
+    self, Bounds, Constraint, Disc, Interval, NonNegative, Problem, Settings, Total,
+};
 use stickslip::{Error, Operator};
 
 /// A symmetric positive definite matrix over all components of all cells; nothing is known of its eigenvalues.
@@ -228,4 +230,103 @@ fn a_workspace_of_another_size_is_refused() {
     );
     assert!(matches!(refused, Err(Error::Length { .. })));
     assert_eq!((x, y), ([0.0; 5], [0.0; 5]));
+}
+
+/// Bounds on both sides and a total, at loose tolerances: cells that the linear problem takes far beyond their bounds
+/// push others off theirs when they are put back.
+#[test]
+fn loose_tolerances_are_met_too() {
+    let mut random = Random(11);
+    for trial in 0..4000 {
+        let mut matrix = Matrix::random(9, 1, &mut random);
+        let (weight, ridge) = (
+            10_f64.powf(random.uniform(-3.0, 0.0)),
+            10_f64.powf(random.uniform(-4.0, 0.0)),
+        );
+        for (i, row) in matrix.rows.iter_mut().enumerate() {
+            for (j, entry) in row.iter_mut().enumerate() {
+                let diagonal = if i == j { 0.9 } else { 0.0 };
+                *entry = weight * (*entry - diagonal) + if i == j { ridge } else { 0.0 };
+            }
+        }
+        let linear: Vec<f64> = (0..9).map(|_| random.uniform(-1.0, 1.0)).collect();
+        let lower: Vec<f64> = (0..9).map(|_| random.uniform(-0.5, 0.5)).collect();
+        let upper: Vec<f64> = lower
+            .iter()
+            .map(|low| low + random.uniform(0.0, 1.0))
+            .collect();
+        let part = random.uniform(0.0, 1.0);
+        let between = |low: &f64, high: &f64| low + part * (high - low);
+        let total = lower
+            .iter()
+            .zip(&upper)
+            .map(|(low, high)| between(low, high))
+            .sum();
+        let bounds = Bounds {
+            lower: &lower,
+            upper: &upper,
+        };
+        let mut x = lower.clone();
+        let problem = Problem::new(matrix, [&linear], bounds).total(total);
+        for tolerance in [0.3, 4e-2, 1e-2] {
+            let settings = Settings::default().tolerance(tolerance);
+            let found = cgm::minimise(&problem, &settings, [&mut x]);
+            assert!(found.is_ok(), "{trial} to {tolerance}: {found:?}");
+        }
+    }
+}
+
+/// An operator that breaks off into NaN or infinity in the middle of a solve.
+struct Breaks {
+    matrix: Matrix,
+    products_left: std::sync::atomic::AtomicUsize,
+    value: f64,
+}
+
+impl Operator for Breaks {
+    type Workspace = ();
+
+    fn cells(&self) -> usize {
+        self.matrix.cells
+    }
+
+    fn workspace(&self) {}
+
+    fn apply(&self, x: [&[f64]; 1], [out]: [&mut [f64]; 1], (): &mut ()) {
+        use std::sync::atomic::Ordering::Relaxed;
+        self.matrix.apply(x, [&mut *out], &mut ());
+        let left = self.products_left.load(Relaxed);
+        self.products_left.store(left.saturating_sub(1), Relaxed);
+        if left == 0 {
+            out[4] = self.value;
+        }
+    }
+}
+
+/// What is left of such a solve is a feasible iterate and the word that it stalled, never NaN.
+#[test]
+fn a_broken_operator_leaves_a_feasible_iterate() {
+    let mut random = Random(3);
+    for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for method in [cgm::Method::ActiveSet, cgm::Method::PolonskyKeer] {
+            for products_left in 0..6 {
+                let operator = Breaks {
+                    matrix: Matrix::random(9, 1, &mut random),
+                    products_left: products_left.into(),
+                    value,
+                };
+                let linear: Vec<f64> = (0..9).map(|_| random.uniform(-1.0, 1.0)).collect();
+                let mut x = vec![2.0 / 9.0; 9];
+                let problem = Problem::new(operator, [&linear], NonNegative).total(2.0);
+                let settings = Settings::default().method(method).tolerance(1e-12);
+                let found = cgm::minimise(&problem, &settings, [&mut x]);
+                let Err(Error::NotConverged(report)) = found else {
+                    panic!("{value} after {products_left}: {found:?}");
+                };
+                assert_ne!(report.status, stickslip::Status::Converged);
+                assert!(x.iter().all(|x| *x >= 0.0 && x.is_finite()));
+                assert!((x.iter().sum::<f64>() - 2.0).abs() < 1e-12);
+            }
+        }
+    }
 }

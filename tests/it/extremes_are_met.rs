@@ -4,8 +4,9 @@ use std::f64::consts::FRAC_PI_2;
 
 use kit::{Random, unit_bodies, unit_pair};
 use stickslip::analytical::{HertzSphere, LubkinTorsion};
+use stickslip::influence::Rectangle;
 use stickslip::{
-    Boundary, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl,
+    Boundary, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl,
     NormalProblem, TangentialLoad, TangentialModel, TangentialProblem, surface,
 };
 
@@ -138,4 +139,103 @@ fn the_least_twist_sticks() {
     let small = LubkinTorsion::new(hertz, 1.0, 1e-300).unwrap();
     let stick = 2.0 * hertz.pair().shear_modulus() / hertz.max_pressure() * 1e-300 / FRAC_PI_2;
     assert!((-small.stick_ratio().ln()).abs() <= 2.0 * stick);
+}
+
+/// Up to a ratio of 1e100 the influence coefficients are numbers; beyond it cells are refused.
+#[test]
+fn slender_cells_have_coefficients_or_are_refused() {
+    let steel = Material::new(210e9, 0.3).unwrap();
+    for ratio in [1e-20, 1e-60, 1e-99] {
+        for [a, b] in [[1.0, ratio], [ratio, 1.0]] {
+            let cell = Rectangle::new(a, b).unwrap();
+            for [x, y] in [
+                [0.0, 0.0],
+                [0.3, 0.0],
+                [2.0, 1.0],
+                [ratio, 3.0 * ratio],
+                [5.0, ratio],
+            ] {
+                let c = cell.tensor(&steel, x, y);
+                let entries = [c.xx, c.xy, c.xz, c.yx, c.yy, c.yz, c.zx, c.zy, c.zz];
+                assert!(entries.iter().all(|entry| entry.is_finite()), "{c:?}");
+                assert!(c.zz > 0.0 && c.xx > 0.0 && c.yy > 0.0);
+            }
+        }
+    }
+    for ratio in [1e-101, 1e-128, 1e-200] {
+        let refused = Rectangle::new(1.0, ratio);
+        assert!(matches!(refused, Err(Error::CellsTooLong { .. })));
+        let grid = Grid::new(4, 4, 1.0, ratio).unwrap();
+        let gap = Field::zeros(grid);
+        let bodies = HalfSpace::new(grid, unit_pair(0.3));
+        let refused = bodies.and_then(|bodies| {
+            let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(1.0));
+            problem.build()?.solve()
+        });
+        assert!(refused.is_err());
+    }
+}
+
+#[test]
+fn heights_near_the_largest_number_are_filled_and_resampled() {
+    let grid = Grid::square(6, 6.0).unwrap();
+    let tall = Field::from_fn(grid, |x, y| 1.7e308 * (x + y).signum());
+    let mut holed = tall.clone();
+    for cell in [14, 15, 20, 21, 0] {
+        holed.as_mut_slice()[cell] = f64::NAN;
+    }
+    let filled = surface::fill_missing(&holed).unwrap();
+    let scaled = |field: &Field| {
+        let mut field = field.clone();
+        field.as_mut_slice().iter_mut().for_each(|z| *z *= 1e-300);
+        field
+    };
+    let expected = surface::fill_missing(&scaled(&holed)).unwrap();
+    for (found, expected) in filled
+        .heights()
+        .as_slice()
+        .iter()
+        .zip(expected.heights().as_slice())
+    {
+        assert!((found * 1e-300 - expected).abs() < 1e-12 * 1.7e8);
+    }
+    // A cubic overshoots; where that is no number it is refused.
+    let finer = Grid::square(12, 6.0).unwrap();
+    let refused = surface::resample(&tall, finer);
+    assert!(matches!(refused, Err(Error::Sample { .. })), "{refused:?}");
+    assert!(surface::resample(&scaled(&tall), finer).is_ok());
+}
+
+/// Just below sliding the slip of a cell is as small as the residual; it still dissipates nothing negative.
+#[test]
+fn next_to_sliding_nothing_is_gained() {
+    let mut random = Random(8);
+    for _ in 0..20 {
+        let grid = Grid::new(12, 14, 1.0, random.uniform(0.5, 2.0)).unwrap();
+        let bodies = periodic(grid);
+        let gap = Field::from_fn(grid, |_, _| random.uniform(0.0, 1.0));
+        let normal = NormalProblem::builder(&bodies, &gap, NormalControl::Force(20.0));
+        let normal = normal.build().unwrap().solve().unwrap();
+        for model in MODELS {
+            // Closer to sliding the vector model may stall, as its page tells.
+            let missing = match model {
+                TangentialModel::Scalar => [1e-6, 1e-9, 1e-11],
+                TangentialModel::Vector => [1e-3, 1e-5, 1e-6],
+            };
+            for missing in missing {
+                let force = 0.4 * normal.force() * (1.0 - missing);
+                let friction = Friction::coulomb(0.4).unwrap();
+                let load = TangentialLoad::force([force, 0.0]);
+                let shear = TangentialProblem::builder(&bodies, &normal, friction, load);
+                let shear = shear.model(model).build().unwrap().solve().unwrap();
+                assert!(shear.dissipated_energy() >= 0.0);
+                let [slip, traction] = [shear.slip(), shear.traction()].map(|v| v[0].as_slice());
+                assert!(
+                    slip.iter()
+                        .zip(traction)
+                        .all(|(s, q)| model == TangentialModel::Vector || s * q <= 0.0)
+                );
+            }
+        }
+    }
 }
