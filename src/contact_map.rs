@@ -23,6 +23,17 @@ pub enum Warning {
         /// Number of all spots.
         spots: usize,
     },
+    /// The grid is a line of cells, and does not repeat: a row of rectangles, whose ends bear peaks of pressure. It is no
+    /// line contact in plane strain.
+    LineOfCells,
+    /// A contact spot runs from edge to edge of the grid, as that of a cylinder does: the bodies end there, and the ends
+    /// bear peaks of pressure that a longer body does not have.
+    ContactAcross {
+        /// From the first column to the last.
+        along_x: bool,
+        /// From the first row to the last.
+        along_y: bool,
+    },
     /// A step of a history held the pressure although the gap had changed: the pressure is still that of the old gap.
     StalePressure,
 }
@@ -41,6 +52,21 @@ impl std::fmt::Display for Warning {
                 formatter,
                 "{unresolved} of {spots} contact spots are smaller than {RESOLVED} cells"
             ),
+            Self::LineOfCells => write!(
+                formatter,
+                "the grid is a line of cells that does not repeat: rectangles in a row, not a line contact in plane strain"
+            ),
+            Self::ContactAcross { along_x, along_y } => {
+                let axes = match (along_x, along_y) {
+                    (true, false) => "x",
+                    (false, true) => "y",
+                    _ => "x and y",
+                };
+                write!(
+                    formatter,
+                    "a contact spot runs across the whole grid along {axes}: its ends at the edges bear peaks of pressure; let the surface rise before them, or take a periodic grid"
+                )
+            }
             Self::StalePressure => write!(
                 formatter,
                 "the gap has changed, but the pressure was held: it is that of the old gap"
@@ -127,7 +153,16 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
         if cells > 0 {
             warnings.push(Warning::ContactAtEdge { cells });
         }
-        let sizes = self.spot_sizes();
+        let (sizes, across) = self.survey_spots();
+        if self.boundary == Boundary::NonPeriodic {
+            let [columns, rows] = self.grid.size();
+            if columns.min(rows) == 1 && columns.max(rows) > 1 {
+                warnings.push(Warning::LineOfCells);
+            } else if across != [false; 2] {
+                let [along_x, along_y] = across;
+                warnings.push(Warning::ContactAcross { along_x, along_y });
+            }
+        }
         let unresolved = sizes.iter().filter(|&&size| size < RESOLVED).count();
         if unresolved > 0 {
             warnings.push(Warning::UnresolvedSpots {
@@ -136,6 +171,25 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
             });
         }
         warnings
+    }
+
+    /// Number of cells of each spot, and whether one spot runs from the first column to the last, and from the first row
+    /// to the last.
+    fn survey_spots(&self) -> (Vec<usize>, [bool; 2]) {
+        let mut spots: Vec<(usize, [[bool; 2]; 2])> = Vec::new();
+        let last = self.grid.size().map(|count| count as i64 - 1);
+        self.walk_spots(|spot, _, place| {
+            spots.resize(spot + 1, Default::default());
+            let (size, edges) = &mut spots[spot];
+            *size += 1;
+            for axis in 0..2 {
+                edges[axis][0] |= place[axis] == 0;
+                edges[axis][1] |= place[axis] == last[axis];
+            }
+        });
+        let across = |axis: usize| spots.iter().any(|(_, edges)| edges[axis] == [true; 2]);
+        let across = [across(0), across(1)];
+        (spots.into_iter().map(|(size, _)| size).collect(), across)
     }
 
     fn neighbours(&self, i: usize) -> [Option<usize>; 4] {
@@ -156,17 +210,7 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
         edge.filter(|&i| (self.contains)(i)).count()
     }
 
-    /// Number of cells of each spot, a set connected through the sides of its cells; in the order of first cells.
-    pub(crate) fn spot_sizes(&self) -> Vec<usize> {
-        let mut sizes = Vec::new();
-        self.walk_spots(|spot, _, _| {
-            sizes.resize(spot + 1, 0);
-            sizes[spot] += 1;
-        });
-        sizes
-    }
-
-    /// Shows every cell of every spot once: the number of the spot, the cell, and where it lies, in columns and rows from
+    /// Shows every cell of every spot, a set connected through the sides of its cells, once: the number of the spot, the cell, and where it lies, in columns and rows from
     /// the corner of the grid; on a periodic grid beyond its edges where the spot goes on there from its first cell.
     pub(crate) fn walk_spots(&self, mut show: impl FnMut(usize, usize, [i64; 2])) {
         let mut visited = vec![false; self.grid.cells()];
@@ -238,7 +282,7 @@ mod tests {
             contains: |i: usize| cells[i],
         };
         assert_eq!(map.cells(), 9);
-        assert_eq!(map.spot_sizes(), [3, 2, 4]);
+        assert_eq!(map.survey_spots().0, [3, 2, 4]);
         assert_eq!(map.cells_on_edge(), 2 + 4);
         assert_eq!(map.extent(), Some([7, 4]));
         // 3 + 2 around the L within the grid, 6 around the bar, 5 beside the row at the bottom.
@@ -254,7 +298,7 @@ mod tests {
 
         // On the periodic grid the row at the bottom meets the L at the top; two of its cells and one end do not.
         map.boundary = Boundary::Periodic;
-        assert_eq!(map.spot_sizes(), [7, 2]);
+        assert_eq!(map.survey_spots().0, [7, 2]);
         // Columns 4, 5 and 7 are free, and no row is.
         assert_eq!(map.extent(), Some([6, 4]));
         assert_eq!(map.switches(), 6 + 6 + 5 + 3);
@@ -272,7 +316,7 @@ mod tests {
             boundary: Boundary::Periodic,
             contains: |i: usize| i == 0 || i == 3,
         };
-        assert_eq!(map.spot_sizes(), [2]);
+        assert_eq!(map.survey_spots().0, [2]);
         assert_eq!(map.switches(), 2);
         assert_eq!(map.extent(), Some([2, 1]));
     }

@@ -3,7 +3,8 @@
 //! | format | module | reads | writes | carries its cell sides | unit |
 //! |---|---|---|---|---|---|
 //! | NPY, the array file of NumPy | [`npy`] | yes | yes | no | the file's |
-//! | CSV, ASC and other matrices in text | [`csv`] | yes | yes | no | the file's |
+//! | CSV and other matrices in text | [`csv`] | yes | yes | no | the file's |
+//! | ASC with the header of SPIP and Gwyddion | [`asc`] | yes | | yes | metre |
 //! | XYZ, three columns in text | [`xyz`] | yes | | yes | the file's |
 //! | SDF of ISO 25178-71 | [`sdf`] | yes | yes | yes | metre |
 //! | SUR of Digital Surf, not compressed | [`sur`] | yes | | yes | metre |
@@ -29,6 +30,7 @@
 //! takes less than fifty times the size of the file; for X3P, which is compressed, less than eight times the
 //! size to which its module lets an entry expand.
 
+pub mod asc;
 mod bytes;
 pub mod csv;
 pub mod npy;
@@ -49,7 +51,7 @@ use crate::field::Field;
 use crate::grid::Grid;
 pub(crate) use bytes::Cursor;
 
-/// A surface from a file that carries its cell sides: SDF, SUR or X3P recognised by the first bytes, XYZ
+/// A surface from a file that carries its cell sides: SDF, SUR, ASC or X3P recognised by the first bytes, XYZ
 /// by the extension `.xyz`.
 ///
 /// Units are those of the module of the format.
@@ -72,6 +74,9 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
         }
         if sur::is_sur(bytes) {
             return sur::parse(bytes);
+        }
+        if asc::is_asc(bytes) {
+            return asc::parse(bytes);
         }
         if bytes.starts_with(b"PK\x03\x04") {
             return parse_x3p(bytes);

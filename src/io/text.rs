@@ -18,6 +18,16 @@ pub(super) fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, str>)>
     })
 }
 
+/// The comments of a text (`#` or `%`), without the signs they begin with.
+pub(super) fn comments(bytes: &[u8]) -> impl Iterator<Item = String> {
+    let lines = bytes.split(|&byte| byte == b'\n');
+    lines.filter_map(|line| {
+        let line = String::from_utf8_lossy(line);
+        let comment = line.trim_start().strip_prefix(['#', '%'])?;
+        Some(comment.trim().to_owned())
+    })
+}
+
 /// The separator between the cells of a line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Separator {

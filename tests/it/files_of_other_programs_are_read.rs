@@ -175,3 +175,81 @@ fn a_file_that_cannot_be_recognised_is_refused() {
     let error = io::read(path("absent.sdf")).err();
     assert!(matches!(error, Some(Error::File { path, .. }) if path.ends_with("absent.sdf")));
 }
+
+/// A file of SPIP's kind has its sides, unit and missing points in the header; none of them is guessed.
+#[test]
+fn headers_of_text_files_are_honoured() {
+    let header = |more: &str| {
+        format!(
+            "# File Format = ASCII\r\n# Created by SPIP\r\n# x-pixels = 3\r\n# y-pixels = 2\r\n\
+             # x-length = 600\r\n# y-length = 300\r\n{more}# Start of Data:\r\n"
+        )
+    };
+    let heights = "1\t2\t-32768\r\n4\t5\t6\r\n";
+    let file = header("# z-unit = um\r\n# voidpixels = -32768\r\n") + heights;
+    let by_value = io::asc::parse(file.as_bytes()).unwrap();
+    let sides = [by_value.grid().dx(), by_value.grid().dy()];
+    assert!((sides[0] / 200e-9 - 1.0).abs() < 1e-12 && (sides[1] / 150e-9 - 1.0).abs() < 1e-12);
+    assert!((by_value.as_slice()[5] / 6e-6 - 1.0).abs() < 1e-12);
+    assert!(by_value.as_slice()[2].is_nan() && !by_value.as_slice()[1].is_nan());
+    // A mask behind the heights says which are missing; that they repeat a value does not.
+    let mask = "0 1 0\n0 0 0\n";
+    let file = header("# Bit2nm = 1000\r\n# voidpixels = 1\r\n") + heights + mask;
+    let by_mask = io::asc::parse(file.as_bytes()).unwrap();
+    let missing: Vec<bool> = by_mask.as_slice().iter().map(|z| z.is_nan()).collect();
+    assert_eq!(missing, [false, true, false, false, false, false]);
+    assert!((by_mask.as_slice()[5] / by_value.as_slice()[5] - 1.0).abs() < 1e-12);
+
+    let problem = |file: &str| io::asc::parse(file.as_bytes()).unwrap_err().to_string();
+    let none = problem(&(header("") + heights));
+    assert!(
+        none.contains("Bit2nm") && none.contains("lacks it"),
+        "{none}"
+    );
+    let unknown = problem(&(header("# z-unit = furlong\n") + heights));
+    assert!(unknown.contains("furlong"), "{unknown}");
+    let short = problem(&(header("# z-unit = nm\n") + "1 2 3\n"));
+    assert!(short.contains("3 numbers for 3 x 2 heights"), "{short}");
+    let huge = header("# z-unit = nm\n").replace("x-pixels = 3", "x-pixels = 4000000000");
+    assert!(problem(&huge).contains("do not fit"));
+    let half = header("# z-unit = nm\n").replace("x-pixels = 3", "x-pixels = 2.5");
+    assert!(problem(&half).contains("2.5"));
+
+    // As a plain matrix it would lose all that: refused, with the remedy, unless it is asked for.
+    let file = header("# z-unit = nm\n") + heights;
+    let refused = io::csv::parse(file.as_bytes(), [1.0, 1.0])
+        .unwrap_err()
+        .to_string();
+    assert!(refused.contains("io::asc::read"), "{refused}");
+    let options = io::csv::Options::default().missing(-32768.0);
+    let plain = options.parse(file.as_bytes(), [1.0, 1.0]).unwrap();
+    assert!(plain.as_slice()[2].is_nan() && plain.as_slice()[0] == 1.0);
+}
+
+#[test]
+fn missing_values_and_names_of_columns_of_a_matrix() {
+    for comment in [
+        "# NODATA_value: -9999",
+        "% missing value = -9999",
+        "#bad=-9999.0",
+    ] {
+        let text = format!("{comment}\n1 2\n-9999 4\n");
+        let heights = io::csv::parse(text.as_bytes(), [1.0, 1.0]).unwrap();
+        assert!(heights.as_slice()[2].is_nan(), "{comment}");
+        assert_eq!(heights.as_slice()[3], 4.0);
+    }
+    // What a comment says otherwise is no value.
+    let text = b"# min: -9999\n1 2\n-9999 4\n";
+    assert_eq!(
+        io::csv::parse(text, [1.0, 1.0]).unwrap().as_slice()[2],
+        -9999.0
+    );
+
+    let named = b"# profile\nheight,height\n1,2\n3,4\n";
+    let refused = io::csv::parse(named, [1.0, 1.0]).unwrap_err().to_string();
+    assert!(refused.contains("skip_rows(2)"), "{refused}");
+    let heights = io::csv::Options::default()
+        .skip_rows(2)
+        .parse(named, [1.0, 1.0]);
+    assert_eq!(heights.unwrap().as_slice(), [1.0, 2.0, 3.0, 4.0]);
+}

@@ -84,4 +84,5 @@ mod superposition_is_exact;
 mod the_certificate_is_its_formula;
 mod too_large_is_refused;
 mod units_do_not_matter;
+mod warnings_name_the_trap;
 mod wear_laws_sum_up;

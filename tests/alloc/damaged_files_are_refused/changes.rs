@@ -28,12 +28,17 @@ fn valid() -> Vec<(Parse, Vec<u8>)> {
     };
     let header =
         "aISO-1.0\nNumPoints = 6\nNumProfiles = 5\nXscale = 1\nYscale = 1\nZscale = 1\n*\n";
+    let asc = "# File Format = ASCII\n# x-pixels = 6\n# y-pixels = 5\n# x-length = 1\n# y-length = 1\n# z-unit = nm\n# voidpixels = 3\n";
     let samples = "1 2 BAD 4.5 5 6\n".repeat(5);
     let files: Vec<(Parse, Vec<u8>)> = vec![
         (parse_npy, io::npy::to_bytes(&field)),
         (parse_csv, io::csv::to_bytes(&field)),
         (io::sdf::parse, io::sdf::to_bytes(&field).unwrap()),
         (io::sdf::parse, format!("{header}{samples}*\n").into_bytes()),
+        (
+            io::asc::parse,
+            format!("{asc}{}", "1 2 3 4.5 5 6\n".repeat(5)).into_bytes(),
+        ),
         (io::sur::parse, sur()),
         (io::xyz::parse, text(" ").into_bytes()),
         (io::xyz::parse, text(";").into_bytes()),

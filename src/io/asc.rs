@@ -1,0 +1,175 @@
+//! ASC as SPIP and Gwyddion export it: a matrix in text behind a header of `# key = value`.
+//!
+//! Heights and cell sides are in metres. Rows follow one another towards larger y.
+
+use std::path::Path;
+
+use super::text::{Separator, excerpt, lines};
+use super::{Format, Place, parse_file};
+use crate::error::Result;
+use crate::field::Field;
+
+const FORMAT: Format = Format("ASC");
+const MAGIC: &[u8] = b"# File Format = ASCII";
+const NANOMETRE: f64 = 1e-9;
+
+/// Units of heights, in metres.
+const UNITS: [(&str, f64); 8] = [
+    ("m", 1.0),
+    ("mm", 1e-3),
+    ("um", 1e-6),
+    ("\u{b5}m", 1e-6),
+    ("\u{3bc}m", 1e-6),
+    ("nm", NANOMETRE),
+    ("pm", 1e-12),
+    ("A", 1e-10),
+];
+
+/// The surface in a file (metres). See [`parse`].
+///
+/// # Errors
+/// [`Error::File`](crate::Error::File) if the file cannot be read, otherwise as [`parse`].
+pub fn read(path: impl AsRef<Path>) -> Result<Field> {
+    parse_file(path.as_ref(), parse)
+}
+
+/// The surface in the bytes of a file (metres).
+///
+/// The first line is `# File Format = ASCII`. `x-pixels` and `y-pixels` are the numbers of columns and rows, `x-length`
+/// and `y-length` the sides of the whole surface in nanometres. Heights are in the unit that `z-unit` names, or in
+/// multiples of `Bit2nm` nanometres. Where `voidpixels` is not zero, as many numbers again follow the heights, one for
+/// each point that is missing and zero for the others; without them, heights equal to `voidpixels` are missing, as some
+/// programs write it. Missing points become NaN. Numbers are separated as in [`csv`](super::csv::parse), on any lines.
+///
+/// # Errors
+/// [`Error::Format`](crate::Error::Format) if the bytes are not such a file, a key is missing, a unit unknown, or the
+/// number of heights another.
+///
+/// ```
+/// use stickslip::io::asc;
+/// let header = "# File Format = ASCII\n# x-pixels = 2\n# y-pixels = 1\n# x-length = 400\n# y-length = 100\n";
+/// let file = format!("{header}# z-unit = nm\n# voidpixels = 1\n# Start of Data:\n5 7\n0 1\n");
+/// let heights = asc::parse(file.as_bytes())?;
+/// assert!((heights.grid().dx() / 200e-9 - 1.0).abs() < 1e-12);
+/// assert!((heights.as_slice()[0] / 5e-9 - 1.0).abs() < 1e-12 && heights.as_slice()[1].is_nan());
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+pub fn parse(bytes: &[u8]) -> Result<Field> {
+    if !is_asc(bytes) {
+        return Err(FORMAT.on_line(1, "the file does not begin with # File Format = ASCII"));
+    }
+    let header = Header::of(bytes)?;
+    let [nx, ny] = header.size;
+    // A number takes a byte and a separator.
+    let cells = nx.saturating_mul(ny);
+    if cells > bytes.len() {
+        let problem = format!("{nx} x {ny} heights do not fit into {} bytes", bytes.len());
+        return Err(FORMAT.in_entry("x-pixels", problem));
+    }
+    let sides = [header.lengths[0] / nx as f64, header.lengths[1] / ny as f64];
+    let grid = FORMAT.grid(Place::Entry("x-length".into()), header.size, sides)?;
+    let numbers = numbers(bytes)?;
+    let (heights, masks) = numbers.split_at(cells.min(numbers.len()));
+    let has_mask = header.void != 0.0 && masks.len() == cells;
+    if heights.len() < cells || !(masks.is_empty() || has_mask) {
+        let problem = format!("{} numbers for {nx} x {ny} heights", numbers.len());
+        return Err(FORMAT.in_entry("the heights", problem));
+    }
+    let is_missing = |cell: usize| {
+        if has_mask {
+            masks[cell] != 0.0
+        } else {
+            header.void != 0.0 && heights[cell] == header.void
+        }
+    };
+    let height = |cell: usize| {
+        if is_missing(cell) {
+            f64::NAN
+        } else {
+            header.unit * heights[cell]
+        }
+    };
+    Field::from_vec(grid, (0..cells).map(height).collect())
+}
+
+/// Whether a file begins as this format does.
+pub(super) fn is_asc(bytes: &[u8]) -> bool {
+    bytes.starts_with(MAGIC)
+}
+
+/// What the header says.
+struct Header {
+    size: [usize; 2],
+    /// Sides of the whole surface, in metres.
+    lengths: [f64; 2],
+    /// Unit of the heights, in metres.
+    unit: f64,
+    void: f64,
+}
+
+impl Header {
+    fn of(bytes: &[u8]) -> Result<Self> {
+        let text = String::from_utf8_lossy(bytes);
+        let entry = |key: &str| -> Option<String> {
+            let comments = text.lines().take_while(|line| line.starts_with('#'));
+            let pairs = comments.filter_map(|line| line.trim_start_matches('#').split_once('='));
+            let mut values = pairs.filter(|(name, _)| name.trim().eq_ignore_ascii_case(key));
+            values.next().map(|(_, value)| value.trim().to_owned())
+        };
+        let number = |key: &str| -> Result<Option<f64>> {
+            entry(key)
+                .map(|value| {
+                    let parsed = value.parse::<f64>().ok().filter(|value| value.is_finite());
+                    let problem = || format!("{} is not a number", excerpt(&value));
+                    parsed.ok_or_else(|| FORMAT.in_entry(key, problem()))
+                })
+                .transpose()
+        };
+        let required = |key: &str| {
+            let value = number(key)?.ok_or_else(|| FORMAT.in_entry(key, "the header lacks it"))?;
+            FORMAT.positive(Place::Entry(key.into()), "it", value)
+        };
+        let count = |key: &str| {
+            let value = required(key)?;
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "a whole number in the range of integers"
+            )]
+            if value.fract() == 0.0 && value < 2.0_f64.powi(53) {
+                Ok(value as usize)
+            } else {
+                Err(FORMAT.in_entry(key, format!("{value} is no number of points")))
+            }
+        };
+        let unit = match entry("z-unit") {
+            Some(unit) => {
+                let known = UNITS.iter().find(|(name, _)| *name == unit);
+                let problem = || format!("the unit {} is unknown", excerpt(&unit));
+                known.ok_or_else(|| FORMAT.in_entry("z-unit", problem()))?.1
+            }
+            None => required("Bit2nm")? * NANOMETRE,
+        };
+        Ok(Self {
+            size: [count("x-pixels")?, count("y-pixels")?],
+            lengths: [
+                required("x-length")? * NANOMETRE,
+                required("y-length")? * NANOMETRE,
+            ],
+            unit,
+            void: number("voidpixels")?.unwrap_or(0.0),
+        })
+    }
+}
+
+/// All numbers behind the header.
+fn numbers(bytes: &[u8]) -> Result<Vec<f64>> {
+    let mut numbers = Vec::new();
+    for (number, line) in lines(bytes) {
+        let separator = Separator::of(&line);
+        for cell in separator.split(&line).filter(|cell| !cell.is_empty()) {
+            numbers.push(separator.number(FORMAT, number, cell)?);
+        }
+    }
+    Ok(numbers)
+}
