@@ -175,6 +175,40 @@ impl Field {
         Ok(())
     }
 
+    /// The field of a function of the samples.
+    ///
+    /// ```
+    /// use stickslip::{Field, Grid};
+    /// let heights = Field::from_fn(Grid::square(8, 1.0)?, |x, y| x * y);
+    /// let highest = heights.max();
+    /// let gap = heights.map(|z| highest - z);
+    /// assert_eq!(gap.min(), 0.0);
+    /// # Ok::<(), stickslip::Error>(())
+    /// ```
+    #[must_use]
+    pub fn map(&self, f: impl Fn(f64) -> f64) -> Self {
+        Self {
+            grid: self.grid,
+            samples: self.samples.iter().map(|&sample| f(sample)).collect(),
+        }
+    }
+
+    /// The field times a factor.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        self.map(|sample| factor * sample)
+    }
+
+    /// The field less another.
+    ///
+    /// # Errors
+    /// [`Error::GridMismatch`](crate::Error::GridMismatch).
+    pub fn minus(&self, other: &Self) -> Result<Self> {
+        let mut difference = self.clone();
+        difference.add_scaled(-1.0, other)?;
+        Ok(difference)
+    }
+
     /// The samples, without the grid.
     #[must_use]
     pub fn into_vec(self) -> Vec<f64> {

@@ -1,6 +1,8 @@
 //! The loop that force and shift describe in a cycle.
 
-use crate::history::History;
+use std::fmt::Write;
+
+use crate::history::{Cycle, History};
 
 /// A point of the loop of force and shift: the beginning of a cycle, or the end of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,6 +28,39 @@ impl LoopPoint {
             moment: history.moment(),
             twist: history.twist(),
         }
+    }
+}
+
+impl Cycle {
+    /// The [loop](Cycle::points) of force and shift as CSV: one line for each point, behind a line of names.
+    ///
+    /// ```
+    /// use stickslip::history::Cycle;
+    /// # use stickslip::*;
+    /// # let grid = Grid::square(16, 8.0)?;
+    /// # let rubber = Material::new(1.0, 0.5)?;
+    /// # let bodies = HalfSpace::new(grid, ElasticPair::new(rubber, Material::rigid())?)?;
+    /// # let ball = surface::sphere(grid, 10.0)?;
+    /// # let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.3)?).build()?;
+    /// let mut cycle = Cycle::new(&history);
+    /// history.step(&LoadStep::shift([0.1, 0.0]).normal(NormalControl::Force(0.5)))?;
+    /// cycle.add(&history)?;
+    /// let text = cycle.points_as_csv();
+    /// let names = "shift_x,shift_y,twist,force_x,force_y,moment";
+    /// assert_eq!(text.lines().next(), Some(names));
+    /// assert_eq!(text.lines().count(), 3);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub fn points_as_csv(&self) -> String {
+        let mut text = String::from("shift_x,shift_y,twist,force_x,force_y,moment\n");
+        for point in self.points() {
+            let ([dx, dy], [fx, fy]) = (point.shift, point.force);
+            let (twist, moment) = (point.twist, point.moment);
+            writeln!(text, "{dx:?},{dy:?},{twist:?},{fx:?},{fy:?},{moment:?}")
+                .expect("writing to a string cannot fail");
+        }
+        text
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::history::State;
 use crate::normal::NormalControl;
-use crate::tangential::{Axis, Demand, TangentialControl};
+use crate::tangential::{Axis, Demand, TangentialControl, TangentialLoad};
 
 /// What a step does: normal load, tangential load along each axis, twist. Whatever is not named is held.
 ///
@@ -163,6 +163,17 @@ impl LoadStep {
         Demand {
             controls: self.tangential,
             twist: self.twist.unwrap_or(last),
+        }
+    }
+}
+
+/// The tangential half alone, the pressure held.
+impl From<TangentialLoad> for LoadStep {
+    fn from(load: TangentialLoad) -> Self {
+        let demand = load.demand();
+        Self {
+            twist: Some(demand.twist),
+            ..Self::both(demand.controls)
         }
     }
 }

@@ -9,7 +9,7 @@ use std::path::Path;
 
 use super::asc::is_asc;
 use super::text::{Separator, comments, excerpt, lines};
-use super::{Format, Place, check_sides, parse_file, write_bytes};
+use super::{Format, Place, Sides, parse_file, write_bytes};
 use crate::error::Result;
 use crate::field::Field;
 
@@ -57,21 +57,23 @@ impl Options {
         self
     }
 
-    /// The field in a file, on cells of sides `[dx, dy]` (lengths). See [`parse`].
+    /// The field in a file, on cells of [sides](Sides) `[dx, dy]`, or of a grid of given sides (lengths). See
+    /// [`parse`].
     ///
     /// # Errors
     /// [`Error::File`](crate::Error::File) if the file cannot be read, otherwise as [`parse`].
-    pub fn read(self, path: impl AsRef<Path>, cell_sides: [f64; 2]) -> Result<Field> {
-        check_sides(cell_sides)?;
-        parse_file(path.as_ref(), |bytes| self.parse(bytes, cell_sides))
+    pub fn read(self, path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
+        let sides = sides.into().checked()?;
+        parse_file(path.as_ref(), |bytes| self.parse(bytes, sides))
     }
 
-    /// The field in the bytes of a file, on cells of sides `[dx, dy]` (lengths). See [`parse`].
+    /// The field in the bytes of a file, on cells of [sides](Sides) `[dx, dy]`, or of a grid of given sides (lengths).
+    /// See [`parse`].
     ///
     /// # Errors
     /// As [`parse`].
-    pub fn parse(self, bytes: &[u8], cell_sides: [f64; 2]) -> Result<Field> {
-        check_sides(cell_sides)?;
+    pub fn parse(self, bytes: &[u8], sides: impl Into<Sides>) -> Result<Field> {
+        let sides = sides.into().checked()?;
         if is_asc(bytes) && self == Self::default() {
             let problem = "the header holds sides, unit and missing points: call io::asc::read";
             return Err(FORMAT.on_line(1, problem));
@@ -127,7 +129,11 @@ impl Options {
             });
             width -= 1;
         }
-        let grid = FORMAT.grid(Place::Line(1), [width, height], cell_sides)?;
+        let grid = FORMAT.grid(
+            Place::Line(1),
+            [width, height],
+            sides.of_cell([width, height]),
+        )?;
         Field::from_vec(grid, samples)
     }
 }
@@ -141,15 +147,15 @@ fn missing_value(comment: &str) -> Option<f64> {
     MISSING.contains(&name.as_str()).then_some(value)
 }
 
-/// The field in a file, on cells of sides `[dx, dy]` (lengths). See [`parse`].
+/// The field in a file, on cells of [sides](Sides) `[dx, dy]`, or of a grid of given sides (lengths). See [`parse`].
 ///
 /// # Errors
 /// [`Error::File`](crate::Error::File) if the file cannot be read, otherwise as [`parse`].
-pub fn read(path: impl AsRef<Path>, cell_sides: [f64; 2]) -> Result<Field> {
-    Options::default().read(path, cell_sides)
+pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
+    Options::default().read(path, sides)
 }
 
-/// The field in the bytes of a file, on cells of sides `[dx, dy]` (lengths).
+/// The field in the bytes of a file, on cells of [sides](Sides) `[dx, dy]`, or of a grid of given sides (lengths).
 ///
 /// - Cells are separated by semicolons, tabs, commas or white space: the first of these, in this order,
 ///   that the first line has. Commas within numbers in white space (`1,5 2,5`) are decimal commas.
@@ -172,8 +178,8 @@ pub fn read(path: impl AsRef<Path>, cell_sides: [f64; 2]) -> Result<Field> {
 /// assert!(heights.as_slice()[2].is_nan());
 /// # Ok::<(), stickslip::Error>(())
 /// ```
-pub fn parse(bytes: &[u8], cell_sides: [f64; 2]) -> Result<Field> {
-    Options::default().parse(bytes, cell_sides)
+pub fn parse(bytes: &[u8], sides: impl Into<Sides>) -> Result<Field> {
+    Options::default().parse(bytes, sides)
 }
 
 /// Writes a field to a file, as [`to_bytes`].

@@ -10,6 +10,7 @@
 //! | SUR of Digital Surf, not compressed | [`sur`] | yes | | yes | metre |
 //! | X3P of ISO 25178-72 | `x3p`, behind the feature of that name | yes | | yes | metre |
 //! | VTI, the image data of VTK and ParaView | [`vti`] | | yes | yes | the field's |
+//! | PVD, a series of VTI files in time | [`pvd`] | | yes | | |
 //!
 //! `read` takes a path, `parse` the bytes of a file; `write` and `to_bytes` are their inverses.
 //! [`read`](fn@read) of this module identifies the format of a file among those with cell sides.
@@ -34,6 +35,7 @@ pub mod asc;
 mod bytes;
 pub mod csv;
 pub mod npy;
+pub mod pvd;
 pub mod sdf;
 pub mod sur;
 mod text;
@@ -43,6 +45,8 @@ pub mod vti;
 pub mod x3p;
 pub mod xyz;
 
+use std::fs::File;
+use std::io::Write;
 use std::path::Path;
 
 pub use crate::error::Place;
@@ -146,15 +150,57 @@ impl Format {
     }
 }
 
-/// `Ok` if both cell sides given by the caller are positive and finite.
-fn check_sides([dx, dy]: [f64; 2]) -> Result<()> {
-    positive("cell side dx", dx)?;
-    positive("cell side dy", dy)?;
-    Ok(())
+/// Sides of what a file without them holds (lengths); `[dx, dy]` are those of a cell.
+///
+/// ```
+/// use stickslip::{Field, Grid, io};
+/// let field = Field::zeros(Grid::new(4, 2, 0.5, 0.25)?);
+/// let file = io::npy::to_bytes(&field);
+/// assert_eq!(io::npy::parse(&file, [0.5, 0.25])?, field);
+/// assert_eq!(io::npy::parse(&file, io::Sides::OfGrid([2.0, 0.5]))?, field);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Sides {
+    /// Sides of a cell along x and y.
+    OfCell([f64; 2]),
+    /// Sides of the whole grid along x and y.
+    OfGrid([f64; 2]),
+}
+
+impl From<[f64; 2]> for Sides {
+    fn from(sides: [f64; 2]) -> Self {
+        Self::OfCell(sides)
+    }
+}
+
+impl Sides {
+    /// `Ok` if both are positive and finite.
+    fn checked(self) -> Result<Self> {
+        let (names, sides) = match self {
+            Self::OfCell(sides) => (["cell side dx", "cell side dy"], sides),
+            Self::OfGrid(sides) => (
+                ["side of the grid along x", "side of the grid along y"],
+                sides,
+            ),
+        };
+        for (name, side) in names.into_iter().zip(sides) {
+            positive(name, side)?;
+        }
+        Ok(self)
+    }
+
+    /// Those of a cell, of so many cells.
+    fn of_cell(self, [nx, ny]: [usize; 2]) -> [f64; 2] {
+        match self {
+            Self::OfCell(sides) => sides,
+            Self::OfGrid([x, y]) => [x / nx as f64, y / ny as f64],
+        }
+    }
 }
 
 /// What the bytes of a file say; an error in them names the file.
-fn parse_file<T>(path: &Path, parse: impl FnOnce(&[u8]) -> Result<T>) -> Result<T> {
+pub(crate) fn parse_file<T>(path: &Path, parse: impl FnOnce(&[u8]) -> Result<T>) -> Result<T> {
     let bytes = std::fs::read(path).map_err(|error| refused(path, &error))?;
     parse(&bytes).map_err(|mut error| {
         if let Error::Format { file, .. } = &mut error {
@@ -162,6 +208,32 @@ fn parse_file<T>(path: &Path, parse: impl FnOnce(&[u8]) -> Result<T>) -> Result<
         }
         error
     })
+}
+
+/// Replaces a file as a whole, or not at all: a file beside it takes its name when it is on the disk.
+pub(crate) fn replace_bytes(path: &Path, bytes: &[u8]) -> Result<()> {
+    let mut name = path.file_name().unwrap_or_default().to_owned();
+    name.push(format!(".{}.part", std::process::id()));
+    let part = path.with_file_name(name);
+    let written = File::create(&part)
+        .and_then(|mut file| {
+            file.write_all(bytes)?;
+            file.sync_all()
+        })
+        .and_then(|()| std::fs::rename(&part, path));
+    if let Err(error) = written {
+        // What is left of it has no use; the first error is the one to tell.
+        drop(std::fs::remove_file(&part));
+        return Err(refused(path, &error));
+    }
+    // The name is on the disk too; some systems cannot open a folder.
+    let folder = path
+        .parent()
+        .filter(|folder| !folder.as_os_str().is_empty());
+    if let Ok(folder) = File::open(folder.unwrap_or(Path::new("."))) {
+        drop(folder.sync_all());
+    }
+    Ok(())
 }
 
 /// Creates or replaces a file.

@@ -9,7 +9,7 @@ use std::path::Path;
 
 use super::bytes::{Cursor, Number, Order};
 use super::text::excerpt;
-use super::{Format, Place, check_sides, parse_file, write_bytes};
+use super::{Format, Place, Sides, parse_file, write_bytes};
 use crate::error::Result;
 use crate::field::Field;
 
@@ -18,16 +18,16 @@ const MAGIC: &[u8; 6] = b"\x93NUMPY";
 /// Enough for two integers; samples then begin at byte 128, since the format requires a multiple of 64.
 const HEADER_LENGTH: u16 = 118;
 
-/// The field in a file, on cells of sides `[dx, dy]` (lengths). See [`parse`].
+/// The field in a file, on cells of [sides](Sides) `[dx, dy]`, or of a grid of given sides (lengths). See [`parse`].
 ///
 /// # Errors
 /// [`Error::File`](crate::Error::File) if the file cannot be read, otherwise as [`parse`].
-pub fn read(path: impl AsRef<Path>, cell_sides: [f64; 2]) -> Result<Field> {
-    check_sides(cell_sides)?;
-    parse_file(path.as_ref(), |bytes| parse(bytes, cell_sides))
+pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
+    let sides = sides.into().checked()?;
+    parse_file(path.as_ref(), |bytes| parse(bytes, sides))
 }
 
-/// The field in the bytes of a file, on cells of sides `[dx, dy]` (lengths).
+/// The field in the bytes of a file, on cells of [sides](Sides) `[dx, dy]`, or of a grid of given sides (lengths).
 ///
 /// Versions 1 to 3 of the format; floats of 32 and 64 bits and integers of 8 to 64 bits in either byte
 /// order; C and Fortran order of axes. Integers of 64 bits are rounded to the nearest double.
@@ -43,8 +43,8 @@ pub fn read(path: impl AsRef<Path>, cell_sides: [f64; 2]) -> Result<Field> {
 /// assert_eq!(npy::parse(&npy::to_bytes(&field), [0.5, 0.25])?, field);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
-pub fn parse(bytes: &[u8], cell_sides: [f64; 2]) -> Result<Field> {
-    check_sides(cell_sides)?;
+pub fn parse(bytes: &[u8], sides: impl Into<Sides>) -> Result<Field> {
+    let sides = sides.into().checked()?;
     let mut bytes = Cursor::new(FORMAT, bytes);
     if bytes.take("the magic string", MAGIC.len())? != MAGIC {
         return Err(FORMAT.at_byte(0, "the file does not begin with \\x93NUMPY"));
@@ -59,7 +59,7 @@ pub fn parse(bytes: &[u8], cell_sides: [f64; 2]) -> Result<Field> {
     let header = Header::parse(start, bytes.take("the header", length)?)?;
 
     let [ny, nx] = header.shape;
-    let grid = FORMAT.grid(Place::Byte(start as u64), [nx, ny], cell_sides)?;
+    let grid = FORMAT.grid(Place::Byte(start as u64), [nx, ny], sides.of_cell([nx, ny]))?;
     let (expected, found) = (grid.cells() * header.number.size(), bytes.rest().len());
     if found != expected {
         let problem = format!("shape ({ny}, {nx}) takes {expected} bytes, the file has {found}");

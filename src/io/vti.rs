@@ -12,17 +12,71 @@ use crate::field::Field;
 
 const FORMAT: Format = Format("VTI");
 
-/// Writes named fields of one grid to a file, as [`to_bytes`].
+/// What a name stands for: a field, or a vector of two fields along x and y.
+///
+/// ParaView draws arrows of vectors; their third component is zero.
+#[derive(Debug, Clone, Copy)]
+pub enum Array<'a> {
+    /// One number a cell.
+    Scalar(&'a Field),
+    /// Components along x and y.
+    Vector([&'a Field; 2]),
+}
+
+impl<'a> From<&'a Field> for Array<'a> {
+    fn from(field: &'a Field) -> Self {
+        Self::Scalar(field)
+    }
+}
+
+impl<'a> From<[&'a Field; 2]> for Array<'a> {
+    fn from(fields: [&'a Field; 2]) -> Self {
+        Self::Vector(fields)
+    }
+}
+
+impl<'a> Array<'a> {
+    fn fields(&self) -> &[&'a Field] {
+        match self {
+            Self::Scalar(field) => std::slice::from_ref(field),
+            Self::Vector(fields) => fields,
+        }
+    }
+
+    /// What the file says of its components.
+    fn attribute(&self) -> &'static str {
+        match self {
+            Self::Scalar(_) => "",
+            Self::Vector(_) => r#" NumberOfComponents="3""#,
+        }
+    }
+
+    /// The samples in the order of the file.
+    fn samples(&self) -> Vec<f64> {
+        match self {
+            Self::Scalar(field) => field.as_slice().to_vec(),
+            Self::Vector([x, y]) => {
+                let cells = x.as_slice().iter().zip(y.as_slice());
+                cells.flat_map(|(x, y)| [*x, *y, 0.0]).collect()
+            }
+        }
+    }
+}
+
+/// Writes named fields and vectors of one grid to a file, as [`to_bytes`].
 ///
 /// # Errors
 /// As [`to_bytes`]; [`Error::File`](crate::Error::File) if the file cannot be written.
 #[doc(alias = "paraview")]
 #[doc(alias = "ParaView")]
-pub fn write(path: impl AsRef<Path>, fields: &[(&str, &Field)]) -> Result<()> {
+pub fn write<'a>(
+    path: impl AsRef<Path>,
+    fields: &[(&str, impl Into<Array<'a>> + Copy)],
+) -> Result<()> {
     write_bytes(path.as_ref(), &to_bytes(fields)?)
 }
 
-/// Named fields on one grid as a file: one array of cell data each, in doubles that keep every bit,
+/// Named fields and vectors on one grid as a file: one array of cell data each, in doubles that keep every bit,
 /// on a flat image in the plane `z = 0` whose origin is the corner of least x and y.
 ///
 /// # Errors
@@ -32,22 +86,28 @@ pub fn write(path: impl AsRef<Path>, fields: &[(&str, &Field)]) -> Result<()> {
 /// ```
 /// use stickslip::{Field, Grid, io::vti};
 /// let field = Field::zeros(Grid::new(2, 3, 1.0, 1.0)?);
-/// let file = vti::to_bytes(&[("pressure", &field)])?;
+/// let traction = [&field, &field];
+/// let file = vti::to_bytes(&[("pressure", vti::Array::from(&field)), ("traction", traction.into())])?;
 /// let text = String::from_utf8_lossy(&file);
 /// assert!(text.contains("<ImageData WholeExtent=\"0 2 0 3 0 0\" Origin=\"-1 -1.5 0\""));
 /// # Ok::<(), stickslip::Error>(())
 /// ```
-pub fn to_bytes(fields: &[(&str, &Field)]) -> Result<Vec<u8>> {
-    let Some((_, first)) = fields.first() else {
+pub fn to_bytes<'a>(fields: &[(&str, impl Into<Array<'a>> + Copy)]) -> Result<Vec<u8>> {
+    let arrays: Vec<(&str, Array<'_>)> = fields
+        .iter()
+        .map(|&(name, array)| (name, array.into()))
+        .collect();
+    let Some((_, first)) = arrays.first() else {
         return Err(FORMAT.in_entry("CellData", "there is no field to write"));
     };
-    let grid = first.grid();
-    for (index, (name, field)) in fields.iter().enumerate() {
-        let problem = if !grid.agrees_with(field.grid()) {
+    let grid = first.fields()[0].grid();
+    for (index, (name, array)) in arrays.iter().enumerate() {
+        let agrees = |field: &&Field| grid.agrees_with(field.grid());
+        let problem = if !array.fields().iter().all(agrees) {
             "the field is on another grid than the first"
         } else if name.is_empty() || name.contains(char::is_control) {
             "the name is empty or holds control characters"
-        } else if fields[..index].iter().any(|(other, _)| other == name) {
+        } else if arrays[..index].iter().any(|(other, _)| other == name) {
             "the name is given twice"
         } else {
             continue;
@@ -66,14 +126,14 @@ pub fn to_bytes(fields: &[(&str, &Field)]) -> Result<Vec<u8>> {
 "#,
         corner[0], corner[1]
     );
-    for (name, field) in fields {
-        let name = escape(name);
+    for (name, array) in &arrays {
+        let (name, components) = (escape(name), array.attribute());
         write!(
             text,
-            r#"        <DataArray type="Float64" Name="{name}" format="binary">"#
+            r#"        <DataArray type="Float64" Name="{name}"{components} format="binary">"#
         )
         .expect("writing to a string cannot fail");
-        push_base64(&mut text, field.as_slice());
+        push_base64(&mut text, &array.samples());
         text.push_str("</DataArray>\n");
     }
     text.push_str("      </CellData>\n    </Piece>\n  </ImageData>\n</VTKFile>\n");
@@ -81,7 +141,7 @@ pub fn to_bytes(fields: &[(&str, &Field)]) -> Result<Vec<u8>> {
 }
 
 /// A text as the value of an attribute.
-fn escape(text: &str) -> String {
+pub(super) fn escape(text: &str) -> String {
     let text = text.replace('&', "&amp;").replace('<', "&lt;");
     text.replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -52,9 +52,9 @@ pub struct TangentialProblem {
 /// Options of a [`TangentialProblem`]; each has a default.
 #[derive(Debug, Clone)]
 #[must_use = "a builder does nothing until build() is called"]
-pub struct TangentialProblemBuilder<'a> {
+pub struct TangentialProblemBuilder<'a, 'p> {
     bodies: &'a HalfSpace,
-    pressure: PressureSource<'a>,
+    pressure: PressureSource<'p>,
     friction: Friction,
     load: TangentialLoad,
     model: TangentialModel,
@@ -65,12 +65,12 @@ pub struct TangentialProblemBuilder<'a> {
 impl TangentialProblem {
     /// Starts from what is required: bodies, a solved normal contact on them or a field of pressure, friction,
     /// load.
-    pub fn builder<'a>(
+    pub fn builder<'a, 'p>(
         bodies: &'a HalfSpace,
-        pressure: impl Into<PressureSource<'a>>,
+        pressure: impl Into<PressureSource<'p>>,
         friction: Friction,
         load: TangentialLoad,
-    ) -> TangentialProblemBuilder<'a> {
+    ) -> TangentialProblemBuilder<'a, 'p> {
         TangentialProblemBuilder {
             bodies,
             pressure: pressure.into(),
@@ -109,7 +109,7 @@ impl TangentialProblem {
     }
 }
 
-impl TangentialProblemBuilder<'_> {
+impl TangentialProblemBuilder<'_, '_> {
     settings_methods!();
 
     /// Which tractions are found (default [`TangentialModel::Scalar`]).

@@ -51,7 +51,7 @@ fn first_step_agrees(text: &str) {
     tractions_agree(&case, step, shear);
 }
 
-fn tractions_agree(case: &Case, step: &Step, shear: TangentialProblemBuilder<'_>) {
+fn tractions_agree(case: &Case, step: &Step, shear: TangentialProblemBuilder<'_, '_>) {
     let shear = shear.model(TangentialModel::Vector).tolerance(TOLERANCE);
     let shear = shear.build().unwrap().solve().unwrap();
     let pressures = step.cells.iter().map(|cell| cell.pressure);

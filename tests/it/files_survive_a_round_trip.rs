@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 
 use proptest::prelude::*;
-use stickslip::{Error, Field, Grid, io};
+use stickslip::io::pvd::Series;
+use stickslip::io::vti::Array;
+use stickslip::{Error, Field, Friction, Grid, History, LoadStep, NormalControl, io, surface};
 
 /// Values that are easily lost.
 const DELICATE: [f64; 14] = [
@@ -88,10 +90,14 @@ fn a_folder_that_is_not_there_is_an_error() {
     }
 }
 
-/// The samples of an array of a VTI file, by a decoder of its own.
 fn from_vti(text: &str, name: &str, grid: Grid) -> Field {
     let start = format!(r#"<DataArray type="Float64" Name="{name}" format="binary">"#);
-    let (_, rest) = text.split_once(&start).unwrap();
+    Field::from_vec(grid, samples_of_vti(text, &start, grid.cells())).unwrap()
+}
+
+/// The samples of an array of a VTI file, by a decoder of its own.
+fn samples_of_vti(text: &str, start: &str, count: usize) -> Vec<f64> {
+    let (_, rest) = text.split_once(start).unwrap();
     let (encoded, _) = rest.split_once("</DataArray>").unwrap();
     let mut bytes = Vec::new();
     // Padding decodes to zeros, dropped below for they make no word.
@@ -113,10 +119,103 @@ fn from_vti(text: &str, name: &str, grid: Grid) -> Field {
         .chunks_exact(8)
         .map(|word| u64::from_le_bytes(word.try_into().unwrap()));
     let words: Vec<u64> = words.collect();
-    assert_eq!(words[0], 8 * grid.cells() as u64);
+    assert_eq!(words[0], 8 * count as u64);
     assert_eq!(encoded.len(), (8 * words.len()).div_ceil(3) * 4);
-    let samples = words[1..].iter().map(|&bits| f64::from_bits(bits));
-    Field::from_vec(grid, samples.collect()).unwrap()
+    words[1..]
+        .iter()
+        .map(|&bits| f64::from_bits(bits))
+        .collect()
+}
+
+#[test]
+fn vectors_in_one_vti_file_and_series_of_them() {
+    let grid = Grid::new(3, 2, 0.5, 0.25).unwrap();
+    let x = Field::from_fn(grid, |x, y| x + 10.0 * y);
+    let y = Field::from_fn(grid, |x, y| x * y);
+    let fields = [
+        ("traction", Array::from([&x, &y])),
+        ("pressure", Array::from(&x)),
+    ];
+    let series = temporary("series.pvd");
+    let mut written = Series::new(&series).unwrap();
+    assert!(written.is_empty());
+    for time in [0.0, 0.5, 1e6] {
+        written.write(time, &fields).unwrap();
+        let list = std::fs::read_to_string(&series).unwrap();
+        assert_eq!(list.matches("<DataSet").count(), written.len());
+        let number = written.len() - 1;
+        let line = format!(r#"timestep="{time}" part="0" file="series.{number:04}.vti""#);
+        assert!(list.contains(&line), "{list}");
+    }
+    assert!(matches!(
+        written.write(f64::NAN, &fields),
+        Err(Error::NotFinite { .. })
+    ));
+    assert_eq!(written.len(), 3);
+    let text = std::fs::read_to_string(temporary("series.0002.vti")).unwrap();
+    let start =
+        r#"<DataArray type="Float64" Name="traction" NumberOfComponents="3" format="binary">"#;
+    let samples = samples_of_vti(&text, start, 3 * grid.cells());
+    for (cell, vector) in samples.chunks(3).enumerate() {
+        assert_eq!(vector, [x.as_slice()[cell], y.as_slice()[cell], 0.0]);
+    }
+    assert!(same(&x, &from_vti(&text, "pressure", grid)));
+    // The two components are of one grid, as all fields.
+    let other = Field::zeros(Grid::new(2, 3, 0.5, 0.25).unwrap());
+    let refused = io::vti::to_bytes(&[("traction", [&x, &other])]);
+    assert!(matches!(refused, Err(Error::Format { .. })));
+}
+
+/// A saved history replaces its file as a whole, and a failed save leaves the old one.
+#[test]
+fn a_history_is_saved_as_a_whole() {
+    let grid = Grid::square(16, 8.0).unwrap();
+    let bodies = kit::unit_bodies(grid, 0.3);
+    let ball = surface::sphere(grid, 10.0).unwrap();
+    let friction = Friction::coulomb(0.3).unwrap();
+    let mut history = History::builder(&bodies, &ball, friction).build().unwrap();
+    let file = temporary("history.state");
+    history.save(&file).unwrap();
+    history
+        .step(&LoadStep::hold().normal(NormalControl::Force(1.0)))
+        .unwrap();
+    history.save(&file).unwrap();
+    assert_eq!(std::fs::read(&file).unwrap(), history.to_bytes());
+    let restored = History::load(&bodies, &file).unwrap();
+    assert_eq!(restored.to_bytes(), history.to_bytes());
+    let parts = std::fs::read_dir(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let is_part = |name: String| name.starts_with("history.state.") && name.ends_with(".part");
+    assert!(
+        !parts
+            .flatten()
+            .any(|entry| is_part(entry.file_name().to_string_lossy().into()))
+    );
+
+    let nowhere = temporary("no_such_folder/history.state");
+    assert!(matches!(history.save(&nowhere), Err(Error::File { .. })));
+    assert!(matches!(
+        History::load(&bodies, &nowhere),
+        Err(Error::File { .. })
+    ));
+    std::fs::write(&file, b"cut off").unwrap();
+    let refused = History::load(&bodies, &file);
+    assert!(
+        matches!(refused, Err(Error::Format { file: Some(name), .. }) if name.contains("history.state"))
+    );
+}
+
+#[test]
+fn sides_of_the_whole_grid_do_as_well() {
+    let field = field(3, 4, [0.1, 0.7], DELICATE.into_iter());
+    let whole = io::Sides::OfGrid([3.0 * 0.1, 4.0 * 0.7]);
+    let npy = io::npy::parse(&io::npy::to_bytes(&field), whole).unwrap();
+    let csv = io::csv::parse(&io::csv::to_bytes(&field), whole).unwrap();
+    for read in [npy, csv] {
+        assert!((read.grid().dx() - 0.1).abs() < 1e-15 && (read.grid().dy() - 0.7).abs() < 1e-15);
+    }
+    let flat = io::Sides::OfGrid([1.0, 0.0]);
+    let refused = io::npy::parse(&io::npy::to_bytes(&field), flat);
+    assert!(matches!(refused, Err(Error::NotPositive { .. })));
 }
 
 #[test]

@@ -13,11 +13,13 @@
 mod codec;
 mod layout;
 
+use std::path::Path;
+
 use crate::error::Result;
 use crate::half_space::HalfSpace;
 use crate::history::History;
 use crate::history::state::State;
-use crate::io::{Cursor, Format};
+use crate::io::{Cursor, Format, parse_file, replace_bytes};
 
 use codec::{Reader, Writer};
 use layout::{Host, LEAST_PER_CELL};
@@ -123,6 +125,24 @@ impl History {
     /// ```
     pub fn from_bytes(bodies: &HalfSpace, bytes: &[u8]) -> Result<Self> {
         Self::from_state(bodies, State::from_bytes(bytes)?)
+    }
+
+    /// Saves the [state](History::state) in a file, which is replaced as a whole or not at all: a run that breaks off while
+    /// it saves leaves the file of before. The bytes are on the disk when it returns.
+    ///
+    /// # Errors
+    /// [`Error::File`](crate::Error::File).
+    #[doc(alias = "checkpoint")]
+    pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
+        replace_bytes(path.as_ref(), &self.to_bytes())
+    }
+
+    /// A history from the file of [`History::save`], on the bodies it had; it continues to the same bits.
+    ///
+    /// # Errors
+    /// [`Error::File`](crate::Error::File) if the file cannot be read; as [`History::from_bytes`].
+    pub fn load(bodies: &HalfSpace, path: impl AsRef<Path>) -> Result<Self> {
+        Self::from_state(bodies, parse_file(path.as_ref(), State::from_bytes)?)
     }
 }
 

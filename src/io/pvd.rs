@@ -1,0 +1,113 @@
+//! PVD: a series of files in time, for ParaView.
+//!
+//! Source: <https://www.paraview.org/Wiki/ParaView/Data_formats#PVD_File_Format>.
+
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+use super::vti::{self, Array, escape};
+use super::{Format, replace_bytes};
+use crate::error::{Result, finite};
+
+const FORMAT: Format = Format("PVD");
+
+/// A series of [VTI](super::vti) files, and the PVD file that lists them with their times.
+///
+/// The files of the series lie beside it and bear its name and their number: `run.pvd`, `run.0000.vti`, `run.0001.vti`.
+/// The list is replaced as a whole after every file, so that a run may be looked at, or break off, at any time.
+///
+/// ```no_run
+/// use stickslip::io::{pvd::Series, vti::Array};
+/// # fn run(history: &stickslip::History) -> stickslip::Result<()> {
+/// let mut series = Series::new("target/run.pvd")?;
+/// series.write(
+///     0.5,
+///     &[("pressure", Array::from(history.pressure())), ("traction", history.traction().into())],
+/// )?;
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Debug, Clone)]
+pub struct Series {
+    path: PathBuf,
+    /// Name of the series, without its ending.
+    name: String,
+    times: Vec<f64>,
+}
+
+impl Series {
+    /// An empty series in a file, which is replaced.
+    ///
+    /// # Errors
+    /// [`Error::Format`](crate::Error::Format) for a path without a name in UTF-8;
+    /// [`Error::File`](crate::Error::File) if the file cannot be written.
+    pub fn new(path: impl AsRef<Path>) -> Result<Self> {
+        let path = path.as_ref();
+        let Some(name) = path.file_stem().and_then(|name| name.to_str()) else {
+            let problem = "the path has no name that the list could hold";
+            return Err(FORMAT.in_entry(&path.display().to_string(), problem));
+        };
+        let series = Self {
+            path: path.to_owned(),
+            name: name.to_owned(),
+            times: Vec::new(),
+        };
+        replace_bytes(path, series.to_text().as_bytes())?;
+        Ok(series)
+    }
+
+    /// Writes fields and vectors at a time, which may be a number of cycles, and lists them.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`](crate::Error::NotFinite) for the time; as [`vti::write`].
+    pub fn write<'a>(
+        &mut self,
+        time: f64,
+        fields: &[(&str, impl Into<Array<'a>> + Copy)],
+    ) -> Result<()> {
+        finite("time", time)?;
+        let file = self.path.with_file_name(self.file(self.times.len()));
+        vti::write(file, fields)?;
+        self.times.push(time);
+        let listed = replace_bytes(&self.path, self.to_text().as_bytes());
+        if listed.is_err() {
+            self.times.pop();
+        }
+        listed
+    }
+
+    /// Files written so far.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.times.len()
+    }
+
+    /// Whether none has been written.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.times.is_empty()
+    }
+
+    fn file(&self, number: usize) -> String {
+        format!("{}.{number:04}.vti", self.name)
+    }
+
+    fn to_text(&self) -> String {
+        let mut text = String::from(
+            r#"<?xml version="1.0"?>
+<VTKFile type="Collection" version="1.0" byte_order="LittleEndian">
+  <Collection>
+"#,
+        );
+        for (number, time) in self.times.iter().enumerate() {
+            let file = escape(&self.file(number));
+            writeln!(
+                text,
+                r#"    <DataSet timestep="{time}" part="0" file="{file}"/>"#
+            )
+            .expect("writing to a string cannot fail");
+        }
+        text.push_str("  </Collection>\n</VTKFile>\n");
+        text
+    }
+}
