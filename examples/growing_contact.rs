@@ -134,7 +134,8 @@ impl Scene {
             .build()?;
         let mut last: Leg = (0.0, [0.0; 2]);
         for &leg in legs {
-            let steps = if leg.1 == last.1 { 1 } else { steps };
+            let shears = (leg.1[0] - last.1[0]).hypot(leg.1[1] - last.1[1]) > 0.0;
+            let steps = if shears { steps } else { 1 };
             for step in 1..=steps {
                 let part = f64::from(step) / f64::from(steps);
                 let between = |a: f64, b: f64| a + part * (b - a);

@@ -177,7 +177,7 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
     /// to the last.
     fn survey_spots(&self) -> (Vec<usize>, [bool; 2]) {
         let mut spots: Vec<(usize, [[bool; 2]; 2])> = Vec::new();
-        let last = self.grid.size().map(|count| count as i64 - 1);
+        let last = self.grid.size().map(|count| signed(count) - 1);
         self.walk_spots(|spot, _, place| {
             spots.resize(spot + 1, Default::default());
             let (size, edges) = &mut spots[spot];
@@ -212,7 +212,7 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
 
     /// Shows every cell of every spot, a set connected through the sides of its cells, once: the number of the spot, the cell, and where it lies, in columns and rows from
     /// the corner of the grid; on a periodic grid beyond its edges where the spot goes on there from its first cell.
-    pub(crate) fn walk_spots(&self, mut show: impl FnMut(usize, usize, [i64; 2])) {
+    pub(crate) fn walk_spots(&self, mut show: impl FnMut(usize, usize, [isize; 2])) {
         let mut visited = vec![false; self.grid.cells()];
         let (mut spot, mut stack) = (0, Vec::new());
         let nx = self.grid.nx();
@@ -221,7 +221,7 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
                 continue;
             }
             visited[seed] = true;
-            stack.push((seed, [(seed % nx) as i64, (seed / nx) as i64]));
+            stack.push((seed, [signed(seed % nx), signed(seed / nx)]));
             while let Some((cell, [column, row])) = stack.pop() {
                 show(spot, cell, [column, row]);
                 let places = [[-1, 0], [0, -1], [1, 0], [0, 1]];
@@ -244,6 +244,11 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
             .map(|next| usize::from(next.is_none_or(|next| !(self.contains)(next))));
         [left + right, below + above]
     }
+}
+
+/// A place in memory as a signed one: no slice is longer than `isize::MAX`.
+fn signed(place: usize) -> isize {
+    isize::try_from(place).unwrap_or(isize::MAX)
 }
 
 /// The cells to the left, below, to the right and above one of `nx` by `ny`; beyond an edge none, or the periodic image.

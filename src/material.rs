@@ -154,6 +154,9 @@ fn check_poisson_ratio(poisson_ratio: f64) -> Result<()> {
 /// let steel = Material::new(213e9, 0.29)?;
 /// let pair = ElasticPair::new(steel, steel)?;
 /// assert!((pair.contact_modulus() / 116.27906977e9 - 1.0).abs() < 1e-9);
+/// // Of equal bodies, G* is G over 2 (2 - nu).
+/// let expected = steel.shear_modulus() / (2.0 * 1.71);
+/// assert!((pair.tangential_modulus() / expected - 1.0).abs() < 1e-12);
 /// assert_eq!(pair.dundurs_beta(), 0.0);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
@@ -206,7 +209,7 @@ impl ElasticPair {
             },
         };
         positive("contact modulus of the pair", pair.contact_modulus())?;
-        positive("shear modulus of the pair", pair.shear_modulus())?;
+        positive("shear modulus of the pair", pair.equivalent_shear_modulus())?;
         finite("Dundurs' beta of the pair", pair.dundurs_beta())?;
         Ok(pair)
     }
@@ -217,22 +220,31 @@ impl ElasticPair {
         self.bodies
     }
 
-    /// Contact modulus `E*`, `1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2` (a pressure).
+    /// Contact modulus `E*`, `1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2` (a pressure), Johnson's; for one body on a rigid
+    /// one its plane-strain modulus.
     #[must_use]
     pub fn contact_modulus(&self) -> f64 {
         2.0 / self.compliances.normal
     }
 
-    /// Shear modulus of the equivalent single body, `1/G = 1/G_1 + 1/G_2` (a pressure).
+    /// Tangential modulus `G*`, `1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2` (a pressure), as in Johnson's and Mindlin's
+    /// stiffness `8 G* a` of a circular contact of radius `a` that sticks.
     #[must_use]
-    pub fn shear_modulus(&self) -> f64 {
+    pub fn tangential_modulus(&self) -> f64 {
+        1.0 / (2.0 * self.compliances.normal + self.compliances.lateral)
+    }
+
+    /// Shear modulus of the one body that is as compliant as both, `1/G = 1/G_1 + 1/G_2` (a pressure); see
+    /// [`tangential_modulus`](Self::tangential_modulus) for `G*`.
+    #[must_use]
+    pub fn equivalent_shear_modulus(&self) -> f64 {
         1.0 / (self.compliances.normal + self.compliances.lateral)
     }
 
-    /// Poisson's ratio of the equivalent single body, `nu = G (nu_1/G_1 + nu_2/G_2)`.
+    /// Poisson's ratio of the one body that is as compliant as both, `nu = G (nu_1/G_1 + nu_2/G_2)`.
     #[must_use]
-    pub fn poisson_ratio(&self) -> f64 {
-        self.compliances.lateral * self.shear_modulus()
+    pub fn equivalent_poisson_ratio(&self) -> f64 {
+        self.compliances.lateral * self.equivalent_shear_modulus()
     }
 
     /// Dundurs' second parameter `beta`, the strength of the coupling between pressure and shear.

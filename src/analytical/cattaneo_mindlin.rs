@@ -61,9 +61,9 @@ impl CattaneoMindlin {
     /// exceeds $`\mu W`$.
     pub fn new(hertz: HertzSphere, friction: f64, force: f64) -> Result<Self> {
         let slip = PartialSlip::new(hertz.load(), friction, force)?;
-        let (pair, poisson_ratio) = (hertz.pair(), hertz.pair().poisson_ratio());
-        let compliance =
-            (2.0 - poisson_ratio) / (8.0 * pair.shear_modulus() * hertz.contact_radius());
+        let (pair, poisson_ratio) = (hertz.pair(), hertz.pair().equivalent_poisson_ratio());
+        let compliance = (2.0 - poisson_ratio)
+            / (8.0 * pair.equivalent_shear_modulus() * hertz.contact_radius());
         Ok(Self {
             hertz,
             poisson_ratio,
@@ -261,8 +261,9 @@ impl CattaneoMindlinEllipse {
         let long = along.max(across);
         let Integrals { k, d } = Integrals::of_axis_ratio(along.min(across) / long);
         let n = if along >= across { d } else { k - d };
-        let (pair, nu) = (hertz.pair(), hertz.pair().poisson_ratio());
-        let compliance = ((1.0 - nu) * k + nu * n) / (2.0 * PI * pair.shear_modulus() * long);
+        let (pair, nu) = (hertz.pair(), hertz.pair().equivalent_poisson_ratio());
+        let compliance =
+            ((1.0 - nu) * k + nu * n) / (2.0 * PI * pair.equivalent_shear_modulus() * long);
         Ok(Self {
             hertz,
             slip,

@@ -198,7 +198,7 @@ impl ConePartialSlip {
     /// exceeds $`\mu W`$.
     pub fn new(cone: Cone, friction: f64, force: f64) -> Result<Self> {
         let held = HeldForce::new(cone.load, friction, force)?;
-        let nu = cone.pair.poisson_ratio();
+        let nu = cone.pair.equivalent_poisson_ratio();
         let shift = (2.0 - nu) / (2.0 * (1.0 - nu)) * friction * cone.approach;
         Ok(Self {
             cone,

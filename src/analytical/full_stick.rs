@@ -51,8 +51,8 @@ impl MindlinFullStick {
     pub fn new(pair: &ElasticPair, contact_radius: f64, force: f64) -> Result<Self> {
         positive("contact radius", contact_radius)?;
         finite("tangential force", force)?;
-        let compliance =
-            (2.0 - pair.poisson_ratio()) / (8.0 * pair.shear_modulus() * contact_radius);
+        let compliance = (2.0 - pair.equivalent_poisson_ratio())
+            / (8.0 * pair.equivalent_shear_modulus() * contact_radius);
         Ok(Self {
             pair: *pair,
             contact_radius,
@@ -110,7 +110,7 @@ impl MindlinFullStick {
         if rho > 1.0 {
             let cosine = (xi - eta) / rho * ((xi + eta) / rho);
             let lobes = dome(1.0 / rho) / rho * cosine;
-            let nu = self.pair.poisson_ratio();
+            let nu = self.pair.equivalent_poisson_ratio();
             self.shift * FRAC_2_PI * (arc_sine(1.0, rho) + nu / (2.0 - nu) * lobes)
         } else {
             self.shift

@@ -35,7 +35,7 @@ use crate::error::{Result, finite, positive};
 /// assert!(c < a && torsion.moment() < torsion.sliding_moment());
 /// // A small twist causes hardly any slip: M = (16/3) G a^3 beta.
 /// let small = LubkinTorsion::new(ball, 0.5, 1e-9)?;
-/// let stick = 16.0 / 3.0 * pair.shear_modulus() * a.powi(3) * 1e-9;
+/// let stick = 16.0 / 3.0 * pair.equivalent_shear_modulus() * a.powi(3) * 1e-9;
 /// assert!((small.moment() / stick - 1.0).abs() < 1e-6);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
@@ -62,7 +62,7 @@ impl LubkinTorsion {
         positive("coefficient of friction", friction)?;
         finite("twist", twist)?;
         let limit = positive("friction limit", friction * hertz.max_pressure())?;
-        let strain = 2.0 * hertz.pair().shear_modulus() / limit * twist.abs();
+        let strain = 2.0 * hertz.pair().equivalent_shear_modulus() / limit * twist.abs();
         let a = hertz.contact_radius();
         // E is at least one, so the stick radius is at least this.
         positive("stick radius", a * (-strain).exp())?;

@@ -83,7 +83,7 @@ impl HistoryBuilder<'_> {
     }
 
     /// How far a cell that comes into contact within a step follows its motion (default
-    /// [`TouchRule::Growth`](crate::history::TouchRule::Growth)).
+    /// [`TouchRule::Growth`]).
     pub fn touch_rule(mut self, touch_rule: TouchRule) -> Self {
         self.touch_rule = touch_rule;
         self

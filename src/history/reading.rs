@@ -78,6 +78,7 @@ impl History {
     }
 
     /// Shear traction q on body 1 (pressures), positive along the axes; exactly zero outside the contact.
+    #[doc(alias = "shear stress")]
     #[must_use]
     pub fn traction(&self) -> [&Field; 2] {
         self.state.traction()

@@ -27,9 +27,9 @@ use crate::window::Window;
 /// Vectors are `[x, y]`; the scalar model leaves the component across its axis at zero.
 ///
 /// Beside its bodies it takes 200 bytes per cell of the grid and 380 per cell of the contact's bounding box,
-/// in the vector model ([`HistoryBuilder::model`]) 650 there, operators included, and one or two megabytes
-/// whatever the size. A contact that outgrows the box takes a wider one for good, and in that step a quarter more in
-/// all, in the plane two fifths. After the first steps, a step within it allocates nothing.
+/// in the vector model ([`HistoryBuilder::model`]) 650 there, operators included. A contact that outgrows the box takes
+/// a wider one for good, and in that step a quarter more in all, in the plane two fifths. After the first steps, a step
+/// within it allocates nothing.
 ///
 /// Its [`state`](Self::state) is a value: a clone of it keeps what to return to ([`set_state`](Self::set_state)) or to
 /// continue from ([`from_state`](Self::from_state)), and [`to_bytes`](Self::to_bytes) saves it.

@@ -22,7 +22,7 @@ pub enum TouchRule {
     WholeStep,
 }
 
-/// Growth of the normal force, relative to the force, below which it is round-off.
+/// Growth of a force, relative to it, below which it is round-off.
 const NO_GROWTH: f64 = 1e-9;
 
 /// Part of the sum of squares below which a regression has nothing to tell a slope by.
@@ -95,7 +95,7 @@ impl<'a> Press<'a> {
     /// `None` if the bodies were not pressed further together.
     fn new(state: &'a State, pressed: &'a NormalSolution, load: &LoadStep) -> Option<Self> {
         let force = pressed.force() - state.normal.force();
-        let is_growth = force.abs() > NO_GROWTH * pressed.force();
+        let is_growth = !is_same(pressed.force(), state.normal.force());
         let mut press = Self {
             state,
             pressed,
@@ -308,7 +308,7 @@ fn slope(
             TangentialControl::Hold => (by_shift, turned[a]),
             TangentialControl::Shift(end) => (by_shift, end - shift + turned[a]),
             TangentialControl::Force(end) if press.force > 0.0 => (by_force, end - force),
-            TangentialControl::Force(end) if end == force => continue,
+            TangentialControl::Force(end) if is_same(end, force) => continue,
             TangentialControl::Force(_) => return None,
             TangentialControl::Spring {
                 position,
@@ -326,4 +326,9 @@ fn slope(
         (xx * right[1] - yx * right[0]) / determinant,
     ];
     slope.iter().all(|part| part.is_finite()).then_some(slope)
+}
+
+/// Whether a force does not change but for round-off.
+fn is_same(end: f64, start: f64) -> bool {
+    (end - start).abs() <= NO_GROWTH * end.abs().max(start.abs())
 }

@@ -79,7 +79,7 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
         if has_mask {
             masks[cell] != 0.0
         } else {
-            header.void != 0.0 && heights[cell] == header.void
+            header.void != 0.0 && heights[cell].to_bits() == header.void.to_bits()
         }
     };
     let height = |cell: usize| {

@@ -1,6 +1,7 @@
 //! The answer to a normal contact.
 
 use crate::boundary::Boundary;
+use crate::cgm::reduce;
 use crate::contact_map::{ContactMap, Warning};
 use crate::error::{Error, Result};
 #[cfg(feature = "serde")]
@@ -160,7 +161,7 @@ impl NormalSolution {
     /// Sums of x p and of y p, times the area of a cell.
     fn first_moments(&self) -> [f64; 2] {
         let (grid, pressure) = (self.grid(), self.pressure.as_slice());
-        let sums = parallel::sums(pressure.len(), |i| {
+        let sums = reduce::sums(pressure.len(), |i| {
             let (x, y) = (grid.x(i % grid.nx()), grid.y(i / grid.nx()));
             [x * pressure[i], y * pressure[i]]
         });
@@ -192,7 +193,7 @@ impl NormalSolution {
     pub fn elastic_energy(&self, bodies: &HalfSpace) -> Result<f64> {
         let displacement = self.displacement(bodies)?;
         let (p, u) = (self.pressure.as_slice(), displacement.as_slice());
-        let [sum] = parallel::sums(p.len(), |i| [p[i] * u[i]]);
+        let [sum] = reduce::sums(p.len(), |i| [p[i] * u[i]]);
         Ok(0.5 * self.grid().cell_area() * sum)
     }
 

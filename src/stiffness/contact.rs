@@ -3,12 +3,12 @@
 use crate::cgm::small::Small;
 use crate::error::{Result, positive};
 use crate::field::Field;
-use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::influence::Direction;
 use crate::normal::NormalSolution;
+use crate::stiffness::motions::Motions;
 use crate::stiffness::system::{Freedom, Stiffness, System, Vector, times};
-use crate::tangential::{Axis, Friction, TangentialSolution, Zone, centre};
+use crate::tangential::{Axis, Friction, TangentialSolution, Zone};
 use crate::window::Window;
 
 /// The normal stiffness of a contact.
@@ -40,6 +40,9 @@ pub struct TangentialStiffness {
 }
 
 /// The stiffness of a contact in all directions.
+#[doc(alias = "tangent")]
+#[doc(alias = "slope")]
+#[doc(alias = "jacobian")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -340,86 +343,5 @@ impl Sheared<'_> {
             }
         }
         forced
-    }
-}
-
-/// The motions of a model: shifts, and the twist about the centre of the contact.
-struct Motions<const N: usize> {
-    cells: Vec<Vector<N>>,
-    /// Which of shift along x, shift along y and twist each is.
-    kinds: Vec<usize>,
-    centre: [f64; 2],
-}
-
-impl<const N: usize> Motions<N> {
-    fn new(
-        grid: Grid,
-        window: Window,
-        axes: [Axis; N],
-        is_contact: impl Fn(usize) -> bool,
-    ) -> Self {
-        let (mut sum, mut count) = ([0.0; 2], 0.0);
-        for i in window.indices().filter(|&i| is_contact(i)) {
-            let [x, y] = centre(grid, i);
-            (sum, count) = ([sum[0] + x, sum[1] + y], count + 1.0);
-        }
-        let middle = sum.map(|sum| sum / count);
-        let motion = |f: &dyn Fn([f64; 2]) -> [f64; 2]| -> Vector<N> {
-            let mut cells = std::array::from_fn(|_| vec![0.0; window.cells()]);
-            for (k, i) in window.indices().enumerate().filter(|&(_, i)| is_contact(i)) {
-                let moved = f(centre(grid, i));
-                for (part, axis) in cells.iter_mut().zip(axes) {
-                    part[k] = moved[axis.index()];
-                }
-            }
-            cells
-        };
-        let mut cells: Vec<_> = axes
-            .iter()
-            .map(|axis| {
-                let mut unit = [0.0; 2];
-                unit[axis.index()] = 1.0;
-                motion(&|_| unit)
-            })
-            .collect();
-        let mut kinds: Vec<_> = axes.iter().map(|axis| axis.index()).collect();
-        if N == 2 {
-            cells.push(motion(&|[x, y]| [middle[1] - y, x - middle[0]]));
-            kinds.push(2);
-        }
-        Self {
-            cells,
-            kinds,
-            centre: middle,
-        }
-    }
-
-    /// Loads by the kinds of motions, about the origin of the grid.
-    fn loads(&self, loads: [f64; 3]) -> [f64; 3] {
-        let mut all = [0.0; 3];
-        for (&kind, load) in self.kinds.iter().zip(loads) {
-            all[kind] = load;
-        }
-        let [x, y] = self.centre;
-        if self.kinds.contains(&2) {
-            all[2] += x * all[1] - y * all[0];
-        }
-        all
-    }
-
-    /// A matrix by the kinds of motions, about the origin of the grid.
-    fn matrix(&self, matrix: &[[f64; 3]; 3]) -> [[f64; 3]; 3] {
-        let mut columns = [[0.0; 3]; 3];
-        for (place, &kind) in self.kinds.iter().enumerate() {
-            columns[kind] = self.loads(matrix.map(|row| row[place]));
-        }
-        // A twist about the origin shifts the centre.
-        let [x, y] = self.centre;
-        if self.kinds.contains(&2) {
-            for load in 0..3 {
-                columns[2][load] += x * columns[1][load] - y * columns[0][load];
-            }
-        }
-        [0, 1, 2].map(|load| columns.map(|column| column[load]))
     }
 }

@@ -37,6 +37,7 @@
 //! ```
 
 mod contact;
+mod motions;
 mod system;
 
 pub(crate) use contact::Sheared;

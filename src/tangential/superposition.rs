@@ -90,7 +90,7 @@ impl JaegerSuperposition {
                 (true, false) => Zone::Slip,
             })
             .collect();
-        let nu = pair.poisson_ratio();
+        let nu = pair.equivalent_poisson_ratio();
         let ratio = (2.0 - nu) / (2.0 * (1.0 - nu));
         Ok(Self {
             traction: Field::from_vec(grid, traction)?,

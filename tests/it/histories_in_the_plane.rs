@@ -283,7 +283,8 @@ fn a_twist_follows_lubkin() {
         let gap = sphere(cells);
         let bodies = unit_bodies(gap.grid(), 0.3);
         let hertz = HertzSphere::new(bodies.pair(), 20.0, LOAD).unwrap();
-        let strain = FRICTION * hertz.max_pressure() / (2.0 * bodies.pair().shear_modulus());
+        let strain =
+            FRICTION * hertz.max_pressure() / (2.0 * bodies.pair().equivalent_shear_modulus());
         for steps in [1, 4] {
             let mut history = pressed(&bodies, &gap, TangentialModel::Vector, 1e-9);
             let twist = 1.5 * strain;

@@ -26,7 +26,7 @@ const TORSION: [[f64; 3]; 5] = [
 /// modulus.
 fn twisted(strain: f64) -> Result<LubkinTorsion> {
     let ball = ball()?;
-    let unit = FRICTION * ball.max_pressure() / steel()?.shear_modulus();
+    let unit = FRICTION * ball.max_pressure() / steel()?.equivalent_shear_modulus();
     LubkinTorsion::new(ball, FRICTION, strain * unit)
 }
 
@@ -88,7 +88,7 @@ fn stick_disc_turns_by_the_twist() -> Result<()> {
         LubkinTorsion::new(unlike_ball, 0.5, -0.2)?,
     ] {
         let (a, c) = (torsion.hertz().contact_radius(), torsion.stick_radius());
-        let shear_modulus = torsion.hertz().pair().shear_modulus();
+        let shear_modulus = torsion.hertz().pair().equivalent_shear_modulus();
         let rotation = |r: f64| {
             let sum = sum_over_chords(a, r, |d, t| {
                 let along = chord_integral(c.max(d), a, d, |r| torsion.traction(r) / r);
@@ -109,7 +109,7 @@ fn stick_disc_turns_by_the_twist() -> Result<()> {
 #[test]
 fn small_and_large_twists_keep_their_digits() -> Result<()> {
     let ball = ball()?;
-    let (a, shear_modulus) = (ball.contact_radius(), steel()?.shear_modulus());
+    let (a, shear_modulus) = (ball.contact_radius(), steel()?.equivalent_shear_modulus());
     let small = twisted(1e-13)?;
     let stiffness = 16.0 / 3.0 * shear_modulus * a.powi(3);
     assert_close(small.moment(), stiffness * small.twist());
