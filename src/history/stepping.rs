@@ -26,7 +26,7 @@ use crate::window::Window;
 ///
 /// Vectors are `[x, y]`; the scalar model leaves the component across its axis at zero.
 ///
-/// Beside its bodies it takes 200 bytes per cell of the grid and 380 per cell of the contact's bounding box,
+/// Beside its bodies it takes 195 bytes per cell of the grid and 380 per cell of the contact's bounding box,
 /// in the vector model ([`HistoryBuilder::model`]) 650 there, operators included. A contact that outgrows the box takes
 /// a wider one for good, and in that step a quarter more in all, in the plane two fifths. After the first steps, a step
 /// within it allocates nothing.

@@ -22,7 +22,7 @@ pub enum TouchRule {
     WholeStep,
 }
 
-/// Growth of a force, relative to it, below which it is round-off.
+/// Growth of a quantity, relative to it, below which it is round-off.
 const NO_GROWTH: f64 = 1e-9;
 
 /// Part of the sum of squares below which a regression has nothing to tell a slope by.
@@ -43,7 +43,8 @@ pub(super) fn follow_growth(
     let before = state.pressure().as_slice();
     let touches = |(k, i): (usize, usize)| increment.pressed.pressure[k] > 0.0 && before[i] <= 0.0;
     let mut cells = increment.pressed.window.indices().enumerate();
-    if state.touch_rule == TouchRule::WholeStep || !cells.any(touches) {
+    let is_asked = state.touch_rule == TouchRule::Growth && is_driven(state, demand);
+    if !is_asked || !cells.any(touches) {
         return;
     }
     let Some(press) = Press::new(state, pressed, load) else {
@@ -328,7 +329,21 @@ fn slope(
     slope.iter().all(|part| part.is_finite()).then_some(slope)
 }
 
-/// Whether a force does not change but for round-off.
+/// Whether the step asks for shear that the state does not have.
+fn is_driven(state: &State, demand: &Demand) -> bool {
+    let asks = |a: usize| match demand.controls[a] {
+        TangentialControl::Hold => false,
+        TangentialControl::Shift(end) => !is_same(end, state.shift()[a]),
+        TangentialControl::Force(end) => !is_same(end, state.force()[a]),
+        TangentialControl::Spring {
+            position,
+            stiffness,
+        } => !is_same(stiffness * (position - state.shift()[a]), state.force()[a]),
+    };
+    asks(0) || asks(1) || !is_same(demand.twist, state.motion.twist)
+}
+
+/// Whether a quantity does not change but for round-off.
 fn is_same(end: f64, start: f64) -> bool {
     (end - start).abs() <= NO_GROWTH * end.abs().max(start.abs())
 }

@@ -209,7 +209,14 @@ fn warnings_are_values() {
             .unwrap()
     };
     let flat = press(&Field::zeros(grid), 1.0);
-    assert_eq!(flat.warnings(), [Warning::ContactAtEdge { cells: 4 * 31 }]);
+    let across = Warning::ContactAcross {
+        along_x: true,
+        along_y: true,
+    };
+    assert_eq!(
+        flat.warnings(),
+        [Warning::ContactAtEdge { cells: 4 * 31 }, across]
+    );
     assert_eq!(flat.contact_cells(), 1024);
     let point = press(&surface::sphere(grid, 0.01).unwrap(), 1e-7);
     assert!(matches!(
