@@ -14,10 +14,11 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use stickslip::analytical::{Persson, RoughSphere};
+use stickslip::io::vti::Array;
 use stickslip::surface::{self, Form, SelfAffine, Statistics};
 use stickslip::{
-    ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
-    NormalSolution, TangentialLoad, TangentialProblem, TangentialSolution, Zone, io,
+    Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl,
+    NormalProblem, NormalSolution, TangentialLoad, TangentialProblem, TangentialSolution, Zone, io,
 };
 
 // SI units.
@@ -39,7 +40,8 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let steel = Material::new(210e9, 0.3)?;
     let pair = ElasticPair::new(steel, steel)?;
-    let bodies = HalfSpace::new(heights.grid(), pair)?;
+    // A sample of a nominally flat surface, which goes on beyond its edges.
+    let bodies = HalfSpace::with_boundary(heights.grid(), pair, Boundary::Periodic)?;
     // A measurement is not periodic: its spectral slope would include the step from edge to edge.
     let slope = statistics.finite_difference_rms_slope();
     let pressure = AREA / RoughSphere::AREA_COEFFICIENT * slope * pair.contact_modulus();
@@ -158,18 +160,16 @@ fn write_fields(
     };
     let zones = shear.zones().iter().map(zone).collect();
     let zones = Field::from_vec(heights.grid(), zones)?;
-    let [traction, _] = shear.traction();
-    let [slip, _] = shear.slip();
     let path = support::gallery("measured.vti")?;
     io::vti::write(
         &path,
         &[
-            ("height", heights),
-            ("gap", normal.gap()),
-            ("pressure", normal.pressure()),
-            ("traction", traction),
-            ("slip", slip),
-            ("zone", &zones),
+            ("height", Array::from(heights)),
+            ("gap", normal.gap().into()),
+            ("pressure", normal.pressure().into()),
+            ("traction", shear.traction().into()),
+            ("slip", shear.slip().into()),
+            ("zone", (&zones).into()),
         ],
     )?;
     println!("fields: {}", path.display());
