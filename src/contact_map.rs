@@ -23,10 +23,12 @@ pub enum Warning {
         /// Number of all spots.
         spots: usize,
     },
-    /// The grid is a line of cells, and does not repeat: a row of rectangles, whose ends bear peaks of pressure. It is no
+    /// The grid is a line of cells, and does not repeat: a row of rectangles, whose ends bear peaks of pressure. It
+    /// is no
     /// line contact in plane strain.
     LineOfCells,
-    /// A contact spot runs from edge to edge of the grid, as that of a cylinder does: the bodies end there, and the ends
+    /// A contact spot runs from edge to edge of the grid, as that of a cylinder does: the bodies end there, and the
+    /// ends
     /// bear peaks of pressure that a longer body does not have.
     ContactAcross {
         /// From the first column to the last.
@@ -173,7 +175,8 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
         warnings
     }
 
-    /// Number of cells of each spot, and whether one spot runs from the first column to the last, and from the first row
+    /// Number of cells of each spot, and whether one spot runs from the first column to the last, and from the first
+    /// row
     /// to the last.
     fn survey_spots(&self) -> (Vec<usize>, [bool; 2]) {
         let mut spots: Vec<(usize, [[bool; 2]; 2])> = Vec::new();
@@ -210,8 +213,8 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
         edge.filter(|&i| (self.contains)(i)).count()
     }
 
-    /// Shows every cell of every spot, a set connected through the sides of its cells, once: the number of the spot, the cell, and where it lies, in columns and rows from
-    /// the corner of the grid; on a periodic grid beyond its edges where the spot goes on there from its first cell.
+    /// Calls `show` once for every cell of every spot (a set connected through cell sides): number of the spot, cell, and
+    /// its column and row; on a periodic grid these continue beyond the edges from the spot's first cell.
     pub(crate) fn walk_spots(&self, mut show: impl FnMut(usize, usize, [isize; 2])) {
         let mut visited = vec![false; self.grid.cells()];
         let (mut spot, mut stack) = (0, Vec::new());
@@ -251,7 +254,8 @@ fn signed(place: usize) -> isize {
     isize::try_from(place).unwrap_or(isize::MAX)
 }
 
-/// The cells to the left, below, to the right and above one of `nx` by `ny`; beyond an edge none, or the periodic image.
+/// The cells to the left, below, to the right and above one of `nx` by `ny`; beyond an edge none, or the periodic
+/// image.
 pub(crate) fn neighbours(i: usize, [nx, ny]: [usize; 2], boundary: Boundary) -> [Option<usize>; 4] {
     let wraps = boundary == Boundary::Periodic;
     let (ix, last_row) = (i % nx, nx * (ny - 1));

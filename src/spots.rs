@@ -7,7 +7,8 @@ use crate::history::History;
 use crate::normal::NormalSolution;
 use crate::tangential::{TangentialSolution, Zone};
 
-/// The spots of a contact: sets of contact cells connected through their sides, across the edges of a periodic grid too.
+/// The spots of a contact: sets of contact cells connected through their sides, across the edges of a periodic grid
+/// too.
 ///
 /// ```
 /// use stickslip::*;
@@ -50,8 +51,9 @@ pub struct Spot {
     pub mean_pressure: f64,
     /// Largest pressure of its cells.
     pub max_pressure: f64,
-    /// Centre of the area (lengths). A spot across the edges of a periodic grid has it in the grid; one that goes all round
-    /// has none that means much.
+    /// Centre of the area (lengths). That of a spot across the edges of a periodic grid is given inside the grid; for
+    /// a spot
+    /// that spans the whole period it is not meaningful.
     pub centroid: [f64; 2],
     /// Length of its edge, along the sides of its cells: longer than the edge of a round spot by a factor of 4/pi.
     pub perimeter: f64,
@@ -106,7 +108,8 @@ impl ContactSpots {
         &self.spots
     }
 
-    /// The place of the spot that a cell belongs to, in [`ContactSpots::as_slice`]; `None` outside the contact and the grid.
+    /// The place of the spot that a cell belongs to, in [`ContactSpots::as_slice`]; `None` outside the contact and
+    /// the grid.
     #[must_use]
     pub fn label(&self, cell: usize) -> Option<usize> {
         let label = self.labels.get(cell).copied().unwrap_or(0);
@@ -141,7 +144,7 @@ impl Sums {
                 [grid.nx(), grid.ny()][axis] as f64,
                 [grid.dx(), grid.dy()][axis],
             );
-            let place = (self.place[axis] / cells).rem_euclid(count);
+            let place = (self.place[axis] / cells + 0.5).rem_euclid(count) - 0.5;
             (place - 0.5 * (count - 1.0)) * side
         };
         let [along_y, along_x] = self.open_sides.map(|sides| sides as f64);

@@ -10,8 +10,8 @@ const SHORTEST: f64 = 1.0 / 4096.0;
 
 /// What one step differs by from the same load in two.
 ///
-/// Of a step whose error is of second order in its length, the two halves have a third of this; where it is of first
-/// order, they have as much.
+/// If the error is of second order in the length of the step, the two halves have a third of this difference as their
+/// error; if it is of first order, all of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -29,14 +29,18 @@ pub struct StepError {
 
 /// Takes a load in steps short enough for a tolerance, and tells the error of a step.
 ///
-/// The state after a step is that of a load that went straight from beginning to end, up to an error whose order is told
-/// by [growing contacts](crate::guide::growing_contacts). A step is compared with the same load in two halves, and the halves count. They
-/// are taken if [`StepError::traction`] is at most the tolerance times the root of the step's part of the load, else the
-/// step is shortened: an estimate, no bound. On a ball that turns its shift while it grows, the error after the load was
+/// The state after a step is that of a load that went straight from beginning to end, up to an error whose order is
+/// told
+/// by [growing contacts](crate::guide::growing_contacts). A step is compared with the same load in two halves, and
+/// the halves count. They
+/// are taken if [`StepError::traction`] is at most the tolerance times the root of the step's part of the load, else
+/// the
+/// step is shortened: an estimate, no bound. On a ball that turns its shift while it grows, the error after the load
+/// was
 /// 0.2 to 2.5 of the tolerance.
 ///
 /// All that is prescribed goes from its value before to that of the load in proportion. The buffers take the memory of
-/// four states; a step allocates nothing but what [`History::step`] does.
+/// four states. A step allocates where the contact outgrows its box, each time that the step is tried.
 ///
 /// ```
 /// use stickslip::history::AdaptiveSteps;
@@ -73,10 +77,12 @@ pub struct AdaptiveSteps {
 }
 
 impl AdaptiveSteps {
-    /// For histories on the grid of this one, with the tolerance of [`StepError::traction`] for a whole load, in `(0, 1)`.
+    /// For histories on the grid of this one, with the tolerance of [`StepError::traction`] for a whole load, in `(0,
+    /// 1)`.
     ///
-    /// A tolerance within a hundred times that of the history's [settings](History::settings) asks for the error of the
-    /// solves, which no step is short enough for.
+    /// A tolerance below about a hundred times that of the history's [settings](History::settings) cannot be met: the
+    /// error
+    /// of the solves then dominates, however short the steps.
     ///
     /// # Errors
     /// [`Error::Tolerance`].
@@ -110,7 +116,9 @@ impl AdaptiveSteps {
     ///
     /// # Errors
     /// As [`History::step`]; [`Error::GridMismatch`] for a history on another grid; [`Error::StepTooLong`] if steps of
-    /// 1/4096 of the load are not short enough. The history is then as it was.
+    /// 1/4096 of the load are not short enough. The state is then as it was; the [last step](History::last_step) is
+    /// that of
+    /// the last attempt.
     pub fn step(&mut self, history: &mut History, load: &LoadStep) -> Result<usize> {
         self.step_observed(history, load, |_| Ok(()))
     }
@@ -155,9 +163,7 @@ impl AdaptiveSteps {
             // Less than in proportion to the part: later slip covers much of what early steps did wrong.
             let allowed = part.sqrt() * self.tolerance;
             if error <= allowed {
-                self.show_middle(history, observer)?;
-                observer(history)?;
-                self.kept.clone_from(history.state());
+                self.show(history, observer)?;
                 (start, steps) = (end, steps + 2);
                 let may_double = error <= 0.25 * allowed && (start / part) % 2.0 == 0.0;
                 if may_double && start + 2.0 * part <= 1.0 {
@@ -221,19 +227,20 @@ impl AdaptiveSteps {
         }
     }
 
-    /// Shows the observer the history after the first half of the step.
-    fn show_middle(
+    /// Shows the observer the history after the first half of the step, then after the second, and stays there.
+    fn show(
         &mut self,
         history: &mut History,
         observer: &mut impl FnMut(&History) -> Result<()>,
     ) -> Result<()> {
-        let swap = |history: &mut History, (state, step): &mut (State, StepResult)| {
-            std::mem::swap(&mut history.state, state);
-            std::mem::swap(&mut history.step, step);
-        };
-        swap(history, &mut self.middle);
+        let (state, step) = &mut self.middle;
+        self.kept.clone_from(history.state());
+        history.set_state(state)?;
+        std::mem::swap(&mut history.step, step);
         let outcome = observer(history);
-        swap(history, &mut self.middle);
-        outcome
+        std::mem::swap(&mut history.step, step);
+        history.set_state(&self.kept)?;
+        outcome?;
+        observer(history)
     }
 }

@@ -167,7 +167,7 @@ impl LoadStep {
     }
 }
 
-/// The tangential half alone, the pressure held.
+/// The tangential half alone, with the twist of the load, zero if it has none; the pressure is held.
 impl From<TangentialLoad> for LoadStep {
     fn from(load: TangentialLoad) -> Self {
         let demand = load.demand();

@@ -147,8 +147,10 @@ impl History {
     /// The stiffness of the contact: normal, tangential on loading and at reversal, and of the tangential load by the
     /// approach; see [`crate::stiffness`].
     ///
-    /// Loading is the derivative of the force of the last step by its motion, the sets held; in the vector model the slip
-    /// of the step taken last resists turning. Cells that come into contact follow further motion wholly.
+    /// Loading is the derivative of the force of the last step by its motion, the sets held: call it after the step. In the
+    /// vector model the slip of [the step taken last](Self::last_step) resists turning; after
+    /// [`set_state`](Self::set_state), that is another step, and after a restart there is none. Cells that come into
+    /// contact during further motion are not included.
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite) where a periodic contact is closed everywhere,

@@ -210,8 +210,8 @@ impl StepResult {
     }
 
     /// Remarks on the step: [`Warning::StalePressure`] if it held the pressure although
-    /// [`set_gap`](crate::History::set_gap) had changed the gap, [`Warning::ContactAtEdge`]. That spots are too small
-    /// to resolve is among the warnings of [`History::normal`](crate::History::normal) only.
+    /// [`set_gap`](crate::History::set_gap) had changed the gap, [`Warning::ContactAtEdge`]. Others, such as
+    /// spots too small to resolve, are among the warnings of [`History::normal`](crate::History::normal) only.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         self.remarks.warnings()

@@ -22,10 +22,10 @@ pub enum TouchRule {
     WholeStep,
 }
 
-/// Growth of a quantity, relative to it, below which it is round-off.
+/// Growth of a force, as part of the largest there is, below which it is round-off.
 const NO_GROWTH: f64 = 1e-9;
 
-/// Part of the sum of squares below which a regression has nothing to tell a slope by.
+/// Relative spread below which the slope of a regression is undetermined.
 const NO_SPREAD: f64 = 1e-12;
 
 /// Sets the offsets of the cells that come into contact back by what they do not follow of the motion.
@@ -43,7 +43,8 @@ pub(super) fn follow_growth(
     let before = state.pressure().as_slice();
     let touches = |(k, i): (usize, usize)| increment.pressed.pressure[k] > 0.0 && before[i] <= 0.0;
     let mut cells = increment.pressed.window.indices().enumerate();
-    let is_asked = state.touch_rule == TouchRule::Growth && is_driven(state, demand);
+    let limit = increment.pressed.limits.sum * state.grid().cell_area();
+    let is_asked = state.touch_rule == TouchRule::Growth && is_driven(state, demand, limit);
     if !is_asked || !cells.any(touches) {
         return;
     }
@@ -96,7 +97,7 @@ impl<'a> Press<'a> {
     /// `None` if the bodies were not pressed further together.
     fn new(state: &'a State, pressed: &'a NormalSolution, load: &LoadStep) -> Option<Self> {
         let force = pressed.force() - state.normal.force();
-        let is_growth = !is_same(pressed.force(), state.normal.force());
+        let is_growth = !is_same(pressed.force(), state.normal.force(), pressed.force());
         let mut press = Self {
             state,
             pressed,
@@ -205,13 +206,14 @@ impl Stuck {
         let compliance = mean_compliance(press, increment);
         let [x, y] = stuck.centre;
         let turned = [-turn * y, turn * x];
-        stuck.slope = slope(press, demand, &compliance, turned, increment.axes())?;
+        stuck.slope = slope(press, demand, &compliance, turned, increment)?;
         let [x, y] = compliance.map(|row| row[0] * stuck.slope[0] + row[1] * stuck.slope[1]);
         stuck.shift = [x, y].map(|shift| shift * press.approach);
-        Some(stuck)
+        let is_number = stuck.shift.iter().all(|shift| shift.is_finite());
+        is_number.then_some(stuck)
     }
 
-    /// What a rotation by one about the centre moves a point.
+    /// Displacement of a point by a unit rotation about the centre.
     fn around(&self, point: [f64; 2]) -> [f64; 2] {
         let [x, y] = minus(point, self.centre);
         [-y, x]
@@ -227,7 +229,7 @@ impl Stuck {
         plus(self.shift, self.turn, self.around(point))
     }
 
-    /// What the growth displaces a cell.
+    /// Displacement of a cell caused by the growth.
     fn displacement(&self, increment: &Increment, cell: usize) -> [f64; 2] {
         let part = |growth| increment.growth.displacement(growth, cell);
         let [x, y] = self.slope;
@@ -237,7 +239,8 @@ impl Stuck {
     }
 
     /// The rotation of the cells that were in contact at the beginning of the step, for each unit of `turning`: the
-    /// regression of the rotation over the part of the step that a cell was apart, there where that is zero. On a sphere
+    /// regression of the rotation over the part of the step that a cell was apart, there where that is zero. On a
+    /// sphere
     /// the rotation is linear in it.
     fn rotation(&self, press: &Press<'_>, increment: &Increment) -> Option<f64> {
         let pressed = &increment.pressed;
@@ -297,11 +300,12 @@ fn slope(
     demand: &Demand,
     compliance: &[[f64; 2]; 2],
     turned: [f64; 2],
-    axes: &[Axis],
+    increment: &Increment,
 ) -> Option<[f64; 2]> {
+    let limit = increment.pressed.limits.sum * press.state.grid().cell_area();
     // Row by row: what is prescribed along each axis, and that there is none across the axis of the scalar model.
     let (mut rows, mut right) = ([[1.0, 0.0], [0.0, 1.0]], [0.0; 2]);
-    for a in axes.iter().map(|axis| axis.index()) {
+    for a in increment.axes().iter().map(|axis| axis.index()) {
         let (shift, force) = (press.state.shift()[a], press.state.force()[a]);
         let by_shift = compliance[a].map(|part| part * press.approach);
         let by_force = rows[a].map(|part| part * press.force);
@@ -309,7 +313,7 @@ fn slope(
             TangentialControl::Hold => (by_shift, turned[a]),
             TangentialControl::Shift(end) => (by_shift, end - shift + turned[a]),
             TangentialControl::Force(end) if press.force > 0.0 => (by_force, end - force),
-            TangentialControl::Force(end) if is_same(end, force) => continue,
+            TangentialControl::Force(end) if is_same(end, force, limit) => continue,
             TangentialControl::Force(_) => return None,
             TangentialControl::Spring {
                 position,
@@ -329,21 +333,24 @@ fn slope(
     slope.iter().all(|part| part.is_finite()).then_some(slope)
 }
 
-/// Whether the step asks for shear that the state does not have.
-fn is_driven(state: &State, demand: &Demand) -> bool {
+/// Whether the step asks for shear that the state does not have, as part of what friction holds.
+fn is_driven(state: &State, demand: &Demand, limit: f64) -> bool {
     let asks = |a: usize| match demand.controls[a] {
         TangentialControl::Hold => false,
-        TangentialControl::Shift(end) => !is_same(end, state.shift()[a]),
-        TangentialControl::Force(end) => !is_same(end, state.force()[a]),
+        TangentialControl::Shift(end) => end.to_bits() != state.shift()[a].to_bits(),
+        TangentialControl::Force(end) => !is_same(end, state.force()[a], limit),
         TangentialControl::Spring {
             position,
             stiffness,
-        } => !is_same(stiffness * (position - state.shift()[a]), state.force()[a]),
+        } => {
+            let force = stiffness * (position - state.shift()[a]);
+            !is_same(force, state.force()[a], limit)
+        }
     };
-    asks(0) || asks(1) || !is_same(demand.twist, state.motion.twist)
+    asks(0) || asks(1) || demand.twist.to_bits() != state.motion.twist.to_bits()
 }
 
-/// Whether a quantity does not change but for round-off.
-fn is_same(end: f64, start: f64) -> bool {
-    (end - start).abs() <= NO_GROWTH * end.abs().max(start.abs())
+/// Whether two forces differ by no more than round-off of a third.
+fn is_same(one: f64, two: f64, scale: f64) -> bool {
+    (one - two).abs() <= NO_GROWTH * scale.abs()
 }

@@ -4,7 +4,7 @@
 
 use std::path::Path;
 
-use super::text::{Separator, excerpt, lines};
+use super::text::{Separator, excerpt, lines, without_mark};
 use super::{Format, Place, parse_file};
 use crate::error::Result;
 use crate::field::Field;
@@ -38,8 +38,8 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 /// The first line is `# File Format = ASCII`. `x-pixels` and `y-pixels` are the numbers of columns and rows, `x-length`
 /// and `y-length` the sides of the whole surface in nanometres. Heights are in the unit that `z-unit` names, or in
 /// multiples of `Bit2nm` nanometres. Where `voidpixels` is not zero, as many numbers again follow the heights, one for
-/// each point that is missing and zero for the others; without them, heights equal to `voidpixels` are missing, as some
-/// programs write it. Missing points become NaN. Numbers are separated as in [`csv`](super::csv::parse), on any lines.
+/// each point that is missing and zero for the others. Some programs write the value of missing heights there: it is taken
+/// for one if no mask follows and it cannot be a number of points. Missing points become NaN. Numbers are separated as in [`csv`](super::csv::parse), on any lines.
 ///
 /// # Errors
 /// [`Error::Format`](crate::Error::Format) if the bytes are not such a file, a key is missing, a unit unknown, or the
@@ -75,6 +75,12 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
         let problem = format!("{} numbers for {nx} x {ny} heights", numbers.len());
         return Err(FORMAT.in_entry("the heights", problem));
     }
+    let may_be_count =
+        header.void > 0.0 && header.void.fract() == 0.0 && header.void <= cells as f64;
+    if may_be_count && !has_mask {
+        let problem = format!("{} points are missing, but no mask says which", header.void);
+        return Err(FORMAT.in_entry("voidpixels", problem));
+    }
     let is_missing = |cell: usize| {
         if has_mask {
             masks[cell] != 0.0
@@ -94,7 +100,7 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
 
 /// Whether a file begins as this format does.
 pub(super) fn is_asc(bytes: &[u8]) -> bool {
-    bytes.starts_with(MAGIC)
+    without_mark(bytes).starts_with(MAGIC)
 }
 
 /// What the header says.
@@ -109,10 +115,11 @@ struct Header {
 
 impl Header {
     fn of(bytes: &[u8]) -> Result<Self> {
-        let text = String::from_utf8_lossy(bytes);
+        let text = header_text(bytes);
         let entry = |key: &str| -> Option<String> {
-            let comments = text.lines().take_while(|line| line.starts_with('#'));
-            let pairs = comments.filter_map(|line| line.trim_start_matches('#').split_once('='));
+            let pairs = text
+                .lines()
+                .filter_map(|line| line.trim_start_matches('#').split_once('='));
             let mut values = pairs.filter(|(name, _)| name.trim().eq_ignore_ascii_case(key));
             values.next().map(|(_, value)| value.trim().to_owned())
         };
@@ -160,6 +167,21 @@ impl Header {
             void: number("voidpixels")?.unwrap_or(0.0),
         })
     }
+}
+
+/// The lines of the header; Latin-1, as older programs write it, if they are not UTF-8.
+fn header_text(bytes: &[u8]) -> String {
+    let bytes = without_mark(bytes);
+    let lines = bytes.split_inclusive(|&byte| byte == b'\n');
+    let header: Vec<u8> = lines
+        .take_while(|line| line.starts_with(b"#"))
+        .flatten()
+        .copied()
+        .collect();
+    String::from_utf8(header).unwrap_or_else(|error| {
+        let bytes = error.into_bytes();
+        bytes.into_iter().map(char::from).collect()
+    })
 }
 
 /// All numbers behind the header.

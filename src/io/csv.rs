@@ -16,12 +16,10 @@ use crate::field::Field;
 const FORMAT: Format = Format("CSV");
 
 /// Names by which a comment tells the value of missing points, in small letters and digits.
-const MISSING: [&str; 8] = [
-    "missing",
+const MISSING: [&str; 6] = [
     "missingvalue",
     "nodata",
     "nodatavalue",
-    "bad",
     "badvalue",
     "invalidvalue",
     "voidvalue",
@@ -51,7 +49,8 @@ impl Options {
         self
     }
 
-    /// Lines to pass over at the beginning, comments and blank ones counted: for names of columns, or a header (default 0).
+    /// Lines to pass over at the beginning, comments and blank ones counted: for names of columns, or a header
+    /// (default 0).
     pub fn skip_rows(mut self, rows: usize) -> Self {
         self.skip_rows = rows;
         self
@@ -138,7 +137,7 @@ impl Options {
     }
 }
 
-/// The value of missing points, if a comment tells it: `# missing = -32768`, `# NODATA_value: -9999`.
+/// The value of missing points, if a comment tells it: `# missing value = -32768`, `# NODATA_value: -9999`.
 fn missing_value(comment: &str) -> Option<f64> {
     let (name, value) = comment.split_once(['=', ':'])?;
     let letters = name.chars().filter(char::is_ascii_alphanumeric);
@@ -160,7 +159,7 @@ pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
 /// - Cells are separated by semicolons, tabs, commas or white space: the first of these, in this order,
 ///   that the first line has. Commas within numbers in white space (`1,5 2,5`) are decimal commas.
 /// - A decimal comma counts as a point unless commas separate the cells.
-/// - Blank lines and lines that begin with `#` or `%` are skipped. A comment such as `# missing = -32768` or
+/// - Blank lines and lines that begin with `#` or `%` are skipped. A comment such as `# missing value = -32768` or
 ///   `# NODATA_value: -9999` names the value of missing points; [`Options::missing`] gives it otherwise.
 /// - A cell that is empty, `nan` or `BAD` in either case, or all stars (`***`), is missing: NaN.
 /// - A separator at the end of every line adds no cell.

@@ -46,8 +46,9 @@ pub mod x3p;
 pub mod xyz;
 
 use std::fs::File;
-use std::io::Write;
-use std::path::Path;
+use std::io::{ErrorKind, Write};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
 
 pub use crate::error::Place;
 use crate::error::{Error, Result, positive};
@@ -96,7 +97,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
             } else if is("csv") || is("asc") || is("txt") {
                 "text does not hold the cell sides: call io::csv::read with them"
             } else {
-                "neither SDF, SUR, X3P nor XYZ; NPY and CSV are read by io::npy::read and io::csv::read"
+                "neither SDF, SUR, ASC, X3P nor XYZ; NPY and CSV are read by io::npy::read and io::csv::read"
             },
         ))
     })
@@ -210,16 +211,13 @@ pub(crate) fn parse_file<T>(path: &Path, parse: impl FnOnce(&[u8]) -> Result<T>)
     })
 }
 
-/// Replaces a file as a whole, or not at all: a file beside it takes its name when it is on the disk.
+/// Replaces a file as a whole, or not at all: a file beside it takes its name when it is on the disk. A process that is
+/// killed meanwhile leaves that one, `NAME.PID.NUMBER.part`.
 pub(crate) fn replace_bytes(path: &Path, bytes: &[u8]) -> Result<()> {
-    let mut name = path.file_name().unwrap_or_default().to_owned();
-    name.push(format!(".{}.part", std::process::id()));
-    let part = path.with_file_name(name);
-    let written = File::create(&part)
-        .and_then(|mut file| {
-            file.write_all(bytes)?;
-            file.sync_all()
-        })
+    let (part, mut file) = part_beside(path).map_err(|error| refused(path, &error))?;
+    let written = file
+        .write_all(bytes)
+        .and_then(|()| file.sync_all())
         .and_then(|()| std::fs::rename(&part, path));
     if let Err(error) = written {
         // What is left of it has no use; the first error is the one to tell.
@@ -234,6 +232,21 @@ pub(crate) fn replace_bytes(path: &Path, bytes: &[u8]) -> Result<()> {
         drop(folder.sync_all());
     }
     Ok(())
+}
+
+/// A new file beside another, of a name that no other thread or process has.
+fn part_beside(path: &Path) -> std::io::Result<(PathBuf, File)> {
+    static NUMBER: AtomicU64 = AtomicU64::new(0);
+    loop {
+        let number = NUMBER.fetch_add(1, Ordering::Relaxed);
+        let mut name = path.file_name().unwrap_or_default().to_owned();
+        name.push(format!(".{}.{number}.part", std::process::id()));
+        let part = path.with_file_name(name);
+        match File::create_new(&part) {
+            Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
+            outcome => return outcome.map(|file| (part, file)),
+        }
+    }
 }
 
 /// Creates or replaces a file.

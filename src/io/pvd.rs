@@ -14,7 +14,8 @@ const FORMAT: Format = Format("PVD");
 /// A series of [VTI](super::vti) files, and the PVD file that lists them with their times.
 ///
 /// The files of the series lie beside it and bear its name and their number: `run.pvd`, `run.0000.vti`, `run.0001.vti`.
-/// The list is replaced as a whole after every file, so that a run may be looked at, or break off, at any time.
+/// The list is replaced after every file, so the series can be opened during the run and stays readable if the run is
+/// aborted.
 ///
 /// ```no_run
 /// use stickslip::io::{pvd::Series, vti::Array};

@@ -5,11 +5,15 @@ use std::borrow::Cow;
 use super::Format;
 use crate::error::Result;
 
+/// A text without the mark of UTF-8 at its beginning.
+pub(super) fn without_mark(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)
+}
+
 /// The lines of a text that are neither blank nor comments (`#` or `%`), with their numbers. Bytes
 /// that are not UTF-8 are harmless in a comment; elsewhere they are not a number.
 pub(super) fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    let lines = bytes.split(|&byte| byte == b'\n').enumerate();
+    let lines = without_mark(bytes).split(|&byte| byte == b'\n').enumerate();
     lines.filter_map(|(index, line)| {
         let line = String::from_utf8_lossy(line.strip_suffix(b"\r").unwrap_or(line));
         let content = line.trim_start_matches(' ');
@@ -20,7 +24,7 @@ pub(super) fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, str>)>
 
 /// The comments of a text (`#` or `%`), without the signs they begin with.
 pub(super) fn comments(bytes: &[u8]) -> impl Iterator<Item = String> {
-    let lines = bytes.split(|&byte| byte == b'\n');
+    let lines = without_mark(bytes).split(|&byte| byte == b'\n');
     lines.filter_map(|line| {
         let line = String::from_utf8_lossy(line);
         let comment = line.trim_start().strip_prefix(['#', '%'])?;

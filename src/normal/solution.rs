@@ -279,7 +279,7 @@ impl NormalSolution {
         &self.report
     }
 
-    /// Remarks: no contact, contact at the edge of the grid, spots too small to resolve.
+    /// Remarks that a result may mislead; see [`Warning`].
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         self.contact_map().warnings()

@@ -57,7 +57,8 @@ pub struct ContactStiffness {
 }
 
 impl TangentialStiffness {
-    /// What drives the contact through springs feels: forces and moment by the motion of the far ends of springs along x
+    /// What drives the contact through springs feels: forces and moment by the motion of the far ends of springs
+    /// along x
     /// and y (a force over a length each), and by the twist, $`(K^{-1} + k^{-1})^{-1}`$.
     ///
     /// # Errors
@@ -88,12 +89,16 @@ impl TangentialStiffness {
 impl NormalSolution {
     /// The normal stiffness $`dW/d\delta_z`$, by one solve on the cells of the contact.
     ///
-    /// The set of cells is held, so that the stiffness jumps where a cell comes into contact; it is that of a contact whose
+    /// The set of cells is held, so that the stiffness jumps where a cell comes into contact; it is that of a contact
+    /// whose
     /// edge runs along sides of cells. On a periodic grid the approach is that of the mean planes.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) or [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) for bodies that the solution is
-    /// not of; [`Error::NotFinite`](crate::Error::NotFinite) where a periodic contact is closed everywhere and resists without limit;
+    /// [`Error::GridMismatch`](crate::Error::GridMismatch),
+    /// [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) or
+    /// [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) for bodies that the solution is
+    /// not of; [`Error::NotFinite`](crate::Error::NotFinite) where a periodic contact is closed everywhere and
+    /// resists without limit;
     /// [`Error::NotConverged`](crate::Error::NotConverged); as [`HalfSpace::operator`].
     pub fn stiffness(&self, bodies: &HalfSpace) -> Result<NormalStiffness> {
         Ok(pressed(bodies, self)?.map_or(
@@ -109,11 +114,14 @@ impl NormalSolution {
 impl TangentialSolution {
     /// The tangential stiffness, by a solve for each motion of the model and each of the two sets of cells.
     ///
-    /// Loading is the derivative of this solution by its load. In the vector model that includes how the slip of the step
+    /// Loading is the derivative of this solution by its load. In the vector model that includes how the slip of the
+    /// step
     /// resists turning; on grids that do not repeat the vector model has the twist.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch) or [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) for bodies that the solution is not of;
+    /// [`Error::GridMismatch`](crate::Error::GridMismatch) or
+    /// [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) for bodies that the solution is not of;
+    /// [`Error::NotFinite`](crate::Error::NotFinite) where a periodic contact is closed everywhere;
     /// [`Error::NotConverged`](crate::Error::NotConverged); as [`HalfSpace::operator`].
     pub fn stiffness(&self, bodies: &HalfSpace) -> Result<TangentialStiffness> {
         bodies.check_host("tangential contact", self.grid(), self.boundary())?;
@@ -132,7 +140,8 @@ impl ContactStiffness {
     /// Of a contact under a load from rest: pressed, and sheared with this friction.
     ///
     /// # Errors
-    /// As [`NormalSolution::stiffness`] and [`TangentialSolution::stiffness`]; [`Error::GridMismatch`](crate::Error::GridMismatch) for the friction.
+    /// As [`NormalSolution::stiffness`] and [`TangentialSolution::stiffness`];
+    /// [`Error::GridMismatch`](crate::Error::GridMismatch) for the friction.
     pub fn new(
         bodies: &HalfSpace,
         normal: &NormalSolution,
@@ -209,6 +218,7 @@ fn pressed(bodies: &HalfSpace, normal: &NormalSolution) -> Result<Option<Press>>
         matrix,
         bound,
         tractions,
+        ..
     } = system.stiffness(&[[vec![1.0; window.cells()]]])?;
     let cell_area = bodies.grid().cell_area();
     let per_area = matrix[0][0];
@@ -274,7 +284,8 @@ impl Sheared<'_> {
             Zone::Slip => self.turning(axes, i),
             _ => sticking(i),
         };
-        let motions = Motions::new(grid, window, axes, |i| self.zones[i] != Zone::Separated);
+        let touches = |i: usize| self.zones[i] != Zone::Separated;
+        let motions = Motions::new(grid, window, axes, bodies.boundary(), touches);
         let area = grid.cell_area();
         let boundary = bodies.boundary();
         let freedoms = window.indices().map(sticking).collect();

@@ -1,5 +1,6 @@
 //! The motions of the bodies, as those of the cells of a window.
 
+use crate::boundary::Boundary;
 use crate::cgm::vector::{minus, plus};
 use crate::grid::Grid;
 use crate::stiffness::system::Vector;
@@ -19,6 +20,7 @@ impl<const N: usize> Motions<N> {
         grid: Grid,
         window: Window,
         axes: [Axis; N],
+        boundary: Boundary,
         is_contact: impl Fn(usize) -> bool,
     ) -> Self {
         let (mut sum, mut count) = ([0.0; 2], 0.0);
@@ -46,7 +48,7 @@ impl<const N: usize> Motions<N> {
             })
             .collect();
         let mut kinds: Vec<_> = axes.iter().map(|axis| axis.index()).collect();
-        if N == 2 {
+        if N == 2 && boundary == Boundary::NonPeriodic {
             cells.push(motion(&|[x, y]| [middle[1] - y, x - middle[0]]));
             kinds.push(2);
         }

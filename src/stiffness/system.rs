@@ -29,8 +29,14 @@ const ROUND: usize = 20;
 const ENOUGH: f64 = 1e-18;
 /// Relative bound that a stiffness must have.
 const ALLOWED: f64 = 1e-10;
-/// Part of a motion, by its square, that cells must be able to follow.
-const NOTHING: f64 = 1e-20;
+/// Part of a motion, by its square, that cells must be able to follow in a way of its own.
+const NOTHING: f64 = 1e-14;
+
+/// Which motions are independent, and what the others are of them: columns of `parts`.
+struct Independent {
+    active: [bool; 3],
+    parts: [[f64; 3]; 3],
+}
 
 /// A vector of `N` components a cell.
 pub(super) type Vector<const N: usize> = [Vec<f64>; N];
@@ -178,30 +184,61 @@ impl<'a, const N: usize> System<'a, N> {
     }
 
     /// The stiffness against these motions of the cells, of which there are three at most.
+    ///
+    /// Motions that the cells follow alike, as all do that slip in one direction, are combinations `C` of independent
+    /// ones, and their stiffness is `C'K C`.
     pub(super) fn stiffness(&self, motions: &[Vector<N>]) -> Result<Stiffness<N>> {
         let mut columns: Vec<_> = motions.iter().map(|b| self.column(b.clone())).collect();
-        let mut active = [false; 3];
-        for (active, (column, motion)) in active.iter_mut().zip(columns.iter().zip(motions)) {
-            let [followed, whole] = [&column.right, motion].map(|b| self.product(b, b));
-            *active = followed > NOTHING * whole;
-        }
+        let Independent { active, parts } = self.independent(&columns, motions);
         let mut bound = f64::INFINITY;
         for _ in 0..LIMIT / ROUND {
-            for column in &mut columns {
+            for (column, _) in columns.iter_mut().zip(active).filter(|(_, active)| *active) {
                 self.improve(column);
             }
-            let found = self.combine(&columns, active);
+            let found = self.combine(&columns, active, parts);
             let is_best = found.bound <= ENOUGH || found.bound >= 0.5 * bound;
             bound = found.bound;
-            if active == [false; 3] || (is_best && bound <= ALLOWED) {
+            if active == [false; 3] || (is_best && (0.0..=ALLOWED).contains(&bound)) {
                 return Ok(found);
             }
         }
         Err(not_converged(LIMIT, bound))
     }
 
+    /// Which motions the cells follow each in a way of its own, one after the other.
+    fn independent(&self, columns: &[Column<N>], motions: &[Vector<N>]) -> Independent {
+        let mut found = Independent {
+            active: [false; 3],
+            parts: [[0.0; 3]; 3],
+        };
+        let at = |a: usize, b: usize| match (columns.get(a), columns.get(b)) {
+            (Some(one), Some(two)) => self.product(&one.right, &two.right),
+            _ => 0.0,
+        };
+        let gram = [0, 1, 2].map(|a| [0, 1, 2].map(|b| at(a, b)));
+        for (a, motion) in motions.iter().enumerate() {
+            let column = gram.map(|row| row[a]);
+            let known = Small(gram).solve(column, found.active);
+            let left = gram[a][a] - dot(known, column);
+            if left > NOTHING * self.product(motion, motion) {
+                found.active[a] = true;
+                found.parts[a][a] = 1.0;
+            } else {
+                for (row, part) in found.parts.iter_mut().zip(known) {
+                    row[a] = part;
+                }
+            }
+        }
+        found
+    }
+
     /// The stiffness by the columns as they are.
-    fn combine(&self, columns: &[Column<N>], active: [bool; 3]) -> Stiffness<N> {
+    fn combine(
+        &self,
+        columns: &[Column<N>],
+        active: [bool; 3],
+        parts: [[f64; 3]; 3],
+    ) -> Stiffness<N> {
         let table = |f: &dyn Fn(&Column<N>, &Column<N>) -> f64| {
             let entry = |a: usize, b: usize| match (columns.get(a), columns.get(b)) {
                 (Some(one), Some(two)) if active[a] && active[b] => f(one, two),
@@ -228,7 +265,8 @@ impl<'a, const N: usize> System<'a, N> {
         let left = 1.0 - trace * error;
         let x = |a: usize| self.combination(columns, |c| [0.0, weights[c][a], 0.0]);
         Stiffness {
-            matrix,
+            matrix: times(&transposed(&parts), &times(&matrix, &parts)),
+            own: times(&transposed(&parts), &matrix),
             bound: if left > 0.0 {
                 trace * trace * error / left
             } else {
@@ -260,13 +298,15 @@ impl<'a, const N: usize> System<'a, N> {
         for (motion, unit) in motions.iter_mut().zip(&stiffness.tractions) {
             *motion = self.product(unit, displacement);
         }
-        stiffness.matrix.map(|row| -dot(row, motions))
+        stiffness.own.map(|row| -dot(row, motions))
     }
 }
 
 /// Forces by motions at fixed sets, each cell with the area one.
 pub(super) struct Stiffness<const N: usize> {
     pub(super) matrix: [[f64; 3]; 3],
+    /// The same by the independent motions alone.
+    own: [[f64; 3]; 3],
     /// No entry is further off than this times the root of the product of the two on the diagonal.
     pub(super) bound: f64,
     /// The tractions under a unit of each load and none of the others.

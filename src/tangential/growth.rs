@@ -1,6 +1,7 @@
-//! What a growth of the tractions in proportion to that of the pressure would do to the cells of a window.
+//! Displacements that a growth of the tractions in proportion to the pressure would cause in the cells of a window.
 
 use crate::boundary::Boundary;
+use crate::cgm::vector::plus;
 use crate::contact_map::neighbours;
 use crate::tangential::Axis;
 use crate::tangential::engine::PlaneVector;
@@ -22,6 +23,8 @@ pub(crate) struct GrowthFields {
     excess: PlaneVector,
     /// How many cells away the excess of a cell comes from, [`UNKNOWN`] or [`OUTSIDE`].
     rings: Vec<u32>,
+    /// Cells in the order in which they get their excess from others.
+    order: Vec<u32>,
 }
 
 /// A cell of the contact without an excess of its own.
@@ -84,27 +87,53 @@ impl GrowthFields {
     /// Carries the excess to the rest of the contact, ring by ring: each cell takes the mean of its neighbours that are
     /// nearer.
     pub(crate) fn carry_excess(&mut self, size: [usize; 2], boundary: Boundary) {
-        let mut has_grown = true;
-        let mut ring = 0;
-        while has_grown {
-            (has_grown, ring) = (false, ring + 1);
-            for cell in 0..self.rings.len() {
-                if self.rings[cell] != UNKNOWN {
-                    continue;
-                }
-                let near = neighbours(cell, size, boundary).into_iter().flatten();
-                let (mut sum, mut count) = ([0.0; 2], 0.0);
-                for other in near.filter(|&other| self.rings[other] < ring) {
-                    let [x, y] = at(&self.excess, other);
-                    sum = [sum[0] + x, sum[1] + y];
-                    count += 1.0;
-                }
-                if count > 0.0 {
-                    self.set_excess(cell, sum.map(|sum| sum / count));
-                    self.rings[cell] = ring;
-                    has_grown = true;
-                }
+        self.order.clear();
+        self.order.reserve(self.rings.len());
+        for cell in 0..self.rings.len() {
+            if self.rings[cell] == 0 {
+                self.reach(cell, 1, size, boundary);
             }
         }
+        // Each ring is what the one before has reached.
+        let (mut first, mut ring) = (0, 1);
+        while first < self.order.len() {
+            let last = self.order.len();
+            for place in first..last {
+                self.set_from_neighbours(self.order[place] as usize, ring, size, boundary);
+            }
+            ring += 1;
+            for place in first..last {
+                self.reach(self.order[place] as usize, ring, size, boundary);
+            }
+            first = last;
+        }
+    }
+
+    /// Puts the neighbours of a cell that have no excess into a ring.
+    fn reach(&mut self, cell: usize, ring: u32, size: [usize; 2], boundary: Boundary) {
+        for next in neighbours(cell, size, boundary).into_iter().flatten() {
+            if self.rings[next] == UNKNOWN {
+                self.rings[next] = ring;
+                self.order.extend(u32::try_from(next));
+            }
+        }
+    }
+
+    /// Sets the excess of a cell to the mean of those of its neighbours in the rings before.
+    fn set_from_neighbours(
+        &mut self,
+        cell: usize,
+        ring: u32,
+        size: [usize; 2],
+        boundary: Boundary,
+    ) {
+        let near = neighbours(cell, size, boundary).into_iter().flatten();
+        let (mut sum, mut count) = ([0.0; 2], 0.0);
+        for other in near.filter(|&other| self.rings[other] < ring) {
+            sum = plus(sum, 1.0, at(&self.excess, other));
+            count += 1.0;
+        }
+        self.set_excess(cell, sum.map(|sum| sum / count));
+        self.rings[cell] = ring;
     }
 }

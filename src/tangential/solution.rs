@@ -253,7 +253,7 @@ impl TangentialSolution {
         &self.report
     }
 
-    /// Remarks on the contact: at the edge of the grid, spots too small to resolve.
+    /// Remarks on the contact that a result may mislead; see [`Warning`].
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         let contact = ContactMap {

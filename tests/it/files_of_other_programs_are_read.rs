@@ -201,6 +201,15 @@ fn headers_of_text_files_are_honoured() {
     assert!((by_mask.as_slice()[5] / by_value.as_slice()[5] - 1.0).abs() < 1e-12);
 
     let problem = |file: &str| io::asc::parse(file.as_bytes()).unwrap_err().to_string();
+    // Without a mask a number of missing points does not tell which.
+    let which = problem(&(header("# z-unit = nm\n# voidpixels = 2\n") + heights));
+    assert!(which.contains("no mask"), "{which}");
+    let mut latin = (header("# z-unit = @m\n") + heights).into_bytes();
+    let place = latin.iter().position(|&byte| byte == b'@').unwrap();
+    latin[place] = 0xb5;
+    let micro = io::asc::parse(&latin).unwrap();
+    assert!((micro.as_slice()[5] / 6e-6 - 1.0).abs() < 1e-12);
+
     let none = problem(&(header("") + heights));
     assert!(
         none.contains("Bit2nm") && none.contains("lacks it"),
@@ -231,7 +240,7 @@ fn missing_values_and_names_of_columns_of_a_matrix() {
     for comment in [
         "# NODATA_value: -9999",
         "% missing value = -9999",
-        "#bad=-9999.0",
+        "\u{feff}#bad value=-9999.0",
     ] {
         let text = format!("{comment}\n1 2\n-9999 4\n");
         let heights = io::csv::parse(text.as_bytes(), [1.0, 1.0]).unwrap();

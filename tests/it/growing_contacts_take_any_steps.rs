@@ -441,13 +441,16 @@ fn adaptive_steps_meet_their_tolerance() {
     for tolerance in [1e-2, 3e-3, 1e-3] {
         let mut history = start.clone();
         let mut steps = AdaptiveSteps::new(&history, tolerance).unwrap();
-        let mut seen = Vec::new();
+        let (mut seen, mut copy) = (Vec::new(), history.clone());
         let taken = steps
             .step_observed(&mut history, &load, |history| {
                 seen.push(history.approach());
-                Ok(())
+                copy = history.clone();
+                // A copy goes on by itself from what is shown.
+                copy.clone().step(&LoadStep::hold()).map(|_| ())
             })
             .unwrap();
+        assert_eq!(copy.state().to_bytes(), history.state().to_bytes());
         assert!(seen.len() == taken && seen.is_sorted() && taken >= 2);
         let error = distance(&history, &exact) * size / capacity;
         assert!(error < 4.0 * tolerance, "{tolerance}: {error:e} in {taken}");

@@ -312,6 +312,66 @@ fn sliding_contacts_have_no_stiffness_along() {
     }
 }
 
+/// Where all cells slip in one oblique direction they turn alike: one way to move for two motions, and none for the twist
+/// where there is one cell.
+#[test]
+fn motions_that_cells_follow_alike_are_no_obstacle() {
+    let scene = Scene::ball(32, 0.0, TangentialModel::Vector);
+    let normal = scene.press(NormalControl::Force(6.0));
+    let straight = scene.shear(&normal, TangentialLoad::shift([5.0, 0.0]));
+    let across = straight.stiffness(&scene.bodies).unwrap().loading[1][1];
+    let oblique = scene.shear(&normal, TangentialLoad::shift([3.0, 4.0]));
+    assert!(oblique.is_gross_slip());
+    let found = oblique.stiffness(&scene.bodies).unwrap();
+    assert!((0.0..=1e-10).contains(&found.bound));
+    // The same resistance across, turned.
+    let [x, y] = [-0.8, 0.6];
+    let expected = [[x * x, x * y], [x * y, y * y]];
+    for row in 0..2 {
+        for column in 0..2 {
+            let error = found.loading[row][column] - across * expected[row][column];
+            assert!(error.abs() < 1e-2 * across, "{row} {column}: {error:e}");
+        }
+    }
+    let mut single = Field::zeros(normal.grid());
+    single.as_mut_slice()[7 * 32 + 9] = 1.0;
+    let friction = scene.friction.clone();
+    let load = TangentialLoad::shift([3.0, 4.0]);
+    let problem = TangentialProblem::builder(&scene.bodies, &single, friction, load);
+    let shear = problem
+        .model(TangentialModel::Vector)
+        .build()
+        .unwrap()
+        .solve()
+        .unwrap();
+    let found = shear.stiffness(&scene.bodies).unwrap();
+    let entries = found
+        .loading
+        .as_flattened()
+        .iter()
+        .chain(found.reversal.as_flattened());
+    assert!(entries.clone().all(|entry| entry.is_finite()));
+    let [a, b] = [
+        found.loading[0][0] * found.loading[1][1],
+        found.loading[0][1].powi(2),
+    ];
+    assert!((a / b - 1.0).abs() < 1e-9 && found.reversal[0][0] > found.loading[0][0]);
+}
+
+/// A grid that repeats cannot turn: nothing stands in the row and the column of the twist.
+#[test]
+fn a_grid_that_repeats_has_no_twist() {
+    let scene = Scene::rough(Boundary::Periodic, TangentialModel::Vector);
+    let normal = scene.press(NormalControl::Force(6.0));
+    let shear = scene.shear(&normal, TangentialLoad::force([0.5, 0.2]));
+    let found = ContactStiffness::new(&scene.bodies, &normal, &scene.friction, &shear).unwrap();
+    for matrix in [found.tangential.loading, found.tangential.reversal] {
+        assert!(matrix[2] == [0.0; 3] && matrix.iter().all(|row| row[2] == 0.0));
+        assert!(matrix[0][0] > 0.0 && matrix[1][1] > 0.0);
+    }
+    assert_eq!(found.by_approach[2], 0.0);
+}
+
 #[test]
 fn other_bodies_and_closed_gaps_are_refused() {
     let scene = Scene::ball(32, 0.3, TangentialModel::Scalar);

@@ -32,7 +32,9 @@ const HEADER: usize = 20;
 const SUM: usize = 8;
 
 impl State {
-    /// The state as bytes, some 60 per cell and 80 in the plane, from which [`State::from_bytes`] makes it again.
+    /// The state as bytes, some 60 per cell and 80 in the plane (8 more if the gap has changed since it was pressed),
+    /// from
+    /// which [`State::from_bytes`] makes it again.
     ///
     /// All numbers keep their bits. Of the report of the pressure, the wall time and the course of the iteration
     /// ([`Report::time`](crate::Report::time) and [`Report::history`](crate::Report::history)) are left out. While
@@ -127,8 +129,8 @@ impl History {
         Self::from_state(bodies, State::from_bytes(bytes)?)
     }
 
-    /// Saves the [state](History::state) in a file, which is replaced as a whole or not at all: a run that breaks off while
-    /// it saves leaves the file of before. The bytes are on the disk when it returns.
+    /// Saves the [state](History::state) in a file, which is replaced as a whole or not at all: if the program is
+    /// interrupted while it saves, the previous file is kept. The bytes are on the disk when it returns.
     ///
     /// # Errors
     /// [`Error::File`](crate::Error::File).
