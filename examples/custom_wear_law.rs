@@ -154,7 +154,7 @@ fn draw(path: &Path, rows: &[[f64; 5]]) -> std::result::Result<(), Box<dyn Error
     let cycles = 0.0..CYCLES as f64 + 1.0;
     let points = |column: usize| rows.iter().map(move |row| (row[0], row[column]));
     let panels = [
-        (left, 2, "deepest wear, um", support::BLUE),
+        (left, 2, "deepest wear, µm", support::BLUE),
         (right, 3, "largest pressure, GPa", support::ORANGE),
     ];
     for (area, column, name, colour) in panels {

@@ -24,7 +24,7 @@ use stickslip::{
     ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl,
     Result, TangentialModel, surface,
 };
-use support::{Area, Chart};
+use support::{Area, Chart, maps};
 
 // SI units: metres, newtons, pascals.
 const BALL_RADIUS: f64 = 3.5e-3;
@@ -185,11 +185,11 @@ fn draw(
     let panels = figure.split_evenly((2, 2));
     let limit = FRICTION * NORMAL_FORCE;
     let name = ["x", "y"].map(|axis| format!("F{axis} / μW"));
-    let mut chart = support::axes(&panels[0], (-1.0..1.0, &name[0]), (-1.0..1.0, &name[1]))?;
+    let mut chart = support::map_axes(&panels[0], (-1.0..1.0, &name[0]), (-1.0..1.0, &name[1]))?;
     draw_paths(&mut chart, loops, |point| point.force.map(|f| f / limit))?;
     let scale = sliding.sliding_shift();
     let name = ["x", "y"].map(|axis| format!("δ{axis} / δ₀"));
-    let mut chart = support::axes(&panels[1], (-0.8..0.8, &name[0]), (-0.8..0.8, &name[1]))?;
+    let mut chart = support::map_axes(&panels[1], (-0.8..0.8, &name[0]), (-0.8..0.8, &name[1]))?;
     draw_paths(&mut chart, loops, |point| point.shift.map(|x| x / scale))?;
     draw_map(&panels[2], &loops[MAPPED], &sliding.hertz())?;
     draw_energy(&panels[3], loops)?;
@@ -218,12 +218,17 @@ fn draw_map(
 ) -> std::result::Result<(), Box<dyn Error>> {
     let (a, longest) = (hertz.contact_radius(), FRICTION * hertz.max_pressure());
     let view = -VIEW..VIEW;
-    let mut chart = support::axes(area, (view.clone(), "x / a"), (view, "y / a"))?;
+    let (map, bar) = area.split_horizontally(740);
+    let mut chart = support::map_axes(&map, (view.clone(), "x / a"), (view, "y / a"))?;
     let slip = of.outcome.last.slip_distance();
     let grid = slip.grid();
-    let mut brightness = Field::zeros(grid);
-    brightness.add_scaled(-1.0, slip)?;
-    support::maps::heights(&mut chart, &brightness, a)?;
+    maps::field(&mut chart, slip, a, maps::dark)?;
+    maps::bar(
+        &bar,
+        maps::dark,
+        [0.0, slip.max() * 1e6],
+        "path slipped in a cycle, µm",
+    )?;
 
     let stride = grid.nx() / 16;
     let first = stride / 2;

@@ -20,6 +20,7 @@ use stickslip::{
     Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl,
     NormalProblem, NormalSolution, TangentialLoad, TangentialProblem, TangentialSolution, Zone, io,
 };
+use support::maps;
 
 // SI units.
 const FRICTION: f64 = 0.3;
@@ -63,7 +64,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     print_contact(&normal, &shear, &theory);
     write_fields(&heights, &normal, &shear)?;
     let path = support::gallery("measured.svg")?;
-    draw(&path, &heights, &shear)?;
+    draw(&path, &heights, &normal, &shear)?;
     println!("figure: {}", path.display());
     Ok(())
 }
@@ -181,14 +182,20 @@ fn write_fields(
     Ok(())
 }
 
-/// Heights in grey, contact in colour.
-fn draw(path: &Path, heights: &Field, shear: &TangentialSolution) -> Result<(), Box<dyn Error>> {
+/// Heights in grey, pressure in colour, and the zones of stick and slip.
+fn draw(
+    path: &Path,
+    heights: &Field,
+    normal: &NormalSolution,
+    shear: &TangentialSolution,
+) -> Result<(), Box<dyn Error>> {
     let figure = support::figure(
         path,
-        (1960, 800),
-        "A measured surface: heights, and its zones of stick and slip",
+        (2600, 620),
+        "A measured surface: heights, pressure, and the zones of stick (blue) and slip (orange)",
     )?;
-    let (left, right) = figure.split_horizontally(980);
+    let (left, rest) = figure.split_horizontally(930);
+    let (middle, right) = rest.split_horizontally(930);
     let micro = 1e6;
     let grid = heights.grid();
     let range = |side: f64, cells: usize| -> std::ops::Range<f64> {
@@ -197,10 +204,35 @@ fn draw(path: &Path, heights: &Field, shear: &TangentialSolution) -> Result<(), 
     };
     let (x, y) = (range(grid.dx(), grid.nx()), range(grid.dy(), grid.ny()));
     let axes = || ((x.clone(), "x, µm"), (y.clone(), "y, µm"));
-    let mut map = support::axes(&left, axes().0, axes().1)?;
-    support::maps::heights(&mut map, heights, 1.0 / micro)?;
-    let mut map = support::axes(&right, axes().0, axes().1)?;
-    support::maps::zones(&mut map, shear, 1.0 / micro, [x.clone(), y.clone()])?;
+    for (area, field, unit, colours, name) in [
+        (
+            &left,
+            heights,
+            micro,
+            maps::grey as maps::Colours,
+            "height, µm",
+        ),
+        (
+            &middle,
+            normal.pressure(),
+            1e-9,
+            maps::heat,
+            "pressure, GPa",
+        ),
+    ] {
+        let (map, bar) = area.split_horizontally(700);
+        let mut chart = support::map_axes(&map, axes().0, axes().1)?;
+        maps::field(&mut chart, field, 1.0 / micro, colours)?;
+        maps::bar(
+            &bar,
+            colours,
+            [field.min() * unit, field.max() * unit],
+            name,
+        )?;
+    }
+    let (right, _) = right.split_horizontally(700);
+    let mut map = support::map_axes(&right, axes().0, axes().1)?;
+    maps::zones(&mut map, shear, 1.0 / micro, [x.clone(), y.clone()])?;
     figure.present()?;
     Ok(())
 }

@@ -209,7 +209,7 @@ fn draw(path: &Path, balls: &[Ball]) -> Result<(), Box<dyn Error>> {
             let height = alike().map(|ball| ball.rms_height).sum::<f64>() / SEEDS as f64;
             let points = alike().flat_map(|ball| &ball.contacts);
             let points = points.map(|c| (c.hertz.reduced_pressure().log10(), area(c).log10()));
-            let name = format!("rms height {height:.1} um");
+            let name = format!("rms height {height:.1} µm");
             support::dots(&mut chart, &name, (colour, false), points)?;
         }
         support::legend(&mut chart, SeriesLabelPosition::UpperLeft)?;

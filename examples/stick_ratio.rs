@@ -217,7 +217,7 @@ fn draw_zones(area: &Area<'_>, contact: &Sheared) -> Result<(), Box<dyn Error>> 
     let [x, y] = [(x, grid.dx()), (y, grid.dy())]
         .map(|(start, cell)| start..start + MAGNIFIED as f64 * cell);
     let names = ("x, µm", "y, µm  (blue: stick, orange: slip)");
-    let mut chart = support::axes(area, (x.clone(), names.0), (y.clone(), names.1))?;
+    let mut chart = support::map_axes(area, (x.clone(), names.0), (y.clone(), names.1))?;
     support::maps::zones(&mut chart, &contact.half, 1.0, [x, y])
 }
 

@@ -63,8 +63,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         .build()?;
     let load = |shift| LoadStep::shift(shift).normal(NormalControl::Approach(approach));
     let path = LoadPath::table(vec![[amplitude, 0.0], [-amplitude, 0.0]])?;
-    history.step(&load(path.end()))?;
     let fretting = FrettingLoop::new(path, load);
+    // Only a steady cycle stands for those that are jumped over.
+    fretting.clone().until_steady(1e-3).run(&mut history, 10)?;
     let mut cycle = Cycle::new(&history);
 
     let mut stages = Vec::new();

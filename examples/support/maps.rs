@@ -1,4 +1,4 @@
-//! Maps of heights, and of stick and slip.
+//! Maps of heights, of other fields in colour, and of stick and slip.
 
 use std::error::Error;
 use std::ops::Range;
@@ -6,7 +6,7 @@ use std::ops::Range;
 use plotters::prelude::*;
 use stickslip::{Field, TangentialSolution, Zone};
 
-use super::{BLUE, Chart, ORANGE};
+use super::{Area, BLUE, Chart, ORANGE, labelled_axes, ticks};
 
 const GREY: RGBColor = RGBColor(225, 225, 225);
 
@@ -52,14 +52,69 @@ pub(crate) fn zones(
     Ok(())
 }
 
-/// Blocks along the longer side of a map of heights: more would make a heavy drawing.
+/// Blocks along the longer side of a map of a field: more would make a heavy drawing.
 const BLOCKS: usize = 120;
 
-/// Heights in shades of grey, the highest white, in lengths of the unit `scale`.
-pub(crate) fn heights(
+/// Colours of a map, from the least value at zero to the largest at one.
+pub(crate) type Colours = fn(f64) -> RGBColor;
+
+/// From black to white.
+pub(crate) fn grey(value: f64) -> RGBColor {
+    mix([(0, 0, 0), (255, 255, 255)], value)
+}
+
+/// From white to black.
+pub(crate) fn dark(value: f64) -> RGBColor {
+    grey(1.0 - value)
+}
+
+/// From pale grey through orange to dark red: what is not pressed is pale.
+pub(crate) fn heat(value: f64) -> RGBColor {
+    if value < 0.5 {
+        mix([(235, 235, 235), (240, 150, 40)], 2.0 * value)
+    } else {
+        mix([(240, 150, 40), (120, 0, 20)], 2.0 * value - 1.0)
+    }
+}
+
+fn mix([a, b]: [(u8, u8, u8); 2], part: f64) -> RGBColor {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "between two bytes"
+    )]
+    let between =
+        |a: u8, b: u8| (f64::from(a) + part.clamp(0.0, 1.0) * (f64::from(b) - f64::from(a))) as u8;
+    RGBColor(between(a.0, b.0), between(a.1, b.1), between(a.2, b.2))
+}
+
+/// A bar of the colours in an area, with the values from `low` to `high` and what they are.
+pub(crate) fn bar(
+    area: &Area<'_>,
+    colours: Colours,
+    [low, high]: [f64; 2],
+    name: &str,
+) -> Result<(), Box<dyn Error>> {
+    const STEPS: u32 = 64;
+    let format = ticks(&(low..high));
+    let (x, y) = ((0.0..1.0, ""), (low..high, name));
+    let mut chart = labelled_axes(area, x, y, [0, 7], [&format; 2])?;
+    let value = |step: u32| f64::from(step) / f64::from(STEPS);
+    let rectangles = (0..STEPS).map(|step| {
+        let ends = [step, step + 1].map(|step| low + value(step) * (high - low));
+        let colour = colours(value(step) + 0.5 / f64::from(STEPS));
+        Rectangle::new([(0.0, ends[0]), (1.0, ends[1])], colour.filled())
+    });
+    chart.draw_series(rectangles)?;
+    Ok(())
+}
+
+/// A field in colours, in lengths of the unit `scale`.
+pub(crate) fn field(
     chart: &mut Chart<'_>,
     heights: &Field,
     scale: f64,
+    colours: Colours,
 ) -> Result<(), Box<dyn Error>> {
     let grid = heights.grid();
     let (low, high) = (heights.min(), heights.max());
@@ -77,7 +132,7 @@ pub(crate) fn heights(
                 .flat_map(|iy| columns.clone().filter_map(move |ix| heights.get(ix, iy)))
         };
         let mean = cells().sum::<f64>() / cells().count() as f64;
-        let grey = HSLColor(0.0, 0.0, (mean - low) / (high - low));
+        let colour = colours((mean - low) / (high - low));
         let edge = |ix: f64, iy: f64| {
             let (x, y) = (
                 grid.x(0) + (ix - 0.5) * grid.dx(),
@@ -87,7 +142,7 @@ pub(crate) fn heights(
         };
         let far = |end: usize, cells: usize| (end as f64 + 0.5 * block as f64).min(cells as f64);
         let opposite = edge(far(columns.end, grid.nx()), far(rows.end, grid.ny()));
-        Rectangle::new([edge(ix as f64, iy as f64), opposite], grey.filled())
+        Rectangle::new([edge(ix as f64, iy as f64), opposite], colour.filled())
     });
     chart.draw_series(rectangles)?;
     Ok(())

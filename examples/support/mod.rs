@@ -53,10 +53,61 @@ pub(crate) fn axes<'a>(
     x: (Range<f64>, &str),
     y: (Range<f64>, &str),
 ) -> Result<Chart<'a>, Box<dyn Error>> {
-    labelled_axes(area, x, y, [7, 7], &|value| format!("{value:.1}"))
+    let formats = [ticks(&x.0), ticks(&y.0)];
+    labelled_axes(
+        area,
+        x,
+        y,
+        [7, 7],
+        formats.each_ref().map(|format| format as Format<'_>),
+    )
 }
 
-/// Axes for decimal logarithms, with labels at powers of ten; the ranges are of exponents.
+/// Axes of one scale, as far as the area allows: the rest of it stays empty.
+pub(crate) fn map_axes<'a>(
+    area: &Area<'a>,
+    x: (Range<f64>, &str),
+    y: (Range<f64>, &str),
+) -> Result<Chart<'a>, Box<dyn Error>> {
+    let (width, height) = area.dim_in_pixel();
+    let inside = [width, height].map(f64::from);
+    let room = [inside[0] - f64::from(BESIDE), inside[1] - f64::from(BELOW)];
+    let spans = [&x.0, &y.0].map(|range| range.end - range.start);
+    let scale = (room[0] / spans[0]).min(room[1] / spans[1]);
+    #[expect(clippy::cast_possible_truncation, reason = "pixels of a drawing")]
+    let [right, above] = [0, 1].map(|axis| (room[axis] - scale * spans[axis]) as i32);
+    axes(&area.margin(above, 0, 0, right), x, y)
+}
+
+/// What a chart takes beside and below what it shows.
+const BESIDE: u32 = 20 + 40 + 120;
+const BELOW: u32 = 20 + 20 + 80;
+
+/// How the value of a tick is written.
+type Format<'f> = &'f dyn Fn(&f64) -> String;
+
+/// With as many decimals as seven ticks over the range need.
+fn ticks(range: &Range<f64>) -> impl Fn(&f64) -> String + use<> {
+    let digits = (0.8 - (range.end - range.start).log10()).ceil();
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a small number that is not negative"
+    )]
+    let digits = digits.clamp(0.0, 9.0) as usize;
+    move |value| {
+        let text = format!("{value:.digits$}");
+        let is_zero = text.trim_start_matches(['-', '0', '.']).is_empty();
+        if is_zero {
+            text.replace('-', "")
+        } else {
+            text.replace('-', "\u{2212}")
+        }
+    }
+}
+
+/// Axes for decimal logarithms, with labels at powers of ten, or at a few numbers where there are less than two of them;
+/// the ranges are of exponents.
 pub(crate) fn decades<'a>(
     area: &Area<'a>,
     x: (Range<f64>, &str),
@@ -67,15 +118,30 @@ pub(crate) fn decades<'a>(
     // More labels than whole exponents would stand between them; more than eight would touch.
     let labels = [&width, &height].map(|range| {
         let inside = integers().filter(|exponent| range.contains(exponent));
-        inside.count().clamp(1, 8)
+        let count = inside.count();
+        if count < 2 { 5 } else { count.min(8) }
     });
-    let mut chart = labelled_axes(area, x, y, labels, &|&exponent| power_of_ten(exponent))?;
+    let format: Format<'_> = &|&exponent| power_of_ten(exponent);
+    let number: Format<'_> = &|&exponent| two_digits(10_f64.powf(exponent));
+    let formats = labels.map(|count| if count == 5 { number } else { format });
+    let mut chart = labelled_axes(area, x, y, labels, formats)?;
     let lines = integers()
         .flat_map(|exponent| (2..10).map(move |digit| exponent + f64::from(digit).log10()))
         .filter(|y| height.contains(y))
         .map(|y| PathElement::new([(width.start, y), (width.end, y)], BLACK.mix(0.05)));
     chart.draw_series(lines)?;
     Ok(chart)
+}
+
+/// A number with two digits that count.
+fn two_digits(value: f64) -> String {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a small number that is not negative"
+    )]
+    let decimals = (1.0 - value.log10().floor()).clamp(0.0, 9.0) as usize;
+    format!("{value:.decimals$}")
 }
 
 /// `10⁻⁶` for -6.
@@ -102,7 +168,7 @@ fn labelled_axes<'a>(
     x: (Range<f64>, &str),
     y: (Range<f64>, &str),
     labels: [usize; 2],
-    formatter: &dyn Fn(&f64) -> String,
+    formats: [Format<'_>; 2],
 ) -> Result<Chart<'a>, Box<dyn Error>> {
     let mut chart = ChartBuilder::on(area)
         .margin(20)
@@ -118,8 +184,8 @@ fn labelled_axes<'a>(
         .y_desc(y.1)
         .x_labels(labels[0])
         .y_labels(labels[1])
-        .x_label_formatter(&formatter)
-        .y_label_formatter(&formatter)
+        .x_label_formatter(&formats[0])
+        .y_label_formatter(&formats[1])
         .label_style(("sans-serif", LETTERS - 2))
         .axis_desc_style(("sans-serif", LETTERS))
         .draw()?;

@@ -325,11 +325,10 @@ fn motions_that_cells_follow_alike_are_no_obstacle() {
     let found = oblique.stiffness(&scene.bodies).unwrap();
     assert!((0.0..=1e-10).contains(&found.bound));
     // The same resistance across, turned.
-    let [x, y] = [-0.8, 0.6];
-    let expected = [[x * x, x * y], [x * y, y * y]];
-    for row in 0..2 {
-        for column in 0..2 {
-            let error = found.loading[row][column] - across * expected[row][column];
+    let normal_to_slip = [-0.8, 0.6];
+    for (row, x) in normal_to_slip.into_iter().enumerate() {
+        for (column, y) in normal_to_slip.into_iter().enumerate() {
+            let error = found.loading[row][column] - across * x * y;
             assert!(error.abs() < 1e-2 * across, "{row} {column}: {error:e}");
         }
     }
