@@ -28,7 +28,7 @@ fn valid() -> Vec<(Parse, Vec<u8>)> {
     };
     let header =
         "aISO-1.0\nNumPoints = 6\nNumProfiles = 5\nXscale = 1\nYscale = 1\nZscale = 1\n*\n";
-    let asc = "# File Format = ASCII\n# x-pixels = 6\n# y-pixels = 5\n# x-length = 1\n# y-length = 1\n# z-unit = nm\n# voidpixels = 3\n";
+    let asc = "# File Format = ASCII\n# x-pixels = 6\n# y-pixels = 5\n# x-length = 1\n# y-length = 1\n# z-unit = nm\n# voidpixels = -3\n";
     let samples = "1 2 BAD 4.5 5 6\n".repeat(5);
     let files: Vec<(Parse, Vec<u8>)> = vec![
         (parse_npy, io::npy::to_bytes(&field)),
