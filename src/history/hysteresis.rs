@@ -1,4 +1,4 @@
-//! The loop that force and shift describe in a cycle.
+//! The loop that force and shift describe in a cycle, and cycles in tables.
 
 use std::fmt::Write;
 
@@ -61,6 +61,46 @@ impl Cycle {
                 .expect("writing to a string cannot fail");
         }
         text
+    }
+
+    /// The names of the columns of [`Cycle::summary_as_csv`], without the end of the line.
+    pub const SUMMARY_NAMES: &str = "steps,force_amplitude_x,force_amplitude_y,shift_amplitude_x,shift_amplitude_y,\
+         dissipated_energy,energy_ratio,cyclic_residual,least_stick_ratio,largest_stick_ratio";
+
+    /// The cycle as a line of CSV without its end, for a table of cycles: number of steps, half the ranges of force and
+    /// shift, energy dissipated by the tractions at the ends of steps, [energy ratio](Cycle::energy_ratio),
+    /// [residual](Cycle::cyclic_residual) and [stick ratios](Cycle::stick_ratios).
+    ///
+    /// ```
+    /// use stickslip::history::{Cycle, FrettingLoop, LoadPath};
+    /// # use stickslip::*;
+    /// # let grid = Grid::square(16, 8.0)?;
+    /// # let rubber = Material::new(1.0, 0.5)?;
+    /// # let bodies = HalfSpace::new(grid, ElasticPair::new(rubber, Material::rigid())?)?;
+    /// # let ball = surface::sphere(grid, 10.0)?;
+    /// # let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.3)?).build()?;
+    /// let fretting = FrettingLoop::new(LoadPath::triangle([0.1, 0.0], 4)?, |shift| {
+    ///     LoadStep::shift(shift).normal(NormalControl::Force(0.5))
+    /// });
+    /// let mut table = format!("{}\n", Cycle::SUMMARY_NAMES);
+    /// let mut cycle = Cycle::new(&history);
+    /// for _ in 0..3 {
+    ///     fretting.cycle(&mut history, &mut cycle)?;
+    ///     table += &(cycle.summary_as_csv() + "\n");
+    /// }
+    /// assert!(table.lines().all(|line| line.split(',').count() == 10));
+    /// assert!(table.lines().nth(3).is_some_and(|line| line.starts_with("4,")));
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub fn summary_as_csv(&self) -> String {
+        let ([fx, fy], [dx, dy]) = (self.force_amplitude(), self.shift_amplitude());
+        let [least, largest] = self.stick_ratios();
+        let (energy, ratio) = (self.energy().dissipated_energy, self.energy_ratio());
+        let (steps, residual) = (self.steps(), self.cyclic_residual());
+        format!(
+            "{steps},{fx:?},{fy:?},{dx:?},{dy:?},{energy:?},{ratio:?},{residual:?},{least:?},{largest:?}"
+        )
     }
 }
 
