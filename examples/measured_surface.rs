@@ -41,7 +41,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let steel = Material::new(210e9, 0.3)?;
     let pair = ElasticPair::new(steel, steel)?;
-    // A sample of a nominally flat surface, which goes on beyond its edges.
+    // The grid is a sample of a larger, nominally flat surface.
     let bodies = HalfSpace::with_boundary(heights.grid(), pair, Boundary::Periodic)?;
     // A measurement is not periodic: its spectral slope would include the step from edge to edge.
     let slope = statistics.finite_difference_rms_slope();

@@ -24,12 +24,10 @@ pub enum Warning {
         spots: usize,
     },
     /// The grid is a line of cells, and does not repeat: a row of rectangles, whose ends bear peaks of pressure. It
-    /// is no
-    /// line contact in plane strain.
+    /// is no line contact in plane strain.
     LineOfCells,
     /// A contact spot runs from edge to edge of the grid, as that of a cylinder does: the bodies end there, and the
-    /// ends
-    /// bear peaks of pressure that a longer body does not have.
+    /// ends bear peaks of pressure that a longer body does not have.
     ContactAcross {
         /// From the first column to the last.
         along_x: bool,
@@ -176,8 +174,7 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
     }
 
     /// Number of cells of each spot, and whether one spot runs from the first column to the last, and from the first
-    /// row
-    /// to the last.
+    /// row to the last.
     fn survey_spots(&self) -> (Vec<usize>, [bool; 2]) {
         let mut spots: Vec<(usize, [[bool; 2]; 2])> = Vec::new();
         let last = self.grid.size().map(|count| signed(count) - 1);

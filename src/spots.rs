@@ -43,19 +43,18 @@ pub struct ContactSpots {
 pub struct Spot {
     /// Number of its cells.
     pub cells: usize,
-    /// Area, by counting cells.
+    /// Area, by counting cells (a length squared).
     pub area: f64,
-    /// Normal force that it carries.
+    /// Normal force that it carries (a force).
     pub load: f64,
-    /// Load over area.
+    /// Load over area (a pressure).
     pub mean_pressure: f64,
-    /// Largest pressure of its cells.
+    /// Largest pressure of its cells (a pressure).
     pub max_pressure: f64,
     /// Centre of the area (lengths). That of a spot across the edges of a periodic grid is given inside the grid; for
-    /// a spot
-    /// that spans the whole period it is not meaningful.
+    /// a spot that spans the whole period it is not meaningful.
     pub centroid: [f64; 2],
-    /// Length of its edge, along the sides of its cells: longer than the edge of a round spot by a factor of 4/pi.
+    /// Length of its edge (a length), along the sides of its cells: longer than the edge of a round spot by a factor of 4/pi.
     pub perimeter: f64,
     /// Stick cells over all its cells; `None` for a contact that is pressed only.
     pub stick_ratio: Option<f64>,

@@ -88,6 +88,7 @@ impl<T: Real> Plan<T> {
                     *value = T::of(scaled);
                 }
                 scratch.real[self.nx..].fill(T::zero());
+                // Fails for a wrong length alone; all are from the same plan.
                 self.row_forward
                     .process_with_scratch(&mut scratch.real, output, &mut scratch.transform)
                     .expect("the plan sized every buffer");
@@ -144,6 +145,7 @@ impl<T: Real> Plan<T> {
             if self.mx % 2 == 0 {
                 row[self.width() - 1].im = T::zero();
             }
+            // Fails for a wrong length, or ends that are not real: set to zero above.
             self.row_inverse
                 .process_with_scratch(row, &mut scratch.real, &mut scratch.transform)
                 .expect("the plan sized every buffer and the ends of the row are real");

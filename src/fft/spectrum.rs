@@ -88,6 +88,7 @@ fn half_transforms(
                 wrapped[(m - d) % m] = if is_odd { -value } else { value };
                 wrapped[d] = if is_odd && is_own_image { 0.0 } else { value };
             }
+            // Fails for a wrong length alone; all were made by the transform.
             transform
                 .process_with_scratch(&mut wrapped, &mut complex, &mut scratch)
                 .expect("the transform made its own buffers");

@@ -30,14 +30,10 @@ pub struct StepError {
 /// Takes a load in steps short enough for a tolerance, and tells the error of a step.
 ///
 /// The state after a step is that of a load that went straight from beginning to end, up to an error whose order is
-/// told
-/// by [growing contacts](crate::guide::growing_contacts). A step is compared with the same load in two halves, and
-/// the halves count. They
-/// are taken if [`StepError::traction`] is at most the tolerance times the root of the step's part of the load, else
-/// the
-/// step is shortened: an estimate, no bound. On a ball that turns its shift while it grows, the error after the load
-/// was
-/// 0.2 to 2.5 of the tolerance.
+/// told by [growing contacts](crate::guide::growing_contacts). A step is compared with the same load in two halves,
+/// and the halves count. They are taken if [`StepError::traction`] is at most the tolerance times the root of the
+/// step's part of the load, else the step is shortened: an estimate, no bound. On a ball that turns its shift while
+/// it grows, the error after the load was up to 2.5 times the tolerance.
 ///
 /// All that is prescribed goes from its value before to that of the load in proportion. The buffers take the memory of
 /// four states. A step allocates where the contact outgrows its box, each time that the step is tried.
@@ -81,8 +77,7 @@ impl AdaptiveSteps {
     /// 1)`.
     ///
     /// A tolerance below about a hundred times that of the history's [settings](History::settings) cannot be met: the
-    /// error
-    /// of the solves then dominates, however short the steps.
+    /// error of the solves then dominates, however short the steps.
     ///
     /// # Errors
     /// [`Error::Tolerance`].
@@ -117,8 +112,7 @@ impl AdaptiveSteps {
     /// # Errors
     /// As [`History::step`]; [`Error::GridMismatch`] for a history on another grid; [`Error::StepTooLong`] if steps of
     /// 1/4096 of the load are not short enough. The state is then as it was; the [last step](History::last_step) is
-    /// that of
-    /// the last attempt.
+    /// that of the last attempt.
     pub fn step(&mut self, history: &mut History, load: &LoadStep) -> Result<usize> {
         self.step_observed(history, load, |_| Ok(()))
     }

@@ -148,8 +148,8 @@ impl History {
     /// approach; see [`crate::stiffness`].
     ///
     /// Loading is the derivative of the force of the last step by its motion, the sets held: call it after the step. In the
-    /// vector model the slip of [the step taken last](Self::last_step) resists turning; after
-    /// [`set_state`](Self::set_state), that is another step, and after a restart there is none. Cells that come into
+    /// vector model the slip of [the last step](Self::last_step) adds to the stiffness of cells that slip; after
+    /// [`set_state`](Self::set_state) that slip is of another step, after a restart it is zero. Cells that come into
     /// contact during further motion are not included.
     ///
     /// # Errors

@@ -96,13 +96,13 @@ struct Press<'a> {
 impl<'a> Press<'a> {
     /// `None` if the bodies were not pressed further together.
     fn new(state: &'a State, pressed: &'a NormalSolution, load: &LoadStep) -> Option<Self> {
-        let force = pressed.force() - state.normal.force();
-        let is_growth = !is_same(pressed.force(), state.normal.force(), pressed.force());
+        let (before, after) = (state.normal.force(), pressed.force());
+        let is_growth = !is_same(after, before, after);
         let mut press = Self {
             state,
             pressed,
             approach: 0.0,
-            force: if is_growth { force } else { 0.0 },
+            force: if is_growth { after - before } else { 0.0 },
         };
         press.approach = press
             .mean_displacement()
@@ -239,9 +239,8 @@ impl Stuck {
     }
 
     /// The rotation of the cells that were in contact at the beginning of the step, for each unit of `turning`: the
-    /// regression of the rotation over the part of the step that a cell was apart, there where that is zero. On a
-    /// sphere
-    /// the rotation is linear in it.
+    /// regression of the rotation over the part of the step that a cell was apart, evaluated where that part is zero. On
+    /// a sphere the rotation is linear in it.
     fn rotation(&self, press: &Press<'_>, increment: &Increment) -> Option<f64> {
         let pressed = &increment.pressed;
         let [
@@ -303,7 +302,7 @@ fn slope(
     increment: &Increment,
 ) -> Option<[f64; 2]> {
     let limit = increment.pressed.limits.sum * press.state.grid().cell_area();
-    // Row by row: what is prescribed along each axis, and that there is none across the axis of the scalar model.
+    // One row per axis. That of an axis which the scalar model leaves out sets its component to zero.
     let (mut rows, mut right) = ([[1.0, 0.0], [0.0, 1.0]], [0.0; 2]);
     for a in increment.axes().iter().map(|axis| axis.index()) {
         let (shift, force) = (press.state.shift()[a], press.state.force()[a]);

@@ -30,9 +30,11 @@ pub struct NormalStiffness {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct TangentialStiffness {
-    /// When the motion goes on. Cattaneo and Mindlin: $`8 G^* a\,(1 - F/\mu W)^{1/3}`$.
+    /// If the motion continues in its direction. Of a ball, by
+    /// [Cattaneo and Mindlin](crate::analytical::CattaneoMindlin): $`8 G^* a\,(1 - F/\mu W)^{1/3}`$.
     pub loading: [[f64; 3]; 3],
-    /// When the motion turns back: all cells of the contact stick. Mindlin: $`8 G^* a`$.
+    /// If the motion reverses: all cells of the contact stick. Of a circle, by
+    /// [Mindlin](crate::analytical::MindlinFullStick): $`8 G^* a`$.
     pub reversal: [[f64; 3]; 3],
     /// Bound of the errors: none is larger than this times the root of the product of the two entries on the diagonal,
     /// of the matrix for a twist about the centre of the contact.
@@ -51,15 +53,15 @@ pub struct ContactStiffness {
     pub normal: NormalStiffness,
     /// Tangential forces and moment by shift and twist.
     pub tangential: TangentialStiffness,
-    /// Tangential forces and moment by the approach, at an unchanged shift, when slip goes on: through the friction
-    /// limit of the cells that slip. Their pressure has the relative error of the root of the bound.
+    /// Tangential forces (over a length) and moment (a force) by the approach, at an unchanged shift, if slip continues:
+    /// through the friction limit of the cells that slip. Without a bound of its own; the change of pressure behind it
+    /// has a relative error, in the energy norm, of the root of the bound of `normal`.
     pub by_approach: [f64; 3],
 }
 
 impl TangentialStiffness {
-    /// What drives the contact through springs feels: forces and moment by the motion of the far ends of springs
-    /// along x
-    /// and y (a force over a length each), and by the twist, $`(K^{-1} + k^{-1})^{-1}`$.
+    /// The stiffness behind springs: forces and moment by the motion of the far ends of springs along x and y (a force
+    /// over a length each), and by the twist, $`(K^{-1} + k^{-1})^{-1}`$.
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) for a spring.
@@ -90,16 +92,14 @@ impl NormalSolution {
     /// The normal stiffness $`dW/d\delta_z`$, by one solve on the cells of the contact.
     ///
     /// The set of cells is held, so that the stiffness jumps where a cell comes into contact; it is that of a contact
-    /// whose
-    /// edge runs along sides of cells. On a periodic grid the approach is that of the mean planes.
+    /// whose edge runs along sides of cells. On a periodic grid the approach is that of the mean planes.
     ///
     /// # Errors
     /// [`Error::GridMismatch`](crate::Error::GridMismatch),
     /// [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) or
     /// [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) for bodies that the solution is
     /// not of; [`Error::NotFinite`](crate::Error::NotFinite) where a periodic contact is closed everywhere and
-    /// resists without limit;
-    /// [`Error::NotConverged`](crate::Error::NotConverged); as [`HalfSpace::operator`].
+    /// resists without limit; [`Error::NotConverged`](crate::Error::NotConverged); as [`HalfSpace::operator`].
     pub fn stiffness(&self, bodies: &HalfSpace) -> Result<NormalStiffness> {
         Ok(pressed(bodies, self)?.map_or(
             NormalStiffness {
@@ -115,8 +115,7 @@ impl TangentialSolution {
     /// The tangential stiffness, by a solve for each motion of the model and each of the two sets of cells.
     ///
     /// Loading is the derivative of this solution by its load. In the vector model that includes how the slip of the
-    /// step
-    /// resists turning; on grids that do not repeat the vector model has the twist.
+    /// step resists turning; on grids that do not repeat the vector model has the twist.
     ///
     /// # Errors
     /// [`Error::GridMismatch`](crate::Error::GridMismatch) or

@@ -24,9 +24,8 @@ const SLACK: f64 = 1e-9;
 ///
 /// # Errors
 /// [`Error::Sample`] for the first height that is missing or infinite, or that would be beyond the range of numbers;
-/// [`Error::BeyondSamples`] if
-/// a cell centre of the grid lies outside the source's grid, that is more than half a source cell
-/// beyond the outermost sample; [`Error::Memory`].
+/// [`Error::BeyondSamples`] if a cell centre of the grid lies outside the source's grid, that is more than half a
+/// source cell beyond the outermost sample; [`Error::Memory`].
 ///
 /// ```
 /// use stickslip::{Field, Grid, surface};

@@ -299,7 +299,7 @@ fn the_rule_is_never_worse_than_none() {
                     distance(&few, &many)
                 });
                 assert!(
-                    with <= 1.01 * without,
+                    with <= (1.0 + 1e-9) * without,
                     "path {number}: {with:e} {without:e}"
                 );
                 // Twice the prototype's; beyond the last straight leg the direction of slip decides.

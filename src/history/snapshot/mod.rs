@@ -33,8 +33,7 @@ const SUM: usize = 8;
 
 impl State {
     /// The state as bytes, some 60 per cell and 80 in the plane (8 more if the gap has changed since it was pressed),
-    /// from
-    /// which [`State::from_bytes`] makes it again.
+    /// from which [`State::from_bytes`] makes it again.
     ///
     /// All numbers keep their bits. Of the report of the pressure, the wall time and the course of the iteration
     /// ([`Report::time`](crate::Report::time) and [`Report::history`](crate::Report::history)) are left out. While
