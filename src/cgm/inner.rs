@@ -4,10 +4,10 @@
 use std::ops::ControlFlow;
 
 use crate::cgm::motion::Motion;
-use crate::cgm::run::Run;
+use crate::cgm::run::{Precision, Run};
 use crate::cgm::totals::TotalsSystem;
 use crate::cgm::vector::{
-    at, chunks, dot, held, minus, norm, plus, put, slices, slices_mut, within,
+    at, chunks, dot, held, minus, norm, plus, put, slices, slices_mut, update_cells, within,
 };
 use crate::cgm::{Constraint, MotionOf};
 use crate::operator::Operator;
@@ -80,7 +80,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             turning = plus(with_springs, conjugation.unwrap_or(0.0), turning);
 
             self.proceed()?;
-            self.apply_f32_to_direction();
+            self.apply_to_direction(Precision::Single);
             self.count_step();
             let (curvature, square) = self.curvature();
             let curvature = curvature + totals.curvature(turning);
@@ -178,6 +178,13 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     /// `image = M direction`.
     pub(super) fn precondition(&mut self) {
         let w = &mut *self.workspace;
+        if self.restraint > self.stiff {
+            let direction = slices(&w.direction);
+            update_cells(&mut w.image, |i, _| {
+                at(&direction, i).map(|r| r / self.restraint)
+            });
+            return;
+        }
         let (direction, image) = (slices(&w.direction), slices_mut(&mut w.image));
         let preconditioner = &self.problem.preconditioner;
         preconditioner.apply_f32(direction, image, &mut w.preconditioner);

@@ -16,7 +16,8 @@
 //! The solver is Newton's method on the law of every cell: the sets decide how each cell may move, conjugate gradients
 //! solve the linear problem of the cells that move, bordered by the totals, and then the sets are decided again. For
 //! intervals that is an active-set method; for discs the linear problem contains the curvature of the circles. If the
-//! sets cycle, projected gradients lead past that place.
+//! sets cycle, projected gradients lead past that place; if they still do, better conditioned problems lead to the
+//! minimum.
 //!
 //! [`Method`] selects the iteration. Whatever the method and the outcome, the iterate returned is feasible and the
 //! [`Report`] is recomputed from a product with it; its duality gap bounds the error in the energy norm (see
@@ -105,6 +106,7 @@ mod polonsky_keer;
 mod problem;
 mod progress;
 mod projected_gradient;
+mod proximal;
 pub(crate) mod reduce;
 mod run;
 mod set;

@@ -16,8 +16,10 @@ pub(super) struct Monitor<'a> {
     start: Instant,
     /// Conjugate-gradient steps so far.
     steps: usize,
-    /// Least merit so far.
+    /// Least merit so far of what is solved.
     pub(super) best: f64,
+    /// Residual at which a stage ends that is solved on the way; none is under way else.
+    stage: Option<f64>,
 }
 
 impl<'a> Monitor<'a> {
@@ -38,7 +40,19 @@ impl<'a> Monitor<'a> {
             start: Instant::now(),
             steps: 0,
             best: f64::INFINITY,
+            stage: None,
         }
+    }
+
+    /// A stage to be solved to this residual begins, or the problem itself.
+    pub(super) fn begin(&mut self, stage: Option<f64>) {
+        self.stage = stage;
+        self.best = f64::INFINITY;
+    }
+
+    /// Residual at which what is solved at present ends.
+    pub(super) fn tolerance(&self) -> f64 {
+        self.stage.unwrap_or(self.settings.tolerance)
     }
 
     /// Records an examined step, and says if it is the last: converged or stopped.
@@ -48,13 +62,15 @@ impl<'a> Monitor<'a> {
         free: usize,
         report: &mut Report,
     ) -> ControlFlow<Status> {
-        let entry = self.entry(free, report);
-        report.history.push(entry);
+        if self.stage.is_none() {
+            let entry = self.entry(free, report);
+            report.history.push(entry);
+        }
         if merit.is_nan() {
             return ControlFlow::Break(Status::Stalled);
         }
         self.best = self.best.min(merit);
-        if merit <= self.settings.tolerance {
+        if merit <= self.tolerance() {
             return ControlFlow::Break(Status::Converged);
         }
         self.proceed(free, report)

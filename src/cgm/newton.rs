@@ -44,7 +44,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             let findings = self.examine();
             let mut merit = self.merit(&findings);
             let mut keeps_sets = true;
-            if merit <= self.monitor.settings.tolerance {
+            if merit <= self.monitor.tolerance() {
                 // Judge what will be returned.
                 keeps_sets = self.make_feasible();
                 let feasible = self.examine();
@@ -59,7 +59,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
                 self.inner_reduction = progress.inner_reduction;
                 return ControlFlow::Continue(());
             }
-            let reduction = progress.reduction(merit, self.monitor.settings.tolerance);
+            let reduction = progress.reduction(merit, self.monitor.tolerance());
             self.measure(false);
             self.solve_linear(&totals, reduction)?;
             let (changes, sums) = self.reclassify(findings.displacement);
@@ -203,7 +203,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     fn reclassify(&mut self, largest: f64) -> (usize, [f64; N]) {
         let constraint = &self.problem.constraint;
         // Below this a wrong sign is noise of the inner solution, and would come and go.
-        let noise = (0.01 * self.monitor.settings.tolerance).max(f64::EPSILON) * largest;
+        let noise = (0.01 * self.monitor.tolerance()).max(f64::EPSILON) * largest;
         let lower_bound = self.lower_bound;
         self.is_fresh = false;
         let w = &mut *self.workspace;

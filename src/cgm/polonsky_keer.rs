@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 
 use crate::cgm::interval::{Side, shift_to_total};
 use crate::cgm::motion::Motion;
-use crate::cgm::run::Run;
+use crate::cgm::run::{Precision, Run};
 use crate::cgm::vector::{at, plus, slices, update_cells};
 use crate::cgm::{Admissible, Constraint, Interval, reduce};
 use crate::operator::Operator;
@@ -45,7 +45,7 @@ impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, 
             let free = self.set_mean_of_free();
             let findings = self.examine();
             let merit = self.merit(&findings);
-            if merit <= self.monitor.settings.tolerance && !self.is_fresh {
+            if merit <= self.monitor.tolerance() && !self.is_fresh {
                 since_refresh = REFRESH;
                 continue;
             }
@@ -66,7 +66,7 @@ impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, 
             let conjugation = if conjugate { squares / previous } else { 0.0 };
             previous = squares;
             self.set_direction_of_free(conjugation, free);
-            self.apply_to_direction();
+            self.apply_to_direction(Precision::Double);
             self.count_step();
             let length = self.length_of_free();
             let moves = self.step_and_clip(length);

@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use crate::cgm::motion::{Linearised, Reach};
+use crate::cgm::projected_gradient::Objective;
 use crate::cgm::run::Run;
 use crate::cgm::totals::Total;
 use crate::cgm::{Constraint, Method, MotionOf, Settings, Workspace, set};
@@ -188,38 +189,29 @@ pub fn minimise_with<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: 
     }
 }
 
-/// Rounds of fallback steps after which the residual was not halved before the iteration counts as stalled.
-const STALLS: usize = 6;
+/// Projected gradients after each of the first cycles.
+const GRADIENTS: [usize; 2] = [32, 64];
 
-/// The chosen method; each time its sets cycle, twice as many steps of a method that has none, until
-/// that does not help any more.
+/// The chosen method, led past the place where its sets cycle.
 fn iterate<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
     run: &mut Run<'_, '_, C, K, P, N>,
 ) -> Status {
-    let (mut fallback_steps, mut stalls) = (32, 0);
-    loop {
-        let before = run.monitor.best;
-        let ended = match run.monitor.settings.method {
-            Method::ActiveSet => run.newton(),
-            Method::PolonskyKeer => K::Set::single_loop(run),
-        };
-        if let Some(status) = ended {
+    let once = |run: &mut Run<'_, '_, C, K, P, N>| match run.monitor.settings.method {
+        Method::ActiveSet => run.newton(),
+        Method::PolonskyKeer => K::Set::single_loop(run),
+    };
+    for steps in GRADIENTS {
+        if let Some(status) = once(run) {
             return status;
         }
-        stalls = if run.monitor.best < 0.5 * before {
-            0
-        } else {
-            stalls + 1
-        };
-        if stalls > STALLS {
-            return Status::Stalled;
-        }
-        match run.project_gradients(fallback_steps) {
+        match run.project_gradients(steps) {
             ControlFlow::Break(status) => return status,
-            // The objective no longer falls: one look by the method, and that is all.
-            ControlFlow::Continue(true) => stalls = STALLS,
-            ControlFlow::Continue(false) => {}
+            // One look by the method, and that is all.
+            ControlFlow::Continue(Objective::Stands) => {
+                return once(run).unwrap_or(Status::Stalled);
+            }
+            ControlFlow::Continue(Objective::Falls) => {}
         }
-        fallback_steps = (2 * fallback_steps).min(run.monitor.settings.max_iterations);
     }
+    once(run).unwrap_or_else(|| run.by_proximal_points())
 }

@@ -1,50 +1,56 @@
-//! The way out when sets cycle: projected gradients with Barzilai-Borwein lengths.
+//! The first way out when sets cycle: projected gradients with Barzilai-Borwein lengths.
 //!
 //! Every step goes along `P(x - a g) - x`, with the exact projection on sets and sums, to the
 //! minimum of the objective on it: the objective falls at every step, from any start, whatever the
 //! sets do (Dai & Fletcher, Mathematical Programming 106 (2006) 403,
-//! <https://doi.org/10.1007/s10107-005-0595-2>). Slow, so it only leads the other methods past the
-//! place where they went in circles.
+//! <https://doi.org/10.1007/s10107-005-0595-2>). A few steps lead the other methods past most places where they went
+//! in circles; many would be slow, and nothing where the operator is ill-conditioned.
 
 use std::ops::ControlFlow;
 
 use crate::cgm::motion::Linearised;
-use crate::cgm::run::Run;
+use crate::cgm::run::{Precision, Run};
 use crate::cgm::totals::{Total, sums_of};
 use crate::cgm::vector::{at, dot, minus, plus, slices, slices_mut, update_cells};
 use crate::cgm::{Admissible, Constraint, reduce};
 use crate::operator::Operator;
 use crate::report::Status;
 
+/// What the objective does at the end of the steps.
+pub(super) enum Objective {
+    Falls,
+    /// It no longer falls, but by round-off.
+    Stands,
+}
+
 impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '_, C, K, P, N> {
-    /// At most `steps` steps from the present iterate; says whether they ended at a point where the
-    /// objective no longer falls.
-    pub(super) fn project_gradients(&mut self, steps: usize) -> ControlFlow<Status, bool> {
+    /// At most `steps` steps from the present iterate.
+    pub(super) fn project_gradients(&mut self, steps: usize) -> ControlFlow<Status, Objective> {
         self.mark_start();
         self.restore_totals(true);
         self.ask()?;
         self.refresh();
         self.ask()?;
         let Some(mut length) = self.length_without_bounds() else {
-            return ControlFlow::Continue(true);
+            return ControlFlow::Continue(Objective::Stands);
         };
         for _ in 0..steps {
             self.set_multiplier_of_all();
             let [descent, square] = self.set_projected_direction(length);
             if descent.is_nan() || descent >= 0.0 {
-                return ControlFlow::Continue(true);
+                return ControlFlow::Continue(Objective::Stands);
             }
             self.proceed()?;
-            self.apply_to_direction();
+            self.apply_to_direction(Precision::Double);
             self.count_step();
             let curvature = self.curvature_of_all();
             if curvature.is_nan() || curvature <= 0.0 {
-                return ControlFlow::Continue(true);
+                return ControlFlow::Continue(Objective::Stands);
             }
             self.go_along((-descent / curvature).min(1.0));
             length = square / curvature;
         }
-        ControlFlow::Continue(false)
+        ControlFlow::Continue(Objective::Falls)
     }
 
     /// A step length of the right size: that of the steepest descent without bounds.
@@ -53,7 +59,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         for (direction, gradient) in w.direction.iter_mut().zip(&w.gradient) {
             direction.copy_from_slice(gradient);
         }
-        self.apply_to_direction();
+        self.apply_to_direction(Precision::Double);
         let direction = slices(&self.workspace.direction);
         let square = reduce::sum(self.cells(), |i| dot(at(&direction, i), at(&direction, i)));
         let curvature = self.curvature_of_all();

@@ -7,10 +7,10 @@ use crate::cgm::monitor::Monitor;
 use crate::cgm::motion::{Linearised, Motion};
 use crate::cgm::progress::INNER_REDUCTION;
 use crate::cgm::totals::{Total, sums_of};
-use crate::cgm::vector::{at, dot, norm, plus, slices, slices_mut, update_cells};
+use crate::cgm::vector::{at, dot, minus, norm, plus, slices, slices_mut, update_cells};
 use crate::cgm::{Admissible, Constraint, MotionOf, Problem, Settings, Workspace, reduce};
 use crate::operator::Operator;
-use crate::report::{Iteration, Status};
+use crate::report::{Iteration, Report, Status};
 
 /// Part of the smallest eigenvalue below which a curvature is round-off of single precision.
 const FLAT: f64 = 1e-3;
@@ -18,6 +18,36 @@ const FLAT: f64 = 1e-3;
 const FLATTEST: f64 = 1e-30;
 /// The same where no eigenvalue is known: small in any system of units.
 const NOTHING: f64 = 1e-60;
+
+/// What a product is computed in.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Precision {
+    Double,
+    Single,
+}
+
+impl Precision {
+    /// `out = C x`, counted.
+    fn apply<C: Operator<N>, const N: usize>(
+        self,
+        operator: &C,
+        x: [&[f64]; N],
+        out: [&mut [f64]; N],
+        workspace: &mut C::Workspace,
+        report: &mut Report,
+    ) {
+        match self {
+            Self::Double => {
+                operator.apply(x, out, workspace);
+                report.double_precision_products += 1;
+            }
+            Self::Single => {
+                operator.apply_f32(x, out, workspace);
+                report.single_precision_products += 1;
+            }
+        }
+    }
+}
 
 /// One solve under way.
 #[expect(
@@ -36,6 +66,10 @@ pub struct Run<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N
     pub(super) lower_bound: f64,
     /// Reduction of the inner residual that the next pass of Newton's method begins with.
     pub(super) inner_reduction: f64,
+    /// Stiffness that is added to the operator about the centre of a stage; zero but in the way out of a cycle.
+    pub(super) restraint: f64,
+    /// Restraint beside which the inverse of the operator alone is of no use.
+    pub(super) stiff: f64,
     /// Free cells, as last examined.
     free: usize,
     /// Whether the totals leave no choice: every cell stands at an extreme of its set.
@@ -62,6 +96,8 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
             workspace,
             is_fresh: false,
             inner_reduction: INNER_REDUCTION,
+            restraint: 0.0,
+            stiff: f64::INFINITY,
             free: 0,
             is_extreme: false,
         }
@@ -108,43 +144,42 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
     }
 
     /// `image = C direction`.
-    pub(super) fn apply_to_direction(&mut self) {
+    pub(super) fn apply_to_direction(&mut self, precision: Precision) {
         let w = &mut *self.workspace;
         let (direction, image) = (slices(&w.direction), slices_mut(&mut w.image));
-        let operator = &self.problem.operator;
-        operator.apply(direction, image, &mut w.operator);
-        w.report.double_precision_products += 1;
-    }
-
-    /// `image = C direction`, in single precision.
-    pub(super) fn apply_f32_to_direction(&mut self) {
-        let w = &mut *self.workspace;
-        let (direction, image) = (slices(&w.direction), slices_mut(&mut w.image));
-        let operator = &self.problem.operator;
-        operator.apply_f32(direction, image, &mut w.operator);
-        w.report.single_precision_products += 1;
+        let (operator, report) = (&self.problem.operator, &mut w.report);
+        precision.apply(operator, direction, image, &mut w.operator, report);
+        let restraint = self.restraint;
+        if restraint > 0.0 {
+            update_cells(&mut w.image, |i, u| plus(u, restraint, at(&direction, i)));
+        }
     }
 
     /// `product = C x`, `gradient = C x + b`.
     pub(super) fn refresh(&mut self) {
-        let w = &mut *self.workspace;
-        let operator = &self.problem.operator;
-        let product = slices_mut(&mut w.product);
-        operator.apply(slices(&self.x), product, &mut w.operator);
-        w.report.double_precision_products += 1;
-        self.form_gradient();
+        self.refresh_in(Precision::Double);
         self.is_fresh = true;
     }
 
     /// The same in single precision: good enough to iterate, not to test convergence.
     pub(super) fn refresh_f32(&mut self) {
-        let w = &mut *self.workspace;
-        let operator = &self.problem.operator;
-        let product = slices_mut(&mut w.product);
-        operator.apply_f32(slices(&self.x), product, &mut w.operator);
-        w.report.single_precision_products += 1;
-        self.form_gradient();
+        self.refresh_in(Precision::Single);
         self.is_fresh = false;
+    }
+
+    fn refresh_in(&mut self, precision: Precision) {
+        let w = &mut *self.workspace;
+        let (x, product) = (slices(&self.x), slices_mut(&mut w.product));
+        let (operator, report) = (&self.problem.operator, &mut w.report);
+        precision.apply(operator, x, product, &mut w.operator, report);
+        let restraint = self.restraint;
+        if restraint > 0.0 {
+            let centre = slices(&w.centre);
+            update_cells(&mut w.product, |i, u| {
+                plus(u, restraint, minus(at(&x, i), at(&centre, i)))
+            });
+        }
+        self.form_gradient();
     }
 
     fn form_gradient(&mut self) {

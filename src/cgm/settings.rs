@@ -6,7 +6,8 @@ use crate::error::{Error, Result};
 
 /// The iteration that finds the constrained minimum.
 ///
-/// Should the sets of either ever cycle, projected gradients lead past that place.
+/// Should the sets of either ever cycle, projected gradients lead past that place, or a sequence of better conditioned
+/// problems.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]

@@ -16,6 +16,8 @@ pub struct Workspace<C: Operator<N>, P: Operator<N>, M, const N: usize = 1> {
     pub(super) gradient: [Vec<f64>; N],
     pub(super) direction: [Vec<f64>; N],
     pub(super) image: [Vec<f64>; N],
+    /// What a stage is restrained about; empty until sets cycle.
+    pub(super) centre: [Vec<f64>; N],
     pub(super) inner: Inner<N>,
     /// How a change of each multiplier spreads, `w_a = M e_a`, on the cells that move.
     pub(super) spread: Vec<[[f64; N]; N]>,
@@ -48,6 +50,7 @@ impl<C: Operator<N>, P: Operator<N>, M: Motion<N>, const N: usize> Workspace<C, 
             gradient: zeros(),
             direction: zeros(),
             image: zeros(),
+            centre: std::array::from_fn(|_| Vec::new()),
             inner: Inner {
                 residual: vectors(),
                 last_residual: vectors(),

@@ -1,6 +1,6 @@
 //! What lies at the edge of numbers and grids is solved, or refused with a number: never returned wrong.
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 use kit::{Random, unit_bodies, unit_pair};
 use stickslip::analytical::{HertzSphere, LubkinTorsion};
@@ -56,7 +56,7 @@ fn one_cell_that_repeats_slides() {
 #[test]
 fn long_cells_that_repeat_converge() {
     let mut random = Random(5);
-    for scene in 0..150 {
+    for scene in 0..1000 {
         let length = 10_f64.powf(random.uniform(0.0, 6.0));
         let sides = if scene % 2 == 0 {
             [length, 1.0]
@@ -74,8 +74,13 @@ fn long_cells_that_repeat_converge() {
         let pressed =
             pressed.unwrap_or_else(|error| panic!("{scene}: {nx} x {ny}, {sides:?}: {error}"));
         let friction = Friction::coulomb(0.3).unwrap();
-        let load = TangentialLoad::force([random.uniform(0.0, 0.28) * force, 0.0]);
+        let (size, angle) = (random.uniform(0.0, 0.28) * force, random.uniform(0.0, TAU));
         for model in MODELS {
+            let oblique = match model {
+                TangentialModel::Vector => angle,
+                _ => 0.0,
+            };
+            let load = TangentialLoad::force([size * oblique.cos(), size * oblique.sin()]);
             let problem = TangentialProblem::builder(&bodies, &pressed, friction.clone(), load);
             let sheared = problem.model(model).build().unwrap().solve();
             sheared.unwrap_or_else(|error| {

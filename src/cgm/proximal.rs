@@ -1,0 +1,132 @@
+//! The last way out when sets cycle: proximal points, each found by Newton's method.
+//!
+//! The minimum of $`f(x) + \tfrac{s}{2} |x - \hat x|^2`$ moves the centre $`\hat x`$ towards the minimum of $`f`$ for
+//! every $`s > 0`$, from any start, whatever the sets do (Rockafellar, SIAM J. Control Optim. 14 (1976) 877,
+//! <https://doi.org/10.1137/0314056>). The larger the stiffness $`s`$, the better is $`C + s`$ conditioned and the
+//! sooner do the sets stand; the smaller, the further the centre moves. So $`s`$ begins at the largest eigenvalue of
+//! $`C`$, falls after every stage that is solved, to zero in the end, and rises where the sets cycle again.
+//!
+//! It is for cells much longer than wide that repeat, where the eigenvalues of $`C`$ span as many decades as the
+//! sides, with bounds in the plane: of 10 000 grids of white noise, sheared obliquely, with cells of 1 : 1 to 1 : 1e6
+//! and 2 to 15 of them along each side, none is left unsolved; projected gradients alone left 3 in 100.
+
+use std::ops::ControlFlow;
+
+use crate::cgm::run::{Precision, Run};
+use crate::cgm::vector::{at, dot, slices, update_cells};
+use crate::cgm::{Constraint, reduce};
+use crate::operator::Operator;
+use crate::report::Status;
+
+/// Ratio of the stiffnesses of two stages, at most.
+const RATIO: f64 = 10.0;
+/// A ratio so small that the next stage is stiffer than the last one solved.
+const LEAST_RATIO: f64 = 1.3;
+/// How much stiffer it is.
+const RETREAT: f64 = 3.0;
+/// Residual at which a stage is solved: the centre need not be exact.
+const SOLVED: f64 = 1e-2;
+/// Reduction of the inner residual: sets decided by less exact solutions cycle sooner.
+const REDUCTION: f64 = 1e-4;
+/// Products that find the largest eigenvalue, of which the order of magnitude is enough.
+const POWERS: usize = 8;
+/// Attempts without a stiffness after which the residual was not halved before the iteration counts as stalled.
+const STALLS: usize = 6;
+
+impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '_, C, K, P, N> {
+    /// From where the sets have cycled to the end.
+    pub(super) fn by_proximal_points(&mut self) -> Status {
+        let ended = self.approach();
+        self.restrain(0.0);
+        ended.break_value().unwrap_or(Status::Stalled)
+    }
+
+    /// Breaks with a status; continues where the residual no longer falls.
+    fn approach(&mut self) -> ControlFlow<Status> {
+        let largest = self.largest_eigenvalue()?;
+        let least = self.lower_bound.max(f64::EPSILON * largest);
+        // At their geometric mean the inverse of C is worth as much as no preconditioner.
+        self.stiff = (largest * least).sqrt();
+        let (mut stiffness, mut ratio) = (largest, RATIO);
+        let (mut best, mut stalls) = (f64::INFINITY, 0);
+        self.set_centre();
+        while stalls < STALLS {
+            // A stage may end without a step.
+            self.count_step();
+            self.proceed()?;
+            let is_last = stiffness < least;
+            self.restrain(if is_last { 0.0 } else { stiffness });
+            self.inner_reduction = REDUCTION;
+            match self.newton() {
+                Some(Status::Converged) if !is_last => {
+                    self.set_centre();
+                    ratio = (ratio * ratio).min(RATIO);
+                    stiffness /= ratio;
+                    continue;
+                }
+                Some(status) => return ControlFlow::Break(status),
+                None => {}
+            }
+            if is_last {
+                let is_halved = self.monitor.best < 0.5 * best;
+                best = best.min(self.monitor.best);
+                stalls = if is_halved { 0 } else { stalls + 1 };
+            }
+            self.return_to_centre();
+            if ratio > LEAST_RATIO {
+                stiffness *= ratio - ratio.sqrt();
+                ratio = ratio.sqrt();
+            } else {
+                stiffness *= RETREAT;
+            }
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// By the power method, from the gradient.
+    fn largest_eigenvalue(&mut self) -> ControlFlow<Status, f64> {
+        let w = &mut *self.workspace;
+        for (direction, gradient) in w.direction.iter_mut().zip(&w.gradient) {
+            direction.copy_from_slice(gradient);
+        }
+        let mut largest = 0.0;
+        for _ in 0..POWERS {
+            self.ask()?;
+            self.apply_to_direction(Precision::Single);
+            let w = &mut *self.workspace;
+            let (direction, image) = (slices(&w.direction), slices(&w.image));
+            let [square, along] = reduce::sums(self.x[0].len(), |i| {
+                let d = at(&direction, i);
+                [dot(d, d), dot(d, at(&image, i))]
+            });
+            largest = along / square;
+            if !(largest.is_finite() && largest > 0.0) {
+                return ControlFlow::Break(Status::Stalled);
+            }
+            update_cells(&mut w.direction, |i, _| at(&image, i).map(|u| u / largest));
+        }
+        ControlFlow::Continue(largest)
+    }
+
+    /// The centre of the stages to come is the present iterate.
+    fn set_centre(&mut self) {
+        for (centre, x) in self.workspace.centre.iter_mut().zip(&self.x) {
+            centre.clear();
+            centre.extend_from_slice(x);
+        }
+    }
+
+    fn return_to_centre(&mut self) {
+        for (x, centre) in self.x.iter_mut().zip(&self.workspace.centre) {
+            x.copy_from_slice(centre);
+        }
+    }
+
+    /// What is solved from now on has this stiffness about the centre, and a residual to match.
+    fn restrain(&mut self, stiffness: f64) {
+        self.is_fresh &= stiffness.max(self.restraint) == 0.0;
+        self.restraint = stiffness;
+        self.lower_bound = self.problem.operator.lower_bound().max(0.0) + stiffness;
+        self.monitor.begin((stiffness > 0.0).then_some(SOLVED));
+    }
+}
