@@ -78,7 +78,7 @@ fn long_cells_that_repeat_converge() {
         for model in MODELS {
             let oblique = match model {
                 TangentialModel::Vector => angle,
-                _ => 0.0,
+                TangentialModel::Scalar => 0.0,
             };
             let load = TangentialLoad::force([size * oblique.cos(), size * oblique.sin()]);
             let problem = TangentialProblem::builder(&bodies, &pressed, friction.clone(), load);
