@@ -130,7 +130,13 @@ fn main() -> std::result::Result<(), Box<dyn Error>> {
     let rows: Vec<_> = (1..).zip(&cycles).map(|(n, cycle)| cycle.row(n)).collect();
     let svg = support::gallery("custom_wear_law.svg")?;
     draw(&svg, &rows)?;
-    let csv = support::table::csv("custom_wear_law.csv", header, rows)?;
+    let csv = support::gallery("custom_wear_law.csv")?;
+    let mut table = csv::Writer::from_path(&csv)?;
+    table.write_record(header)?;
+    for row in rows {
+        table.serialize(row)?;
+    }
+    table.flush()?;
     println!("\ntable: {}\nfigure: {}", csv.display(), svg.display());
     Ok(())
 }

@@ -83,7 +83,13 @@ fn main() -> std::result::Result<(), Box<dyn Error>> {
         "shift_x_um",
         "shift_y_um",
     ];
-    let csv = support::table::csv("elliptical_path.csv", header, paths)?;
+    let csv = support::gallery("elliptical_path.csv")?;
+    let mut table = csv::Writer::from_path(&csv)?;
+    table.write_record(header)?;
+    for row in paths {
+        table.serialize(row)?;
+    }
+    table.flush()?;
     let header = [
         "aspect",
         "energy_uJ",
@@ -94,7 +100,13 @@ fn main() -> std::result::Result<(), Box<dyn Error>> {
         "cycles",
     ];
     let rows = loops.iter().map(Loop::row);
-    let energies = support::table::csv("elliptical_path_energy.csv", header, rows)?;
+    let energies = support::gallery("elliptical_path_energy.csv")?;
+    let mut table = csv::Writer::from_path(&energies)?;
+    table.write_record(header)?;
+    for row in rows {
+        table.serialize(row)?;
+    }
+    table.flush()?;
     let svg = support::gallery("elliptical_path.svg")?;
     draw(&svg, &loops, &CattaneoMindlin::new(hertz, FRICTION, 0.0)?)?;
     println!(

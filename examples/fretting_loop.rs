@@ -77,7 +77,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         "work_uJ",
         "products",
     ];
-    let csv = support::table::csv("fretting_loop.csv", header, points.iter().map(Point::row))?;
+    let csv = support::gallery("fretting_loop.csv")?;
+    let mut table = csv::Writer::from_path(&csv)?;
+    table.write_record(header)?;
+    for row in points.iter().map(Point::row) {
+        table.serialize(row)?;
+    }
+    table.flush()?;
     let svg = support::gallery("fretting_loop.svg")?;
     draw(&svg, &points, &profiles)?;
     println!("\ntable: {}\nfigure: {}", csv.display(), svg.display());

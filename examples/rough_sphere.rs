@@ -12,6 +12,7 @@ use std::error::Error;
 use std::path::Path;
 
 use plotters::prelude::SeriesLabelPosition;
+use rayon::prelude::*;
 use stickslip::analytical::{HertzSphere, RoughSphere};
 use stickslip::surface::{self, SelfAffine};
 use stickslip::{ElasticPair, Grid, HalfSpace, Material, NormalControl, NormalProblem, Warning};
@@ -41,9 +42,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let jobs: Vec<_> = kinds
         .flat_map(|kind| (0..SEEDS).map(move |seed| (kind, seed as u64)))
         .collect();
-    let balls = support::study::run("rough balls", &jobs, |&(kind, seed)| {
-        press(&bodies, kind, seed)
-    })?;
+    let balls = jobs
+        .par_iter()
+        .map(|&(kind, seed)| press(&bodies, kind, seed))
+        .collect::<stickslip::Result<Vec<_>>>()?;
 
     print_table(&balls);
     let header = [
@@ -59,7 +61,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let rows = balls
         .iter()
         .flat_map(|ball| ball.contacts.iter().map(|c| c.row(ball)));
-    let csv = support::table::csv("rough_sphere.csv", header, rows)?;
+    let csv = support::gallery("rough_sphere.csv")?;
+    let mut table = csv::Writer::from_path(&csv)?;
+    table.write_record(header)?;
+    for row in rows {
+        table.serialize(row)?;
+    }
+    table.flush()?;
     let svg = support::gallery("rough_sphere.svg")?;
     draw(&svg, &balls)?;
     println!("\ntable: {}\nfigure: {}", csv.display(), svg.display());

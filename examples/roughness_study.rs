@@ -14,6 +14,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use plotters::prelude::*;
+use rayon::prelude::*;
 use stickslip::surface::{self, RoughSurface, SelfAffine};
 use stickslip::{
     Boundary, ElasticPair, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
@@ -139,7 +140,10 @@ fn main() -> Result<(), Box<dyn Error>> {
             }
         }
     }
-    let answers = support::study::run("surfaces", &jobs, |job| solve(&bodies, job))?;
+    let answers = jobs
+        .par_iter()
+        .map(|job| solve(&bodies, job))
+        .collect::<stickslip::Result<Vec<_>>>()?;
 
     print_table(&jobs, &answers);
     let header = [
@@ -175,7 +179,13 @@ fn main() -> Result<(), Box<dyn Error>> {
             stick_ratio,
         ]
     });
-    let csv = support::table::csv("roughness_study.csv", header, rows)?;
+    let csv = support::gallery("roughness_study.csv")?;
+    let mut table = csv::Writer::from_path(&csv)?;
+    table.write_record(header)?;
+    for row in rows {
+        table.serialize(row)?;
+    }
+    table.flush()?;
     let svg = support::gallery("roughness_study.svg")?;
     draw(&svg, &jobs, &answers)?;
     println!("\ntable: {}\nfigure: {}", csv.display(), svg.display());
@@ -286,7 +296,7 @@ fn draw(path: &Path, jobs: &[Job], answers: &[Answer]) -> Result<(), Box<dyn Err
         let mut chart = support::axes(
             above,
             (range.clone(), name),
-            (0.0..8.0, "(A / A₀) E* g / p"),
+            (1.0..7.0, "(A / A₀) E* g / p"),
         )?;
         support::mark(&mut chart, "2", [(range.start, 2.0), (range.end, 2.0)])?;
         for (kind, colour) in colours.into_iter().enumerate() {
@@ -310,7 +320,7 @@ fn draw(path: &Path, jobs: &[Job], answers: &[Answer]) -> Result<(), Box<dyn Err
         let mut chart = support::axes(
             below,
             (range.clone(), name),
-            (0.0..1.0, "stick ratio at F = µW / 2"),
+            (0.3..0.7, "stick ratio at F = µW / 2"),
         )?;
         support::mark(
             &mut chart,

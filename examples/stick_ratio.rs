@@ -13,6 +13,7 @@ use std::error::Error;
 use std::path::Path;
 
 use plotters::prelude::SeriesLabelPosition;
+use rayon::prelude::*;
 use stickslip::surface::{self, SelfAffine};
 use stickslip::{
     Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl,
@@ -79,9 +80,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let grid = Grid::square(cells, SIDE)?;
     let bodies = HalfSpace::with_boundary(grid, pair, Boundary::Periodic)?;
     let seeded: Vec<_> = (0..).zip(&SCENES).collect();
-    let contacts = support::study::run("surfaces", &seeded, |(seed, scene)| {
-        shear(&bodies, scene, *seed)
-    })?;
+    let contacts = seeded
+        .par_iter()
+        .map(|(seed, scene)| shear(&bodies, scene, *seed))
+        .collect::<stickslip::Result<Vec<_>>>()?;
 
     print_table(&contacts);
     let header = [
@@ -95,7 +97,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         let row = move |&[f, stick]: &[f64; 2]| [i as f64, f, stick, 1.0 - f, ball(f)];
         contact.ratios.iter().map(row)
     });
-    let csv = support::table::csv("stick_ratio.csv", header, rows)?;
+    let csv = support::gallery("stick_ratio.csv")?;
+    let mut table = csv::Writer::from_path(&csv)?;
+    table.write_record(header)?;
+    for row in rows {
+        table.serialize(row)?;
+    }
+    table.flush()?;
     let svg = support::gallery("stick_ratio.svg")?;
     draw(&svg, &contacts)?;
     println!("\ntable: {}\nfigure: {}", csv.display(), svg.display());

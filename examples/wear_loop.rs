@@ -238,14 +238,26 @@ fn write(stages: &[Stage], limit: &PopovLimitingShape) -> Result<(), Box<dyn Err
         "largest_difference_off_edge_over_approach",
         "mean_difference_over_approach",
     ];
-    let csv = support::table::csv("wear_loop.csv", header, stages.iter().map(Stage::row))?;
+    let csv = support::gallery("wear_loop.csv")?;
+    let mut table = csv::Writer::from_path(&csv)?;
+    table.write_record(header)?;
+    for row in stages.iter().map(Stage::row) {
+        table.serialize(row)?;
+    }
+    table.flush()?;
     let shown: Vec<&Stage> = stages.iter().filter(|stage| stage.is_shown).collect();
     let rows = shown.iter().flat_map(|stage| {
         let samples = stage.profile.iter();
         samples.map(|&[x, gap, pressure]| [stage.cycles, x, gap, limit.profile(x), pressure])
     });
     let header = ["cycles", "x_m", "gap_m", "limiting_gap_m", "pressure_Pa"];
-    let profiles = support::table::csv("wear_loop_profiles.csv", header, rows)?;
+    let profiles = support::gallery("wear_loop_profiles.csv")?;
+    let mut table = csv::Writer::from_path(&profiles)?;
+    table.write_record(header)?;
+    for row in rows {
+        table.serialize(row)?;
+    }
+    table.flush()?;
     let svg = support::gallery("wear_loop.svg")?;
     draw(&svg, &shown, limit)?;
     println!(

@@ -3,8 +3,6 @@
 #![allow(dead_code, reason = "no example needs all of it")]
 
 pub(crate) mod maps;
-pub(crate) mod study;
-pub(crate) mod table;
 
 use std::error::Error;
 use std::ops::Range;
