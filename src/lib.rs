@@ -189,6 +189,7 @@ mod cascade;
 pub mod cgm;
 mod clock;
 mod contact_map;
+pub mod coupled;
 #[cfg(feature = "dense")]
 pub mod dense;
 mod elastic;
@@ -217,6 +218,7 @@ mod window;
 
 pub use boundary::Boundary;
 pub use contact_map::Warning;
+pub use coupled::{CoupledProblem, CoupledSolution};
 pub use error::{Error, Result};
 pub use field::Field;
 pub use grid::Grid;

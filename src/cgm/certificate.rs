@@ -69,6 +69,43 @@ pub(crate) fn examine<const N: usize>(
     constraint: &impl Constraint<N>,
     lower_bound: f64,
 ) -> Certificate {
+    let shown = measure(iterate, constraint, lower_bound);
+    let displacement = larger(shown.displacement, shown.least_displacement);
+    let energy = larger(shown.energy, shown.least_energy);
+    Certificate {
+        displacement,
+        residual: ratio(shown.forbidden, displacement),
+        gap: ratio(shown.bound * shown.bound, energy),
+        load_error: shown.load_error,
+        free: shown.free,
+    }
+}
+
+/// What a feasible iterate shows, in the units of its problem.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Shown {
+    /// Largest gradient that complementarity does not allow.
+    pub(crate) forbidden: f64,
+    /// Largest displacement among the cells that can move, and what replaces it where it is less.
+    pub(crate) displacement: f64,
+    least_displacement: f64,
+    /// Bound `E` of the error in the energy norm.
+    pub(crate) bound: f64,
+    /// `x' C x`, and what replaces it where it is less.
+    pub(crate) energy: f64,
+    least_energy: f64,
+    /// What is missing of the prescribed sums, over `sum |x|`.
+    pub(crate) load_error: f64,
+    /// Cells inside their bounds.
+    pub(crate) free: usize,
+}
+
+/// Measures a feasible iterate with its recomputed product.
+pub(crate) fn measure<const N: usize>(
+    iterate: &Iterate<'_, N>,
+    constraint: &impl Constraint<N>,
+    lower_bound: f64,
+) -> Shown {
     let Iterate {
         x,
         product,
@@ -110,13 +147,13 @@ pub(crate) fn examine<const N: usize>(
     let stretch = springs
         .reduce(f64::min)
         .map(|compliance| compliance * sums.magnitude);
-    let floor = stretch.unwrap_or(lower_bound * found.largest);
-    let displacement = larger(found.displacement, floor);
-    let energy = larger(sums.energy, lower_bound * sums.squares);
-    Certificate {
-        displacement,
-        residual: ratio(found.forbidden, displacement),
-        gap: ratio(bound * bound, energy),
+    Shown {
+        forbidden: found.forbidden,
+        displacement: found.displacement,
+        least_displacement: stretch.unwrap_or(lower_bound * found.largest),
+        bound,
+        energy: sums.energy,
+        least_energy: lower_bound * sums.squares,
         load_error: ratio(norm(missing), sums.magnitude),
         free: found.free,
     }

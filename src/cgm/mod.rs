@@ -95,6 +95,7 @@
 //! ```
 
 mod certificate;
+pub(crate) mod cone;
 mod disc;
 mod inner;
 mod interval;

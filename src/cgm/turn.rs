@@ -57,13 +57,13 @@ const EVEN: f64 = 2.0;
 pub(super) const SINGLE: f64 = 4.0;
 
 impl Weight {
-    const PATTERN: Self = Self {
+    pub(super) const PATTERN: Self = Self {
         pattern: 1.0,
         own: 0.0,
     };
 
     /// For a stiffness of the circle beside an operator of this least eigenvalue.
-    fn new(stiffness: f64, lower_bound: f64) -> Self {
+    pub(super) fn new(stiffness: f64, lower_bound: f64) -> Self {
         let even = EVEN * lower_bound;
         if even <= 0.0 {
             return Self::PATTERN;
@@ -73,6 +73,16 @@ impl Weight {
             pattern: pattern.sqrt(),
             own: (1.0 - pattern) / (SINGLE * lower_bound + stiffness),
         }
+    }
+
+    /// What of a residual goes to the inverse operator.
+    pub(super) fn weighted(self, r: f64) -> f64 {
+        self.pattern * r
+    }
+
+    /// The preconditioned residual, with the answer of the inverse operator.
+    pub(super) fn preconditioned(self, answer: f64, r: f64) -> f64 {
+        self.pattern * answer + self.own * r
     }
 }
 
@@ -122,7 +132,7 @@ impl Motion<2> for Turn {
     #[inline]
     fn weighted(self, r: [f64; 2]) -> [f64; 2] {
         match self {
-            Self::Along { weight, .. } => r.map(|r| weight.pattern * r),
+            Self::Along { weight, .. } => r.map(|r| weight.weighted(r)),
             Self::Free | Self::Fixed => r,
         }
     }

@@ -30,7 +30,7 @@ pub enum NormalControl {
 
 impl NormalControl {
     /// `Ok` if the load can press the gap, which must have been checked.
-    pub(super) fn check(self, bodies: &HalfSpace, gap: &Field) -> Result<()> {
+    pub(crate) fn check(self, bodies: &HalfSpace, gap: &Field) -> Result<()> {
         match self {
             Self::Force(force) => {
                 non_negative("normal force", force)?;

@@ -234,7 +234,7 @@ impl Demand {
     }
 
     /// The prescribed forces, zero where none is.
-    pub(super) fn force(&self) -> [f64; 2] {
+    pub(crate) fn force(&self) -> [f64; 2] {
         self.controls.map(|control| match control {
             TangentialControl::Force(force) => force,
             _ => 0.0,

@@ -126,6 +126,14 @@ impl Friction {
         if limit > cap { cap } else { limit }
     }
 
+    /// The largest coefficient of all cells.
+    pub(crate) fn largest_coefficient(&self) -> f64 {
+        match &self.coefficient {
+            Coefficient::Uniform(coefficient) => *coefficient,
+            Coefficient::PerCell(field) => field.max(),
+        }
+    }
+
     fn coefficient_at(&self, index: usize) -> f64 {
         match &self.coefficient {
             Coefficient::Uniform(coefficient) => *coefficient,

@@ -53,7 +53,7 @@ pub(crate) use friction::Coefficient;
 pub use friction::Friction;
 pub(crate) use growth::Growth;
 pub(crate) use increment::{Increment, Start, at, zeros};
-pub(crate) use limits::Pressed;
+pub(crate) use limits::{Pressed, is_at_limit};
 pub(crate) use motion::{Motion, centre};
 pub use pressure::PressureSource;
 pub(crate) use problem::check_coupling;

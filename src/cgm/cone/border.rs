@@ -1,0 +1,150 @@
+//! The totals beside the cells: how changes of the multipliers spread, and which of them keep the totals.
+
+use crate::cgm::cone::{Cone, ConeRun, N};
+use crate::cgm::small::Small;
+use crate::cgm::totals::sums_of;
+use crate::cgm::vector::slices;
+use crate::cgm::{Total, reduce};
+use crate::operator::Operator;
+use crate::parallel;
+
+/// Part of the mobility along an axis below which cells that all slip cannot carry a change along it.
+const LEAST_TURN: f64 = 1e-13;
+
+/// The totals beside the cells as they may move at present.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Border {
+    active: [bool; N],
+    /// The sum of each component that the spread of each multiplier adds, plus one over the compliance of a spring.
+    matrix: Small<N>,
+}
+
+impl Border {
+    /// The changes of the multipliers that leave `missing` after `added`.
+    pub(super) fn balance(&self, missing: [f64; N], added: [f64; N]) -> [f64; N] {
+        let right = std::array::from_fn(|c| missing[c] - added[c]);
+        self.matrix.solve(right, self.active)
+    }
+}
+
+impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
+    /// Finds how changes of the multipliers spread.
+    pub(super) fn border(&mut self) -> Border {
+        let totals = self.problem.totals;
+        let active = totals.map(|total| total != Total::Free);
+        let mut matrix = Small([[0.0; N]; N]);
+        for a in (0..N).filter(|&a| active[a]) {
+            let mut unit = [0.0; N];
+            unit[a] = 1.0;
+            self.set_residual_of(unit);
+            self.precondition();
+            let added = self.added();
+            let w = &mut *self.workspace;
+            for (spread, z) in w.spread.iter_mut().zip(&w.correction) {
+                spread[a] = *z;
+            }
+            for (row, added) in matrix.0.iter_mut().zip(added) {
+                row[a] = added;
+            }
+            if let Total::Spring { compliance, .. } = totals[a] {
+                matrix.0[a][a] += 1.0 / compliance;
+            }
+        }
+        Border { active, matrix }
+    }
+
+    /// The equations that a uniform displacement makes, as the residual.
+    fn set_residual_of(&mut self, unit: [f64; N]) {
+        let w = &mut *self.workspace;
+        let laws = &w.laws;
+        w.contact.sweep(
+            w.contact.compressed(&mut w.residual),
+            |entries, residual| {
+                for (k, place) in entries.places().enumerate() {
+                    residual.items[k] = laws[entries.chunk.start + place].restrict(unit);
+                }
+            },
+        );
+    }
+
+    /// What the correction adds to the sums of all components.
+    pub(super) fn added(&self) -> [f64; N] {
+        let w = &*self.workspace;
+        let (laws, correction) = (&w.laws, &w.correction);
+        w.contact.sweep((), |entries, ()| {
+            let correction = &correction[entries.range.clone()];
+            entries.sums(|k, place| laws[entries.chunk.start + place].extend(correction[k]))
+        })
+    }
+
+    /// What is missing of the totals.
+    pub(super) fn missing(&self) -> [f64; N] {
+        let sums = sums_of(&slices(&self.x));
+        let multiplier = self.workspace.multiplier;
+        std::array::from_fn(|c| match self.problem.totals[c] {
+            Total::Free => 0.0,
+            Total::Sum(sum) => sum - sums[c][0],
+            Total::Spring {
+                far_end,
+                compliance,
+            } => (far_end - multiplier[c]) / compliance - sums[c][0],
+        })
+    }
+
+    /// The multipliers of springs follow what the tractions have become.
+    pub(super) fn hold_springs(&mut self) {
+        let sums = sums_of(&slices(&self.x));
+        let multiplier = &mut self.workspace.multiplier;
+        for (c, total) in self.problem.totals.iter().enumerate() {
+            if total.is_spring() {
+                multiplier[c] = total.held(multiplier[c], sums[c]);
+            }
+        }
+    }
+
+    /// Where all cells slip the same way and a tangential force is prescribed, they stick: turning alone could not carry
+    /// a change of it.
+    pub(super) fn let_stick(&mut self) {
+        let totals = self.problem.totals;
+        let asks = |c: usize| totals[c] != Total::Free;
+        let w = &mut *self.workspace;
+        let (laws, contact) = (&w.laws, &w.contact);
+        let mobility: [[f64; N]; 2] = contact.sweep((), |entries, ()| {
+            entries.sums(|_, place| {
+                let law = laws[entries.chunk.start + place];
+                [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|unit| {
+                    let moved = law.extend(law.restrict(unit));
+                    moved.map(f64::abs)
+                })
+            })
+        });
+        let all = mobility[0][1] + mobility[1][2];
+        let is_held = (1..N).any(|c| asks(c) && mobility[c - 1][c] <= LEAST_TURN * all);
+        let sticks = reduce::first(w.laws.len(), |i| w.laws[i].sticks()).is_some();
+        if is_held && !sticks {
+            parallel::update(&mut w.laws, |_, laws| {
+                for law in laws {
+                    *law = law.stuck();
+                }
+            });
+        }
+    }
+
+    /// Adds the spread of changes of the multipliers to the correction.
+    pub(super) fn add_spread(&mut self, change: [f64; N]) {
+        if change == [0.0; N] {
+            return;
+        }
+        let w = &mut *self.workspace;
+        let spread = &w.spread;
+        parallel::update(&mut w.correction, |first, chunk| {
+            for (z, spread) in chunk.iter_mut().zip(&spread[first..]) {
+                for (change, part) in change.iter().zip(spread) {
+                    for (z, part) in z.iter_mut().zip(part) {
+                        *z += change * part;
+                    }
+                }
+            }
+        });
+    }
+}

@@ -1,0 +1,262 @@
+//! The linear system of a step: right-preconditioned GMRES, restarted, on the cells in contact.
+
+use std::ops::ControlFlow;
+
+use crate::cgm::cone::border::Border;
+use crate::cgm::cone::krylov::{Hessenberg, RESTART};
+use crate::cgm::cone::workspace::gradient;
+use crate::cgm::cone::{Cone, ConeRun, N};
+use crate::cgm::reduce;
+use crate::cgm::vector::{at, chunks, dot, held, put, slices, slices_mut, within};
+use crate::operator::Operator;
+use crate::parallel;
+use crate::report::Status;
+
+/// Bases begun before the sets are looked at again.
+const BASES: usize = 2;
+
+impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
+    /// Solves for the cells as they may move, letting them leave their sets; tractions, multipliers and product follow.
+    pub(super) fn solve_linear(&mut self, border: &Border, reduction: f64) -> ControlFlow<Status> {
+        let missing = self.missing();
+        if missing != [0.0; N] {
+            let change = border.balance(missing, [0.0; N]);
+            self.workspace.correction.fill([0.0; N]);
+            self.add_spread(change);
+            self.advance(change)?;
+        }
+        self.set_residual();
+        let start = self.residual_size();
+        let mut left = start;
+        for _ in 0..BASES {
+            if left.is_nan() || left <= reduction * start {
+                break;
+            }
+            let parts = self.arnoldi(border, left, reduction * start)?;
+            self.combine(&parts);
+            let change = self.invert(border);
+            self.advance(change)?;
+            self.set_residual();
+            left = self.residual_size();
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// A basis of what the preconditioned system makes of the residual, of this size, until `aim` can be reached.
+    fn arnoldi(
+        &mut self,
+        border: &Border,
+        size: f64,
+        aim: f64,
+    ) -> ControlFlow<Status, [f64; RESTART]> {
+        let w = &mut *self.workspace;
+        w.basis[0].clear();
+        w.basis[0].extend(w.residual.iter().map(|r| r.map(|r| r / size)));
+        let mut hessenberg = Hessenberg::new(size);
+        for j in 0..RESTART {
+            let w = &mut *self.workspace;
+            w.residual.copy_from_slice(&w.basis[j]);
+            let change = self.invert(border);
+            self.proceed()?;
+            self.apply_to_correction();
+            self.count_step();
+            self.set_next(j + 1, change);
+            let (products, rest) = self.orthogonalise(j);
+            if !(hessenberg.push(&products, rest) > aim && rest > 0.0) {
+                break;
+            }
+        }
+        ControlFlow::Continue(hessenberg.solve())
+    }
+
+    /// `correction = M r` with the changes of the multipliers that keep the totals, which it returns.
+    fn invert(&mut self, border: &Border) -> [f64; N] {
+        self.precondition();
+        let change = border.balance([0.0; N], self.added());
+        self.add_spread(change);
+        change
+    }
+
+    /// `correction = M r`.
+    pub(super) fn precondition(&mut self) {
+        let w = &mut *self.workspace;
+        let (laws, residual) = (&w.laws, &w.residual);
+        w.contact
+            .sweep(chunks(&mut w.direction), |entries, mut full| {
+                let residual = &residual[entries.range.clone()];
+                for (k, place) in entries.places().enumerate() {
+                    let law = laws[entries.chunk.start + place];
+                    put(&mut full, place, law.weighted(residual[k]));
+                }
+            });
+        let (direction, image) = (slices(&w.direction), slices_mut(&mut w.image));
+        let preconditioner = &self.problem.preconditioner;
+        preconditioner.apply_f32(direction, image, &mut w.preconditioner);
+        let image = slices(&w.image);
+        let correction = w.contact.compressed(&mut w.correction);
+        w.contact.sweep(correction, |entries, correction| {
+            let residual = &residual[entries.range.clone()];
+            let image = within(&image, &entries.chunk);
+            for (k, place) in entries.places().enumerate() {
+                let law = laws[entries.chunk.start + place];
+                correction.items[k] = law.preconditioned(at(&image, place), residual[k]);
+            }
+        });
+    }
+
+    /// `image = C` times the tractions that the correction makes, which are left in `direction`.
+    fn apply_to_correction(&mut self) {
+        let w = &mut *self.workspace;
+        let (laws, correction) = (&w.laws, &w.correction);
+        w.contact
+            .sweep(chunks(&mut w.direction), |entries, mut full| {
+                let correction = &correction[entries.range.clone()];
+                for (k, place) in entries.places().enumerate() {
+                    let law = laws[entries.chunk.start + place];
+                    put(&mut full, place, law.extend(correction[k]));
+                }
+            });
+        let (direction, image) = (slices(&w.direction), slices_mut(&mut w.image));
+        let operator = &self.problem.operator;
+        operator.apply_f32(direction, image, &mut w.operator);
+        w.report.single_precision_products += 1;
+    }
+
+    /// Takes the correction, with changes of the multipliers.
+    fn advance(&mut self, change: [f64; N]) -> ControlFlow<Status> {
+        self.proceed()?;
+        self.apply_to_correction();
+        self.count_step();
+        let w = &mut *self.workspace;
+        for (multiplier, change) in w.multiplier.iter_mut().zip(change) {
+            *multiplier += change;
+        }
+        let (direction, image) = (slices(&w.direction), slices(&w.image));
+        let add = |target: &mut [f64], source: &[f64]| {
+            parallel::update(target, |first, chunk| {
+                for (target, source) in chunk.iter_mut().zip(&source[first..]) {
+                    *target += source;
+                }
+            });
+        };
+        for c in 0..N {
+            add(&mut *self.x[c], direction[c]);
+            add(&mut w.product[c], image[c]);
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// The equations as the tractions leave them.
+    fn set_residual(&mut self) {
+        let w = &mut *self.workspace;
+        let gradient = gradient(&w.product, self.problem.linear, w.multiplier);
+        let laws = &w.laws;
+        let (x, residual) = (slices(&self.x), w.contact.compressed(&mut w.residual));
+        w.contact.sweep(residual, |entries, residual| {
+            for (k, place) in entries.places().enumerate() {
+                let cell = entries.chunk.start + place;
+                let r = laws[cell].residual(at(&x, cell), gradient(cell));
+                residual.items[k] = r;
+            }
+        });
+    }
+
+    fn residual_size(&self) -> f64 {
+        let residual = &self.workspace.residual;
+        let square = reduce::sum(residual.len(), |k| dot(residual[k], residual[k]));
+        square.sqrt()
+    }
+
+    /// The system's product with the correction, at changes of the multipliers, as vector `j` of the basis.
+    fn set_next(&mut self, j: usize, change: [f64; N]) {
+        let w = &mut *self.workspace;
+        let (laws, correction, image) = (&w.laws, &w.correction, slices(&w.image));
+        w.basis[j].resize(correction.len(), [0.0; N]);
+        let next = w.contact.compressed(&mut w.basis[j]);
+        w.contact.sweep(next, |entries, next| {
+            let correction = &correction[entries.range.clone()];
+            let image = within(&image, &entries.chunk);
+            for (k, place) in entries.places().enumerate() {
+                let law = laws[entries.chunk.start + place];
+                let moved = std::array::from_fn(|c| image[c][place] - change[c]);
+                let (row, bend) = (law.restrict(moved), law.bend(correction[k]));
+                next.items[k] = std::array::from_fn(|c| row[c] + bend[c]);
+            }
+        });
+    }
+
+    /// Makes vector `j + 1` of the basis orthogonal to those before, twice, and of length one; returns the products and
+    /// the length it had left.
+    fn orthogonalise(&mut self, j: usize) -> ([f64; RESTART], f64) {
+        let (done, rest) = self.workspace.basis.split_at_mut(j + 1);
+        let next = &mut rest[0];
+        let mut products = [0.0; RESTART];
+        for _ in 0..2 {
+            let parts: [f64; RESTART] = reduce::over_chunks(next.len(), |range| {
+                let mut parts = [0.0; RESTART];
+                for (part, vector) in parts.iter_mut().zip(&*done) {
+                    *part = range
+                        .clone()
+                        .fold(0.0, |sum, k| sum + dot(next[k], vector[k]));
+                }
+                parts
+            });
+            parallel::update(next, |first, chunk| {
+                for (part, vector) in parts.iter().zip(&*done) {
+                    for (value, v) in chunk.iter_mut().zip(&vector[first..]) {
+                        *value = std::array::from_fn(|c| value[c] - part * v[c]);
+                    }
+                }
+            });
+            for (product, part) in products.iter_mut().zip(parts) {
+                *product += part;
+            }
+        }
+        let square = reduce::sum(next.len(), |k| dot(next[k], next[k]));
+        let length = square.sqrt();
+        if length > 0.0 {
+            parallel::update(next, |_, chunk| {
+                for value in chunk {
+                    *value = value.map(|v| v / length);
+                }
+            });
+        }
+        (products, length)
+    }
+
+    /// The residual becomes this combination of the basis.
+    fn combine(&mut self, parts: &[f64; RESTART]) {
+        let w = &mut *self.workspace;
+        let basis = &w.basis;
+        parallel::update(&mut w.residual, |first, chunk| {
+            chunk.fill([0.0; N]);
+            for (part, vector) in parts.iter().zip(basis).filter(|(part, _)| **part != 0.0) {
+                for (value, v) in chunk.iter_mut().zip(&vector[first..]) {
+                    *value = std::array::from_fn(|c| value[c] + part * v[c]);
+                }
+            }
+        });
+    }
+
+    /// Puts every cell where `next` says, with its law; returns how many changed sets.
+    pub(super) fn move_cells<L: Copy + Send + Sync + PartialEq>(
+        x: &mut [&mut [f64]; N],
+        laws: &mut [L],
+        next: impl Fn(usize, L, [f64; N]) -> (L, [f64; N], bool) + Sync,
+    ) -> usize {
+        let tasks = laws.len().div_ceil(parallel::CHUNK);
+        let data = (chunks(x), parallel::blocks(laws));
+        let work = |task: usize, (mut x, laws): (_, parallel::Blocks<'_, L>)| {
+            let mut changed = 0;
+            for (place, law) in laws.items.iter_mut().enumerate() {
+                let cell = task * parallel::CHUNK + place;
+                let (law_next, value, is_changed) = next(cell, *law, held(&x, place));
+                *law = law_next;
+                put(&mut x, place, value);
+                changed += usize::from(is_changed);
+            }
+            changed
+        };
+        parallel::sweep(0..tasks, data, &work, &|a, b| a + b)
+    }
+}

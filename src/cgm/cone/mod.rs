@@ -1,0 +1,118 @@
+//! Pressure and shear in one solve: Coulomb's cone in every cell, by Newton's method on all three tractions.
+//!
+//! Bodies of different materials move tangentially where they are pressed and normally where they are sheared. The
+//! unknowns of a cell are its pressure and its traction, `x = (p, q)`; with the gap `g` and the slip `s` of the cell,
+//!
+//! ```math
+//! \begin{pmatrix} g \\ s \end{pmatrix} = C x + b - \delta, \qquad
+//! p \ge 0,\; g \ge 0,\; p\,g = 0, \qquad
+//! |q| \le m(p), \quad s = 0 \text{ where } |q| < m, \quad s = -|s|\,q/m \text{ where } |q| = m .
+//! ```
+//!
+//! `C` is symmetric and positive definite, but the law is that of no minimum: the limit `m` grows with the pressure
+//! that is sought. Newton's method linearises both at once, `dq = m'(p) n dp + t dtau` where a cell slips along `n`,
+//! which leaves a system that is not symmetric: right-preconditioned GMRES solves it, on the cells in contact.
+//!
+//! A cell that newly touches slips against its slip unless that is less than what its overlap would hold,
+//! `|s| <= m' |g|`. Were it to stick, the method would circle at the edge of every contact that grows.
+
+mod border;
+mod gmres;
+mod krylov;
+mod law;
+mod newton;
+mod workspace;
+
+use std::ops::ControlFlow;
+
+use crate::cgm::monitor::Monitor;
+use crate::cgm::{Settings, Total, reduce};
+use crate::operator::Operator;
+use crate::report::{Iteration, Status};
+
+pub(crate) use workspace::ConeWorkspace;
+
+/// Components of a vector: along z, x and y.
+const N: usize = 3;
+
+/// How much shear a cell carries under a pressure.
+pub(crate) trait Cone: Sync {
+    /// The limit, non-negative and growing with the pressure.
+    fn limit(&self, cell: usize, pressure: f64) -> f64;
+
+    /// How it grows there.
+    fn slope(&self, cell: usize, pressure: f64) -> f64;
+}
+
+/// What to solve: pressures and tractions, z first, from the displacements of `operator`.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ConeProblem<'a, C, P, F> {
+    pub(crate) operator: C,
+    pub(crate) preconditioner: P,
+    /// The gap before loading, and minus what the cells are asked to follow along x and y.
+    pub(crate) linear: [&'a [f64]; N],
+    pub(crate) friction: F,
+    pub(crate) totals: [Total; N],
+    /// Lower bounds of the eigenvalues of the normal and of the tangential part of the operator.
+    pub(crate) lower_bounds: [f64; 2],
+    /// Tangential displacement by pressure, over the normal one: tangential residuals are relative to that at least.
+    pub(crate) coupling: f64,
+}
+
+/// What an iterate shows, from one product.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ConeFindings {
+    /// Residual of gap and of slip, over the largest displacements.
+    pub(crate) residual: f64,
+    /// What is missing of the prescribed sums.
+    pub(crate) load_error: f64,
+    /// Bounds of the errors of pressure and of traction in the energy norm, each with the other as it is, over the root
+    /// of `x' C x`.
+    pub(crate) bounds: [f64; 2],
+    /// Cells that stick.
+    free: usize,
+}
+
+impl ConeFindings {
+    /// What has to fall to the tolerance.
+    pub(crate) fn merit(&self) -> f64 {
+        let [normal, tangential] = self.bounds;
+        let parts = [self.residual, self.load_error, normal, tangential];
+        parts.into_iter().fold(0.0, reduce::larger)
+    }
+}
+
+/// One solve under way.
+pub(crate) struct ConeRun<'a, 'b, C: Operator<N>, P: Operator<N>, F> {
+    problem: &'a ConeProblem<'b, C, P, F>,
+    monitor: Monitor<'a>,
+    x: [&'a mut [f64]; N],
+    workspace: &'a mut ConeWorkspace<C, P>,
+    /// Cells that stick, as last examined.
+    free: usize,
+}
+
+/// Solves from the tractions `x` into them, at multipliers that the workspace begins and ends with; `None` where the
+/// sets cycle, which another start may cure. The findings are those of what is left in `x`.
+pub(crate) fn solve<C: Operator<N>, P: Operator<N>, F: Cone>(
+    problem: &ConeProblem<'_, C, P, F>,
+    settings: &Settings,
+    x: [&mut [f64]; N],
+    workspace: &mut ConeWorkspace<C, P>,
+    observer: &mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
+) -> (Option<Status>, ConeFindings) {
+    let mut run = ConeRun {
+        problem,
+        monitor: Monitor::new(settings, observer, &mut workspace.report),
+        x,
+        workspace,
+        free: 0,
+    };
+    let status = run.newton();
+    run.refresh();
+    let findings = run.examine();
+    let report = &mut run.workspace.report;
+    let ended = status.unwrap_or(Status::Stalled);
+    run.monitor.finish(ended, findings.merit(), report);
+    (status, findings)
+}

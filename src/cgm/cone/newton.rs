@@ -1,0 +1,201 @@
+//! The outer steps: measure, solve the linear system, decide for all cells at once how they move next.
+
+use std::ops::ControlFlow;
+
+use crate::cgm::certificate::{Iterate, Shown, measure};
+use crate::cgm::cone::law::{Law, Noise};
+use crate::cgm::cone::workspace::gradient;
+use crate::cgm::cone::{Cone, ConeFindings, ConeRun, N};
+use crate::cgm::vector::{norm, slices, slices_mut};
+use crate::cgm::{Magnitude, NonNegative, reduce};
+use crate::operator::Operator;
+use crate::parallel;
+use crate::report::Status;
+
+/// Reduction of the inner residual while sets change, and the least when they stand.
+const INNER_REDUCTION: f64 = 0.1;
+const LEAST_REDUCTION: f64 = 1e-5;
+/// Steps without halving the residual after which the method is stuck.
+const PATIENCE: usize = 4;
+/// Part of the tolerance that is noise of the inner solution.
+const NOISE: f64 = 0.1;
+/// Part of the largest limit below which a limit is as good as none.
+const NOTHING: f64 = 1e-9;
+
+impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
+    /// Ends with the status of the run; `None` if the sets cycle.
+    pub(super) fn newton(&mut self) -> Option<Status> {
+        match self.steps() {
+            ControlFlow::Break(status) => Some(status),
+            ControlFlow::Continue(()) => self.monitor.stuck(),
+        }
+    }
+
+    fn steps(&mut self) -> ControlFlow<Status> {
+        let tolerance = self.monitor.tolerance();
+        let (mut best, mut without, mut changes) = (f64::INFINITY, 0, usize::MAX);
+        self.set_laws();
+        loop {
+            self.refresh();
+            let findings = self.examine();
+            let merit = findings.merit();
+            self.monitor
+                .judge(merit, self.free, &mut self.workspace.report)?;
+            if merit < 0.5 * best {
+                (best, without) = (merit, 0);
+            } else {
+                without += 1;
+                if without >= PATIENCE {
+                    return ControlFlow::Continue(());
+                }
+            }
+            self.linearise();
+            let border = self.border();
+            let reduction = if changes > 0 {
+                INNER_REDUCTION
+            } else {
+                (0.3 * tolerance / merit).clamp(LEAST_REDUCTION, INNER_REDUCTION)
+            };
+            self.solve_linear(&border, reduction)?;
+            changes = self.reclassify(tolerance);
+            self.hold_springs();
+        }
+    }
+
+    /// How the cells move at the tractions of the start.
+    fn set_laws(&mut self) {
+        let friction = &self.problem.friction;
+        let x = slices(&self.x);
+        parallel::update(&mut self.workspace.laws, |first, laws| {
+            for (i, law) in (first..).zip(laws) {
+                let tractions = [x[0][i], x[1][i], x[2][i]];
+                *law = Law::of(tractions, friction.limit(i, tractions[0]));
+            }
+        });
+        self.hold_springs();
+    }
+
+    /// `product = C x`, and the friction limits of the pressures.
+    pub(super) fn refresh(&mut self) {
+        let w = &mut *self.workspace;
+        let operator = &self.problem.operator;
+        let product = slices_mut(&mut w.product);
+        operator.apply(slices(&self.x), product, &mut w.operator);
+        w.report.double_precision_products += 1;
+        let (friction, pressure) = (&self.problem.friction, &*self.x[0]);
+        parallel::update(&mut w.limits, |first, limits| {
+            for (i, limit) in (first..).zip(limits) {
+                *limit = friction.limit(i, pressure[i]);
+            }
+        });
+    }
+
+    /// Examines the iterate by the product at hand, and writes the findings to the report.
+    pub(super) fn examine(&mut self) -> ConeFindings {
+        let (problem, w) = (self.problem, &*self.workspace);
+        let normal = Iterate {
+            x: [&*self.x[0]],
+            product: [&w.product[0]],
+            linear: [problem.linear[0]],
+            datum: [0.0],
+            totals: [problem.totals[0]],
+            multiplier: [w.multiplier[0]],
+        };
+        let plane = Iterate {
+            x: [&*self.x[1], &*self.x[2]],
+            product: [&w.product[1], &w.product[2]],
+            linear: [problem.linear[1], problem.linear[2]],
+            datum: [0.0; 2],
+            totals: [problem.totals[1], problem.totals[2]],
+            multiplier: [w.multiplier[1], w.multiplier[2]],
+        };
+        let [least_normal, least_plane] = problem.lower_bounds;
+        let normal = measure(&normal, &NonNegative, least_normal);
+        let plane = measure(&plane, &Magnitude(&w.limits), least_plane);
+        let findings = self.findings(&normal, &plane);
+        let report = &mut self.workspace.report;
+        report.residual = findings.residual;
+        report.load_error = findings.load_error;
+        self.free = findings.free;
+        findings
+    }
+
+    fn findings(&self, normal: &Shown, plane: &Shown) -> ConeFindings {
+        // A contact that sticks from rest does not move: what the pressure alone would do is the measure.
+        let moved = reduce::larger(
+            plane.displacement,
+            self.problem.coupling * normal.displacement,
+        );
+        let ratio = |a: f64, b: f64| if a == 0.0 { 0.0 } else { a / b };
+        let residuals = [
+            ratio(normal.forbidden, normal.displacement),
+            ratio(plane.forbidden, moved),
+        ];
+        let energy = (normal.energy + plane.energy).sqrt();
+        ConeFindings {
+            residual: reduce::larger(residuals[0], residuals[1]),
+            load_error: reduce::larger(normal.load_error, plane.load_error),
+            bounds: [ratio(normal.bound, energy), ratio(plane.bound, energy)],
+            free: plane.free,
+        }
+    }
+
+    /// The linear problem of the cells as they move now.
+    fn linearise(&mut self) {
+        self.let_stick();
+        self.measure_slip();
+        let w = &mut *self.workspace;
+        let laws = &w.laws;
+        w.contact.update(|i| laws[i].touches());
+        w.make_room();
+        for part in &mut w.direction {
+            part.fill(0.0);
+        }
+    }
+
+    /// The stiffness of every cell that slips, from the slip just measured.
+    fn measure_slip(&mut self) {
+        let (friction, [_, least_plane]) = (&self.problem.friction, self.problem.lower_bounds);
+        let w = &mut *self.workspace;
+        let gradient = gradient(&w.product, self.problem.linear, w.multiplier);
+        let (pressure, limits) = (&*self.x[0], &w.limits);
+        let least = NOTHING * reduce::max(limits.len(), |i| limits[i]);
+        parallel::update(&mut w.laws, |first, laws| {
+            for (i, law) in (first..).zip(laws) {
+                if law.touches() {
+                    let [_, x, y] = gradient(i);
+                    let limit = [limits[i], friction.slope(i, pressure[i])];
+                    *law = law.measured([x, y], limit, least, least_plane);
+                }
+            }
+        });
+    }
+
+    /// Decides at the equilibrated state how every cell moves next, and puts it into its set. Returns how many changed.
+    fn reclassify(&mut self, tolerance: f64) -> usize {
+        let w = &mut *self.workspace;
+        let gradient = gradient(&w.product, self.problem.linear, w.multiplier);
+        let [z, x, y] = slices(&w.product);
+        let sizes = |i: usize| norm([x[i], y[i]]);
+        let noise = Noise {
+            gap: NOISE * tolerance * reduce::max(z.len(), |i| z[i].abs()),
+            slip: NOISE * tolerance * reduce::max(x.len(), sizes),
+        };
+        let friction = &self.problem.friction;
+        Self::move_cells(&mut self.x, &mut w.laws, |cell, law, tractions| {
+            let (next, value) = law.next(cell, tractions, gradient(cell), friction, noise);
+            let is_same = law.touches() == next.touches() && law.sticks() == next.sticks();
+            (next, value, !is_same)
+        })
+    }
+
+    /// Counts a step.
+    pub(super) fn count_step(&mut self) {
+        self.monitor.count_step(&mut self.workspace.report);
+    }
+
+    /// Asks observer, clock and limit whether to take another step.
+    pub(super) fn proceed(&mut self) -> ControlFlow<Status> {
+        self.monitor.proceed(self.free, &self.workspace.report)
+    }
+}

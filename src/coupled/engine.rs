@@ -1,0 +1,272 @@
+//! The engine of a coupled contact: Newton's method on all tractions, with alternating halves as start and as safeguard.
+
+use std::sync::Arc;
+
+use crate::cascade::Conditions;
+use crate::cgm::cone::{self, Cone, ConeFindings, ConeProblem, ConeWorkspace};
+use crate::cgm::vector::{slices, slices_mut};
+use crate::cgm::{Disc, Interval, Magnitude, NonNegative, Settings, Total, reduce};
+use crate::coupled::CoupledReport;
+use crate::elastic::ElasticSolver;
+use crate::error::{Error, Result};
+use crate::fft::{CirculantInverse, Convolution};
+use crate::half_space::{Compliance, HalfSpace};
+use crate::influence::Direction;
+use crate::operator::Operator;
+use crate::passes::{with_counts_of, with_time_left};
+use crate::report::{Report, Status};
+use crate::tangential::Friction;
+
+/// Components of a vector: along z, x and y.
+pub(super) const N: usize = 3;
+
+/// Relative accuracy of the halves that a solve starts from.
+const START: f64 = 1e-2;
+/// Times that the sets may cycle, each followed by more sweeps of halves.
+const ROUNDS: usize = 12;
+/// Part of the tangential force that friction holds at most in a half, whose pressure is not final.
+const HELD: f64 = 0.999;
+
+/// What is asked of a solve: gap and demands of every cell, and what is prescribed of the sums.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Task<'a> {
+    pub(super) linear: [&'a [f64]; N],
+    pub(super) totals: [Total; N],
+    pub(super) friction: &'a Friction,
+}
+
+/// Pressure and tractions of a grid, and what finds them.
+#[derive(Debug, Clone)]
+pub(super) struct Engine {
+    compliance: Compliance<N>,
+    workspace: ConeWorkspace<Arc<Convolution<N>>, Arc<CirculantInverse<N>>>,
+    normal: ElasticSolver<Interval, 1>,
+    plane: ElasticSolver<Disc, 2>,
+    lower_bounds: [f64; 2],
+    coupling: f64,
+    /// Pressure and tractions: the start, and the answer.
+    pub(super) x: [Vec<f64>; N],
+    /// What a half adds to what the other asks.
+    linear: [Vec<f64>; N],
+    image: [Vec<f64>; N],
+    limits: Vec<f64>,
+}
+
+impl Cone for &Friction {
+    fn limit(&self, cell: usize, pressure: f64) -> f64 {
+        Friction::limit(self, cell, pressure)
+    }
+
+    fn slope(&self, cell: usize, pressure: f64) -> f64 {
+        Friction::slope(self, cell, pressure)
+    }
+}
+
+impl Engine {
+    pub(super) fn new(bodies: &HalfSpace) -> Result<Self> {
+        let size = bodies.grid().size();
+        let [x, y, z] = [Direction::X, Direction::Y, Direction::Z];
+        let compliance = bodies.compliance([z, x, y], size)?;
+        let lower_bounds = [
+            bodies.compliance([z], size)?.operator.lower_bound(),
+            bodies.compliance([x, y], size)?.operator.lower_bound(),
+        ];
+        let cells = bodies.grid().cells();
+        let zeros = || std::array::from_fn(|_| vec![0.0; cells]);
+        Ok(Self {
+            workspace: ConeWorkspace::new(&compliance.operator, &compliance.inverse),
+            normal: ElasticSolver::new(bodies, [z], size)?,
+            plane: ElasticSolver::new(bodies, [x, y], size)?,
+            compliance,
+            lower_bounds,
+            coupling: bodies.pair().dundurs_beta().abs(),
+            x: zeros(),
+            linear: zeros(),
+            image: zeros(),
+            limits: vec![0.0; cells],
+        })
+    }
+
+    /// Displacements of the answer.
+    pub(super) fn product(&self) -> [&[f64]; N] {
+        self.workspace.product()
+    }
+
+    /// Approach and shift beyond what is prescribed.
+    pub(super) fn multiplier(&self) -> [f64; N] {
+        self.workspace.multiplier()
+    }
+
+    /// Solves from the present tractions; says how it ended in the report.
+    pub(super) fn solve(
+        &mut self,
+        task: Task<'_>,
+        conditions: &mut Conditions<'_, '_>,
+        report: &mut CoupledReport,
+    ) -> Result<()> {
+        *report = CoupledReport::unsolved();
+        let (mut sweeps, mut tolerance) = (1, START);
+        for _ in 0..ROUNDS {
+            for _ in 0..sweeps {
+                if let Some(status) = self.sweep(task, tolerance, conditions, report)? {
+                    return report.end(status);
+                }
+            }
+            let (status, findings) = self.newton(task, conditions, report);
+            report.take(&findings);
+            if let Some(status) = status {
+                return report.end(status);
+            }
+            sweeps += 1;
+            tolerance = (0.1 * findings.merit()).clamp(conditions.settings.tolerance, START);
+        }
+        report.end(Status::Stalled)
+    }
+
+    /// All at once.
+    fn newton(
+        &mut self,
+        task: Task<'_>,
+        conditions: &mut Conditions<'_, '_>,
+        report: &mut CoupledReport,
+    ) -> (Option<Status>, ConeFindings) {
+        let problem = ConeProblem {
+            operator: Arc::clone(&self.compliance.operator),
+            preconditioner: Arc::clone(&self.compliance.inverse),
+            linear: task.linear,
+            friction: task.friction,
+            totals: task.totals,
+            lower_bounds: self.lower_bounds,
+            coupling: self.coupling,
+        };
+        let settings = left(conditions, &report.work);
+        let mut observer = with_counts_of(&report.work, &mut *conditions.observer);
+        let x = slices_mut(&mut self.x);
+        let ended = cone::solve(&problem, &settings, x, &mut self.workspace, &mut observer);
+        drop(observer);
+        report.work.add_pass(self.workspace.report());
+        ended
+    }
+
+    /// The pressure for the tractions as they are, then the tractions for that pressure. Returns a status if observer or
+    /// clock ended it.
+    fn sweep(
+        &mut self,
+        task: Task<'_>,
+        tolerance: f64,
+        conditions: &mut Conditions<'_, '_>,
+        report: &mut CoupledReport,
+    ) -> Result<Option<Status>> {
+        let mut multiplier = [0.0; N];
+        let ended = self.press(task, tolerance, conditions, report)?;
+        [multiplier[0]] = self.normal.multiplier();
+        if ended.is_some() {
+            return Ok(ended);
+        }
+        let ended = self.shear(task, tolerance, conditions, report)?;
+        [multiplier[1], multiplier[2]] = self.plane.multiplier();
+        self.workspace.set_multiplier(multiplier);
+        Ok(ended)
+    }
+
+    fn press(
+        &mut self,
+        task: Task<'_>,
+        tolerance: f64,
+        conditions: &mut Conditions<'_, '_>,
+        report: &mut CoupledReport,
+    ) -> Result<Option<Status>> {
+        self.add_displacements_of(&[1, 2], task.linear);
+        let settings = left(conditions, &report.work).tolerance(tolerance);
+        let mut observer = with_counts_of(&report.work, &mut *conditions.observer);
+        let ended = self.normal.minimise(
+            [&self.linear[0]],
+            NonNegative,
+            [task.totals[0]],
+            [&mut self.x[0]],
+            &settings,
+            &mut observer,
+        );
+        drop(observer);
+        report.normal.add_pass(self.normal.report());
+        over(ended)
+    }
+
+    fn shear(
+        &mut self,
+        task: Task<'_>,
+        tolerance: f64,
+        conditions: &mut Conditions<'_, '_>,
+        report: &mut CoupledReport,
+    ) -> Result<Option<Status>> {
+        self.add_displacements_of(&[0], task.linear);
+        for (i, limit) in self.limits.iter_mut().enumerate() {
+            *limit = task.friction.limit(i, self.x[0][i]);
+        }
+        let capacity = reduce::total(&self.limits);
+        let [_, along_x, along_y] = task.totals;
+        let [x, y] = [along_x, along_y].map(|total| total.sum().unwrap_or(0.0));
+        let part = (HELD * capacity / x.hypot(y)).min(1.0);
+        let totals = [along_x, along_y].map(|total| match total {
+            Total::Sum(sum) if part < 1.0 => Total::Sum(part * sum),
+            other => other,
+        });
+        if capacity <= 0.0 {
+            self.x[1].fill(0.0);
+            self.x[2].fill(0.0);
+            return Ok(None);
+        }
+        let settings = left(conditions, &report.work).tolerance(tolerance);
+        let mut observer = with_counts_of(&report.work, &mut *conditions.observer);
+        let [_, x, y] = &mut self.x;
+        let ended = self.plane.minimise(
+            [&self.linear[1], &self.linear[2]],
+            Magnitude(&self.limits),
+            totals,
+            [x, y],
+            &settings,
+            &mut observer,
+        );
+        drop(observer);
+        report.tangential.add_pass(self.plane.report());
+        over(ended)
+    }
+
+    /// What is asked of the cells, with the displacements that these components of the tractions cause.
+    fn add_displacements_of(&mut self, components: &[usize], linear: [&[f64]; N]) {
+        for c in 0..N {
+            if components.contains(&c) {
+                self.linear[c].copy_from_slice(&self.x[c]);
+            } else {
+                self.linear[c].fill(0.0);
+            }
+        }
+        let Compliance { operator, .. } = &self.compliance;
+        let (tractions, image) = (slices(&self.linear), slices_mut(&mut self.image));
+        self.workspace.apply(operator, tractions, image);
+        for (c, image) in self.image.iter().enumerate() {
+            for (i, sum) in self.linear[c].iter_mut().enumerate() {
+                *sum = linear[c][i] + image[i];
+            }
+        }
+    }
+}
+
+/// The settings with what is left of their limits.
+fn left(conditions: &Conditions<'_, '_>, report: &Report) -> Settings {
+    let Settings { max_iterations, .. } = *conditions.settings;
+    let left = max_iterations.saturating_sub(report.iterations).max(1);
+    with_time_left(conditions.settings, conditions.start).max_iterations(left)
+}
+
+/// The status of a half that observer or clock ended; an unfinished half serves too.
+fn over(ended: Result<()>) -> Result<Option<Status>> {
+    match ended {
+        Ok(()) => Ok(None),
+        Err(Error::NotConverged(report)) => Ok(match report.status {
+            Status::Cancelled | Status::TimeLimit => Some(report.status),
+            _ => None,
+        }),
+        Err(error) => Err(error),
+    }
+}

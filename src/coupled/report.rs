@@ -1,0 +1,69 @@
+//! How a coupled solve ended, and how large its error can be.
+
+use std::time::Duration;
+
+use crate::cgm::cone::ConeFindings;
+use crate::error::{Error, Result};
+use crate::report::{Report, Status};
+
+/// How a coupled solve ended, what it cost, and what its halves certify.
+///
+/// The law of a coupled contact is that of no minimum, and no bound of its whole error is known beyond weak friction.
+/// What is certified are the halves, from one product: how far the pressure is from the one that belongs to the
+/// tractions as they are, and how far the tractions are from those that belong to the pressure as it is.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct CoupledReport {
+    /// Why the iteration ended, steps of GMRES, products with the tensor of all coefficients, residual, load error and
+    /// time. Its duality gap is infinite: nothing is certified of the whole.
+    pub work: Report,
+    /// Steps and products, with the normal part alone, of the sweeps of halves.
+    pub normal: Report,
+    /// The same with the tangential part.
+    pub tangential: Report,
+    /// Bound of the error of the pressure in the energy norm, at tractions as they are, over the root of `x' C x`.
+    pub pressure_error_bound: f64,
+    /// Bound of the error of the tractions in the energy norm, at the pressure as it is, over the same.
+    pub traction_error_bound: f64,
+}
+
+impl CoupledReport {
+    pub(super) fn unsolved() -> Self {
+        Self {
+            work: Report::unsolved(),
+            normal: Report::unsolved(),
+            tangential: Report::unsolved(),
+            pressure_error_bound: f64::INFINITY,
+            traction_error_bound: f64::INFINITY,
+        }
+    }
+
+    pub(super) fn take(&mut self, findings: &ConeFindings) {
+        self.work.residual = findings.residual;
+        self.work.load_error = findings.load_error;
+        [self.pressure_error_bound, self.traction_error_bound] = findings.bounds;
+    }
+
+    /// Ends with a status: an error unless it has converged.
+    pub(super) fn end(&mut self, status: Status) -> Result<()> {
+        self.work.status = status;
+        self.work.duality_gap = f64::INFINITY;
+        if status == Status::Converged {
+            Ok(())
+        } else {
+            Err(Error::NotConverged(Box::new(self.work.clone())))
+        }
+    }
+
+    /// Whether the tolerance was reached.
+    #[must_use]
+    pub fn is_converged(&self) -> bool {
+        self.work.is_converged()
+    }
+
+    /// Wall time of the solve.
+    #[must_use]
+    pub fn time(&self) -> Duration {
+        self.work.time
+    }
+}

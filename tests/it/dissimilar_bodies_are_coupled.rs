@@ -1,0 +1,578 @@
+//! Pressure and shear of dissimilar bodies are found together: closed forms, another code, and the laws of symmetry.
+
+use kit::contact::{Case, Normal};
+use kit::{Random, l2_difference, max_difference, rough, unit_bodies};
+use stickslip::influence::Component;
+use stickslip::influence::Direction::{X, Y, Z};
+use stickslip::{
+    Axis, Boundary, CoupledProblem, CoupledSolution, ElasticPair, Error, Field, Friction, Grid,
+    HalfSpace, Material, NormalControl, NormalProblem, Operator, Status, TangentialControl,
+    TangentialLoad, TangentialModel, TangentialProblem, Zone, cgm, surface,
+};
+
+/// Friction that gives a punch on one step the stick ratio (of radii), by Dundurs' beta: ring elements with elliptic
+/// integrals, to 3e-5. Self-similarity (Spence, Proc. R. Soc. A 305 (1968) 55) makes them those of a sphere pressed in
+/// many steps.
+const STICK_RADII: [f64; 6] = [0.1, 0.3, 0.5, 0.7, 0.8, 0.9];
+const FRICTION: [(f64, [f64; 6]); 3] = [
+    (0.5, [0.15508, 0.22659, 0.29872, 0.40124, 0.48584, 0.64746]),
+    (
+        2.0 / 7.0,
+        [0.08072, 0.11704, 0.15249, 0.20053, 0.23800, 0.30387],
+    ),
+    (0.1, [0.02728, 0.03946, 0.05122, 0.06694, 0.07899, 0.09970]),
+];
+
+const STILL: TangentialControl = TangentialControl::Shift(0.0);
+
+fn still() -> TangentialLoad {
+    TangentialLoad::shift([0.0; 2]).along(Axis::X, STILL)
+}
+
+/// An elastic body of Dundurs' constant `beta` on a rigid one: `beta = (1 - 2 nu) / (2 - 2 nu)`.
+fn on_rigid(beta: f64) -> ElasticPair {
+    let poisson_ratio = (1.0 - 2.0 * beta) / (2.0 - 2.0 * beta);
+    let pair = ElasticPair::new(
+        Material::new(1.0, poisson_ratio).unwrap(),
+        Material::rigid(),
+    );
+    let pair = pair.unwrap();
+    assert!((pair.dundurs_beta() - beta).abs() < 1e-12);
+    pair
+}
+
+fn solve(
+    bodies: &HalfSpace,
+    gap: &Field,
+    coefficient: f64,
+    normal: NormalControl,
+    load: TangentialLoad,
+    tolerance: f64,
+) -> CoupledSolution {
+    let friction = Friction::coulomb(coefficient).unwrap();
+    let problem = CoupledProblem::builder(bodies, gap, friction, normal, load);
+    problem
+        .tolerance(tolerance)
+        .build()
+        .unwrap()
+        .solve()
+        .unwrap()
+}
+
+/// A flat punch of radius one.
+fn punch(grid: Grid) -> Field {
+    Field::from_fn(grid, |x, y| if x.hypot(y) < 1.0 { 0.0 } else { 1e3 })
+}
+
+/// The radius of the stick zone is met to a tenth of a cell, more where it is a few cells large.
+#[test]
+fn punches_stick_as_spence_says() {
+    let grid = Grid::square(65, 2.4).unwrap();
+    let cell = grid.dx();
+    for (beta, coefficients) in FRICTION {
+        let bodies = HalfSpace::new(grid, on_rigid(beta)).unwrap();
+        for (radius, coefficient) in STICK_RADII.into_iter().zip(coefficients) {
+            let force = NormalControl::Force(1.0);
+            let contact = solve(&bodies, &punch(grid), coefficient, force, still(), 1e-8);
+            let error = (contact.stick_ratio().sqrt() - radius) / cell;
+            let allowed = if radius < 0.2 { 0.8 } else { 0.3 };
+            assert!(error.abs() < allowed, "{beta} {radius}: {error} cells");
+        }
+    }
+}
+
+/// The error of the stick radius falls with the cells.
+#[test]
+fn stick_radii_converge() {
+    let error = |cells: usize| {
+        let grid = Grid::square(cells, 2.4).unwrap();
+        let bodies = HalfSpace::new(grid, on_rigid(0.5)).unwrap();
+        let errors = STICK_RADII.into_iter().zip(FRICTION[0].1).skip(1);
+        let errors = errors.map(|(radius, coefficient)| {
+            let force = NormalControl::Force(1.0);
+            let contact = solve(&bodies, &punch(grid), coefficient, force, still(), 1e-6);
+            (contact.stick_ratio().sqrt() - radius).abs()
+        });
+        errors.sum::<f64>() / 5.0
+    };
+    let (coarse, fine) = (error(33), error(129));
+    assert!(coarse < 0.02 && fine < 0.4 * coarse, "{coarse} {fine}");
+}
+
+/// Mossakovskii's factor of the stiffness of a punch that sticks, `(1 - nu) ln(3 - 4 nu) / (1 - 2 nu)`
+/// (Borodich & Keer, Proc. R. Soc. A 460 (2004) 507). The singular rim slips however large friction is.
+#[test]
+fn sticking_makes_a_punch_stiffer() {
+    for poisson_ratio in [0.0, 0.1, 0.2, 0.3, 0.4] {
+        let nu: f64 = poisson_ratio;
+        let exact = (1.0 - nu) * (3.0 - 4.0 * nu).ln() / (1.0 - 2.0 * nu);
+        let body = Material::new(1.0, nu).unwrap();
+        let pair = ElasticPair::new(body, Material::rigid()).unwrap();
+        let errors = [33, 129].map(|cells| {
+            let grid = Grid::square(cells, 2.4).unwrap();
+            let bodies = HalfSpace::new(grid, pair).unwrap();
+            let (gap, press) = (punch(grid), NormalControl::Force(1.0));
+            let stuck = solve(&bodies, &gap, 20.0, press, still(), 1e-6).approach();
+            let smooth = NormalProblem::builder(&bodies, &gap, press)
+                .build()
+                .unwrap();
+            (smooth.solve().unwrap().approach() / stuck / exact - 1.0).abs()
+        });
+        let [coarse, fine] = errors;
+        assert!(
+            fine < 2e-3 && fine < 0.4 * coarse,
+            "{nu}: {coarse:e} {fine:e}"
+        );
+    }
+}
+
+/// CONTACT's flat punch in plane strain, emulated by one row of long cells: strong coupling, every cell and every zone.
+#[test]
+fn another_code_agrees() {
+    let case = Case::parse(include_str!(
+        "../data/contact/tb25_tb26_flat_2d_dissimilar.txt"
+    ));
+    let step = &case.steps[0];
+    let Normal::Force(force) = step.normal else {
+        panic!("a force is prescribed");
+    };
+    let bodies = HalfSpace::new(case.grid, case.pair).unwrap();
+    let press = NormalControl::Force(force);
+    let found = solve(
+        &bodies,
+        &case.gap(step),
+        case.friction,
+        press,
+        still(),
+        1e-11,
+    );
+    let largest = found.pressure().max();
+    let expected = case.field(step, |cell| cell.pressure);
+    let error = max_difference(found.pressure().as_slice(), expected.as_slice());
+    assert!(error < 5e-9 * largest, "{:e}", error / largest);
+    for axis in 0..2 {
+        let expected = case.field(step, |cell| cell.traction[axis]);
+        let error = max_difference(found.traction()[axis].as_slice(), expected.as_slice());
+        assert!(error < 5e-9 * largest, "{axis}: {:e}", error / largest);
+    }
+    for cell in &step.cells {
+        let expected = if cell.sticks { Zone::Stick } else { Zone::Slip };
+        assert_eq!(found.zones()[cell.ix], expected, "{cell:?}");
+    }
+    assert!((found.approach() / step.approach - 1.0).abs() < 1e-9);
+    let energy = step.elastic_energy.unwrap();
+    assert!((found.elastic_energy() / energy - 1.0).abs() < 1e-8);
+}
+
+/// Exchange of the bodies turns all that is tangential around, and nothing else.
+#[test]
+fn bodies_are_exchanged() {
+    let grid = Grid::new(24, 18, 0.1, 0.13).unwrap();
+    let (soft, hard) = (
+        Material::new(1.0, 0.1).unwrap(),
+        Material::new(5.0, 0.3).unwrap(),
+    );
+    let gap = Field::from_fn(grid, |x, y| (x - 0.2).powi(2) + 0.7 * y * y);
+    let [found, exchanged] = [([soft, hard], 1.0), ([hard, soft], -1.0)].map(|([a, b], sign)| {
+        let bodies = HalfSpace::new(grid, ElasticPair::new(a, b).unwrap()).unwrap();
+        let load = TangentialLoad::shift([sign * 0.02, sign * 0.05]).twist(sign * 0.1);
+        solve(
+            &bodies,
+            &gap,
+            0.4,
+            NormalControl::Approach(0.2),
+            load,
+            1e-13,
+        )
+    });
+    assert!(found.stick_ratio() > 0.1 && found.stick_ratio() < 0.9);
+    let largest = found.pressure().max();
+    let error = max_difference(found.pressure().as_slice(), exchanged.pressure().as_slice());
+    assert!(error < 1e-12 * largest, "{:e}", error / largest);
+    for axis in 0..2 {
+        let [a, b] = [&found, &exchanged].map(|solution| solution.traction()[axis].as_slice());
+        let error = a
+            .iter()
+            .zip(b)
+            .fold(0.0, |m: f64, (a, b)| m.max((a + b).abs()));
+        assert!(error < 1e-12 * largest, "{axis}: {:e}", error / largest);
+    }
+}
+
+/// x for y, with the traction components.
+#[test]
+fn axes_are_exchanged() {
+    let bodies = |nx, ny, dx, dy| {
+        let grid = Grid::new(nx, ny, dx, dy).unwrap();
+        HalfSpace::new(grid, on_rigid(0.4)).unwrap()
+    };
+    let height = |x: f64, y: f64| (x - 0.2).powi(2) + 0.7 * y * y + 0.1 * x * y;
+    let (one, other) = (bodies(24, 18, 0.1, 0.13), bodies(18, 24, 0.13, 0.1));
+    let press = NormalControl::Force(0.3);
+    let gap = Field::from_fn(one.grid(), height);
+    let found = solve(
+        &one,
+        &gap,
+        0.4,
+        press,
+        TangentialLoad::force([0.05, 0.02]),
+        1e-12,
+    );
+    let gap = Field::from_fn(other.grid(), |x, y| height(y, x));
+    let turned = solve(
+        &other,
+        &gap,
+        0.4,
+        press,
+        TangentialLoad::force([0.02, 0.05]),
+        1e-12,
+    );
+    let largest = found.pressure().max();
+    for iy in 0..18 {
+        for ix in 0..24 {
+            let pairs = [
+                (found.pressure(), turned.pressure()),
+                (found.traction()[0], turned.traction()[1]),
+                (found.traction()[1], turned.traction()[0]),
+            ];
+            for (a, b) in pairs {
+                let error = a.get(ix, iy).unwrap() - b.get(iy, ix).unwrap();
+                assert!(error.abs() < 1e-11 * largest, "{ix} {iy}: {error:e}");
+            }
+        }
+    }
+    assert!((found.approach() / turned.approach() - 1.0).abs() < 1e-12);
+}
+
+/// Where nothing couples, the coupled problem is the normal one followed by the tangential one: for equal bodies, and
+/// for different moduli whose coupling cancels.
+#[test]
+fn uncoupled_bodies_are_solved_one_after_the_other() {
+    let grid = Grid::square(32, 2.6).unwrap();
+    let other = Material::from_shear_modulus(3.0, 0.2).unwrap();
+    let cancelling = {
+        // (1 - 2 nu) / G is that of the other.
+        let nu = 0.35;
+        let modulus = 3.0 * (1.0 - 2.0 * nu) / (1.0 - 0.4);
+        ElasticPair::new(Material::from_shear_modulus(modulus, nu).unwrap(), other).unwrap()
+    };
+    for (bodies, gap) in [
+        (unit_bodies(grid, 0.3), surface::sphere(grid, 8.0).unwrap()),
+        (
+            HalfSpace::new(grid, cancelling).unwrap(),
+            surface::sphere(grid, 8.0).unwrap(),
+        ),
+        (unit_bodies(grid, 0.3), rough(grid, 3)),
+    ] {
+        assert!(bodies.pair().dundurs_beta().abs() < 1e-15);
+        let press = NormalControl::Force(0.15 * bodies.pair().contact_modulus());
+        let (tolerance, coefficient) = (1e-11, 0.3);
+        let force = 0.6 * coefficient * 0.15 * bodies.pair().contact_modulus();
+        let load = TangentialLoad::force([0.8 * force, 0.6 * force]);
+        let found = solve(&bodies, &gap, coefficient, press, load, tolerance);
+        let normal = NormalProblem::builder(&bodies, &gap, press).tolerance(tolerance);
+        let normal = normal.build().unwrap().solve().unwrap();
+        let friction = Friction::coulomb(coefficient).unwrap();
+        let shear = TangentialProblem::builder(&bodies, &normal, friction, load)
+            .model(TangentialModel::Vector)
+            .tolerance(tolerance);
+        let shear = shear.build().unwrap().solve().unwrap();
+        assert!(l2_difference(found.pressure().as_slice(), normal.pressure().as_slice()) < 1e-8);
+        for axis in 0..2 {
+            let [a, b] = [found.traction()[axis], shear.traction()[axis]].map(Field::as_slice);
+            assert!(max_difference(a, b) < 1e-8 * normal.pressure().max());
+        }
+        assert_eq!(found.zones(), shear.zones());
+        assert!((found.shift()[0] / shear.shift()[0] - 1.0).abs() < 1e-8);
+        assert!((found.approach() / normal.approach() - 1.0).abs() < 1e-9);
+    }
+}
+
+/// Shift, force and spring that describe one state find one state; so do approach and force.
+#[test]
+fn controls_invert_one_another() {
+    let grid = Grid::square(28, 2.6).unwrap();
+    let bodies = HalfSpace::new(grid, on_rigid(0.35)).unwrap();
+    let gap = surface::ellipsoid(grid, 8.0, 5.0).unwrap();
+    let load = TangentialLoad::force([0.02, -0.01]).twist(0.01);
+    let found = solve(&bodies, &gap, 0.5, NormalControl::Force(0.1), load, 1e-12);
+    let (stiffness, [x, y]) = (0.4, found.shift());
+    let spring = |shift: f64, force: f64| TangentialControl::Spring {
+        position: shift + force / stiffness,
+        stiffness,
+    };
+    let sheared = TangentialLoad::shift([x, y]).twist(0.01);
+    for (normal, load) in [
+        (NormalControl::Approach(found.approach()), load),
+        (NormalControl::Force(0.1), sheared),
+        (NormalControl::Approach(found.approach()), sheared),
+        (
+            NormalControl::Force(0.1),
+            load.along(Axis::X, spring(x, 0.02))
+                .along(Axis::Y, spring(y, -0.01)),
+        ),
+    ] {
+        let again = solve(&bodies, &gap, 0.5, normal, load, 1e-12);
+        assert!((again.normal_force() / 0.1 - 1.0).abs() < 1e-10);
+        assert!((again.force()[0] - 0.02).abs() < 1e-11 && (again.force()[1] + 0.01).abs() < 1e-11);
+        assert!((again.shift()[0] / x - 1.0).abs() < 1e-9);
+        let error = l2_difference(
+            again.traction()[0].as_slice(),
+            found.traction()[0].as_slice(),
+        );
+        assert!(error < 1e-9, "{error:e}");
+    }
+}
+
+/// Each half, solved again to the end with the other as it is, lies within its bound.
+#[test]
+fn halves_lie_within_their_bounds() {
+    for boundary in [Boundary::NonPeriodic, Boundary::Periodic] {
+        let grid = Grid::new(24, 20, 0.1, 0.12).unwrap();
+        let bodies = HalfSpace::with_boundary(grid, on_rigid(0.45), boundary).unwrap();
+        let gap = rough(Grid::square(24, 1.0).unwrap(), 5);
+        let gap = Field::from_indices(grid, |ix, iy| 0.05 * gap.get(ix, iy).unwrap());
+        let force = 0.02 * grid.area();
+        let (press, load) = (
+            NormalControl::Force(force),
+            TangentialLoad::force([0.2 * force, 0.0]),
+        );
+        let found = solve(&bodies, &gap, 0.5, press, load, 3e-3);
+        let tensor = bodies.tensor_operator([Z, X, Y]).unwrap();
+        let product = |x: [&[f64]; 3]| {
+            let mut out = [(); 3].map(|()| vec![0.0; grid.cells()]);
+            let slices = out.each_mut().map(Vec::as_mut_slice);
+            tensor.apply(x, slices, &mut tensor.workspace());
+            out
+        };
+        let (p, [x, y]) = (found.pressure(), found.traction());
+        let zeros = vec![0.0; grid.cells()];
+        let (p, x, y) = (p.as_slice(), x.as_slice(), y.as_slice());
+        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let whole = product([p, x, y]);
+        let energy = dot(p, &whole[0]) + dot(x, &whole[1]) + dot(y, &whole[2]);
+
+        let [sheared, ..] = product([&zeros, x, y]);
+        let linear: Vec<f64> = gap
+            .as_slice()
+            .iter()
+            .zip(&sheared)
+            .map(|(h, u)| h + u)
+            .collect();
+        let operator = bodies.operator(Component::ZZ).unwrap();
+        let problem =
+            cgm::Problem::new(operator, [&linear], cgm::NonNegative).total(p.iter().sum());
+        let mut pressure = p.to_vec();
+        let settings = cgm::Settings::default().tolerance(1e-10);
+        cgm::minimise(&problem, &settings, [&mut pressure]).unwrap();
+        let change: Vec<f64> = pressure.iter().zip(p).map(|(a, b)| a - b).collect();
+        let error = (dot(&change, &product([&change, &zeros, &zeros])[0]) / energy).sqrt();
+        let bound = found.report().pressure_error_bound;
+        assert!(error <= bound && bound < 3e-3, "{error:e} {bound:e}");
+
+        let [_, along_x, along_y] = product([p, &zeros, &zeros]);
+        let limits: Vec<f64> = p.iter().map(|p| 0.5 * p).collect();
+        let plane = bodies.tensor_operator([X, Y]).unwrap();
+        let totals = [x, y].map(|q| cgm::Total::Sum(q.iter().sum()));
+        let set = cgm::Magnitude(&limits);
+        let problem = cgm::Problem::new(plane, [&along_x, &along_y], set).totals(totals);
+        let (mut qx, mut qy) = (x.to_vec(), y.to_vec());
+        cgm::minimise(&problem, &settings, [&mut qx, &mut qy]).unwrap();
+        let change = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a - b).collect::<Vec<_>>();
+        let (dx, dy) = (change(&qx, x), change(&qy, y));
+        let moved = product([&zeros, &dx, &dy]);
+        let error = ((dot(&dx, &moved[1]) + dot(&dy, &moved[2])) / energy).sqrt();
+        let bound = found.report().traction_error_bound;
+        assert!(error <= bound && bound < 3e-3, "{error:e} {bound:e}");
+    }
+}
+
+/// Projection on Coulomb's cone with a fixed step (de Saxce & Feng's bipotential): no sets, no Newton, no Krylov.
+fn projected(
+    bodies: &HalfSpace,
+    gap: &Field,
+    coefficient: f64,
+    approach: f64,
+    shift: [f64; 2],
+) -> [Vec<f64>; 3] {
+    let cells = bodies.grid().cells();
+    let tensor = bodies.tensor_operator([Z, X, Y]).unwrap();
+    let mut workspace = tensor.workspace();
+    let mut x = [(); 3].map(|()| vec![0.0; cells]);
+    let mut u = x.clone();
+    // No row of the operator adds up to more.
+    let columns = [0, 1, 2].map(|c| {
+        let mut unit = [(); 3].map(|()| vec![0.0; cells]);
+        unit[c].fill(1.0);
+        let out = u.each_mut().map(Vec::as_mut_slice);
+        tensor.apply(unit.each_ref().map(Vec::as_slice), out, &mut workspace);
+        u.iter().flatten().fold(0.0, |m: f64, u| m.max(u.abs()))
+    });
+    let step = 1.0 / columns.iter().sum::<f64>();
+    for _ in 0..200_000 {
+        let out = u.each_mut().map(Vec::as_mut_slice);
+        tensor.apply(x.each_ref().map(Vec::as_slice), out, &mut workspace);
+        let (mut change, mut largest) = (0.0_f64, 0.0_f64);
+        for i in 0..cells {
+            let slip = [u[1][i] - shift[0], u[2][i] - shift[1]];
+            let opening = gap.as_slice()[i] + u[0][i] - approach;
+            let p = x[0][i] - step * (opening + coefficient * slip[0].hypot(slip[1]));
+            let q = [x[1][i] - step * slip[0], x[2][i] - step * slip[1]];
+            let size = q[0].hypot(q[1]);
+            let next = if size <= coefficient * p {
+                [p, q[0], q[1]]
+            } else if coefficient * size <= -p {
+                [0.0; 3]
+            } else {
+                let p = (p + coefficient * size) / (1.0 + coefficient * coefficient);
+                [
+                    p,
+                    q[0] * coefficient * p / size,
+                    q[1] * coefficient * p / size,
+                ]
+            };
+            for c in 0..3 {
+                change = change.max((next[c] - x[c][i]).abs());
+                largest = largest.max(next[c].abs());
+                x[c][i] = next[c];
+            }
+        }
+        if change <= 1e-13 * largest {
+            break;
+        }
+    }
+    x
+}
+
+#[test]
+fn an_independent_method_agrees() {
+    let mut random = Random(11);
+    for scene in 0..60 {
+        let (nx, ny) = (random.integer(3, 8), random.integer(3, 8));
+        let grid = Grid::new(nx, ny, 1.0, random.decade(-0.6, 0.6)).unwrap();
+        let body = |random: &mut Random| {
+            let nu = random.uniform(0.0, 0.5);
+            Material::new(random.decade(-0.5, 0.5), nu).unwrap()
+        };
+        let pair = ElasticPair::new(body(&mut random), body(&mut random)).unwrap();
+        let bodies = HalfSpace::new(grid, pair).unwrap();
+        let gap = Field::from_fn(grid, |x, y| {
+            0.05 * (x * x + y * y) + 0.3 * random.uniform(0.0, 1.0)
+        });
+        let coefficient = random.decade(-1.3, 0.3);
+        let approach = gap.min() + random.uniform(0.2, 1.0);
+        let shift = [random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3)];
+        let press = NormalControl::Approach(approach);
+        let load = TangentialLoad::shift(shift);
+        let found = solve(&bodies, &gap, coefficient, press, load, 1e-11);
+        let expected = projected(&bodies, &gap, coefficient, approach, shift);
+        let largest = found.pressure().max();
+        let [x, y] = found.traction();
+        for (field, expected) in [found.pressure(), x, y].into_iter().zip(&expected) {
+            let error = max_difference(field.as_slice(), expected) / largest;
+            assert!(error < 1e-7, "{scene}: {error:e}");
+        }
+    }
+}
+
+#[test]
+fn rough_bodies_of_any_pair_converge() {
+    let mut random = Random(7);
+    for scene in 0..120 {
+        let (nx, ny) = (random.integer(6, 30), random.integer(6, 30));
+        let grid = Grid::new(nx, ny, 1.0, random.decade(-0.6, 0.6)).unwrap();
+        let body = |random: &mut Random| {
+            let nu = random.uniform(0.0, 0.5);
+            Material::new(random.decade(-1.0, 1.0), nu).unwrap()
+        };
+        let hard = Material::rigid();
+        let pair = if random.chance(0.4) {
+            ElasticPair::new(hard, body(&mut random))
+        } else {
+            ElasticPair::new(body(&mut random), body(&mut random))
+        };
+        let boundary = if random.chance(0.3) {
+            Boundary::Periodic
+        } else {
+            Boundary::NonPeriodic
+        };
+        let bodies = HalfSpace::with_boundary(grid, pair.unwrap(), boundary).unwrap();
+        let height = random.decade(-2.0, 0.0);
+        let gap = Field::from_fn(grid, |x, y| {
+            0.002 * (x * x + y * y) + height * random.uniform(0.0, 1.0)
+        });
+        let modulus = bodies.pair().contact_modulus();
+        let (coefficient, force) = (
+            random.decade(-1.3, 0.3),
+            random.decade(-4.0, -1.0) * modulus * grid.area(),
+        );
+        let shear = random.uniform(-0.67, 0.67) * coefficient * force;
+        let load = match scene % 3 {
+            0 => TangentialLoad::force([shear, 0.8 * shear]),
+            1 => TangentialLoad::shift([shear / modulus, -shear / modulus]),
+            _ => TangentialLoad::spring([shear / modulus, 0.0], random.decade(-1.0, 1.0) * modulus),
+        };
+        let found = solve(
+            &bodies,
+            &gap,
+            coefficient,
+            NormalControl::Force(force),
+            load,
+            1e-10,
+        );
+        let report = found.report();
+        assert!(report.work.history.len() <= 20, "{scene}: {report:?}");
+        assert!(
+            (found.normal_force() / force - 1.0).abs() < 1e-10,
+            "{scene}"
+        );
+    }
+}
+
+#[test]
+fn little_pressure_and_no_friction_are_met() {
+    let grid = Grid::square(16, 2.0).unwrap();
+    let bodies = HalfSpace::new(grid, on_rigid(0.5)).unwrap();
+    let gap = surface::sphere(grid, 5.0).unwrap();
+    let empty = solve(&bodies, &gap, 0.3, NormalControl::Force(0.0), still(), 1e-8);
+    assert!(empty.pressure().max() == 0.0 && empty.stick_ratio() == 0.0);
+
+    let press = NormalControl::Force(0.05);
+    let smooth = solve(&bodies, &gap, 0.0, press, still(), 1e-10);
+    let normal = NormalProblem::builder(&bodies, &gap, press).tolerance(1e-10);
+    let normal = normal.build().unwrap().solve().unwrap();
+    assert!(max_difference(smooth.pressure().as_slice(), normal.pressure().as_slice()) < 1e-10);
+    assert!(
+        smooth
+            .traction()
+            .iter()
+            .all(|q| q.max() == 0.0 && q.min() == 0.0)
+    );
+}
+
+#[test]
+fn bad_loads_are_refused_and_hard_ones_end() {
+    let grid = Grid::square(16, 2.0).unwrap();
+    let bodies = HalfSpace::new(grid, on_rigid(0.5)).unwrap();
+    let gap = surface::sphere(grid, 5.0).unwrap();
+    let build = |normal: NormalControl, load: TangentialLoad| {
+        let friction = Friction::coulomb(0.3).unwrap();
+        CoupledProblem::builder(&bodies, &gap, friction, normal, load)
+    };
+    let refused = build(NormalControl::Force(-1.0), still()).build();
+    assert!(matches!(refused, Err(Error::Negative { value, .. }) if value == -1.0));
+    let refused = build(NormalControl::Hold, still()).build();
+    assert!(matches!(refused, Err(Error::NothingToHold)));
+    let sliding = build(NormalControl::Force(1.0), TangentialLoad::force([0.3, 0.1])).build();
+    let refused = sliding.unwrap().solve();
+    assert!(matches!(refused, Err(Error::BeyondFrictionCapacity { limit, .. }) if limit == 0.3));
+
+    let short = build(NormalControl::Force(1.0), still())
+        .max_iterations(3)
+        .build();
+    let Err(Error::NotConverged(report)) = short.unwrap().solve() else {
+        panic!("three steps are not enough");
+    };
+    assert!(report.status == Status::IterationLimit && report.duality_gap == f64::INFINITY);
+    assert!(report.residual > 1e-8);
+}
