@@ -41,20 +41,20 @@ pub enum Warning {
 impl std::fmt::Display for Warning {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Self::NoContact => write!(formatter, "no cell carries pressure"),
+            Self::NoContact => write!(formatter, "no cell carries pressure: press further"),
             Self::ContactAtEdge { cells } => {
                 write!(
                     formatter,
-                    "{cells} contact cells lie on the edge of the grid"
+                    "{cells} contact cells lie on the edge of the grid: take a larger one"
                 )
             }
             Self::UnresolvedSpots { unresolved, spots } => write!(
                 formatter,
-                "{unresolved} of {spots} contact spots are smaller than {RESOLVED} cells"
+                "{unresolved} of {spots} contact spots are smaller than {RESOLVED} cells: refine the grid"
             ),
             Self::LineOfCells => write!(
                 formatter,
-                "the grid is a line of cells that does not repeat: rectangles in a row, not a line contact in plane strain"
+                "the grid is a line of cells that does not repeat: rectangles in a row, not a line contact in plane strain; take several rows, or a periodic grid"
             ),
             Self::ContactAcross { along_x, along_y } => {
                 let axes = match (along_x, along_y) {
@@ -69,7 +69,7 @@ impl std::fmt::Display for Warning {
             }
             Self::StalePressure => write!(
                 formatter,
-                "the gap has changed, but the pressure was held: it is that of the old gap"
+                "the gap has changed, but the pressure was held: it is that of the old gap; give the normal load again"
             ),
         }
     }

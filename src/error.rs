@@ -194,7 +194,7 @@ pub enum Error {
     )]
     EmptyContact,
     /// The tangential force exceeds what friction can carry: no equilibrium exists.
-    #[error("a tangential force of {force:e} exceeds the friction limit {limit:e}")]
+    #[error("{}", show::beyond_capacity(*force, *limit))]
     BeyondFrictionCapacity {
         /// Magnitude of the force requested.
         force: f64,
@@ -370,7 +370,7 @@ pub enum Error {
     },
     /// A cycle that does not close was to stand for those that follow.
     #[error(
-        "the cycle ends {residual:e} of its amplitude from where it began, more than {limit:e}: run cycles until they are steady before jumping over any, or allow more with closed_within()"
+        "the cycle ends {residual:e} of its amplitude from where it began, more than {limit:e}: take another cycle on this gap before jumping, or allow more with closed_within()"
     )]
     CycleNotClosed {
         /// [`Cycle::cyclic_residual`](crate::history::Cycle::cyclic_residual).
@@ -380,7 +380,7 @@ pub enum Error {
     },
     /// A load was cut into the shortest steps allowed, and the error of one is still beyond its tolerance.
     #[error(
-        "a step of {part:e} of the load still has an error of {error:e}, more than its share of {tolerance:e}"
+        "a step of {part:e} of the load still has an error of {error:e}, more than its share of {tolerance:e}: raise the tolerance, or tighten that of the history"
     )]
     StepTooLong {
         /// Length of the step, as a part of the load.

@@ -56,7 +56,7 @@
 //! | load step by step with memory of slip | [`History`], [`LoadStep`] |
 //! | press and shear at once, with steps short enough for a tolerance | [`history::AdaptiveSteps`], the page on [growing contacts](guide::growing_contacts) |
 //! | get the slopes of the forces | [`History::stiffness`], [`stiffness`] |
-//! | look at single contact spots | [`ContactSpots`] |
+//! | get moments, the centre of pressure, spots | [`NormalSolution::moments`], [`centre_of_pressure`](NormalSolution::centre_of_pressure), of a history through [`History::normal`]; [`ContactSpots`] |
 //! | keep the state of a history, return to it, save it | [`history::State`] |
 //! | apply cyclic loads, until steady or with wear | [`history::FrettingLoop`], [`history::LoadPath`], [`history::Cycle`], [`history::wear`] |
 //! | embed contacts in a simulator | the page on [embedding](guide::embedding) |

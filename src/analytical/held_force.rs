@@ -17,14 +17,17 @@ pub(super) struct HeldForce {
     pub(super) reserve: f64,
 }
 
+/// Relative excess over the limit that counts as sliding, as in the solvers.
+const ROUNDED: f64 = 1e-12;
+
 impl HeldForce {
     pub(super) fn new(load: f64, friction: f64, force: f64) -> Result<Self> {
         non_negative("coefficient of friction", friction)?;
         finite("tangential force", force)?;
         let limit = finite("friction limit", friction * load)?;
         let magnitude = force.abs();
-        // The product above is rounded, so a force meant to equal it may exceed it by a rounding error.
-        if magnitude > limit * (1.0 + 4.0 * f64::EPSILON) {
+        // A force that was meant to equal it, or was computed, may exceed it by some rounding errors.
+        if magnitude > limit * (1.0 + ROUNDED) {
             return Err(Error::BeyondFrictionCapacity {
                 force: magnitude,
                 limit,

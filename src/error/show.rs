@@ -14,3 +14,13 @@ impl fmt::Debug for Error {
 pub(super) fn prefix(file: Option<&str>) -> String {
     file.map_or_else(String::new, |file| format!("{file}: "))
 }
+
+/// Why a tangential force cannot act, and what to do.
+pub(super) fn beyond_capacity(force: f64, limit: f64) -> String {
+    let remedy = if limit > 0.0 {
+        "prescribe a shift or a spring to let the body slide"
+    } else {
+        "nothing is pressed yet: give the normal load first"
+    };
+    format!("a tangential force of {force:e} exceeds the friction limit {limit:e}: {remedy}")
+}

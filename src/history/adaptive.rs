@@ -35,6 +35,9 @@ pub struct StepError {
 /// step's part of the load, else the step is shortened: an estimate, no bound. On a ball that turns its shift while
 /// it grows, the error after the load was up to 2.5 times the tolerance.
 ///
+/// The tolerance is that of tractions. Where cells slip while the contact grows, the energy they dissipate converges
+/// more slowly: compare [`StepError::dissipated_energy`] with the energy of the step.
+///
 /// All that is prescribed goes from its value before to that of the load in proportion. The buffers take the memory of
 /// four states. A step allocates where the contact outgrows its box, each time that the step is tried.
 ///

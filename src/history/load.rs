@@ -62,6 +62,8 @@ impl LoadStep {
     ///
     /// After the gap has changed, give the normal load in every step, as with [`shift`](Self::shift).
     ///
+    /// A later step must name the spring again: one that does not holds the shift, not the far end.
+    ///
     /// ```
     /// use stickslip::history::LoadPath;
     /// use stickslip::*;

@@ -11,6 +11,8 @@ pub(super) struct Remarks {
     pub(super) is_pressure_stale: bool,
     /// Contact cells on the edge of the grid, the most of any step.
     pub(super) edge_cells: usize,
+    /// Whether nothing touched.
+    pub(super) is_apart: bool,
 }
 
 impl Remarks {
@@ -19,6 +21,7 @@ impl Remarks {
         Self {
             is_pressure_stale: self.is_pressure_stale || other.is_pressure_stale,
             edge_cells: self.edge_cells.max(other.edge_cells),
+            is_apart: self.is_apart || other.is_apart,
         }
     }
 
@@ -26,12 +29,14 @@ impl Remarks {
         let cells = self.edge_cells;
         let stale = self.is_pressure_stale.then_some(Warning::StalePressure);
         let at_edge = (cells > 0).then_some(Warning::ContactAtEdge { cells });
-        stale.into_iter().chain(at_edge).collect()
+        let apart = self.is_apart.then_some(Warning::NoContact);
+        stale.into_iter().chain(at_edge).chain(apart).collect()
     }
 }
 
 impl Cycle {
-    /// The [warnings](crate::history::StepResult::warnings) of any of its steps, each once.
+    /// The [warnings](crate::history::StepResult::warnings) of any of its steps, each once, with the largest count. What
+    /// concerns the grid and the spots of the contact is in those of [`History::normal`](crate::History::normal).
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         self.remarks.warnings()

@@ -212,6 +212,7 @@ impl History {
         step.remarks = Remarks {
             is_pressure_stale: state.is_pressure_stale,
             edge_cells: state.normal.cells_on_edge(),
+            is_apart: state.normal.force() <= 0.0,
         };
         step.normal_force = state.normal.force();
         step.approach = state.approach();

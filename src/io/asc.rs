@@ -4,6 +4,7 @@
 
 use std::path::Path;
 
+use super::csv::missing_value;
 use super::text::{Separator, excerpt, lines, without_mark};
 use super::{Format, Place, parse_file};
 use crate::error::Result;
@@ -39,7 +40,8 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 /// and `y-length` the sides of the whole surface in nanometres. Heights are in the unit that `z-unit` names, or in
 /// multiples of `Bit2nm` nanometres. Where `voidpixels` is not zero, as many numbers again follow the heights, one for
 /// each point that is missing and zero for the others. Some programs write the value of missing heights there: it is taken
-/// for one if no mask follows and it cannot be a number of points. Missing points become NaN. Numbers are separated as in [`csv`](super::csv::parse), on any lines.
+/// for one if no mask follows and it cannot be a number of points. A comment that names a missing value, as in [`csv`](super::csv::parse), is obeyed too. Missing points become NaN.
+/// Numbers are separated as in [`csv`](super::csv::parse), on any lines.
 ///
 /// # Errors
 /// [`Error::Format`](crate::Error::Format) if the bytes are not such a file, a key is missing, a unit unknown, or the
@@ -85,7 +87,8 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
         if has_mask {
             masks[cell] != 0.0
         } else {
-            header.void != 0.0 && heights[cell].to_bits() == header.void.to_bits()
+            let is_void = header.void != 0.0 && heights[cell].to_bits() == header.void.to_bits();
+            is_void || header.missing == Some(heights[cell])
         }
     };
     let height = |cell: usize| {
@@ -111,6 +114,8 @@ struct Header {
     /// Unit of the heights, in metres.
     unit: f64,
     void: f64,
+    /// The value of missing points that a comment names.
+    missing: Option<f64>,
 }
 
 impl Header {
@@ -165,6 +170,9 @@ impl Header {
             ],
             unit,
             void: number("voidpixels")?.unwrap_or(0.0),
+            missing: text
+                .lines()
+                .find_map(|line| missing_value(line.trim_start_matches('#'))),
         })
     }
 }

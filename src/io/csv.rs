@@ -138,7 +138,7 @@ impl Options {
 }
 
 /// The value of missing points, if a comment tells it: `# missing value = -32768`, `# NODATA_value: -9999`.
-fn missing_value(comment: &str) -> Option<f64> {
+pub(super) fn missing_value(comment: &str) -> Option<f64> {
     let (name, value) = comment.split_once(['=', ':'])?;
     let letters = name.chars().filter(char::is_ascii_alphanumeric);
     let name: String = letters.collect::<String>().to_ascii_lowercase();
@@ -160,7 +160,9 @@ pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
 ///   that the first line has. Commas within numbers in white space (`1,5 2,5`) are decimal commas.
 /// - A decimal comma counts as a point unless commas separate the cells.
 /// - Blank lines and lines that begin with `#` or `%` are skipped. A comment such as `# missing value = -32768` or
-///   `# NODATA_value: -9999` names the value of missing points; [`Options::missing`] gives it otherwise.
+///   `# NODATA_value: -9999` names the value of missing points: by `missing value`, `no data`, `no data value`, `bad
+///   value`, `invalid value` or `void value`, however written, then `=` or `:` and a number alone. Any other comment is
+///   ignored, and the numbers stay heights: [`Options::missing`] names the value then.
 /// - A cell that is empty, `nan` or `BAD` in either case, or all stars (`***`), is missing: NaN.
 /// - A separator at the end of every line adds no cell.
 /// - Names of columns are refused: [`Options::skip_rows`] passes over them.

@@ -53,8 +53,9 @@ pub struct ContactStiffness {
     pub normal: NormalStiffness,
     /// Tangential forces and moment by shift and twist.
     pub tangential: TangentialStiffness,
-    /// Tangential forces (over a length) and moment (a force) by the approach, at an unchanged shift, if slip continues:
-    /// through the friction limit of the cells that slip. Without a bound of its own; the change of pressure behind it
+    /// Tangential forces (over a length) and moment (a force) by the approach while slip continues, through the friction
+    /// limit of the cells that slip: if the shift grows in the same step, or the approach decreases. Pressed further at a
+    /// held shift these cells stick, and the slope is zero. Without a bound of its own; the change of pressure behind it
     /// has a relative error, in the energy norm, of the root of the bound of `normal`.
     pub by_approach: [f64; 3],
 }

@@ -9,7 +9,9 @@
 //!   that holds their traction; in the vector model it turns, against the stiffness $`|s|/m`$ that slip s under the limit m
 //!   has;
 //! - **reversal**: all cells of the contact stick, as they do at first when the shift goes back;
-//! - **by approach**: pressing changes the limit of cells that slip, and so the tangential force under an unchanged shift.
+//! - **by approach**: the limit of cells that slip follows the pressure, and with it the tangential force, while slip
+//!   continues: where the shift grows in the same step, or the approach decreases. If the bodies are pressed further at a
+//!   held shift, the cells that slipped stick, and the force stays.
 //!
 //! The motions are shift along x, shift along y and twist; the loads are the forces and the moment about the origin of
 //! the grid. What a model leaves out has zero rows and columns. The matrices are symmetric.
@@ -31,7 +33,7 @@
 //! // Half of the load that slides: the slope falls with the radius of the stick zone, and is back at reversal.
 //! let ratio = stiffness.tangential.loading[0][0] / stiffness.tangential.reversal[0][0];
 //! assert!((ratio - 0.5_f64.cbrt()).abs() < 0.01);
-//! // Further pressing at this shift raises the force.
+//! // Pressure that grows while slip continues raises the force.
 //! assert!(stiffness.by_approach[0] > 0.0);
 //! # Ok::<(), Error>(())
 //! ```

@@ -183,7 +183,10 @@ impl Demand {
         for &axis in Axis::BOTH {
             let (quantity, value) = self.control(axis).checked(axis)?;
             if value != 0.0 && !axes.contains(&axis) {
+                let [x, y] = self.controls;
+                let is_oblique = x.value() != 0.0 && y.value() != 0.0;
                 let remedy = match axis {
+                    _ if is_oblique => "build it with .model(TangentialModel::Vector)",
                     Axis::X => "build it with .axis(Axis::X) or .model(TangentialModel::Vector)",
                     Axis::Y => "build it with .axis(Axis::Y) or .model(TangentialModel::Vector)",
                 };

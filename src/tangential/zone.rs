@@ -1,6 +1,8 @@
 //! What a cell does, along which axis, and which tractions a model has.
 
 /// The state of a cell under a tangential load.
+///
+/// As a number for a file (`zone as u8`): 0 separated, 1 stick, 2 slip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Zone {

@@ -192,6 +192,9 @@ fn headers_of_text_files_are_honoured() {
     assert!((sides[0] / 200e-9 - 1.0).abs() < 1e-12 && (sides[1] / 150e-9 - 1.0).abs() < 1e-12);
     assert!((by_value.as_slice()[5] / 6e-6 - 1.0).abs() < 1e-12);
     assert!(by_value.as_slice()[2].is_nan() && !by_value.as_slice()[1].is_nan());
+    let file = header("# z-unit = um\r\n# missing value = -32768\r\n") + heights;
+    let by_comment = io::asc::parse(file.as_bytes()).unwrap();
+    assert!(by_comment.as_slice()[2].is_nan() && !by_comment.as_slice()[1].is_nan());
     // A mask behind the heights says which are missing; that they repeat a value does not.
     let mask = "0 1 0\n0 0 0\n";
     let file = header("# Bit2nm = 1000\r\n# voidpixels = 1\r\n") + heights + mask;

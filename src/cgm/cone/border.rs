@@ -3,7 +3,7 @@
 use crate::cgm::cone::{Cone, ConeRun, N};
 use crate::cgm::small::Small;
 use crate::cgm::totals::sums_of;
-use crate::cgm::vector::slices;
+use crate::cgm::vector::{norm, slices};
 use crate::cgm::{Total, reduce};
 use crate::operator::Operator;
 use crate::parallel;
@@ -132,7 +132,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
 
     /// Adds the spread of changes of the multipliers to the correction.
     pub(super) fn add_spread(&mut self, change: [f64; N]) {
-        if change == [0.0; N] {
+        if norm(change) == 0.0 {
             return;
         }
         let w = &mut *self.workspace;

@@ -7,7 +7,7 @@ use crate::cgm::cone::krylov::{Hessenberg, RESTART};
 use crate::cgm::cone::workspace::gradient;
 use crate::cgm::cone::{Cone, ConeRun, N};
 use crate::cgm::reduce;
-use crate::cgm::vector::{at, chunks, dot, held, put, slices, slices_mut, within};
+use crate::cgm::vector::{at, chunks, dot, held, norm, put, slices, slices_mut, within};
 use crate::operator::Operator;
 use crate::parallel;
 use crate::report::Status;
@@ -19,7 +19,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     /// Solves for the cells as they may move, letting them leave their sets; tractions, multipliers and product follow.
     pub(super) fn solve_linear(&mut self, border: &Border, reduction: f64) -> ControlFlow<Status> {
         let missing = self.missing();
-        if missing != [0.0; N] {
+        if norm(missing) != 0.0 {
             let change = border.balance(missing, [0.0; N]);
             self.workspace.correction.fill([0.0; N]);
             self.add_spread(change);

@@ -144,8 +144,9 @@ impl CycleJump {
         self
     }
 
-    /// Accepts a cycle whose [residual](Cycle::cyclic_residual) is no more than this (default: 0.25). A first cycle from
-    /// rest does not close, and would stand for others than those that follow.
+    /// Accepts a cycle whose [residual](Cycle::cyclic_residual) is no more than this (a part of its amplitude; default:
+    /// 0.25). A first cycle from rest, or after a change of the gap, does not close, and would stand for others than
+    /// those that follow.
     pub fn closed_within(mut self, residual: f64) -> Self {
         self.closed_within = residual;
         self

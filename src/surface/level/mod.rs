@@ -90,7 +90,6 @@ impl Levelled {
 /// to their factors, and these in pairs to one, $`A = QR`$ (Demmel et al. 2012). Then
 /// $`R^T R\,\Delta c = A^T (z - A c)`$ is solved until the coefficients $`c`$ no longer change (corrected seminormal
 /// equations, Björck 1987).
-/// coefficients $`c`$ no longer change (corrected seminormal equations, Björck 1987).
 ///
 /// # Errors
 /// [`Error::Sample`] for the first infinite height; [`Error::Degree`] above degree 20;
