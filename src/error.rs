@@ -99,7 +99,7 @@ pub enum Error {
     BothRigid,
     /// The materials couple normal and tangential tractions, and the model neglects this coupling.
     #[error(
-        "the pair couples pressure and shear (Dundurs beta = {beta:e}): call neglect_coupling() to accept an error of that order"
+        "the pair couples pressure and shear (Dundurs beta = {beta:e}): take a CoupledProblem or a History, or call neglect_coupling() to accept an error of that order"
     )]
     CoupledMaterials {
         /// Dundurs' second parameter of the pair.

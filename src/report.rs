@@ -140,6 +140,16 @@ impl Report {
         }
     }
 
+    /// Before a solve, with the memory there is.
+    pub(crate) fn clear(&mut self) {
+        let mut history = std::mem::take(&mut self.history);
+        history.clear();
+        *self = Self {
+            history,
+            ..Self::unsolved()
+        };
+    }
+
     /// Whether the tolerance was reached.
     #[must_use]
     pub fn is_converged(&self) -> bool {

@@ -22,10 +22,21 @@ pub(super) const N: usize = 3;
 
 /// Relative accuracy of the halves that a solve starts from.
 const START: f64 = 1e-2;
+/// Residual of a start beside which a sweep of halves is cheaper than Newton's method.
+const POOR: f64 = 0.1;
 /// Times that the sets may cycle, each followed by more sweeps of halves.
 const ROUNDS: usize = 12;
 /// Part of the tangential force that friction holds at most in a half, whose pressure is not final.
 const HELD: f64 = 0.999;
+
+/// How a solve begins.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Start {
+    /// From a sweep of halves.
+    Halves,
+    /// From the present tractions.
+    Present,
+}
 
 /// What is asked of a solve: gap and demands of every cell, and what is prescribed of the sums.
 #[derive(Debug, Clone, Copy)]
@@ -97,27 +108,41 @@ impl Engine {
         self.workspace.multiplier()
     }
 
-    /// Solves from the present tractions; says how it ended in the report.
+    /// Nothing touches.
+    pub(super) fn part(&mut self) {
+        for part in &mut self.x {
+            part.fill(0.0);
+        }
+        self.workspace.part();
+    }
+
+    /// Solves into the tractions; says how it ended in the report.
     pub(super) fn solve(
         &mut self,
         task: Task<'_>,
+        start: Start,
         conditions: &mut Conditions<'_, '_>,
         report: &mut CoupledReport,
     ) -> Result<()> {
-        *report = CoupledReport::unsolved();
-        let (mut sweeps, mut tolerance) = (1, START);
+        report.clear();
+        self.workspace.set_multiplier([0.0; N]);
+        let (mut sweeps, mut worst) = match start {
+            Start::Halves => (1, f64::INFINITY),
+            Start::Present => (0, POOR),
+        };
+        let mut tolerance = START;
         for _ in 0..ROUNDS {
             for _ in 0..sweeps {
                 if let Some(status) = self.sweep(task, tolerance, conditions, report)? {
                     return report.end(status);
                 }
             }
-            let (status, findings) = self.newton(task, conditions, report);
+            let (status, findings) = self.newton(task, worst, conditions, report);
             report.take(&findings);
             if let Some(status) = status {
                 return report.end(status);
             }
-            sweeps += 1;
+            (sweeps, worst) = (sweeps + 1, f64::INFINITY);
             tolerance = (0.1 * findings.merit()).clamp(conditions.settings.tolerance, START);
         }
         report.end(Status::Stalled)
@@ -127,6 +152,7 @@ impl Engine {
     fn newton(
         &mut self,
         task: Task<'_>,
+        worst: f64,
         conditions: &mut Conditions<'_, '_>,
         report: &mut CoupledReport,
     ) -> (Option<Status>, ConeFindings) {
@@ -142,7 +168,14 @@ impl Engine {
         let settings = left(conditions, &report.work);
         let mut observer = with_counts_of(&report.work, &mut *conditions.observer);
         let x = slices_mut(&mut self.x);
-        let ended = cone::solve(&problem, &settings, x, &mut self.workspace, &mut observer);
+        let ended = cone::solve(
+            &problem,
+            &settings,
+            worst,
+            x,
+            &mut self.workspace,
+            &mut observer,
+        );
         drop(observer);
         report.work.add_pass(self.workspace.report());
         ended

@@ -34,10 +34,12 @@
 //! residual of both laws and a rigorous bound for each half, the other being as it is: see [`CoupledReport`].
 
 mod engine;
+mod increment;
 mod problem;
 mod report;
 mod solution;
 
+pub(crate) use increment::{CoupledDemand, CoupledIncrement};
 pub use problem::{CoupledProblem, CoupledProblemBuilder};
 pub use report::CoupledReport;
 pub use solution::CoupledSolution;

@@ -38,6 +38,22 @@ impl CoupledReport {
         }
     }
 
+    /// Before a solve, with the memory there is.
+    pub(super) fn clear(&mut self) {
+        for report in [&mut self.work, &mut self.normal, &mut self.tangential] {
+            report.clear();
+        }
+        (self.pressure_error_bound, self.traction_error_bound) = (f64::INFINITY, f64::INFINITY);
+    }
+
+    /// Of bodies that do not touch: nothing was to be found, and nothing is wrong.
+    pub(super) fn apart(&mut self) {
+        self.clear();
+        self.work.status = Status::Converged;
+        (self.work.residual, self.work.load_error) = (0.0, 0.0);
+        (self.pressure_error_bound, self.traction_error_bound) = (0.0, 0.0);
+    }
+
     pub(super) fn take(&mut self, findings: &ConeFindings) {
         self.work.residual = findings.residual;
         self.work.load_error = findings.load_error;

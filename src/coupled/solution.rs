@@ -5,10 +5,11 @@ use crate::cgm::reduce;
 use crate::contact_map::{ContactMap, Warning};
 use crate::coupled::CoupledReport;
 use crate::coupled::engine::N;
+use crate::coupled::increment::CoupledIncrement;
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
-use crate::tangential::{Friction, Motion, Zone, centre, is_at_limit};
+use crate::tangential::{Motion, Zone, centre};
 
 /// Pressure, traction, slip, zones, approach and shift of a coupled contact. Vectors are `[x, y]`.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,51 +27,34 @@ pub struct CoupledSolution {
 }
 
 impl CoupledSolution {
-    pub(super) fn new(
-        bodies: &HalfSpace,
-        initial: &Field,
-        friction: &Friction,
-        x: [&[f64]; N],
-        product: [&[f64]; N],
-        (approach, motion): (f64, Motion),
-        report: CoupledReport,
-    ) -> Self {
-        let grid = bodies.grid();
+    pub(super) fn new(bodies: &HalfSpace, initial: &Field, increment: &CoupledIncrement) -> Self {
+        let (grid, answer) = (bodies.grid(), increment.answer());
+        let zeros = || Field::zeros(grid);
         let field = |values: &[f64]| {
             let mut field = Field::zeros(grid);
             field.as_mut_slice().copy_from_slice(values);
             field
         };
-        let mut gap = field(product[0]);
-        for (gap, initial) in gap.as_mut_slice().iter_mut().zip(initial.as_slice()) {
-            *gap += initial - approach;
-        }
         let mut solution = Self {
-            pressure: field(x[0]),
-            gap,
-            traction: [field(x[1]), field(x[2])],
-            slip: [Field::zeros(grid), Field::zeros(grid)],
-            displacement: product.map(field),
+            pressure: zeros(),
+            gap: zeros(),
+            traction: answer.traction.map(field),
+            slip: [zeros(), zeros()],
+            displacement: increment.displacement().map(field),
             zones: vec![Zone::Separated; grid.cells()],
             boundary: bodies.boundary(),
-            approach,
-            motion,
-            report,
+            approach: increment.approach(),
+            motion: answer.motion,
+            report: increment.full_report().clone(),
         };
-        for i in (0..grid.cells()).filter(|&i| x[0][i] > 0.0) {
-            let limit = friction.limit(i, x[0][i]);
-            if !is_at_limit(x[1][i].hypot(x[2][i]), limit) {
-                solution.zones[i] = Zone::Stick;
-                continue;
-            }
-            solution.zones[i] = Zone::Slip;
-            let moved = motion.at(centre(grid, i));
-            let slip = [0, 1].map(|axis| product[1 + axis][i] - moved[axis]);
-            // A motion along the traction is residual of the solve.
-            if slip[0] * x[1][i] + slip[1] * x[2][i] <= 0.0 {
-                for (field, slip) in solution.slip.iter_mut().zip(slip) {
-                    field.as_mut_slice()[i] = slip;
-                }
+        increment.write(initial, &mut solution.pressure, &mut solution.gap);
+        let touches = |&i: &usize| answer.pressed.pressure[i] > 0.0;
+        for i in (0..grid.cells()).filter(touches) {
+            let is_at_limit = answer.is_at_limit(i);
+            solution.zones[i] = if is_at_limit { Zone::Slip } else { Zone::Stick };
+            let slip = answer.slip(i, centre(grid, i)).unwrap_or([0.0; 2]);
+            for (field, slip) in solution.slip.iter_mut().zip(slip) {
+                field.as_mut_slice()[i] = slip;
             }
         }
         solution

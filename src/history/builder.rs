@@ -6,7 +6,7 @@ use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::state::State;
 use crate::history::{History, TouchRule};
-use crate::tangential::{Axis, Friction, TangentialModel, check_coupling};
+use crate::tangential::{Axis, Friction, TangentialModel, is_coupled};
 
 /// Options of a [`History`]; each has a default.
 #[derive(Debug, Clone)]
@@ -75,8 +75,9 @@ impl HistoryBuilder<'_> {
         self
     }
 
-    /// Accepts a pair of materials whose pressure and shear are coupled, and neglects that: an
-    /// error of order beta and mu beta in the tractions (default: such a pair is refused).
+    /// Neglects that pressure and shear of bodies of different materials are coupled: an error of order beta and mu beta
+    /// in the tractions. By default they are found together ([`coupled`](crate::coupled)), with both tractions whatever
+    /// the model.
     pub fn neglect_coupling(mut self) -> Self {
         self.neglect_coupling = true;
         self
@@ -94,17 +95,19 @@ impl HistoryBuilder<'_> {
     /// # Errors
     /// [`Error::GridMismatch`](crate::Error::GridMismatch) for gap or friction,
     /// [`Error::Sample`](crate::Error::Sample) for the gap,
-    /// [`Error::CoupledMaterials`](crate::Error::CoupledMaterials),
     /// [`Error::Method`](crate::Error::Method) for a method that the model does not have,
     /// [`Error::Tolerance`](crate::Error::Tolerance), [`Error::IterationLimit`](crate::Error::IterationLimit).
     pub fn build(self) -> Result<History> {
-        check_coupling(self.bodies, self.neglect_coupling)?;
+        let is_coupled = !self.neglect_coupling && is_coupled(self.bodies);
         self.settings.check()?;
         self.model.check(&self.settings)?;
         let axes = match self.model {
             TangentialModel::Scalar => self.axis.alone(),
             TangentialModel::Vector => Axis::BOTH,
         };
+        if is_coupled {
+            TangentialModel::Vector.check(&self.settings)?;
+        }
         let bodies = self.bodies;
         self.gap.check("gap", bodies.grid())?;
         self.friction.check(bodies.grid())?;
@@ -112,6 +115,7 @@ impl HistoryBuilder<'_> {
         let (pair, settings) = (bodies.pair(), self.settings);
         let rule = self.touch_rule;
         let state = State::new(gap, boundary, pair, self.friction, axes, settings, rule);
+        let state = if is_coupled { state.coupled() } else { state };
         History::from_state(bodies, state)
     }
 }

@@ -5,11 +5,11 @@ use crate::history::EnergyBalance;
 use crate::history::memory::Memory;
 use crate::history::state::State;
 use crate::history::step::StepResult;
-use crate::tangential::{Increment, Motion, Zone, centre};
+use crate::tangential::{Answer, Motion, Zone, centre};
 
 /// Makes a step that ended with the motion part of the state, and writes down what it did.
 pub(super) fn commit(
-    increment: Option<&Increment>,
+    answer: Option<&Answer<'_>>,
     motion: Motion,
     state: &mut State,
     step: &mut StepResult,
@@ -20,8 +20,8 @@ pub(super) fn commit(
     state.motion = motion;
     // Out of the state and back, so that both can be written.
     let mut contact = state.contact.take();
-    if let Some((increment, memory)) = increment.zip(contact.as_mut()) {
-        enter(increment, before, memory, state, step);
+    if let Some((answer, memory)) = answer.zip(contact.as_mut()) {
+        enter(answer, before, memory, state, step);
     }
     state.contact = contact;
     let change = motion.since(before);
@@ -36,28 +36,28 @@ pub(super) fn commit(
 
 /// Enters the cells of the window, whose step led from the motion `before` to that of the state.
 fn enter(
-    increment: &Increment,
+    answer: &Answer<'_>,
     before: Motion,
     memory: &mut Memory,
     state: &mut State,
     step: &mut StepResult,
 ) {
-    let (grid, pressed) = (state.grid(), &increment.pressed);
+    let (grid, pressed) = (state.grid(), answer.pressed);
     let cell_area = grid.cell_area();
     let change = state.motion.since(before);
     let (mut sum, mut moment) = ([0.0; 2], 0.0);
     for (k, i) in pressed.window.indices().enumerate() {
         let centre = centre(grid, i);
-        let (traction, u) = (increment.traction(k), increment.displacement(k));
+        let (traction, u) = (answer.traction(k), answer.displacement(k));
         let before = state.traction.each_ref().map(|field| field.as_slice()[i]);
         let mean = [0, 1].map(|axis| 0.5 * (before[axis] + traction[axis]));
-        let (u_before, offset) = (memory.displacement(k), increment.offset(k));
+        let (u_before, offset) = (memory.displacement(k), answer.offset(k));
         // What a cell that came into contact was spared of the motion of the step.
         let lag = minus(memory.offset(k), offset);
         let relative = minus(u, state.motion.at(centre));
         let is_contact = pressed.pressure[k] > 0.0;
-        let sticks = !increment.is_at_limit(k);
-        let found = increment.slip(k, centre).filter(|_| is_contact);
+        let sticks = !answer.is_at_limit(k);
+        let found = answer.slip(k, centre).filter(|_| is_contact);
         let slip = found.unwrap_or([0.0; 2]);
         let is_loose = found.is_some() || !is_contact;
         memory.set_offset(k, if is_loose { relative } else { offset });
@@ -102,5 +102,7 @@ fn enter(
     }
     state.force = sum.map(|sum| cell_area * sum);
     state.moment = cell_area * moment;
-    increment.copy_displacement(&mut memory.displacement);
+    for (memory, displacement) in memory.displacement.iter_mut().zip(answer.displacement) {
+        memory.copy_from_slice(displacement);
+    }
 }

@@ -1,5 +1,9 @@
 //! The energy of a tangential step, or of the steps of a cycle.
 
+use crate::cgm::reduce;
+use crate::field::Field;
+use crate::normal::NormalSolution;
+
 /// Where the work of the tangential load in a step went (energies: force times length), or in the steps of a
 /// [`Cycle`](crate::history::Cycle).
 ///
@@ -20,7 +24,8 @@
 /// ([`mid_step_dissipated_energy`](Self::mid_step_dissipated_energy)), what cells that leave the contact let go
 /// ([`released`](Self::released)) and what the tolerance of the solve leaves where there should be no slip
 /// ([`residual`](Self::residual)). What a spring stores, $`F^2 / 2k`$, is not among these: work is what it does to
-/// body 2.
+/// body 2. Where pressure and shear are coupled, work and elastic energy include those of the pressure,
+/// $`A \sum \bar p\,\Delta u_z`$ and $`\tfrac A2 \sum p\,u_z`$.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -46,6 +51,40 @@ pub struct EnergyBalance {
 }
 
 impl EnergyBalance {
+    /// What the pressure does in a step, from before to after, each with its gap before loading.
+    pub(super) fn of_pressing(
+        before: (&NormalSolution, &Field),
+        after: (&NormalSolution, &Field),
+    ) -> Self {
+        let at = |(contact, gap): (&NormalSolution, &Field), i: usize| {
+            let displacement =
+                contact.gap().as_slice()[i] + (contact.approach() - gap.as_slice()[i]);
+            (contact.pressure().as_slice()[i], displacement)
+        };
+        let [work, elastic_before, elastic_after] = reduce::sum(before.1.as_slice().len(), |i| {
+            let ((p, u), (p_next, u_next)) = (at(before, i), at(after, i));
+            [
+                0.5 * (p + p_next) * (u_next - u),
+                0.5 * p * u,
+                0.5 * p_next * u_next,
+            ]
+        });
+        let cell_area = before.1.grid().cell_area();
+        Self {
+            work: cell_area * work,
+            elastic_before: cell_area * elastic_before,
+            elastic_after: cell_area * elastic_after,
+            ..Self::default()
+        }
+    }
+
+    /// With the part of the pressure.
+    pub(super) fn add_pressing(&mut self, pressing: &Self) {
+        self.work += pressing.work;
+        self.elastic_before += pressing.elastic_before;
+        self.elastic_after += pressing.elastic_after;
+    }
+
     /// Goes on by the step that followed.
     pub(super) fn extend(&mut self, next: &Self) {
         self.work += next.work;

@@ -73,6 +73,15 @@ impl Memory {
         Ok((increment, wide))
     }
 
+    /// The displacements of all cells, of a window that is the grid.
+    pub(super) fn fields(&self, grid: Grid) -> Result<[Field; 2]> {
+        let [x, y] = self
+            .displacement
+            .each_ref()
+            .map(|part| Field::from_vec(grid, part.clone()));
+        Ok([x?, y?])
+    }
+
     /// Displacement of a cell.
     pub(super) fn displacement(&self, cell: usize) -> [f64; 2] {
         at(&self.displacement, cell)

@@ -2,7 +2,7 @@
 
 use crate::boundary::Boundary;
 use crate::cgm::{Settings, reduce};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::history::{History, StepResult};
@@ -90,6 +90,14 @@ impl History {
     /// # Errors
     /// As [`HalfSpace::operator`](crate::HalfSpace::operator).
     pub fn displacement(&self) -> Result<[Field; 2]> {
+        if let Some(memory) = self
+            .state
+            .contact
+            .as_ref()
+            .filter(|_| self.state.is_coupled)
+        {
+            return memory.fields(self.grid());
+        }
         tangential::displacement(&self.bodies, self.state.axes, self.traction())
     }
 
@@ -153,9 +161,13 @@ impl History {
     /// contact during further motion are not included.
     ///
     /// # Errors
-    /// [`Error::NotFinite`](crate::Error::NotFinite) where a periodic contact is closed everywhere,
-    /// [`Error::NotConverged`](crate::Error::NotConverged), as [`HalfSpace::operator`](crate::HalfSpace::operator).
+    /// [`Error::NotFinite`] where a periodic contact is closed everywhere, [`Error::CoupledMaterials`] where pressure and
+    /// shear are coupled, [`Error::NotConverged`], as [`HalfSpace::operator`](crate::HalfSpace::operator).
     pub fn stiffness(&self) -> Result<ContactStiffness> {
+        if self.state.is_coupled {
+            let beta = self.bodies.pair().dundurs_beta();
+            return Err(Error::CoupledMaterials { beta });
+        }
         let sheared = Sheared {
             zones: self.zones(),
             traction: self.traction(),

@@ -79,6 +79,8 @@ pub struct State {
     pub(super) moment: f64,
     pub(super) steps: u64,
     pub(super) touch_rule: TouchRule,
+    /// Whether pressure and shear are found together.
+    pub(super) is_coupled: bool,
 }
 
 clone_in_place!(State {
@@ -101,6 +103,7 @@ clone_in_place!(State {
     moment,
     steps,
     touch_rule,
+    is_coupled,
 });
 
 const QUANTITY: &str = "state of a history";
@@ -138,7 +141,23 @@ impl State {
             moment: 0.0,
             steps: 0,
             touch_rule,
+            is_coupled: false,
         }
+    }
+
+    /// With pressure and shear found together, on all of the grid and along both axes.
+    pub(super) fn coupled(mut self) -> Self {
+        let (grid, axes) = (self.grid(), Axis::BOTH);
+        let memory = Memory::first(grid, axes, Window::whole(grid), self.motion);
+        (self.axes, self.contact, self.is_coupled) = (axes, Some(memory), true);
+        self
+    }
+
+    /// Whether what a coupled state remembers is all there.
+    pub(super) fn is_whole(&self) -> bool {
+        let whole = Window::whole(self.grid());
+        let remembers = |memory: &Memory| memory.window == whole;
+        self.axes == Axis::BOTH && self.contact.as_ref().is_some_and(remembers)
     }
 
     /// `Ok` if the state is one of these bodies.
@@ -197,6 +216,12 @@ impl State {
     #[must_use]
     pub fn touch_rule(&self) -> TouchRule {
         self.touch_rule
+    }
+
+    /// Whether pressure and shear are found together, as for bodies of different materials.
+    #[must_use]
+    pub fn is_coupled(&self) -> bool {
+        self.is_coupled
     }
 
     /// Whether the gap has changed since the pressure was found. A step that holds the pressure then carries

@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use crate::cascade::Conditions;
 use crate::cgm::{Iteration, Settings};
 use crate::clock::Instant;
+use crate::coupled::{CoupledDemand, CoupledIncrement};
 use crate::elastic::Observer;
 use crate::error::Result;
 use crate::field::Field;
@@ -15,7 +16,7 @@ use crate::history::memory::Memory;
 use crate::history::remarks::Remarks;
 use crate::history::state::State;
 use crate::history::touch;
-use crate::history::{LoadStep, StepResult};
+use crate::history::{EnergyBalance, LoadStep, StepResult};
 use crate::normal::{NormalControl, NormalProblem, NormalSolution, NormalSolver};
 use crate::passes::with_memory;
 use crate::report::{Report, Status};
@@ -70,6 +71,8 @@ pub struct History {
     candidate: NormalSolution,
     /// The tangential contact, on the window of the [`Memory`] in the state, if there is one.
     increment: Option<Increment>,
+    /// Pressure and shear found together, instead of the above; none where they are not coupled.
+    joint: Option<Box<CoupledIncrement>>,
     /// What takes the place of both if the step under way, which needs a wider window, succeeds.
     wider: Option<(Increment, Memory)>,
     pub(super) step: StepResult,
@@ -111,6 +114,7 @@ impl History {
             candidate: press.new_solution(),
             press,
             increment: new_increment(bodies, &state)?,
+            joint: new_joint(bodies, &state)?,
             wider: None,
             step: StepResult::new(state.grid()),
             state,
@@ -149,6 +153,7 @@ impl History {
     fn resume(&mut self, state: &State) -> Result<()> {
         let fits = match (&self.increment, &state.contact) {
             (None, None) => true,
+            (None, Some(_)) if state.is_coupled => true,
             (Some(increment), Some(memory)) => {
                 increment.pressed.window == memory.window && increment.axes() == state.axes
             }
@@ -156,6 +161,9 @@ impl History {
         };
         if !fits {
             self.increment = new_increment(&self.bodies, state)?;
+        }
+        if state.is_coupled != self.joint.is_some() {
+            self.joint = new_joint(&self.bodies, state)?;
         }
         Ok(())
     }
@@ -200,9 +208,14 @@ impl History {
             }
         };
         let Self { state, step, .. } = self;
-        if load.normal_control() == NormalControl::Hold {
+        let mut pressing = EnergyBalance::default();
+        if load.normal_control() == NormalControl::Hold && self.joint.is_none() {
             step.normal_report.clone_from(&Report::unsolved());
         } else {
+            if self.joint.is_some() {
+                let before = (&state.normal, &state.pressed_gap);
+                pressing = EnergyBalance::of_pressing(before, (&self.candidate, &state.gap));
+            }
             std::mem::swap(&mut state.normal, &mut self.candidate);
             state.pressed_gap.clone_from(&state.gap);
             state.is_pressure_stale = false;
@@ -219,15 +232,61 @@ impl History {
         if let Some((increment, memory)) = self.wider.take() {
             (self.increment, state.contact) = (Some(increment), Some(memory));
         }
-        let increment = self.increment.as_ref();
+        let (joint, increment) = (self.joint.as_ref(), self.increment.as_ref());
+        let sheared = joint.map(|joint| (joint.answer(), joint.report()));
+        let sheared = sheared.or_else(|| increment.map(|part| (part.answer(), part.report())));
+        let (answer, report) = sheared.unzip();
         step.tangential_report
-            .clone_from(increment.map_or(&Report::unsolved(), Increment::report));
-        commit(increment, motion, state, step);
+            .clone_from(report.unwrap_or(&Report::unsolved()));
+        commit(answer.as_ref(), motion, state, step);
+        step.energy.add_pressing(&pressing);
         Ok(&self.step)
+    }
+
+    /// Solves a step whose pressure and shear are coupled without a trace in the state; returns the motion of body 2 at
+    /// its end.
+    fn attempt_joint(
+        &mut self,
+        joint: &mut CoupledIncrement,
+        load: &LoadStep,
+        observer: Observer<'_>,
+    ) -> Result<Motion> {
+        let state = &self.state;
+        let normal = match load.normal_control() {
+            NormalControl::Hold => NormalControl::Force(state.normal.force()),
+            control => control,
+        };
+        self.press.set_load(normal)?;
+        if let Some(memory) = &state.contact {
+            joint.set_offset(&memory.offset);
+        }
+        joint.set_tractions(state.pressure(), state.traction());
+        let mut conditions = Conditions {
+            settings: &state.settings,
+            start: Instant::now(),
+            observer,
+        };
+        let demand = CoupledDemand {
+            gap: &state.gap,
+            friction: &state.friction,
+            normal,
+            tangential: load.demand(state.motion.twist),
+        };
+        joint.solve(demand, state.motion, &mut conditions)?;
+        let (pressure, gap, approach, report) = self.candidate.parts_mut();
+        joint.write(&state.gap, pressure, gap);
+        *approach = joint.approach();
+        report.clone_from(joint.report());
+        Ok(joint.answer().motion)
     }
 
     /// Solves both halves of a step without a trace in the state; returns the motion of body 2 at its end.
     fn attempt(&mut self, load: &LoadStep, observer: Observer<'_>) -> Result<Motion> {
+        if let Some(mut joint) = self.joint.take() {
+            let motion = self.attempt_joint(&mut joint, load, observer);
+            self.joint = Some(joint);
+            return motion;
+        }
         let pressed = match load.normal_control() {
             NormalControl::Hold => &self.state.normal,
             control => {
@@ -309,7 +368,14 @@ impl History {
 /// The increment on the window of a state's contact, if there is one.
 fn new_increment(bodies: &HalfSpace, state: &State) -> Result<Option<Increment>> {
     let make = |memory: &Memory| Increment::new(bodies, state.axes, Pressed::new(memory.window));
-    state.contact.as_ref().map(make).transpose()
+    let uncoupled = state.contact.as_ref().filter(|_| !state.is_coupled);
+    uncoupled.map(make).transpose()
+}
+
+/// What solves the steps of a coupled state.
+fn new_joint(bodies: &HalfSpace, state: &State) -> Result<Option<Box<CoupledIncrement>>> {
+    let make = || CoupledIncrement::new(bodies).map(Box::new);
+    state.is_coupled.then(make).transpose()
 }
 
 /// Increment and memory that a pressure needs where the contact has left its window, or is the first.

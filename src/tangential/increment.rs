@@ -2,15 +2,15 @@
 
 use crate::cascade::Conditions;
 use crate::cgm::Total;
-use crate::cgm::vector::{dot, minus};
+use crate::cgm::vector::slices;
 use crate::error::{Result, finite};
 use crate::half_space::HalfSpace;
 use crate::passes::with_time_left;
 use crate::report::Report;
+use crate::tangential::answer::Answer;
 use crate::tangential::control::Demand;
 use crate::tangential::engine::{PlaneVector, ShearEngine, Task, engine_along};
 use crate::tangential::growth::{Growth, GrowthFields};
-use crate::tangential::limits::is_at_limit;
 use crate::tangential::motion::{Motion, centre};
 use crate::tangential::{Axis, Pressed, TangentialControl};
 use crate::window::Window;
@@ -98,20 +98,14 @@ impl Increment {
         }
     }
 
-    /// The traction of a cell of the window.
-    pub(crate) fn traction(&self, cell: usize) -> [f64; 2] {
-        at(&self.traction, cell)
-    }
-
-    /// The displacement that the tractions found last cause in a cell of the window.
-    pub(crate) fn displacement(&self, cell: usize) -> [f64; 2] {
-        at(&self.engine.product(), cell)
-    }
-
-    /// Copies the displacement of all cells of the window.
-    pub(crate) fn copy_displacement(&self, target: &mut PlaneVector) {
-        for (target, displacement) in target.iter_mut().zip(self.engine.product()) {
-            target.copy_from_slice(displacement);
+    /// What the last step has found.
+    pub(crate) fn answer(&self) -> Answer<'_> {
+        Answer {
+            pressed: &self.pressed,
+            traction: slices(&self.traction),
+            displacement: self.engine.product(),
+            offset: slices(&self.offset),
+            motion: self.motion,
         }
     }
 
@@ -120,11 +114,6 @@ impl Increment {
         let mut displacement = zeros(self.axes, self.pressed.window.cells());
         self.engine.apply(&self.traction, &mut displacement);
         displacement
-    }
-
-    /// The offset of a cell of the window in this step.
-    pub(crate) fn offset(&self, cell: usize) -> [f64; 2] {
-        at(&self.offset, cell)
     }
 
     /// Takes the offsets of a step.
@@ -160,23 +149,6 @@ impl Increment {
         let cells = window.cells();
         let displacement = self.growth.displacement_mut(growth, self.axes, cells);
         self.engine.apply(&self.traction, displacement);
-    }
-
-    /// Slip of a cell of the window in the step, if it slips: of a cell that carries all that friction holds and has
-    /// moved against its traction. A motion along the traction is residual of the solve.
-    pub(crate) fn slip(&self, cell: usize, centre: [f64; 2]) -> Option<[f64; 2]> {
-        let moved = minus(
-            minus(self.displacement(cell), self.motion.at(centre)),
-            self.offset(cell),
-        );
-        let slips = self.is_at_limit(cell) && dot(self.traction(cell), moved) <= 0.0;
-        slips.then_some(moved)
-    }
-
-    /// Whether a cell of the window carries all that friction holds there.
-    pub(crate) fn is_at_limit(&self, cell: usize) -> bool {
-        let [x, y] = self.traction(cell);
-        is_at_limit(x.hypot(y), self.pressed.limits.cells[cell])
     }
 
     /// Finds the tractions at the end of a step, and the motion of body 2 there, which was `before` at its beginning.
@@ -299,7 +271,7 @@ impl Increment {
             return [0.0; 2];
         };
         let turned = Motion {
-            shift: self.offset(cell),
+            shift: at(&self.offset, cell),
             ..self.motion
         }
         .at(centre(self.bodies.grid(), index));

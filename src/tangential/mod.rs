@@ -31,6 +31,7 @@
 //! from its last answer; [`TangentialSolution`] is the answer, with one [`Zone`] per cell.
 //! [`JaegerSuperposition`] is the exact answer where the two compliances are proportional.
 
+mod answer;
 mod control;
 mod engine;
 mod friction;
@@ -46,6 +47,7 @@ mod solver;
 mod superposition;
 mod zone;
 
+pub(crate) use answer::Answer;
 pub(crate) use control::Demand;
 pub use control::{TangentialControl, TangentialLoad};
 pub(crate) use engine::{PlaneVector, displacement};
@@ -53,10 +55,10 @@ pub(crate) use friction::Coefficient;
 pub use friction::Friction;
 pub(crate) use growth::Growth;
 pub(crate) use increment::{Increment, Start, at, zeros};
-pub(crate) use limits::{Pressed, is_at_limit};
+pub(crate) use limits::Pressed;
 pub(crate) use motion::{Motion, centre};
 pub use pressure::PressureSource;
-pub(crate) use problem::check_coupling;
+pub(crate) use problem::is_coupled;
 pub use problem::{TangentialProblem, TangentialProblemBuilder};
 pub use solution::TangentialSolution;
 pub use solver::TangentialSolver;

@@ -171,10 +171,15 @@ impl TangentialModel {
 }
 
 /// `Ok` if shear does not change the pressure, or that is to be neglected.
-pub(crate) fn check_coupling(bodies: &HalfSpace, is_neglected: bool) -> Result<()> {
-    let beta = bodies.pair().dundurs_beta();
-    if beta.abs() > UNCOUPLED && !is_neglected {
+fn check_coupling(bodies: &HalfSpace, is_neglected: bool) -> Result<()> {
+    if is_coupled(bodies) && !is_neglected {
+        let beta = bodies.pair().dundurs_beta();
         return Err(Error::CoupledMaterials { beta });
     }
     Ok(())
+}
+
+/// Whether pressure and shear are coupled.
+pub(crate) fn is_coupled(bodies: &HalfSpace) -> bool {
+    bodies.pair().dundurs_beta().abs() > UNCOUPLED
 }

@@ -12,9 +12,8 @@ use crate::half_space::HalfSpace;
 use crate::report::Report;
 #[cfg(feature = "serde")]
 use crate::serial::checked;
-use crate::tangential::increment::Increment;
 use crate::tangential::motion::centre;
-use crate::tangential::{Axis, Zone, displacement};
+use crate::tangential::{Answer, Axis, Zone, displacement};
 
 /// Traction, slip, zones and shift of a tangential contact.
 ///
@@ -79,25 +78,24 @@ impl TangentialSolution {
         }
     }
 
-    pub(super) fn fill(&mut self, increment: &Increment, report: &Report) {
+    pub(super) fn fill(&mut self, axis: Option<Axis>, answer: &Answer<'_>, report: &Report) {
         self.zones.fill(Zone::Separated);
         for field in self.traction.iter_mut().chain(&mut self.slip) {
             field.as_mut_slice().fill(0.0);
         }
-        let motion = increment.motion();
-        self.axis = Axis::only(increment.axes());
-        (self.shift, self.twist) = (motion.shift, motion.twist);
+        self.axis = axis;
+        (self.shift, self.twist) = (answer.motion.shift, answer.motion.twist);
         self.report.clone_from(report);
-        let (grid, pressed) = (self.grid(), &increment.pressed);
+        let (grid, pressed) = (self.grid(), answer.pressed);
         for (k, i) in pressed.window.indices().enumerate() {
             if pressed.pressure[k] <= 0.0 {
                 continue;
             }
-            let is_at_limit = increment.is_at_limit(k);
+            let is_at_limit = answer.is_at_limit(k);
             self.zones[i] = if is_at_limit { Zone::Slip } else { Zone::Stick };
-            let traction = increment.traction(k);
-            let slip = increment.slip(k, centre(grid, i)).unwrap_or([0.0; 2]);
-            for axis in increment.axes().iter().map(|axis| axis.index()) {
+            let traction = answer.traction(k);
+            let slip = answer.slip(k, centre(grid, i)).unwrap_or([0.0; 2]);
+            for axis in 0..2 {
                 self.traction[axis].as_mut_slice()[i] = traction[axis];
                 self.slip[axis].as_mut_slice()[i] = slip[axis];
             }

@@ -13,7 +13,7 @@ use crate::tangential::increment::{Increment, Start};
 use crate::tangential::motion::Motion;
 use crate::tangential::pressure::contact_window;
 use crate::tangential::{
-    Friction, Pressed, PressureSource, TangentialLoad, TangentialModel, TangentialProblem,
+    Axis, Friction, Pressed, PressureSource, TangentialLoad, TangentialModel, TangentialProblem,
     TangentialSolution,
 };
 
@@ -229,7 +229,8 @@ impl TangentialSolver {
         }
         self.report.clone_from(self.increment.report());
         self.report.time = conditions.start.elapsed();
-        solution.fill(&self.increment, &self.report);
+        let axis = Axis::only(self.increment.axes());
+        solution.fill(axis, &self.increment.answer(), &self.report);
         outcome.map_err(|_| Error::NotConverged(Box::new(self.report.clone())))
     }
 }

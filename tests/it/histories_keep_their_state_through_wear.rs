@@ -119,7 +119,7 @@ fn a_held_pressure_of_an_old_gap_is_remarked() {
     // A gap that changes before anything is pressed makes no pressure old.
     history.set_gap(&worn).unwrap();
     history.step(&LoadStep::hold()).unwrap();
-    assert_eq!(history.last_step().warnings(), []);
+    assert_eq!(history.last_step().warnings(), [Warning::NoContact]);
     press(&mut history, NormalControl::Force(4.0));
     // Nor does one that is set again.
     history.set_gap(&worn).unwrap();

@@ -93,10 +93,12 @@ pub(crate) struct ConeRun<'a, 'b, C: Operator<N>, P: Operator<N>, F> {
 }
 
 /// Solves from the tractions `x` into them, at multipliers that the workspace begins and ends with; `None` where the
-/// sets cycle, which another start may cure. The findings are those of what is left in `x`.
+/// start is worse than `worst`, or where the sets cycle, which another start may cure. The findings are those of what is
+/// left in `x`.
 pub(crate) fn solve<C: Operator<N>, P: Operator<N>, F: Cone>(
     problem: &ConeProblem<'_, C, P, F>,
     settings: &Settings,
+    worst: f64,
     x: [&mut [f64]; N],
     workspace: &mut ConeWorkspace<C, P>,
     observer: &mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
@@ -108,7 +110,7 @@ pub(crate) fn solve<C: Operator<N>, P: Operator<N>, F: Cone>(
         workspace,
         free: 0,
     };
-    let status = run.newton();
+    let status = run.newton(worst);
     run.refresh();
     let findings = run.examine();
     let report = &mut run.workspace.report;

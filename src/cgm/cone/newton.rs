@@ -7,13 +7,13 @@ use crate::cgm::cone::law::{Law, Noise};
 use crate::cgm::cone::workspace::gradient;
 use crate::cgm::cone::{Cone, ConeFindings, ConeRun, N};
 use crate::cgm::vector::{norm, slices, slices_mut};
-use crate::cgm::{Magnitude, NonNegative, reduce};
+use crate::cgm::{Admissible, Disc, Magnitude, NonNegative, reduce};
 use crate::operator::Operator;
 use crate::parallel;
 use crate::report::Status;
 
 /// Reduction of the inner residual while sets change, and the least when they stand.
-const INNER_REDUCTION: f64 = 0.1;
+const INNER_REDUCTION: f64 = 0.03;
 const LEAST_REDUCTION: f64 = 1e-5;
 /// Steps without halving the residual after which the method is stuck.
 const PATIENCE: usize = 4;
@@ -23,15 +23,15 @@ const NOISE: f64 = 0.1;
 const NOTHING: f64 = 1e-9;
 
 impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
-    /// Ends with the status of the run; `None` if the sets cycle.
-    pub(super) fn newton(&mut self) -> Option<Status> {
-        match self.steps() {
+    /// Ends with the status of the run; `None` if the start is worse than `worst`, or the sets cycle.
+    pub(super) fn newton(&mut self, worst: f64) -> Option<Status> {
+        match self.steps(worst) {
             ControlFlow::Break(status) => Some(status),
             ControlFlow::Continue(()) => self.monitor.stuck(),
         }
     }
 
-    fn steps(&mut self) -> ControlFlow<Status> {
+    fn steps(&mut self, worst: f64) -> ControlFlow<Status> {
         let tolerance = self.monitor.tolerance();
         let (mut best, mut without, mut changes) = (f64::INFINITY, 0, usize::MAX);
         self.set_laws();
@@ -41,6 +41,9 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
             let merit = findings.merit();
             self.monitor
                 .judge(merit, self.free, &mut self.workspace.report)?;
+            if merit > worst && best.is_infinite() {
+                return ControlFlow::Continue(());
+            }
             if merit < 0.5 * best {
                 (best, without) = (merit, 0);
             } else {
@@ -62,15 +65,18 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         }
     }
 
-    /// How the cells move at the tractions of the start.
+    /// Brings the start within its cones, and finds how the cells move there.
     fn set_laws(&mut self) {
         let friction = &self.problem.friction;
-        let x = slices(&self.x);
-        parallel::update(&mut self.workspace.laws, |first, laws| {
-            for (i, law) in (first..).zip(laws) {
-                let tractions = [x[0][i], x[1][i], x[2][i]];
-                *law = Law::of(tractions, friction.limit(i, tractions[0]));
-            }
+        let laws = &mut self.workspace.laws;
+        Self::move_cells(&mut self.x, laws, |cell, _, [p, x, y]| {
+            let pressure = p.max(0.0);
+            let disc = Disc {
+                radius: friction.limit(cell, pressure),
+            };
+            let [x, y] = disc.project([x, y]);
+            let tractions = [pressure, x, y];
+            (Law::of(tractions, disc.radius), tractions, false)
         });
         self.hold_springs();
     }

@@ -115,6 +115,7 @@ impl State {
 
         let rules = [TouchRule::Growth, TouchRule::WholeStep];
         codec.kind("touch rule", &mut self.touch_rule, &rules)?;
+        codec.kind("mark of coupling", &mut self.is_coupled, &[false, true])?;
         codec.numbers("gap", self.gap.as_mut_slice(), FINITE)?;
         let mut is_another = self.pressed_gap.as_slice() != self.gap.as_slice();
         codec.kind("mark of a changed gap", &mut is_another, &[false, true])?;

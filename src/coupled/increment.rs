@@ -1,0 +1,221 @@
+//! One step of a coupled contact, of a problem from rest or of a history.
+
+use crate::cascade::Conditions;
+use crate::cgm::Total;
+use crate::coupled::CoupledReport;
+use crate::coupled::engine::{Engine, N, Start, Task};
+use crate::error::{Error, Result, finite};
+use crate::field::Field;
+use crate::half_space::HalfSpace;
+use crate::normal::NormalControl;
+use crate::report::Report;
+use crate::tangential::{
+    Answer, Axis, Demand, Friction, Motion, PlaneVector, Pressed, TangentialControl, centre, zeros,
+};
+use crate::window::Window;
+
+/// Pressure and traction on the grid, what the cells remember, and the engine that solves a step.
+///
+/// A step finds pressures $`p`$, tractions $`q`$, an approach and a motion $`\delta_t`$ of body 2, with the slip
+/// $`s = u_t - S - \delta_t`$ of the step. The offset $`S`$ is what $`u_t - \delta_t`$ is in a cell while it sticks, zero
+/// from rest. A history sets it.
+#[derive(Debug, Clone)]
+pub(crate) struct CoupledIncrement {
+    bodies: HalfSpace,
+    engine: Engine,
+    pub(crate) pressed: Pressed,
+    offset: PlaneVector,
+    linear: [Vec<f64>; N],
+    motion: Motion,
+    approach: f64,
+    report: CoupledReport,
+}
+
+/// What a step of a coupled contact is asked for.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct CoupledDemand<'a> {
+    /// The gap before loading.
+    pub(crate) gap: &'a Field,
+    pub(crate) friction: &'a Friction,
+    /// Force or approach.
+    pub(crate) normal: NormalControl,
+    pub(crate) tangential: Demand,
+}
+
+impl CoupledIncrement {
+    /// Without traction.
+    pub(crate) fn new(bodies: &HalfSpace) -> Result<Self> {
+        let grid = bodies.grid();
+        Ok(Self {
+            engine: Engine::new(bodies)?,
+            pressed: Pressed::new(Window::whole(grid)),
+            offset: zeros(Axis::BOTH, grid.cells()),
+            linear: std::array::from_fn(|_| vec![0.0; grid.cells()]),
+            motion: Motion::default(),
+            approach: 0.0,
+            report: CoupledReport::unsolved(),
+            bodies: bodies.clone(),
+        })
+    }
+
+    /// How the last step was solved.
+    pub(crate) fn report(&self) -> &Report {
+        &self.report.work
+    }
+
+    /// The same, with what its halves certify.
+    pub(super) fn full_report(&self) -> &CoupledReport {
+        &self.report
+    }
+
+    pub(crate) fn approach(&self) -> f64 {
+        self.approach
+    }
+
+    /// Displacements of the last answer along z, x and y.
+    pub(super) fn displacement(&self) -> [&[f64]; N] {
+        self.engine.product()
+    }
+
+    /// Takes pressure and tractions as the start of the next step.
+    pub(crate) fn set_tractions(&mut self, pressure: &Field, traction: [&Field; 2]) {
+        let fields = [pressure, traction[0], traction[1]];
+        for (x, field) in self.engine.x.iter_mut().zip(fields) {
+            x.copy_from_slice(field.as_slice());
+        }
+    }
+
+    /// Takes the offsets of a step.
+    pub(crate) fn set_offset(&mut self, offset: &PlaneVector) {
+        for (target, offset) in self.offset.iter_mut().zip(offset) {
+            target.copy_from_slice(offset);
+        }
+    }
+
+    /// What the last step has found.
+    pub(crate) fn answer(&self) -> Answer<'_> {
+        let [_, ux, uy] = self.engine.product();
+        Answer {
+            pressed: &self.pressed,
+            traction: [&self.engine.x[1], &self.engine.x[2]],
+            displacement: [ux, uy],
+            offset: [&self.offset[0], &self.offset[1]],
+            motion: self.motion,
+        }
+    }
+
+    /// Writes pressure and gap under load of the last step.
+    pub(crate) fn write(&self, initial: &Field, pressure: &mut Field, gap: &mut Field) {
+        pressure.as_mut_slice().copy_from_slice(&self.engine.x[0]);
+        let displacements = self.engine.product()[0].iter().zip(initial.as_slice());
+        for (gap, (displacement, initial)) in gap.as_mut_slice().iter_mut().zip(displacements) {
+            *gap = displacement + (initial - self.approach);
+        }
+    }
+
+    /// Finds pressure and tractions at the end of a step, and the motion of body 2 there, which was `before` at its
+    /// beginning.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] with the last iterate and its motion; what is wrong with the demand before any work.
+    pub(crate) fn solve(
+        &mut self,
+        demand: CoupledDemand<'_>,
+        before: Motion,
+        conditions: &mut Conditions<'_, '_>,
+    ) -> Result<()> {
+        // Without a datum far from the contact the sums keep their last digits.
+        let least = demand.gap.min();
+        let (datum, is_apart) = match demand.normal {
+            NormalControl::Approach(approach) => (approach, approach <= least),
+            NormalControl::Force(force) => (least, force <= 0.0),
+            NormalControl::Hold => return Err(Error::NothingToHold),
+        };
+        if is_apart {
+            self.motion = demand.tangential.without_contact(Axis::BOTH, before)?;
+            self.approach = datum;
+            self.engine.part();
+            self.report.apart();
+            self.pressed.set(&self.engine.x[0], demand.friction);
+            return Ok(());
+        }
+        self.motion = Motion {
+            twist: demand.tangential.twist,
+            ..before
+        };
+        let totals = self.prescribe(&demand)?;
+        self.set_linear(demand.gap, datum);
+        let task = Task {
+            linear: self.linear.each_ref().map(Vec::as_slice),
+            totals,
+            friction: demand.friction,
+        };
+        let has_start = self.engine.x[0].iter().any(|p| *p > 0.0);
+        let start = if has_start {
+            Start::Present
+        } else {
+            Start::Halves
+        };
+        let outcome = self.engine.solve(task, start, conditions, &mut self.report);
+        self.report.work.time = conditions.start.elapsed();
+        let [approach, x, y] = self.engine.multiplier();
+        self.approach = datum + approach;
+        self.motion.shift = [self.motion.shift[0] + x, self.motion.shift[1] + y];
+        self.pressed.set(&self.engine.x[0], demand.friction);
+        outcome
+    }
+
+    /// What is prescribed of the sums; the motion becomes the one they are measured from.
+    fn prescribe(&mut self, demand: &CoupledDemand<'_>) -> Result<[Total; N]> {
+        let cell_area = self.bodies.grid().cell_area();
+        let mut totals = [Total::Free; N];
+        if let NormalControl::Force(force) = demand.normal {
+            totals[0] = Total::Sum(force / cell_area);
+            check_force(demand, force)?;
+        }
+        for &axis in Axis::BOTH {
+            let (shift, total) = (
+                &mut self.motion.shift[axis.index()],
+                &mut totals[1 + axis.index()],
+            );
+            match demand.tangential.control(axis) {
+                TangentialControl::Shift(prescribed) => *shift = prescribed,
+                TangentialControl::Hold => {}
+                TangentialControl::Force(force) => *total = Total::Sum(force / cell_area),
+                TangentialControl::Spring {
+                    position,
+                    stiffness,
+                } => {
+                    let quantity = "cell area over the stiffness of the spring";
+                    *total = Total::Spring {
+                        far_end: position - *shift,
+                        compliance: finite(quantity, cell_area / stiffness)?,
+                    };
+                }
+            }
+        }
+        Ok(totals)
+    }
+
+    /// Asks every cell to close its gap and to follow the motion, from its offset.
+    fn set_linear(&mut self, gap: &Field, datum: f64) {
+        let grid = self.bodies.grid();
+        let [z, x, y] = &mut self.linear;
+        for (i, gap) in gap.as_slice().iter().enumerate() {
+            let moved = self.motion.at(centre(grid, i));
+            z[i] = gap - datum;
+            x[i] = 0.0 - (self.offset[0][i] + moved[0]);
+            y[i] = 0.0 - (self.offset[1][i] + moved[1]);
+        }
+    }
+}
+
+/// Refuses a force that friction cannot hold whatever the pressure becomes.
+fn check_force(demand: &CoupledDemand<'_>, pressed: f64) -> Result<()> {
+    let [x, y] = demand.tangential.force();
+    let (force, limit) = (x.hypot(y), demand.friction.largest_coefficient() * pressed);
+    if force >= limit && force > 0.0 {
+        return Err(Error::BeyondFrictionCapacity { force, limit });
+    }
+    Ok(())
+}

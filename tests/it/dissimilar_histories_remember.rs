@@ -1,0 +1,343 @@
+//! Histories of dissimilar bodies: another code step by step, energies that balance, and states that restart.
+
+use kit::contact::{Case, Normal};
+use kit::{Random, max_difference};
+use stickslip::analytical::HertzSphere;
+use stickslip::history::{AdaptiveSteps, State};
+use stickslip::{
+    Axis, Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
+    Material, NormalControl, TangentialControl, TangentialModel, Zone, surface,
+};
+
+/// Of the largest pressure.
+const AGREED: f64 = 1e-7;
+
+/// Every step of a case of CONTACT, pressed alone, with its zones, at the default tolerance; in no more than this many
+/// examinations: one before each Newton step, one at the end, and one of a start that is too poor for them.
+fn every_step_agrees(text: &str, steps: usize, examinations: usize) {
+    let case = Case::parse(text);
+    assert_eq!(case.steps.len(), steps);
+    let bodies = HalfSpace::new(case.grid, case.pair).unwrap();
+    let friction = Friction::coulomb(case.friction).unwrap();
+    let mut history = History::builder(&bodies, &case.gap(&case.steps[0]), friction)
+        .build()
+        .unwrap();
+    for (number, step) in case.steps.iter().enumerate() {
+        let Normal::Force(force) = step.normal else {
+            panic!("a force is prescribed");
+        };
+        history.set_gap(&case.gap(step)).unwrap();
+        let load = LoadStep::shift([0.0; 2]).normal(NormalControl::Force(force));
+        history.step(&load).unwrap();
+        let report = history.last_step().tangential_report().unwrap();
+        assert!(report.history.len() <= examinations, "{number}: {report:?}");
+        assert!(
+            (history.approach() / step.approach - 1.0).abs() < 1e-7,
+            "{number}"
+        );
+        let energy = history.last_step().energy();
+        let elastic = step.elastic_energy.unwrap();
+        assert!(
+            (energy.elastic_after / elastic - 1.0).abs() < 1e-7,
+            "{number}"
+        );
+        let lost = (energy.dissipated_energy - step.dissipated_energy).abs();
+        assert!(lost < 1e-7 * elastic, "{number}: {lost:e}");
+        let largest = history.pressure().max();
+        if step.cells.is_empty() {
+            continue;
+        }
+        let expected = case.field(step, |cell| cell.pressure);
+        let error = max_difference(history.pressure().as_slice(), expected.as_slice());
+        assert!(error < AGREED * largest, "{number}: {:e}", error / largest);
+        for axis in 0..2 {
+            let expected = case.field(step, |cell| cell.traction[axis]);
+            let found = history.traction()[axis];
+            let error = max_difference(found.as_slice(), expected.as_slice());
+            assert!(error < AGREED * largest, "{number}: {:e}", error / largest);
+        }
+        for cell in &step.cells {
+            let expected = if cell.sticks { Zone::Stick } else { Zone::Slip };
+            let zone = history.zones()[cell.iy * case.grid.nx() + cell.ix];
+            assert_eq!(zone, expected, "{number}: {cell:?}");
+        }
+    }
+}
+
+/// A sphere pressed in 35 steps onto a rigid plane (Spence's compression).
+#[test]
+fn another_code_presses_a_sphere() {
+    every_step_agrees(
+        include_str!("../data/contact/spence35_dissimilar.txt"),
+        35,
+        9,
+    );
+}
+
+/// A flat punch pressed, then tilted: cells leave the contact, and others reverse their slip.
+#[test]
+fn another_code_tilts_a_punch() {
+    let text = include_str!("../data/contact/tb25_tb26_flat_2d_dissimilar.txt");
+    every_step_agrees(text, 2, 10);
+}
+
+fn on_rigid(poisson_ratio: f64) -> ElasticPair {
+    ElasticPair::new(
+        Material::new(1.0, poisson_ratio).unwrap(),
+        Material::rigid(),
+    )
+    .unwrap()
+}
+
+fn ball(cells: usize) -> (HalfSpace, Field) {
+    let grid = Grid::square(cells, 2.6).unwrap();
+    let bodies = HalfSpace::new(grid, on_rigid(0.0)).unwrap();
+    (bodies, surface::sphere(grid, 10.0).unwrap())
+}
+
+/// The stick radius of a pressed sphere is that of the punch (0.5) in the limit of many steps, to first order in them.
+#[test]
+fn the_stick_radius_is_of_first_order_in_the_steps() {
+    let (bodies, gap) = ball(53);
+    let whole = 4.0 / 30.0 * bodies.pair().contact_modulus();
+    let hertz = HertzSphere::new(bodies.pair(), 10.0, whole).unwrap();
+    assert!((hertz.contact_radius() - 1.0).abs() < 1e-9);
+    let errors = [2_u32, 4, 8, 16].map(|steps| {
+        let friction = Friction::coulomb(0.29872).unwrap();
+        let builder = History::builder(&bodies, &gap, friction).tolerance(1e-6);
+        let mut history = builder.build().unwrap();
+        for step in 1..=steps {
+            let radius = f64::from(step) / f64::from(steps);
+            let force = NormalControl::Force(whole * radius.powi(3));
+            history.step(&LoadStep::hold().normal(force)).unwrap();
+        }
+        assert!((history.approach() / hertz.approach() - 0.979).abs() < 2e-3);
+        0.5 - history.last_step().stick_ratio().sqrt()
+    });
+    // 0.368, 0.438, 0.473, 0.489 on fine grids.
+    for (error, expected) in errors.into_iter().zip([0.132, 0.062, 0.027, 0.011]) {
+        assert!((error - expected).abs() < 0.012, "{errors:?}");
+    }
+}
+
+/// Steps of all kinds: pressed, sheared by force, shift and spring, turned, unloaded, worn, apart, pressed again.
+fn steps(history: &mut History, worn: &Field) -> Vec<f64> {
+    let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
+    let spring = TangentialControl::Spring {
+        position: -0.05,
+        stiffness: 0.8,
+    };
+    let path = [
+        press(0.05),
+        press(0.1),
+        press(0.1).tangential(Axis::X, TangentialControl::Force(0.02)),
+        press(0.12).tangential(Axis::Y, TangentialControl::Shift(0.01)),
+        LoadStep::hold().twist(0.02),
+        press(0.08).tangential(Axis::X, spring),
+        press(0.03).tangential(Axis::X, TangentialControl::Force(-0.005)),
+        press(0.0).tangential(Axis::X, TangentialControl::Hold),
+        LoadStep::hold().normal(NormalControl::Approach(0.05)),
+        press(0.06).tangential(Axis::Y, TangentialControl::Force(0.01)),
+    ];
+    let mut imbalances = Vec::new();
+    for (number, load) in path.iter().enumerate() {
+        if number == 6 {
+            let mut gap = history.gap().clone();
+            gap.add_scaled(1.0, worn).unwrap();
+            history.set_gap(&gap).unwrap();
+        }
+        let step = history.step(load).unwrap();
+        let energy = *step.energy();
+        let size = energy.elastic_before + energy.elastic_after;
+        imbalances.push(energy.imbalance().abs() / size.max(1e-30));
+        assert!(energy.dissipated_energy >= 0.0, "{number}: {energy:?}");
+    }
+    imbalances
+}
+
+#[test]
+fn energies_balance() {
+    for boundary in [Boundary::NonPeriodic, Boundary::Periodic] {
+        let grid = Grid::new(26, 22, 0.1, 0.12).unwrap();
+        let bodies = HalfSpace::with_boundary(grid, on_rigid(0.1), boundary).unwrap();
+        let gap = surface::ellipsoid(grid, 9.0, 7.0).unwrap();
+        let worn = Field::from_fn(grid, |x, y| 1e-3 * (0.5 - x * x - y * y).max(0.0));
+        let friction = Friction::coulomb(0.4).unwrap();
+        let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
+        let path = |history: &mut History| {
+            if boundary == Boundary::NonPeriodic {
+                return steps(history, &worn);
+            }
+            let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
+            let shear = |force| press(0.3).tangential(Axis::X, TangentialControl::Force(force));
+            let loads = [press(0.2), press(0.3), shear(0.06), shear(-0.05)];
+            let imbalance = |load| history.step(load).unwrap().energy().imbalance().abs();
+            loads.iter().map(imbalance).collect()
+        };
+        for (number, imbalance) in path(&mut history).into_iter().enumerate() {
+            assert!(imbalance < 1e-13, "{boundary:?} {number}: {imbalance:e}");
+        }
+    }
+}
+
+/// A closed loop of force and shift dissipates its area.
+#[test]
+fn loops_dissipate_their_area() {
+    let (bodies, gap) = ball(27);
+    let friction = Friction::coulomb(0.4).unwrap();
+    let mut history = History::builder(&bodies, &gap, friction)
+        .tolerance(1e-10)
+        .build()
+        .unwrap();
+    let press = |shift| LoadStep::shift([shift, 0.0]).normal(NormalControl::Force(0.1));
+    history.step(&press(0.0)).unwrap();
+    let turns = [0.05, 0.0, -0.05, 0.0];
+    let cycle =
+        |history: &mut History| turns.map(|shift| *history.step(&press(shift)).unwrap().energy());
+    for _ in 0..4 {
+        cycle(&mut history);
+    }
+    let energies = cycle(&mut history);
+    let work: f64 = energies.iter().map(|energy| energy.work).sum();
+    let lost = energies
+        .map(|energy| energy.mid_step_dissipated_energy + energy.released + energy.residual);
+    let lost: f64 = lost.iter().sum();
+    assert!(
+        lost > 0.0 && (work / lost - 1.0).abs() < 1e-8,
+        "{work:e} {lost:e}"
+    );
+}
+
+#[test]
+fn a_restart_continues_with_the_same_bits() {
+    let (bodies, gap) = ball(25);
+    let worn = Field::from_fn(gap.grid(), |x, y| 1e-3 * (0.5 - x * x - y * y).max(0.0));
+    let start = || {
+        let friction = Friction::coulomb(0.4).unwrap();
+        let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
+        let press = LoadStep::hold().normal(NormalControl::Force(0.05));
+        history.step(&press).unwrap();
+        history
+    };
+    let mut whole = start();
+    let saved = whole.to_bytes();
+    let mut restored = History::from_bytes(&bodies, &saved).unwrap();
+    let mut returned = start();
+    steps(&mut returned, &worn);
+    let kept: State = whole.state().clone();
+    returned.set_state(&kept).unwrap();
+    steps(&mut whole, &worn);
+    for history in [&mut restored, &mut returned] {
+        steps(history, &worn);
+        assert!(history.to_bytes() == whole.to_bytes());
+    }
+}
+
+/// A step that fails leaves the history as it was.
+#[test]
+fn failures_leave_no_trace() {
+    let (bodies, gap) = ball(25);
+    let friction = Friction::coulomb(0.4).unwrap();
+    let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
+    let press = LoadStep::hold().normal(NormalControl::Force(0.1));
+    history.step(&press).unwrap();
+    let saved = history.to_bytes();
+    let drag = |force| press.tangential(Axis::X, TangentialControl::Force(force));
+    let refused = history.step(&drag(0.05)).map(|_| ());
+    assert!(matches!(refused, Err(Error::BeyondFrictionCapacity { .. })));
+    let refused = history.step(&LoadStep::hold().normal(NormalControl::Force(-1.0)));
+    assert!(matches!(refused, Err(Error::Negative { .. })));
+    let cancelled = history.step_observed(&drag(0.03), |step| {
+        if step.iteration > 3 {
+            std::ops::ControlFlow::Break(())
+        } else {
+            std::ops::ControlFlow::Continue(())
+        }
+    });
+    assert!(matches!(cancelled, Err(Error::NotConverged(_))));
+    assert!(history.to_bytes() == saved);
+    assert!(matches!(
+        history.stiffness(),
+        Err(Error::CoupledMaterials { .. })
+    ));
+    history.step(&drag(0.03)).unwrap();
+}
+
+/// Where the coupling is forced upon bodies that have none, nothing changes: by a Dundurs' constant just above the one
+/// that counts as none.
+#[test]
+fn weak_coupling_tends_to_none() {
+    let grid = Grid::square(27, 2.6).unwrap();
+    let gap = surface::sphere(grid, 10.0).unwrap();
+    let one = Material::new(1.0, 0.3).unwrap();
+    let other = Material::new(1.0 + 1e-8, 0.3).unwrap();
+    let [coupled, uncoupled] = [other, one].map(|body| {
+        let bodies = HalfSpace::new(grid, ElasticPair::new(one, body).unwrap()).unwrap();
+        let friction = Friction::coulomb(0.4).unwrap();
+        let builder = History::builder(&bodies, &gap, friction).model(TangentialModel::Vector);
+        let builder = builder.touch_rule(stickslip::history::TouchRule::WholeStep);
+        let mut history = builder.tolerance(1e-11).build().unwrap();
+        assert_eq!(history.state().is_coupled(), body == other);
+        let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
+        let drag = TangentialControl::Force(0.01);
+        history.step(&press(0.04)).unwrap();
+        history
+            .step(&press(0.06).tangential(Axis::X, drag))
+            .unwrap();
+        history
+            .step(&press(0.05).tangential(Axis::Y, drag).twist(0.01))
+            .unwrap();
+        history
+    });
+    let largest = coupled.pressure().max();
+    let [a, b] = [&coupled, &uncoupled].map(|history| history.pressure().as_slice());
+    assert!(max_difference(a, b) < 1e-7 * largest);
+    for axis in 0..2 {
+        let [a, b] = [&coupled, &uncoupled].map(|history| history.traction()[axis].as_slice());
+        assert!(max_difference(a, b) < 1e-7 * largest);
+    }
+    assert_eq!(coupled.zones(), uncoupled.zones());
+}
+
+/// Histories of rough bodies of any pair: every step converges.
+#[test]
+fn rough_histories_converge() {
+    let mut random = Random(3);
+    for scene in 0..12 {
+        let grid = Grid::new(random.integer(12, 28), random.integer(12, 28), 1.0, 1.0).unwrap();
+        let bodies = HalfSpace::new(grid, on_rigid(random.uniform(0.0, 0.3))).unwrap();
+        let height = random.decade(-2.0, 0.0);
+        let gap = Field::from_fn(grid, |x, y| {
+            0.002 * (x * x + y * y) + height * random.uniform(0.0, 1.0)
+        });
+        let coefficient = random.decade(-1.0, 0.0);
+        let friction = Friction::coulomb(coefficient).unwrap();
+        let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
+        for _ in 0..6 {
+            let force = random.decade(-3.0, -1.5) * grid.area();
+            let (angle, part) = (random.uniform(0.0, 6.28), random.uniform(0.0, 0.9));
+            let shear = part * coefficient * force;
+            let load = LoadStep::force([shear * angle.cos(), shear * angle.sin()]);
+            let step = history
+                .step(&load.normal(NormalControl::Force(force)))
+                .unwrap();
+            assert!(
+                step.tangential_report().unwrap().history.len() < 30,
+                "{scene}"
+            );
+        }
+    }
+}
+
+#[test]
+fn adaptive_steps_press() {
+    let (bodies, gap) = ball(27);
+    let friction = Friction::coulomb(0.3).unwrap();
+    let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
+    let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
+    history.step(&press(0.01)).unwrap();
+    let mut adaptive = AdaptiveSteps::new(&history, 0.02).unwrap();
+    let taken = adaptive.step(&mut history, &press(0.13)).unwrap();
+    let radius = history.last_step().stick_ratio().sqrt();
+    assert!(taken > 1 && radius > 0.46, "{taken} {radius}");
+}
