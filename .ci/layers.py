@@ -46,11 +46,15 @@ LAYERS = [
         "normal": ENGINE | {"contact_map", "elastic", "passes", "cascade"},
         "tangential": ENGINE | {"contact_map", "elastic", "passes", "cascade", "normal"},
     }),
+    ("both problems at once", {
+        "coupled": ENGINE | {"contact_map", "elastic", "passes", "cascade", "normal", "tangential"},
+    }),
     ("what follows from a solution", {
         "stiffness": ENGINE | {"elastic", "normal", "tangential"},
     }),
     ("what goes on through many steps", {
-        "history": ENGINE | {"contact_map", "elastic", "passes", "cascade", "normal", "tangential", "stiffness", "io"},
+        "history": ENGINE
+        | {"contact_map", "elastic", "passes", "cascade", "normal", "tangential", "coupled", "stiffness", "io"},
     }),
     ("what is told of all of these", {
         "spots": {"contact_map", "error", "grid", "normal", "tangential", "history"},
@@ -61,7 +65,7 @@ LAYERS = [
 ITEMS = {("tangential", "normal"): {"NormalSolution"}}
 
 # Sums over cells have one home, which fixes their order: elsewhere in these modules nothing may look like one.
-REDUCTIONS_IN = ("cgm", "elastic", "passes", "cascade", "normal", "tangential", "history")
+REDUCTIONS_IN = ("cgm", "elastic", "passes", "cascade", "normal", "tangential", "coupled", "history")
 REDUCTIONS_AT = {"src/cgm/reduce.rs"}
 REDUCTIONS = [
     ("parallel::fold", re.compile(r"\bparallel\s*::\s*fold\b")),

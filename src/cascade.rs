@@ -64,6 +64,12 @@ pub(crate) fn nested_start<S: Scene<N>, const N: usize>(
     descend(bodies, size, scene, conditions).map(|(found, _)| found)
 }
 
+/// Whether an answer on cells twice as large is a start worth its cost.
+pub(crate) fn is_worth_coarsening(bodies: &HalfSpace, size: [usize; 2]) -> bool {
+    let is_small = size[0] * size[1] <= COARSEST || size[0].min(size[1]) < 8;
+    !is_small && bodies.can_be_coarser()
+}
+
 /// The same, and whether it was ended on the way, by observer or clock: then nothing more is solved.
 fn descend<S: Scene<N>, const N: usize>(
     bodies: &HalfSpace,
@@ -71,8 +77,7 @@ fn descend<S: Scene<N>, const N: usize>(
     scene: &S,
     conditions: &mut Conditions<'_, '_>,
 ) -> Result<([Vec<f64>; N], bool)> {
-    let is_small = size[0] * size[1] <= COARSEST || size[0].min(size[1]) < 8;
-    if is_small || !bodies.can_be_coarser() {
+    if !is_worth_coarsening(bodies, size) {
         return Ok((scene.plain_start(), false));
     }
     let coarse = scene.coarsened(size);

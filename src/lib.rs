@@ -53,6 +53,7 @@
 //! | solve partial slip along x or y | [`TangentialProblem`], by [`TangentialLoad::force`] or [`Shift`](TangentialLoad::shift) |
 //! | solve it for any direction, with both components of the traction | the same, with [`TangentialModel::Vector`] |
 //! | solve either repeatedly | [`NormalSolver`], [`TangentialSolver`] |
+//! | press and shear bodies of different materials | [`CoupledProblem`], [`History`]; [`coupled`] |
 //! | load step by step with memory of slip | [`History`], [`LoadStep`] |
 //! | press and shear at once, with steps short enough for a tolerance | [`history::AdaptiveSteps`], the page on [growing contacts](guide::growing_contacts) |
 //! | get the slopes of the forces | [`History::stiffness`], [`stiffness`] |
@@ -159,12 +160,13 @@
 //! The model covers elastic half-spaces with small slopes and strains, free surroundings or a periodic grid, and any
 //! history of load along one axis or in the plane, including twist. Along an axis the traction across the load is
 //! neglected, as in the paper; on the sphere of Poisson's ratio 0.29 this changes the force by less than 0.1 %. The
-//! vector model ([`TangentialModel::Vector`]) finds both components, in about three times the time. Tangential problems
-//! and histories refuse materials whose pressure and shear are coupled (Dundurs' beta not zero) until the coupling is
+//! vector model ([`TangentialModel::Vector`]) finds both components, in about three times the time. Where the materials
+//! couple pressure and shear (Dundurs' beta not zero), [`CoupledProblem`] and [`History`] find both together, to the
+//! answers of CONTACT; a [`TangentialProblem`], whose pressure is given, refuses such materials until the coupling is
 //! neglected explicitly. The vector model reproduces the histories of CONTACT's test bench, among them 21 steps of a
 //! moving sphere, to 1e-9 of the largest pressure (`tests/it/another_code_agrees_through_histories.rs`).
 //!
-//! Not modelled: the coupling of pressure and shear itself, rolling, layers, plasticity, adhesion, viscosity, heat.
+//! Not modelled: rolling, layers, plasticity, adhesion, viscosity, heat.
 //!
 //! # Sources of the formulas
 //!

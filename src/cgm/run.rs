@@ -28,7 +28,7 @@ pub(super) enum Precision {
 
 impl Precision {
     /// `out = C x`, counted.
-    fn apply<C: Operator<N>, const N: usize>(
+    pub(super) fn apply<C: Operator<N>, const N: usize>(
         self,
         operator: &C,
         x: [&[f64]; N],

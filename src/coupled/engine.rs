@@ -34,7 +34,9 @@ const HELD: f64 = 0.999;
 pub(super) enum Start {
     /// From a sweep of halves.
     Halves,
-    /// From the present tractions.
+    /// From the present tractions, interpolated from coarser cells.
+    Coarse,
+    /// From the present tractions, unless they are far from the answer.
     Present,
 }
 
@@ -128,6 +130,7 @@ impl Engine {
         self.workspace.set_multiplier([0.0; N]);
         let (mut sweeps, mut worst) = match start {
             Start::Halves => (1, f64::INFINITY),
+            Start::Coarse => (0, f64::INFINITY),
             Start::Present => (0, POOR),
         };
         let mut tolerance = START;

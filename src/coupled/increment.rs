@@ -21,7 +21,7 @@ use crate::window::Window;
 /// from rest. A history sets it.
 #[derive(Debug, Clone)]
 pub(crate) struct CoupledIncrement {
-    bodies: HalfSpace,
+    pub(super) bodies: HalfSpace,
     engine: Engine,
     pub(crate) pressed: Pressed,
     offset: PlaneVector,
@@ -85,6 +85,17 @@ impl CoupledIncrement {
         }
     }
 
+    /// Takes pressure and traction of a cell as the start of the next step.
+    pub(super) fn set_cell(&mut self, cell: usize, tractions: [f64; N]) {
+        for (x, value) in self.engine.x.iter_mut().zip(tractions) {
+            x[cell] = value;
+        }
+    }
+
+    pub(super) fn offset(&self) -> [&[f64]; 2] {
+        [&self.offset[0], &self.offset[1]]
+    }
+
     /// Takes the offsets of a step.
     pub(crate) fn set_offset(&mut self, offset: &PlaneVector) {
         for (target, offset) in self.offset.iter_mut().zip(offset) {
@@ -144,17 +155,19 @@ impl CoupledIncrement {
             ..before
         };
         let totals = self.prescribe(&demand)?;
+        let has_start = self.engine.x[0].iter().any(|p| *p > 0.0);
+        let start = if has_start {
+            Start::Present
+        } else if self.start_from_coarser(demand, before, conditions)? {
+            Start::Coarse
+        } else {
+            Start::Halves
+        };
         self.set_linear(demand.gap, datum);
         let task = Task {
             linear: self.linear.each_ref().map(Vec::as_slice),
             totals,
             friction: demand.friction,
-        };
-        let has_start = self.engine.x[0].iter().any(|p| *p > 0.0);
-        let start = if has_start {
-            Start::Present
-        } else {
-            Start::Halves
         };
         let outcome = self.engine.solve(task, start, conditions, &mut self.report);
         self.report.work.time = conditions.start.elapsed();

@@ -7,7 +7,8 @@
 //! u_z = C_{zz}\,p + B\,q, \qquad u_t = B^{T} p + C_{tt}\,q, \qquad B = (C_{zx}, C_{zy}) .
 //! ```
 //!
-//! A [`CoupledProblem`] presses and shears from rest, in one step, under
+//! A [`CoupledProblem`] presses and shears from rest, in one step; a [`History`](crate::History) of such bodies does so step
+//! by step. They find p and q under
 //!
 //! ```math
 //! g = h + u_z - \delta \ge 0,\; p \ge 0,\; p\,g = 0, \qquad
@@ -35,6 +36,7 @@
 
 mod engine;
 mod increment;
+mod nested;
 mod problem;
 mod report;
 mod solution;

@@ -40,6 +40,16 @@
 //! $`\varphi`$ about the origin of the grid makes of the shift the motion $`\delta + \varphi\,(-y, x)`$ of each
 //! cell. Signs are those of the crate: traction on body 1, shift and twist of body 2 relative to body 1.
 //!
+//! # Bodies of different materials
+//! Where materials couple pressure and shear, each step finds both together ([`coupled`](crate::coupled)), with both
+//! components of the traction whatever the model. $`u`$ is then the displacement by traction and pressure, and a change of
+//! the normal load is a step of the tangential contact too: pressing draws the surfaces inwards and makes them slip. A
+//! step that names no normal load holds the normal force, not the pressure. A cell that comes into contact follows the
+//! whole step ([`TouchRule::WholeStep`]), and the error of a growing contact is of first order in its steps: the stick
+//! radius of a ball pressed in 1, 2, 4, 8, 16, 32 steps is 0.23, 0.37, 0.44, 0.47, 0.49, 0.497 of the contact's, where 0.5
+//! is exact ($`\beta = 0.5`$, $`\mu = 0.299`$); equal growth of the contact radius spreads the steps best. Approach and
+//! peak pressure hardly depend on them. The [`stiffness`](crate::stiffness) is that of uncoupled bodies, and refused.
+//!
 //! # All or nothing
 //! A step that is refused, cancelled or does not converge leaves the history bit for bit as it was, with all
 //! that the next step starts from: its [`State`]. A step that succeeded is taken back by [`History::set_state`].
@@ -62,6 +72,7 @@ mod cycle;
 mod energy;
 mod fretting;
 mod hysteresis;
+mod joint;
 mod load;
 mod memory;
 mod path;

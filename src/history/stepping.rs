@@ -5,13 +5,14 @@ use std::ops::ControlFlow;
 use crate::cascade::Conditions;
 use crate::cgm::{Iteration, Settings};
 use crate::clock::Instant;
-use crate::coupled::{CoupledDemand, CoupledIncrement};
+use crate::coupled::CoupledIncrement;
 use crate::elastic::Observer;
 use crate::error::Result;
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::builder::HistoryBuilder;
 use crate::history::commit::commit;
+use crate::history::joint::new_joint;
 use crate::history::memory::Memory;
 use crate::history::remarks::Remarks;
 use crate::history::state::State;
@@ -28,7 +29,8 @@ use crate::window::Window;
 /// Vectors are `[x, y]`; the scalar model leaves the component across its axis at zero.
 ///
 /// Beside its bodies it takes 195 bytes per cell of the grid and 380 per cell of the contact's bounding box,
-/// in the vector model ([`HistoryBuilder::model`]) 650 there, operators included. A contact that outgrows the box takes
+/// in the vector model ([`HistoryBuilder::model`]) 650 there, operators included. For bodies of different materials, whose
+/// steps are solved on the whole grid, it takes about 1500 bytes per cell. A contact that outgrows the box takes
 /// a wider one for good, and in that step a quarter more in all, in the plane two fifths. After the first steps, a step
 /// within it allocates nothing.
 ///
@@ -66,9 +68,9 @@ use crate::window::Window;
 pub struct History {
     pub(super) bodies: HalfSpace,
     pub(super) state: State,
-    press: NormalSolver,
+    pub(super) press: NormalSolver,
     /// The normal contact of the step under way.
-    candidate: NormalSolution,
+    pub(super) candidate: NormalSolution,
     /// The tangential contact, on the window of the [`Memory`] in the state, if there is one.
     increment: Option<Increment>,
     /// Pressure and shear found together, instead of the above; none where they are not coupled.
@@ -243,43 +245,6 @@ impl History {
         Ok(&self.step)
     }
 
-    /// Solves a step whose pressure and shear are coupled without a trace in the state; returns the motion of body 2 at
-    /// its end.
-    fn attempt_joint(
-        &mut self,
-        joint: &mut CoupledIncrement,
-        load: &LoadStep,
-        observer: Observer<'_>,
-    ) -> Result<Motion> {
-        let state = &self.state;
-        let normal = match load.normal_control() {
-            NormalControl::Hold => NormalControl::Force(state.normal.force()),
-            control => control,
-        };
-        self.press.set_load(normal)?;
-        if let Some(memory) = &state.contact {
-            joint.set_offset(&memory.offset);
-        }
-        joint.set_tractions(state.pressure(), state.traction());
-        let mut conditions = Conditions {
-            settings: &state.settings,
-            start: Instant::now(),
-            observer,
-        };
-        let demand = CoupledDemand {
-            gap: &state.gap,
-            friction: &state.friction,
-            normal,
-            tangential: load.demand(state.motion.twist),
-        };
-        joint.solve(demand, state.motion, &mut conditions)?;
-        let (pressure, gap, approach, report) = self.candidate.parts_mut();
-        joint.write(&state.gap, pressure, gap);
-        *approach = joint.approach();
-        report.clone_from(joint.report());
-        Ok(joint.answer().motion)
-    }
-
     /// Solves both halves of a step without a trace in the state; returns the motion of body 2 at its end.
     fn attempt(&mut self, load: &LoadStep, observer: Observer<'_>) -> Result<Motion> {
         if let Some(mut joint) = self.joint.take() {
@@ -370,12 +335,6 @@ fn new_increment(bodies: &HalfSpace, state: &State) -> Result<Option<Increment>>
     let make = |memory: &Memory| Increment::new(bodies, state.axes, Pressed::new(memory.window));
     let uncoupled = state.contact.as_ref().filter(|_| !state.is_coupled);
     uncoupled.map(make).transpose()
-}
-
-/// What solves the steps of a coupled state.
-fn new_joint(bodies: &HalfSpace, state: &State) -> Result<Option<Box<CoupledIncrement>>> {
-    let make = || CoupledIncrement::new(bodies).map(Box::new);
-    state.is_coupled.then(make).transpose()
 }
 
 /// Increment and memory that a pressure needs where the contact has left its window, or is the first.

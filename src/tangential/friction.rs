@@ -3,6 +3,7 @@
 use crate::error::{Result, all_non_negative, non_negative, positive};
 use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
+use crate::window::coarsened;
 
 /// Coulomb friction, uniform or one coefficient per cell, optionally capped.
 ///
@@ -124,6 +125,20 @@ impl Friction {
         let (limit, cap) = (self.coefficient_at(index) * pressure, self.cap());
         // A minimum would pass over NaN.
         if limit > cap { cap } else { limit }
+    }
+
+    /// The friction of cells twice as large.
+    pub(crate) fn coarsened(&self, size: [usize; 2], grid: Grid) -> Result<Self> {
+        let coefficient = match &self.coefficient {
+            Coefficient::Uniform(coefficient) => Coefficient::Uniform(*coefficient),
+            Coefficient::PerCell(field) => {
+                Coefficient::PerCell(Field::from_vec(grid, coarsened(size, field.as_slice()))?)
+            }
+        };
+        Ok(Self {
+            coefficient,
+            max_shear_stress: self.max_shear_stress,
+        })
     }
 
     /// The largest coefficient of all cells.

@@ -62,7 +62,7 @@ pub enum TangentialModel {
     Scalar,
     /// Both components, within `hypot(q_x, q_y) <= m`: slip opposes traction in direction, and loads may have any.
     /// It takes about three times the time. The coupling of pressure and shear that dissimilar bodies have is another
-    /// matter, see [`neglect_coupling`](crate::tangential::TangentialProblemBuilder::neglect_coupling).
+    /// matter, see [`coupled`](crate::coupled).
     Vector,
 }
 

@@ -4,8 +4,8 @@
 use kit::{rough, unit_bodies};
 use stickslip::history::{Cycle, FrettingLoop, LoadPath, wear};
 use stickslip::{
-    Axis, Field, Friction, Grid, History, LoadStep, NormalControl, TangentialControl,
-    TangentialModel, surface,
+    Axis, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
+    NormalControl, TangentialControl, TangentialModel, surface,
 };
 
 /// Allocations of one thread: the steps must run on it.
@@ -81,4 +81,32 @@ fn on_a_sphere_and_on_a_rough_surface() {
         check(&surface::sphere(grid, 300.0).unwrap(), 20.0, lateral);
         check(&rough(grid, 4), 30.0, lateral);
     }
+}
+
+/// Bodies of different materials, whose pressure and shear are found together.
+#[test]
+fn of_dissimilar_bodies() {
+    let grid = Grid::new(40, 36, 0.1, 0.1).unwrap();
+    let (soft, hard) = (Material::new(1.0, 0.1).unwrap(), Material::rigid());
+    let bodies = HalfSpace::new(grid, ElasticPair::new(soft, hard).unwrap()).unwrap();
+    let gap = surface::sphere(grid, 10.0).unwrap();
+    let builder = History::builder(&bodies, &gap, Friction::coulomb(0.4).unwrap());
+    let mut history = builder.tolerance(1e-6).build().unwrap();
+    let mut worn = gap.clone();
+    let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
+    let mut cycle = || {
+        for (force, shear) in [(0.1, 0.0), (0.1, 0.02), (0.1, -0.02), (0.08, 0.01)] {
+            let drag = TangentialControl::Force(shear);
+            history
+                .step(&press(force).tangential(Axis::X, drag))
+                .unwrap();
+            let slip = history.last_step().slip_distance();
+            wear::archard(1e-5, history.pressure(), slip, &mut worn).unwrap();
+            history.set_gap(&worn).unwrap();
+        }
+    };
+    for _ in 0..3 {
+        cycle();
+    }
+    assert_eq!(allocations(&mut cycle), 0);
 }

@@ -341,3 +341,26 @@ fn adaptive_steps_press() {
     let radius = history.last_step().stick_ratio().sqrt();
     assert!(taken > 1 && radius > 0.46, "{taken} {radius}");
 }
+
+/// On any number of threads.
+#[test]
+fn threads_leave_the_same_bits() {
+    let run = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .unwrap();
+        pool.install(|| {
+            let (bodies, gap) = ball(101);
+            let friction = Friction::coulomb(0.3).unwrap();
+            let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
+            let press = LoadStep::hold().normal(NormalControl::Force(0.1));
+            let drag = TangentialControl::Force(0.01);
+            history.step(&press).unwrap();
+            history.step(&press.tangential(Axis::X, drag)).unwrap();
+            history.to_bytes()
+        })
+    };
+    let alone = run(1);
+    assert!(run(2) == alone && run(3) == alone);
+}

@@ -7,6 +7,7 @@ use crate::cgm::cone::krylov::{Hessenberg, RESTART};
 use crate::cgm::cone::workspace::gradient;
 use crate::cgm::cone::{Cone, ConeRun, N};
 use crate::cgm::reduce;
+use crate::cgm::run::Precision;
 use crate::cgm::vector::{at, chunks, dot, held, norm, put, slices, slices_mut, within};
 use crate::operator::Operator;
 use crate::parallel;
@@ -117,9 +118,8 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
                 }
             });
         let (direction, image) = (slices(&w.direction), slices_mut(&mut w.image));
-        let operator = &self.problem.operator;
-        operator.apply_f32(direction, image, &mut w.operator);
-        w.report.single_precision_products += 1;
+        let (operator, report) = (&self.problem.operator, &mut w.report);
+        Precision::Single.apply(operator, direction, image, &mut w.operator, report);
     }
 
     /// Takes the correction, with changes of the multipliers.

@@ -6,6 +6,7 @@ use crate::cgm::certificate::{Iterate, Shown, measure};
 use crate::cgm::cone::law::{Law, Noise};
 use crate::cgm::cone::workspace::gradient;
 use crate::cgm::cone::{Cone, ConeFindings, ConeRun, N};
+use crate::cgm::run::Precision;
 use crate::cgm::vector::{norm, slices, slices_mut};
 use crate::cgm::{Admissible, Disc, Magnitude, NonNegative, reduce};
 use crate::operator::Operator;
@@ -15,6 +16,8 @@ use crate::report::Status;
 /// Reduction of the inner residual while sets change, and the least when they stand.
 const INNER_REDUCTION: f64 = 0.03;
 const LEAST_REDUCTION: f64 = 1e-5;
+/// Residual above which a product in single precision tells the sets as well.
+const EARLY: f64 = 1e-3;
 /// Steps without halving the residual after which the method is stuck.
 const PATIENCE: usize = 4;
 /// Part of the tolerance that is noise of the inner solution.
@@ -36,9 +39,18 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         let (mut best, mut without, mut changes) = (f64::INFINITY, 0, usize::MAX);
         self.set_laws();
         loop {
-            self.refresh();
-            let findings = self.examine();
-            let merit = findings.merit();
+            let is_early = best > EARLY && best.is_finite();
+            self.refresh_in(if is_early {
+                Precision::Single
+            } else {
+                Precision::Double
+            });
+            let mut merit = self.examine().merit();
+            if is_early && merit <= tolerance {
+                // Only what is exact is an end.
+                self.refresh();
+                merit = self.examine().merit();
+            }
             self.monitor
                 .judge(merit, self.free, &mut self.workspace.report)?;
             if merit > worst && best.is_infinite() {
@@ -83,11 +95,14 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
 
     /// `product = C x`, and the friction limits of the pressures.
     pub(super) fn refresh(&mut self) {
+        self.refresh_in(Precision::Double);
+    }
+
+    fn refresh_in(&mut self, precision: Precision) {
         let w = &mut *self.workspace;
-        let operator = &self.problem.operator;
+        let (operator, report) = (&self.problem.operator, &mut w.report);
         let product = slices_mut(&mut w.product);
-        operator.apply(slices(&self.x), product, &mut w.operator);
-        w.report.double_precision_products += 1;
+        precision.apply(operator, slices(&self.x), product, &mut w.operator, report);
         let (friction, pressure) = (&self.problem.friction, &*self.x[0]);
         parallel::update(&mut w.limits, |first, limits| {
             for (i, limit) in (first..).zip(limits) {

@@ -1,0 +1,83 @@
+//! Starts from coarser cells.
+
+use crate::cascade::{Conditions, is_worth_coarsening};
+use crate::cgm::{Admissible, Disc};
+use crate::coupled::increment::{CoupledDemand, CoupledIncrement};
+use crate::error::{Error, Result};
+use crate::field::Field;
+use crate::passes::with_time_left;
+use crate::report::Status;
+use crate::tangential::Motion;
+use crate::window::{coarsened, refined};
+
+/// Relative accuracy of a coarse answer.
+const COARSE_TOLERANCE: f64 = 1e-2;
+/// Steps a coarse answer may take.
+const COARSE_STEPS: usize = 100;
+
+impl CoupledIncrement {
+    /// Takes the answer on cells twice as large, itself found so, as the start; says whether there is one.
+    pub(super) fn start_from_coarser(
+        &mut self,
+        demand: CoupledDemand<'_>,
+        before: Motion,
+        conditions: &mut Conditions<'_, '_>,
+    ) -> Result<bool> {
+        let size = self.bodies.grid().size();
+        if !is_worth_coarsening(&self.bodies, size) {
+            return Ok(false);
+        }
+        let bodies = self.bodies.coarser()?.clone();
+        let grid = bodies.grid();
+        let gap = Field::from_vec(grid, coarsened(size, demand.gap.as_slice()))?;
+        let friction = demand.friction.coarsened(size, grid)?;
+        let mut coarse = Self::new(&bodies)?;
+        coarse.set_offset(&self.offset().map(|offset| coarsened(size, offset)));
+        let settings = with_time_left(conditions.settings, conditions.start)
+            .tolerance(conditions.settings.tolerance.max(COARSE_TOLERANCE))
+            .max_iterations(conditions.settings.max_iterations.min(COARSE_STEPS));
+        let mut rough = Conditions {
+            settings: &settings,
+            start: conditions.start,
+            observer: &mut *conditions.observer,
+        };
+        let coarse_demand = CoupledDemand {
+            gap: &gap,
+            friction: &friction,
+            ..demand
+        };
+        match coarse.solve(coarse_demand, before, &mut rough) {
+            Ok(()) => {}
+            // As a start an unfinished answer serves too.
+            Err(Error::NotConverged(report))
+                if !matches!(report.status, Status::Cancelled | Status::TimeLimit) => {}
+            Err(Error::NotConverged(_)) => return Ok(false),
+            Err(error) => return Err(error),
+        }
+        self.refine(&coarse, size, demand);
+        Ok(true)
+    }
+
+    /// Interpolates the coarse answer; where the coarse cell slips, at the limit.
+    fn refine(&mut self, coarse: &Self, size: [usize; 2], demand: CoupledDemand<'_>) {
+        let answer = coarse.answer();
+        let [qx, qy] = answer.traction;
+        let fields = [&answer.pressed.pressure, qx, qy].map(|part| refined(size, part));
+        let [p, x, y] = fields;
+        let columns = size[0].div_ceil(2);
+        for (cell, pressure) in p.iter().enumerate() {
+            let parent = (cell / size[0] / 2) * columns + cell % size[0] / 2;
+            let disc = Disc {
+                radius: demand.friction.limit(cell, *pressure),
+            };
+            let q = [x[cell], y[cell]];
+            let slips = answer.is_at_limit(parent) && q[0].hypot(q[1]) > 0.0;
+            let q = if slips {
+                disc.rim_along(q)
+            } else {
+                disc.project(q)
+            };
+            self.set_cell(cell, [*pressure, q[0], q[1]]);
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! The steps of bodies whose pressure and shear are found together.
+
+use crate::cascade::Conditions;
+use crate::clock::Instant;
+use crate::coupled::{CoupledDemand, CoupledIncrement};
+use crate::elastic::Observer;
+use crate::error::Result;
+use crate::half_space::HalfSpace;
+use crate::history::state::State;
+use crate::history::{History, LoadStep};
+use crate::normal::NormalControl;
+use crate::tangential::Motion;
+
+impl History {
+    /// Solves a step whose pressure and shear are coupled without a trace in the state; returns the motion of body 2 at
+    /// its end.
+    pub(super) fn attempt_joint(
+        &mut self,
+        joint: &mut CoupledIncrement,
+        load: &LoadStep,
+        observer: Observer<'_>,
+    ) -> Result<Motion> {
+        let state = &self.state;
+        let normal = match load.normal_control() {
+            NormalControl::Hold => NormalControl::Force(state.normal.force()),
+            control => control,
+        };
+        self.press.set_load(normal)?;
+        if let Some(memory) = &state.contact {
+            joint.set_offset(&memory.offset);
+        }
+        joint.set_tractions(state.pressure(), state.traction());
+        let mut conditions = Conditions {
+            settings: &state.settings,
+            start: Instant::now(),
+            observer,
+        };
+        let demand = CoupledDemand {
+            gap: &state.gap,
+            friction: &state.friction,
+            normal,
+            tangential: load.demand(state.motion.twist),
+        };
+        joint.solve(demand, state.motion, &mut conditions)?;
+        let (pressure, gap, approach, report) = self.candidate.parts_mut();
+        joint.write(&state.gap, pressure, gap);
+        *approach = joint.approach();
+        report.clone_from(joint.report());
+        Ok(joint.answer().motion)
+    }
+}
+
+/// What solves the steps of a coupled state.
+pub(super) fn new_joint(
+    bodies: &HalfSpace,
+    state: &State,
+) -> Result<Option<Box<CoupledIncrement>>> {
+    let make = || CoupledIncrement::new(bodies).map(Box::new);
+    state.is_coupled.then(make).transpose()
+}
