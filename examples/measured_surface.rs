@@ -232,7 +232,13 @@ fn draw(
     }
     let (right, _) = right.split_horizontally(700);
     let mut map = support::map_axes(&right, axes().0, axes().1)?;
-    maps::zones(&mut map, shear, 1.0 / micro, [x.clone(), y.clone()])?;
+    maps::zones(
+        &mut map,
+        shear.grid(),
+        shear.zones(),
+        1.0 / micro,
+        [x.clone(), y.clone()],
+    )?;
     figure.present()?;
     Ok(())
 }

@@ -164,7 +164,13 @@ fn draw_zones(
 ) -> Result<(), Box<dyn Error>> {
     let a = exact.hertz().contact_radius();
     let mut chart = support::axes(area, (-VIEW..VIEW, "x / a"), (-VIEW..VIEW, "y / a"))?;
-    support::maps::zones(&mut chart, shear, a, [-VIEW..VIEW, -VIEW..VIEW])?;
+    support::maps::zones(
+        &mut chart,
+        shear.grid(),
+        shear.zones(),
+        a,
+        [-VIEW..VIEW, -VIEW..VIEW],
+    )?;
 
     let circle = |radius: f64| -> Vec<(f64, f64)> {
         (0..=180)

@@ -226,7 +226,13 @@ fn draw_zones(area: &Area<'_>, contact: &Sheared) -> Result<(), Box<dyn Error>> 
         .map(|(start, cell)| start..start + MAGNIFIED as f64 * cell);
     let names = ("x, µm", "y, µm  (blue: stick, orange: slip)");
     let mut chart = support::map_axes(area, (x.clone(), names.0), (y.clone(), names.1))?;
-    support::maps::zones(&mut chart, &contact.half, 1.0, [x, y])
+    support::maps::zones(
+        &mut chart,
+        contact.half.grid(),
+        contact.half.zones(),
+        1.0,
+        [x, y],
+    )
 }
 
 /// First column and row of the square of [`MAGNIFIED`] cells with most cells in contact.

@@ -4,7 +4,7 @@ use std::error::Error;
 use std::ops::Range;
 
 use plotters::prelude::*;
-use stickslip::{Field, TangentialSolution, Zone};
+use stickslip::{Field, Grid, Zone};
 
 use super::{Area, BLUE, Chart, ORANGE, labelled_axes, ticks};
 
@@ -13,16 +13,16 @@ const GREY: RGBColor = RGBColor(225, 225, 225);
 /// Stick, slip and gap of every cell in sight, in lengths of the unit `scale`.
 pub(crate) fn zones(
     chart: &mut Chart<'_>,
-    shear: &TangentialSolution,
+    grid: Grid,
+    zones: &[Zone],
     scale: f64,
     [x, y]: [Range<f64>; 2],
 ) -> Result<(), Box<dyn Error>> {
-    let grid = shear.grid();
     let in_sight = |value: f64, range: &Range<f64>| value.clamp(range.start, range.end);
     // Neighbours in one zone make one rectangle. It reaches into the next row, which covers that part
     // again: no seam shows between rows.
     let mut rectangles = Vec::new();
-    for (iy, row) in shear.zones().chunks_exact(grid.nx()).enumerate() {
+    for (iy, row) in zones.chunks_exact(grid.nx()).enumerate() {
         let edges = [-0.5, 1.5].map(|cells| (grid.y(iy) + cells * grid.dy()) / scale);
         let [bottom, top] = edges.map(|edge| in_sight(edge, &y));
         if bottom >= top {

@@ -1,0 +1,216 @@
+//! An aluminium ball on steel: pressed in steps, then sheared to and fro, with pressure and shear found together.
+//!
+//! `cargo run --release --example dissimilar [cells]` (default 96) prints what the coupling of the two materials
+//! changes, and writes `target/gallery/dissimilar.csv` and `.svg`.
+
+#![allow(clippy::print_stdout, reason = "an example shows its numbers")]
+
+mod support;
+
+use std::error::Error;
+use std::path::Path;
+
+use plotters::prelude::*;
+use stickslip::analytical::HertzSphere;
+use stickslip::{
+    Axis, ElasticPair, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl,
+    TangentialControl, TangentialModel, surface,
+};
+
+const RADIUS: f64 = 10e-3;
+const FORCE: f64 = 100.0;
+const FRICTION: f64 = 0.3;
+/// Steps of equal growth of the contact radius: pressing is a history too.
+const STEPS: u32 = 64;
+/// Tangential force over the sliding force, to and fro.
+const TURNS: [f64; 3] = [0.6, -0.6, 0.6];
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let cells = std::env::args()
+        .nth(1)
+        .map_or(Ok(96), |cells| cells.parse())?;
+    let (aluminium, steel) = (Material::new(70e9, 0.33)?, Material::new(210e9, 0.3)?);
+    let pair = ElasticPair::new(aluminium, steel)?;
+    let hertz = HertzSphere::new(&pair, RADIUS, FORCE)?;
+    let grid = Grid::square(cells, 2.5 * hertz.contact_radius())?;
+    let bodies = HalfSpace::new(grid, pair)?;
+    println!(
+        "Dundurs' beta {:.4}, friction {FRICTION}",
+        pair.dundurs_beta()
+    );
+
+    let ball = surface::sphere(grid, RADIUS)?;
+    let builder = || {
+        History::builder(&bodies, &ball, Friction::coulomb(FRICTION)?)
+            .tolerance(1e-8)
+            .build()
+    };
+    let mut coupled = builder()?;
+    let mut uncoupled = History::builder(&bodies, &ball, Friction::coulomb(FRICTION)?)
+        .model(TangentialModel::Vector)
+        .neglect_coupling()
+        .build()?;
+    for history in [&mut coupled, &mut uncoupled] {
+        for step in 1..=STEPS {
+            let radius = f64::from(step) / f64::from(STEPS);
+            let press = NormalControl::Force(FORCE * radius.powi(3));
+            history.step(&LoadStep::hold().normal(press))?;
+        }
+    }
+    println!("\npressed        | coupled | not coupled");
+    let row = |name: &str, value: &dyn Fn(&History) -> f64| {
+        println!(
+            "{name:<14} | {:>7.4} | {:>7.4}",
+            value(&coupled),
+            value(&uncoupled)
+        );
+    };
+    row("pressure/Hertz", &|h| {
+        h.pressure().max() / hertz.max_pressure()
+    });
+    row("approach/Hertz", &|h| h.approach() / hertz.approach());
+    row("stick radius", &|h| h.last_step().stick_ratio().sqrt());
+    let pressed = coupled.clone();
+
+    let mut loops = [Vec::new(), Vec::new()];
+    println!("\nforce/limit | shift, um | not coupled | stick | not coupled");
+    let mut last = 0.0;
+    for turn in TURNS {
+        for part in 1..=10 {
+            let force = last + (turn - last) * f64::from(part) / 10.0;
+            let drag = TangentialControl::Force(force * FRICTION * FORCE);
+            let load = LoadStep::hold()
+                .normal(NormalControl::Force(FORCE))
+                .tangential(Axis::X, drag);
+            for (history, points) in [&mut coupled, &mut uncoupled].into_iter().zip(&mut loops) {
+                history.step(&load)?;
+                points.push((1e6 * history.shift()[0], force));
+            }
+        }
+        last = turn;
+        println!(
+            "{turn:>11.1} | {:>9.4} | {:>11.4} | {:>5.3} | {:>11.3}",
+            1e6 * coupled.shift()[0],
+            1e6 * uncoupled.shift()[0],
+            coupled.last_step().stick_ratio(),
+            uncoupled.last_step().stick_ratio(),
+        );
+    }
+
+    let csv = support::gallery("dissimilar.csv")?;
+    let mut table = csv::Writer::from_path(&csv)?;
+    table.write_record(["x_um", "pressure_MPa", "uncoupled_MPa", "traction_x_MPa"])?;
+    for row in profiles(&pressed, &uncoupled) {
+        table.serialize(row)?;
+    }
+    table.flush()?;
+    let svg = support::gallery("dissimilar.svg")?;
+    draw(&svg, &pressed, &profiles(&pressed, &uncoupled), &loops)?;
+    println!("\ntable: {}\nfigure: {}", csv.display(), svg.display());
+    Ok(())
+}
+
+/// Position along x, pressure of both, and the traction that pressing leaves, on the middle row.
+fn profiles(pressed: &History, uncoupled: &History) -> Vec<[f64; 4]> {
+    let grid = pressed.grid();
+    let row = |field: &stickslip::Field, ix: usize| {
+        field.get(ix, grid.ny() / 2).unwrap_or_default() * 1e-6
+    };
+    let sample = |ix: usize| {
+        [
+            1e6 * grid.x(ix),
+            row(pressed.pressure(), ix),
+            row(uncoupled.pressure(), ix),
+            row(pressed.traction()[0], ix),
+        ]
+    };
+    (0..grid.nx()).map(sample).collect()
+}
+
+fn draw(
+    path: &Path,
+    pressed: &History,
+    profiles: &[[f64; 4]],
+    loops: &[Vec<(f64, f64)>; 2],
+) -> Result<(), Box<dyn Error>> {
+    let title = "An aluminium ball on steel: pressure and shear found together";
+    let figure = support::figure(path, (2400, 860), title)?;
+    let areas = figure.split_evenly((1, 3));
+    let reach = 1.1
+        * profiles.iter().fold(
+            0.0,
+            |m: f64, row| if row[1] > 0.0 { m.max(row[0]) } else { m },
+        );
+
+    let largest = profiles.iter().fold(0.0, |m: f64, row| m.max(row[1]));
+    let (x, y) = (-reach..reach, -0.15 * largest..1.55 * largest);
+    let mut chart = support::axes(&areas[0], (x, "x, µm"), (y, "MPa"))?;
+    let points = |column: usize, scale: f64| -> Vec<(f64, f64)> {
+        let seen = profiles.iter().filter(|row| row[0].abs() <= reach);
+        seen.map(|row| (row[0], scale * row[column])).collect()
+    };
+    let line = |colour: RGBColor| colour.stroke_width(3);
+    for (name, column, scale, colour) in [
+        ("pressure", 1, 1.0, support::BLUE),
+        ("pressure, not coupled", 2, 1.0, support::ORANGE),
+        ("traction left by pressing", 3, 1.0, support::GREEN),
+    ] {
+        chart
+            .draw_series(LineSeries::new(points(column, scale), line(colour)))?
+            .label(name)
+            .legend(move |(x, y)| PathElement::new([(x, y), (x + 40, y)], line(colour)));
+    }
+    support::legend(&mut chart, SeriesLabelPosition::UpperMiddle)?;
+
+    let mut chart = support::map_axes(
+        &areas[1],
+        (-reach..reach, "x, µm"),
+        (-reach..reach, "y, µm"),
+    )?;
+    let sight = [-reach..reach, -reach..reach];
+    support::maps::zones(&mut chart, pressed.grid(), pressed.zones(), 1e-6, sight)?;
+    arrows(&mut chart, pressed, reach)?;
+
+    let width = loops
+        .iter()
+        .flatten()
+        .fold(0.0, |m: f64, point| m.max(point.0.abs()));
+    let (x, y) = (-1.1 * width..1.1 * width, -0.8..0.8);
+    let mut chart = support::axes(&areas[2], (x, "shift, µm"), (y, "F / µW"))?;
+    let names = ["coupled", "not coupled"];
+    let colours = [support::BLUE, support::ORANGE];
+    for ((points, name), colour) in loops.iter().zip(names).zip(colours) {
+        chart
+            .draw_series(LineSeries::new(points.iter().copied(), line(colour)))?
+            .label(name)
+            .legend(move |(x, y)| PathElement::new([(x, y), (x + 40, y)], line(colour)));
+    }
+    support::legend(&mut chart, SeriesLabelPosition::UpperLeft)?;
+    figure.present()?;
+    Ok(())
+}
+
+/// The tractions of pressing alone, on the surface of the ball.
+fn arrows(
+    chart: &mut support::Chart<'_>,
+    pressed: &History,
+    reach: f64,
+) -> Result<(), Box<dyn Error>> {
+    let (grid, [x, y]) = (pressed.grid(), pressed.traction());
+    let largest = x.max().max(-x.min());
+    let every = (grid.nx() / 16).max(1);
+    let length = 0.9 * 2.0 * reach / 16.0;
+    for iy in (every / 2..grid.ny()).step_by(every) {
+        for ix in (every / 2..grid.nx()).step_by(every) {
+            let traction = [x, y].map(|field| field.get(ix, iy).unwrap_or_default() / largest);
+            if traction[0].hypot(traction[1]) < 0.02 {
+                continue;
+            }
+            let from = (1e6 * grid.x(ix), 1e6 * grid.y(iy));
+            let to = (from.0 + length * traction[0], from.1 + length * traction[1]);
+            chart.draw_series([PathElement::new([from, to], BLACK.stroke_width(3))])?;
+            chart.draw_series([Circle::new(from, 4, BLACK.filled())])?;
+        }
+    }
+    Ok(())
+}
