@@ -5,6 +5,7 @@
 //! | [`rough_surfaces`] | a surface, generated or measured, pressed and sheared |
 //! | [`fretting_and_wear`] | cyclic loads, wear, cycle jumps |
 //! | [`growing_contacts`] | contacts that grow while they are sheared: the touch rule, steps of a given error |
+//! | [`dissimilar_bodies`] | bodies of different materials: when their coupling matters, and in which steps to load them |
 //! | [`embedding`] | contacts in a simulator: ownership, threads, allocation, states, errors |
 //! | [`hard_cases`] | difficult scenes, each checked, and the results of random scenes |
 //! | [`errata`] | the formulas of Wang et al. (2021) that are misprinted, and how each correction was checked |
@@ -19,6 +20,9 @@ pub mod fretting_and_wear {}
 
 #[doc = include_str!("growing_contacts.md")]
 pub mod growing_contacts {}
+
+#[doc = include_str!("dissimilar_bodies.md")]
+pub mod dissimilar_bodies {}
 
 #[doc = include_str!("embedding.md")]
 pub mod embedding {}

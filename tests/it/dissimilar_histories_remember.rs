@@ -3,7 +3,8 @@
 use kit::contact::{Case, Normal};
 use kit::{Random, max_difference};
 use stickslip::analytical::HertzSphere;
-use stickslip::history::{AdaptiveSteps, State};
+use stickslip::history::wear::{self, CycleJump};
+use stickslip::history::{AdaptiveSteps, Cycle, FrettingLoop, LoadPath, State};
 use stickslip::{
     Axis, Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
     Material, NormalControl, TangentialControl, TangentialModel, Zone, surface,
@@ -315,7 +316,10 @@ fn rough_histories_converge() {
         let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
         for _ in 0..6 {
             let force = random.decade(-3.0, -1.5) * grid.area();
-            let (angle, part) = (random.uniform(0.0, 6.28), random.uniform(0.0, 0.9));
+            let (angle, part) = (
+                random.uniform(0.0, std::f64::consts::TAU),
+                random.uniform(0.0, 0.9),
+            );
             let shear = part * coefficient * force;
             let load = LoadStep::force([shear * angle.cos(), shear * angle.sin()]);
             let step = history
@@ -363,4 +367,86 @@ fn threads_leave_the_same_bits() {
     };
     let alone = run(1);
     assert!(run(2) == alone && run(3) == alone);
+}
+
+/// A thousand cycles of wear in jumps; saved and restored half way, they come to the same bits.
+#[test]
+fn wear_goes_on_after_a_restart() {
+    let (bodies, gap) = ball(21);
+    let friction = Friction::coulomb(0.4).unwrap();
+    let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
+    let press = NormalControl::Force(0.1);
+    history.step(&LoadStep::hold().normal(press)).unwrap();
+    let path = LoadPath::triangle([0.05, 0.0], 4).unwrap();
+    let fretting = FrettingLoop::new(path, |shift| LoadStep::shift(shift).normal(press));
+    let steady = fretting.clone().until_steady(1e-3);
+    steady.run(&mut history, 20).unwrap();
+    let wear = |history: &mut History, mut cycles: f64, end: f64| {
+        let mut gap = history.gap().clone();
+        let mut cycle = Cycle::new(history);
+        while cycles < end {
+            for _ in 0..2 {
+                fretting.cycle(history, &mut cycle).unwrap();
+            }
+            let mut depth = Field::zeros(gap.grid());
+            wear::energy(1e-3, cycle.dissipated_energy(), &mut depth).unwrap();
+            let jump = CycleJump::new(&bodies, &cycle, &depth).unwrap();
+            let jump = jump.largest_depth(0.02 * history.approach());
+            let jump = jump.cycles_left(end - cycles).cycles().unwrap();
+            gap.add_scaled(jump, &depth).unwrap();
+            history.set_gap(&gap).unwrap();
+            cycles += jump;
+        }
+    };
+    wear(&mut history, 0.0, 500.0);
+    let mut restored = History::from_bytes(&bodies, &history.to_bytes()).unwrap();
+    for history in [&mut history, &mut restored] {
+        wear(history, 500.0, 1000.0);
+    }
+    assert!(history.to_bytes() == restored.to_bytes());
+    let worn = history.gap().minus(&gap).unwrap();
+    assert!(worn.max() > 1e-4 && worn.min() >= 0.0, "{}", worn.max());
+}
+
+/// Lengths in millionths, pressures in billionths: the same contact.
+#[test]
+fn units_do_not_matter() {
+    let run = |length: f64, pressure: f64| {
+        let grid = Grid::square(25, 2.6 * length).unwrap();
+        let body = Material::new(pressure, 0.1).unwrap();
+        let pair = ElasticPair::new(body, Material::rigid()).unwrap();
+        let bodies = HalfSpace::new(grid, pair).unwrap();
+        let gap = surface::sphere(grid, 10.0 * length).unwrap();
+        let friction = Friction::coulomb(0.4).unwrap();
+        let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
+        let force = pressure * length * length;
+        let press = LoadStep::hold().normal(NormalControl::Force(0.1 * force));
+        history.step(&press).unwrap();
+        let drag = TangentialControl::Force(0.02 * force);
+        let spring = TangentialControl::Spring {
+            position: 0.02 * length,
+            stiffness: pressure * length,
+        };
+        let sheared = press.tangential(Axis::X, drag).tangential(Axis::Y, spring);
+        history.step(&sheared).unwrap();
+        let scaled = history.traction().map(|field| field.scaled(1.0 / pressure));
+        (
+            scaled,
+            history.approach() / length,
+            history.zones().to_vec(),
+        )
+    };
+    let (tractions, approach, zones) = run(1.0, 1.0);
+    for (length, pressure) in [
+        (1e-6, 1e9),
+        (1e3, 1e-6),
+        (2.0_f64.powi(20), 2.0_f64.powi(-30)),
+    ] {
+        let (others, other_approach, other_zones) = run(length, pressure);
+        assert_eq!(zones, other_zones);
+        assert!((other_approach / approach - 1.0).abs() < 1e-9);
+        for (a, b) in tractions.iter().zip(&others) {
+            assert!(max_difference(a.as_slice(), b.as_slice()) < 1e-8 * a.max());
+        }
+    }
 }
