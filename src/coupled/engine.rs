@@ -2,11 +2,13 @@
 
 use std::sync::Arc;
 
+use crate::boundary::Boundary;
 use crate::cascade::Conditions;
 use crate::cgm::cone::{self, Cone, ConeFindings, ConeProblem, ConeWorkspace};
 use crate::cgm::vector::{slices, slices_mut};
 use crate::cgm::{Disc, Interval, Magnitude, NonNegative, Settings, Total, reduce};
 use crate::coupled::CoupledReport;
+use crate::coupled::contraction::Contraction;
 use crate::elastic::ElasticSolver;
 use crate::error::{Error, Result};
 use crate::fft::{CirculantInverse, Convolution};
@@ -57,6 +59,9 @@ pub(super) struct Engine {
     plane: ElasticSolver<Disc, 2>,
     lower_bounds: [f64; 2],
     coupling: f64,
+    contraction: Contraction,
+    /// Whether the bounds of the halves may bound the whole: the norms know no mean of a grid that repeats.
+    is_bounded: bool,
     /// Pressure and tractions: the start, and the answer.
     pub(super) x: [Vec<f64>; N],
     /// What a half adds to what the other asks.
@@ -80,16 +85,20 @@ impl Engine {
         let size = bodies.grid().size();
         let [x, y, z] = [Direction::X, Direction::Y, Direction::Z];
         let compliance = bodies.compliance([z, x, y], size)?;
-        let lower_bounds = [
-            bodies.compliance([z], size)?.operator.lower_bound(),
-            bodies.compliance([x, y], size)?.operator.lower_bound(),
-        ];
+        let normal = bodies.compliance([z], size)?.operator;
+        let plane = bodies.compliance([x, y], size)?.operator;
+        let lower_bounds = [normal.lower_bound(), plane.lower_bound()];
         let cells = bodies.grid().cells();
         let zeros = || std::array::from_fn(|_| vec![0.0; cells]);
         Ok(Self {
             workspace: ConeWorkspace::new(&compliance.operator, &compliance.inverse),
             normal: ElasticSolver::new(bodies, [z], size)?,
             plane: ElasticSolver::new(bodies, [x, y], size)?,
+            is_bounded: bodies.boundary() == Boundary::NonPeriodic,
+            contraction: Contraction {
+                coupling: compliance.operator.coupling(),
+                spread: (plane.upper_bound() / normal.lower_bound()).sqrt(),
+            },
             compliance,
             lower_bounds,
             coupling: bodies.pair().dundurs_beta().abs(),
@@ -142,6 +151,10 @@ impl Engine {
             }
             let (status, findings) = self.newton(task, worst, conditions, report);
             report.take(&findings);
+            if self.is_bounded && is_driven_by_shift(&task.totals) {
+                let friction = task.friction.largest_coefficient();
+                report.error_bounds = self.contraction.bounds(friction, &findings);
+            }
             if let Some(status) = status {
                 return report.end(status);
             }
@@ -286,6 +299,11 @@ impl Engine {
             }
         }
     }
+}
+
+/// Whether no tangential force or spring moves the bodies.
+fn is_driven_by_shift(totals: &[Total; N]) -> bool {
+    totals[1..].iter().all(|total| *total == Total::Free)
 }
 
 /// The settings with what is left of their limits.

@@ -32,8 +32,13 @@
 //! # What is certified
 //!
 //! The law is that of no minimum, and solutions are known to be unique for weak friction alone. The report gives the
-//! residual of both laws and a rigorous bound for each half, the other being as it is: see [`CoupledReport`].
+//! residual of both laws and a rigorous bound for each half, the other being as it is: see [`CoupledReport`]. Where friction
+//! is weak enough for the grid and no tangential force is prescribed, the halves bound the whole
+//! ([`CoupledReport::error_bounds`]): between aluminium and steel up to $`\mu = 0.29`$ on 64 x 64 cells, with a body of
+//! $`\nu = 0.3`$ on a rigid one up to 0.09, at $`\beta = 0.5`$ up to 0.026; these limits fall with the root of the cells along
+//! a side.
 
+mod contraction;
 mod engine;
 mod increment;
 mod nested;

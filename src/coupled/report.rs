@@ -10,8 +10,10 @@ use crate::report::{Report, Status};
 ///
 /// The law of a coupled contact is that of no minimum, and no bound of its whole error is known beyond weak friction.
 /// What is certified are the halves, from one product: how far the pressure is from the one that belongs to the
-/// tractions as they are, and how far the tractions are from those that belong to the pressure as it is.
+/// tractions as they are, and how far the tractions are from those that belong to the pressure as it is. Where friction is
+/// weak, they bound the whole.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct CoupledReport {
     /// Why the iteration ended, steps of GMRES, products with the tensor of all coefficients, residual, load error and
@@ -22,9 +24,15 @@ pub struct CoupledReport {
     /// The same with the tangential part.
     pub tangential: Report,
     /// Bound of the error of the pressure in the energy norm, at tractions as they are, over the root of `x' C x`.
+    #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
     pub pressure_error_bound: f64,
     /// Bound of the error of the tractions in the energy norm, at the pressure as it is, over the same.
+    #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
     pub traction_error_bound: f64,
+    /// Bounds of the errors of pressure and of traction as a whole, each in its energy norm over the same: rigorous, where
+    /// friction is weak enough for the grid and no tangential force is prescribed. `None` elsewhere, and on grids that
+    /// repeat: nothing is certified there but the halves.
+    pub error_bounds: Option<[f64; 2]>,
 }
 
 impl CoupledReport {
@@ -35,6 +43,7 @@ impl CoupledReport {
             tangential: Report::unsolved(),
             pressure_error_bound: f64::INFINITY,
             traction_error_bound: f64::INFINITY,
+            error_bounds: None,
         }
     }
 
@@ -44,6 +53,7 @@ impl CoupledReport {
             report.clear();
         }
         (self.pressure_error_bound, self.traction_error_bound) = (f64::INFINITY, f64::INFINITY);
+        self.error_bounds = None;
     }
 
     /// Of bodies that do not touch: nothing was to be found, and nothing is wrong.
@@ -52,6 +62,7 @@ impl CoupledReport {
         self.work.status = Status::Converged;
         (self.work.residual, self.work.load_error) = (0.0, 0.0);
         (self.pressure_error_bound, self.traction_error_bound) = (0.0, 0.0);
+        self.error_bounds = Some([0.0; 2]);
     }
 
     pub(super) fn take(&mut self, findings: &ConeFindings) {

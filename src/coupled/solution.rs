@@ -6,13 +6,18 @@ use crate::contact_map::{ContactMap, Warning};
 use crate::coupled::CoupledReport;
 use crate::coupled::engine::N;
 use crate::coupled::increment::CoupledIncrement;
+#[cfg(feature = "serde")]
+use crate::error::{all_finite, all_non_negative, finite, length};
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
-use crate::tangential::{Motion, Zone, centre};
+#[cfg(feature = "serde")]
+use crate::serial::checked;
+use crate::tangential::{Zone, centre};
 
 /// Pressure, traction, slip, zones, approach and shift of a coupled contact. Vectors are `[x, y]`.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct CoupledSolution {
     pressure: Field,
     gap: Field,
@@ -22,8 +27,46 @@ pub struct CoupledSolution {
     zones: Vec<Zone>,
     boundary: Boundary,
     approach: f64,
-    motion: Motion,
+    shift: [f64; 2],
+    twist: f64,
     report: CoupledReport,
+}
+
+/// What is read, before it is checked.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(remote = "CoupledSolution")]
+struct Unchecked {
+    pressure: Field,
+    gap: Field,
+    traction: [Field; 2],
+    slip: [Field; 2],
+    displacement: [Field; N],
+    zones: Vec<Zone>,
+    boundary: Boundary,
+    approach: f64,
+    shift: [f64; 2],
+    twist: f64,
+    report: CoupledReport,
+}
+
+#[cfg(feature = "serde")]
+impl<'de> serde::Deserialize<'de> for CoupledSolution {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        checked(Unchecked::deserialize(deserializer)?, |read| {
+            let grid = read.grid();
+            all_non_negative("pressure", read.pressure.as_slice())?;
+            read.gap.check("gap", grid)?;
+            let fields = read.traction.iter().chain(&read.slip);
+            for field in fields.chain(&read.displacement) {
+                field.check("field of a coupled contact", grid)?;
+            }
+            length("zones", grid.cells(), read.zones.len())?;
+            finite("approach", read.approach)?;
+            all_finite("shift", &read.shift)?;
+            finite("twist", read.twist).map(|_| ())
+        })
+    }
 }
 
 impl CoupledSolution {
@@ -44,7 +87,8 @@ impl CoupledSolution {
             zones: vec![Zone::Separated; grid.cells()],
             boundary: bodies.boundary(),
             approach: increment.approach(),
-            motion: answer.motion,
+            shift: answer.motion.shift,
+            twist: answer.motion.twist,
             report: increment.full_report().clone(),
         };
         increment.write(initial, &mut solution.pressure, &mut solution.gap);
@@ -119,13 +163,13 @@ impl CoupledSolution {
     /// Shift of body 2 relative to body 1 (lengths): prescribed, or what the forces and springs cause.
     #[must_use]
     pub fn shift(&self) -> [f64; 2] {
-        self.motion.shift
+        self.shift
     }
 
     /// Rotation of body 2 relative to body 1 about the origin of the grid (radians, positive from x to y).
     #[must_use]
     pub fn twist(&self) -> f64 {
-        self.motion.twist
+        self.twist
     }
 
     /// Normal force, the integral of the pressure.

@@ -39,6 +39,7 @@ pub struct Convolution<const N: usize = 1> {
     symbol: Symbol<f64, N>,
     single: SingleProduct<N>,
     lower_bound: f64,
+    upper_bound: f64,
     /// Whether single precision resolves the smallest eigenvalue beside the largest.
     is_single_enough: bool,
 }
@@ -100,9 +101,25 @@ impl<const N: usize> Convolution<N> {
             plan: Plan::new(size, torus),
             single: SingleProduct::new(size, torus, &symbol),
             lower_bound: lower_bound(range, kernels),
+            upper_bound: range[1],
             is_single_enough: range[0] > SINGLE_RANGE * range[1],
             symbol: symbol.map(|value| value * normalisation),
         }
+    }
+}
+
+impl<const N: usize> Convolution<N> {
+    /// The largest eigenvalue of the periodic continuation, a bound for the cells cut out of it.
+    pub(crate) fn upper_bound(&self) -> f64 {
+        self.upper_bound
+    }
+}
+
+impl Convolution<3> {
+    /// A bound of $`|p' B q| / (|p|\,|q|)`$, in the energy norms of the first component and of the other two, of what the
+    /// first causes along the others.
+    pub(crate) fn coupling(&self) -> f64 {
+        self.symbol.coupling()
     }
 }
 

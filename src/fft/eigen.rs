@@ -27,6 +27,14 @@ pub(super) fn inverse_above<const N: usize>(matrix: [[f64; N]; N], floor: f64) -
     })
 }
 
+/// How strongly the first component couples with the other two: $`\sqrt{b' T^{-1} b / a}`$ of the matrix with the blocks
+/// a, b and T, less than one where it is positive definite.
+pub(super) fn coupling(matrix: [[f64; 3]; 3]) -> f64 {
+    let [[a, x, y], [_, xx, xy], [_, _, yy]] = matrix;
+    let square = (x * x * yy - 2.0 * x * y * xy + y * y * xx) / (xx * yy - xy * xy);
+    (square / a).sqrt()
+}
+
 /// A 2 x 2 matrix, `mean + radius [[cos, sin], [sin, -cos]]` of twice the angle of its axes.
 struct Pair {
     mean: f64,

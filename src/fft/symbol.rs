@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use num_complex::Complex;
 
-use crate::fft::eigen::{eigenvalue_range, inverse_above};
+use crate::fft::eigen::{coupling, eigenvalue_range, inverse_above};
 use crate::fft::plan::zero;
 use crate::fft::real::Real;
 use crate::fft::spectrum::{Lines, transform};
@@ -168,6 +168,19 @@ impl<const N: usize> Symbol<f64, N> {
             }
         });
         Self { values, shape }
+    }
+}
+
+impl Symbol<f64, 3> {
+    /// The strongest [coupling] of the first component with the others, of all waves that have one.
+    pub(super) fn coupling(&self) -> f64 {
+        let Shape { height, .. } = self.shape;
+        let of_wave = |wave: usize| {
+            let column = &self.values[wave / height * self.shape.stride()..];
+            coupling(self.shape.matrix(column, wave % height))
+        };
+        let leaf = |waves: Range<usize>| waves.map(of_wave).fold(0.0, f64::max);
+        parallel::fold(self.values.len() / Shape::<3>::ENTRIES, leaf, f64::max)
     }
 }
 

@@ -387,6 +387,60 @@ fn halves_lie_within_their_bounds() {
     }
 }
 
+/// Under weak friction the halves bound the whole: loose answers lie within the bounds of a sharp one.
+#[test]
+fn the_whole_lies_within_its_bounds() {
+    let grid = Grid::square(20, 2.6).unwrap();
+    let bodies = HalfSpace::new(grid, on_rigid(0.12)).unwrap();
+    let gap = surface::sphere(grid, 10.0).unwrap();
+    let tensor = bodies.tensor_operator([Z, X, Y]).unwrap();
+    let norm = |x: [&[f64]; 3]| {
+        let mut out = [(); 3].map(|()| vec![0.0; grid.cells()]);
+        let slices = out.each_mut().map(Vec::as_mut_slice);
+        tensor.apply(x, slices, &mut tensor.workspace());
+        let products = x.iter().zip(&out).map(|(x, u)| {
+            let pairs = x.iter().zip(u);
+            pairs.map(|(x, u)| x * u).sum::<f64>()
+        });
+        products.sum::<f64>().sqrt()
+    };
+    let press = NormalControl::Force(0.1);
+    let load = TangentialLoad::shift([0.02, 0.01]);
+    let exact = solve(&bodies, &gap, 0.1, press, load, 1e-13);
+    let zeros = vec![0.0; grid.cells()];
+    for tolerance in [3e-2, 1e-3, 1e-5] {
+        let loose = solve(&bodies, &gap, 0.1, press, load, tolerance);
+        let change = |a: &Field, b: &Field| a.minus(b).unwrap().as_slice().to_vec();
+        let p = change(loose.pressure(), exact.pressure());
+        let [x, y] = [0, 1].map(|axis| change(loose.traction()[axis], exact.traction()[axis]));
+        let size = norm([
+            loose.pressure().as_slice(),
+            loose.traction()[0].as_slice(),
+            loose.traction()[1].as_slice(),
+        ]);
+        let bounds = loose.report().error_bounds.unwrap();
+        let errors = [norm([&p, &zeros, &zeros]), norm([&zeros, &x, &y])].map(|e| e / size);
+        for (error, bound) in errors.into_iter().zip(bounds) {
+            assert!(
+                error <= bound && bound < 30.0 * tolerance,
+                "{error:e} {bound:e}"
+            );
+        }
+    }
+    // Too strong for the grid, or under a force, nothing is certified of the whole.
+    let strong = solve(&bodies, &gap, 1.0, press, load, 1e-6);
+    assert!(strong.report().error_bounds.is_none());
+    let forced = solve(
+        &bodies,
+        &gap,
+        0.1,
+        press,
+        TangentialLoad::force([0.002, 0.0]),
+        1e-6,
+    );
+    assert!(forced.report().error_bounds.is_none());
+}
+
 /// Projection on Coulomb's cone with a fixed step (de Saxce & Feng's bipotential): no sets, no Newton, no Krylov.
 fn projected(
     bodies: &HalfSpace,

@@ -14,9 +14,10 @@ use stickslip::history::{Cycle, FrettingLoop, LoadPath};
 use stickslip::influence::{Component, Rectangle};
 use stickslip::surface::{self, Amplitudes, PowerSpectrum, SelfAffine, Statistics};
 use stickslip::{
-    Axis, Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
-    NormalControl, NormalProblem, NormalSolution, Result, Status, TangentialControl,
-    TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution, Warning, Zone,
+    Axis, Boundary, CoupledProblem, ElasticPair, Field, Friction, Grid, HalfSpace, History,
+    LoadStep, Material, NormalControl, NormalProblem, NormalSolution, Result, Status,
+    TangentialControl, TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution,
+    Warning, Zone,
 };
 
 /// What is read from text and from bytes, to the last bit but for the sign of what is no number.
@@ -203,6 +204,21 @@ fn answers_and_what_is_said_about_them() {
     }
     let rectangle = Rectangle::new(0.5, 0.6).unwrap();
     survives(&rectangle.pair_tensor(&unit_pair(0.3), 0.1, 0.2));
+}
+
+#[test]
+fn answers_of_dissimilar_bodies() {
+    let grid = Grid::square(16, 2.6).unwrap();
+    let pair = ElasticPair::new(Material::new(1.0, 0.1).unwrap(), Material::rigid()).unwrap();
+    let bodies = HalfSpace::new(grid, pair).unwrap();
+    let gap = surface::sphere(grid, 10.0).unwrap();
+    let friction = Friction::coulomb(0.3).unwrap();
+    let (press, load) = (
+        NormalControl::Force(0.1),
+        TangentialLoad::force([0.01, 0.0]),
+    );
+    let problem = CoupledProblem::builder(&bodies, &gap, friction, press, load);
+    survives(&problem.build().unwrap().solve().unwrap());
 }
 
 #[test]

@@ -1,10 +1,10 @@
 //! The totals beside the cells: how changes of the multipliers spread, and which of them keep the totals.
 
+use crate::cgm::Total;
 use crate::cgm::cone::{Cone, ConeRun, N};
 use crate::cgm::small::Small;
 use crate::cgm::totals::sums_of;
 use crate::cgm::vector::{norm, slices};
-use crate::cgm::{Total, reduce};
 use crate::operator::Operator;
 use crate::parallel;
 
@@ -102,26 +102,18 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         }
     }
 
-    /// Where all cells slip the same way and a tangential force is prescribed, they stick: turning alone could not carry
+    /// Where all cells slip the same way and a tangential total is prescribed, they stick: turning alone could not carry
     /// a change of it.
     pub(super) fn let_stick(&mut self) {
         let totals = self.problem.totals;
-        let asks = |c: usize| totals[c] != Total::Free;
         let w = &mut *self.workspace;
-        let (laws, contact) = (&w.laws, &w.contact);
-        let mobility: [[f64; N]; 2] = contact.sweep((), |entries, ()| {
-            entries.sums(|_, place| {
-                let law = laws[entries.chunk.start + place];
-                [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|unit| {
-                    let moved = law.extend(law.restrict(unit));
-                    moved.map(f64::abs)
-                })
-            })
+        let laws = &w.laws;
+        let mobility: [f64; 2] = w.contact.sweep((), |entries, ()| {
+            entries.sums(|_, place| laws[entries.chunk.start + place].mobility())
         });
-        let all = mobility[0][1] + mobility[1][2];
-        let is_held = (1..N).any(|c| asks(c) && mobility[c - 1][c] <= LEAST_TURN * all);
-        let sticks = reduce::first(w.laws.len(), |i| w.laws[i].sticks()).is_some();
-        if is_held && !sticks {
+        let least = LEAST_TURN * (mobility[0] + mobility[1]);
+        let is_held = |c: usize| totals[1 + c] != Total::Free && mobility[c] <= least;
+        if is_held(0) || is_held(1) {
             parallel::update(&mut w.laws, |_, laws| {
                 for law in laws {
                     *law = law.stuck();

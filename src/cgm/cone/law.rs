@@ -99,6 +99,15 @@ impl Law {
         }
     }
 
+    /// What the cell can do of a uniform motion along x and along y.
+    pub(super) fn mobility(self) -> [f64; 2] {
+        match self {
+            Self::Open | Self::Smooth => [0.0; 2],
+            Self::Stick => [1.0; 2],
+            Self::Slip(slip) => slip.tangent().map(|t| t * t),
+        }
+    }
+
     /// With limit, slope and stiffness at slip `s`; limits below `least` have the stiffness of that.
     pub(super) fn measured(
         self,

@@ -163,8 +163,6 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
 
     /// The linear problem of the cells as they move now.
     fn linearise(&mut self) {
-        self.let_stick();
-        self.measure_slip();
         let w = &mut *self.workspace;
         let laws = &w.laws;
         w.contact.update(|i| laws[i].touches());
@@ -172,6 +170,8 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         for part in &mut w.direction {
             part.fill(0.0);
         }
+        self.let_stick();
+        self.measure_slip();
     }
 
     /// The stiffness of every cell that slips, from the slip just measured.
