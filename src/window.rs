@@ -105,6 +105,11 @@ impl Window {
         (self.corner[1] + row) * self.columns + self.corner[0]
     }
 
+    /// Index in the whole grid of a cell of the window.
+    pub(crate) fn index(&self, cell: usize) -> usize {
+        self.row_start(cell / self.size[0]) + cell % self.size[0]
+    }
+
     /// Indices in the whole grid, in the order of the window.
     pub(crate) fn indices(&self) -> impl Iterator<Item = usize> + use<> {
         let window = *self;

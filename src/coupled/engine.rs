@@ -11,13 +11,14 @@ use crate::coupled::CoupledReport;
 use crate::coupled::contraction::Contraction;
 use crate::elastic::ElasticSolver;
 use crate::error::{Error, Result};
-use crate::fft::{CirculantInverse, Convolution};
+use crate::fft::{CirculantInverse, Convolution, ConvolutionWorkspace};
 use crate::half_space::{Compliance, HalfSpace};
 use crate::influence::Direction;
 use crate::operator::Operator;
 use crate::passes::{with_counts_of, with_time_left};
 use crate::report::{Report, Status};
 use crate::tangential::Friction;
+use crate::window::Window;
 
 /// Components of a vector: along z, x and y.
 pub(super) const N: usize = 3;
@@ -50,9 +51,12 @@ pub(super) struct Task<'a> {
     pub(super) friction: &'a Friction,
 }
 
-/// Pressure and tractions of a grid, and what finds them.
+/// Pressure and tractions of a window, and what finds them.
 #[derive(Debug, Clone)]
 pub(super) struct Engine {
+    pub(super) window: Window,
+    /// What it takes to see the rest of the grid, if there is a rest.
+    whole: Option<Whole>,
     compliance: Compliance<N>,
     workspace: ConeWorkspace<Arc<Convolution<N>>, Arc<CirculantInverse<N>>>,
     normal: ElasticSolver<Interval, 1>,
@@ -63,32 +67,54 @@ pub(super) struct Engine {
     /// Whether the bounds of the halves may bound the whole: the norms know no mean of a grid that repeats.
     is_bounded: bool,
     /// Pressure and tractions: the start, and the answer.
-    pub(super) x: [Vec<f64>; N],
+    x: [Vec<f64>; N],
+    /// What is asked of the cells of the window.
+    asked: [Vec<f64>; N],
     /// What a half adds to what the other asks.
     linear: [Vec<f64>; N],
     image: [Vec<f64>; N],
     limits: Vec<f64>,
 }
 
-impl Cone for &Friction {
+/// The products of the whole grid.
+#[derive(Debug, Clone)]
+struct Whole {
+    operator: Arc<Convolution<N>>,
+    workspace: ConvolutionWorkspace<N>,
+}
+
+/// The friction of the cells of a window.
+#[derive(Debug, Clone, Copy)]
+struct Within<'a> {
+    friction: &'a Friction,
+    window: Window,
+}
+
+impl Cone for Within<'_> {
     fn limit(&self, cell: usize, pressure: f64) -> f64 {
-        Friction::limit(self, cell, pressure)
+        self.friction.limit(self.window.index(cell), pressure)
     }
 
     fn slope(&self, cell: usize, pressure: f64) -> f64 {
-        Friction::slope(self, cell, pressure)
+        self.friction.slope(self.window.index(cell), pressure)
     }
 }
 
 impl Engine {
-    pub(super) fn new(bodies: &HalfSpace) -> Result<Self> {
-        let size = bodies.grid().size();
+    /// On a window, or on the whole grid if it repeats or the window saves too little.
+    pub(super) fn new(bodies: &HalfSpace, window: Window) -> Result<Self> {
+        let (window, whole) = (bodies.confined(window), Window::whole(bodies.grid()));
+        let is_whole = 5 * window.cells() > 4 * whole.cells();
+        let window = if is_whole { whole } else { window };
+        let size = window.size;
         let [x, y, z] = [Direction::X, Direction::Y, Direction::Z];
         let compliance = bodies.compliance([z, x, y], size)?;
-        let normal = bodies.compliance([z], size)?.operator;
-        let plane = bodies.compliance([x, y], size)?.operator;
+        // What is certified of the window is to hold for the grid.
+        let tensor = bodies.compliance([z, x, y], whole.size)?.operator;
+        let normal = bodies.compliance([z], whole.size)?.operator;
+        let plane = bodies.compliance([x, y], whole.size)?.operator;
         let lower_bounds = [normal.lower_bound(), plane.lower_bound()];
-        let cells = bodies.grid().cells();
+        let cells = window.cells();
         let zeros = || std::array::from_fn(|_| vec![0.0; cells]);
         Ok(Self {
             workspace: ConeWorkspace::new(&compliance.operator, &compliance.inverse),
@@ -96,35 +122,58 @@ impl Engine {
             plane: ElasticSolver::new(bodies, [x, y], size)?,
             is_bounded: bodies.boundary() == Boundary::NonPeriodic,
             contraction: Contraction {
-                coupling: compliance.operator.coupling(),
+                coupling: tensor.coupling(),
                 spread: (plane.upper_bound() / normal.lower_bound()).sqrt(),
             },
+            whole: (!is_whole).then(|| Whole {
+                workspace: tensor.workspace(),
+                operator: tensor,
+            }),
+            window,
             compliance,
             lower_bounds,
             coupling: bodies.pair().dundurs_beta().abs(),
             x: zeros(),
+            asked: zeros(),
             linear: zeros(),
             image: zeros(),
             limits: vec![0.0; cells],
         })
     }
 
-    /// Displacements of the answer.
-    pub(super) fn product(&self) -> [&[f64]; N] {
-        self.workspace.product()
+    /// Takes tractions of the whole grid as the start.
+    pub(super) fn take(&mut self, tractions: &[Vec<f64>; N]) {
+        for (x, whole) in self.x.iter_mut().zip(tractions) {
+            self.window.gather(whole, x);
+        }
+    }
+
+    /// Writes the tractions of the answer, and the displacements of the whole grid.
+    pub(super) fn write(
+        &mut self,
+        tractions: &mut [Vec<f64>; N],
+        displacement: &mut [Vec<f64>; N],
+    ) {
+        for (x, whole) in self.x.iter().zip(&mut *tractions) {
+            whole.fill(0.0);
+            self.window.scatter(x, whole);
+        }
+        match &mut self.whole {
+            Some(Whole {
+                operator,
+                workspace,
+            }) => operator.apply(slices(tractions), slices_mut(displacement), workspace),
+            None => {
+                for (whole, product) in displacement.iter_mut().zip(self.workspace.product()) {
+                    whole.copy_from_slice(product);
+                }
+            }
+        }
     }
 
     /// Approach and shift beyond what is prescribed.
     pub(super) fn multiplier(&self) -> [f64; N] {
         self.workspace.multiplier()
-    }
-
-    /// Nothing touches.
-    pub(super) fn part(&mut self) {
-        for part in &mut self.x {
-            part.fill(0.0);
-        }
-        self.workspace.part();
     }
 
     /// Solves into the tractions; says how it ended in the report.
@@ -135,8 +184,10 @@ impl Engine {
         conditions: &mut Conditions<'_, '_>,
         report: &mut CoupledReport,
     ) -> Result<()> {
-        report.clear();
         self.workspace.set_multiplier([0.0; N]);
+        for (asked, whole) in self.asked.iter_mut().zip(task.linear) {
+            self.window.gather(whole, asked);
+        }
         let (mut sweeps, mut worst) = match start {
             Start::Halves => (1, f64::INFINITY),
             Start::Coarse => (0, f64::INFINITY),
@@ -175,8 +226,11 @@ impl Engine {
         let problem = ConeProblem {
             operator: Arc::clone(&self.compliance.operator),
             preconditioner: Arc::clone(&self.compliance.inverse),
-            linear: task.linear,
-            friction: task.friction,
+            linear: slices(&self.asked),
+            friction: Within {
+                friction: task.friction,
+                window: self.window,
+            },
             totals: task.totals,
             lower_bounds: self.lower_bounds,
             coupling: self.coupling,
@@ -225,7 +279,7 @@ impl Engine {
         conditions: &mut Conditions<'_, '_>,
         report: &mut CoupledReport,
     ) -> Result<Option<Status>> {
-        self.add_displacements_of(&[1, 2], task.linear);
+        self.add_displacements_of(&[1, 2]);
         let settings = left(conditions, &report.work).tolerance(tolerance);
         let mut observer = with_counts_of(&report.work, &mut *conditions.observer);
         let ended = self.normal.minimise(
@@ -248,9 +302,9 @@ impl Engine {
         conditions: &mut Conditions<'_, '_>,
         report: &mut CoupledReport,
     ) -> Result<Option<Status>> {
-        self.add_displacements_of(&[0], task.linear);
+        self.add_displacements_of(&[0]);
         for (i, limit) in self.limits.iter_mut().enumerate() {
-            *limit = task.friction.limit(i, self.x[0][i]);
+            *limit = task.friction.limit(self.window.index(i), self.x[0][i]);
         }
         let capacity = reduce::total(&self.limits);
         let [_, along_x, along_y] = task.totals;
@@ -282,7 +336,7 @@ impl Engine {
     }
 
     /// What is asked of the cells, with the displacements that these components of the tractions cause.
-    fn add_displacements_of(&mut self, components: &[usize], linear: [&[f64]; N]) {
+    fn add_displacements_of(&mut self, components: &[usize]) {
         for c in 0..N {
             if components.contains(&c) {
                 self.linear[c].copy_from_slice(&self.x[c]);
@@ -295,7 +349,7 @@ impl Engine {
         self.workspace.apply(operator, tractions, image);
         for (c, image) in self.image.iter().enumerate() {
             for (i, sum) in self.linear[c].iter_mut().enumerate() {
-                *sum = linear[c][i] + image[i];
+                *sum = self.asked[c][i] + image[i];
             }
         }
     }

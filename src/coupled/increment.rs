@@ -1,18 +1,22 @@
 //! One step of a coupled contact, of a problem from rest or of a history.
 
 use crate::cascade::Conditions;
-use crate::cgm::Total;
+use crate::cgm::{Total, reduce};
 use crate::coupled::CoupledReport;
 use crate::coupled::engine::{Engine, N, Start, Task};
 use crate::error::{Error, Result, finite};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
+use crate::influence::Direction;
 use crate::normal::NormalControl;
 use crate::report::Report;
 use crate::tangential::{
     Answer, Axis, Demand, Friction, Motion, PlaneVector, Pressed, TangentialControl, centre, zeros,
 };
 use crate::window::Window;
+
+/// Overlap beyond the window, of the largest displacement, that is round-off.
+const ROUND_OFF: f64 = 1e-13;
 
 /// Pressure and traction on the grid, what the cells remember, and the engine that solves a step.
 ///
@@ -22,7 +26,11 @@ use crate::window::Window;
 #[derive(Debug, Clone)]
 pub(crate) struct CoupledIncrement {
     pub(super) bodies: HalfSpace,
-    engine: Engine,
+    /// On the window of the contact; `None` before the first.
+    engine: Option<Engine>,
+    /// Pressure and tractions of the whole grid: the start of the next step, and the answer of the last.
+    tractions: [Vec<f64>; N],
+    displacement: [Vec<f64>; N],
     pub(crate) pressed: Pressed,
     offset: PlaneVector,
     linear: [Vec<f64>; N],
@@ -46,11 +54,16 @@ impl CoupledIncrement {
     /// Without traction.
     pub(crate) fn new(bodies: &HalfSpace) -> Result<Self> {
         let grid = bodies.grid();
+        // Coefficients that cannot be computed are better known now.
+        bodies.compliance([Direction::Z, Direction::X, Direction::Y], grid.size())?;
+        let zeros_of_all = || std::array::from_fn(|_| vec![0.0; grid.cells()]);
         Ok(Self {
-            engine: Engine::new(bodies)?,
+            engine: None,
+            tractions: zeros_of_all(),
+            displacement: zeros_of_all(),
             pressed: Pressed::new(Window::whole(grid)),
             offset: zeros(Axis::BOTH, grid.cells()),
-            linear: std::array::from_fn(|_| vec![0.0; grid.cells()]),
+            linear: zeros_of_all(),
             motion: Motion::default(),
             approach: 0.0,
             report: CoupledReport::unsolved(),
@@ -74,20 +87,34 @@ impl CoupledIncrement {
 
     /// Displacements of the last answer along z, x and y.
     pub(super) fn displacement(&self) -> [&[f64]; N] {
-        self.engine.product()
+        self.displacement.each_ref().map(Vec::as_slice)
+    }
+
+    /// Where the engine works; `None` before the first contact.
+    pub(crate) fn window(&self) -> Option<Window> {
+        self.engine.as_ref().map(|engine| engine.window)
+    }
+
+    /// Goes on as after a step that ended with this window.
+    pub(crate) fn resume(&mut self, window: Option<Window>) -> Result<()> {
+        if self.window() != window {
+            let remake = |window| Engine::new(&self.bodies, window);
+            self.engine = window.map(remake).transpose()?;
+        }
+        Ok(())
     }
 
     /// Takes pressure and tractions as the start of the next step.
     pub(crate) fn set_tractions(&mut self, pressure: &Field, traction: [&Field; 2]) {
         let fields = [pressure, traction[0], traction[1]];
-        for (x, field) in self.engine.x.iter_mut().zip(fields) {
+        for (x, field) in self.tractions.iter_mut().zip(fields) {
             x.copy_from_slice(field.as_slice());
         }
     }
 
     /// Takes pressure and traction of a cell as the start of the next step.
     pub(super) fn set_cell(&mut self, cell: usize, tractions: [f64; N]) {
-        for (x, value) in self.engine.x.iter_mut().zip(tractions) {
+        for (x, value) in self.tractions.iter_mut().zip(tractions) {
             x[cell] = value;
         }
     }
@@ -105,10 +132,10 @@ impl CoupledIncrement {
 
     /// What the last step has found.
     pub(crate) fn answer(&self) -> Answer<'_> {
-        let [_, ux, uy] = self.engine.product();
+        let [_, ux, uy] = self.displacement();
         Answer {
             pressed: &self.pressed,
-            traction: [&self.engine.x[1], &self.engine.x[2]],
+            traction: [&self.tractions[1], &self.tractions[2]],
             displacement: [ux, uy],
             offset: [&self.offset[0], &self.offset[1]],
             motion: self.motion,
@@ -117,8 +144,8 @@ impl CoupledIncrement {
 
     /// Writes pressure and gap under load of the last step.
     pub(crate) fn write(&self, initial: &Field, pressure: &mut Field, gap: &mut Field) {
-        pressure.as_mut_slice().copy_from_slice(&self.engine.x[0]);
-        let displacements = self.engine.product()[0].iter().zip(initial.as_slice());
+        pressure.as_mut_slice().copy_from_slice(&self.tractions[0]);
+        let displacements = self.displacement[0].iter().zip(initial.as_slice());
         for (gap, (displacement, initial)) in gap.as_mut_slice().iter_mut().zip(displacements) {
             *gap = displacement + (initial - self.approach);
         }
@@ -142,12 +169,15 @@ impl CoupledIncrement {
             NormalControl::Force(force) => (least, force <= 0.0),
             NormalControl::Hold => return Err(Error::NothingToHold),
         };
+        self.report.clear();
         if is_apart {
             self.motion = demand.tangential.without_contact(Axis::BOTH, before)?;
             self.approach = datum;
-            self.engine.part();
+            for part in self.tractions.iter_mut().chain(&mut self.displacement) {
+                part.fill(0.0);
+            }
             self.report.apart();
-            self.pressed.set(&self.engine.x[0], demand.friction);
+            self.pressed.set(&self.tractions[0], demand.friction);
             return Ok(());
         }
         self.motion = Motion {
@@ -155,8 +185,7 @@ impl CoupledIncrement {
             ..before
         };
         let totals = self.prescribe(&demand)?;
-        let has_start = self.engine.x[0].iter().any(|p| *p > 0.0);
-        let start = if has_start {
+        let start = if self.contact().is_some() {
             Start::Present
         } else if self.start_from_coarser(demand, before, conditions)? {
             Start::Coarse
@@ -164,18 +193,62 @@ impl CoupledIncrement {
             Start::Halves
         };
         self.set_linear(demand.gap, datum);
-        let task = Task {
-            linear: self.linear.each_ref().map(Vec::as_slice),
-            totals,
-            friction: demand.friction,
-        };
-        let outcome = self.engine.solve(task, start, conditions, &mut self.report);
+        let outcome = self.solve_on_window(totals, start, demand.friction, conditions);
         self.report.work.time = conditions.start.elapsed();
-        let [approach, x, y] = self.engine.multiplier();
+        let [approach, x, y] = self.engine.as_ref().map_or([0.0; N], Engine::multiplier);
         self.approach = datum + approach;
         self.motion.shift = [self.motion.shift[0] + x, self.motion.shift[1] + y];
-        self.pressed.set(&self.engine.x[0], demand.friction);
+        self.pressed.set(&self.tractions[0], demand.friction);
         outcome
+    }
+
+    /// The window of the pressure.
+    fn contact(&self) -> Option<Window> {
+        Window::around(self.bodies.grid(), |i| self.tractions[0][i] > 0.0)
+    }
+
+    /// Solves on the window of the contact and looks at the whole grid; where bodies overlap beyond the window it was
+    /// too small, and the work continues in a larger one.
+    fn solve_on_window(
+        &mut self,
+        totals: [Total; N],
+        mut start: Start,
+        friction: &Friction,
+        conditions: &mut Conditions<'_, '_>,
+    ) -> Result<()> {
+        let grid = self.bodies.grid();
+        let contact = self.contact().unwrap_or(Window::whole(grid));
+        let fits = self.window().is_some_and(|window| window.covers(contact));
+        if !fits {
+            self.engine = Some(Engine::new(&self.bodies, contact.widened(grid))?);
+        }
+        loop {
+            let Some(engine) = &mut self.engine else {
+                return Err(Error::EmptyContact);
+            };
+            engine.take(&self.tractions);
+            let task = Task {
+                linear: self.linear.each_ref().map(Vec::as_slice),
+                totals,
+                friction,
+            };
+            let outcome = engine.solve(task, start, conditions, &mut self.report);
+            engine.write(&mut self.tractions, &mut self.displacement);
+            let (window, [delta, ..]) = (engine.window, engine.multiplier());
+            let ([displacement, ..], [gap, ..]) = (&self.displacement, &self.linear);
+            let round_off = ROUND_OFF * reduce::max(grid.cells(), |i| displacement[i].abs());
+            let missed = Window::around(grid, |i| {
+                displacement[i] + gap[i] - delta < -round_off && !window.contains(i)
+            });
+            match missed {
+                Some(missed) if outcome.is_ok() => {
+                    let wider = window.union(missed).widened(grid);
+                    self.engine = Some(Engine::new(&self.bodies, wider)?);
+                    start = Start::Present;
+                }
+                _ => return outcome,
+            }
+        }
     }
 
     /// What is prescribed of the sums; the motion becomes the one they are measured from.

@@ -55,6 +55,10 @@ pub(super) fn new_joint(
     bodies: &HalfSpace,
     state: &State,
 ) -> Result<Option<Box<CoupledIncrement>>> {
-    let make = || CoupledIncrement::new(bodies).map(Box::new);
+    let make = || {
+        let mut joint = CoupledIncrement::new(bodies)?;
+        joint.resume(state.press_window)?;
+        Ok(Box::new(joint))
+    };
     state.is_coupled.then(make).transpose()
 }

@@ -153,6 +153,11 @@ impl State {
         self
     }
 
+    /// Where the pressure was found alone.
+    pub(super) fn normal_window(&self) -> Option<Window> {
+        self.press_window.filter(|_| !self.is_coupled)
+    }
+
     /// Whether what a coupled state remembers is all there.
     pub(super) fn is_whole(&self) -> bool {
         let whole = Window::whole(self.grid());

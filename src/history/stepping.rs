@@ -29,8 +29,8 @@ use crate::window::Window;
 /// Vectors are `[x, y]`; the scalar model leaves the component across its axis at zero.
 ///
 /// Beside its bodies it takes 195 bytes per cell of the grid and 380 per cell of the contact's bounding box,
-/// in the vector model ([`HistoryBuilder::model`]) 650 there, operators included. For bodies of different materials, whose
-/// steps are solved on the whole grid, it takes about 1500 bytes per cell. A contact that outgrows the box takes
+/// in the vector model ([`HistoryBuilder::model`]) 650 there, operators included. For bodies of different materials it
+/// takes several times that. A contact that outgrows the box takes
 /// a wider one for good, and in that step a quarter more in all, in the plane two fifths. After the first steps, a step
 /// within it allocates nothing.
 ///
@@ -110,7 +110,7 @@ impl History {
             .settings(state.settings)
             .build()?
             .into_solver()?;
-        press.resume(state.pressure().as_slice(), state.press_window)?;
+        press.resume(state.pressure().as_slice(), state.normal_window())?;
         Ok(Self {
             bodies: bodies.clone(),
             candidate: press.new_solution(),
@@ -139,7 +139,7 @@ impl History {
         state.check_bodies(&self.bodies)?;
         let resumed = self
             .press
-            .resume(state.pressure().as_slice(), state.press_window);
+            .resume(state.pressure().as_slice(), state.normal_window());
         if let Err(error) = resumed.and_then(|()| self.resume(state)) {
             self.take_back()?;
             return Err(error);
@@ -164,17 +164,23 @@ impl History {
         if !fits {
             self.increment = new_increment(&self.bodies, state)?;
         }
-        if state.is_coupled != self.joint.is_some() {
-            self.joint = new_joint(&self.bodies, state)?;
+        match &mut self.joint {
+            Some(joint) if state.is_coupled => joint.resume(state.press_window),
+            joint => {
+                *joint = new_joint(&self.bodies, state)?;
+                Ok(())
+            }
         }
-        Ok(())
     }
 
     /// Makes the solver of the pressure start from the state again.
     fn take_back(&mut self) -> Result<()> {
         let state = &self.state;
+        if let Some(joint) = &mut self.joint {
+            return joint.resume(state.press_window);
+        }
         self.press
-            .resume(state.pressure().as_slice(), state.press_window)
+            .resume(state.pressure().as_slice(), state.normal_window())
     }
 
     /// Takes a step, and returns what it did; also [`History::last_step`] afterwards.
@@ -221,7 +227,8 @@ impl History {
             std::mem::swap(&mut state.normal, &mut self.candidate);
             state.pressed_gap.clone_from(&state.gap);
             state.is_pressure_stale = false;
-            state.press_window = self.press.window();
+            let joint = self.joint.as_ref();
+            state.press_window = joint.map_or_else(|| self.press.window(), |joint| joint.window());
             step.normal_report.clone_from(state.normal.report());
         }
         step.remarks = Remarks {

@@ -60,14 +60,6 @@ impl<C: Operator<N>, P: Operator<N>> ConeWorkspace<C, P> {
         self.spread.resize(cells, [[0.0; N]; N]);
     }
 
-    /// Of no traction.
-    pub(crate) fn part(&mut self) {
-        for part in &mut self.product {
-            part.fill(0.0);
-        }
-        self.multiplier = [0.0; N];
-    }
-
     /// Writes `C x` to `out`; the answer stays.
     pub(crate) fn apply(&mut self, operator: &C, x: [&[f64]; N], out: [&mut [f64]; N]) {
         operator.apply(x, out, &mut self.operator);
