@@ -86,9 +86,14 @@ impl Window {
 
     /// Wider by a thirty-second and four cells on each side, as far as the grid goes.
     pub(crate) fn widened(self, grid: Grid) -> Self {
+        self.with_margins(grid, self.size.map(|size| 4 + size / 32))
+    }
+
+    /// Wider by so many cells on each side along x and along y, as far as the grid goes.
+    pub(crate) fn with_margins(self, grid: Grid, margins: [usize; 2]) -> Self {
         let mut wide = self;
         for (axis, cells) in [grid.nx(), grid.ny()].into_iter().enumerate() {
-            let margin = 4 + self.size[axis] / 32;
+            let margin = margins[axis];
             let end = (self.corner[axis] + self.size[axis] + margin).min(cells);
             wide.corner[axis] = self.corner[axis].saturating_sub(margin);
             wide.size[axis] = end - wide.corner[axis];

@@ -15,6 +15,8 @@ use crate::tangential::{
 };
 use crate::window::Window;
 
+/// Cells by which a contact may grow in a step without a second look.
+const GROWTH: usize = 2;
 /// Overlap beyond the window, of the largest displacement, that is round-off.
 const ROUND_OFF: f64 = 1e-13;
 
@@ -218,7 +220,9 @@ impl CoupledIncrement {
     ) -> Result<()> {
         let grid = self.bodies.grid();
         let contact = self.contact().unwrap_or(Window::whole(grid));
-        let fits = self.window().is_some_and(|window| window.covers(contact));
+        // What grows a little is better given room than solved twice.
+        let grown = contact.with_margins(grid, [GROWTH; 2]);
+        let fits = self.window().is_some_and(|window| window.covers(grown));
         if !fits {
             self.engine = Some(Engine::new(&self.bodies, contact.widened(grid))?);
         }
