@@ -22,6 +22,7 @@ LAYERS = [
         "grid": {"error"},
         "field": {"error", "grid", "parallel", "serial"},
         "material": {"error", "serial"},
+        "coupling": {"material"},
     }),
     ("operators, kernels, transforms, closed forms, shapes; no physics of contact; and pages to read", {
         "operator": set(),
@@ -44,7 +45,7 @@ LAYERS = [
     }),
     ("the two problems", {
         "normal": ENGINE | {"contact_map", "elastic", "passes", "cascade"},
-        "tangential": ENGINE | {"contact_map", "elastic", "passes", "cascade", "normal"},
+        "tangential": ENGINE | {"contact_map", "coupling", "elastic", "passes", "cascade", "normal"},
     }),
     ("both problems at once", {
         "coupled": ENGINE | {"contact_map", "elastic", "passes", "cascade", "normal", "tangential"},
@@ -54,7 +55,7 @@ LAYERS = [
     }),
     ("what goes on through many steps", {
         "history": ENGINE
-        | {"contact_map", "elastic", "passes", "cascade", "normal", "tangential", "coupled", "stiffness", "io"},
+        | {"contact_map", "coupling", "elastic", "passes", "cascade", "normal", "tangential", "coupled", "stiffness", "io"},
     }),
     ("what is told of all of these", {
         "spots": {"contact_map", "error", "grid", "normal", "tangential", "history"},

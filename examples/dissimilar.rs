@@ -13,8 +13,8 @@ use std::path::Path;
 use plotters::prelude::*;
 use stickslip::analytical::HertzSphere;
 use stickslip::{
-    Axis, ElasticPair, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl,
-    TangentialControl, TangentialModel, surface,
+    Axis, Coupling, ElasticPair, Friction, Grid, HalfSpace, History, LoadStep, Material,
+    NormalControl, TangentialControl, TangentialModel, surface,
 };
 
 const RADIUS: f64 = 10e-3;
@@ -48,7 +48,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut coupled = builder()?;
     let mut uncoupled = History::builder(&bodies, &ball, Friction::coulomb(FRICTION)?)
         .model(TangentialModel::Vector)
-        .neglect_coupling()
+        .coupling(Coupling::Neglected)
         .build()?;
     for history in [&mut coupled, &mut uncoupled] {
         for step in 1..=STEPS {

@@ -97,9 +97,9 @@ pub enum Error {
     /// Both bodies are rigid. Neither deforms, so there is nothing to solve.
     #[error("both bodies are rigid")]
     BothRigid,
-    /// The materials couple normal and tangential tractions, and the model neglects this coupling.
+    /// The materials couple pressure and shear, and what was asked for knows no shear that changes the pressure.
     #[error(
-        "the pair couples pressure and shear (Dundurs beta = {beta:e}): take a CoupledProblem or a History, or call neglect_coupling() to accept an error of that order"
+        "the pair couples pressure and shear (Dundurs beta = {beta:e}): a CoupledProblem or a History finds both together; elsewhere choose Coupling::OneWay or Coupling::Neglected and its error"
     )]
     CoupledMaterials {
         /// Dundurs' second parameter of the pair.

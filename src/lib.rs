@@ -192,6 +192,7 @@ pub mod cgm;
 mod clock;
 mod contact_map;
 pub mod coupled;
+mod coupling;
 #[cfg(feature = "dense")]
 pub mod dense;
 mod elastic;
@@ -221,6 +222,7 @@ mod window;
 pub use boundary::Boundary;
 pub use contact_map::Warning;
 pub use coupled::{CoupledProblem, CoupledSolution};
+pub use coupling::Coupling;
 pub use error::{Error, Result};
 pub use field::Field;
 pub use grid::Grid;

@@ -2,6 +2,9 @@
 
 use crate::error::{Error, Result, finite, positive};
 
+/// Dundurs' beta at or below which pressure and shear count as uncoupled.
+const UNCOUPLED: f64 = 1e-12;
+
 /// A linear elastic, isotropic, homogeneous half-space.
 ///
 /// Moduli have the unit of a pressure; Poisson's ratio lies in `(-1, 1/2]`.
@@ -254,6 +257,13 @@ impl ElasticPair {
     #[must_use]
     pub fn dundurs_beta(&self) -> f64 {
         0.5 * self.compliances.coupling / self.compliances.normal
+    }
+
+    /// Whether pressure moves the surfaces tangentially and shear moves them normally: [`dundurs_beta`](Self::dundurs_beta)
+    /// is more than 1e-12 in size.
+    #[must_use]
+    pub fn is_coupled(&self) -> bool {
+        self.dundurs_beta().abs() > UNCOUPLED
     }
 
     /// The sums that the influence coefficients of the pair need.

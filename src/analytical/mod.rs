@@ -31,8 +31,8 @@
 //! - The approach and the shift are the displacements of one body relative to the other, far from the
 //!   contact.
 //! - Slip is $`s_x = u_x - \delta_x`$, opposite in sign to the traction.
-//! - Normal and tangential tractions are uncoupled. This is exact when
-//!   [`dundurs_beta`](crate::ElasticPair::dundurs_beta) vanishes, as for identical bodies; otherwise
+//! - Normal and tangential tractions are uncoupled, but in [`NoSlipPunch`], [`NoSlipSphere`] and [`SpencePressing`]. This
+//!   is exact when [`dundurs_beta`](crate::ElasticPair::dundurs_beta) vanishes, as for identical bodies; otherwise
 //!   the error is of the order of beta.
 //!
 //! # References
@@ -78,12 +78,14 @@ mod held_force;
 mod hertz;
 mod lubkin_torsion;
 mod mindlin_deresiewicz;
+mod no_slip;
 mod partial_slip;
 mod persson;
 mod popov_limiting_shape;
 mod quadrature;
 mod rough_sphere;
 mod sines;
+mod spence_pressing;
 mod westergaard;
 
 pub use cattaneo_mindlin::{CattaneoMindlin, CattaneoMindlinEllipse};
@@ -93,7 +95,9 @@ pub use full_stick::MindlinFullStick;
 pub use hertz::{HertzEllipse, HertzSphere};
 pub use lubkin_torsion::LubkinTorsion;
 pub use mindlin_deresiewicz::MindlinDeresiewicz;
+pub use no_slip::{NoSlipPunch, NoSlipSphere};
 pub use persson::{Persson, linear_stick_ratio};
 pub use popov_limiting_shape::PopovLimitingShape;
 pub use rough_sphere::RoughSphere;
+pub use spence_pressing::SpencePressing;
 pub use westergaard::{Westergaard, WestergaardPartialSlip};

@@ -40,7 +40,8 @@ impl HalfSpace {
         Ok(Compliance { operator, inverse })
     }
 
-    pub(super) fn convolution<const N: usize>(
+    /// The operator alone, of any components.
+    pub(crate) fn convolution<const N: usize>(
         &self,
         components: [[Component; N]; N],
         size: [usize; 2],

@@ -1,12 +1,13 @@
 //! What a history starts from, checked once.
 
 use crate::cgm::{Settings, settings_methods};
+use crate::coupling::Coupling;
 use crate::error::Result;
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::state::State;
 use crate::history::{History, TouchRule};
-use crate::tangential::{Axis, Friction, TangentialModel, is_coupled};
+use crate::tangential::{Axis, Friction, TangentialModel};
 
 /// Options of a [`History`]; each has a default.
 #[derive(Debug, Clone)]
@@ -18,7 +19,7 @@ pub struct HistoryBuilder<'a> {
     axis: Axis,
     model: TangentialModel,
     settings: Settings,
-    neglect_coupling: bool,
+    coupling: Coupling,
     touch_rule: TouchRule,
 }
 
@@ -31,7 +32,7 @@ impl<'a> HistoryBuilder<'a> {
             axis: Axis::X,
             model: TangentialModel::default(),
             settings: Settings::default(),
-            neglect_coupling: false,
+            coupling: Coupling::default(),
             touch_rule: TouchRule::default(),
         }
     }
@@ -75,16 +76,16 @@ impl HistoryBuilder<'_> {
         self
     }
 
-    /// Neglects that pressure and shear of bodies of different materials are coupled: an error of order beta and mu beta
-    /// in the tractions. By default they are found together ([`coupled`](crate::coupled)), with both tractions whatever
-    /// the model.
-    pub fn neglect_coupling(mut self) -> Self {
-        self.neglect_coupling = true;
+    /// How much is modelled of the coupling between pressure and shear in bodies of different materials (default
+    /// [`Coupling::Full`]: they are found together, with both tractions whatever the model). One-way coupling in the scalar
+    /// model is that along its axis.
+    pub fn coupling(mut self, coupling: Coupling) -> Self {
+        self.coupling = coupling;
         self
     }
 
     /// How far a cell that comes into contact within a step follows its motion (default
-    /// [`TouchRule::Growth`]).
+    /// [`TouchRule::Growth`]). Where pressure and shear are found together it follows the whole step.
     pub fn touch_rule(mut self, touch_rule: TouchRule) -> Self {
         self.touch_rule = touch_rule;
         self
@@ -98,14 +99,13 @@ impl HistoryBuilder<'_> {
     /// [`Error::Method`](crate::Error::Method) for a method that the model does not have,
     /// [`Error::Tolerance`](crate::Error::Tolerance), [`Error::IterationLimit`](crate::Error::IterationLimit).
     pub fn build(self) -> Result<History> {
-        let is_coupled = !self.neglect_coupling && is_coupled(self.bodies);
         self.settings.check()?;
         self.model.check(&self.settings)?;
         let axes = match self.model {
             TangentialModel::Scalar => self.axis.alone(),
             TangentialModel::Vector => Axis::BOTH,
         };
-        if is_coupled {
+        if self.coupling.is_joint(self.bodies.pair()) {
             TangentialModel::Vector.check(&self.settings)?;
         }
         let bodies = self.bodies;
@@ -115,7 +115,6 @@ impl HistoryBuilder<'_> {
         let (pair, settings) = (bodies.pair(), self.settings);
         let rule = self.touch_rule;
         let state = State::new(gap, boundary, pair, self.friction, axes, settings, rule);
-        let state = if is_coupled { state.coupled() } else { state };
-        History::from_state(bodies, state)
+        History::from_state(bodies, state.coupled(self.coupling))
     }
 }

@@ -60,5 +60,5 @@ pub(super) fn new_joint(
         joint.resume(state.press_window)?;
         Ok(Box::new(joint))
     };
-    state.is_coupled.then(make).transpose()
+    state.is_joint().then(make).transpose()
 }

@@ -52,7 +52,8 @@ impl Memory {
     ) -> Result<(Increment, Self)> {
         let grid = bodies.grid();
         let window = self.window.union(contact.widened(grid));
-        let mut increment = Increment::new(bodies, state.axes, Pressed::new(window))?;
+        let mut increment =
+            Increment::new(bodies, state.axes, Pressed::new(window), state.coupling)?;
         increment.set_traction(state.traction.each_ref().map(Field::as_slice));
         let mut wide = Self::first(grid, state.axes, window, state.motion);
         wide.displacement = increment.fresh_displacement();

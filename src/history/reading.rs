@@ -2,6 +2,7 @@
 
 use crate::boundary::Boundary;
 use crate::cgm::{Settings, reduce};
+use crate::coupling::Coupling;
 use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::grid::Grid;
@@ -85,17 +86,14 @@ impl History {
     }
 
     /// Displacement of the surface of body 1 relative to that of body 2 by the tractions (lengths), of all
-    /// cells, in contact or not: computed when asked for, by the operators that the bodies then keep.
+    /// cells, in contact or not: computed when asked for, by the operators that the bodies then keep. With
+    /// [`Coupling::Full`] that by the pressure is part of it.
     ///
     /// # Errors
     /// As [`HalfSpace::operator`](crate::HalfSpace::operator).
     pub fn displacement(&self) -> Result<[Field; 2]> {
-        if let Some(memory) = self
-            .state
-            .contact
-            .as_ref()
-            .filter(|_| self.state.is_coupled)
-        {
+        let joint = self.state.contact.as_ref();
+        if let Some(memory) = joint.filter(|_| self.state.is_joint()) {
             return memory.fields(self.grid());
         }
         tangential::displacement(&self.bodies, self.state.axes, self.traction())
@@ -162,10 +160,11 @@ impl History {
     ///
     /// # Errors
     /// [`Error::NotFinite`] where a periodic contact is closed everywhere, [`Error::CoupledMaterials`] where pressure and
-    /// shear are coupled, [`Error::NotConverged`], as [`HalfSpace::operator`](crate::HalfSpace::operator).
+    /// shear are coupled and that is not [neglected](Coupling::Neglected), [`Error::NotConverged`], as [`HalfSpace::operator`](crate::HalfSpace::operator).
     pub fn stiffness(&self) -> Result<ContactStiffness> {
-        if self.state.is_coupled {
-            let beta = self.bodies.pair().dundurs_beta();
+        let pair = self.bodies.pair();
+        if pair.is_coupled() && self.state.coupling != Coupling::Neglected {
+            let beta = pair.dundurs_beta();
             return Err(Error::CoupledMaterials { beta });
         }
         let sheared = Sheared {

@@ -2,6 +2,7 @@
 
 use crate::boundary::Boundary;
 use crate::cgm::Settings;
+use crate::coupling::Coupling;
 use crate::error::{Error, Result};
 use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
@@ -79,8 +80,7 @@ pub struct State {
     pub(super) moment: f64,
     pub(super) steps: u64,
     pub(super) touch_rule: TouchRule,
-    /// Whether pressure and shear are found together.
-    pub(super) is_coupled: bool,
+    pub(super) coupling: Coupling,
 }
 
 clone_in_place!(State {
@@ -103,7 +103,7 @@ clone_in_place!(State {
     moment,
     steps,
     touch_rule,
-    is_coupled,
+    coupling,
 });
 
 const QUANTITY: &str = "state of a history";
@@ -141,24 +141,33 @@ impl State {
             moment: 0.0,
             steps: 0,
             touch_rule,
-            is_coupled: false,
+            coupling: Coupling::default(),
         }
     }
 
-    /// With pressure and shear found together, on all of the grid and along both axes.
-    pub(super) fn coupled(mut self) -> Self {
-        let (grid, axes) = (self.grid(), Axis::BOTH);
-        let memory = Memory::first(grid, axes, Window::whole(grid), self.motion);
-        (self.axes, self.contact, self.is_coupled) = (axes, Some(memory), true);
+    /// With this much coupling. Where pressure and shear are found together, that is on all of the grid and along both
+    /// axes.
+    pub(super) fn coupled(mut self, coupling: Coupling) -> Self {
+        self.coupling = coupling;
+        if self.is_joint() {
+            let (grid, axes) = (self.grid(), Axis::BOTH);
+            let memory = Memory::first(grid, axes, Window::whole(grid), self.motion);
+            (self.axes, self.contact) = (axes, Some(memory));
+        }
         self
+    }
+
+    /// Whether pressure and shear are found together.
+    pub(super) fn is_joint(&self) -> bool {
+        self.coupling.is_joint(self.pair())
     }
 
     /// Where the pressure was found alone.
     pub(super) fn normal_window(&self) -> Option<Window> {
-        self.press_window.filter(|_| !self.is_coupled)
+        self.press_window.filter(|_| !self.is_joint())
     }
 
-    /// Whether what a coupled state remembers is all there.
+    /// Whether what a state of coupled bodies remembers is all there.
     pub(super) fn is_whole(&self) -> bool {
         let whole = Window::whole(self.grid());
         let remembers = |memory: &Memory| memory.window == whole;
@@ -223,10 +232,11 @@ impl State {
         self.touch_rule
     }
 
-    /// Whether pressure and shear are found together, as for bodies of different materials.
+    /// How much is modelled of the coupling between pressure and shear, if the bodies have any
+    /// ([`ElasticPair::is_coupled`]).
     #[must_use]
-    pub fn is_coupled(&self) -> bool {
-        self.is_coupled
+    pub fn coupling(&self) -> Coupling {
+        self.coupling
     }
 
     /// Whether the gap has changed since the pressure was found. A step that holds the pressure then carries

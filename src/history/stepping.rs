@@ -155,7 +155,7 @@ impl History {
     fn resume(&mut self, state: &State) -> Result<()> {
         let fits = match (&self.increment, &state.contact) {
             (None, None) => true,
-            (None, Some(_)) if state.is_coupled => true,
+            (None, Some(_)) if state.is_joint() => true,
             (Some(increment), Some(memory)) => {
                 increment.pressed.window == memory.window && increment.axes() == state.axes
             }
@@ -165,7 +165,7 @@ impl History {
             self.increment = new_increment(&self.bodies, state)?;
         }
         match &mut self.joint {
-            Some(joint) if state.is_coupled => joint.resume(state.press_window),
+            Some(joint) if state.is_joint() => joint.resume(state.press_window),
             joint => {
                 *joint = new_joint(&self.bodies, state)?;
                 Ok(())
@@ -281,6 +281,7 @@ impl History {
         increment.pressed.set(pressure, &state.friction);
         increment.set_offset(&memory.offset);
         if load.normal_control() != NormalControl::Hold {
+            increment.draw_from(state.pressure().as_slice());
             touch::follow_growth(increment, state, pressed, load, &demand);
         }
         increment.set_traction(state.traction.each_ref().map(Field::as_slice));
@@ -339,9 +340,12 @@ impl History {
 
 /// The increment on the window of a state's contact, if there is one.
 fn new_increment(bodies: &HalfSpace, state: &State) -> Result<Option<Increment>> {
-    let make = |memory: &Memory| Increment::new(bodies, state.axes, Pressed::new(memory.window));
-    let uncoupled = state.contact.as_ref().filter(|_| !state.is_coupled);
-    uncoupled.map(make).transpose()
+    let make = |memory: &Memory| {
+        let pressed = Pressed::new(memory.window);
+        Increment::new(bodies, state.axes, pressed, state.coupling)
+    };
+    let apart = state.contact.as_ref().filter(|_| !state.is_joint());
+    apart.map(make).transpose()
 }
 
 /// Increment and memory that a pressure needs where the contact has left its window, or is the first.
@@ -359,7 +363,8 @@ fn wider(
         Some(memory) if memory.window.covers(contact) => Ok(None),
         Some(memory) => memory.widened(bodies, contact, state).map(Some),
         None => {
-            let increment = Increment::new(bodies, state.axes, Pressed::new(contact))?;
+            let pressed = Pressed::new(contact);
+            let increment = Increment::new(bodies, state.axes, pressed, state.coupling)?;
             let memory = Memory::first(bodies.grid(), state.axes, contact, state.motion);
             Ok(Some((increment, memory)))
         }

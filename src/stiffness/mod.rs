@@ -13,6 +13,8 @@
 //!   continues: where the shift grows in the same step, or the approach decreases. If the bodies are pressed further at a
 //!   held shift, the cells that slipped stick, and the force stays.
 //!
+//! Bodies whose materials couple pressure and shear are treated as if they did not.
+//!
 //! The motions are shift along x, shift along y and twist; the loads are the forces and the moment about the origin of
 //! the grid. What a model leaves out has zero rows and columns. The matrices are symmetric.
 //!

@@ -3,12 +3,14 @@
 use crate::cascade::Conditions;
 use crate::cgm::Total;
 use crate::cgm::vector::slices;
+use crate::coupling::Coupling;
 use crate::error::{Result, finite};
 use crate::half_space::HalfSpace;
 use crate::passes::with_time_left;
 use crate::report::Report;
 use crate::tangential::answer::Answer;
 use crate::tangential::control::Demand;
+use crate::tangential::drawing::Drawing;
 use crate::tangential::engine::{PlaneVector, ShearEngine, Task, engine_along};
 use crate::tangential::growth::{Growth, GrowthFields};
 use crate::tangential::motion::{Motion, centre};
@@ -31,6 +33,8 @@ pub(crate) struct Increment {
     offset: PlaneVector,
     linear: PlaneVector,
     pub(crate) growth: GrowthFields,
+    /// How pressure moves the surfaces, if it is to.
+    drawing: Option<Drawing>,
     /// Motion of body 2 at the end of the last step.
     motion: Motion,
 }
@@ -46,9 +50,17 @@ pub(crate) enum Start {
 
 impl Increment {
     /// Without traction.
-    pub(crate) fn new(bodies: &HalfSpace, axes: &'static [Axis], pressed: Pressed) -> Result<Self> {
+    pub(crate) fn new(
+        bodies: &HalfSpace,
+        axes: &'static [Axis],
+        pressed: Pressed,
+        coupling: Coupling,
+    ) -> Result<Self> {
         let Window { size, .. } = pressed.window;
+        let is_drawn = coupling.is_one_way(bodies.pair());
+        let drawing = is_drawn.then(|| Drawing::new(bodies, axes, size));
         Ok(Self {
+            drawing: drawing.transpose()?,
             bodies: bodies.clone(),
             axes,
             engine: engine_along(bodies, axes, size)?,
@@ -130,6 +142,30 @@ impl Increment {
         }
     }
 
+    /// Moves the offsets back by what the growth of the pressure displaces the surfaces, where pressure moves them: a cell
+    /// that sticks resists it by traction. `before` is the pressure of the whole grid.
+    pub(crate) fn draw_from(&mut self, before: &[f64]) {
+        if let Some(drawing) = &mut self.drawing {
+            let cells = self
+                .pressed
+                .pressure
+                .iter()
+                .zip(self.pressed.window.indices());
+            let grown = cells.map(|(pressure, index)| pressure - before[index]);
+            drawing.subtract(grown, &mut self.offset);
+        }
+    }
+
+    /// Sets the offsets to those of bodies that were apart.
+    pub(crate) fn draw(&mut self) {
+        if let Some(drawing) = &mut self.drawing {
+            for offset in self.offset.iter_mut().flatten() {
+                *offset = 0.0;
+            }
+            drawing.subtract(self.pressed.pressure.iter().copied(), &mut self.offset);
+        }
+    }
+
     /// Finds the displacements that the growth of the pressure would cause as a traction of this direction and size in
     /// each point. The present tractions are lost.
     pub(crate) fn find_growth(
@@ -199,7 +235,9 @@ impl Increment {
         };
         if start == Start::Nested {
             let is_at_rest = self.motion == Motion::default();
-            let is_idle = is_at_rest && totals.iter().all(|total| total.is_idle());
+            let is_drawn = self.offset.iter().flatten().any(|offset| *offset != 0.0);
+            let is_moved = !is_at_rest || is_drawn;
+            let is_idle = !is_moved && totals.iter().all(|total| total.is_idle());
             self.traction = if is_idle || limits.sum <= 0.0 {
                 zeros(self.axes, window.cells())
             } else {

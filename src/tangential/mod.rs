@@ -33,6 +33,7 @@
 
 mod answer;
 mod control;
+mod drawing;
 mod engine;
 mod friction;
 mod growth;
@@ -58,7 +59,6 @@ pub(crate) use increment::{Increment, Start, at, zeros};
 pub(crate) use limits::Pressed;
 pub(crate) use motion::{Motion, centre};
 pub use pressure::PressureSource;
-pub(crate) use problem::is_coupled;
 pub use problem::{TangentialProblem, TangentialProblemBuilder};
 pub use solution::TangentialSolution;
 pub use solver::TangentialSolver;

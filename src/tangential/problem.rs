@@ -1,6 +1,7 @@
 //! The scene of a tangential contact, checked once.
 
 use crate::cgm::{Method, Settings, settings_methods};
+use crate::coupling::Coupling;
 use crate::error::{Error, Result};
 use crate::half_space::HalfSpace;
 use crate::tangential::pressure::contact_window;
@@ -8,9 +9,6 @@ use crate::tangential::{
     Friction, Pressed, PressureSource, TangentialLoad, TangentialModel, TangentialSolution,
     TangentialSolver,
 };
-
-/// Coupling between pressure and shear below which the pair counts as uncoupled.
-const UNCOUPLED: f64 = 1e-12;
 
 /// Bodies, pressure, friction and tangential load.
 ///
@@ -46,6 +44,7 @@ pub struct TangentialProblem {
     pub(super) friction: Friction,
     pub(super) load: TangentialLoad,
     pub(super) model: TangentialModel,
+    pub(super) coupling: Coupling,
     pub(super) settings: Settings,
 }
 
@@ -58,8 +57,8 @@ pub struct TangentialProblemBuilder<'a, 'p> {
     friction: Friction,
     load: TangentialLoad,
     model: TangentialModel,
+    coupling: Coupling,
     settings: Settings,
-    neglect_coupling: bool,
 }
 
 impl TangentialProblem {
@@ -77,8 +76,8 @@ impl TangentialProblem {
             friction,
             load,
             model: TangentialModel::default(),
+            coupling: Coupling::OneWay,
             settings: Settings::default(),
-            neglect_coupling: false,
         }
     }
 
@@ -118,10 +117,31 @@ impl TangentialProblemBuilder<'_, '_> {
         self
     }
 
-    /// Accepts a pair of materials whose pressure and shear are coupled, and neglects that: an
-    /// error of order beta and mu beta in the tractions (default: such a pair is refused).
-    pub fn neglect_coupling(mut self) -> Self {
-        self.neglect_coupling = true;
+    /// Whether the pressure moves the surfaces of bodies of different materials tangentially (default
+    /// [`Coupling::OneWay`]: it does, and the tractions are those that belong to this pressure). With the pressure of a normal
+    /// problem, which knows no friction, that is Goodman's assumption; [`Coupling`] has its errors. [`Coupling::Full`] is
+    /// refused for such bodies: there the pressure is not given ([`CoupledProblem`](crate::CoupledProblem)).
+    ///
+    /// ```
+    /// use stickslip::*;
+    /// let grid = Grid::square(48, 0.30e-3)?;
+    /// let (aluminium, steel) = (Material::new(70e9, 0.33)?, Material::new(210e9, 0.3)?);
+    /// let bodies = HalfSpace::new(grid, ElasticPair::new(aluminium, steel)?)?;
+    /// let ball = surface::sphere(grid, 3.5e-3)?;
+    /// let normal = NormalProblem::builder(&bodies, &ball, NormalControl::Force(60.0)).build()?.solve()?;
+    /// let at_rest = TangentialProblem::builder(
+    ///     &bodies,
+    ///     &normal,
+    ///     Friction::coulomb(0.1)?,
+    ///     TangentialLoad::force([0.0, 0.0]),
+    /// );
+    /// let shear = at_rest.model(TangentialModel::Vector).build()?.solve()?;
+    /// // Pressing alone draws the surface of aluminium inwards over that of steel, and makes the rim slip.
+    /// assert!(shear.slip_area() > 0.0 && shear.stick_area() > 0.0);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn coupling(mut self, coupling: Coupling) -> Self {
+        self.coupling = coupling;
         self
     }
 
@@ -141,7 +161,7 @@ impl TangentialProblemBuilder<'_, '_> {
         demand.check(axes, self.bodies.boundary())?;
         self.settings.check()?;
         self.model.check(&self.settings)?;
-        check_coupling(self.bodies, self.neglect_coupling)?;
+        check_coupling(self.bodies, self.coupling)?;
         let samples = self.pressure.checked(self.bodies)?;
         let mut pressed = Pressed::new(contact_window(self.bodies, samples)?);
         pressed.set(samples, &self.friction);
@@ -152,6 +172,7 @@ impl TangentialProblemBuilder<'_, '_> {
             friction: self.friction,
             load: self.load,
             model: self.model,
+            coupling: self.coupling,
             settings: self.settings,
         })
     }
@@ -170,16 +191,11 @@ impl TangentialModel {
     }
 }
 
-/// `Ok` if shear does not change the pressure, or that is to be neglected.
-fn check_coupling(bodies: &HalfSpace, is_neglected: bool) -> Result<()> {
-    if is_coupled(bodies) && !is_neglected {
+/// `Ok` if the pressure may be given.
+fn check_coupling(bodies: &HalfSpace, coupling: Coupling) -> Result<()> {
+    if coupling.is_joint(bodies.pair()) {
         let beta = bodies.pair().dundurs_beta();
         return Err(Error::CoupledMaterials { beta });
     }
     Ok(())
-}
-
-/// Whether pressure and shear are coupled.
-pub(crate) fn is_coupled(bodies: &HalfSpace) -> bool {
-    bodies.pair().dundurs_beta().abs() > UNCOUPLED
 }

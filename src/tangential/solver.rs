@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use crate::cascade::Conditions;
 use crate::cgm::{Iteration, Settings, solver_settings};
 use crate::clock::Instant;
+use crate::coupling::Coupling;
 use crate::error::{Error, Result};
 use crate::half_space::HalfSpace;
 use crate::passes::with_memory;
@@ -51,6 +52,7 @@ pub struct TangentialSolver {
     friction: Friction,
     load: TangentialLoad,
     model: TangentialModel,
+    coupling: Coupling,
     settings: Settings,
     /// The step on the contact's bounding box, with the last traction, the start of the next.
     increment: Increment,
@@ -68,17 +70,22 @@ impl TangentialSolver {
             friction,
             load,
             model,
+            coupling,
             settings,
         } = problem;
+        let candidate = pressed.clone();
+        let mut increment = Increment::new(&bodies, load.axes(model)?, pressed, coupling)?;
+        increment.draw();
         Ok(Self {
-            candidate: pressed.clone(),
-            increment: Increment::new(&bodies, load.axes(model)?, pressed)?,
+            candidate,
+            increment,
             is_warm: false,
             report: Report::with_room(),
             bodies,
             friction,
             load,
             model,
+            coupling,
             settings,
         })
     }
@@ -105,7 +112,8 @@ impl TangentialSolver {
         limits.check(demand.force(), self.bodies.grid().cell_area())?;
         if axes != self.increment.axes() {
             let pressed = self.increment.pressed.clone();
-            self.increment = Increment::new(&self.bodies, axes, pressed)?;
+            self.increment = Increment::new(&self.bodies, axes, pressed, self.coupling)?;
+            self.increment.draw();
             self.is_warm = false;
         }
         self.load = load;
@@ -141,14 +149,18 @@ impl TangentialSolver {
         let contact = contact_window(&self.bodies, samples)?;
         if self.increment.pressed.window.covers(contact) {
             self.candidate.set(samples, &self.friction);
-            return self.take_candidate();
+            self.take_candidate()?;
+            self.increment.draw();
+            return Ok(());
         }
         // A little wider than the contact, so that it may grow some more.
         let mut pressed = Pressed::new(contact.widened(self.bodies.grid()));
         pressed.set(samples, &self.friction);
         self.check_load(&pressed)?;
         let candidate = pressed.clone();
-        let mut wider = Increment::new(&self.bodies, self.increment.axes(), pressed)?;
+        let axes = self.increment.axes();
+        let mut wider = Increment::new(&self.bodies, axes, pressed, self.coupling)?;
+        wider.draw();
         self.increment.hand_over(&mut wider);
         (self.increment, self.candidate) = (wider, candidate);
         Ok(())

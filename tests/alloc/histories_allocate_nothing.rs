@@ -4,7 +4,7 @@
 use kit::{rough, unit_bodies};
 use stickslip::history::{Cycle, FrettingLoop, LoadPath, wear};
 use stickslip::{
-    Axis, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
+    Axis, Coupling, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
     NormalControl, TangentialControl, TangentialModel, surface,
 };
 
@@ -83,15 +83,21 @@ fn on_a_sphere_and_on_a_rough_surface() {
     }
 }
 
-/// Bodies of different materials, whose pressure and shear are found together.
+/// Bodies of different materials, with pressure and shear found together or one after the other.
 #[test]
 fn of_dissimilar_bodies() {
+    for coupling in [Coupling::Full, Coupling::OneWay] {
+        dissimilar_bodies_allocate_nothing(coupling);
+    }
+}
+
+fn dissimilar_bodies_allocate_nothing(coupling: Coupling) {
     let grid = Grid::new(40, 36, 0.1, 0.1).unwrap();
     let (soft, hard) = (Material::new(1.0, 0.1).unwrap(), Material::rigid());
     let bodies = HalfSpace::new(grid, ElasticPair::new(soft, hard).unwrap()).unwrap();
     let gap = surface::sphere(grid, 10.0).unwrap();
     let builder = History::builder(&bodies, &gap, Friction::coulomb(0.4).unwrap());
-    let mut history = builder.tolerance(1e-6).build().unwrap();
+    let mut history = builder.coupling(coupling).tolerance(1e-6).build().unwrap();
     let mut worn = gap.clone();
     let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
     let mut cycle = || {

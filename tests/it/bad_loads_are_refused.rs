@@ -6,8 +6,9 @@ use kit::unit_bodies;
 use stickslip::cgm::{Method, Settings};
 use stickslip::tangential::JaegerSuperposition;
 use stickslip::{
-    ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, Material, NormalControl,
-    NormalProblem, NormalSolution, TangentialLoad, TangentialModel, TangentialProblem, surface,
+    Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, Material,
+    NormalControl, NormalProblem, NormalSolution, TangentialLoad, TangentialModel,
+    TangentialProblem, surface,
 };
 
 const NEGATIVE: [f64; 4] = [-1e-300, f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
@@ -214,7 +215,7 @@ fn what_a_tangential_problem_stands_on() {
         Err(Error::Negative { .. })
     ));
 
-    // Steel on rubber: pressure causes shear displacement, which the model does not see.
+    // The pressure of a coupled pair is not given where shear changes it.
     let pair = ElasticPair::new(
         Material::new(200.0, 0.3).unwrap(),
         Material::new(1.0, 0.3).unwrap(),
@@ -230,18 +231,23 @@ fn what_a_tangential_problem_stands_on() {
             TangentialLoad::force([0.1, 0.0]),
         )
     };
-    let Some(Error::CoupledMaterials { beta }) = builder().build().err() else {
+    let asked = builder().coupling(Coupling::Full).build();
+    let Some(Error::CoupledMaterials { beta }) = asked.err() else {
         panic!("coupled materials");
     };
     assert!((beta - pair.dundurs_beta()).abs() < 1e-15 && beta.abs() > 0.2);
-    assert!(
+    // Without coupling no axis moves by the pressure; with it, the force is carried by other tractions.
+    let [one_way, neglected] = [Coupling::OneWay, Coupling::Neglected].map(|coupling| {
         builder()
-            .neglect_coupling()
+            .coupling(coupling)
             .build()
             .unwrap()
             .solve()
-            .is_ok()
-    );
+            .unwrap()
+    });
+    let by_default = builder().build().unwrap().solve().unwrap();
+    assert_eq!(by_default.traction(), one_way.traction());
+    assert!(one_way.shift() != neglected.shift());
 }
 
 /// Cells whose sides differ by round-off are the same cells; those that differ by more are not.

@@ -63,6 +63,7 @@ mod load_paths_close_and_turn_exactly;
 mod measured_surfaces_are_prepared;
 mod methods_agree;
 mod moments_and_energies_follow_from_the_fields;
+mod one_way_coupling_is_goodmans;
 #[cfg(feature = "serde")]
 mod plain_types_survive_serialisation;
 mod problems_take_every_load;

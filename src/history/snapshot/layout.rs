@@ -9,6 +9,7 @@ use super::codec::{
 };
 use crate::boundary::Boundary;
 use crate::cgm::{Method, Settings};
+use crate::coupling::Coupling;
 use crate::error::Result;
 use crate::field::Field;
 use crate::grid::Grid;
@@ -115,7 +116,8 @@ impl State {
 
         let rules = [TouchRule::Growth, TouchRule::WholeStep];
         codec.kind("touch rule", &mut self.touch_rule, &rules)?;
-        codec.kind("mark of coupling", &mut self.is_coupled, &[false, true])?;
+        let choices = [Coupling::Full, Coupling::OneWay, Coupling::Neglected];
+        codec.kind("coupling", &mut self.coupling, &choices)?;
         codec.numbers("gap", self.gap.as_mut_slice(), FINITE)?;
         let mut is_another = self.pressed_gap.as_slice() != self.gap.as_slice();
         codec.kind("mark of a changed gap", &mut is_another, &[false, true])?;

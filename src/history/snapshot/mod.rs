@@ -26,7 +26,7 @@ use layout::{Host, LEAST_PER_CELL};
 
 const FORMAT: Format = Format("saved history");
 const MAGIC: &[u8; 8] = b"\x93STKSLIP";
-const VERSION: u32 = 5;
+const VERSION: u32 = 6;
 /// Magic, version and length; and the sum at the end.
 const HEADER: usize = 20;
 const SUM: usize = 8;
@@ -75,7 +75,7 @@ impl State {
         let mut state = host.blank(grid)?;
         state.visit(&mut reader)?;
         reader.end()?;
-        if state.is_coupled() && !state.is_whole() {
+        if state.is_joint() && !state.is_whole() {
             let problem = "a coupled contact must remember both axes on all of its grid";
             return Err(FORMAT.at_byte(HEADER, problem));
         }

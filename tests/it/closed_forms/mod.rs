@@ -5,6 +5,7 @@
 mod cycles;
 mod normal;
 mod numbers;
+mod pressing;
 mod punches;
 mod roughness;
 mod tangential;

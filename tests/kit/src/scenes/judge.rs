@@ -7,7 +7,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use stickslip::cgm::{Method, Report};
 use stickslip::{
-    Axis, Field, NormalControl, NormalProblem, NormalSolution, NormalSolver, Result,
+    Axis, Coupling, Field, NormalControl, NormalProblem, NormalSolution, NormalSolver, Result,
     TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution,
 };
 
@@ -148,7 +148,7 @@ impl Judge {
         let mut builder =
             TangentialProblem::builder(&scene.bodies, normal, shear.friction.clone(), load)
                 .model(shear.lateral)
-                .neglect_coupling()
+                .coupling(Coupling::Neglected)
                 .tolerance(scene.settings.tolerance)
                 .method(shear.method(method))
                 .max_iterations(scene.settings.max_iterations);

@@ -6,8 +6,8 @@ use stickslip::cgm::{Bounds, Method, NonNegative};
 use stickslip::dense::DenseOperator;
 use stickslip::influence::Component;
 use stickslip::{
-    Axis, Boundary, Friction, HalfSpace, NormalControl, NormalProblem, NormalSolution, Result,
-    TangentialControl, TangentialLoad, TangentialProblem, TangentialSolution,
+    Axis, Boundary, Coupling, Friction, HalfSpace, NormalControl, NormalProblem, NormalSolution,
+    Result, TangentialControl, TangentialLoad, TangentialProblem, TangentialSolution,
 };
 
 use super::{Scene, Shear};
@@ -128,7 +128,7 @@ pub(crate) fn tractions(
     }
     let solver = TangentialProblem::builder(&scene.bodies, normal, shear.friction.clone(), load)
         .model(shear.lateral)
-        .neglect_coupling()
+        .coupling(Coupling::Neglected)
         .tolerance(finer(scene.settings.tolerance))
         .method(shear.method(other(method)))
         .time_limit(PATIENCE)

@@ -3,8 +3,8 @@
 use stickslip::cgm::{Bounds, Settings};
 use stickslip::influence::Component;
 use stickslip::{
-    Axis, Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
-    Material, NormalControl, Result, TangentialControl, TangentialModel,
+    Axis, Boundary, Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
+    LoadStep, Material, NormalControl, Result, TangentialControl, TangentialModel,
 };
 
 use super::compliance::Compliance;
@@ -61,7 +61,7 @@ impl Story {
     fn tell(&self) -> Result<Vec<Row>> {
         let mut builder = History::builder(&self.bodies, &self.gap, self.friction.clone())
             .model(self.lateral)
-            .neglect_coupling()
+            .coupling(Coupling::Neglected)
             .tolerance(self.settings.tolerance);
         if let Some(limit) = self.settings.time_limit {
             builder = builder.time_limit(limit);

@@ -1,0 +1,67 @@
+//! The tangential displacement by pressure, where materials couple the two.
+
+use std::sync::Arc;
+
+use crate::error::Result;
+use crate::fft::{Convolution, ConvolutionWorkspace};
+use crate::half_space::HalfSpace;
+use crate::influence::{Component, Direction};
+use crate::operator::Operator;
+use crate::tangential::Axis;
+use crate::tangential::engine::PlaneVector;
+
+/// How pressures on a window draw its surfaces along the axes of a model.
+#[derive(Debug, Clone)]
+pub(super) struct Drawing {
+    parts: Vec<Part>,
+    pressure: Vec<f64>,
+    displacement: Vec<f64>,
+}
+
+/// Along one axis.
+#[derive(Debug, Clone)]
+struct Part {
+    axis: Axis,
+    operator: Arc<Convolution<1>>,
+    workspace: ConvolutionWorkspace<1>,
+}
+
+impl Drawing {
+    pub(super) fn new(bodies: &HalfSpace, axes: &[Axis], size: [usize; 2]) -> Result<Self> {
+        let part = |&axis: &Axis| {
+            let component = Component::of(axis.direction(), Direction::Z);
+            let operator = bodies.convolution([[component]], size)?;
+            let workspace = operator.workspace();
+            Ok(Part {
+                axis,
+                operator,
+                workspace,
+            })
+        };
+        let cells = size[0] * size[1];
+        Ok(Self {
+            parts: axes.iter().map(part).collect::<Result<_>>()?,
+            pressure: vec![0.0; cells],
+            displacement: vec![0.0; cells],
+        })
+    }
+
+    /// Takes from a field what these pressures displace.
+    pub(super) fn subtract(
+        &mut self,
+        pressures: impl Iterator<Item = f64>,
+        field: &mut PlaneVector,
+    ) {
+        for (own, pressure) in self.pressure.iter_mut().zip(pressures) {
+            *own = pressure;
+        }
+        for part in &mut self.parts {
+            let (pressure, out) = ([&self.pressure[..]], [&mut self.displacement[..]]);
+            part.operator.apply(pressure, out, &mut part.workspace);
+            let field = &mut field[part.axis.index()];
+            for (value, displacement) in field.iter_mut().zip(&self.displacement) {
+                *value -= displacement;
+            }
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! Bodies of different materials pressed together: without slip, and with as much as Goodman's assumption gives.
+
+use approx::assert_relative_eq;
+use stickslip::analytical::{FlatPunch, HertzSphere, NoSlipPunch, NoSlipSphere, SpencePressing};
+use stickslip::{ElasticPair, Error, Material, Result};
+
+fn on_rigid(poisson_ratio: f64) -> Result<ElasticPair> {
+    ElasticPair::new(Material::new(1.0, poisson_ratio)?, Material::rigid())
+}
+
+/// Poisson's ratio; punch stiffness over the frictionless one; 1/I, the approach over `a^2 / 2R`; loads of the sphere at
+/// equal approach and at equal radius. The integral by a rule of its own, and by ring elements to 2e-5.
+const NO_SLIP: [[f64; 5]; 5] = [
+    [0.0, 1.09861, 2.17747, 1.05289, 1.19609],
+    [0.1, 1.07495, 2.13274, 1.04096, 1.14629],
+    [0.2, 1.05128, 2.08939, 1.02854, 1.09826],
+    [0.3, 1.02863, 2.04916, 1.01621, 1.05391],
+    [0.4, 1.00942, 2.01597, 1.00541, 1.01747],
+];
+
+#[test]
+fn sticking_stiffens() -> Result<()> {
+    for [poisson_ratio, punch, approach, at_approach, at_radius] in NO_SLIP {
+        let pair = on_rigid(poisson_ratio)?;
+        let (stuck, smooth) = (
+            NoSlipPunch::new(&pair, 0.7, 2.0)?,
+            FlatPunch::new(&pair, 0.7, 2.0)?,
+        );
+        assert_relative_eq!(
+            smooth.approach() / stuck.approach(),
+            punch,
+            max_relative = 1e-5
+        );
+        assert_relative_eq!(
+            stuck.contact_radius() * stuck.load(),
+            1.4,
+            max_relative = 1e-15
+        );
+
+        let stuck = NoSlipSphere::new(&pair, 5.0, 1e-3)?;
+        let reach = stuck.contact_radius().powi(2) / (2.0 * stuck.radius());
+        assert_relative_eq!(stuck.approach() / reach, approach, max_relative = 5e-6);
+        // Loads of Hertz that lead to the same approach, and to the same radius.
+        let stiffness = 4.0 / 3.0 * pair.contact_modulus();
+        let same_approach = stiffness * stuck.approach().powf(1.5) * stuck.radius().sqrt();
+        assert_relative_eq!(
+            stuck.load() / same_approach,
+            at_approach,
+            max_relative = 1e-5
+        );
+        let same_radius = stiffness * stuck.contact_radius().powi(3) / stuck.radius();
+        assert_relative_eq!(stuck.load() / same_radius, at_radius, max_relative = 1e-5);
+    }
+    Ok(())
+}
+
+#[test]
+fn without_coupling_nothing_is_stiffened() -> Result<()> {
+    let pair = on_rigid(0.5)?;
+    let (stuck, smooth) = (
+        NoSlipSphere::new(&pair, 5.0, 1e-3)?,
+        HertzSphere::new(&pair, 5.0, 1e-3)?,
+    );
+    assert_relative_eq!(
+        stuck.contact_radius(),
+        smooth.contact_radius(),
+        max_relative = 1e-14
+    );
+    assert_relative_eq!(stuck.approach(), smooth.approach(), max_relative = 1e-14);
+    assert_relative_eq!(
+        NoSlipPunch::new(&pair, 5.0, 1.0)?.approach(),
+        FlatPunch::new(&pair, 5.0, 1.0)?.approach(),
+        max_relative = 1e-15
+    );
+    for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        for refused in [
+            NoSlipPunch::new(&pair, bad, 1.0).map(|_| ()),
+            NoSlipPunch::new(&pair, 1.0, bad).map(|_| ()),
+            NoSlipSphere::new(&pair, bad, 1.0).map(|_| ()),
+            NoSlipSphere::new(&pair, 1.0, bad).map(|_| ()),
+        ] {
+            assert!(matches!(refused, Err(Error::NotPositive { .. })), "{bad}");
+        }
+    }
+    Ok(())
+}
+
+/// Stick ratio, friction over beta for round and for plane contacts: (1/2k) ln((1+k)/(1-k)) / K'(k) and K(k) / K'(k) by
+/// tables of elliptic integrals.
+const SPENCE: [[f64; 3]; 4] = [
+    [0.1, 0.27150, 0.42610],
+    [0.3, 0.39262, 0.61194],
+    [0.5, 0.50944, 0.78170],
+    [0.9, 0.98862, 1.37830],
+];
+
+#[test]
+fn the_stick_zone_of_pressing() -> Result<()> {
+    for beta in [0.5, 2.0 / 7.0, 0.05] {
+        let pair = on_rigid((1.0 - 2.0 * beta) / (2.0 - 2.0 * beta))?;
+        for [stick, round, plane] in SPENCE {
+            let found = SpencePressing::round(&pair, round * beta)?;
+            assert_relative_eq!(found.stick_radius(), stick, max_relative = 2e-4);
+            let found = SpencePressing::plane(&pair, plane * beta)?;
+            assert_relative_eq!(found.stick_radius(), stick, max_relative = 2e-4);
+        }
+        // The bodies may be exchanged.
+        let turned = ElasticPair::new(Material::rigid(), pair.bodies()[0])?;
+        assert_eq!(
+            SpencePressing::round(&turned, 0.1)?,
+            SpencePressing::round(&pair, 0.1)?
+        );
+        assert_eq!(SpencePressing::round(&pair, 0.0)?.stick_radius(), 0.0);
+        assert_relative_eq!(SpencePressing::round(&pair, 1e3)?.stick_radius(), 1.0);
+        assert!(SpencePressing::round(&pair, 1e-4)?.stick_radius() >= 0.0);
+    }
+    assert_eq!(
+        SpencePressing::plane(&on_rigid(0.5)?, 0.0)?.stick_radius(),
+        1.0
+    );
+    let refused = SpencePressing::plane(&on_rigid(0.0)?, -0.1);
+    assert!(matches!(refused, Err(Error::Negative { .. })));
+    Ok(())
+}

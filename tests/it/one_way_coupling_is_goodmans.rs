@@ -1,0 +1,195 @@
+//! One-way coupling: tractions that belong to a given pressure, in problems and in histories.
+
+use kit::{l2_difference, max_difference};
+use stickslip::analytical::SpencePressing;
+use stickslip::{
+    Axis, Boundary, CoupledProblem, Coupling, ElasticPair, Field, Friction, Grid, HalfSpace,
+    History, LoadStep, Material, NormalControl, NormalProblem, TangentialControl, TangentialLoad,
+    TangentialModel, TangentialProblem, TangentialSolution, surface,
+};
+
+fn on_rigid(beta: f64) -> ElasticPair {
+    let poisson_ratio = (1.0 - 2.0 * beta) / (2.0 - 2.0 * beta);
+    let body = Material::new(1.0, poisson_ratio).unwrap();
+    ElasticPair::new(body, Material::rigid()).unwrap()
+}
+
+/// A flat punch of radius one on this many cells a side, pressed and held.
+fn punch(cells: usize, beta: f64, coefficient: f64) -> TangentialSolution {
+    let grid = Grid::square(cells, 2.4).unwrap();
+    let bodies = HalfSpace::new(grid, on_rigid(beta)).unwrap();
+    let gap = Field::from_fn(grid, |x, y| if x.hypot(y) < 1.0 { 0.0 } else { 1e3 });
+    let press = NormalControl::Force(1.0);
+    let normal = NormalProblem::builder(&bodies, &gap, press)
+        .build()
+        .unwrap()
+        .solve()
+        .unwrap();
+    let friction = Friction::coulomb(coefficient).unwrap();
+    TangentialProblem::builder(&bodies, &normal, friction, TangentialLoad::shift([0.0; 2]))
+        .model(TangentialModel::Vector)
+        .build()
+        .unwrap()
+        .solve()
+        .unwrap()
+}
+
+/// The stick zone of a punch is Spence's, at any beta: shear does not move the pressure here as it does not there.
+#[test]
+fn punches_stick_as_goodman_assumes() {
+    for beta in [0.5, 0.2] {
+        let coefficients = [0.35, 0.5, 0.7, 0.9].map(|ratio| ratio * beta);
+        let error = |cells: usize| {
+            let errors = coefficients.map(|mu| {
+                let exact = SpencePressing::round(&on_rigid(beta), mu).unwrap();
+                (punch(cells, beta, mu).stick_ratio().sqrt() - exact.stick_radius()).abs()
+            });
+            errors.iter().sum::<f64>() / 4.0
+        };
+        let (coarse, fine) = (error(33), error(129));
+        assert!(
+            fine < 5e-3 && fine < 0.4 * coarse,
+            "{beta}: {coarse} {fine}"
+        );
+    }
+}
+
+/// Given the pressure of full coupling, the tractions are those of full coupling.
+#[test]
+fn tractions_belong_to_their_pressure() {
+    let grid = Grid::new(26, 22, 0.1, 0.12).unwrap();
+    for boundary in [Boundary::NonPeriodic, Boundary::Periodic] {
+        let bodies = HalfSpace::with_boundary(grid, on_rigid(0.4), boundary).unwrap();
+        let gap = surface::ellipsoid(grid, 9.0, 7.0).unwrap();
+        let friction = || Friction::coulomb(0.4).unwrap();
+        let load =
+            TangentialLoad::force([0.01, 0.0]).along(Axis::Y, TangentialControl::Shift(0.002));
+        let press = NormalControl::Force(0.08);
+        let full = CoupledProblem::builder(&bodies, &gap, friction(), press, load);
+        let full = full.tolerance(1e-12).build().unwrap().solve().unwrap();
+        let given = TangentialProblem::builder(&bodies, full.pressure(), friction(), load);
+        let found = given
+            .model(TangentialModel::Vector)
+            .tolerance(1e-12)
+            .build()
+            .unwrap();
+        let found = found.solve().unwrap();
+        assert!(full.stick_ratio() > 0.1 && full.stick_ratio() < 0.95);
+        let largest = full.traction()[0].max();
+        for axis in 0..2 {
+            let [a, b] = [full.traction(), found.traction()].map(|q| q[axis].as_slice());
+            assert!(
+                max_difference(a, b) < 1e-9 * largest,
+                "{:e}",
+                max_difference(a, b) / largest
+            );
+            let (a, b) = (full.shift()[axis], found.shift()[axis]);
+            assert!((a - b).abs() < 1e-9, "{a} {b}");
+            let [a, b] = [full.slip(), found.slip()].map(|slip| slip[axis].as_slice());
+            assert!(max_difference(a, b) < 1e-9, "{:e}", max_difference(a, b));
+        }
+        assert!(found.report().duality_gap < 1e-12);
+    }
+}
+
+fn ball(beta: f64) -> (HalfSpace, Field) {
+    let grid = Grid::square(33, 2.6).unwrap();
+    let bodies = HalfSpace::new(grid, on_rigid(beta)).unwrap();
+    (bodies, surface::sphere(grid, 10.0).unwrap())
+}
+
+fn history(bodies: &HalfSpace, gap: &Field, coupling: Coupling) -> History {
+    History::builder(bodies, gap, Friction::coulomb(0.3).unwrap())
+        .coupling(coupling)
+        .model(TangentialModel::Vector)
+        .touch_rule(stickslip::history::TouchRule::WholeStep)
+        .tolerance(1e-9)
+        .build()
+        .unwrap()
+}
+
+/// Steps of all kinds: pressed, sheared, turned, unloaded, worn, apart, pressed again.
+fn steps(history: &mut History, mut seen: impl FnMut(usize, &History)) {
+    let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
+    let path = [
+        press(0.05),
+        press(0.1),
+        press(0.1).tangential(Axis::X, TangentialControl::Force(0.01)),
+        press(0.12).tangential(Axis::Y, TangentialControl::Shift(0.01)),
+        LoadStep::hold().twist(0.02),
+        press(0.03).tangential(Axis::X, TangentialControl::Force(-0.005)),
+        press(0.0).tangential(Axis::X, TangentialControl::Hold),
+        LoadStep::hold().normal(NormalControl::Approach(0.05)),
+        press(0.06).tangential(Axis::Y, TangentialControl::Force(0.005)),
+    ];
+    for (number, load) in path.iter().enumerate() {
+        if number == 5 {
+            let worn = Field::from_fn(history.grid(), |x, y| 1e-3 * (0.5 - x * x - y * y).max(0.0));
+            let mut gap = history.gap().clone();
+            gap.add_scaled(1.0, &worn).unwrap();
+            history.set_gap(&gap).unwrap();
+        }
+        history.step(load).unwrap();
+        seen(number, history);
+    }
+}
+
+#[test]
+fn energies_balance_and_restarts_keep_their_bits() {
+    let (bodies, gap) = ball(0.4);
+    let mut whole = history(&bodies, &gap, Coupling::OneWay);
+    let mut saved = Vec::new();
+    steps(&mut whole, |number, history| {
+        let energy = history.last_step().energy();
+        let size = energy.elastic_before + energy.elastic_after;
+        assert!(
+            energy.imbalance().abs() <= 1e-13 * size,
+            "{number}: {energy:?}"
+        );
+        assert!(energy.dissipated_energy >= 0.0, "{number}: {energy:?}");
+        saved.push(history.to_bytes());
+    });
+    let mut again = history(&bodies, &gap, Coupling::OneWay);
+    steps(&mut again, |_, _| {});
+    assert!(again.to_bytes() == *saved.last().unwrap());
+    for (number, bytes) in saved.iter().enumerate() {
+        let restored = History::from_bytes(&bodies, bytes).unwrap();
+        assert_eq!(restored.state().coupling(), Coupling::OneWay);
+        assert!(restored.to_bytes() == *bytes, "{number}");
+    }
+    let load = LoadStep::force([0.002, 0.0]).normal(NormalControl::Force(0.07));
+    let mut restored = History::from_bytes(&bodies, saved.last().unwrap()).unwrap();
+    restored.step(&load).unwrap();
+    again.step(&load).unwrap();
+    assert!(restored.to_bytes() == again.to_bytes());
+}
+
+/// What one-way coupling leaves out is of the order of beta: tractions of all steps come closer to those of full coupling.
+#[test]
+fn the_rest_vanishes_with_beta() {
+    let differences = [0.2, 0.1, 0.05].map(|beta| {
+        let (bodies, gap) = ball(beta);
+        let mut full = history(&bodies, &gap, Coupling::Full);
+        let mut fields = Vec::new();
+        steps(&mut full, |_, history| {
+            fields.push(history.traction().map(Field::clone));
+        });
+        let mut one_way = history(&bodies, &gap, Coupling::OneWay);
+        let mut largest = 0.0_f64;
+        steps(&mut one_way, |number, history| {
+            let [x, y] = [0, 1].map(|axis| {
+                let (full, found) = (&fields[number][axis], history.traction()[axis]);
+                l2_difference(found.as_slice(), full.as_slice())
+            });
+            if history.pressure().max() > 0.0 {
+                largest = largest.max(x.max(y));
+            }
+        });
+        largest
+    });
+    // In proportion to beta, with the friction as it is.
+    assert!(differences[0] < 0.1, "{differences:?}");
+    for pair in differences.windows(2) {
+        assert!(pair[1] < 0.55 * pair[0], "{differences:?}");
+    }
+}
