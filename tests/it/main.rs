@@ -13,6 +13,7 @@
 
 mod a_finer_grid_keeps_the_long_waves;
 mod a_grid_that_repeats;
+mod an_independent_method_agrees_on_dissimilar_bodies;
 mod another_code_agrees;
 mod another_code_agrees_in_the_plane;
 mod another_code_agrees_through_histories;
@@ -66,6 +67,7 @@ mod moments_and_energies_follow_from_the_fields;
 mod one_way_coupling_is_goodmans;
 #[cfg(feature = "serde")]
 mod plain_types_survive_serialisation;
+mod pressing_in_steps_meets_closed_forms;
 mod problems_take_every_load;
 #[cfg(feature = "dense")]
 mod random_scenes_are_right;

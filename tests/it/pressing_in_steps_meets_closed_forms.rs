@@ -1,0 +1,88 @@
+//! A sphere of another material pressed in steps: Spence's stick zone, and contact without slip.
+
+use rayon::prelude::*;
+use stickslip::analytical::{HertzSphere, NoSlipSphere};
+use stickslip::{
+    ElasticPair, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl, surface,
+};
+
+const RADIUS: f64 = 10.0;
+
+/// The history of a sphere pressed in steps of equal growth, until the contact of Hertz has a radius of one.
+fn pressed(poisson_ratio: f64, coefficient: f64, steps: u32) -> (History, f64) {
+    let grid = Grid::square(65, 2.4).unwrap();
+    let body = Material::new(1.0, poisson_ratio).unwrap();
+    let pair = ElasticPair::new(body, Material::rigid()).unwrap();
+    let bodies = HalfSpace::new(grid, pair).unwrap();
+    let ball = surface::sphere(grid, RADIUS).unwrap();
+    let whole = 4.0 / (3.0 * RADIUS) * pair.contact_modulus();
+    let builder = History::builder(&bodies, &ball, Friction::coulomb(coefficient).unwrap());
+    let mut history = builder.tolerance(1e-6).build().unwrap();
+    for step in 1..=steps {
+        let radius = f64::from(step) / f64::from(steps);
+        let force = NormalControl::Force(whole * radius.powi(3));
+        history.step(&LoadStep::hold().normal(force)).unwrap();
+    }
+    (history, whole)
+}
+
+/// Dundurs' beta, stick radius over that of the contact, and the friction that gives it: ring elements with elliptic
+/// integrals, to 3e-5, of a punch; a sphere has the same (Spence, Proc. R. Soc. A 305 (1968) 55).
+const STICK: [[f64; 3]; 10] = [
+    [0.5, 0.1, 0.15508],
+    [0.5, 0.3, 0.22659],
+    [0.5, 0.5, 0.29872],
+    [0.5, 0.7, 0.40124],
+    [0.5, 0.9, 0.64746],
+    [2.0 / 7.0, 0.1, 0.08072],
+    [2.0 / 7.0, 0.3, 0.11704],
+    [2.0 / 7.0, 0.5, 0.15249],
+    [2.0 / 7.0, 0.7, 0.20053],
+    [2.0 / 7.0, 0.9, 0.30387],
+];
+
+/// In 32 steps the stick radius is met to half a step.
+#[test]
+fn spheres_stick_as_spence_says() {
+    STICK
+        .into_par_iter()
+        .for_each(|[beta, radius, coefficient]| {
+            let poisson_ratio = (1.0 - 2.0 * beta) / (2.0 - 2.0 * beta);
+            let (history, _) = pressed(poisson_ratio, coefficient, 32);
+            let found = history.last_step().stick_ratio().sqrt();
+            let error = (found - radius).abs();
+            assert!(error < 0.5 / 32.0, "{beta} {radius}: {found}");
+        });
+}
+
+/// Without slip a sphere is stiffer: the load over that of Hertz at the same approach, extrapolated from 16 and 32 steps.
+#[test]
+fn sticking_makes_a_sphere_stiffer() {
+    [0.0, 0.1, 0.2, 0.3, 0.4]
+        .into_par_iter()
+        .for_each(|poisson_ratio| {
+            let ratios = [16, 32].map(|steps| {
+                let (history, whole) = pressed(poisson_ratio, 20.0, steps);
+                assert!(history.last_step().stick_ratio() > 0.99);
+                let pair = *history.state().pair();
+                let exact = NoSlipSphere::new(&pair, RADIUS, whole).unwrap();
+                let error = (history.approach() / exact.approach() - 1.0).abs();
+                assert!(
+                    error < 0.1 / f64::from(steps),
+                    "{poisson_ratio} {steps}: {error}"
+                );
+                let hertz = HertzSphere::new(&pair, RADIUS, whole).unwrap();
+                (hertz.approach() / history.approach()).powf(1.5)
+            });
+            let body = Material::new(1.0, poisson_ratio).unwrap();
+            let pair = ElasticPair::new(body, Material::rigid()).unwrap();
+            let exact = NoSlipSphere::new(&pair, RADIUS, 1.0).unwrap();
+            let hertz = HertzSphere::new(&pair, RADIUS, 1.0).unwrap();
+            let exact = (hertz.approach() / exact.approach()).powf(1.5);
+            let found = 2.0 * ratios[1] - ratios[0];
+            assert!(
+                (found - exact).abs() < 3e-4,
+                "{poisson_ratio}: {found} for {exact}"
+            );
+        });
+}
