@@ -20,7 +20,7 @@ const FLATTEST: f64 = 1e-30;
 const NOTHING: f64 = 1e-60;
 
 /// What a product is computed in.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Precision {
     Double,
     Single,

@@ -1,6 +1,7 @@
-//! Where the halves bound the whole: weak friction.
+//! What the halves tell of the whole: a bound where friction is weak, an estimate elsewhere.
 
 use crate::cgm::cone::ConeFindings;
+use crate::coupled::ErrorEstimate;
 
 /// How the halves of a contact depend on one another.
 ///
@@ -25,17 +26,36 @@ pub(super) struct Contraction {
     pub(super) coupling: f64,
     /// $`c`$.
     pub(super) spread: f64,
+    /// Dundurs' beta, without its sign.
+    pub(super) beta: f64,
 }
+
+/// Measured slope of the pressure by the tractions, over beta.
+const TYPICAL: f64 = 0.7;
 
 impl Contraction {
     /// Bounds of pressure and traction at this friction; `None` where the halves bound nothing.
     pub(super) fn bounds(self, friction: f64, findings: &ConeFindings) -> Option<[f64; 2]> {
-        let Self { coupling, spread } = self;
+        let Self {
+            coupling, spread, ..
+        } = self;
         let both = coupling + friction * spread;
         let slope = 0.5 * (both + (both * both + 4.0 * coupling * friction * spread).sqrt());
-        let rest = 1.0 - coupling * slope;
-        let [normal, tangential] = findings.bounds;
-        let bounds = [normal + coupling * tangential, tangential + slope * normal];
-        (rest > 0.0).then(|| bounds.map(|bound| bound / rest))
+        whole(findings.bounds, coupling, slope)
     }
+
+    /// The same by slopes that no measured contact had: 0.7 beta for $`P`$, and 0.7 beta + mu for $`Q`$. They do not depend
+    /// on the cells, as the bounds of them do.
+    pub(super) fn estimate(self, friction: f64, findings: &ConeFindings) -> Option<ErrorEstimate> {
+        let coupling = TYPICAL * self.beta;
+        let [pressure, traction] = whole(findings.bounds, coupling, coupling + friction)?;
+        Some(ErrorEstimate { pressure, traction })
+    }
+}
+
+/// Errors of pressure and traction from those of the halves, where these depend on one another by these slopes.
+fn whole([normal, tangential]: [f64; 2], coupling: f64, slope: f64) -> Option<[f64; 2]> {
+    let rest = 1.0 - coupling * slope;
+    let errors = [normal + coupling * tangential, tangential + slope * normal];
+    (rest > 0.0).then(|| errors.map(|error| error / rest))
 }

@@ -4,12 +4,12 @@ use std::sync::Arc;
 
 use crate::boundary::Boundary;
 use crate::cascade::Conditions;
-use crate::cgm::cone::{self, Cone, ConeFindings, ConeProblem, ConeWorkspace};
+use crate::cgm::cone::{self, Cone, ConeFindings, ConeProblem, ConeWorkspace, Opening};
 use crate::cgm::vector::{slices, slices_mut};
 use crate::cgm::{Disc, Interval, Magnitude, NonNegative, Settings, Total, reduce};
 use crate::coupled::CoupledReport;
 use crate::coupled::contraction::Contraction;
-use crate::elastic::ElasticSolver;
+use crate::elastic::{ElasticSolver, Observer};
 use crate::error::{Error, Result};
 use crate::fft::{CirculantInverse, Convolution, ConvolutionWorkspace};
 use crate::half_space::{Compliance, HalfSpace};
@@ -48,6 +48,8 @@ pub(super) enum Start {
 pub(super) struct Task<'a> {
     pub(super) linear: [&'a [f64]; N],
     pub(super) totals: [Total; N],
+    /// Approach and shift beyond what is prescribed, as far as they are known before.
+    pub(super) multiplier: [f64; N],
     pub(super) friction: &'a Friction,
 }
 
@@ -62,7 +64,6 @@ pub(super) struct Engine {
     normal: ElasticSolver<Interval, 1>,
     plane: ElasticSolver<Disc, 2>,
     lower_bounds: [f64; 2],
-    coupling: f64,
     contraction: Contraction,
     /// Whether the bounds of the halves may bound the whole: the norms know no mean of a grid that repeats.
     is_bounded: bool,
@@ -122,6 +123,7 @@ impl Engine {
             plane: ElasticSolver::new(bodies, [x, y], size)?,
             is_bounded: bodies.boundary() == Boundary::NonPeriodic,
             contraction: Contraction {
+                beta: bodies.pair().dundurs_beta().abs(),
                 coupling: tensor.coupling(),
                 spread: (plane.upper_bound() / normal.lower_bound()).sqrt(),
             },
@@ -132,7 +134,6 @@ impl Engine {
             window,
             compliance,
             lower_bounds,
-            coupling: bodies.pair().dundurs_beta().abs(),
             x: zeros(),
             asked: zeros(),
             linear: zeros(),
@@ -184,14 +185,14 @@ impl Engine {
         conditions: &mut Conditions<'_, '_>,
         report: &mut CoupledReport,
     ) -> Result<()> {
-        self.workspace.set_multiplier([0.0; N]);
+        self.workspace.set_multiplier(task.multiplier);
         for (asked, whole) in self.asked.iter_mut().zip(task.linear) {
             self.window.gather(whole, asked);
         }
-        let (mut sweeps, mut worst) = match start {
-            Start::Halves => (1, f64::INFINITY),
-            Start::Coarse => (0, f64::INFINITY),
-            Start::Present => (0, POOR),
+        let (mut sweeps, mut opening) = match start {
+            Start::Halves => (1, Opening::Sound),
+            Start::Coarse => (0, Opening::Coarse),
+            Start::Present => (0, Opening::Doubtful(POOR)),
         };
         let mut tolerance = START;
         for _ in 0..ROUNDS {
@@ -200,16 +201,17 @@ impl Engine {
                     return report.end(status);
                 }
             }
-            let (status, findings) = self.newton(task, worst, conditions, report);
+            let (status, findings) = self.newton(task, opening, conditions, report);
             report.take(&findings);
+            let friction = task.friction.largest_coefficient();
+            report.error_estimate = self.contraction.estimate(friction, &findings);
             if self.is_bounded && is_driven_by_shift(&task.totals) {
-                let friction = task.friction.largest_coefficient();
                 report.error_bounds = self.contraction.bounds(friction, &findings);
             }
             if let Some(status) = status {
                 return report.end(status);
             }
-            (sweeps, worst) = (sweeps + 1, f64::INFINITY);
+            (sweeps, opening) = (sweeps + 1, Opening::Sound);
             tolerance = (0.1 * findings.merit()).clamp(conditions.settings.tolerance, START);
         }
         report.end(Status::Stalled)
@@ -219,7 +221,7 @@ impl Engine {
     fn newton(
         &mut self,
         task: Task<'_>,
-        worst: f64,
+        opening: Opening,
         conditions: &mut Conditions<'_, '_>,
         report: &mut CoupledReport,
     ) -> (Option<Status>, ConeFindings) {
@@ -233,7 +235,7 @@ impl Engine {
             },
             totals: task.totals,
             lower_bounds: self.lower_bounds,
-            coupling: self.coupling,
+            coupling: self.contraction.beta,
         };
         let settings = left(conditions, &report.work);
         let mut observer = with_counts_of(&report.work, &mut *conditions.observer);
@@ -241,7 +243,7 @@ impl Engine {
         let ended = cone::solve(
             &problem,
             &settings,
-            worst,
+            opening,
             x,
             &mut self.workspace,
             &mut observer,
@@ -280,19 +282,14 @@ impl Engine {
         report: &mut CoupledReport,
     ) -> Result<Option<Status>> {
         self.add_displacements_of(&[1, 2]);
-        let settings = left(conditions, &report.work).tolerance(tolerance);
-        let mut observer = with_counts_of(&report.work, &mut *conditions.observer);
-        let ended = self.normal.minimise(
-            [&self.linear[0]],
-            NonNegative,
-            [task.totals[0]],
-            [&mut self.x[0]],
-            &settings,
-            &mut observer,
-        );
-        drop(observer);
+        let (linear, totals) = (&self.linear[0], [task.totals[0]]);
+        let (normal, x) = (&mut self.normal, &mut self.x[0]);
+        let solve = |settings: &Settings, observer: Observer<'_>| {
+            normal.minimise([linear], NonNegative, totals, [x], settings, observer)
+        };
+        let ended = half(tolerance, conditions, &report.work, solve);
         report.normal.add_pass(self.normal.report());
-        over(ended)
+        ended
     }
 
     fn shear(
@@ -319,20 +316,21 @@ impl Engine {
             self.x[2].fill(0.0);
             return Ok(None);
         }
-        let settings = left(conditions, &report.work).tolerance(tolerance);
-        let mut observer = with_counts_of(&report.work, &mut *conditions.observer);
-        let [_, x, y] = &mut self.x;
-        let ended = self.plane.minimise(
-            [&self.linear[1], &self.linear[2]],
-            Magnitude(&self.limits),
-            totals,
-            [x, y],
-            &settings,
-            &mut observer,
-        );
-        drop(observer);
+        let ([_, x, y], [_, asked_x, asked_y]) = (&mut self.x, &self.linear);
+        let (plane, limits) = (&mut self.plane, Magnitude(&self.limits));
+        let solve = |settings: &Settings, observer: Observer<'_>| {
+            plane.minimise(
+                [asked_x, asked_y],
+                limits,
+                totals,
+                [x, y],
+                settings,
+                observer,
+            )
+        };
+        let ended = half(tolerance, conditions, &report.work, solve);
         report.tangential.add_pass(self.plane.report());
-        over(ended)
+        ended
     }
 
     /// What is asked of the cells, with the displacements that these components of the tractions cause.
@@ -367,9 +365,16 @@ fn left(conditions: &Conditions<'_, '_>, report: &Report) -> Settings {
     with_time_left(conditions.settings, conditions.start).max_iterations(left)
 }
 
-/// The status of a half that observer or clock ended; an unfinished half serves too.
-fn over(ended: Result<()>) -> Result<Option<Status>> {
-    match ended {
+/// Solves a half; returns the status of one that observer or clock ended. An unfinished half serves too.
+fn half(
+    tolerance: f64,
+    conditions: &mut Conditions<'_, '_>,
+    done: &Report,
+    solve: impl FnOnce(&Settings, Observer<'_>) -> Result<()>,
+) -> Result<Option<Status>> {
+    let settings = left(conditions, done).tolerance(tolerance);
+    let mut observer = with_counts_of(done, &mut *conditions.observer);
+    match solve(&settings, &mut observer) {
         Ok(()) => Ok(None),
         Err(Error::NotConverged(report)) => Ok(match report.status {
             Status::Cancelled | Status::TimeLimit => Some(report.status),

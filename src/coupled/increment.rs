@@ -8,7 +8,8 @@ use crate::error::{Error, Result, finite};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::influence::Direction;
-use crate::normal::NormalControl;
+use crate::normal::{NormalControl, NormalSolution};
+use crate::parallel;
 use crate::report::Report;
 use crate::tangential::{
     Answer, Axis, Demand, Friction, Motion, PlaneVector, Pressed, TangentialControl, centre, zeros,
@@ -37,6 +38,8 @@ pub(crate) struct CoupledIncrement {
     offset: PlaneVector,
     linear: [Vec<f64>; N],
     motion: Motion,
+    /// Shift of the state that the start is from.
+    last_shift: [f64; 2],
     approach: f64,
     report: CoupledReport,
 }
@@ -67,6 +70,7 @@ impl CoupledIncrement {
             offset: zeros(Axis::BOTH, grid.cells()),
             linear: zeros_of_all(),
             motion: Motion::default(),
+            last_shift: [0.0; 2],
             approach: 0.0,
             report: CoupledReport::unsolved(),
             bodies: bodies.clone(),
@@ -106,12 +110,24 @@ impl CoupledIncrement {
         Ok(())
     }
 
-    /// Takes pressure and tractions as the start of the next step.
-    pub(crate) fn set_tractions(&mut self, pressure: &Field, traction: [&Field; 2]) {
+    /// Takes pressure and tractions as the start of the next step, with the approach and the shift they belong to.
+    pub(crate) fn set_start(
+        &mut self,
+        pressure: &Field,
+        traction: [&Field; 2],
+        approach: f64,
+        shift: [f64; 2],
+    ) {
+        self.set_known(approach, shift);
         let fields = [pressure, traction[0], traction[1]];
         for (x, field) in self.tractions.iter_mut().zip(fields) {
             x.copy_from_slice(field.as_slice());
         }
+    }
+
+    /// Takes approach and shift as those of the start.
+    pub(super) fn set_known(&mut self, approach: f64, shift: [f64; 2]) {
+        (self.approach, self.last_shift) = (approach, shift);
     }
 
     /// Takes pressure and traction of a cell as the start of the next step.
@@ -144,13 +160,24 @@ impl CoupledIncrement {
         }
     }
 
-    /// Writes pressure and gap under load of the last step.
-    pub(crate) fn write(&self, initial: &Field, pressure: &mut Field, gap: &mut Field) {
-        pressure.as_mut_slice().copy_from_slice(&self.tractions[0]);
-        let displacements = self.displacement[0].iter().zip(initial.as_slice());
-        for (gap, (displacement, initial)) in gap.as_mut_slice().iter_mut().zip(displacements) {
-            *gap = displacement + (initial - self.approach);
+    /// Writes the normal half of the last step.
+    pub(crate) fn write(&self, initial: &Field, normal: &mut NormalSolution) {
+        let half = [&self.tractions[0][..], &self.displacement[0]];
+        normal.fill(
+            self.bodies.pair(),
+            initial,
+            half,
+            self.approach,
+            self.report(),
+        );
+    }
+
+    /// Starts the next step from nothing.
+    pub(super) fn forget(&mut self) {
+        for part in &mut self.tractions {
+            part.fill(0.0);
         }
+        self.set_known(0.0, [0.0; 2]);
     }
 
     /// Finds pressure and tractions at the end of a step, and the motion of body 2 there, which was `before` at its
@@ -159,6 +186,15 @@ impl CoupledIncrement {
     /// # Errors
     /// [`Error::NotConverged`] with the last iterate and its motion; what is wrong with the demand before any work.
     pub(crate) fn solve(
+        &mut self,
+        demand: CoupledDemand<'_>,
+        before: Motion,
+        conditions: &mut Conditions<'_, '_>,
+    ) -> Result<()> {
+        parallel::enter(|| self.find(demand, before, conditions))
+    }
+
+    fn find(
         &mut self,
         demand: CoupledDemand<'_>,
         before: Motion,
@@ -195,13 +231,31 @@ impl CoupledIncrement {
             Start::Halves
         };
         self.set_linear(demand.gap, datum);
-        let outcome = self.solve_on_window(totals, start, demand.friction, conditions);
+        let expected = self.expected(&totals, datum);
+        let outcome = self.solve_on_window(totals, expected, start, demand.friction, conditions);
         self.report.work.time = conditions.start.elapsed();
         let [approach, x, y] = self.engine.as_ref().map_or([0.0; N], Engine::multiplier);
         self.approach = datum + approach;
         self.motion.shift = [self.motion.shift[0] + x, self.motion.shift[1] + y];
         self.pressed.set(&self.tractions[0], demand.friction);
         outcome
+    }
+
+    /// Approach and shift beyond what is prescribed, as they were.
+    fn expected(&self, totals: &[Total; N], datum: f64) -> [f64; N] {
+        let Motion { shift: [x, y], .. } = self.motion;
+        let known = [
+            self.approach - datum,
+            self.last_shift[0] - x,
+            self.last_shift[1] - y,
+        ];
+        std::array::from_fn(|c| {
+            if totals[c] == Total::Free {
+                0.0
+            } else {
+                known[c]
+            }
+        })
     }
 
     /// The window of the pressure.
@@ -214,6 +268,7 @@ impl CoupledIncrement {
     fn solve_on_window(
         &mut self,
         totals: [Total; N],
+        mut multiplier: [f64; N],
         mut start: Start,
         friction: &Friction,
         conditions: &mut Conditions<'_, '_>,
@@ -234,11 +289,13 @@ impl CoupledIncrement {
             let task = Task {
                 linear: self.linear.each_ref().map(Vec::as_slice),
                 totals,
+                multiplier,
                 friction,
             };
             let outcome = engine.solve(task, start, conditions, &mut self.report);
             engine.write(&mut self.tractions, &mut self.displacement);
-            let (window, [delta, ..]) = (engine.window, engine.multiplier());
+            multiplier = engine.multiplier();
+            let (window, [delta, ..]) = (engine.window, multiplier);
             let ([displacement, ..], [gap, ..]) = (&self.displacement, &self.linear);
             let round_off = ROUND_OFF * reduce::max(grid.cells(), |i| displacement[i].abs());
             let missed = Window::around(grid, |i| {

@@ -36,7 +36,7 @@
 //! is weak enough for the grid and no tangential force is prescribed, the halves bound the whole
 //! ([`CoupledReport::error_bounds`]): between aluminium and steel up to $`\mu = 0.29`$ on 64 x 64 cells, with a body of
 //! $`\nu = 0.3`$ on a rigid one up to 0.09, at $`\beta = 0.5`$ up to 0.026; these limits fall with the root of the cells along
-//! a side.
+//! a side. Elsewhere there is an [`ErrorEstimate`], which is no bound.
 
 mod contraction;
 mod engine;
@@ -45,8 +45,10 @@ mod nested;
 mod problem;
 mod report;
 mod solution;
+mod solver;
 
 pub(crate) use increment::{CoupledDemand, CoupledIncrement};
 pub use problem::{CoupledProblem, CoupledProblemBuilder};
-pub use report::CoupledReport;
+pub use report::{CoupledReport, ErrorEstimate};
 pub use solution::CoupledSolution;
+pub use solver::CoupledSolver;

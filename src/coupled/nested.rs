@@ -61,6 +61,7 @@ impl CoupledIncrement {
     /// Interpolates the coarse answer; where the coarse cell slips, at the limit.
     fn refine(&mut self, coarse: &Self, size: [usize; 2], demand: CoupledDemand<'_>) {
         let answer = coarse.answer();
+        self.set_known(coarse.approach(), answer.motion.shift);
         let [qx, qy] = answer.traction;
         let fields = [&answer.pressed.pressure, qx, qy].map(|part| refined(size, part));
         let [p, x, y] = fields;

@@ -1,18 +1,12 @@
 //! The scene of a coupled contact, checked once.
 
-use std::ops::ControlFlow;
-
-use crate::cascade::Conditions;
 use crate::cgm::{Settings, settings_methods};
-use crate::clock::Instant;
-use crate::coupled::CoupledSolution;
-use crate::coupled::increment::{CoupledDemand, CoupledIncrement};
+use crate::coupled::{CoupledSolution, CoupledSolver};
 use crate::error::Result;
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::normal::NormalControl;
-use crate::passes::with_memory;
-use crate::tangential::{Axis, Friction, Motion, TangentialLoad, TangentialModel};
+use crate::tangential::{Axis, Friction, TangentialLoad, TangentialModel};
 
 /// Bodies, gap, friction and load of a contact whose pressure and shear are found together, in one step from rest.
 ///
@@ -28,18 +22,19 @@ use crate::tangential::{Axis, Friction, Motion, TangentialLoad, TangentialModel}
 ///
 /// // Shear held inwards by friction makes the contact stiffer than without.
 /// let smooth = NormalProblem::builder(&bodies, &ball, press).build()?.solve()?;
-/// assert!(contact.approach() < smooth.approach() && contact.pressure().max() > smooth.pressure().max());
+/// let (stuck, free) = (contact.normal(), &smooth);
+/// assert!(stuck.approach() < free.approach() && stuck.pressure().max() > free.pressure().max());
 /// # Ok::<(), Error>(())
 /// ```
 #[doc(alias = "dissimilar")]
 #[derive(Debug, Clone)]
 pub struct CoupledProblem {
-    bodies: HalfSpace,
-    gap: Field,
-    friction: Friction,
-    normal: NormalControl,
-    load: TangentialLoad,
-    settings: Settings,
+    pub(super) bodies: HalfSpace,
+    pub(super) gap: Field,
+    pub(super) friction: Friction,
+    pub(super) normal: NormalControl,
+    pub(super) load: TangentialLoad,
+    pub(super) settings: Settings,
 }
 
 /// Options of a [`CoupledProblem`]; each has a default.
@@ -80,25 +75,22 @@ impl CoupledProblem {
     /// Solves from rest, in one step.
     ///
     /// # Errors
-    /// [`Error::NotConverged`](crate::Error::NotConverged) with the report;
-    /// [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) for a force that slides the contact; as [`HalfSpace::operator`].
+    /// [`Error::NotConverged`](crate::Error::NotConverged) with the report, use [`CoupledSolver::solve_into`] to keep the last
+    /// iterate; [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) for a force that slides the contact; as
+    /// [`HalfSpace::operator`].
     pub fn solve(&self) -> Result<CoupledSolution> {
-        let mut increment = CoupledIncrement::new(&self.bodies)?;
-        let mut observer = |_: &_| ControlFlow::Continue(());
-        let mut observer = with_memory(&mut observer);
-        let mut conditions = Conditions {
-            settings: &self.settings,
-            start: Instant::now(),
-            observer: &mut observer,
-        };
-        let demand = CoupledDemand {
-            gap: &self.gap,
-            friction: &self.friction,
-            normal: self.normal,
-            tangential: self.load.demand(),
-        };
-        increment.solve(demand, Motion::default(), &mut conditions)?;
-        Ok(CoupledSolution::new(&self.bodies, &self.gap, &increment))
+        let mut solver = CoupledSolver::new(self.clone())?;
+        let mut solution = solver.new_solution();
+        solver.solve_into(&mut solution)?;
+        Ok(solution)
+    }
+
+    /// The reusable form: a solver that owns its buffers and lets gap, friction and loads change.
+    ///
+    /// # Errors
+    /// As [`HalfSpace::operator`].
+    pub fn into_solver(self) -> Result<CoupledSolver> {
+        CoupledSolver::new(self)
     }
 }
 

@@ -1,9 +1,8 @@
 //! How a coupled solve ended, and how large its error can be.
 
-use std::time::Duration;
-
 use crate::cgm::cone::ConeFindings;
 use crate::error::{Error, Result};
+use crate::field::clone_in_place;
 use crate::report::{Report, Status};
 
 /// How a coupled solve ended, what it cost, and what its halves certify.
@@ -12,12 +11,12 @@ use crate::report::{Report, Status};
 /// What is certified are the halves, from one product: how far the pressure is from the one that belongs to the
 /// tractions as they are, and how far the tractions are from those that belong to the pressure as it is. Where friction is
 /// weak, they bound the whole.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct CoupledReport {
-    /// Why the iteration ended, steps of GMRES, products with the tensor of all coefficients, residual, load error and
-    /// time. Its duality gap is infinite: nothing is certified of the whole.
+    /// Of the cells of the finest window: why the iteration ended, steps of GMRES, products with the tensor of all
+    /// coefficients, residual, load error and time. Its duality gap is infinite: nothing is certified of the whole.
     pub work: Report,
     /// Steps and products, with the normal part alone, of the sweeps of halves.
     pub normal: Report,
@@ -33,17 +32,45 @@ pub struct CoupledReport {
     /// friction is weak enough for the grid and no tangential force is prescribed. `None` elsewhere, and on grids that
     /// repeat: nothing is certified there but the halves.
     pub error_bounds: Option<[f64; 2]>,
+    /// What the errors of the whole are likely to be, of every contact but those of the strongest friction.
+    pub error_estimate: Option<ErrorEstimate>,
 }
+
+/// Estimated errors of a coupled contact as a whole, each in its energy norm over the root of `x' C x`: not bounds.
+///
+/// As [`CoupledReport::error_bounds`], but by how pressure and traction depended on one another in measured contacts: a
+/// change of the traction changed the pressure by at most $`0.7\,|\beta|`$, one of the pressure the traction by at most
+/// $`0.7\,|\beta| + \mu`$. `None` where the product of these is not below one: at $`\beta = 1/2`$ beyond $`\mu = 2.5`$.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub struct ErrorEstimate {
+    /// Of the pressure.
+    pub pressure: f64,
+    /// Of the traction.
+    pub traction: f64,
+}
+
+clone_in_place!(CoupledReport {
+    work,
+    normal,
+    tangential,
+    pressure_error_bound,
+    traction_error_bound,
+    error_bounds,
+    error_estimate,
+});
 
 impl CoupledReport {
     pub(super) fn unsolved() -> Self {
         Self {
-            work: Report::unsolved(),
-            normal: Report::unsolved(),
-            tangential: Report::unsolved(),
+            work: Report::with_room(),
+            normal: Report::with_room(),
+            tangential: Report::with_room(),
             pressure_error_bound: f64::INFINITY,
             traction_error_bound: f64::INFINITY,
             error_bounds: None,
+            error_estimate: None,
         }
     }
 
@@ -53,7 +80,7 @@ impl CoupledReport {
             report.clear();
         }
         (self.pressure_error_bound, self.traction_error_bound) = (f64::INFINITY, f64::INFINITY);
-        self.error_bounds = None;
+        (self.error_bounds, self.error_estimate) = (None, None);
     }
 
     /// Of bodies that do not touch: nothing was to be found, and nothing is wrong.
@@ -86,11 +113,5 @@ impl CoupledReport {
     #[must_use]
     pub fn is_converged(&self) -> bool {
         self.work.is_converged()
-    }
-
-    /// Wall time of the solve.
-    #[must_use]
-    pub fn time(&self) -> Duration {
-        self.work.time
     }
 }

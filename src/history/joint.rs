@@ -29,7 +29,8 @@ impl History {
         if let Some(memory) = &state.contact {
             joint.set_offset(&memory.offset);
         }
-        joint.set_tractions(state.pressure(), state.traction());
+        let (pressure, traction) = (state.pressure(), state.traction());
+        joint.set_start(pressure, traction, state.approach(), state.shift());
         let mut conditions = Conditions {
             settings: &state.settings,
             start: Instant::now(),
@@ -42,10 +43,7 @@ impl History {
             tangential: load.demand(state.motion.twist),
         };
         joint.solve(demand, state.motion, &mut conditions)?;
-        let (pressure, gap, approach, report) = self.candidate.parts_mut();
-        joint.write(&state.gap, pressure, gap);
-        *approach = joint.approach();
-        report.clone_from(joint.report());
+        joint.write(&state.gap, &mut self.candidate);
         Ok(joint.answer().motion)
     }
 }

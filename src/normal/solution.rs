@@ -11,7 +11,6 @@ use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::influence::Component;
 use crate::material::ElasticPair;
-use crate::normal::NormalProblem;
 use crate::operator::Operator;
 use crate::parallel;
 use crate::report::Report;
@@ -77,17 +76,18 @@ impl NormalSolution {
         }
     }
 
-    pub(super) fn fill(
+    /// With pressures and displacements of all cells, over the gap before loading.
+    pub(crate) fn fill(
         &mut self,
-        problem: &NormalProblem,
-        pressure: &[f64],
-        displacement: &[f64],
+        pair: &ElasticPair,
+        initial: &Field,
+        [pressure, displacement]: [&[f64]; 2],
         approach: f64,
         report: &Report,
     ) {
-        self.pair = *problem.bodies.pair();
+        self.pair = *pair;
         self.pressure.as_mut_slice().copy_from_slice(pressure);
-        let initial = problem.gap.as_slice();
+        let initial = initial.as_slice();
         parallel::update(self.gap.as_mut_slice(), |first, chunk| {
             let samples = initial[first..].iter().zip(&displacement[first..]);
             for (gap, (initial, displacement)) in chunk.iter_mut().zip(samples) {

@@ -222,10 +222,11 @@ impl NormalSolver {
         }
         self.report.time = conditions.start.elapsed();
         let [multiplier] = engine.solver.multiplier();
+        let NormalProblem { bodies, gap, .. } = &self.problem;
         solution.fill(
-            &self.problem,
-            &self.pressure,
-            engine.displacement(),
+            bodies.pair(),
+            gap,
+            [&self.pressure, engine.displacement()],
             load.datum + multiplier,
             &self.report,
         );

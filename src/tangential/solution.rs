@@ -64,7 +64,7 @@ impl<'de> serde::Deserialize<'de> for TangentialSolution {
 
 impl TangentialSolution {
     /// No contact yet.
-    pub(super) fn empty(grid: Grid, boundary: Boundary) -> Self {
+    pub(crate) fn empty(grid: Grid, boundary: Boundary) -> Self {
         let zeros = || [Field::zeros(grid), Field::zeros(grid)];
         Self {
             traction: zeros(),
@@ -78,7 +78,7 @@ impl TangentialSolution {
         }
     }
 
-    pub(super) fn fill(&mut self, axis: Option<Axis>, answer: &Answer<'_>, report: &Report) {
+    pub(crate) fn fill(&mut self, axis: Option<Axis>, answer: &Answer<'_>, report: &Report) {
         self.zones.fill(Zone::Separated);
         for field in self.traction.iter_mut().chain(&mut self.slip) {
             field.as_mut_slice().fill(0.0);

@@ -74,7 +74,7 @@ fn punches_stick_as_spence_says() {
         for (radius, coefficient) in STICK_RADII.into_iter().zip(coefficients) {
             let force = NormalControl::Force(1.0);
             let contact = solve(&bodies, &punch(grid), coefficient, force, still(), 1e-8);
-            let error = (contact.stick_ratio().sqrt() - radius) / cell;
+            let error = (contact.shear().stick_ratio().sqrt() - radius) / cell;
             let allowed = if radius < 0.2 { 0.8 } else { 0.3 };
             assert!(error.abs() < allowed, "{beta} {radius}: {error} cells");
         }
@@ -91,7 +91,7 @@ fn stick_radii_converge() {
         let errors = errors.map(|(radius, coefficient)| {
             let force = NormalControl::Force(1.0);
             let contact = solve(&bodies, &punch(grid), coefficient, force, still(), 1e-6);
-            (contact.stick_ratio().sqrt() - radius).abs()
+            (contact.shear().stick_ratio().sqrt() - radius).abs()
         });
         errors.sum::<f64>() / 5.0
     };
@@ -112,11 +112,11 @@ fn sticking_makes_a_punch_stiffer() {
             let grid = Grid::square(cells, 2.4).unwrap();
             let bodies = HalfSpace::new(grid, pair).unwrap();
             let (gap, press) = (punch(grid), NormalControl::Force(1.0));
-            let stuck = solve(&bodies, &gap, 20.0, press, still(), 1e-6).approach();
+            let stuck = solve(&bodies, &gap, 20.0, press, still(), 1e-6);
             let smooth = NormalProblem::builder(&bodies, &gap, press)
                 .build()
                 .unwrap();
-            (smooth.solve().unwrap().approach() / stuck / exact - 1.0).abs()
+            (smooth.solve().unwrap().approach() / stuck.normal().approach() / exact - 1.0).abs()
         });
         let [coarse, fine] = errors;
         assert!(
@@ -146,20 +146,23 @@ fn another_code_agrees() {
         still(),
         1e-11,
     );
-    let largest = found.pressure().max();
+    let largest = found.normal().pressure().max();
     let expected = case.field(step, |cell| cell.pressure);
-    let error = max_difference(found.pressure().as_slice(), expected.as_slice());
+    let error = max_difference(found.normal().pressure().as_slice(), expected.as_slice());
     assert!(error < 5e-9 * largest, "{:e}", error / largest);
     for axis in 0..2 {
         let expected = case.field(step, |cell| cell.traction[axis]);
-        let error = max_difference(found.traction()[axis].as_slice(), expected.as_slice());
+        let error = max_difference(
+            found.shear().traction()[axis].as_slice(),
+            expected.as_slice(),
+        );
         assert!(error < 5e-9 * largest, "{axis}: {:e}", error / largest);
     }
     for cell in &step.cells {
         let expected = if cell.sticks { Zone::Stick } else { Zone::Slip };
-        assert_eq!(found.zones()[cell.ix], expected, "{cell:?}");
+        assert_eq!(found.shear().zones()[cell.ix], expected, "{cell:?}");
     }
-    assert!((found.approach() / step.approach - 1.0).abs() < 1e-9);
+    assert!((found.normal().approach() / step.approach - 1.0).abs() < 1e-9);
     let energy = step.elastic_energy.unwrap();
     assert!((found.elastic_energy() / energy - 1.0).abs() < 1e-8);
 }
@@ -185,12 +188,16 @@ fn bodies_are_exchanged() {
             1e-13,
         )
     });
-    assert!(found.stick_ratio() > 0.1 && found.stick_ratio() < 0.9);
-    let largest = found.pressure().max();
-    let error = max_difference(found.pressure().as_slice(), exchanged.pressure().as_slice());
+    assert!(found.shear().stick_ratio() > 0.1 && found.shear().stick_ratio() < 0.9);
+    let largest = found.normal().pressure().max();
+    let error = max_difference(
+        found.normal().pressure().as_slice(),
+        exchanged.normal().pressure().as_slice(),
+    );
     assert!(error < 1e-12 * largest, "{:e}", error / largest);
     for axis in 0..2 {
-        let [a, b] = [&found, &exchanged].map(|solution| solution.traction()[axis].as_slice());
+        let [a, b] =
+            [&found, &exchanged].map(|solution| solution.shear().traction()[axis].as_slice());
         let error = a
             .iter()
             .zip(b)
@@ -227,13 +234,13 @@ fn axes_are_exchanged() {
         TangentialLoad::force([0.02, 0.05]),
         1e-12,
     );
-    let largest = found.pressure().max();
+    let largest = found.normal().pressure().max();
     for iy in 0..18 {
         for ix in 0..24 {
             let pairs = [
-                (found.pressure(), turned.pressure()),
-                (found.traction()[0], turned.traction()[1]),
-                (found.traction()[1], turned.traction()[0]),
+                (found.normal().pressure(), turned.normal().pressure()),
+                (found.shear().traction()[0], turned.shear().traction()[1]),
+                (found.shear().traction()[1], turned.shear().traction()[0]),
             ];
             for (a, b) in pairs {
                 let error = a.get(ix, iy).unwrap() - b.get(iy, ix).unwrap();
@@ -241,7 +248,7 @@ fn axes_are_exchanged() {
             }
         }
     }
-    assert!((found.approach() / turned.approach() - 1.0).abs() < 1e-12);
+    assert!((found.normal().approach() / turned.normal().approach() - 1.0).abs() < 1e-12);
 }
 
 /// Where nothing couples, the coupled problem is the normal one followed by the tangential one: for equal bodies, and
@@ -277,14 +284,20 @@ fn uncoupled_bodies_are_solved_one_after_the_other() {
             .model(TangentialModel::Vector)
             .tolerance(tolerance);
         let shear = shear.build().unwrap().solve().unwrap();
-        assert!(l2_difference(found.pressure().as_slice(), normal.pressure().as_slice()) < 1e-8);
+        assert!(
+            l2_difference(
+                found.normal().pressure().as_slice(),
+                normal.pressure().as_slice()
+            ) < 1e-8
+        );
         for axis in 0..2 {
-            let [a, b] = [found.traction()[axis], shear.traction()[axis]].map(Field::as_slice);
+            let [a, b] =
+                [found.shear().traction()[axis], shear.traction()[axis]].map(Field::as_slice);
             assert!(max_difference(a, b) < 1e-8 * normal.pressure().max());
         }
-        assert_eq!(found.zones(), shear.zones());
-        assert!((found.shift()[0] / shear.shift()[0] - 1.0).abs() < 1e-8);
-        assert!((found.approach() / normal.approach() - 1.0).abs() < 1e-9);
+        assert_eq!(found.shear().zones(), shear.zones());
+        assert!((found.shear().shift()[0] / shear.shift()[0] - 1.0).abs() < 1e-8);
+        assert!((found.normal().approach() / normal.approach() - 1.0).abs() < 1e-9);
     }
 }
 
@@ -296,16 +309,16 @@ fn controls_invert_one_another() {
     let gap = surface::ellipsoid(grid, 8.0, 5.0).unwrap();
     let load = TangentialLoad::force([0.02, -0.01]).twist(0.01);
     let found = solve(&bodies, &gap, 0.5, NormalControl::Force(0.1), load, 1e-12);
-    let (stiffness, [x, y]) = (0.4, found.shift());
+    let (stiffness, [x, y]) = (0.4, found.shear().shift());
     let spring = |shift: f64, force: f64| TangentialControl::Spring {
         position: shift + force / stiffness,
         stiffness,
     };
     let sheared = TangentialLoad::shift([x, y]).twist(0.01);
     for (normal, load) in [
-        (NormalControl::Approach(found.approach()), load),
+        (NormalControl::Approach(found.normal().approach()), load),
         (NormalControl::Force(0.1), sheared),
-        (NormalControl::Approach(found.approach()), sheared),
+        (NormalControl::Approach(found.normal().approach()), sheared),
         (
             NormalControl::Force(0.1),
             load.along(Axis::X, spring(x, 0.02))
@@ -313,12 +326,15 @@ fn controls_invert_one_another() {
         ),
     ] {
         let again = solve(&bodies, &gap, 0.5, normal, load, 1e-12);
-        assert!((again.normal_force() / 0.1 - 1.0).abs() < 1e-10);
-        assert!((again.force()[0] - 0.02).abs() < 1e-11 && (again.force()[1] + 0.01).abs() < 1e-11);
-        assert!((again.shift()[0] / x - 1.0).abs() < 1e-9);
+        assert!((again.normal().force() / 0.1 - 1.0).abs() < 1e-10);
+        assert!(
+            (again.shear().force()[0] - 0.02).abs() < 1e-11
+                && (again.shear().force()[1] + 0.01).abs() < 1e-11
+        );
+        assert!((again.shear().shift()[0] / x - 1.0).abs() < 1e-9);
         let error = l2_difference(
-            again.traction()[0].as_slice(),
-            found.traction()[0].as_slice(),
+            again.shear().traction()[0].as_slice(),
+            found.shear().traction()[0].as_slice(),
         );
         assert!(error < 1e-9, "{error:e}");
     }
@@ -345,7 +361,7 @@ fn halves_lie_within_their_bounds() {
             tensor.apply(x, slices, &mut tensor.workspace());
             out
         };
-        let (p, [x, y]) = (found.pressure(), found.traction());
+        let (p, [x, y]) = (found.normal().pressure(), found.shear().traction());
         let zeros = vec![0.0; grid.cells()];
         let (p, x, y) = (p.as_slice(), x.as_slice(), y.as_slice());
         let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
@@ -387,12 +403,9 @@ fn halves_lie_within_their_bounds() {
     }
 }
 
-/// Under weak friction the halves bound the whole: loose answers lie within the bounds of a sharp one.
-#[test]
-fn the_whole_lies_within_its_bounds() {
-    let grid = Grid::square(20, 2.6).unwrap();
-    let bodies = HalfSpace::new(grid, on_rigid(0.12)).unwrap();
-    let gap = surface::sphere(grid, 10.0).unwrap();
+/// Errors of pressure and traction of a loose answer, each in its energy norm over that of the whole.
+fn errors(bodies: &HalfSpace, loose: &CoupledSolution, exact: &CoupledSolution) -> [f64; 2] {
+    let grid = bodies.grid();
     let tensor = bodies.tensor_operator([Z, X, Y]).unwrap();
     let norm = |x: [&[f64]; 3]| {
         let mut out = [(); 3].map(|()| vec![0.0; grid.cells()]);
@@ -404,23 +417,64 @@ fn the_whole_lies_within_its_bounds() {
         });
         products.sum::<f64>().sqrt()
     };
+    let [loose, exact] = [loose, exact].map(|contact| {
+        let [x, y] = contact.shear().traction();
+        [contact.normal().pressure(), x, y].map(Field::as_slice)
+    });
+    let change =
+        |c: usize| -> Vec<f64> { loose[c].iter().zip(exact[c]).map(|(a, b)| a - b).collect() };
+    let ([p, x, y], zeros) = ([change(0), change(1), change(2)], vec![0.0; grid.cells()]);
+    let size = norm(loose);
+    [norm([&p, &zeros, &zeros]), norm([&zeros, &x, &y])].map(|error| error / size)
+}
+
+/// Loose answers of scenes of all strengths lie within what is estimated, prescribed forces included.
+#[test]
+fn estimates_are_not_exceeded() {
+    let grid = Grid::square(20, 2.6).unwrap();
+    let mut random = Random(5);
+    for scene in 0..40 {
+        let beta = random.uniform(0.02, 0.5);
+        let bodies = HalfSpace::new(grid, on_rigid(beta)).unwrap();
+        let height = random.decade(-2.5, -1.0);
+        let gap = Field::from_fn(grid, |x, y| {
+            0.05 * (x * x + y * y) + height * random.uniform(0.0, 1.0)
+        });
+        let (coefficient, press) = (random.decade(-1.0, 0.0), NormalControl::Force(0.1));
+        let load = if scene % 2 == 0 {
+            TangentialLoad::shift([0.2 * coefficient, 0.1 * coefficient])
+        } else {
+            TangentialLoad::force([0.05 * coefficient, 0.03 * coefficient])
+        };
+        let exact = solve(&bodies, &gap, coefficient, press, load, 1e-11);
+        let loose = solve(
+            &bodies,
+            &gap,
+            coefficient,
+            press,
+            load,
+            random.decade(-4.0, -1.5),
+        );
+        let estimate = loose.report().error_estimate.unwrap();
+        let [p, q] = errors(&bodies, &loose, &exact);
+        assert!(p <= estimate.pressure, "{scene}: {p:e} {estimate:?}");
+        assert!(q <= estimate.traction, "{scene}: {q:e} {estimate:?}");
+    }
+}
+
+/// Under weak friction the halves bound the whole: loose answers lie within the bounds of a sharp one.
+#[test]
+fn the_whole_lies_within_its_bounds() {
+    let grid = Grid::square(20, 2.6).unwrap();
+    let bodies = HalfSpace::new(grid, on_rigid(0.12)).unwrap();
+    let gap = surface::sphere(grid, 10.0).unwrap();
     let press = NormalControl::Force(0.1);
     let load = TangentialLoad::shift([0.02, 0.01]);
     let exact = solve(&bodies, &gap, 0.1, press, load, 1e-13);
-    let zeros = vec![0.0; grid.cells()];
     for tolerance in [3e-2, 1e-3, 1e-5] {
         let loose = solve(&bodies, &gap, 0.1, press, load, tolerance);
-        let change = |a: &Field, b: &Field| a.minus(b).unwrap().as_slice().to_vec();
-        let p = change(loose.pressure(), exact.pressure());
-        let [x, y] = [0, 1].map(|axis| change(loose.traction()[axis], exact.traction()[axis]));
-        let size = norm([
-            loose.pressure().as_slice(),
-            loose.traction()[0].as_slice(),
-            loose.traction()[1].as_slice(),
-        ]);
         let bounds = loose.report().error_bounds.unwrap();
-        let errors = [norm([&p, &zeros, &zeros]), norm([&zeros, &x, &y])].map(|e| e / size);
-        for (error, bound) in errors.into_iter().zip(bounds) {
+        for (error, bound) in errors(&bodies, &loose, &exact).into_iter().zip(bounds) {
             assert!(
                 error <= bound && bound < 30.0 * tolerance,
                 "{error:e} {bound:e}"
@@ -489,7 +543,7 @@ fn rough_bodies_of_any_pair_converge() {
         let report = found.report();
         assert!(report.work.history.len() <= 20, "{scene}: {report:?}");
         assert!(
-            (found.normal_force() / force - 1.0).abs() < 1e-10,
+            (found.normal().force() / force - 1.0).abs() < 1e-10,
             "{scene}"
         );
     }
@@ -501,15 +555,21 @@ fn little_pressure_and_no_friction_are_met() {
     let bodies = HalfSpace::new(grid, on_rigid(0.5)).unwrap();
     let gap = surface::sphere(grid, 5.0).unwrap();
     let empty = solve(&bodies, &gap, 0.3, NormalControl::Force(0.0), still(), 1e-8);
-    assert!(empty.pressure().max() == 0.0 && empty.stick_ratio() == 0.0);
+    assert!(empty.normal().pressure().max() == 0.0 && empty.shear().stick_ratio() == 0.0);
 
     let press = NormalControl::Force(0.05);
     let smooth = solve(&bodies, &gap, 0.0, press, still(), 1e-10);
     let normal = NormalProblem::builder(&bodies, &gap, press).tolerance(1e-10);
     let normal = normal.build().unwrap().solve().unwrap();
-    assert!(max_difference(smooth.pressure().as_slice(), normal.pressure().as_slice()) < 1e-10);
+    assert!(
+        max_difference(
+            smooth.normal().pressure().as_slice(),
+            normal.pressure().as_slice()
+        ) < 1e-10
+    );
     assert!(
         smooth
+            .shear()
             .traction()
             .iter()
             .all(|q| q.max() == 0.0 && q.min() == 0.0)

@@ -67,25 +67,25 @@ fn tractions_belong_to_their_pressure() {
         let press = NormalControl::Force(0.08);
         let full = CoupledProblem::builder(&bodies, &gap, friction(), press, load);
         let full = full.tolerance(1e-12).build().unwrap().solve().unwrap();
-        let given = TangentialProblem::builder(&bodies, full.pressure(), friction(), load);
+        let given = TangentialProblem::builder(&bodies, full.normal().pressure(), friction(), load);
         let found = given
             .model(TangentialModel::Vector)
             .tolerance(1e-12)
             .build()
             .unwrap();
         let found = found.solve().unwrap();
-        assert!(full.stick_ratio() > 0.1 && full.stick_ratio() < 0.95);
-        let largest = full.traction()[0].max();
+        assert!(full.shear().stick_ratio() > 0.1 && full.shear().stick_ratio() < 0.95);
+        let largest = full.shear().traction()[0].max();
         for axis in 0..2 {
-            let [a, b] = [full.traction(), found.traction()].map(|q| q[axis].as_slice());
+            let [a, b] = [full.shear().traction(), found.traction()].map(|q| q[axis].as_slice());
             assert!(
                 max_difference(a, b) < 1e-9 * largest,
                 "{:e}",
                 max_difference(a, b) / largest
             );
-            let (a, b) = (full.shift()[axis], found.shift()[axis]);
+            let (a, b) = (full.shear().shift()[axis], found.shift()[axis]);
             assert!((a - b).abs() < 1e-9, "{a} {b}");
-            let [a, b] = [full.slip(), found.slip()].map(|slip| slip[axis].as_slice());
+            let [a, b] = [full.shear().slip(), found.slip()].map(|slip| slip[axis].as_slice());
             assert!(max_difference(a, b) < 1e-9, "{:e}", max_difference(a, b));
         }
         assert!(found.report().duality_gap < 1e-12);

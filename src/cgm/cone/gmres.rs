@@ -8,7 +8,7 @@ use crate::cgm::cone::workspace::gradient;
 use crate::cgm::cone::{Cone, ConeRun, N};
 use crate::cgm::reduce;
 use crate::cgm::run::Precision;
-use crate::cgm::vector::{at, chunks, dot, held, norm, put, slices, slices_mut, within};
+use crate::cgm::vector::{at, chunks, dot, norm, put, slices, slices_mut, within};
 use crate::operator::Operator;
 use crate::parallel;
 use crate::report::Status;
@@ -125,6 +125,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     /// Takes the correction, with changes of the multipliers.
     fn advance(&mut self, change: [f64; N]) -> ControlFlow<Status> {
         self.proceed()?;
+        self.is_fresh = false;
         self.apply_to_correction();
         self.count_step();
         let w = &mut *self.workspace;
@@ -236,27 +237,5 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
                 }
             }
         });
-    }
-
-    /// Puts every cell where `next` says, with its law; returns how many changed sets.
-    pub(super) fn move_cells<L: Copy + Send + Sync + PartialEq>(
-        x: &mut [&mut [f64]; N],
-        laws: &mut [L],
-        next: impl Fn(usize, L, [f64; N]) -> (L, [f64; N], bool) + Sync,
-    ) -> usize {
-        let tasks = laws.len().div_ceil(parallel::CHUNK);
-        let data = (chunks(x), parallel::blocks(laws));
-        let work = |task: usize, (mut x, laws): (_, parallel::Blocks<'_, L>)| {
-            let mut changed = 0;
-            for (place, law) in laws.items.iter_mut().enumerate() {
-                let cell = task * parallel::CHUNK + place;
-                let (law_next, value, is_changed) = next(cell, *law, held(&x, place));
-                *law = law_next;
-                put(&mut x, place, value);
-                changed += usize::from(is_changed);
-            }
-            changed
-        };
-        parallel::sweep(0..tasks, data, &work, &|a, b| a + b)
     }
 }

@@ -82,6 +82,23 @@ impl ConeFindings {
     }
 }
 
+/// What is known of a start.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Opening {
+    /// Its sets come from coarser cells: a deep first solve would be wasted on them.
+    Coarse,
+    /// Its sets are good.
+    Sound,
+    /// It is to be refused if its residual is larger.
+    Doubtful(f64),
+}
+
+impl Opening {
+    fn refuses(self, residual: f64) -> bool {
+        matches!(self, Self::Doubtful(worst) if residual > worst)
+    }
+}
+
 /// One solve under way.
 pub(crate) struct ConeRun<'a, 'b, C: Operator<N>, P: Operator<N>, F> {
     problem: &'a ConeProblem<'b, C, P, F>,
@@ -90,15 +107,17 @@ pub(crate) struct ConeRun<'a, 'b, C: Operator<N>, P: Operator<N>, F> {
     workspace: &'a mut ConeWorkspace<C, P>,
     /// Cells that stick, as last examined.
     free: usize,
+    /// Whether the product is that of the tractions, in double precision.
+    is_fresh: bool,
 }
 
 /// Solves from the tractions `x` into them, at multipliers that the workspace begins and ends with; `None` where the
-/// start is worse than `worst`, or where the sets cycle, which another start may cure. The findings are those of what is
+/// start is refused, or where the sets cycle, which another start may cure. The findings are those of what is
 /// left in `x`.
 pub(crate) fn solve<C: Operator<N>, P: Operator<N>, F: Cone>(
     problem: &ConeProblem<'_, C, P, F>,
     settings: &Settings,
-    worst: f64,
+    opening: Opening,
     x: [&mut [f64]; N],
     workspace: &mut ConeWorkspace<C, P>,
     observer: &mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
@@ -109,8 +128,9 @@ pub(crate) fn solve<C: Operator<N>, P: Operator<N>, F: Cone>(
         x,
         workspace,
         free: 0,
+        is_fresh: false,
     };
-    let status = run.newton(worst);
+    let status = run.newton(opening);
     run.refresh();
     let findings = run.examine();
     let report = &mut run.workspace.report;

@@ -5,15 +5,16 @@ use std::ops::ControlFlow;
 use crate::cgm::certificate::{Iterate, Shown, measure};
 use crate::cgm::cone::law::{Law, Noise};
 use crate::cgm::cone::workspace::gradient;
-use crate::cgm::cone::{Cone, ConeFindings, ConeRun, N};
+use crate::cgm::cone::{Cone, ConeFindings, ConeRun, N, Opening};
 use crate::cgm::run::Precision;
-use crate::cgm::vector::{norm, slices, slices_mut};
+use crate::cgm::vector::{chunks, held, norm, put, slices, slices_mut};
 use crate::cgm::{Admissible, Disc, Magnitude, NonNegative, reduce};
 use crate::operator::Operator;
 use crate::parallel;
 use crate::report::Status;
 
-/// Reduction of the inner residual while sets change, and the least when they stand.
+/// Reduction of the inner residual in sets from coarser cells, while sets change, and the least when they stand.
+const FIRST_REDUCTION: f64 = 0.3;
 const INNER_REDUCTION: f64 = 0.03;
 const LEAST_REDUCTION: f64 = 1e-5;
 /// Residual above which a product in single precision tells the sets as well.
@@ -26,15 +27,15 @@ const NOISE: f64 = 0.1;
 const NOTHING: f64 = 1e-9;
 
 impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
-    /// Ends with the status of the run; `None` if the start is worse than `worst`, or the sets cycle.
-    pub(super) fn newton(&mut self, worst: f64) -> Option<Status> {
-        match self.steps(worst) {
+    /// Ends with the status of the run; `None` if the start is refused, or the sets cycle.
+    pub(super) fn newton(&mut self, opening: Opening) -> Option<Status> {
+        match self.steps(opening) {
             ControlFlow::Break(status) => Some(status),
             ControlFlow::Continue(()) => self.monitor.stuck(),
         }
     }
 
-    fn steps(&mut self, worst: f64) -> ControlFlow<Status> {
+    fn steps(&mut self, opening: Opening) -> ControlFlow<Status> {
         let tolerance = self.monitor.tolerance();
         let (mut best, mut without, mut changes) = (f64::INFINITY, 0, usize::MAX);
         self.set_laws();
@@ -45,15 +46,17 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
             } else {
                 Precision::Double
             });
-            let mut merit = self.examine().merit();
-            if is_early && merit <= tolerance {
+            let mut findings = self.examine();
+            if is_early && findings.merit() <= tolerance {
                 // Only what is exact is an end.
                 self.refresh();
-                merit = self.examine().merit();
+                findings = self.examine();
             }
+            let merit = findings.merit();
             self.monitor
                 .judge(merit, self.free, &mut self.workspace.report)?;
-            if merit > worst && best.is_infinite() {
+            // What is missing of the totals does no harm: the first step adds it.
+            if best.is_infinite() && opening.refuses(findings.residual) {
                 return ControlFlow::Continue(());
             }
             if merit < 0.5 * best {
@@ -66,7 +69,9 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
             }
             self.linearise();
             let border = self.border();
-            let reduction = if changes > 0 {
+            let reduction = if changes == usize::MAX && opening == Opening::Coarse {
+                FIRST_REDUCTION
+            } else if changes > 0 {
                 INNER_REDUCTION
             } else {
                 (0.3 * tolerance / merit).clamp(LEAST_REDUCTION, INNER_REDUCTION)
@@ -81,7 +86,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     fn set_laws(&mut self) {
         let friction = &self.problem.friction;
         let laws = &mut self.workspace.laws;
-        Self::move_cells(&mut self.x, laws, |cell, _, [p, x, y]| {
+        move_cells(&mut self.x, laws, |cell, _, [p, x, y]| {
             let pressure = p.max(0.0);
             let disc = Disc {
                 radius: friction.limit(cell, pressure),
@@ -93,12 +98,15 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         self.hold_springs();
     }
 
-    /// `product = C x`, and the friction limits of the pressures.
+    /// `product = C x`, and the friction limits of the pressures, unless they are at hand.
     pub(super) fn refresh(&mut self) {
-        self.refresh_in(Precision::Double);
+        if !self.is_fresh {
+            self.refresh_in(Precision::Double);
+        }
     }
 
     fn refresh_in(&mut self, precision: Precision) {
+        self.is_fresh = precision == Precision::Double;
         let w = &mut *self.workspace;
         let (operator, report) = (&self.problem.operator, &mut w.report);
         let product = slices_mut(&mut w.product);
@@ -194,6 +202,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
 
     /// Decides at the equilibrated state how every cell moves next, and puts it into its set. Returns how many changed.
     fn reclassify(&mut self, tolerance: f64) -> usize {
+        self.is_fresh = false;
         let w = &mut *self.workspace;
         let gradient = gradient(&w.product, self.problem.linear, w.multiplier);
         let [z, x, y] = slices(&w.product);
@@ -203,7 +212,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
             slip: NOISE * tolerance * reduce::max(x.len(), sizes),
         };
         let friction = &self.problem.friction;
-        Self::move_cells(&mut self.x, &mut w.laws, |cell, law, tractions| {
+        move_cells(&mut self.x, &mut w.laws, |cell, law, tractions| {
             let (next, value) = law.next(cell, tractions, gradient(cell), friction, noise);
             let is_same = law.touches() == next.touches() && law.sticks() == next.sticks();
             (next, value, !is_same)
@@ -219,4 +228,26 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     pub(super) fn proceed(&mut self) -> ControlFlow<Status> {
         self.monitor.proceed(self.free, &self.workspace.report)
     }
+}
+
+/// Puts every cell where `next` says, with its law; returns how many changed sets.
+fn move_cells(
+    x: &mut [&mut [f64]; N],
+    laws: &mut [Law],
+    next: impl Fn(usize, Law, [f64; N]) -> (Law, [f64; N], bool) + Sync,
+) -> usize {
+    let tasks = laws.len().div_ceil(parallel::CHUNK);
+    let data = (chunks(x), parallel::blocks(laws));
+    let work = |task: usize, (mut x, laws): (_, parallel::Blocks<'_, Law>)| {
+        let mut changed = 0;
+        for (place, law) in laws.items.iter_mut().enumerate() {
+            let cell = task * parallel::CHUNK + place;
+            let (law_next, value, is_changed) = next(cell, *law, held(&x, place));
+            *law = law_next;
+            put(&mut x, place, value);
+            changed += usize::from(is_changed);
+        }
+        changed
+    };
+    parallel::sweep(0..tasks, data, &work, &|a, b| a + b)
 }

@@ -1,0 +1,158 @@
+//! The reusable solver of a coupled contact.
+
+use std::ops::ControlFlow;
+
+use crate::cascade::Conditions;
+use crate::cgm::{Iteration, solver_settings};
+use crate::clock::Instant;
+use crate::coupled::increment::{CoupledDemand, CoupledIncrement};
+use crate::coupled::{CoupledProblem, CoupledSolution};
+use crate::error::{Error, Result};
+use crate::field::Field;
+use crate::normal::NormalControl;
+use crate::passes::with_memory;
+use crate::tangential::{Axis, Friction, Motion, TangentialLoad, TangentialModel};
+
+/// Solves coupled contacts again and again, each from rest in one step, beginning with the last answer.
+///
+/// It does not remember slip: that is the part of a [`History`](crate::History). Gap, friction and loads may change between
+/// calls; a solve within the window of the last contact allocates nothing.
+///
+/// ```
+/// use stickslip::*;
+/// let grid = Grid::square(32, 3.0)?;
+/// let bodies = HalfSpace::new(grid, ElasticPair::new(Material::new(1.0, 0.0)?, Material::rigid())?)?;
+/// let (ball, friction) = (surface::sphere(grid, 10.0)?, Friction::coulomb(0.3)?);
+/// let (press, still) = (NormalControl::Force(0.1), TangentialLoad::shift([0.0, 0.0]));
+/// let mut solver =
+///     CoupledProblem::builder(&bodies, &ball, friction, press, still).build()?.into_solver()?;
+/// let mut contact = solver.new_solution();
+/// let mut shifts = Vec::new();
+/// for force in [0.0, 0.01, 0.02] {
+///     solver.set_load(TangentialLoad::force([force, 0.0]))?;
+///     solver.solve_into(&mut contact)?;
+///     shifts.push(contact.shear().shift()[0]);
+/// }
+/// assert!(shifts.is_sorted() && shifts[2] > 2.0 * shifts[1]);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct CoupledSolver {
+    problem: CoupledProblem,
+    increment: CoupledIncrement,
+}
+
+impl CoupledSolver {
+    pub(super) fn new(problem: CoupledProblem) -> Result<Self> {
+        Ok(Self {
+            increment: CoupledIncrement::new(&problem.bodies)?,
+            problem,
+        })
+    }
+
+    /// Changes the normal load of the next solve.
+    ///
+    /// # Errors
+    /// As [`CoupledProblemBuilder::build`](super::CoupledProblemBuilder::build) for the load, which is then as it was.
+    pub fn set_normal(&mut self, normal: NormalControl) -> Result<()> {
+        normal.check(&self.problem.bodies, &self.problem.gap)?;
+        self.problem.normal = normal;
+        Ok(())
+    }
+
+    /// Changes the tangential load of the next solve.
+    ///
+    /// # Errors
+    /// As [`CoupledProblemBuilder::build`](super::CoupledProblemBuilder::build) for the load, which is then as it was.
+    pub fn set_load(&mut self, load: TangentialLoad) -> Result<()> {
+        let boundary = self.problem.bodies.boundary();
+        load.demand().check(Axis::BOTH, boundary)?;
+        self.problem.load = load;
+        Ok(())
+    }
+
+    /// Changes the gap before loading of the next solve.
+    ///
+    /// # Errors
+    /// [`Error::GridMismatch`] or [`Error::Sample`]; [`Error::ApproachBeyondMeanGap`] where a prescribed approach is too
+    /// much for it; the gap is then as it was.
+    pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
+        let bodies = &self.problem.bodies;
+        gap.check("gap", bodies.grid())?;
+        self.problem.normal.check(bodies, gap)?;
+        self.problem.gap.clone_from(gap);
+        Ok(())
+    }
+
+    /// Changes the friction of the next solve.
+    ///
+    /// # Errors
+    /// [`Error::GridMismatch`]; the friction is then as it was.
+    pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
+        friction.check(self.problem.bodies.grid())?;
+        self.problem.friction.clone_from(friction);
+        Ok(())
+    }
+
+    solver_settings!(problem.settings, |_, settings| {
+        TangentialModel::Vector.check(settings)
+    });
+
+    /// Forgets the last answer: the next solve starts as the first did.
+    pub fn reset(&mut self) {
+        self.increment.forget();
+    }
+
+    /// An empty solution of the right size for [`CoupledSolver::solve_into`].
+    #[must_use]
+    pub fn new_solution(&self) -> CoupledSolution {
+        CoupledSolution::empty(&self.problem.bodies, &self.problem.gap)
+    }
+
+    /// Solves into `solution`, whose last content does not matter.
+    ///
+    /// # Errors
+    /// [`Error::GridMismatch`] or [`Error::BoundaryMismatch`] for a solution of others, nothing changed;
+    /// [`Error::NotConverged`] with the last iterate in `solution`; [`Error::BeyondFrictionCapacity`] for a force that
+    /// slides the contact; as [`HalfSpace::operator`](crate::HalfSpace::operator).
+    pub fn solve_into(&mut self, solution: &mut CoupledSolution) -> Result<()> {
+        self.solve_observed(solution, |_| ControlFlow::Continue(()))
+    }
+
+    /// [`CoupledSolver::solve_into`] with an observer that sees every step and may cancel.
+    ///
+    /// # Errors
+    /// As [`CoupledSolver::solve_into`].
+    pub fn solve_observed(
+        &mut self,
+        solution: &mut CoupledSolution,
+        mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
+    ) -> Result<()> {
+        let problem = &self.problem;
+        let (grid, boundary) = (solution.normal().grid(), solution.normal().boundary());
+        problem.bodies.check_host("solution", grid, boundary)?;
+        let mut observer = with_memory(&mut observer);
+        let mut conditions = Conditions {
+            settings: &problem.settings,
+            start: Instant::now(),
+            observer: &mut observer,
+        };
+        let demand = CoupledDemand {
+            gap: &problem.gap,
+            friction: &problem.friction,
+            normal: problem.normal,
+            tangential: problem.load.demand(),
+        };
+        let outcome = self
+            .increment
+            .solve(demand, Motion::default(), &mut conditions);
+        if matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
+            solution.fill(&problem.gap, &self.increment);
+        }
+        // Do not start from NaN.
+        if outcome.is_err() && !self.increment.report().residual.is_finite() {
+            self.increment.forget();
+        }
+        outcome
+    }
+}
