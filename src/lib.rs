@@ -221,7 +221,7 @@ mod window;
 
 pub use boundary::Boundary;
 pub use contact_map::Warning;
-pub use coupled::{CoupledProblem, CoupledSolution};
+pub use coupled::{CoupledProblem, CoupledSolution, CoupledSolver};
 pub use coupling::Coupling;
 pub use error::{Error, Result};
 pub use field::Field;

@@ -141,6 +141,13 @@ impl CoupledIncrement {
         [&self.offset[0], &self.offset[1]]
     }
 
+    /// Takes the offsets of the cells of a window.
+    pub(crate) fn set_offset_within(&mut self, window: Window, offset: [&[f64]; 2]) {
+        for (target, offset) in self.offset.iter_mut().zip(offset) {
+            window.scatter(offset, target);
+        }
+    }
+
     /// Takes the offsets of a step.
     pub(crate) fn set_offset(&mut self, offset: &PlaneVector) {
         for (target, offset) in self.offset.iter_mut().zip(offset) {
@@ -191,6 +198,18 @@ impl CoupledIncrement {
         before: Motion,
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<()> {
+        self.report.clear();
+        parallel::enter(|| self.find(demand, before, conditions))
+    }
+
+    /// The same from the answer, whose cells have since been made to lag: as a further part of the solve.
+    pub(crate) fn solve_further(
+        &mut self,
+        demand: CoupledDemand<'_>,
+        before: Motion,
+        conditions: &mut Conditions<'_, '_>,
+    ) -> Result<()> {
+        self.set_known(self.approach, self.motion.shift);
         parallel::enter(|| self.find(demand, before, conditions))
     }
 
@@ -207,7 +226,6 @@ impl CoupledIncrement {
             NormalControl::Force(force) => (least, force <= 0.0),
             NormalControl::Hold => return Err(Error::NothingToHold),
         };
-        self.report.clear();
         if is_apart {
             self.motion = demand.tangential.without_contact(Axis::BOTH, before)?;
             self.approach = datum;

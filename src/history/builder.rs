@@ -85,7 +85,8 @@ impl HistoryBuilder<'_> {
     }
 
     /// How far a cell that comes into contact within a step follows its motion (default
-    /// [`TouchRule::Growth`]). Where pressure and shear are found together it follows the whole step.
+    /// [`TouchRule::Growth`]). Where pressure and shear are coupled strongly, beyond
+    /// $`\beta`$ of 0.25, [`TouchRule::WholeStep`] is better.
     pub fn touch_rule(mut self, touch_rule: TouchRule) -> Self {
         self.touch_rule = touch_rule;
         self

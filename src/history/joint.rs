@@ -3,13 +3,14 @@
 use crate::cascade::Conditions;
 use crate::clock::Instant;
 use crate::coupled::{CoupledDemand, CoupledIncrement};
+use crate::coupling::Coupling;
 use crate::elastic::Observer;
 use crate::error::Result;
 use crate::half_space::HalfSpace;
 use crate::history::state::State;
-use crate::history::{History, LoadStep};
-use crate::normal::NormalControl;
-use crate::tangential::Motion;
+use crate::history::{History, LoadStep, touch};
+use crate::normal::{NormalControl, NormalSolution};
+use crate::tangential::{Increment, Motion, Pressed};
 
 impl History {
     /// Solves a step whose pressure and shear are coupled without a trace in the state; returns the motion of body 2 at
@@ -44,8 +45,58 @@ impl History {
         };
         joint.solve(demand, state.motion, &mut conditions)?;
         joint.write(&state.gap, &mut self.candidate);
+        let candidate = &self.candidate;
+        if make_lag(
+            joint,
+            &mut self.increment,
+            &self.bodies,
+            state,
+            candidate,
+            load,
+        )? {
+            joint.solve_further(demand, state.motion, &mut conditions)?;
+            joint.write(&state.gap, &mut self.candidate);
+        }
         Ok(joint.answer().motion)
     }
+}
+
+/// Makes the cells that have come into contact lag as the touch rule has it, by the pressure that the step was found to
+/// have; returns whether any does.
+fn make_lag(
+    joint: &mut CoupledIncrement,
+    increment: &mut Option<Increment>,
+    bodies: &HalfSpace,
+    state: &State,
+    pressed: &NormalSolution,
+    load: &LoadStep,
+) -> Result<bool> {
+    let Some(window) = joint.window() else {
+        return Ok(false);
+    };
+    let demand = load.demand(state.motion.twist);
+    if !touch::is_asked(state, pressed, &demand, joint.pressed.limits.sum) {
+        return Ok(false);
+    }
+    let fits = |increment: &Increment| increment.pressed.window == window;
+    let increment = match increment {
+        Some(increment) if fits(increment) => increment,
+        other => {
+            let pressed = Pressed::new(window);
+            other.insert(Increment::new(
+                bodies,
+                state.axes,
+                pressed,
+                Coupling::Neglected,
+            )?)
+        }
+    };
+    let pressures = pressed.pressure().as_slice();
+    increment.pressed.set(pressures, &state.friction);
+    increment.gather_offset(joint.answer().offset);
+    let lags = touch::follow_growth(increment, state, pressed, load, &demand);
+    joint.set_offset_within(window, increment.offset());
+    Ok(lags)
 }
 
 /// What solves the steps of a coupled state.

@@ -44,11 +44,12 @@
 //! Where materials couple pressure and shear, each step finds both together ([`coupled`](crate::coupled)), with both
 //! components of the traction whatever the model. $`u`$ is then the displacement by traction and pressure, and a change of
 //! the normal load is a step of the tangential contact too: pressing draws the surfaces inwards and makes them slip. A
-//! step that names no normal load holds the normal force, not the pressure. A cell that comes into contact follows the
-//! whole step ([`TouchRule::WholeStep`]), and the error of a growing contact is of first order in its steps: the stick
+//! step that names no normal load holds the normal force, not the pressure. The slip that
+//! pressing causes is followed through the whole step by cells that come into contact, so the error of a growing contact
+//! is of first order in its steps, whatever the [`TouchRule`]: the stick
 //! radius of a ball pressed in 1, 2, 4, 8, 16, 32 steps is 0.23, 0.37, 0.44, 0.47, 0.49, 0.497 of the contact's, where 0.5
 //! is exact ($`\beta = 0.5`$, $`\mu = 0.299`$); equal growth of the contact radius spreads the steps best. Approach and
-//! peak pressure hardly depend on them. The [`stiffness`](crate::stiffness) is that of uncoupled bodies, and refused.
+//! peak pressure hardly depend on them. The touch rule serves the prescribed motion: it takes a second solve of the step. The [`stiffness`](crate::stiffness) is that of uncoupled bodies, and refused.
 //!
 //! # All or nothing
 //! A step that is refused, cancelled or does not converge leaves the history bit for bit as it was, with all

@@ -71,8 +71,9 @@ pub struct History {
     pub(super) press: NormalSolver,
     /// The normal contact of the step under way.
     pub(super) candidate: NormalSolution,
-    /// The tangential contact, on the window of the [`Memory`] in the state, if there is one.
-    increment: Option<Increment>,
+    /// The tangential contact, on the window of the [`Memory`] in the state, if there is one; where pressure and shear are
+    /// found together it serves the touch rule alone.
+    pub(super) increment: Option<Increment>,
     /// Pressure and shear found together, instead of the above; none where they are not coupled.
     joint: Option<Box<CoupledIncrement>>,
     /// What takes the place of both if the step under way, which needs a wider window, succeeds.
@@ -153,15 +154,15 @@ impl History {
 
     /// Makes the increment fit another state: in the buffers there are, if they are of its window and model.
     fn resume(&mut self, state: &State) -> Result<()> {
+        let is_alike = |own: &State| own.coupling == state.coupling && own.axes == state.axes;
         let fits = match (&self.increment, &state.contact) {
             (None, None) => true,
-            (None, Some(_)) if state.is_joint() => true,
-            (Some(increment), Some(memory)) => {
-                increment.pressed.window == memory.window && increment.axes() == state.axes
-            }
+            // Made anew when the touch rule asks for another.
+            _ if state.is_joint() => true,
+            (Some(increment), Some(memory)) => increment.pressed.window == memory.window,
             _ => false,
         };
-        if !fits {
+        if !(fits && is_alike(&self.state)) {
             self.increment = new_increment(&self.bodies, state)?;
         }
         match &mut self.joint {

@@ -32,29 +32,25 @@ const NO_SPREAD: f64 = 1e-12;
 ///
 /// If all sticks, the tractions grow by $`(c + w\,e_z \times r)\,\Delta p`$, with r from the centre of $`\Delta p`$. A
 /// new cell follows what that displaces it, instead of the motion of the step; where friction does not hold the
-/// growth, it follows all of the motion.
+/// growth, it follows all of the motion. Returns whether there are such cells and such a growth.
 pub(super) fn follow_growth(
     increment: &mut Increment,
     state: &State,
     pressed: &NormalSolution,
     load: &LoadStep,
     demand: &Demand,
-) {
-    let before = state.pressure().as_slice();
-    let touches = |(k, i): (usize, usize)| increment.pressed.pressure[k] > 0.0 && before[i] <= 0.0;
-    let mut cells = increment.pressed.window.indices().enumerate();
-    let limit = increment.pressed.limits.sum * state.grid().cell_area();
-    let is_asked = state.touch_rule == TouchRule::Growth && is_driven(state, demand, limit);
-    if !is_asked || !cells.any(touches) {
-        return;
+) -> bool {
+    if !is_asked(state, pressed, demand, increment.pressed.limits.sum) {
+        return false;
     }
     let Some(press) = Press::new(state, pressed, load) else {
-        return;
+        return false;
     };
     let turn = demand.twist - state.motion.twist;
     let Some(stuck) = Stuck::new(&press, increment, demand, turn) else {
-        return;
+        return false;
     };
+    let before = state.pressure().as_slice();
     let window = increment.pressed.window;
     let contact = increment.pressed.pressure.iter().map(|p| *p > 0.0);
     increment.growth.begin_excess(increment.axes(), contact);
@@ -80,6 +76,7 @@ pub(super) fn follow_growth(
             increment.lag(k, minus(stuck.motion(point), followed));
         }
     }
+    true
 }
 
 /// What the normal half of a step did.
@@ -330,6 +327,24 @@ fn slope(
         (xx * right[1] - yx * right[0]) / determinant,
     ];
     slope.iter().all(|part| part.is_finite()).then_some(slope)
+}
+
+/// Whether the rule has something to do in a step to this pressure, whose friction limits have this sum.
+pub(super) fn is_asked(
+    state: &State,
+    pressed: &NormalSolution,
+    demand: &Demand,
+    limits: f64,
+) -> bool {
+    let limit = limits * state.grid().cell_area();
+    let mut pressures = state
+        .pressure()
+        .as_slice()
+        .iter()
+        .zip(pressed.pressure().as_slice());
+    state.touch_rule == TouchRule::Growth
+        && is_driven(state, demand, limit)
+        && pressures.any(|(before, after)| *after > 0.0 && *before <= 0.0)
 }
 
 /// Whether the step asks for shear that the state does not have, as part of what friction holds.

@@ -128,6 +128,20 @@ impl Increment {
         displacement
     }
 
+    /// The offsets of the step, of the cells of the window.
+    pub(crate) fn offset(&self) -> [&[f64]; 2] {
+        slices(&self.offset)
+    }
+
+    /// Takes the offsets of a step from those of the whole grid.
+    pub(crate) fn gather_offset(&mut self, offset: [&[f64]; 2]) {
+        for axis in self.axes {
+            let axis = axis.index();
+            let part = &mut self.offset[axis];
+            self.pressed.window.gather(offset[axis], part);
+        }
+    }
+
     /// Takes the offsets of a step.
     pub(crate) fn set_offset(&mut self, offset: &PlaneVector) {
         for (target, offset) in self.offset.iter_mut().zip(offset) {

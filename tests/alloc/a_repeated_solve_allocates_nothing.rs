@@ -3,8 +3,8 @@
 
 use kit::{rough, unit_bodies};
 use stickslip::{
-    Field, Friction, Grid, NormalControl, NormalProblem, TangentialLoad, TangentialModel,
-    TangentialProblem, surface,
+    CoupledProblem, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl,
+    NormalProblem, TangentialLoad, TangentialModel, TangentialProblem, surface,
 };
 
 /// Allocations of one thread: the solve must run on it.
@@ -97,4 +97,33 @@ fn on_a_sphere_and_on_a_rough_surface() {
         check(&surface::sphere(grid, 300.0).unwrap(), 20.0, lateral);
         check(&rough(grid, 4), 30.0, lateral);
     }
+}
+
+/// Pressure and shear found together, with loads, gap and friction that change.
+#[test]
+fn of_coupled_contacts() {
+    let grid = Grid::new(40, 36, 0.1, 0.1).unwrap();
+    let pair = ElasticPair::new(Material::new(1.0, 0.1).unwrap(), Material::rigid()).unwrap();
+    let bodies = HalfSpace::new(grid, pair).unwrap();
+    let gap = surface::sphere(grid, 10.0).unwrap();
+    let frictions = [0.4, 0.5].map(|coefficient| Friction::coulomb(coefficient).unwrap());
+    let (press, still) = (NormalControl::Force(0.1), TangentialLoad::shift([0.0; 2]));
+    let problem = CoupledProblem::builder(&bodies, &gap, frictions[0].clone(), press, still);
+    let mut solver = problem.build().unwrap().into_solver().unwrap();
+    let mut contact = solver.new_solution();
+    let mut cycle = || {
+        for (force, friction) in [0.1, 0.09].into_iter().zip(&frictions) {
+            solver.set_normal(NormalControl::Force(force)).unwrap();
+            solver
+                .set_load(TangentialLoad::force([0.1 * force, 0.0]))
+                .unwrap();
+            solver.set_friction(friction).unwrap();
+            solver.set_gap(&gap).unwrap();
+            solver.solve_into(&mut contact).unwrap();
+        }
+    };
+    for _ in 0..3 {
+        cycle();
+    }
+    assert_eq!(allocations(&mut cycle), 0);
 }

@@ -3,6 +3,7 @@
 
 use kit::{Random, max_difference};
 use rayon::prelude::*;
+use stickslip::history::TouchRule;
 use stickslip::influence::Direction::{X, Y, Z};
 use stickslip::{
     Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
@@ -102,17 +103,17 @@ impl Oracle {
         for _ in 0..400_000 {
             let u = self.displacement(&self.x);
             let (mut change, mut largest) = (0.0_f64, 0.0_f64);
-            for i in 0..self.x.len() {
+            for (i, u) in u.iter().enumerate() {
                 let (motion, behind) = (moved(i), self.behind[i]);
-                let slip = [0, 1].map(|c| u[i][1 + c] - behind[c] - motion[c]);
-                let opening = gap.as_slice()[i] + u[i][0] - load.approach;
+                let slip = [0, 1].map(|c| u[1 + c] - behind[c] - motion[c]);
+                let opening = gap.as_slice()[i] + u[0] - load.approach;
                 let [p, x, y] = self.x[i];
                 let p = p - self.step * (opening + friction * slip[0].hypot(slip[1]));
                 let q = [x - self.step * slip[0], y - self.step * slip[1]];
                 let next = projected(p, q, friction);
-                for c in 0..3 {
-                    change = change.max((next[c] - self.x[i][c]).abs());
-                    largest = largest.max(next[c].abs());
+                for (next, last) in next.iter().zip(self.x[i]) {
+                    change = change.max((next - last).abs());
+                    largest = largest.max(next.abs());
                 }
                 self.x[i] = next;
             }
@@ -167,7 +168,11 @@ fn scene_agrees(scene: u64) {
     });
     let mut friction = random.decade(-1.3, 0.3);
     let builder = History::builder(&bodies, &gap, Friction::coulomb(friction).unwrap());
-    let mut history = builder.tolerance(1e-12).build().unwrap();
+    let mut history = builder
+        .touch_rule(TouchRule::WholeStep)
+        .tolerance(1e-12)
+        .build()
+        .unwrap();
     let mut oracle = Oracle::new(&bodies);
     let depth = if is_free {
         1.0

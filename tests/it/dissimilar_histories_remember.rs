@@ -4,7 +4,7 @@ use kit::contact::{Case, Normal};
 use kit::{Random, max_difference};
 use stickslip::analytical::HertzSphere;
 use stickslip::history::wear::{self, CycleJump};
-use stickslip::history::{AdaptiveSteps, Cycle, FrettingLoop, LoadPath, State};
+use stickslip::history::{AdaptiveSteps, Cycle, FrettingLoop, LoadPath, State, TouchRule};
 use stickslip::{
     Axis, Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
     Material, NormalControl, TangentialControl, TangentialModel, Zone, surface,
@@ -276,7 +276,7 @@ fn weak_coupling_tends_to_none() {
         let bodies = HalfSpace::new(grid, ElasticPair::new(one, body).unwrap()).unwrap();
         let friction = Friction::coulomb(0.4).unwrap();
         let builder = History::builder(&bodies, &gap, friction).model(TangentialModel::Vector);
-        let builder = builder.touch_rule(stickslip::history::TouchRule::WholeStep);
+        let builder = builder.touch_rule(TouchRule::WholeStep);
         let mut history = builder.tolerance(1e-11).build().unwrap();
         assert_eq!(bodies.pair().is_coupled(), body == other);
         let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
@@ -449,5 +449,39 @@ fn units_do_not_matter() {
         for (a, b) in tractions.iter().zip(&others) {
             assert!(max_difference(a.as_slice(), b.as_slice()) < 1e-8 * a.max());
         }
+    }
+}
+
+/// Pressed and sheared at once along a straight leg that sticks: between bodies of weak coupling the touch rule does in one
+/// step what the other does in many.
+#[test]
+fn growing_contacts_follow_their_part_of_the_motion() {
+    let grid = Grid::square(41, 2.6).unwrap();
+    let bodies = HalfSpace::new(grid, on_rigid(0.45)).unwrap();
+    let gap = surface::sphere(grid, 10.0).unwrap();
+    let leg = |rule: TouchRule, steps: u32| {
+        let friction = Friction::coulomb(0.6).unwrap();
+        let builder = History::builder(&bodies, &gap, friction).touch_rule(rule);
+        let mut history = builder.tolerance(1e-8).build().unwrap();
+        let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
+        history.step(&press(0.02)).unwrap();
+        for step in 1..=steps {
+            let part = f64::from(step) / f64::from(steps);
+            let drag = TangentialControl::Force(0.03 * part);
+            let load = press(0.02 + 0.1 * part).tangential(Axis::X, drag);
+            let energy = history.step(&load).unwrap().energy();
+            assert!(energy.imbalance().abs() < 1e-13 * energy.elastic_after);
+        }
+        history.shift()[0]
+    };
+    let exact = leg(TouchRule::WholeStep, 64);
+    assert!((leg(TouchRule::Growth, 64) / exact - 1.0).abs() < 5e-3);
+    for steps in [1, 4] {
+        let growth = (leg(TouchRule::Growth, steps) / exact - 1.0).abs();
+        let whole = (leg(TouchRule::WholeStep, steps) / exact - 1.0).abs();
+        assert!(
+            growth < 0.01 && whole > 3.0 * growth,
+            "{steps}: {growth} {whole}"
+        );
     }
 }

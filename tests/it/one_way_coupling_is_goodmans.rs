@@ -193,3 +193,26 @@ fn the_rest_vanishes_with_beta() {
         assert!(pair[1] < 0.55 * pair[0], "{differences:?}");
     }
 }
+
+/// A history that returns to a state of another coupling goes on as that did.
+#[test]
+fn states_bring_their_coupling() {
+    let (bodies, gap) = ball(0.4);
+    let all = [Coupling::Full, Coupling::OneWay, Coupling::Neglected];
+    let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
+    let started = all.map(|coupling| {
+        let mut history = history(&bodies, &gap, coupling);
+        history.step(&press(0.1)).unwrap();
+        history
+    });
+    let next = press(0.12).tangential(Axis::X, TangentialControl::Force(0.01));
+    for from in &started {
+        for to in &started {
+            let (mut returned, mut expected) = (from.clone(), to.clone());
+            returned.set_state(to.state()).unwrap();
+            returned.step(&next).unwrap();
+            expected.step(&next).unwrap();
+            assert!(returned.to_bytes() == expected.to_bytes());
+        }
+    }
+}
