@@ -36,6 +36,11 @@ impl<S: Admissible<N>, const N: usize> ElasticSolver<S, N> {
         })
     }
 
+    /// Makes the next solve look at its start first, which has been an answer at these multipliers.
+    pub(crate) fn expect(&mut self, multiplier: [f64; N]) {
+        self.workspace.expect(multiplier);
+    }
+
     /// Minimises from `x` into `x`; the rest is in the accessors, converged or not.
     pub(crate) fn minimise(
         &mut self,

@@ -56,6 +56,16 @@ pub(crate) fn lanes() -> usize {
     }
 }
 
+/// The same for work on so many samples: one where it is too short to share.
+pub(crate) fn lanes_for(samples: usize) -> usize {
+    if samples <= 4 * CHUNK { 1 } else { lanes() }
+}
+
+/// [`enter`] for work on so many cells, which is done at once where it is too short to share.
+pub(crate) fn enter_with<T: Send>(cells: usize, work: impl FnOnce() -> T + Send) -> T {
+    if cells <= CHUNK { work() } else { enter(work) }
+}
+
 /// Data that can be cut at a task boundary.
 pub(crate) trait Split: Send + Sized {
     /// The first `tasks` tasks, and the rest.

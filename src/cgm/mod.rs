@@ -99,6 +99,7 @@ pub(crate) mod cone;
 mod disc;
 mod inner;
 mod interval;
+mod look;
 mod monitor;
 mod motion;
 mod moving;

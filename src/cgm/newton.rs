@@ -86,9 +86,11 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     fn newton_start(&mut self) -> ControlFlow<Status, TotalsSystem<N>> {
         self.mark_start();
         if MotionOf::<K, N>::IS_CURVED {
-            self.restore_totals(false);
-            self.ask()?;
-            self.refresh_f32();
+            if !self.is_fresh {
+                self.restore_totals(false);
+                self.ask()?;
+                self.refresh_f32();
+            }
             self.list_moving();
             self.set_mean_multiplier();
             self.hold_springs();
@@ -98,10 +100,10 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         self.hold_springs();
         self.list_moving();
         let totals = self.totals_system();
-        let sums = std::array::from_fn(|c| reduce::total(self.x[c]));
-        self.spread_missing(&totals, sums);
-        self.ask()?;
         if !self.is_fresh {
+            let sums = std::array::from_fn(|c| reduce::total(self.x[c]));
+            self.spread_missing(&totals, sums);
+            self.ask()?;
             self.refresh_f32();
         }
         ControlFlow::Continue(totals)

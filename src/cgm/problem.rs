@@ -174,15 +174,19 @@ pub fn minimise_with<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: 
     let solve = || -> Result<Status> {
         let sums = problem.totals.map(Total::sum);
         let reach = K::Set::reach(cells, &problem.constraint, sums)?;
+        let expected = workspace.expected.take();
         let mut run = Run::new(problem, settings, x, workspace, observer);
         let status = match (run.multiplier_at_zero(), reach) {
             (Some(multiplier), _) => run.at_zero(multiplier),
             (None, Reach::Extreme(direction)) => run.at_extreme(direction),
-            (None, Reach::Inside) => iterate(&mut run),
+            (None, Reach::Inside) => {
+                let shown = expected.and_then(|multiplier| run.look(multiplier));
+                shown.unwrap_or_else(|| iterate(&mut run))
+            }
         };
         Ok(run.finish(status))
     };
-    if parallel::enter(solve)? == Status::Converged {
+    if parallel::enter_with(cells, solve)? == Status::Converged {
         Ok(())
     } else {
         Err(Error::NotConverged(Box::new(workspace.report.clone())))

@@ -62,6 +62,8 @@ pub struct Run<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N
     pub(super) workspace: &'a mut Workspace<C, P, MotionOf<K, N>, N>,
     /// Whether `workspace.product` belongs to `x`.
     pub(super) is_fresh: bool,
+    /// Whether the start is feasible, with its product fresh.
+    pub(super) is_looked_at: bool,
     /// Of the eigenvalues; zero if none is known.
     pub(super) lower_bound: f64,
     /// Reduction of the inner residual that the next pass of Newton's method begins with.
@@ -95,6 +97,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
             x,
             workspace,
             is_fresh: false,
+            is_looked_at: false,
             inner_reduction: INNER_REDUCTION,
             restraint: 0.0,
             stiff: f64::INFINITY,
@@ -112,10 +115,13 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         self.problem.totals.map(Total::sum)
     }
 
-    /// Brings the start within its sets and marks how every cell may move.
+    /// Brings the start within its sets and marks how every cell may move. The product of one that was looked at stays.
     pub(super) fn mark_start(&mut self) {
         let constraint = &self.problem.constraint;
-        update_cells(&mut self.x, |i, x| constraint.of(i).project(x));
+        if !std::mem::take(&mut self.is_looked_at) {
+            update_cells(&mut self.x, |i, x| constraint.of(i).project(x));
+            self.is_fresh = false;
+        }
         let (x, w) = (slices(&self.x), &mut *self.workspace);
         if MotionOf::<K, N>::IS_STEADY {
             w.moving.update(|i| constraint.of(i).can_move());
@@ -127,7 +133,6 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
                 motions.items[kept] = constraint.of(cell).motion(at(&x, cell));
             });
         });
-        self.is_fresh = false;
     }
 
     /// Moves the cells to their sums: those that move, if they suffice, or `all` alike. Says whether they sufficed.

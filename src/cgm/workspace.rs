@@ -26,6 +26,8 @@ pub struct Workspace<C: Operator<N>, P: Operator<N>, M, const N: usize = 1> {
     pub(super) moving: MovingCells,
     pub(super) report: Report,
     pub(super) multiplier: [f64; N],
+    /// Multipliers at which the start of the next solve has been an answer.
+    pub(super) expected: Option<[f64; N]>,
 }
 
 /// Vectors of the inner iteration, compressed to the cells that move.
@@ -62,7 +64,13 @@ impl<C: Operator<N>, P: Operator<N>, M: Motion<N>, const N: usize> Workspace<C, 
             moving: MovingCells::with_capacity(cells),
             report: Report::with_room(),
             multiplier: [0.0; N],
+            expected: None,
         }
+    }
+
+    /// Makes the next solve look at its start first, which has been an answer at these multipliers.
+    pub(crate) fn expect(&mut self, multiplier: [f64; N]) {
+        self.expected = Some(multiplier);
     }
 
     /// The product `C x` with the iterate last returned.

@@ -96,8 +96,9 @@ impl<T: Real> Plan<T> {
     }
 
     pub(super) fn workspace<const N: usize>(&self) -> Buffers<T, N> {
-        let row_tasks = parallel::lanes().min(self.tiles_down());
-        let column_tasks = parallel::lanes().min(self.tiles_across());
+        let lanes = parallel::lanes_for(self.mx * self.my);
+        let (row_tasks, column_tasks) =
+            (lanes.min(self.tiles_down()), lanes.min(self.tiles_across()));
         Buffers {
             by_rows: from_fn(|_| vec![tiles::zero(); self.tiles()]),
             occupied: from_fn(|_| vec![false; self.tiles_down()]),

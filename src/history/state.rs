@@ -10,7 +10,7 @@ use crate::half_space::HalfSpace;
 use crate::history::TouchRule;
 use crate::history::memory::Memory;
 use crate::material::ElasticPair;
-use crate::normal::NormalSolution;
+use crate::normal::{NormalSolution, NormalSolver};
 use crate::tangential::{Axis, Friction, Motion, Zone};
 use crate::window::Window;
 
@@ -162,9 +162,10 @@ impl State {
         self.coupling.is_joint(self.pair())
     }
 
-    /// Where the pressure was found alone.
-    pub(super) fn normal_window(&self) -> Option<Window> {
-        self.press_window.filter(|_| !self.is_joint())
+    /// Makes the solver of a pressure that is found alone go on from here.
+    pub(super) fn resume(&self, press: &mut NormalSolver) -> Result<()> {
+        let window = self.press_window.filter(|_| !self.is_joint());
+        press.resume(self.pressure().as_slice(), self.approach(), window)
     }
 
     /// Whether what a state of coupled bodies remembers is all there.

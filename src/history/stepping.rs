@@ -111,7 +111,7 @@ impl History {
             .settings(state.settings)
             .build()?
             .into_solver()?;
-        press.resume(state.pressure().as_slice(), state.normal_window())?;
+        state.resume(&mut press)?;
         Ok(Self {
             bodies: bodies.clone(),
             candidate: press.new_solution(),
@@ -138,10 +138,10 @@ impl History {
     /// As [`History::from_state`]; the history is then as it was.
     pub fn set_state(&mut self, state: &State) -> Result<()> {
         state.check_bodies(&self.bodies)?;
-        let resumed = self
-            .press
-            .resume(state.pressure().as_slice(), state.normal_window());
-        if let Err(error) = resumed.and_then(|()| self.resume(state)) {
+        if let Err(error) = state
+            .resume(&mut self.press)
+            .and_then(|()| self.resume(state))
+        {
             self.take_back()?;
             return Err(error);
         }
@@ -180,8 +180,7 @@ impl History {
         if let Some(joint) = &mut self.joint {
             return joint.resume(state.press_window);
         }
-        self.press
-            .resume(state.pressure().as_slice(), state.normal_window())
+        state.resume(&mut self.press)
     }
 
     /// Takes a step, and returns what it did; also [`History::last_step`] afterwards.
@@ -291,7 +290,8 @@ impl History {
             start: Instant::now(),
             observer,
         };
-        increment.solve(&demand, state.motion, Start::Present, &mut conditions)?;
+        let start = Start::Present(state.shift());
+        increment.solve(&demand, state.motion, start, &mut conditions)?;
         Ok(increment.motion())
     }
 

@@ -47,6 +47,8 @@ pub struct NormalSolver {
     engine: Option<Engine>,
     /// The last pressure on the whole grid, the start of the next solve.
     pressure: Vec<f64>,
+    /// The approach that belongs to it.
+    approach: f64,
     report: Report,
 }
 
@@ -115,6 +117,7 @@ impl NormalSolver {
             problem,
             engine: None,
             pressure: vec![0.0; grid.cells()],
+            approach: 0.0,
             report: Report::with_room(),
         })
     }
@@ -149,9 +152,15 @@ impl NormalSolver {
         self.engine.as_ref().map(|engine| engine.window)
     }
 
-    /// Goes on as after the solve that found this pressure, on the window it ended with.
-    pub(crate) fn resume(&mut self, pressure: &[f64], window: Option<Window>) -> Result<()> {
+    /// Goes on as after the solve that found this pressure at this approach, on the window it ended with.
+    pub(crate) fn resume(
+        &mut self,
+        pressure: &[f64],
+        approach: f64,
+        window: Option<Window>,
+    ) -> Result<()> {
         self.pressure.copy_from_slice(pressure);
+        self.approach = approach;
         if self.window() != window {
             let remake = |window| Engine::new(&self.problem.bodies, window);
             self.engine = window.map(remake).transpose()?;
@@ -212,22 +221,24 @@ impl NormalSolver {
             NormalControl::Hold => return Err(Error::NothingToHold),
         };
         let is_cold = self.engine.is_none();
+        let expected = (!is_cold).then_some(self.approach - load.datum);
         let mut engine = match self.engine.take() {
             Some(engine) => engine,
             None => self.start_cold(load, &mut conditions)?,
         };
-        let outcome = self.solve_on_window(&mut engine, load, &mut conditions);
+        let outcome = self.solve_on_window(&mut engine, load, expected, &mut conditions);
         if !matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
             return outcome;
         }
         self.report.time = conditions.start.elapsed();
         let [multiplier] = engine.solver.multiplier();
+        self.approach = load.datum + multiplier;
         let NormalProblem { bodies, gap, .. } = &self.problem;
         solution.fill(
             bodies.pair(),
             gap,
             [&self.pressure, engine.displacement()],
-            load.datum + multiplier,
+            self.approach,
             &self.report,
         );
         // Do not warm-start from NaN; and a first solve without contact has not found where to work.
@@ -264,6 +275,7 @@ impl NormalSolver {
         &mut self,
         engine: &mut Engine,
         load: Load,
+        mut expected: Option<f64>,
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<()> {
         let NormalProblem { bodies, gap, .. } = &self.problem;
@@ -278,6 +290,9 @@ impl NormalSolver {
         loop {
             let left = with_limits_left(settings, *start, &self.report).tolerance(aim);
             let mut observer = with_counts_of(&self.report, &mut **observer);
+            if let Some(multiplier) = expected {
+                engine.solver.expect([load.of(multiplier)]);
+            }
             let outcome = engine.solve(gap, load, &mut self.pressure, &left, &mut observer);
             if !matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
                 return outcome;
@@ -297,6 +312,7 @@ impl NormalSolver {
             if missed.is_none() && (outcome.is_err() || self.report.is_within(settings.tolerance)) {
                 return outcome;
             }
+            expected = Some(engine.solver.multiplier()[0]);
             // While the engine can still show what the iterate does.
             check_iterations_left(settings, &mut self.report)?;
             if let Some(missed) = missed {
@@ -320,6 +336,16 @@ struct Load {
     datum: f64,
     /// The sum of the pressures, where the force is prescribed.
     total: Total,
+}
+
+impl Load {
+    /// The multiplier there is, if this is it.
+    fn of(self, multiplier: f64) -> f64 {
+        match self.total {
+            Total::Free => 0.0,
+            _ => multiplier,
+        }
+    }
 }
 
 impl Engine {

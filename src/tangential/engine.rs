@@ -48,6 +48,9 @@ pub(super) trait ShearEngine: Debug + Send + Sync {
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<PlaneVector>;
 
+    /// Makes the next minimisation look at its start first, which has been an answer at these multipliers.
+    fn expect(&mut self, multiplier: [f64; 2]);
+
     /// The displacements that tractions cause; the answer stays.
     fn apply(&mut self, traction: &PlaneVector, displacement: &mut PlaneVector);
 
@@ -191,6 +194,11 @@ where
             nested_start(bodies, size, &scene, conditions)?
         };
         Ok(self.both(found))
+    }
+
+    fn expect(&mut self, multiplier: [f64; 2]) {
+        self.solver
+            .expect(self.axes.map(|axis| multiplier[axis.index()]));
     }
 
     fn apply(&mut self, traction: &PlaneVector, displacement: &mut PlaneVector) {

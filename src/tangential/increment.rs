@@ -40,12 +40,12 @@ pub(crate) struct Increment {
 }
 
 /// How a step begins.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Start {
     /// From the answer on coarser cells.
     Nested,
-    /// From the present tractions.
-    Present,
+    /// From the present tractions, which were an answer at this shift.
+    Present([f64; 2]),
 }
 
 impl Increment {
@@ -220,11 +220,11 @@ impl Increment {
         let totals = self.prescribe(demand)?;
         self.set_linear();
         let outcome = match self.pressed.limits.unit() {
-            None => self.minimise(totals, start, conditions),
+            None => self.minimise(totals, start, 1.0, conditions),
             Some(unit) => {
                 self.rescale(1.0 / unit);
                 let totals = totals.map(|total| total.in_unit(unit));
-                let outcome = self.minimise(totals, start, conditions);
+                let outcome = self.minimise(totals, start, unit, conditions);
                 self.rescale(unit);
                 self.engine.rescale(unit);
                 outcome
@@ -239,6 +239,7 @@ impl Increment {
         &mut self,
         totals: [Total; 2],
         start: Start,
+        unit: f64,
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<()> {
         let Pressed { window, limits, .. } = &self.pressed;
@@ -247,7 +248,13 @@ impl Increment {
             linear: &self.linear,
             totals,
         };
-        if start == Start::Nested {
+        if let Start::Present(shift) = start {
+            let beyond = |axis: usize| match totals[axis] {
+                Total::Free => 0.0,
+                _ => (shift[axis] - self.motion.shift[axis]) / unit,
+            };
+            self.engine.expect([beyond(0), beyond(1)]);
+        } else {
             let is_at_rest = self.motion == Motion::default();
             let is_drawn = self.offset.iter().flatten().any(|offset| *offset != 0.0);
             let is_moved = !is_at_rest || is_drawn;

@@ -225,7 +225,7 @@ impl TangentialSolver {
             observer: &mut observer,
         };
         let start = if self.is_warm {
-            Start::Present
+            Start::Present(self.increment.motion().shift)
         } else {
             Start::Nested
         };

@@ -88,6 +88,7 @@ mod stiffness_is_the_slope_of_solves;
 mod superposition_is_exact;
 mod the_certificate_is_its_formula;
 mod too_large_is_refused;
+mod unchanged_problems_stop_at_once;
 mod units_do_not_matter;
 mod warnings_name_the_trap;
 mod wear_laws_sum_up;

@@ -1,0 +1,45 @@
+//! A look at a start that has been an answer: where nothing has changed, one product shows that it is one still.
+
+use crate::cgm::run::Run;
+use crate::cgm::totals::{Total, sums_of};
+use crate::cgm::vector::{at, slices};
+use crate::cgm::{Constraint, Linearised, reduce};
+use crate::operator::Operator;
+use crate::report::Status;
+
+/// What a sum may miss, of the sum of the magnitudes, and be met but for round-off.
+const ROUND_OFF: f64 = 1e-13;
+
+impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '_, C, K, P, N> {
+    /// Ends where the start, at the multipliers it had as an answer, is converged. Otherwise the product is at hand: it is
+    /// taken only of a start that is feasible.
+    pub(super) fn look(&mut self, multiplier: [f64; N]) -> Option<Status> {
+        if !self.is_feasible(multiplier) {
+            return None;
+        }
+        self.refresh();
+        self.is_looked_at = true;
+        self.workspace.multiplier = multiplier;
+        let findings = self.examine();
+        let merit = self.merit(&findings);
+        if merit <= self.monitor.tolerance() {
+            return self.judge(merit, findings.free).break_value();
+        }
+        None
+    }
+
+    /// Whether the unknowns are in their sets and have their totals, but for round-off.
+    fn is_feasible(&self, multiplier: [f64; N]) -> bool {
+        let constraint = &self.problem.constraint;
+        let x = slices(&self.x);
+        let sums = sums_of(&x);
+        let has_total = |c: usize| match self.problem.totals[c] {
+            Total::Free => multiplier[c] == 0.0,
+            Total::Sum(sum) => (sum - sums[c][0]).abs() <= ROUND_OFF * sums[c][1],
+            // What the spring makes of the sum, but for round-off.
+            total @ Total::Spring { .. } => total.held(multiplier[c], sums[c]) == multiplier[c],
+        };
+        (0..N).all(has_total)
+            && reduce::first(self.cells(), |i| constraint.of(i).excess(at(&x, i)) != 0.0).is_none()
+    }
+}
