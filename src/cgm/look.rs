@@ -37,7 +37,9 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             Total::Free => multiplier[c] == 0.0,
             Total::Sum(sum) => (sum - sums[c][0]).abs() <= ROUND_OFF * sums[c][1],
             // What the spring makes of the sum, but for round-off.
-            total @ Total::Spring { .. } => total.held(multiplier[c], sums[c]) == multiplier[c],
+            total @ Total::Spring { .. } => {
+                total.held(multiplier[c], sums[c]) - multiplier[c] == 0.0
+            }
         };
         (0..N).all(has_total)
             && reduce::first(self.cells(), |i| constraint.of(i).excess(at(&x, i)) != 0.0).is_none()

@@ -5,19 +5,15 @@ use std::sync::Arc;
 
 use crate::cascade::{Conditions, Scene, nested_start};
 use crate::cgm::reduce;
-use crate::cgm::{self, Interval, Iterate, Iteration, Method, NonNegative, Total, solver_settings};
+use crate::cgm::{Iteration, Method, Total, solver_settings};
 use crate::clock::Instant;
-use crate::elastic::{ElasticSolver, Observer};
 use crate::error::{Error, Result};
-use crate::fft::{Convolution, ConvolutionWorkspace};
 use crate::field::Field;
-use crate::half_space::{Compliance, HalfSpace};
 use crate::influence::Direction;
+use crate::normal::engine::{Engine, Load};
 use crate::normal::nested::PressureScene;
 use crate::normal::problem::check_gap;
 use crate::normal::{NormalControl, NormalProblem, NormalSolution};
-use crate::operator::Operator;
-use crate::parallel;
 use crate::passes::{check_iterations_left, with_counts_of, with_limits_left, with_memory};
 use crate::report::{Report, Status};
 use crate::window::Window;
@@ -50,60 +46,6 @@ pub struct NormalSolver {
     /// The approach that belongs to it.
     approach: f64,
     report: Report,
-}
-
-/// The engine, set up where it works: around the contact, if that is much smaller than the grid.
-#[derive(Debug, Clone)]
-struct Engine {
-    window: Window,
-    solver: ElasticSolver<Interval, 1>,
-    /// The gap of the window from the datum.
-    linear: Vec<f64>,
-    /// Pressure of the window.
-    x: Vec<f64>,
-    /// What it takes to see the rest of the grid, if there is a rest.
-    whole: Option<Whole>,
-}
-
-#[derive(Debug, Clone)]
-struct Whole {
-    operator: Arc<Convolution<1>>,
-    workspace: ConvolutionWorkspace<1>,
-    displacement: Vec<f64>,
-}
-
-impl Engine {
-    /// On a window, or on the whole grid if it repeats or the window saves too little.
-    fn new(bodies: &HalfSpace, window: Window) -> Result<Self> {
-        let (window, whole) = (bodies.confined(window), Window::whole(bodies.grid()));
-        let is_whole = 5 * window.cells() > 4 * whole.cells();
-        let window = if is_whole { whole } else { window };
-        let beyond = if is_whole {
-            None
-        } else {
-            let Compliance { operator, .. } = bodies.compliance([Direction::Z], whole.size)?;
-            Some(Whole {
-                workspace: operator.workspace(),
-                displacement: vec![0.0; whole.cells()],
-                operator,
-            })
-        };
-        Ok(Self {
-            solver: ElasticSolver::new(bodies, [Direction::Z], window.size)?,
-            linear: vec![0.0; window.cells()],
-            x: vec![0.0; window.cells()],
-            window,
-            whole: beyond,
-        })
-    }
-
-    /// The displacement of the whole grid.
-    fn displacement(&self) -> &[f64] {
-        match &self.whole {
-            Some(whole) => &whole.displacement,
-            None => self.solver.product()[0],
-        }
-    }
 }
 
 impl NormalSolver {
@@ -326,93 +268,6 @@ impl NormalSolver {
                 aim *= 0.5;
             }
         }
-    }
-}
-
-/// The load as the engine takes it.
-#[derive(Debug, Clone, Copy)]
-struct Load {
-    /// What the gap is measured from: its least value, or the approach where that is prescribed.
-    datum: f64,
-    /// The sum of the pressures, where the force is prescribed.
-    total: Total,
-}
-
-impl Load {
-    /// The multiplier there is, if this is it.
-    fn of(self, multiplier: f64) -> f64 {
-        match self.total {
-            Total::Free => 0.0,
-            _ => multiplier,
-        }
-    }
-}
-
-impl Engine {
-    /// Solves on the window, from the pressure of the whole grid into it.
-    fn solve(
-        &mut self,
-        gap: &[f64],
-        load: Load,
-        pressure: &mut [f64],
-        settings: &cgm::Settings,
-        observer: Observer<'_>,
-    ) -> Result<()> {
-        self.window.gather(gap, &mut self.linear);
-        parallel::update(&mut self.linear, |_, chunk| {
-            for gap in chunk {
-                *gap -= load.datum;
-            }
-        });
-        self.window.gather(pressure, &mut self.x);
-        let outcome = self.solver.minimise(
-            [&self.linear],
-            NonNegative,
-            [load.total],
-            [&mut self.x],
-            settings,
-            observer,
-        );
-        if matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
-            pressure.fill(0.0);
-            self.window.scatter(&self.x, pressure);
-        }
-        outcome
-    }
-
-    /// Examines the pressure on the whole grid; `None` if the window is the grid.
-    fn examine(&mut self, gap: &[f64], load: Load, pressure: &[f64]) -> Option<cgm::Certificate> {
-        let multiplier = self.solver.multiplier();
-        let Whole {
-            operator,
-            workspace,
-            displacement,
-        } = self.whole.as_mut()?;
-        operator.apply([pressure], [displacement], workspace);
-        let iterate = Iterate {
-            x: [pressure],
-            product: [displacement],
-            linear: [gap],
-            datum: [load.datum],
-            totals: [load.total],
-            multiplier,
-        };
-        Some(cgm::examine(&iterate, &NonNegative, operator.lower_bound()))
-    }
-
-    /// The cells beyond the window where bodies overlap by more than round-off.
-    fn missed(
-        &self,
-        gap: &[f64],
-        load: Load,
-        round_off: f64,
-        bodies: &HalfSpace,
-    ) -> Option<Window> {
-        let ([multiplier], displacement) = (self.solver.multiplier(), self.displacement());
-        Window::around(bodies.grid(), |i| {
-            let overlap = displacement[i] + (gap[i] - load.datum) - multiplier;
-            overlap < -round_off && !self.window.contains(i)
-        })
     }
 }
 
