@@ -11,8 +11,8 @@ use crate::report::Status;
 const ROUND_OFF: f64 = 1e-13;
 
 impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '_, C, K, P, N> {
-    /// Ends where the start, at the multipliers it had as an answer, is converged. Otherwise the product is at hand: it is
-    /// taken only of a start that is feasible.
+    /// Ends where the start, at the multipliers it had as an answer, is converged: it is feasible, and what it shows is the
+    /// last word. Otherwise the product is at hand, if the start is feasible.
     pub(super) fn look(&mut self, multiplier: [f64; N]) -> Option<Status> {
         if !self.is_feasible(multiplier) {
             return None;
@@ -22,10 +22,12 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         self.workspace.multiplier = multiplier;
         let findings = self.examine();
         let merit = self.merit(&findings);
-        if merit <= self.monitor.tolerance() {
-            return self.judge(merit, findings.free).break_value();
+        if merit > self.monitor.tolerance() || merit.is_nan() {
+            return None;
         }
-        None
+        let status = self.judge(merit, findings.free).break_value()?;
+        let report = &mut self.workspace.report;
+        Some(self.monitor.finish(status, merit, report))
     }
 
     /// Whether the unknowns are in their sets and have their totals, but for round-off.

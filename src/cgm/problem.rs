@@ -179,10 +179,10 @@ pub fn minimise_with<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: 
         let status = match (run.multiplier_at_zero(), reach) {
             (Some(multiplier), _) => run.at_zero(multiplier),
             (None, Reach::Extreme(direction)) => run.at_extreme(direction),
-            (None, Reach::Inside) => {
-                let shown = expected.and_then(|multiplier| run.look(multiplier));
-                shown.unwrap_or_else(|| iterate(&mut run))
-            }
+            (None, Reach::Inside) => match expected.and_then(|multiplier| run.look(multiplier)) {
+                Some(status) => return Ok(status),
+                None => iterate(&mut run),
+            },
         };
         Ok(run.finish(status))
     };

@@ -199,7 +199,9 @@ impl CoupledIncrement {
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<()> {
         self.report.clear();
-        parallel::enter(|| self.find(demand, before, conditions))
+        parallel::enter_with(self.bodies.grid().cells(), || {
+            self.find(demand, before, conditions)
+        })
     }
 
     /// The same from the answer, whose cells have since been made to lag: as a further part of the solve.
@@ -210,7 +212,9 @@ impl CoupledIncrement {
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<()> {
         self.set_known(self.approach, self.motion.shift);
-        parallel::enter(|| self.find(demand, before, conditions))
+        parallel::enter_with(self.bodies.grid().cells(), || {
+            self.find(demand, before, conditions)
+        })
     }
 
     fn find(
