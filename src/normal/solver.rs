@@ -128,7 +128,7 @@ impl NormalSolver {
     ///
     /// # Errors
     /// [`Error::GridMismatch`] or [`Error::BoundaryMismatch`] if the solution is of another grid or boundary, nothing
-    /// changed; as [`HalfSpace::operator`]; [`Error::NotConverged`] with the last feasible iterate in `solution`.
+    /// changed; as [`HalfSpace::operator`](crate::HalfSpace::operator); [`Error::NotConverged`] with the last feasible iterate in `solution`.
     pub fn solve_into(&mut self, solution: &mut NormalSolution) -> Result<()> {
         self.solve_observed(solution, |_| ControlFlow::Continue(()))
     }
