@@ -162,8 +162,8 @@
 //! neglected, as in the paper; on the sphere of Poisson's ratio 0.29 this changes the force by less than 0.1 %. The
 //! vector model ([`TangentialModel::Vector`]) finds both components, in about three times the time. Where the materials
 //! couple pressure and shear (Dundurs' beta not zero), [`CoupledProblem`] and [`History`] find both together, to the
-//! answers of CONTACT; a [`TangentialProblem`], whose pressure is given, refuses such materials until the coupling is
-//! neglected explicitly. The vector model reproduces the histories of CONTACT's test bench, among them 21 steps of a
+//! answers of CONTACT; a [`TangentialProblem`], whose pressure is given, finds the tractions that belong to it.
+//! [`Coupling`] chooses less. The vector model reproduces the histories of CONTACT's test bench, among them 21 steps of a
 //! moving sphere, to 1e-9 of the largest pressure (`tests/it/another_code_agrees_through_histories.rs`).
 //!
 //! Not modelled: rolling, layers, plasticity, adhesion, viscosity, heat.
