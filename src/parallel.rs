@@ -46,9 +46,14 @@ pub(crate) fn enter<T: Send>(work: impl FnOnce() -> T + Send) -> T {
 
 /// A useful number of simultaneous tasks; only for work whose result does not depend on how it is cut.
 pub(crate) fn lanes() -> usize {
+    4 * threads()
+}
+
+/// Threads of the caller's pool.
+pub(crate) fn threads() -> usize {
     #[cfg(feature = "parallel")]
     {
-        4 * rayon::current_num_threads()
+        rayon::current_num_threads()
     }
     #[cfg(not(feature = "parallel"))]
     {
@@ -56,14 +61,14 @@ pub(crate) fn lanes() -> usize {
     }
 }
 
-/// The same for work on so many samples: one where it is too short to share.
-pub(crate) fn lanes_for(samples: usize) -> usize {
-    if samples <= 4 * CHUNK { 1 } else { lanes() }
+/// Whether work on so many cells is too short to share.
+pub(crate) fn is_short(cells: usize) -> bool {
+    cells <= CHUNK
 }
 
 /// [`enter`] for work on so many cells, which is done at once where it is too short to share.
 pub(crate) fn enter_with<T: Send>(cells: usize, work: impl FnOnce() -> T + Send) -> T {
-    if cells <= CHUNK { work() } else { enter(work) }
+    if is_short(cells) { work() } else { enter(work) }
 }
 
 /// Data that can be cut at a task boundary.
@@ -158,14 +163,34 @@ pub(crate) fn sweep<D: Split, T: Send>(
     if tasks.len() <= 1 {
         return work(tasks.start, data);
     }
+    let [(first, low), (second, high)] = halves(tasks, data);
+    let (low, high) = join(
+        || sweep(first, low, work, combine),
+        || sweep(second, high, work, combine),
+    );
+    combine(low, high)
+}
+
+/// [`sweep`] on the calling thread alone.
+pub(crate) fn in_turn<D: Split, T>(
+    tasks: Range<usize>,
+    data: D,
+    work: &impl Fn(usize, D) -> T,
+    combine: &impl Fn(T, T) -> T,
+) -> T {
+    if tasks.len() <= 1 {
+        return work(tasks.start, data);
+    }
+    let [(first, low), (second, high)] = halves(tasks, data);
+    let low = in_turn(first, low, work, combine);
+    combine(low, in_turn(second, high, work, combine))
+}
+
+fn halves<D: Split>(tasks: Range<usize>, data: D) -> [(Range<usize>, D); 2] {
     let half = tasks.len() / 2;
     let middle = tasks.start + half;
     let (low, high) = data.split(half);
-    let (low, high) = join(
-        || sweep(tasks.start..middle, low, work, combine),
-        || sweep(middle..tasks.end, high, work, combine),
-    );
-    combine(low, high)
+    [(tasks.start..middle, low), (middle..tasks.end, high)]
 }
 
 /// A slice of vector work with one chunk per task.

@@ -7,18 +7,15 @@ use num_complex::Complex;
 use crate::fft::aligned::Aligned;
 use crate::fft::plan::{Plan, blocks, zero};
 use crate::fft::real::Real;
+use crate::fft::scratch::Scratch;
 use crate::fft::symbol::Symbol;
 use crate::fft::tiles::{self, TILE_COLUMNS, TILE_ROWS, Tile};
-use crate::parallel::{self, Blocks};
 
 #[derive(Debug, Clone)]
 pub(super) struct ColumnScratch<T, const N: usize> {
     columns: [Aligned<Complex<T>>; N],
     transform: Aligned<Complex<T>>,
 }
-
-type ColumnTask<'a, T, const N: usize> =
-    ([Blocks<'a, Tile<T>>; N], Blocks<'a, ColumnScratch<T, N>>);
 
 impl<T: Real> Plan<T> {
     pub(super) fn column_scratch<const N: usize>(&self) -> ColumnScratch<T, N> {
@@ -48,37 +45,46 @@ impl<T: Real> Plan<T> {
         symbol: &Symbol<T, N>,
         by_columns: &mut [Vec<Tile<T>>; N],
         occupied: &[Vec<bool>; N],
-        scratch: &mut [ColumnScratch<T, N>],
+        scratch: &Scratch<ColumnScratch<T, N>>,
     ) {
-        let (stride, tasks) = (self.column_stride(), scratch.len());
-        let (band, per_task) = (self.tiles_down(), self.tiles_across().div_ceil(tasks));
-        let tiles = by_columns
-            .each_mut()
-            .map(|tiles| blocks(tiles, per_task * band));
-        let work = |task: usize, (mut fields, scratch): ColumnTask<'_, T, N>| {
-            let ColumnScratch { columns, transform } = &mut scratch.items[0];
-            for index in 0..fields[0].items.len() / band {
-                let tiles = index * band..(index + 1) * band;
-                for n in 0..N {
-                    let tiles = &fields[n].items[tiles.clone()];
-                    tiles::gather(tiles, &occupied[n], &mut columns[n], stride);
-                }
-                let first = (task * per_task + index) * TILE_COLUMNS;
-                for c in 0..TILE_COLUMNS.min(self.width() - first) {
-                    let mut waves = columns.each_mut().map(|columns| {
-                        self.waves_of(&mut columns[c * stride..(c + 1) * stride], transform)
-                    });
-                    symbol.multiply(first + c, &mut waves);
-                    for column in waves {
-                        self.column_inverse.process_with_scratch(column, transform);
-                    }
-                }
-                for (field, columns) in fields.iter_mut().zip(&*columns) {
-                    tiles::scatter(columns, stride, &mut field.items[tiles.clone()]);
-                }
+        let down = self.tiles_down();
+        let fields = by_columns.each_mut().map(|tiles| blocks(tiles, down));
+        self.bands(self.tiles_across(), fields, |band, fields| {
+            let fields = fields.map(|field| field.items);
+            scratch.lend(
+                || self.column_scratch(),
+                |scratch| self.column_band(symbol, band, fields, occupied, scratch),
+            );
+        });
+    }
+
+    /// Transforms, multiplies and transforms back the columns of a band.
+    fn column_band<const N: usize>(
+        &self,
+        symbol: &Symbol<T, N>,
+        band: usize,
+        mut fields: [&mut [Tile<T>]; N],
+        occupied: &[Vec<bool>; N],
+        scratch: &mut ColumnScratch<T, N>,
+    ) {
+        let stride = self.column_stride();
+        let ColumnScratch { columns, transform } = scratch;
+        for n in 0..N {
+            tiles::gather(fields[n], &occupied[n], &mut columns[n], stride);
+        }
+        let first = band * TILE_COLUMNS;
+        for c in 0..TILE_COLUMNS.min(self.width() - first) {
+            let mut waves = columns.each_mut().map(|columns| {
+                self.waves_of(&mut columns[c * stride..(c + 1) * stride], transform)
+            });
+            symbol.multiply(first + c, &mut waves);
+            for column in waves {
+                self.column_inverse.process_with_scratch(column, transform);
             }
-        };
-        parallel::sweep(0..tasks, (tiles, blocks(scratch, 1)), &work, &|(), ()| ());
+        }
+        for (field, columns) in fields.iter_mut().zip(&*columns) {
+            tiles::scatter(columns, stride, field);
+        }
     }
 
     /// Pads a column of scratch memory and transforms it.

@@ -18,6 +18,7 @@ mod length;
 mod plan;
 mod real;
 mod rows;
+mod scratch;
 mod single;
 mod spectrum;
 mod symbol;

@@ -15,9 +15,10 @@ use rustfft::{Fft, FftPlanner};
 use crate::fft::columns::ColumnScratch;
 use crate::fft::real::Real;
 use crate::fft::rows::RowScratch;
+use crate::fft::scratch::Scratch;
 use crate::fft::symbol::Symbol;
 use crate::fft::tiles::{self, TILE_COLUMNS, TILE_ROWS, Tile, exchange};
-use crate::parallel::{self, Blocks};
+use crate::parallel::{self, Blocks, Split};
 
 /// Transforms of an `nx` x `ny` field padded to `mx` x `my`. Immutable and shared.
 #[derive(Clone)]
@@ -51,8 +52,8 @@ pub(super) struct Buffers<T, const N: usize> {
     occupied: [Vec<bool>; N],
     /// The same tiles while a task owns bands of columns.
     by_columns: [Vec<Tile<T>>; N],
-    row_scratch: Vec<RowScratch<T>>,
-    column_scratch: Vec<ColumnScratch<T, N>>,
+    row_scratch: Scratch<RowScratch<T>>,
+    column_scratch: Scratch<ColumnScratch<T, N>>,
 }
 
 impl<T: Real> Plan<T> {
@@ -95,16 +96,28 @@ impl<T: Real> Plan<T> {
         self.tiles_down() * self.tiles_across()
     }
 
+    /// Whether a field is too short to share its work.
+    fn is_short(&self) -> bool {
+        parallel::is_short(self.cells())
+    }
+
+    /// Runs `work(band, its part of data)` for the bands of a stage.
+    pub(super) fn bands<D: Split>(&self, bands: usize, data: D, work: impl Fn(usize, D) + Sync) {
+        if self.is_short() {
+            parallel::in_turn(0..bands, data, &work, &|(), ()| ());
+        } else {
+            parallel::sweep(0..bands, data, &work, &|(), ()| ());
+        }
+    }
+
     pub(super) fn workspace<const N: usize>(&self) -> Buffers<T, N> {
-        let lanes = parallel::lanes_for(self.mx * self.my);
-        let (row_tasks, column_tasks) =
-            (lanes.min(self.tiles_down()), lanes.min(self.tiles_across()));
+        let is_short = self.is_short();
         Buffers {
             by_rows: from_fn(|_| vec![tiles::zero(); self.tiles()]),
             occupied: from_fn(|_| vec![false; self.tiles_down()]),
             by_columns: from_fn(|_| vec![Tile::default(); self.tiles()]),
-            row_scratch: vec![self.row_scratch(); row_tasks],
-            column_scratch: vec![self.column_scratch(); column_tasks],
+            row_scratch: Scratch::new(self.row_scratch(), is_short),
+            column_scratch: Scratch::new(self.column_scratch(), is_short),
         }
     }
 

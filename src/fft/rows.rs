@@ -3,9 +3,10 @@
 use crate::fft::aligned::Aligned;
 use crate::fft::plan::{Plan, blocks, zero};
 use crate::fft::real::Real;
+use crate::fft::scratch::Scratch;
 use crate::fft::tiles::{TILE_COLUMNS, TILE_ROWS, Tile};
-use crate::parallel::{self, Blocks};
 use num_complex::Complex;
+use std::ops::Range;
 
 #[derive(Debug, Clone)]
 pub(super) struct RowScratch<T> {
@@ -14,12 +15,6 @@ pub(super) struct RowScratch<T> {
     complex: Aligned<Complex<T>>,
     transform: Aligned<Complex<T>>,
 }
-
-type RowTask<'a, T> = (
-    Blocks<'a, Tile<T>>,
-    Blocks<'a, bool>,
-    Blocks<'a, RowScratch<T>>,
-);
 
 impl<T: Real> Plan<T> {
     pub(super) fn row_scratch(&self) -> RowScratch<T> {
@@ -47,28 +42,27 @@ impl<T: Real> Plan<T> {
         scale: f64,
         by_rows: &mut [Tile<T>],
         occupied: &mut [bool],
-        scratch: &mut [RowScratch<T>],
+        scratch: &Scratch<RowScratch<T>>,
     ) {
-        let (band, tasks) = (self.tiles_across(), scratch.len());
-        let per_task = self.tiles_down().div_ceil(tasks);
-        let data = (
-            blocks(by_rows, per_task * band),
-            blocks(occupied, per_task),
-            blocks(scratch, 1),
-        );
-        let work = |task: usize, (bands, occupied, scratch): RowTask<'_, T>| {
-            let scratch = &mut scratch.items[0];
-            let first = (task * per_task * TILE_ROWS * self.nx).min(x.len());
-            let inputs = x[first..].chunks(TILE_ROWS * self.nx);
-            let outputs = bands.items.chunks_exact_mut(band);
-            for ((input, output), occupied) in inputs.zip(outputs).zip(occupied.items) {
-                *occupied = is_occupied(input);
-                if *occupied {
-                    self.forward_band(input, scale, output, scratch);
-                }
+        let bands = (blocks(by_rows, self.tiles_across()), blocks(occupied, 1));
+        self.bands(self.tiles_down(), bands, |band, (tiles, occupied)| {
+            let input = self.rows_of(band);
+            let input = &x[input];
+            let is_occupied = is_occupied(input);
+            occupied.items[0] = is_occupied;
+            if is_occupied {
+                let make = || self.row_scratch();
+                scratch.lend(make, |scratch| {
+                    self.forward_band(input, scale, tiles.items, scratch)
+                });
             }
-        };
-        parallel::sweep(0..tasks, data, &work, &|(), ()| ());
+        });
+    }
+
+    /// The cells of a band.
+    fn rows_of(&self, band: usize) -> Range<usize> {
+        let first = band * TILE_ROWS;
+        first * self.nx..(first + TILE_ROWS).min(self.ny) * self.nx
     }
 
     /// Transforms the rows of a band into its tiles.
@@ -108,31 +102,28 @@ impl<T: Real> Plan<T> {
     /// Transforms the rows back and writes them, times `scale`, to `out`.
     pub(super) fn inverse_rows(
         &self,
-        by_rows: &mut [Tile<T>],
+        by_rows: &[Tile<T>],
         out: &mut [f64],
         scale: f64,
-        scratch: &mut [RowScratch<T>],
+        scratch: &Scratch<RowScratch<T>>,
     ) {
-        let (across, tasks) = (self.tiles_across(), scratch.len());
-        let per_task = self.tiles_down().div_ceil(tasks);
-        let data = (
-            blocks(out, per_task * TILE_ROWS * self.nx),
-            blocks(scratch, 1),
-        );
-        let work = |task: usize, (out, scratch): (Blocks<'_, f64>, Blocks<'_, RowScratch<T>>)| {
-            let scratch = &mut scratch.items[0];
-            let bands = by_rows.chunks_exact(across).skip(task * per_task);
-            for (output, band) in out.items.chunks_mut(TILE_ROWS * self.nx).zip(bands) {
-                for (column, tile) in (0..).step_by(TILE_COLUMNS).zip(band) {
-                    for (row, values) in tile.chunks_exact(TILE_COLUMNS).enumerate() {
-                        scratch.complex[row * self.row_stride() + column..][..TILE_COLUMNS]
-                            .copy_from_slice(values);
+        let across = self.tiles_across();
+        let rows = blocks(out, TILE_ROWS * self.nx);
+        self.bands(self.tiles_down(), rows, |band, output| {
+            let tiles = &by_rows[band * across..(band + 1) * across];
+            scratch.lend(
+                || self.row_scratch(),
+                |scratch| {
+                    for (column, tile) in (0..).step_by(TILE_COLUMNS).zip(tiles) {
+                        for (row, values) in tile.chunks_exact(TILE_COLUMNS).enumerate() {
+                            scratch.complex[row * self.row_stride() + column..][..TILE_COLUMNS]
+                                .copy_from_slice(values);
+                        }
                     }
-                }
-                self.inverse_band(output, scale, scratch);
-            }
-        };
-        parallel::sweep(0..tasks, data, &work, &|(), ()| ());
+                    self.inverse_band(output.items, scale, scratch);
+                },
+            );
+        });
     }
 
     /// Transforms the rows of a band back from scratch memory.

@@ -19,6 +19,7 @@ use crate::history::state::State;
 use crate::history::touch;
 use crate::history::{EnergyBalance, LoadStep, StepResult};
 use crate::normal::{NormalControl, NormalProblem, NormalSolution, NormalSolver};
+use crate::parallel;
 use crate::passes::with_memory;
 use crate::report::{Report, Status};
 use crate::tangential::{Friction, Increment, Motion, Pressed, Start, TangentialModel};
@@ -207,7 +208,13 @@ impl History {
     ) -> Result<&StepResult> {
         let demand = load.demand(self.twist());
         demand.check(self.state.axes, self.boundary())?;
-        let motion = match self.attempt(load, &mut with_memory(&mut observer)) {
+        parallel::enter_with(self.grid().cells(), || self.take(load, &mut observer))?;
+        Ok(&self.step)
+    }
+
+    /// Takes a step that has been checked.
+    fn take(&mut self, load: &LoadStep, observer: Observer<'_>) -> Result<()> {
+        let motion = match self.attempt(load, &mut with_memory(observer)) {
             Ok(motion) => motion,
             Err(error) => {
                 self.take_back()?;
@@ -249,7 +256,7 @@ impl History {
             .clone_from(report.unwrap_or(&Report::unsolved()));
         commit(answer.as_ref(), motion, state, step);
         step.energy.add_pressing(&pressing);
-        Ok(&self.step)
+        Ok(())
     }
 
     /// Solves both halves of a step without a trace in the state; returns the motion of body 2 at its end.
