@@ -215,6 +215,19 @@ pub(crate) fn fold<T: Send>(
     )
 }
 
+/// [`fold`] over the rows of a field of `width` columns: `leaf(row range) -> T`.
+pub(crate) fn fold_rows<T: Send>(
+    rows: usize,
+    width: usize,
+    leaf: impl Fn(Range<usize>) -> T + Sync,
+    combine: impl Fn(T, T) -> T + Sync,
+) -> T {
+    let per_task = (CHUNK / width).max(1);
+    let rows_of = |task: usize| task * per_task..((task + 1) * per_task).min(rows);
+    let leaf = |task: usize, ()| leaf(rows_of(task));
+    sweep(0..rows.div_ceil(per_task), (), &leaf, &combine)
+}
+
 /// `sum [f(i)]` of several quantities at once.
 pub(crate) fn sums<const K: usize>(len: usize, f: impl Fn(usize) -> [f64; K] + Sync) -> [f64; K] {
     let add = |mut a: [f64; K], b: [f64; K]| {

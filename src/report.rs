@@ -150,6 +150,15 @@ impl Report {
         };
     }
 
+    /// That of an answer known from before: what it showed then, without work.
+    pub(crate) fn recall(&mut self, known: &Self) {
+        self.clear();
+        self.status = known.status;
+        self.residual = known.residual;
+        self.duality_gap = known.duality_gap;
+        self.load_error = known.load_error;
+    }
+
     /// Whether the tolerance was reached.
     #[must_use]
     pub fn is_converged(&self) -> bool {

@@ -1,7 +1,9 @@
 //! A rectangle of cells around a contact.
 
+use std::ops::Range;
+
 use crate::grid::Grid;
-use crate::parallel;
+use crate::parallel::{self, Blocks, Split};
 
 /// A rectangle of cells of a grid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,23 +24,29 @@ impl Window {
     }
 
     /// Around all cells of a grid that are in a set; `None` if none is.
-    pub(crate) fn around(grid: Grid, contains: impl Fn(usize) -> bool) -> Option<Self> {
+    pub(crate) fn around(grid: Grid, contains: impl Fn(usize) -> bool + Sync) -> Option<Self> {
         let nx = grid.nx();
-        let (mut low, mut high) = ([usize::MAX; 2], [0; 2]);
-        for iy in 0..grid.ny() {
+        let of_row = |iy: usize| {
             let mut columns = 0..nx;
             let contains = |ix: &usize| contains(iy * nx + ix);
-            if let Some(first) = columns.find(contains) {
-                let last = columns.rev().find(contains).unwrap_or(first);
-                low = [low[0].min(first), low[1].min(iy)];
-                high = [high[0].max(last), iy];
-            }
-        }
-        (low[0] < usize::MAX).then(|| Self {
-            columns: nx,
-            corner: low,
-            size: [high[0] - low[0] + 1, high[1] - low[1] + 1],
-        })
+            let first = columns.find(contains)?;
+            let last = columns.rev().find(contains).unwrap_or(first);
+            Some(Self {
+                columns: nx,
+                corner: [first, iy],
+                size: [last - first + 1, 1],
+            })
+        };
+        let both = |one: Option<Self>, other: Option<Self>| match (one, other) {
+            (Some(one), Some(other)) => Some(one.union(other)),
+            (one, other) => one.or(other),
+        };
+        parallel::fold_rows(
+            grid.ny(),
+            nx,
+            |rows| rows.map(of_row).fold(None, both),
+            both,
+        )
     }
 
     /// The rectangle of `size` cells whose first is `corner`; `None` if it is empty or leaves the grid.
@@ -121,6 +129,58 @@ impl Window {
         (0..window.size[1]).flat_map(move |row| {
             let start = window.row_start(row);
             start..start + window.size[0]
+        })
+    }
+
+    /// Rows of the window in a task of [`Self::sweep`].
+    fn rows_per_task(&self) -> usize {
+        (parallel::CHUNK / self.size[0]).max(1)
+    }
+
+    /// A field of the window, cut into the bands of rows of [`Self::sweep`].
+    pub(crate) fn bands<'a, T>(&self, part: &'a mut [T]) -> Blocks<'a, T> {
+        Blocks {
+            items: part,
+            width: self.rows_per_task() * self.size[0],
+        }
+    }
+
+    /// The rows of a field of the whole grid that hold the window, cut likewise.
+    pub(crate) fn bands_of<'a, T>(&self, whole: &'a mut [T]) -> Blocks<'a, T> {
+        let rows = self.corner[1]..self.corner[1] + self.size[1];
+        Blocks {
+            items: &mut whole[rows.start * self.columns..rows.end * self.columns],
+            width: self.rows_per_task() * self.columns,
+        }
+    }
+
+    /// Runs `work(rows, their part of data)` on bands of rows of the window and combines the results in a fixed tree.
+    pub(crate) fn sweep<D: Split, T: Send>(
+        &self,
+        data: D,
+        work: &(impl Fn(Range<usize>, D) -> T + Sync),
+        combine: &(impl Fn(T, T) -> T + Sync),
+    ) -> T {
+        let (rows, per_task) = (self.size[1], self.rows_per_task());
+        let of = |task: usize| task * per_task..((task + 1) * per_task).min(rows);
+        let work = |task: usize, data: D| work(of(task), data);
+        parallel::sweep(0..rows.div_ceil(per_task), data, &work, combine)
+    }
+
+    /// The cells of a band of rows: in the window, in the band's part of a field of the window, and in that of a field
+    /// of the whole grid.
+    pub(crate) fn places(
+        &self,
+        rows: Range<usize>,
+    ) -> impl Iterator<Item = (usize, usize, usize)> + use<> {
+        let (window, first) = (*self, rows.start);
+        let [nx, _] = window.size;
+        rows.flat_map(move |row| {
+            (0..nx).map(move |column| {
+                let own = (row - first) * nx + column;
+                let place = (row - first) * window.columns + window.corner[0] + column;
+                (row * nx + column, own, place)
+            })
         })
     }
 

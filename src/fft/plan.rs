@@ -154,7 +154,7 @@ impl<T: Real> Plan<T> {
         self.columns(symbol, by_columns, occupied, column_scratch);
         for (n, out) in out.into_iter().enumerate() {
             exchange(&mut by_columns[n], &mut by_rows[n], self.tiles_down());
-            self.inverse_rows(&mut by_rows[n], out, scales[1], row_scratch);
+            self.inverse_rows(&by_rows[n], out, scales[1], row_scratch);
         }
     }
 }

@@ -53,7 +53,7 @@ impl<T: Real> Plan<T> {
             if is_occupied {
                 let make = || self.row_scratch();
                 scratch.lend(make, |scratch| {
-                    self.forward_band(input, scale, tiles.items, scratch)
+                    self.forward_band(input, scale, tiles.items, scratch);
                 });
             }
         });

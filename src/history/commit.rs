@@ -1,11 +1,16 @@
 //! A solved step enters state and account.
 
-use crate::cgm::vector::{dot, minus};
+use std::ops::Range;
+
+use crate::cgm::reduce::Tally;
+use crate::cgm::vector::{dot, minus, slices};
+use crate::grid::Grid;
 use crate::history::EnergyBalance;
 use crate::history::memory::Memory;
 use crate::history::state::State;
 use crate::history::step::StepResult;
-use crate::tangential::{Answer, Motion, Zone, centre};
+use crate::parallel::Blocks;
+use crate::tangential::{Answer, Motion, Zone, at, centre};
 
 /// Makes a step that ended with the motion part of the state, and writes down what it did.
 pub(super) fn commit(
@@ -42,67 +47,176 @@ fn enter(
     state: &mut State,
     step: &mut StepResult,
 ) {
-    let (grid, pressed) = (state.grid(), answer.pressed);
-    let cell_area = grid.cell_area();
-    let change = state.motion.since(before);
-    let (mut sum, mut moment) = ([0.0; 2], 0.0);
-    for (k, i) in pressed.window.indices().enumerate() {
-        let centre = centre(grid, i);
+    let (grid, window) = (state.grid(), answer.pressed.window);
+    let taken = Taken {
+        answer,
+        grid,
+        motion: state.motion,
+        change: state.motion.since(before),
+        displacement: slices(&memory.displacement),
+    };
+    let [qx, qy] = &mut state.traction;
+    let [sum_x, sum_y] = &mut state.slip;
+    let [slip_x, slip_y] = &mut step.slip;
+    let vectors = [[qx, qy], [sum_x, sum_y], [slip_x, slip_y]];
+    let numbers = [
+        &mut state.accumulated_slip,
+        &mut state.dissipated_energy,
+        &mut step.slip_distance,
+        &mut step.dissipated_energy,
+        &mut step.mid_step_dissipated_energy,
+    ];
+    let vectors = vectors.map(|parts| parts.map(|part| window.bands_of(part.as_mut_slice())));
+    let numbers = numbers.map(|field| window.bands_of(field.as_mut_slice()));
+    let zones = window.bands_of(&mut state.zones);
+    let offset = memory.offset.each_mut().map(|part| window.bands(part));
+    let work = |rows: Range<usize>, (vectors, numbers, (zones, mut offset)): Bands<'_>| {
+        let [traction, accumulated, slip] = vectors;
+        let [path, energy, distance, dissipated, mid_step] = numbers;
+        let mut account = Account::ZERO;
+        for (k, own, i) in window.places(rows) {
+            let offsets = offset.each_ref().map(|part| &*part.items);
+            let q = traction.each_ref().map(|part| part.items[i]);
+            let cell = taken.cell(k, q, at(&offsets, own));
+            for (part, offset) in offset.iter_mut().zip(cell.offset) {
+                if let Some(value) = part.items.get_mut(own) {
+                    *value = offset;
+                }
+            }
+            for axis in 0..2 {
+                traction[axis].items[i] = cell.traction[axis];
+                accumulated[axis].items[i] += cell.slip[axis];
+                slip[axis].items[i] = cell.slip[axis];
+            }
+            zones.items[i] = cell.zone;
+            distance.items[i] = cell.slip[0].hypot(cell.slip[1]);
+            path.items[i] += distance.items[i];
+            dissipated.items[i] = cell.energy.dissipated_energy;
+            energy.items[i] += dissipated.items[i];
+            mid_step.items[i] = cell.energy.mid_step_dissipated_energy;
+            account = account.plus(&cell.account());
+        }
+        account
+    };
+    let account = window.sweep((vectors, numbers, (zones, offset)), &work, &|a, b| {
+        a.plus(&b)
+    });
+    state.force = account.traction.map(|sum| grid.cell_area() * sum);
+    state.moment = grid.cell_area() * account.moment;
+    step.energy = account.energy;
+    [step.stick_cells, step.slip_cells] = account.cells;
+    for (memory, displacement) in memory.displacement.iter_mut().zip(answer.displacement) {
+        memory.copy_from_slice(displacement);
+    }
+}
+
+/// What is written of a band of rows: traction, accumulated slip and slip; accumulated and dissipated quantities; zones
+/// and offsets.
+type Bands<'a> = (
+    [[Blocks<'a, f64>; 2]; 3],
+    [Blocks<'a, f64>; 5],
+    (Blocks<'a, Zone>, [Blocks<'a, f64>; 2]),
+);
+
+/// A step that was taken, as its cells see it.
+struct Taken<'a> {
+    answer: &'a Answer<'a>,
+    grid: Grid,
+    /// Of body 2 at the end of the step, and in it.
+    motion: Motion,
+    change: Motion,
+    /// Displacement before the step.
+    displacement: [&'a [f64]; 2],
+}
+
+impl Taken<'_> {
+    /// What the step did to a cell that had a traction and an offset before.
+    fn cell(&self, k: usize, before: [f64; 2], offset_before: [f64; 2]) -> CellStep {
+        let (answer, cell_area) = (self.answer, self.grid.cell_area());
+        let centre = centre(self.grid, answer.pressed.window.index(k));
         let (traction, u) = (answer.traction(k), answer.displacement(k));
-        let before = state.traction.each_ref().map(|field| field.as_slice()[i]);
         let mean = [0, 1].map(|axis| 0.5 * (before[axis] + traction[axis]));
-        let (u_before, offset) = (memory.displacement(k), answer.offset(k));
+        let (u_before, offset) = (at(&self.displacement, k), answer.offset(k));
         // What a cell that came into contact was spared of the motion of the step.
-        let lag = minus(memory.offset(k), offset);
-        let relative = minus(u, state.motion.at(centre));
-        let is_contact = pressed.pressure[k] > 0.0;
-        let sticks = !answer.is_at_limit(k);
+        let lag = minus(offset_before, offset);
+        let relative = minus(u, self.motion.at(centre));
+        let is_contact = answer.pressed.pressure[k] > 0.0;
         let found = answer.slip(k, centre).filter(|_| is_contact);
         let slip = found.unwrap_or([0.0; 2]);
         let is_loose = found.is_some() || !is_contact;
-        memory.set_offset(k, if is_loose { relative } else { offset });
-        state.zones[i] = match (is_contact, sticks) {
-            (false, _) => Zone::Separated,
-            (true, true) => Zone::Stick,
-            (true, false) => Zone::Slip,
-        };
-        step.stick_cells += usize::from(state.zones[i] == Zone::Stick);
-        step.slip_cells += usize::from(state.zones[i] == Zone::Slip);
 
-        let dissipated = 0.0 - cell_area * dot(traction, slip);
-        let mid_step = 0.0 - cell_area * dot(mean, slip);
-        let followed = minus(change.at(centre), lag);
+        let followed = minus(self.change.at(centre), lag);
         let stretched = minus(minus(u, u_before), followed);
         let rest = 0.0 - cell_area * dot(mean, minus(stretched, slip));
-        let energy = &mut step.energy;
-        energy.work -= cell_area * dot(mean, lag);
-        energy.elastic_before += 0.5 * cell_area * dot(before, u_before);
-        energy.elastic_after += 0.5 * cell_area * dot(traction, u);
-        energy.dissipated_energy += dissipated;
-        energy.mid_step_dissipated_energy += mid_step;
-        *(if is_contact {
-            &mut energy.residual
-        } else {
-            &mut energy.released
-        }) += rest;
-
-        let length = slip[0].hypot(slip[1]);
-        for axis in 0..2 {
-            sum[axis] += traction[axis];
-            state.traction[axis].as_mut_slice()[i] = traction[axis];
-            state.slip[axis].as_mut_slice()[i] += slip[axis];
-            step.slip[axis].as_mut_slice()[i] = slip[axis];
+        let (residual, released) = if is_contact { (rest, 0.0) } else { (0.0, rest) };
+        CellStep {
+            centre,
+            traction,
+            slip,
+            offset: if is_loose { relative } else { offset },
+            zone: match (is_contact, answer.is_at_limit(k)) {
+                (false, _) => Zone::Separated,
+                (true, false) => Zone::Stick,
+                (true, true) => Zone::Slip,
+            },
+            energy: EnergyBalance {
+                work: 0.0 - cell_area * dot(mean, lag),
+                elastic_before: 0.5 * cell_area * dot(before, u_before),
+                elastic_after: 0.5 * cell_area * dot(traction, u),
+                dissipated_energy: 0.0 - cell_area * dot(traction, slip),
+                mid_step_dissipated_energy: 0.0 - cell_area * dot(mean, slip),
+                released,
+                residual,
+            },
         }
-        moment += centre[0] * traction[1] - centre[1] * traction[0];
-        state.accumulated_slip.as_mut_slice()[i] += length;
-        state.dissipated_energy.as_mut_slice()[i] += dissipated;
-        step.slip_distance.as_mut_slice()[i] = length;
-        step.dissipated_energy.as_mut_slice()[i] = dissipated;
-        step.mid_step_dissipated_energy.as_mut_slice()[i] = mid_step;
     }
-    state.force = sum.map(|sum| cell_area * sum);
-    state.moment = cell_area * moment;
-    for (memory, displacement) in memory.displacement.iter_mut().zip(answer.displacement) {
-        memory.copy_from_slice(displacement);
+}
+
+/// What a step did to a cell.
+struct CellStep {
+    centre: [f64; 2],
+    traction: [f64; 2],
+    slip: [f64; 2],
+    offset: [f64; 2],
+    zone: Zone,
+    energy: EnergyBalance,
+}
+
+impl CellStep {
+    fn account(&self) -> Account {
+        let [[x, y], [qx, qy]] = [self.centre, self.traction];
+        Account {
+            traction: self.traction,
+            moment: x * qy - y * qx,
+            energy: self.energy,
+            cells: [Zone::Stick, Zone::Slip].map(|zone| usize::from(self.zone == zone)),
+        }
+    }
+}
+
+/// What cells add up to.
+struct Account {
+    traction: [f64; 2],
+    moment: f64,
+    energy: EnergyBalance,
+    /// Those that stick and those that slip.
+    cells: [usize; 2],
+}
+
+impl Account {
+    const ZERO: Self = Self {
+        traction: [0.0; 2],
+        moment: 0.0,
+        energy: EnergyBalance::ZERO,
+        cells: [0; 2],
+    };
+
+    fn plus(&self, other: &Self) -> Self {
+        Self {
+            traction: Tally::plus(self.traction, other.traction),
+            moment: self.moment + other.moment,
+            energy: self.energy.plus(&other.energy),
+            cells: Tally::plus(self.cells, other.cells),
+        }
     }
 }

@@ -78,11 +78,28 @@ impl EnergyBalance {
         }
     }
 
-    /// With the part of the pressure.
-    pub(super) fn add_pressing(&mut self, pressing: &Self) {
-        self.work += pressing.work;
-        self.elastic_before += pressing.elastic_before;
-        self.elastic_after += pressing.elastic_after;
+    pub(super) const ZERO: Self = Self {
+        work: 0.0,
+        elastic_before: 0.0,
+        elastic_after: 0.0,
+        dissipated_energy: 0.0,
+        mid_step_dissipated_energy: 0.0,
+        released: 0.0,
+        residual: 0.0,
+    };
+
+    /// With that of other cells.
+    pub(super) fn plus(&self, other: &Self) -> Self {
+        Self {
+            work: self.work + other.work,
+            elastic_before: self.elastic_before + other.elastic_before,
+            elastic_after: self.elastic_after + other.elastic_after,
+            dissipated_energy: self.dissipated_energy + other.dissipated_energy,
+            mid_step_dissipated_energy: self.mid_step_dissipated_energy
+                + other.mid_step_dissipated_energy,
+            released: self.released + other.released,
+            residual: self.residual + other.residual,
+        }
     }
 
     /// Goes on by the step that followed.

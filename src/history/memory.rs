@@ -5,7 +5,7 @@ use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::history::state::State;
-use crate::tangential::{Axis, Increment, Motion, PlaneVector, Pressed, Zone, at, centre, zeros};
+use crate::tangential::{Axis, Increment, Motion, PlaneVector, Pressed, Zone, centre, zeros};
 use crate::window::Window;
 
 /// Displacement and offset of the cells of a window.
@@ -81,24 +81,5 @@ impl Memory {
             .each_ref()
             .map(|part| Field::from_vec(grid, part.clone()));
         Ok([x?, y?])
-    }
-
-    /// Displacement of a cell.
-    pub(super) fn displacement(&self, cell: usize) -> [f64; 2] {
-        at(&self.displacement, cell)
-    }
-
-    /// Offset of a cell.
-    pub(super) fn offset(&self, cell: usize) -> [f64; 2] {
-        at(&self.offset, cell)
-    }
-
-    /// Sets the offset of a cell.
-    pub(super) fn set_offset(&mut self, cell: usize, offset: [f64; 2]) {
-        for (part, offset) in self.offset.iter_mut().zip(offset) {
-            if let Some(value) = part.get_mut(cell) {
-                *value = offset;
-            }
-        }
     }
 }

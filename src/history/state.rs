@@ -10,7 +10,7 @@ use crate::half_space::HalfSpace;
 use crate::history::TouchRule;
 use crate::history::memory::Memory;
 use crate::material::ElasticPair;
-use crate::normal::{NormalSolution, NormalSolver};
+use crate::normal::{NormalControl, NormalSolution, NormalSolver};
 use crate::tangential::{Axis, Friction, Motion, Zone};
 use crate::window::Window;
 
@@ -66,6 +66,8 @@ pub struct State {
     /// The gap that the pressure belongs to; another than `gap` after wear.
     pub(super) pressed_gap: Field,
     pub(super) is_pressure_stale: bool,
+    /// The load that the pressure was found under; `Hold` before the first.
+    pub(super) pressed_by: NormalControl,
     /// Where the pressure was found; `None` before the first contact.
     pub(super) press_window: Option<Window>,
     /// What the cells in and around the contact remember; `None` before the first contact.
@@ -91,6 +93,7 @@ clone_in_place!(State {
     normal,
     pressed_gap,
     is_pressure_stale,
+    pressed_by,
     press_window,
     contact,
     traction,
@@ -129,6 +132,7 @@ impl State {
             pressed_gap: gap.clone(),
             gap,
             is_pressure_stale: false,
+            pressed_by: NormalControl::Hold,
             press_window: None,
             contact: None,
             traction: [zeros(), zeros()],
@@ -160,6 +164,16 @@ impl State {
     /// Whether pressure and shear are found together.
     pub(super) fn is_joint(&self) -> bool {
         self.coupling.is_joint(self.pair())
+    }
+
+    /// Whether the pressure is the answer under this load, as certain as is asked now.
+    pub(super) fn is_pressed_by(&self, load: NormalControl) -> bool {
+        let report = self.normal.report();
+        load == self.pressed_by
+            && !self.is_joint()
+            && !self.is_pressure_stale
+            && report.is_converged()
+            && report.is_within(self.settings.tolerance)
     }
 
     /// Makes the solver of a pressure that is found alone go on from here.

@@ -197,7 +197,8 @@ impl StepResult {
         self.stick_cells == 0 && self.slip_cells > 0
     }
 
-    /// How the normal contact was solved; `None` if the pressure was held.
+    /// How the normal contact was solved; `None` if the pressure was held. Under the load and the gap of the step before
+    /// the pressure is known: the report then says what was shown of it, and counts no work.
     #[must_use]
     pub fn normal_report(&self) -> Option<&Report> {
         solved(&self.normal_report)

@@ -224,8 +224,11 @@ impl History {
         };
         let Self { state, step, .. } = self;
         let mut pressing = EnergyBalance::default();
-        if load.normal_control() == NormalControl::Hold && self.joint.is_none() {
+        let control = load.normal_control();
+        if control == NormalControl::Hold && self.joint.is_none() {
             step.normal_report.clone_from(&Report::unsolved());
+        } else if state.is_pressed_by(control) {
+            step.normal_report.recall(state.normal.report());
         } else {
             if self.joint.is_some() {
                 let before = (&state.normal, &state.pressed_gap);
@@ -234,6 +237,7 @@ impl History {
             std::mem::swap(&mut state.normal, &mut self.candidate);
             state.pressed_gap.clone_from(&state.gap);
             state.is_pressure_stale = false;
+            state.pressed_by = control;
             let joint = self.joint.as_ref();
             state.press_window = joint.map_or_else(|| self.press.window(), |joint| joint.window());
             step.normal_report.clone_from(state.normal.report());
@@ -255,7 +259,7 @@ impl History {
         step.tangential_report
             .clone_from(report.unwrap_or(&Report::unsolved()));
         commit(answer.as_ref(), motion, state, step);
-        step.energy.add_pressing(&pressing);
+        step.energy = step.energy.plus(&pressing);
         Ok(())
     }
 
@@ -266,14 +270,15 @@ impl History {
             self.joint = Some(joint);
             return motion;
         }
-        let pressed = match load.normal_control() {
-            NormalControl::Hold => &self.state.normal,
-            control => {
-                self.press.set_load(control)?;
-                self.press
-                    .solve_observed(&mut self.candidate, &mut *observer)?;
-                &self.candidate
-            }
+        let control = load.normal_control();
+        let is_held = control == NormalControl::Hold || self.state.is_pressed_by(control);
+        let pressed = if is_held {
+            &self.state.normal
+        } else {
+            self.press.set_load(control)?;
+            self.press
+                .solve_observed(&mut self.candidate, &mut *observer)?;
+            &self.candidate
         };
         let (state, demand) = (&self.state, load.demand(self.state.motion.twist));
         self.wider = wider(&self.bodies, pressed.pressure(), state)?;
@@ -287,7 +292,7 @@ impl History {
         let pressure = pressed.pressure().as_slice();
         increment.pressed.set(pressure, &state.friction);
         increment.set_offset(&memory.offset);
-        if load.normal_control() != NormalControl::Hold {
+        if !is_held {
             increment.draw_from(state.pressure().as_slice());
             touch::follow_growth(increment, state, pressed, load, &demand);
         }

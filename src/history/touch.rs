@@ -337,14 +337,11 @@ pub(super) fn is_asked(
     limits: f64,
 ) -> bool {
     let limit = limits * state.grid().cell_area();
-    let mut pressures = state
-        .pressure()
-        .as_slice()
-        .iter()
-        .zip(pressed.pressure().as_slice());
+    let (before, after) = (state.pressure().as_slice(), pressed.pressure().as_slice());
+    let touches = |i: usize| after[i] > 0.0 && before[i] <= 0.0;
     state.touch_rule == TouchRule::Growth
         && is_driven(state, demand, limit)
-        && pressures.any(|(before, after)| *after > 0.0 && *before <= 0.0)
+        && reduce::first(after.len(), touches).is_some()
 }
 
 /// Whether the step asks for shear that the state does not have, as part of what friction holds.

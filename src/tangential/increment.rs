@@ -1,11 +1,12 @@
 //! One step of a tangential contact, of a problem from rest or of a history.
 
 use crate::cascade::Conditions;
-use crate::cgm::Total;
 use crate::cgm::vector::slices;
+use crate::cgm::{Total, reduce};
 use crate::coupling::Coupling;
 use crate::error::{Result, finite};
 use crate::half_space::HalfSpace;
+use crate::parallel;
 use crate::passes::with_time_left;
 use crate::report::Report;
 use crate::tangential::answer::Answer;
@@ -322,29 +323,29 @@ impl Increment {
     /// there, a contact that has nowhere slipped asks for exactly none.
     fn datum(&self) -> [f64; 2] {
         let Pressed { window, limits, .. } = &self.pressed;
-        let cells = limits.cells.iter().zip(window.indices());
-        let strongest = cells
-            .enumerate()
-            .max_by(|(_, a), (_, b)| a.0.total_cmp(b.0));
-        let Some((cell, (_, index))) = strongest else {
+        let limits = &limits.cells;
+        let Some((cell, _)) = reduce::least(limits.len(), |cell| Some(-limits[cell])) else {
             return [0.0; 2];
         };
         let turned = Motion {
             shift: at(&self.offset, cell),
             ..self.motion
         }
-        .at(centre(self.bodies.grid(), index));
+        .at(centre(self.bodies.grid(), window.index(cell)));
         turned.map(|motion| -motion)
     }
 
     /// Asks every cell to follow the motion, from its offset.
     fn set_linear(&mut self) {
-        let grid = self.bodies.grid();
-        for (k, i) in self.pressed.window.indices().enumerate() {
-            let (offset, motion) = (at(&self.offset, k), self.motion.at(centre(grid, i)));
-            for axis in self.axes.iter().map(|axis| axis.index()) {
-                self.linear[axis][k] = -(offset[axis] + motion[axis]);
-            }
+        let (grid, motion, window) = (self.bodies.grid(), self.motion, self.pressed.window);
+        for axis in self.axes.iter().map(|axis| axis.index()) {
+            let offset = &self.offset[axis];
+            parallel::update(&mut self.linear[axis], |first, chunk| {
+                for (k, linear) in (first..).zip(chunk) {
+                    let moved = motion.at(centre(grid, window.index(k)))[axis];
+                    *linear = -(offset[k] + moved);
+                }
+            });
         }
     }
 }

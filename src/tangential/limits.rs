@@ -4,6 +4,7 @@ use std::ops::RangeInclusive;
 
 use crate::cgm::reduce;
 use crate::error::{Error, Result, finite};
+use crate::parallel;
 use crate::tangential::Friction;
 use crate::window::Window;
 
@@ -64,19 +65,22 @@ pub(crate) fn is_at_limit(size: f64, limit: f64) -> bool {
 
 impl Limits {
     fn set(&mut self, friction: &Friction, window: Window, pressure: &[f64]) {
-        let limits = self.cells.iter_mut().zip(window.indices());
-        for ((limit, index), &pressure) in limits.zip(pressure) {
-            *limit = if pressure > 0.0 {
-                friction.limit(index, pressure)
-            } else {
-                0.0
-            };
-        }
+        parallel::update(&mut self.cells, |first, chunk| {
+            for (k, limit) in (first..).zip(chunk) {
+                *limit = if pressure[k] > 0.0 {
+                    friction.limit(window.index(k), pressure[k])
+                } else {
+                    0.0
+                };
+            }
+        });
         // Beside the largest these carry nothing, and their squares would underflow.
         let least = NOTHING * self.largest();
-        for limit in &mut self.cells {
-            *limit = if *limit < least { 0.0 } else { *limit };
-        }
+        parallel::update(&mut self.cells, |_, chunk| {
+            for limit in chunk {
+                *limit = if *limit < least { 0.0 } else { *limit };
+            }
+        });
         self.sum = reduce::total(&self.cells);
     }
 

@@ -17,7 +17,7 @@ use crate::history::TouchRule;
 use crate::history::memory::Memory;
 use crate::history::state::State;
 use crate::material::{ElasticPair, Material};
-use crate::normal::NormalSolution;
+use crate::normal::{NormalControl, NormalSolution};
 use crate::report::Status;
 use crate::tangential::{Axis, Coefficient, Friction, Zone};
 use crate::window::Window;
@@ -133,6 +133,7 @@ impl State {
         visit_normal(codec, &mut self.normal)?;
         let is_stale = &mut self.is_pressure_stale;
         codec.kind("mark of a stale pressure", is_stale, &[false, true])?;
+        visit_control(codec, &mut self.pressed_by)?;
         let whole = Window::whole(grid);
         codec.option("window of the pressure", &mut self.press_window, || whole)?;
         if let Some(window) = &mut self.press_window {
@@ -237,6 +238,26 @@ fn visit_normal<C: Codec>(codec: &mut C, normal: &mut NormalSolution) -> Result<
     ] {
         codec.number("error of the report", error, NOT_NEGATIVE_OR_INFINITE)?;
     }
+    Ok(())
+}
+
+fn visit_control<C: Codec>(codec: &mut C, control: &mut NormalControl) -> Result<(), C::Error> {
+    let mut kind = match control {
+        NormalControl::Hold => 0,
+        NormalControl::Force(_) => 1,
+        NormalControl::Approach(_) => 2,
+    };
+    codec.kind("kind of normal load", &mut kind, &[0, 1, 2])?;
+    let mut value = match *control {
+        NormalControl::Hold => 0.0,
+        NormalControl::Force(value) | NormalControl::Approach(value) => value,
+    };
+    codec.number("normal load", &mut value, FINITE)?;
+    *control = match kind {
+        0 => NormalControl::Hold,
+        1 => NormalControl::Force(value),
+        _ => NormalControl::Approach(value),
+    };
     Ok(())
 }
 
