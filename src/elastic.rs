@@ -3,7 +3,9 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::cgm::{self, Admissible, Constraint, Iteration, Problem, Settings, Total, WorkspaceOf};
+use crate::cgm::{
+    self, Admissible, Constraint, Iteration, Known, Problem, Settings, Total, WorkspaceOf,
+};
 use crate::error::Result;
 use crate::fft::{CirculantInverse, Convolution};
 use crate::half_space::{Compliance, HalfSpace};
@@ -36,9 +38,9 @@ impl<S: Admissible<N>, const N: usize> ElasticSolver<S, N> {
         })
     }
 
-    /// Makes the next solve look at its start first, which has been an answer at these multipliers.
-    pub(crate) fn expect(&mut self, multiplier: [f64; N]) {
-        self.workspace.expect(multiplier);
+    /// Tells the next solve of its start.
+    pub(crate) fn start_from(&mut self, known: Known<N>) {
+        self.workspace.start_from(known);
     }
 
     /// Minimises from `x` into `x`; the rest is in the accessors, converged or not.

@@ -1,9 +1,9 @@
 //! A look at a start that has been an answer: where nothing has changed, one product shows that it is one still.
 
-use crate::cgm::run::Run;
+use crate::cgm::run::{Run, Start};
 use crate::cgm::totals::{Total, sums_of};
 use crate::cgm::vector::{at, slices};
-use crate::cgm::{Constraint, Linearised, reduce};
+use crate::cgm::{Constraint, Known, Linearised, reduce};
 use crate::operator::Operator;
 use crate::report::Status;
 
@@ -13,12 +13,20 @@ const ROUND_OFF: f64 = 1e-13;
 impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '_, C, K, P, N> {
     /// Ends where the start, at the multipliers it had as an answer, is converged: it is feasible, and what it shows is the
     /// last word. Otherwise the product is at hand, if the start is feasible.
-    pub(super) fn look(&mut self, multiplier: [f64; N]) -> Option<Status> {
+    pub(super) fn look(&mut self, known: Known<N>) -> Option<Status> {
+        let multiplier = match known {
+            Known::Answer(multiplier) => multiplier,
+            Known::Extrapolated => {
+                self.start = Start::Extrapolated;
+                return None;
+            }
+            Known::Nothing => return None,
+        };
         if !self.is_feasible(multiplier) {
             return None;
         }
         self.refresh();
-        self.is_looked_at = true;
+        self.start = Start::LookedAt;
         self.workspace.multiplier = multiplier;
         let findings = self.examine();
         let merit = self.merit(&findings);

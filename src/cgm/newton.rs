@@ -10,7 +10,7 @@ use std::ops::ControlFlow;
 
 use crate::cgm::motion::{Linearised, Motion};
 use crate::cgm::progress::Progress;
-use crate::cgm::run::Run;
+use crate::cgm::run::{Run, Start};
 use crate::cgm::totals::{Total, TotalsSystem};
 use crate::cgm::vector::{at, chunks, held, minus, put, slices, within};
 use crate::cgm::{Constraint, MotionOf, reduce};
@@ -21,6 +21,9 @@ use crate::report::Status;
 /// Outer steps without progress that are a cycle; where bounds are curved, sets settle sooner.
 const CYCLE: usize = 12;
 const CYCLE_CURVED: usize = 5;
+
+/// Residual of an extrapolated start whose gradient tells the sets.
+const NEAR: f64 = 0.1;
 
 impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '_, C, K, P, N> {
     /// Ends with the status of the run; `None` if the sets cycle.
@@ -38,7 +41,11 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             if is_curved { CYCLE_CURVED } else { CYCLE },
             self.inner_reduction,
         );
+        let is_extrapolated = self.start == Start::Extrapolated;
         let mut totals = self.newton_start()?;
+        if is_extrapolated {
+            self.decide_at_start(&mut totals);
+        }
         loop {
             self.set_multiplier(&totals);
             let findings = self.examine();
@@ -76,6 +83,15 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
                     self.refresh();
                 }
             }
+        }
+    }
+
+    /// Decides how cells move by the gradient of a start that is near the answer.
+    fn decide_at_start(&mut self, totals: &mut TotalsSystem<N>) {
+        self.set_multiplier(totals);
+        let findings = self.examine();
+        if self.merit(&findings) < NEAR && self.reclassify(findings.displacement).0 > 0 {
+            *totals = self.linearise();
         }
     }
 

@@ -6,7 +6,7 @@ use crate::cgm::motion::{Linearised, Reach};
 use crate::cgm::projected_gradient::Objective;
 use crate::cgm::run::Run;
 use crate::cgm::totals::Total;
-use crate::cgm::{Constraint, Method, MotionOf, Settings, Workspace, set};
+use crate::cgm::{Constraint, Known, Method, MotionOf, Settings, Workspace, set};
 use crate::error::{Error, Result, all_finite, finite, length, positive};
 use crate::operator::{Identity, Operator};
 use crate::parallel;
@@ -174,12 +174,12 @@ pub fn minimise_with<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: 
     let solve = || -> Result<Status> {
         let sums = problem.totals.map(Total::sum);
         let reach = K::Set::reach(cells, &problem.constraint, sums)?;
-        let expected = workspace.expected.take();
+        let known = std::mem::replace(&mut workspace.known, Known::Nothing);
         let mut run = Run::new(problem, settings, x, workspace, observer);
         let status = match (run.multiplier_at_zero(), reach) {
             (Some(multiplier), _) => run.at_zero(multiplier),
             (None, Reach::Extreme(direction)) => run.at_extreme(direction),
-            (None, Reach::Inside) => match expected.and_then(|multiplier| run.look(multiplier)) {
+            (None, Reach::Inside) => match run.look(known) {
                 Some(status) => return Ok(status),
                 None => iterate(&mut run),
             },

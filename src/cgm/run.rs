@@ -49,6 +49,16 @@ impl Precision {
     }
 }
 
+/// The iterate that Newton's method begins with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Start {
+    Unknown,
+    /// It is feasible, and its product is fresh.
+    LookedAt,
+    /// Its gradient tells where cells become free.
+    Extrapolated,
+}
+
 /// One solve under way.
 #[expect(
     missing_debug_implementations,
@@ -62,8 +72,7 @@ pub struct Run<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N
     pub(super) workspace: &'a mut Workspace<C, P, MotionOf<K, N>, N>,
     /// Whether `workspace.product` belongs to `x`.
     pub(super) is_fresh: bool,
-    /// Whether the start is feasible, with its product fresh.
-    pub(super) is_looked_at: bool,
+    pub(super) start: Start,
     /// Of the eigenvalues; zero if none is known.
     pub(super) lower_bound: f64,
     /// Reduction of the inner residual that the next pass of Newton's method begins with.
@@ -97,7 +106,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
             x,
             workspace,
             is_fresh: false,
-            is_looked_at: false,
+            start: Start::Unknown,
             inner_reduction: INNER_REDUCTION,
             restraint: 0.0,
             stiff: f64::INFINITY,
@@ -118,7 +127,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
     /// Brings the start within its sets and marks how every cell may move. The product of one that was looked at stays.
     pub(super) fn mark_start(&mut self) {
         let constraint = &self.problem.constraint;
-        if !std::mem::take(&mut self.is_looked_at) {
+        if std::mem::replace(&mut self.start, Start::Unknown) != Start::LookedAt {
             update_cells(&mut self.x, |i, x| constraint.of(i).project(x));
             self.is_fresh = false;
         }

@@ -5,6 +5,16 @@ use crate::cgm::moving::MovingCells;
 use crate::operator::Operator;
 use crate::report::Report;
 
+/// What the caller knows of the start of a solve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Known<const N: usize> {
+    Nothing,
+    /// It has been an answer at these multipliers: it is looked at first.
+    Answer([f64; N]),
+    /// It is extrapolated from answers: its gradient tells where cells become free.
+    Extrapolated,
+}
+
 /// Everything an iteration writes to besides `x`; made once, reused by every solve of one size.
 ///
 /// `M` is how cells of the constraint move: [`Problem::workspace`](crate::cgm::Problem::workspace) names it.
@@ -26,8 +36,8 @@ pub struct Workspace<C: Operator<N>, P: Operator<N>, M, const N: usize = 1> {
     pub(super) moving: MovingCells,
     pub(super) report: Report,
     pub(super) multiplier: [f64; N],
-    /// Multipliers at which the start of the next solve has been an answer.
-    pub(super) expected: Option<[f64; N]>,
+    /// Of the start of the next solve.
+    pub(super) known: Known<N>,
 }
 
 /// Vectors of the inner iteration, compressed to the cells that move.
@@ -64,13 +74,13 @@ impl<C: Operator<N>, P: Operator<N>, M: Motion<N>, const N: usize> Workspace<C, 
             moving: MovingCells::with_capacity(cells),
             report: Report::with_room(),
             multiplier: [0.0; N],
-            expected: None,
+            known: Known::Nothing,
         }
     }
 
-    /// Makes the next solve look at its start first, which has been an answer at these multipliers.
-    pub(crate) fn expect(&mut self, multiplier: [f64; N]) {
-        self.expected = Some(multiplier);
+    /// Tells the next solve of its start.
+    pub(crate) fn start_from(&mut self, known: Known<N>) {
+        self.known = known;
     }
 
     /// The product `C x` with the iterate last returned.

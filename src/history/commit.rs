@@ -20,6 +20,7 @@ pub(super) fn commit(
     step: &mut StepResult,
 ) {
     let (before, force, moment) = (state.motion, state.force, state.moment);
+    let change = motion.since(before);
     (step.stick_cells, step.slip_cells) = (0, 0);
     step.energy = EnergyBalance::default();
     state.motion = motion;
@@ -27,9 +28,10 @@ pub(super) fn commit(
     let mut contact = state.contact.take();
     if let Some((answer, memory)) = answer.zip(contact.as_mut()) {
         enter(answer, before, memory, state, step);
+        let by = [0, 1].map(|axis| state.force[axis] - force[axis]);
+        memory.trend_by = [by, change.shift];
     }
     state.contact = contact;
-    let change = motion.since(before);
     let shifted: f64 = (0..2)
         .map(|axis| 0.5 * (force[axis] + state.force[axis]) * change.shift[axis])
         .sum();
@@ -69,20 +71,19 @@ fn enter(
     let vectors = vectors.map(|parts| parts.map(|part| window.bands_of(part.as_mut_slice())));
     let numbers = numbers.map(|field| window.bands_of(field.as_mut_slice()));
     let zones = window.bands_of(&mut state.zones);
-    let offset = memory.offset.each_mut().map(|part| window.bands(part));
-    let work = |rows: Range<usize>, (vectors, numbers, (zones, mut offset)): Bands<'_>| {
+    let own = [&mut memory.offset, &mut memory.trend];
+    let own = own.map(|parts| parts.each_mut().map(|part| window.bands(part)));
+    let work = |rows: Range<usize>, (vectors, numbers, (zones, own)): Bands<'_>| {
         let [traction, accumulated, slip] = vectors;
         let [path, energy, distance, dissipated, mid_step] = numbers;
+        let [mut offset, mut trend] = own;
         let mut account = Account::ZERO;
         for (k, own, i) in window.places(rows) {
             let offsets = offset.each_ref().map(|part| &*part.items);
             let q = traction.each_ref().map(|part| part.items[i]);
             let cell = taken.cell(k, q, at(&offsets, own));
-            for (part, offset) in offset.iter_mut().zip(cell.offset) {
-                if let Some(value) = part.items.get_mut(own) {
-                    *value = offset;
-                }
-            }
+            write(&mut offset, own, cell.offset);
+            write(&mut trend, own, minus(cell.traction, q));
             for axis in 0..2 {
                 traction[axis].items[i] = cell.traction[axis];
                 accumulated[axis].items[i] += cell.slip[axis];
@@ -98,9 +99,7 @@ fn enter(
         }
         account
     };
-    let account = window.sweep((vectors, numbers, (zones, offset)), &work, &|a, b| {
-        a.plus(&b)
-    });
+    let account = window.sweep((vectors, numbers, (zones, own)), &work, &|a, b| a.plus(&b));
     state.force = account.traction.map(|sum| grid.cell_area() * sum);
     state.moment = grid.cell_area() * account.moment;
     step.energy = account.energy;
@@ -110,12 +109,21 @@ fn enter(
     }
 }
 
-/// What is written of a band of rows: traction, accumulated slip and slip; accumulated and dissipated quantities; zones
-/// and offsets.
+/// Writes to a cell the components that there are.
+fn write(parts: &mut [Blocks<'_, f64>; 2], cell: usize, values: [f64; 2]) {
+    for (part, value) in parts.iter_mut().zip(values) {
+        if let Some(place) = part.items.get_mut(cell) {
+            *place = value;
+        }
+    }
+}
+
+/// What is written of a band of rows: traction, accumulated slip and slip; accumulated and dissipated quantities; zones,
+/// offsets and trends.
 type Bands<'a> = (
     [[Blocks<'a, f64>; 2]; 3],
     [Blocks<'a, f64>; 5],
-    (Blocks<'a, Zone>, [Blocks<'a, f64>; 2]),
+    (Blocks<'a, Zone>, [[Blocks<'a, f64>; 2]; 2]),
 );
 
 /// A step that was taken, as its cells see it.

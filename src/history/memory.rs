@@ -5,8 +5,14 @@ use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::history::state::State;
-use crate::tangential::{Axis, Increment, Motion, PlaneVector, Pressed, Zone, centre, zeros};
+use crate::tangential::{
+    Axis, Demand, Increment, Motion, PlaneVector, Pressed, TangentialControl, Zone, centre, zeros,
+};
 use crate::window::Window;
+
+/// Parts of the last step that are round-off, and beyond which nothing is extrapolated.
+const NO_PART: f64 = 1e-9;
+const FARTHEST: f64 = 2.0;
 
 /// Displacement and offset of the cells of a window.
 #[derive(Debug)]
@@ -17,12 +23,18 @@ pub(super) struct Memory {
     /// What u less the motion is in a cell while it sticks: where its last slip has left it or, outside
     /// the contact, where it would touch now.
     pub(super) offset: PlaneVector,
+    /// How the tractions changed in the last step, and force and shift with them; nothing where pressure and shear are
+    /// found together.
+    pub(super) trend: PlaneVector,
+    pub(super) trend_by: [[f64; 2]; 2],
 }
 
 clone_in_place!(Memory {
     window,
     displacement,
-    offset
+    offset,
+    trend,
+    trend_by
 });
 
 impl Memory {
@@ -39,6 +51,8 @@ impl Memory {
             window,
             displacement: zeros(axes, window.cells()),
             offset,
+            trend: zeros(axes, window.cells()),
+            trend_by: [[0.0; 2]; 2],
         }
     }
 
@@ -72,6 +86,35 @@ impl Memory {
             window.gather(&whole, offset);
         }
         Ok((increment, wide))
+    }
+
+    /// How many times as far as in the last step the load goes on along its way; `None` where it does not go on.
+    pub(super) fn parts_ahead(&self, state: &State, demand: &Demand) -> Option<f64> {
+        let [by_force, by_shift] = self.trend_by;
+        let (mut ahead, mut squares) = (0.0, 0.0);
+        for axis in [0, 1] {
+            let (force, shift) = (state.force[axis], state.motion.shift[axis]);
+            let parts = match demand.controls[axis] {
+                TangentialControl::Hold => 0.0,
+                TangentialControl::Force(end) => (end - force) / by_force[axis],
+                TangentialControl::Shift(end) => (end - shift) / by_shift[axis],
+                TangentialControl::Spring {
+                    position,
+                    stiffness,
+                } => {
+                    let by = by_shift[axis] + by_force[axis] / stiffness;
+                    (position - shift - force / stiffness) / by
+                }
+            };
+            let square = by_force[axis] * by_force[axis];
+            if square > 0.0 {
+                ahead += square * parts;
+                squares += square;
+            }
+        }
+        let parts = ahead / squares;
+        let turns = demand.twist.to_bits() != state.motion.twist.to_bits();
+        (!turns && parts > NO_PART && parts <= FARTHEST).then_some(parts)
     }
 
     /// The displacements of all cells, of a window that is the grid.

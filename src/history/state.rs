@@ -10,8 +10,8 @@ use crate::half_space::HalfSpace;
 use crate::history::TouchRule;
 use crate::history::memory::Memory;
 use crate::material::ElasticPair;
-use crate::normal::{NormalControl, NormalSolution, NormalSolver};
-use crate::tangential::{Axis, Friction, Motion, Zone};
+use crate::normal::{NormalControl, NormalSolution, NormalSolver, Trend};
+use crate::tangential::{Axis, Friction, Motion, PlaneVector, Zone};
 use crate::window::Window;
 
 /// The state of a [`History`](crate::History): everything that its next step starts from, apart from the bodies and
@@ -70,6 +70,8 @@ pub struct State {
     pub(super) pressed_by: NormalControl,
     /// Where the pressure was found; `None` before the first contact.
     pub(super) press_window: Option<Window>,
+    /// How the pressure changed with the load there.
+    pub(super) trend: Trend,
     /// What the cells in and around the contact remember; `None` before the first contact.
     pub(super) contact: Option<Memory>,
     pub(super) traction: [Field; 2],
@@ -95,6 +97,7 @@ clone_in_place!(State {
     is_pressure_stale,
     pressed_by,
     press_window,
+    trend,
     contact,
     traction,
     slip,
@@ -134,6 +137,7 @@ impl State {
             is_pressure_stale: false,
             pressed_by: NormalControl::Hold,
             press_window: None,
+            trend: Trend::default(),
             contact: None,
             traction: [zeros(), zeros()],
             slip: [zeros(), zeros()],
@@ -155,7 +159,8 @@ impl State {
         self.coupling = coupling;
         if self.is_joint() {
             let (grid, axes) = (self.grid(), Axis::BOTH);
-            let memory = Memory::first(grid, axes, Window::whole(grid), self.motion);
+            let mut memory = Memory::first(grid, axes, Window::whole(grid), self.motion);
+            memory.trend = PlaneVector::default();
             (self.axes, self.contact) = (axes, Some(memory));
         }
         self
@@ -179,7 +184,8 @@ impl State {
     /// Makes the solver of a pressure that is found alone go on from here.
     pub(super) fn resume(&self, press: &mut NormalSolver) -> Result<()> {
         let window = self.press_window.filter(|_| !self.is_joint());
-        press.resume(self.pressure().as_slice(), self.approach(), window)
+        let pressure = self.pressure().as_slice();
+        press.resume(pressure, self.approach(), window, &self.trend)
     }
 
     /// Whether what a state of coupled bodies remembers is all there.

@@ -8,6 +8,7 @@ use crate::error::{Error, Result};
 use crate::fft::{Convolution, ConvolutionWorkspace};
 use crate::half_space::{Compliance, HalfSpace};
 use crate::influence::Direction;
+use crate::normal::trend::{Reached, Trend};
 use crate::operator::Operator;
 use crate::parallel;
 use crate::window::Window;
@@ -21,6 +22,8 @@ pub(super) struct Engine {
     linear: Vec<f64>,
     /// Pressure of the window.
     x: Vec<f64>,
+    /// How that changed with the load.
+    pub(super) trend: Trend,
     /// What it takes to see the rest of the grid, if there is a rest.
     whole: Option<Whole>,
 }
@@ -52,9 +55,15 @@ impl Engine {
             solver: ElasticSolver::new(bodies, [Direction::Z], window.size)?,
             linear: vec![0.0; window.cells()],
             x: vec![0.0; window.cells()],
+            trend: Trend::default(),
             window,
             whole: beyond,
         })
+    }
+
+    /// Takes note of what the last solve changed.
+    pub(super) fn note(&mut self, from: Reached, to: Reached) {
+        self.trend.note(&self.x, from, to);
     }
 
     /// The displacement of the whole grid.

@@ -18,7 +18,9 @@ mod nested;
 mod problem;
 mod solution;
 mod solver;
+mod trend;
 
 pub use problem::{NormalControl, NormalProblem, NormalProblemBuilder};
 pub use solution::NormalSolution;
 pub use solver::NormalSolver;
+pub(crate) use trend::Trend;

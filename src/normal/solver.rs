@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::cascade::{Conditions, Scene, nested_start};
 use crate::cgm::reduce;
-use crate::cgm::{Iteration, Method, Total, solver_settings};
+use crate::cgm::{Iteration, Known, Method, Total, solver_settings};
 use crate::clock::Instant;
 use crate::error::{Error, Result};
 use crate::field::Field;
@@ -13,12 +13,14 @@ use crate::influence::Direction;
 use crate::normal::engine::{Engine, Load};
 use crate::normal::nested::PressureScene;
 use crate::normal::problem::check_gap;
+use crate::normal::trend::{Distance, Reached, Trend};
 use crate::normal::{NormalControl, NormalProblem, NormalSolution};
 use crate::passes::{check_iterations_left, with_counts_of, with_limits_left, with_memory};
 use crate::report::{Report, Status};
 use crate::window::Window;
 
-/// Solves normal contacts on one grid again and again, each time from the last answer.
+/// Solves normal contacts on one grid again and again, each time from the last answer, moved on along its trend where the
+/// load has changed.
 ///
 /// Owns plans, buffers and the last pressure; the load and the gap may change between calls.
 ///
@@ -94,18 +96,27 @@ impl NormalSolver {
         self.engine.as_ref().map(|engine| engine.window)
     }
 
+    /// How the pressure changed with the load on that window, as far as it is known.
+    pub(crate) fn trend(&self) -> Option<&Trend> {
+        self.engine.as_ref().map(|engine| &engine.trend)
+    }
+
     /// Goes on as after the solve that found this pressure at this approach, on the window it ended with.
     pub(crate) fn resume(
         &mut self,
         pressure: &[f64],
         approach: f64,
         window: Option<Window>,
+        trend: &Trend,
     ) -> Result<()> {
         self.pressure.copy_from_slice(pressure);
         self.approach = approach;
         if self.window() != window {
             let remake = |window| Engine::new(&self.problem.bodies, window);
             self.engine = window.map(remake).transpose()?;
+        }
+        if let Some(engine) = &mut self.engine {
+            engine.trend.clone_from(trend);
         }
         Ok(())
     }
@@ -163,12 +174,15 @@ impl NormalSolver {
             NormalControl::Hold => return Err(Error::NothingToHold),
         };
         let is_cold = self.engine.is_none();
-        let expected = (!is_cold).then_some(self.approach - load.datum);
-        let mut engine = match self.engine.take() {
-            Some(engine) => engine,
-            None => self.start_cold(load, &mut conditions)?,
+        let from = [reduce::total(&self.pressure), self.approach];
+        let (mut engine, known) = match self.engine.take() {
+            Some(mut engine) => {
+                let known = self.set_out(&mut engine, load, from);
+                (engine, known)
+            }
+            None => (self.start_cold(load, &mut conditions)?, Known::Nothing),
         };
-        let outcome = self.solve_on_window(&mut engine, load, expected, &mut conditions);
+        let outcome = self.solve_on_window(&mut engine, load, known, &mut conditions);
         if !matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
             return outcome;
         }
@@ -183,12 +197,28 @@ impl NormalSolver {
             self.approach,
             &self.report,
         );
+        if outcome.is_ok() && known == Known::Extrapolated {
+            let to = [reduce::total(&self.pressure), self.approach];
+            engine.note(from, to);
+        }
         // Do not warm-start from NaN; and a first solve without contact has not found where to work.
         let pressure = &self.pressure;
         let touches = reduce::first(pressure.len(), |i| pressure[i] > 0.0).is_some();
         let is_start = self.report.duality_gap.is_finite() && (touches || !is_cold);
         self.engine = is_start.then_some(engine);
         outcome.map_err(|_| Error::NotConverged(Box::new(self.report.clone())))
+    }
+
+    /// From the last answer: as it is under the same load, moved on where the load has changed.
+    fn set_out(&mut self, engine: &mut Engine, load: Load, from: Reached) -> Known<1> {
+        match engine.trend.distance(load, from) {
+            Distance::None => Known::Answer([load.of(self.approach - load.datum)]),
+            Distance::Parts(parts) => {
+                let window = engine.window;
+                engine.trend.extrapolate(parts, window, &mut self.pressure);
+                Known::Extrapolated
+            }
+        }
     }
 
     /// From nothing: the answer on coarser cells, and the engine set up around its contact.
@@ -217,7 +247,7 @@ impl NormalSolver {
         &mut self,
         engine: &mut Engine,
         load: Load,
-        mut expected: Option<f64>,
+        mut known: Known<1>,
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<()> {
         let NormalProblem { bodies, gap, .. } = &self.problem;
@@ -232,9 +262,7 @@ impl NormalSolver {
         loop {
             let left = with_limits_left(settings, *start, &self.report).tolerance(aim);
             let mut observer = with_counts_of(&self.report, &mut **observer);
-            if let Some(multiplier) = expected {
-                engine.solver.expect([load.of(multiplier)]);
-            }
+            engine.solver.start_from(known);
             let outcome = engine.solve(gap, load, &mut self.pressure, &left, &mut observer);
             if !matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
                 return outcome;
@@ -254,7 +282,7 @@ impl NormalSolver {
             if missed.is_none() && (outcome.is_err() || self.report.is_within(settings.tolerance)) {
                 return outcome;
             }
-            expected = Some(engine.solver.multiplier()[0]);
+            known = Known::Answer(engine.solver.multiplier());
             // While the engine can still show what the iterate does.
             check_iterations_left(settings, &mut self.report)?;
             if let Some(missed) = missed {

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::fmt::Debug;
 
 use crate::cascade::{Conditions, Scene, nested_start};
-use crate::cgm::{Ball, Magnitude, Method, Settings, Total, Within};
+use crate::cgm::{Ball, Known, Magnitude, Method, Settings, Total, Within};
 use crate::elastic::{ElasticSolver, Observer};
 use crate::error::Result;
 use crate::field::Field;
@@ -48,8 +48,8 @@ pub(super) trait ShearEngine: Debug + Send + Sync {
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<PlaneVector>;
 
-    /// Makes the next minimisation look at its start first, which has been an answer at these multipliers.
-    fn expect(&mut self, multiplier: [f64; 2]);
+    /// Tells the next minimisation that its start has been an answer at these multipliers.
+    fn start_from_answer(&mut self, multiplier: [f64; 2]);
 
     /// The displacements that tractions cause; the answer stays.
     fn apply(&mut self, traction: &PlaneVector, displacement: &mut PlaneVector);
@@ -196,9 +196,9 @@ where
         Ok(self.both(found))
     }
 
-    fn expect(&mut self, multiplier: [f64; 2]) {
-        self.solver
-            .expect(self.axes.map(|axis| multiplier[axis.index()]));
+    fn start_from_answer(&mut self, multiplier: [f64; 2]) {
+        let multiplier = self.axes.map(|axis| multiplier[axis.index()]);
+        self.solver.start_from(Known::Answer(multiplier));
     }
 
     fn apply(&mut self, traction: &PlaneVector, displacement: &mut PlaneVector) {

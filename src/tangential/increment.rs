@@ -47,6 +47,8 @@ pub(crate) enum Start {
     Nested,
     /// From the present tractions, which were an answer at this shift.
     Present([f64; 2]),
+    /// From the present tractions, which are near the answer.
+    Near,
 }
 
 impl Increment {
@@ -108,6 +110,17 @@ impl Increment {
                 .pressed
                 .window
                 .gather(&whole, &mut other.traction[axis]);
+        }
+    }
+
+    /// Moves the present tractions on by so many times a change.
+    pub(crate) fn extrapolate(&mut self, change: &PlaneVector, parts: f64) {
+        for (traction, change) in self.traction.iter_mut().zip(change) {
+            parallel::update(traction, |first, chunk| {
+                for (traction, change) in chunk.iter_mut().zip(&change[first..]) {
+                    *traction += parts * change;
+                }
+            });
         }
     }
 
@@ -249,25 +262,29 @@ impl Increment {
             linear: &self.linear,
             totals,
         };
-        if let Start::Present(shift) = start {
-            let beyond = |axis: usize| match totals[axis] {
-                Total::Free => 0.0,
-                _ => (shift[axis] - self.motion.shift[axis]) / unit,
-            };
-            self.engine.expect([beyond(0), beyond(1)]);
-        } else {
-            let is_at_rest = self.motion == Motion::default();
-            let is_drawn = self.offset.iter().flatten().any(|offset| *offset != 0.0);
-            let is_moved = !is_at_rest || is_drawn;
-            let is_idle = !is_moved && totals.iter().all(|total| total.is_idle());
-            self.traction = if is_idle || limits.sum <= 0.0 {
-                zeros(self.axes, window.cells())
-            } else {
-                let [x, y] = totals.map(|total| total.sum().unwrap_or(0.0));
-                let is_sliding = x.hypot(y) >= limits.sum;
-                self.engine
-                    .start(&self.bodies, window.size, task, is_sliding, conditions)?
-            };
+        match start {
+            Start::Near => {}
+            Start::Present(shift) => {
+                let beyond = |axis: usize| match totals[axis] {
+                    Total::Free => 0.0,
+                    _ => (shift[axis] - self.motion.shift[axis]) / unit,
+                };
+                self.engine.start_from_answer([beyond(0), beyond(1)]);
+            }
+            Start::Nested => {
+                let is_at_rest = self.motion == Motion::default();
+                let is_drawn = self.offset.iter().flatten().any(|offset| *offset != 0.0);
+                let is_moved = !is_at_rest || is_drawn;
+                let is_idle = !is_moved && totals.iter().all(|total| total.is_idle());
+                self.traction = if is_idle || limits.sum <= 0.0 {
+                    zeros(self.axes, window.cells())
+                } else {
+                    let [x, y] = totals.map(|total| total.sum().unwrap_or(0.0));
+                    let is_sliding = x.hypot(y) >= limits.sum;
+                    self.engine
+                        .start(&self.bodies, window.size, task, is_sliding, conditions)?
+                };
+            }
         }
         let settings = with_time_left(conditions.settings, conditions.start);
         let observer = &mut *conditions.observer;

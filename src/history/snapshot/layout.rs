@@ -19,7 +19,7 @@ use crate::history::state::State;
 use crate::material::{ElasticPair, Material};
 use crate::normal::{NormalControl, NormalSolution};
 use crate::report::Status;
-use crate::tangential::{Axis, Coefficient, Friction, Zone};
+use crate::tangential::{Axis, Coefficient, Friction, PlaneVector, Zone};
 use crate::window::Window;
 
 /// Counts of steps and products beyond this are damage: no machine reaches it, and one more never overflows.
@@ -139,6 +139,7 @@ impl State {
         if let Some(window) = &mut self.press_window {
             visit_window(codec, window, grid)?;
         }
+        self.visit_trend(codec)?;
 
         for axis in self.axes {
             let traction = self.traction[axis.index()].as_mut_slice();
@@ -157,8 +158,20 @@ impl State {
         self.visit_contact(codec)
     }
 
+    fn visit_trend<C: Codec>(&mut self, codec: &mut C) -> Result<(), C::Error> {
+        let mut is_known = !self.trend.change.is_empty();
+        codec.kind("mark of a trend", &mut is_known, &[false, true])?;
+        if is_known {
+            let cells = self.press_window.map_or(0, |window| window.cells());
+            self.trend.change.resize(cells, 0.0);
+            codec.numbers("change of the pressure", &mut self.trend.change, FINITE)?;
+            codec.numbers("change of the normal load", &mut self.trend.by, FINITE)?;
+        }
+        Ok(())
+    }
+
     fn visit_contact<C: Codec>(&mut self, codec: &mut C) -> Result<(), C::Error> {
-        let (grid, axes) = (self.grid(), self.axes);
+        let (grid, axes, is_joint) = (self.grid(), self.axes, self.is_joint());
         let mut window = self.contact.as_ref().map(|memory| memory.window);
         codec.option("window of the contact", &mut window, || Window::whole(grid))?;
         let Some(window) = &mut window else {
@@ -172,6 +185,15 @@ impl State {
         }
         for offset in &mut memory.offset {
             codec.numbers("offset", offset, FINITE)?;
+        }
+        if is_joint {
+            memory.trend = PlaneVector::default();
+        }
+        for trend in &mut memory.trend {
+            codec.numbers("change of the traction", trend, FINITE)?;
+        }
+        for by in &mut memory.trend_by {
+            codec.numbers("change of the tangential load", by, FINITE)?;
         }
         Ok(())
     }

@@ -1,0 +1,178 @@
+//! A load that goes on along its way is solved from where its way leads; one that stays is not solved again.
+
+use kit::{rough, unit_bodies};
+use stickslip::{
+    Axis, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl, NormalProblem,
+    TangentialControl, TangentialModel, surface,
+};
+
+const FORCE: f64 = 0.2;
+
+fn scenes() -> [(HalfSpace, Field, f64); 2] {
+    let ball = Grid::square(96, 4.0).unwrap();
+    let plain = Grid::square(96, 1.0).unwrap();
+    [
+        (
+            unit_bodies(ball, 0.3),
+            surface::sphere(ball, 10.0).unwrap(),
+            FORCE,
+        ),
+        (unit_bodies(plain, 0.3), rough(plain, 3), 0.02),
+    ]
+}
+
+fn history(bodies: &HalfSpace, gap: &Field) -> History {
+    History::builder(bodies, gap, Friction::coulomb(0.4).unwrap())
+        .tolerance(1e-6)
+        .build()
+        .unwrap()
+}
+
+fn step(normal: f64, tangential: f64) -> LoadStep {
+    LoadStep::hold()
+        .normal(NormalControl::Force(normal))
+        .tangential(Axis::X, TangentialControl::Force(tangential))
+}
+
+#[test]
+fn a_load_that_goes_on_costs_less() {
+    for (bodies, gap, force) in scenes() {
+        for by_force in [true, false] {
+            let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(force));
+            let mut press = problem
+                .tolerance(1e-6)
+                .build()
+                .unwrap()
+                .into_solver()
+                .unwrap();
+            let mut contact = press.new_solution();
+            press.solve_into(&mut contact).unwrap();
+            let approach = contact.approach();
+            let mut costs = Vec::new();
+            for k in 1..8 {
+                let grown = 1.0 + 0.01 * f64::from(k);
+                press
+                    .set_load(if by_force {
+                        NormalControl::Force(force * grown)
+                    } else {
+                        NormalControl::Approach(approach * grown)
+                    })
+                    .unwrap();
+                press.solve_into(&mut contact).unwrap();
+                costs.push(contact.report().products());
+            }
+            // The first change of the load has no way to go on along.
+            let later: usize = costs[1..].iter().sum();
+            assert!(later < 6 * costs[0], "{costs:?}");
+            // From wherever the solver starts, the answer is that of its load.
+            let load = if by_force {
+                NormalControl::Force(1.07 * force)
+            } else {
+                NormalControl::Approach(1.07 * approach)
+            };
+            let cold = NormalProblem::builder(&bodies, &gap, load).tolerance(1e-6);
+            let cold = cold.build().unwrap().solve().unwrap();
+            let difference = (contact.force() / cold.force() - 1.0).abs();
+            assert!(difference < 1e-6, "{difference}");
+            let largest = cold.pressure().max();
+            let error = contact
+                .pressure()
+                .as_slice()
+                .iter()
+                .zip(cold.pressure().as_slice())
+                .map(|(p, exact)| (p - exact).abs() / largest)
+                .fold(0.0, f64::max);
+            assert!(error < 1e-4, "{error}");
+        }
+    }
+}
+
+#[test]
+fn a_pressure_under_the_same_load_is_known() {
+    for (bodies, gap, force) in scenes() {
+        let mut history = history(&bodies, &gap);
+        history.step(&step(force, 0.0)).unwrap();
+        let pressed = history.pressure().clone();
+        let work = |history: &History| {
+            let report = history.last_step().normal_report().unwrap();
+            assert!(report.is_converged() && report.residual <= 1e-6);
+            report.products()
+        };
+        for k in 1..4 {
+            history
+                .step(&step(force, 0.05 * f64::from(k) * force))
+                .unwrap();
+            assert_eq!(work(&history), 0);
+            assert_eq!(history.pressure(), &pressed);
+        }
+        // Another gap is another contact; the first gap again is the first contact.
+        let mut worn = gap.clone();
+        for (i, gap) in worn.as_mut_slice().iter_mut().enumerate() {
+            *gap += 1e-4 * (i % 7) as f64;
+        }
+        history.set_gap(&worn).unwrap();
+        history.set_gap(&gap).unwrap();
+        history.step(&step(force, 0.1 * force)).unwrap();
+        assert_eq!(work(&history), 0);
+        history.set_gap(&worn).unwrap();
+        history.step(&step(force, 0.1 * force)).unwrap();
+        assert!(work(&history) > 0);
+        // What is known is not known to a smaller tolerance.
+        let finer = history.state().settings().tolerance(1e-10);
+        history.set_settings(finer).unwrap();
+        history.step(&step(force, 0.1 * force)).unwrap();
+        assert!(work(&history) > 0);
+    }
+}
+
+#[test]
+fn a_step_that_failed_has_not_moved_the_start() {
+    for (bodies, gap, force) in scenes() {
+        let path = [
+            step(force, 0.0),
+            step(1.02 * force, 0.05 * force),
+            step(1.05 * force, 0.11 * force),
+        ];
+        let mut straight = history(&bodies, &gap);
+        let mut stopped = history(&bodies, &gap);
+        for load in &path {
+            straight.step(load).unwrap();
+            let before = stopped.to_bytes();
+            let beyond = step(1.3 * force, force);
+            assert!(matches!(
+                stopped.step(&beyond),
+                Err(Error::BeyondFrictionCapacity { .. })
+            ));
+            assert_eq!(stopped.to_bytes(), before);
+            stopped.step(load).unwrap();
+            assert_eq!(stopped.to_bytes(), straight.to_bytes());
+        }
+        // Nor does a way there and back again by a saved state.
+        let kept = straight.state().clone();
+        straight.step(&step(1.1 * force, 0.2 * force)).unwrap();
+        straight.set_state(&kept).unwrap();
+        let next = step(1.08 * force, 0.16 * force);
+        straight.step(&next).unwrap();
+        stopped.step(&next).unwrap();
+        assert_eq!(stopped.to_bytes(), straight.to_bytes());
+    }
+}
+
+#[test]
+fn shear_that_goes_on_costs_less_than_shear_that_turns() {
+    for (bodies, gap, force) in scenes() {
+        for model in [TangentialModel::Scalar, TangentialModel::Vector] {
+            let builder = History::builder(&bodies, &gap, Friction::coulomb(0.4).unwrap());
+            let mut history = builder.tolerance(1e-6).model(model).build().unwrap();
+            history.step(&step(force, 0.0)).unwrap();
+            let mut products = |part: f64| {
+                let step = history.step(&step(force, part * force)).unwrap();
+                step.tangential_report().unwrap().products()
+            };
+            let first = products(0.05);
+            let next: Vec<_> = [0.1, 0.15, 0.2, 0.25].map(&mut products).into();
+            let mean = next.iter().sum::<usize>() / next.len();
+            assert!(mean <= first + 2, "{model:?}: {first}, then {next:?}");
+        }
+    }
+}
