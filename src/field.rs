@@ -1,5 +1,7 @@
 //! Samples on a grid.
 
+use std::ops::Range;
+
 use crate::error::{Result, all_finite, finite, length};
 use crate::grid::Grid;
 use crate::parallel;
@@ -224,21 +226,25 @@ impl Field {
     /// Largest sample; NaN samples are ignored.
     #[must_use]
     pub fn max(&self) -> f64 {
-        self.samples
-            .iter()
-            .copied()
-            .fold(f64::NEG_INFINITY, f64::max)
+        self.extreme(f64::NEG_INFINITY, f64::max)
     }
 
     /// Smallest sample; NaN samples are ignored.
     #[must_use]
     pub fn min(&self) -> f64 {
-        self.samples.iter().copied().fold(f64::INFINITY, f64::min)
+        self.extreme(f64::INFINITY, f64::min)
+    }
+
+    fn extreme(&self, least: f64, of: fn(f64, f64) -> f64) -> f64 {
+        let samples = &self.samples;
+        let leaf = |range: Range<usize>| samples[range].iter().copied().fold(least, of);
+        parallel::fold(samples.len(), leaf, of)
     }
 
     /// Integral over the grid, cell area times the sum of the samples.
     #[must_use]
     pub fn integral(&self) -> f64 {
-        self.grid.cell_area() * self.samples.iter().sum::<f64>()
+        let [sum] = parallel::sums(self.samples.len(), |i| [self.samples[i]]);
+        self.grid.cell_area() * sum
     }
 }

@@ -250,6 +250,13 @@ pub(crate) fn update<T: Send>(items: &mut [T], update: impl Fn(usize, &mut [T]) 
     );
 }
 
+/// Copies one slice into another of its length.
+pub(crate) fn copy(from: &[f64], to: &mut [f64]) {
+    update(to, |first, chunk| {
+        chunk.copy_from_slice(&from[first..first + chunk.len()]);
+    });
+}
+
 /// Runs `update(row, its items)` on the rows of a field of `width` columns.
 pub(crate) fn rows<T: Send>(
     items: &mut [T],

@@ -186,16 +186,24 @@ impl Window {
 
     /// Copies the window out of a field of the whole grid.
     pub(crate) fn gather(&self, whole: &[f64], part: &mut [f64]) {
-        for (row, part) in part.chunks_exact_mut(self.size[0]).enumerate() {
-            part.copy_from_slice(&whole[self.row_start(row)..][..self.size[0]]);
-        }
+        let work = |rows: Range<usize>, part: Blocks<'_, f64>| {
+            for (row, part) in rows.zip(part.items.chunks_exact_mut(self.size[0])) {
+                part.copy_from_slice(&whole[self.row_start(row)..][..self.size[0]]);
+            }
+        };
+        self.sweep(self.bands(part), &work, &|(), ()| ());
     }
 
     /// Copies the window into a field of the whole grid.
     pub(crate) fn scatter(&self, part: &[f64], whole: &mut [f64]) {
-        for (row, part) in part.chunks_exact(self.size[0]).enumerate() {
-            whole[self.row_start(row)..][..self.size[0]].copy_from_slice(part);
-        }
+        let [first, nx] = [self.corner[0], self.size[0]];
+        let work = |rows: Range<usize>, whole: Blocks<'_, f64>| {
+            let targets = whole.items.chunks_exact_mut(self.columns);
+            for (row, target) in rows.zip(targets) {
+                target[first..first + nx].copy_from_slice(&part[row * nx..(row + 1) * nx]);
+            }
+        };
+        self.sweep(self.bands_of(whole), &work, &|(), ()| ());
     }
 }
 

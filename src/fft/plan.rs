@@ -113,12 +113,22 @@ impl<T: Real> Plan<T> {
     pub(super) fn workspace<const N: usize>(&self) -> Buffers<T, N> {
         let is_short = self.is_short();
         Buffers {
-            by_rows: from_fn(|_| vec![tiles::zero(); self.tiles()]),
+            by_rows: from_fn(|_| self.zero_tiles()),
             occupied: from_fn(|_| vec![false; self.tiles_down()]),
             by_columns: from_fn(|_| vec![Tile::default(); self.tiles()]),
             row_scratch: Scratch::new(self.row_scratch(), is_short),
             column_scratch: Scratch::new(self.column_scratch(), is_short),
         }
+    }
+
+    /// Tiles of a field, each band made by the task that first writes there.
+    fn zero_tiles(&self) -> Vec<Tile<T>> {
+        let mut tiles = vec![Tile::default(); self.tiles()];
+        let bands = blocks(&mut tiles, self.tiles_across());
+        self.bands(self.tiles_down(), bands, |_, band| {
+            band.items.fill_with(tiles::zero);
+        });
+        tiles
     }
 
     /// `out = inverse(symbol * forward(x))`, all fields `nx` x `ny`; `scales` multiply what goes

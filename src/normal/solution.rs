@@ -86,7 +86,7 @@ impl NormalSolution {
         report: &Report,
     ) {
         self.pair = *pair;
-        self.pressure.as_mut_slice().copy_from_slice(pressure);
+        parallel::copy(pressure, self.pressure.as_mut_slice());
         let initial = initial.as_slice();
         parallel::update(self.gap.as_mut_slice(), |first, chunk| {
             let samples = initial[first..].iter().zip(&displacement[first..]);

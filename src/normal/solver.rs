@@ -15,6 +15,7 @@ use crate::normal::nested::PressureScene;
 use crate::normal::problem::check_gap;
 use crate::normal::trend::{Distance, Reached, Trend};
 use crate::normal::{NormalControl, NormalProblem, NormalSolution};
+use crate::parallel;
 use crate::passes::{check_iterations_left, with_counts_of, with_limits_left, with_memory};
 use crate::report::{Report, Status};
 use crate::window::Window;
@@ -225,11 +226,16 @@ impl NormalSolver {
     fn start_cold(&mut self, load: Load, conditions: &mut Conditions<'_, '_>) -> Result<Engine> {
         let NormalProblem { bodies, gap, .. } = &self.problem;
         let (grid, whole) = (bodies.grid(), Window::whole(bodies.grid()));
-        let gaps = gap.as_slice().iter();
-        let scene = PressureScene {
-            linear: gaps.map(|gap| gap - load.datum).collect(),
+        let mut scene = PressureScene {
+            linear: vec![0.0; grid.cells()],
             total: load.total,
         };
+        let gap = gap.as_slice();
+        parallel::update(&mut scene.linear, |first, chunk| {
+            for (linear, gap) in chunk.iter_mut().zip(&gap[first..]) {
+                *linear = gap - load.datum;
+            }
+        });
         if conditions.settings.method == Method::PolonskyKeer {
             [self.pressure] = scene.plain_start();
             return Engine::new(bodies, whole);
