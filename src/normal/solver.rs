@@ -7,6 +7,7 @@ use crate::cascade::{Conditions, Scene, nested_start};
 use crate::cgm::reduce;
 use crate::cgm::{Iteration, Known, Method, Total, solver_settings};
 use crate::clock::Instant;
+use crate::elastic::Observer;
 use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::influence::Direction;
@@ -154,9 +155,19 @@ impl NormalSolver {
         solution: &mut NormalSolution,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<()> {
-        let NormalProblem { bodies, gap, .. } = &self.problem;
+        let bodies = &self.problem.bodies;
         bodies.check_host("solution", solution.grid(), solution.boundary())?;
-        let (settings, mut observer) = (self.problem.settings, with_memory(&mut observer));
+        let cells = bodies.grid().cells();
+        parallel::enter_with(cells, || self.solve_checked(solution, &mut observer))
+    }
+
+    fn solve_checked(
+        &mut self,
+        solution: &mut NormalSolution,
+        observer: Observer<'_>,
+    ) -> Result<()> {
+        let gap = &self.problem.gap;
+        let (settings, mut observer) = (self.problem.settings, with_memory(observer));
         let mut conditions = Conditions {
             settings: &settings,
             start: Instant::now(),

@@ -6,8 +6,10 @@ use crate::cascade::Conditions;
 use crate::cgm::{Iteration, Settings, solver_settings};
 use crate::clock::Instant;
 use crate::coupling::Coupling;
+use crate::elastic::Observer;
 use crate::error::{Error, Result};
 use crate::half_space::HalfSpace;
+use crate::parallel;
 use crate::passes::with_memory;
 use crate::report::Report;
 use crate::tangential::increment::{Increment, Start};
@@ -218,7 +220,15 @@ impl TangentialSolver {
     ) -> Result<()> {
         let (grid, boundary) = (solution.grid(), solution.boundary());
         self.bodies.check_host("solution", grid, boundary)?;
-        let mut observer = with_memory(&mut observer);
+        parallel::enter_with(grid.cells(), || self.solve_checked(solution, &mut observer))
+    }
+
+    fn solve_checked(
+        &mut self,
+        solution: &mut TangentialSolution,
+        observer: Observer<'_>,
+    ) -> Result<()> {
+        let mut observer = with_memory(observer);
         let mut conditions = Conditions {
             settings: &self.settings,
             start: Instant::now(),
