@@ -235,7 +235,7 @@ impl Field {
         self.extreme(f64::INFINITY, f64::min)
     }
 
-    fn extreme(&self, least: f64, of: fn(f64, f64) -> f64) -> f64 {
+    fn extreme(&self, least: f64, of: impl Fn(f64, f64) -> f64 + Copy + Sync) -> f64 {
         let samples = &self.samples;
         let leaf = |range: Range<usize>| samples[range].iter().copied().fold(least, of);
         parallel::fold(samples.len(), leaf, of)

@@ -50,6 +50,11 @@ impl<'a> Monitor<'a> {
         self.best = f64::INFINITY;
     }
 
+    /// Whether what is solved at present is the problem itself.
+    pub(super) fn is_last(&self) -> bool {
+        self.stage.is_none()
+    }
+
     /// Residual at which what is solved at present ends.
     pub(super) fn tolerance(&self) -> f64 {
         self.stage.unwrap_or(self.settings.tolerance)

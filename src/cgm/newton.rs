@@ -41,11 +41,8 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             if is_curved { CYCLE_CURVED } else { CYCLE },
             self.inner_reduction,
         );
-        let is_extrapolated = self.start == Start::Extrapolated;
+        let mut is_extrapolated = self.start == Start::Extrapolated;
         let mut totals = self.newton_start()?;
-        if is_extrapolated {
-            self.decide_at_start(&mut totals);
-        }
         loop {
             self.set_multiplier(&totals);
             let findings = self.examine();
@@ -56,8 +53,10 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
                 keeps_sets = self.make_feasible();
                 let feasible = self.examine();
                 merit = self.merit(&feasible);
+                self.shown = self.monitor.is_last().then_some(merit);
             }
             self.judge(merit, findings.free)?;
+            self.shown = None;
             if !keeps_sets {
                 // Cells were far beyond their bounds, and have pushed others off theirs.
                 totals = self.newton_start()?;
@@ -65,6 +64,11 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             if progress.is_stuck_at(merit) {
                 self.inner_reduction = progress.inner_reduction;
                 return ControlFlow::Continue(());
+            }
+            let tells_sets = std::mem::take(&mut is_extrapolated) && merit < NEAR;
+            if tells_sets && self.reclassify(findings.displacement).0 > 0 {
+                totals = self.linearise();
+                self.set_multiplier(&totals);
             }
             let reduction = progress.reduction(merit, self.monitor.tolerance());
             self.measure(false);
@@ -83,15 +87,6 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
                     self.refresh();
                 }
             }
-        }
-    }
-
-    /// Decides how cells move by the gradient of a start that is near the answer.
-    fn decide_at_start(&mut self, totals: &mut TotalsSystem<N>) {
-        self.set_multiplier(totals);
-        let findings = self.examine();
-        if self.merit(&findings) < NEAR && self.reclassify(findings.displacement).0 > 0 {
-            *totals = self.linearise();
         }
     }
 

@@ -81,6 +81,8 @@ pub struct Run<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N
     pub(super) restraint: f64,
     /// Restraint beside which the inverse of the operator alone is of no use.
     pub(super) stiff: f64,
+    /// What the iterate was shown to be worth, if it is feasible and has not changed since.
+    pub(super) shown: Option<f64>,
     /// Free cells, as last examined.
     free: usize,
     /// Whether the totals leave no choice: every cell stands at an extreme of its set.
@@ -110,6 +112,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
             inner_reduction: INNER_REDUCTION,
             restraint: 0.0,
             stiff: f64::INFINITY,
+            shown: None,
             free: 0,
             is_extreme: false,
         }
@@ -376,6 +379,10 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
 
     /// Leaves a feasible iterate, and a report computed from it: what that shows is the last word.
     pub(super) fn finish(&mut self, status: Status) -> Status {
+        if let Some(merit) = self.shown {
+            let report = &mut self.workspace.report;
+            return self.monitor.finish(status, merit, report);
+        }
         self.make_feasible();
         let findings = self.examine();
         let mut merit = self.merit(&findings);

@@ -49,6 +49,7 @@ pub struct NormalSolver {
     pressure: Vec<f64>,
     /// The approach that belongs to it.
     approach: f64,
+    least_gap: f64,
     report: Report,
 }
 
@@ -60,6 +61,7 @@ impl NormalSolver {
             .bodies
             .compliance([Direction::Z], [grid.nx(), grid.ny()])?;
         Ok(Self {
+            least_gap: problem.gap.min(),
             problem,
             engine: None,
             pressure: vec![0.0; grid.cells()],
@@ -90,6 +92,7 @@ impl NormalSolver {
         Arc::make_mut(&mut self.problem.gap)
             .as_mut_slice()
             .copy_from_slice(gap.as_slice());
+        self.least_gap = gap.min();
         Ok(())
     }
 
@@ -166,7 +169,7 @@ impl NormalSolver {
         solution: &mut NormalSolution,
         observer: Observer<'_>,
     ) -> Result<()> {
-        let gap = &self.problem.gap;
+        let cell_area = self.problem.bodies.grid().cell_area();
         let (settings, mut observer) = (self.problem.settings, with_memory(observer));
         let mut conditions = Conditions {
             settings: &settings,
@@ -176,8 +179,8 @@ impl NormalSolver {
         // Without a datum far from the contact the sums keep their last digits.
         let load = match self.problem.load {
             NormalControl::Force(force) => Load {
-                datum: gap.min(),
-                total: Total::Sum(force / gap.grid().cell_area()),
+                datum: self.least_gap,
+                total: Total::Sum(force / cell_area),
             },
             NormalControl::Approach(approach) => Load {
                 datum: approach,
