@@ -67,6 +67,7 @@
 //! with tractions and slip kept.
 
 mod adaptive;
+mod batch;
 mod builder;
 mod commit;
 mod cycle;

@@ -116,3 +116,23 @@ fn dissimilar_bodies_allocate_nothing(coupling: Coupling) {
     }
     assert_eq!(allocations(&mut cycle), 0);
 }
+
+/// The first cycle finds the widest box; the next grows and shrinks within it. So does a batch of contacts.
+#[test]
+fn while_contacts_grow_within_a_cycle() {
+    let grid = Grid::square(64, 100.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let gap = surface::sphere(grid, 300.0).unwrap();
+    let builder = History::builder(&bodies, &gap, Friction::coulomb(0.4).unwrap());
+    let mut contacts = vec![builder.tolerance(1e-6).build().unwrap(); 3];
+    let mut cycle = || {
+        for part in [0.1, 0.3, 0.6, 1.0, 0.7, 0.3, 0.1] {
+            let press = LoadStep::hold().normal(NormalControl::Force(20.0 * part));
+            let drag = |force| press.tangential(Axis::X, TangentialControl::Force(force));
+            let loads = [2.0, 1.0, -2.0].map(|force| drag(force * part));
+            assert!(History::step_all(&mut contacts, &loads).unwrap().is_empty());
+        }
+    };
+    cycle();
+    assert_eq!(allocations(&mut cycle), 0);
+}

@@ -6,7 +6,7 @@ use std::thread;
 use kit::{rough, unit_bodies, unit_pair};
 use stickslip::history::LoadPath;
 use stickslip::{
-    Axis, Boundary, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl,
+    Axis, Boundary, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl,
     TangentialControl, TangentialModel, surface,
 };
 
@@ -201,5 +201,38 @@ mod within_pools {
             let together: Vec<_> = pool(3).install(|| courses.par_iter().map(run).collect());
             assert!(together == expected);
         }
+    }
+}
+
+#[test]
+fn all_in_one_call() {
+    for bodies in both_boundaries() {
+        let courses = courses(bodies.grid());
+        let expected = alone(&bodies, &courses);
+        for threads in [1, 2, 3] {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+            let mut histories: Vec<_> = courses.iter().map(|c| c.history(&bodies)).collect();
+            pool.build().unwrap().install(|| {
+                for step in 0..courses[0].steps.len() {
+                    let loads: Vec<_> = courses.iter().map(|c| c.steps[step]).collect();
+                    let failed = History::step_all(&mut histories, &loads).unwrap();
+                    assert!(failed.is_empty(), "{failed:?}");
+                }
+            });
+            let found: Vec<_> = histories.iter().map(bits).collect();
+            assert!(found == expected, "{threads} threads");
+        }
+        let mut histories = vec![courses[0].history(&bodies)];
+        let before = histories[0].to_bytes();
+        assert!(matches!(
+            History::step_all(&mut histories, &[]),
+            Err(Error::Length {
+                expected: 1,
+                found: 0,
+                ..
+            })
+        ));
+        assert_eq!(histories[0].to_bytes(), before);
+        assert!(History::step_all(&mut [], &[]).unwrap().is_empty());
     }
 }

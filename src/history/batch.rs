@@ -1,0 +1,61 @@
+//! Many contacts in one call.
+
+use crate::error::{Error, Result, length};
+use crate::history::{History, LoadStep};
+use crate::parallel::{self, Blocks};
+
+impl History {
+    /// Takes a step of each of many contacts, `loads[i]` for `histories[i]`, on the threads of the caller's pool; returns
+    /// the errors of those that did not take theirs, each with its place.
+    ///
+    /// Each contact comes to the bits that it has alone. Those that fail are as they were, and the others go on. Contacts
+    /// of at most 4096 cells are solved on one thread each, larger ones share. A call allocates what the steps do, and the
+    /// list of failures if there are any.
+    ///
+    /// # Errors
+    /// [`Error::Length`] if there are not as many loads as contacts, before any step.
+    ///
+    /// ```
+    /// use stickslip::*;
+    /// let grid = Grid::square(32, 0.30e-3)?;
+    /// let steel = Material::new(213e9, 0.29)?;
+    /// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
+    /// let balls = [2e-3, 3e-3, 4e-3].map(|radius| surface::sphere(grid, radius));
+    /// let mut contacts = Vec::new();
+    /// for ball in balls {
+    ///     contacts.push(History::builder(&bodies, &ball?, Friction::coulomb(0.5)?).build()?);
+    /// }
+    /// let press = LoadStep::hold().normal(NormalControl::Force(50.0));
+    /// assert!(History::step_all(&mut contacts, &[press; 3])?.is_empty());
+    /// // Hertz: the approach goes with the inverse cube root of the radius.
+    /// let ratio = contacts[0].approach() / contacts[2].approach();
+    /// assert!((ratio / 2_f64.cbrt() - 1.0).abs() < 2e-3);
+    ///
+    /// // Friction holds 25 newtons of each.
+    /// let drag = |force| LoadStep::hold().tangential(Axis::X, TangentialControl::Force(force));
+    /// let failed = History::step_all(&mut contacts, &[drag(10.0), drag(30.0), drag(20.0)])?;
+    /// assert!(matches!(failed[..], [(1, Error::BeyondFrictionCapacity { .. })]));
+    /// assert_eq!(contacts[1].force(), [0.0, 0.0]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn step_all(histories: &mut [Self], loads: &[LoadStep]) -> Result<Vec<(usize, Error)>> {
+        let count = histories.len();
+        length("loads of the contacts", count, loads.len())?;
+        if count == 0 {
+            return Ok(Vec::new());
+        }
+        let contacts = Blocks {
+            items: histories,
+            width: 1,
+        };
+        let step = |i: usize, contact: Blocks<'_, Self>| {
+            let outcome = contact.items[0].step(&loads[i]);
+            Vec::from_iter(outcome.err().map(|error| (i, error)))
+        };
+        let both = |mut one: Vec<_>, other: Vec<_>| {
+            one.extend(other);
+            one
+        };
+        Ok(parallel::sweep(0..count, contacts, &step, &both))
+    }
+}
