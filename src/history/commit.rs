@@ -143,12 +143,15 @@ impl Taken<'_> {
         let (answer, cell_area) = (self.answer, self.grid.cell_area());
         let centre = centre(self.grid, answer.pressed.window.index(k));
         let (traction, u) = (answer.traction(k), answer.displacement(k));
+        let relative = minus(u, self.motion.at(centre));
+        let is_contact = answer.pressed.pressure[k] > 0.0;
+        if !is_contact && before == [0.0; 2] {
+            return CellStep::apart(centre, relative);
+        }
         let mean = [0, 1].map(|axis| 0.5 * (before[axis] + traction[axis]));
         let (u_before, offset) = (at(&self.displacement, k), answer.offset(k));
         // What a cell that came into contact was spared of the motion of the step.
         let lag = minus(offset_before, offset);
-        let relative = minus(u, self.motion.at(centre));
-        let is_contact = answer.pressed.pressure[k] > 0.0;
         let found = answer.slip(k, centre).filter(|_| is_contact);
         let slip = found.unwrap_or([0.0; 2]);
         let is_loose = found.is_some() || !is_contact;
@@ -191,6 +194,18 @@ struct CellStep {
 }
 
 impl CellStep {
+    /// Of a cell that was and is apart, `relative` to the other body.
+    fn apart(centre: [f64; 2], relative: [f64; 2]) -> Self {
+        Self {
+            centre,
+            traction: [0.0; 2],
+            slip: [0.0; 2],
+            offset: relative,
+            zone: Zone::Separated,
+            energy: EnergyBalance::ZERO,
+        }
+    }
+
     fn account(&self) -> Account {
         let [[x, y], [qx, qy]] = [self.centre, self.traction];
         Account {
