@@ -145,7 +145,7 @@ impl Taken<'_> {
         let (traction, u) = (answer.traction(k), answer.displacement(k));
         let relative = minus(u, self.motion.at(centre));
         let is_contact = answer.pressed.pressure[k] > 0.0;
-        if !is_contact && before == [0.0; 2] {
+        if !is_contact && before.iter().all(|q| *q == 0.0) {
             return CellStep::apart(centre, relative);
         }
         let mean = [0, 1].map(|axis| 0.5 * (before[axis] + traction[axis]));
