@@ -9,7 +9,7 @@ use crate::half_space::HalfSpace;
 use crate::influence::Direction;
 use crate::passes::with_time_left;
 use crate::report::Status;
-use crate::window::halved;
+use crate::window::{Window, halved};
 
 /// Relative accuracy of a coarse answer: its own discretisation error is not smaller.
 const COARSE_TOLERANCE: f64 = 1e-2;
@@ -34,6 +34,12 @@ pub(crate) trait Scene<const N: usize>: Sized {
 
     /// The scene on cells twice as large, of `size` cells.
     fn coarsened(&self, size: [usize; 2]) -> Self;
+
+    /// The part of the grid that is worth solving on from a start, and the scene there, where that is little of it. What
+    /// it misses the finest grid will see.
+    fn confined(&self, _bodies: &HalfSpace, _start: &[Vec<f64>; N]) -> Option<(Window, Self)> {
+        None
+    }
 
     /// A start without any other answer.
     fn plain_start(&self) -> [Vec<f64>; N];
@@ -89,8 +95,31 @@ fn descend<S: Scene<N>, const N: usize>(
     Ok((scene.refined_start(size, &coarse, &x), is_over))
 }
 
-/// Solves a coarse scene roughly; returns whether observer or clock ended it.
+/// Solves a coarse scene roughly, where it is worth solving; returns whether observer or clock ended it.
 fn solve<S: Scene<N>, const N: usize>(
+    bodies: &HalfSpace,
+    size: [usize; 2],
+    scene: &S,
+    x: &mut [Vec<f64>; N],
+    conditions: &mut Conditions<'_, '_>,
+) -> Result<bool> {
+    let Some((window, part)) = scene.confined(bodies, x) else {
+        return solve_whole(bodies, size, scene, x, conditions);
+    };
+    let mut inside = x.each_ref().map(|x| {
+        let mut inside = vec![0.0; window.cells()];
+        window.gather(x, &mut inside);
+        inside
+    });
+    let is_over = solve_whole(bodies, window.size, &part, &mut inside, conditions)?;
+    for (x, inside) in x.iter_mut().zip(&inside) {
+        window.scatter(inside, x);
+    }
+    Ok(is_over)
+}
+
+/// Solves a scene roughly on all of its cells.
+fn solve_whole<S: Scene<N>, const N: usize>(
     bodies: &HalfSpace,
     size: [usize; 2],
     scene: &S,

@@ -2,8 +2,13 @@
 
 use crate::cascade::Scene;
 use crate::cgm::{Constraint, Interval, NonNegative, Total};
+use crate::half_space::HalfSpace;
 use crate::influence::Direction;
-use crate::window::{coarsened, refined};
+use crate::window::{Window, coarsened, refined};
+
+/// How many times the cells of a coarse window a grid has at least: operators of the grid are kept, those of windows are
+/// made for one solve.
+const FEW: usize = 4;
 
 /// The gap from a datum, and the sum of pressures: all a normal contact depends on.
 pub(super) struct PressureScene {
@@ -35,6 +40,19 @@ impl Scene<1> for PressureScene {
             linear: coarsened(size, &self.linear),
             total: self.total.scaled(0.25),
         }
+    }
+
+    /// Around the pressure, with room for it to spread.
+    fn confined(&self, bodies: &HalfSpace, [start]: &[Vec<f64>; 1]) -> Option<(Window, Self)> {
+        let grid = bodies.grid();
+        let contact = Window::around(grid, |i| start[i] > 0.0)?;
+        let window = bodies.confined(contact.widened(grid));
+        (FEW * window.cells() <= grid.cells()).then(|| {
+            let mut linear = vec![0.0; window.cells()];
+            window.gather(&self.linear, &mut linear);
+            let total = self.total;
+            (window, Self { linear, total })
+        })
     }
 
     /// Uniform pressure under a force, zero under an approach.
