@@ -168,13 +168,14 @@ pub fn minimise_with<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: 
     workspace: &mut Workspace<C, P, MotionOf<K, N>, N>,
     observer: &mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
 ) -> Result<()> {
+    // Of this start alone, whatever comes of it.
+    let known = std::mem::replace(&mut workspace.known, Known::Nothing);
     problem.check(settings, &x)?;
     let cells = x[0].len();
     length("workspace", cells, workspace.motions.len())?;
     let solve = || -> Result<Status> {
         let sums = problem.totals.map(Total::sum);
         let reach = K::Set::reach(cells, &problem.constraint, sums)?;
-        let known = std::mem::replace(&mut workspace.known, Known::Nothing);
         let mut run = Run::new(problem, settings, x, workspace, observer);
         let status = match (run.multiplier_at_zero(), reach) {
             (Some(multiplier), _) => run.at_zero(multiplier),

@@ -11,14 +11,23 @@ use crate::history::state::State;
 use crate::history::step::StepResult;
 use crate::parallel::Blocks;
 use crate::tangential::{Answer, Motion, Zone, at, centre};
+use crate::window::Window;
 
-/// Makes a step that ended with the motion part of the state, and writes down what it did.
+/// Makes a step that ended with the motion part of the state, and writes down what it did; `written` is the window that
+/// its fields were last written in.
 pub(super) fn commit(
     answer: Option<&Answer<'_>>,
     motion: Motion,
     state: &mut State,
     step: &mut StepResult,
+    written: &mut Option<Window>,
 ) {
+    // A state that was returned to may have another window than the last step.
+    let window = answer.map(|answer| answer.pressed.window);
+    if *written != window {
+        step.clear_fields();
+        *written = window;
+    }
     let (before, force, moment) = (state.motion, state.force, state.moment);
     let change = motion.since(before);
     (step.stick_cells, step.slip_cells) = (0, 0);

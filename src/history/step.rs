@@ -115,6 +115,18 @@ impl StepResult {
         }
     }
 
+    /// Zero in every cell.
+    pub(super) fn clear_fields(&mut self) {
+        let fields = [
+            &mut self.slip_distance,
+            &mut self.dissipated_energy,
+            &mut self.mid_step_dissipated_energy,
+        ];
+        for field in self.slip.iter_mut().chain(fields) {
+            field.as_mut_slice().fill(0.0);
+        }
+    }
+
     /// Slip of the step, the change of `u - delta` (lengths): against the traction, exactly zero in stick
     /// cells and outside the contact.
     #[must_use]

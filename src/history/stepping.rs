@@ -80,6 +80,8 @@ pub struct History {
     /// What takes the place of both if the step under way, which needs a wider window, succeeds.
     wider: Option<(Increment, Memory)>,
     pub(super) step: StepResult,
+    /// Where the fields of the step are not all zero, if anywhere.
+    written: Option<Window>,
 }
 
 const _: () = {
@@ -121,6 +123,7 @@ impl History {
             joint: new_joint(bodies, &state)?,
             wider: None,
             step: StepResult::new(state.grid()),
+            written: None,
             state,
         })
     }
@@ -261,7 +264,7 @@ impl History {
         let (answer, report) = sheared.unzip();
         step.tangential_report
             .clone_from(report.unwrap_or(&Report::unsolved()));
-        commit(answer.as_ref(), motion, state, step);
+        commit(answer.as_ref(), motion, state, step, &mut self.written);
         step.energy = step.energy.plus(&pressing);
         Ok(())
     }

@@ -4,7 +4,7 @@ use kit::{rough, unit_bodies};
 use stickslip::history::State;
 use stickslip::{
     Axis, Error, Field, Friction, Grid, History, LoadStep, NormalControl, TangentialControl,
-    TangentialModel,
+    TangentialModel, surface,
 };
 
 fn grid() -> Grid {
@@ -99,4 +99,39 @@ fn of_numbers_that_the_history_shows_too() {
     let bits = |[x, y]: [f64; 2]| [x.to_bits(), y.to_bits()];
     assert_eq!(bits(read.shift()), bits(history.shift()));
     assert_eq!(bits(read.force()), bits(history.force()));
+}
+
+#[test]
+fn what_a_step_did_is_nowhere_else_after_a_return() {
+    let grid = Grid::square(48, 4.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let gap = surface::sphere(grid, 10.0).unwrap();
+    let builder = History::builder(&bodies, &gap, Friction::coulomb(0.3).unwrap());
+    let mut history = builder.build().unwrap();
+    let blank = history.state().clone();
+    let step = |force: f64, part: f64| {
+        let shear = TangentialControl::Force(part * force);
+        let press = LoadStep::hold().normal(NormalControl::Force(force));
+        press.tangential(Axis::X, shear)
+    };
+    history.step(&step(0.01, 0.0)).unwrap();
+    let small = history.state().clone();
+    for force in [0.01, 0.3] {
+        history.step(&step(force, 0.25)).unwrap();
+    }
+    assert!(history.last_step().slip_distance().max() > 0.0);
+    // A step on the small contact slips there alone, as in a history that never was elsewhere.
+    history.set_state(&small).unwrap();
+    let mut fresh = History::from_state(&bodies, small).unwrap();
+    for history in [&mut history, &mut fresh] {
+        history.step(&step(0.01, 0.2)).unwrap();
+    }
+    assert_eq!(history.last_step().slip(), fresh.last_step().slip());
+    let energies = [&history, &fresh].map(|history| history.last_step().dissipated_energy());
+    assert_eq!(energies[0], energies[1]);
+    // Bodies apart slip nowhere.
+    history.set_state(&blank).unwrap();
+    history.step(&LoadStep::hold()).unwrap();
+    assert_eq!(history.last_step().slip_distance().max(), 0.0);
+    assert_eq!(history.last_step().dissipated_energy().max(), 0.0);
 }
