@@ -1,9 +1,9 @@
 //! Starts from coarser cells: far fewer steps are then left to do on the finest ones (Bornemann & Deuflhard's
 //! cascade, Numer. Math. 75 (1996) 135, <https://doi.org/10.1007/s002110050234>).
 
-use crate::cgm::{Admissible, Constraint, Settings, Total};
+use crate::cgm::{Admissible, Constraint, Known, Settings, Total};
 use crate::clock::Instant;
-use crate::elastic::{ElasticSolver, Observer};
+use crate::elastic::{ElasticSolver, Observer, Posed};
 use crate::error::{Error, Result};
 use crate::half_space::HalfSpace;
 use crate::influence::Direction;
@@ -103,29 +103,6 @@ fn solve<S: Scene<N>, const N: usize>(
     x: &mut [Vec<f64>; N],
     conditions: &mut Conditions<'_, '_>,
 ) -> Result<bool> {
-    let Some((window, part)) = scene.confined(bodies, x) else {
-        return solve_whole(bodies, size, scene, x, conditions);
-    };
-    let mut inside = x.each_ref().map(|x| {
-        let mut inside = vec![0.0; window.cells()];
-        window.gather(x, &mut inside);
-        inside
-    });
-    let is_over = solve_whole(bodies, window.size, &part, &mut inside, conditions)?;
-    for (x, inside) in x.iter_mut().zip(&inside) {
-        window.scatter(inside, x);
-    }
-    Ok(is_over)
-}
-
-/// Solves a scene roughly on all of its cells.
-fn solve_whole<S: Scene<N>, const N: usize>(
-    bodies: &HalfSpace,
-    size: [usize; 2],
-    scene: &S,
-    x: &mut [Vec<f64>; N],
-    conditions: &mut Conditions<'_, '_>,
-) -> Result<bool> {
     let Conditions {
         settings,
         start,
@@ -134,15 +111,34 @@ fn solve_whole<S: Scene<N>, const N: usize>(
     let rough = with_time_left(settings, *start)
         .tolerance(settings.tolerance.max(COARSE_TOLERANCE))
         .max_iterations(settings.max_iterations.min(COARSE_STEPS));
+    let confined = scene.confined(bodies, x);
+    let mut inside = confined.as_ref().map(|(window, _)| {
+        x.each_ref().map(|x| {
+            let mut inside = vec![0.0; window.cells()];
+            window.gather(x, &mut inside);
+            inside
+        })
+    });
+    let (size, scene) = match &confined {
+        Some((window, part)) => (window.size, part),
+        None => (size, scene),
+    };
     let mut solver = ElasticSolver::<S::Set, N>::new(bodies, scene.directions(), size)?;
-    let outcome = solver.minimise(
-        scene.linear(),
-        scene.constraint(),
-        scene.totals(),
-        x.each_mut().map(Vec::as_mut_slice),
-        &rough,
-        &mut **observer,
-    );
+    let posed = Posed {
+        linear: scene.linear(),
+        datum: [0.0; N],
+        constraint: scene.constraint(),
+        totals: scene.totals(),
+        known: Known::Nothing,
+    };
+    let unknowns = inside.as_mut().unwrap_or(x).each_mut();
+    let unknowns = unknowns.map(Vec::as_mut_slice);
+    let outcome = solver.minimise(posed, unknowns, &rough, &mut **observer);
+    if let Some(((window, _), inside)) = confined.zip(inside) {
+        for (x, inside) in x.iter_mut().zip(&inside) {
+            window.scatter(inside, x);
+        }
+    }
     match outcome {
         Ok(()) => Ok(false),
         // As a start an unfinished answer serves too.

@@ -4,24 +4,43 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::cgm::{
-    self, Admissible, Constraint, Iteration, Known, Problem, Settings, Total, WorkspaceOf,
+    self, Admissible, Constraint, Iteration, Known, Problem, Settings, Total, Workspace,
+    WorkspaceOf,
 };
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::fft::{CirculantInverse, Convolution};
 use crate::half_space::{Compliance, HalfSpace};
 use crate::influence::Direction;
 use crate::operator::Operator;
+use crate::pool::Lease;
 use crate::report::Report;
 
 /// Who watches a solve and may cancel it.
 pub(crate) type Observer<'a> = &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send);
 
-/// The engine on a rectangle of cells, for one kind of set, with the buffers of a solve.
+/// The engine on a rectangle of cells, for one kind of set. The buffers of its solves it has from the first solve until it
+/// gives them back; all engines of a rectangle that work one after the other have the same.
 #[derive(Debug, Clone)]
 pub(crate) struct ElasticSolver<S: Admissible<N>, const N: usize> {
     compliance: Compliance<N>,
-    workspace: WorkspaceOf<Arc<Convolution<N>>, Arc<CirculantInverse<N>>, S, N>,
+    workspace: Lease<ElasticWorkspace<S, N>>,
+    multiplier: [f64; N],
+    report: Report,
 }
+
+/// What an engine is asked: the linear term, the number that each of its components is measured from, the sets of the
+/// cells, and the totals; and what is known of its start.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Posed<'a, K, const N: usize> {
+    pub(crate) linear: [&'a [f64]; N],
+    pub(crate) datum: [f64; N],
+    pub(crate) constraint: K,
+    pub(crate) totals: [Total; N],
+    pub(crate) known: Known<N>,
+}
+
+type ElasticWorkspace<S, const N: usize> =
+    WorkspaceOf<Arc<Convolution<N>>, Arc<CirculantInverse<N>>, S, N>;
 
 impl<S: Admissible<N>, const N: usize> ElasticSolver<S, N> {
     /// For tractions and displacements along these directions, on `size` cells.
@@ -30,57 +49,77 @@ impl<S: Admissible<N>, const N: usize> ElasticSolver<S, N> {
         directions: [Direction; N],
         size: [usize; 2],
     ) -> Result<Self> {
-        let compliance = bodies.compliance(directions, size)?;
-        let workspace = WorkspaceOf::<_, _, S, N>::new(&compliance.operator, &compliance.inverse);
         Ok(Self {
-            compliance,
-            workspace,
+            compliance: bodies.compliance(directions, size)?,
+            workspace: Lease::new(bodies.pool(size)?),
+            multiplier: [0.0; N],
+            report: Report::with_room(),
         })
-    }
-
-    /// Tells the next solve of its start.
-    pub(crate) fn start_from(&mut self, known: Known<N>) {
-        self.workspace.start_from(known);
     }
 
     /// Minimises from `x` into `x`; the rest is in the accessors, converged or not.
     pub(crate) fn minimise(
         &mut self,
-        linear: [&[f64]; N],
-        constraint: impl Constraint<N, Set = S>,
-        totals: [Total; N],
+        posed: Posed<'_, impl Constraint<N, Set = S>, N>,
         x: [&mut [f64]; N],
         settings: &Settings,
         observer: Observer<'_>,
     ) -> Result<()> {
         let Compliance { operator, inverse } = &self.compliance;
-        let problem = Problem::new(Arc::clone(operator), linear, constraint)
+        let problem = Problem::new(Arc::clone(operator), posed.linear, posed.constraint)
+            .datum(posed.datum)
             .preconditioner(Arc::clone(inverse))
-            .totals(totals);
-        cgm::minimise_with(&problem, settings, x, &mut self.workspace, observer)
+            .totals(posed.totals);
+        let workspace = self.workspace.take(|| problem.workspace());
+        let known = posed.known;
+        let outcome = cgm::minimise_from(&problem, settings, x, known, workspace, observer);
+        if matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
+            self.multiplier = workspace.multiplier();
+            self.report.clone_from(workspace.report());
+        }
+        outcome
+    }
+
+    /// Gives the buffers back, and the product of the answer with them.
+    pub(crate) fn rest(&mut self) {
+        self.workspace.give_back();
     }
 
     /// Writes `C x` to `out`; the answer stays.
     pub(crate) fn apply(&mut self, x: [&[f64]; N], out: [&mut [f64]; N]) {
-        let workspace = self.workspace.operator_mut();
-        self.compliance.operator.apply(x, out, workspace);
+        let Compliance { operator, inverse } = &self.compliance;
+        let workspace = self
+            .workspace
+            .take(|| ElasticWorkspace::<S, N>::new(operator, inverse));
+        operator.apply(x, out, workspace.operator_mut());
     }
 
-    /// `C x` of the answer.
+    /// `C x` of the answer; no cells once the buffers are given back.
     pub(crate) fn product(&self) -> [&[f64]; N] {
-        self.workspace.product()
+        self.workspace.held().map_or([&[]; N], |w| w.product())
+    }
+
+    /// The same alone, without the buffers.
+    pub(crate) fn into_product(self) -> [Vec<f64>; N] {
+        let workspace = self.workspace.into_piece();
+        workspace.map_or([const { Vec::new() }; N], Workspace::into_product)
     }
 
     pub(crate) fn multiplier(&self) -> [f64; N] {
-        self.workspace.multiplier()
+        self.multiplier
     }
 
     /// Measures the last answer in another unit.
     pub(crate) fn rescale(&mut self, factor: f64) {
-        self.workspace.rescale(factor);
+        for multiplier in &mut self.multiplier {
+            *multiplier *= factor;
+        }
+        if let Some(workspace) = self.workspace.held_mut() {
+            workspace.rescale(factor);
+        }
     }
 
     pub(crate) fn report(&self) -> &Report {
-        self.workspace.report()
+        &self.report
     }
 }

@@ -1,5 +1,7 @@
 //! Samples on a grid.
 
+use std::sync::Arc;
+
 use std::ops::Range;
 
 use crate::error::{Result, all_finite, finite, length};
@@ -36,8 +38,8 @@ pub struct Field {
 
 /// `Clone` field by field, so that `clone_from` keeps the memory that each field has; `derive` would give it up.
 macro_rules! clone_in_place {
-    ($type:ident { $($field:ident),* $(,)? }) => {
-        impl Clone for $type {
+    ($type:ident $(<const $n:ident: usize>)? { $($field:ident),* $(,)? }) => {
+        impl$(<const $n: usize>)? Clone for $type$(<$n>)? {
             fn clone(&self) -> Self {
                 Self { $($field: self.$field.clone()),* }
             }
@@ -68,6 +70,13 @@ impl TryFrom<Unchecked> for Field {
 
     fn try_from(read: Unchecked) -> Result<Self> {
         Self::from_vec(read.grid, read.samples)
+    }
+}
+
+/// A copy, to be shared.
+impl From<&Field> for Arc<Field> {
+    fn from(field: &Field) -> Self {
+        Self::new(field.clone())
     }
 }
 

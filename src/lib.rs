@@ -210,6 +210,7 @@ pub mod normal;
 mod operator;
 mod parallel;
 mod passes;
+mod pool;
 mod report;
 #[cfg(feature = "serde")]
 mod serial;
@@ -217,6 +218,7 @@ mod spots;
 pub mod stiffness;
 pub mod surface;
 pub mod tangential;
+mod trend;
 mod window;
 
 pub use boundary::Boundary;

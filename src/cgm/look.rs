@@ -3,9 +3,19 @@
 use crate::cgm::run::{Run, Start};
 use crate::cgm::totals::{Total, sums_of};
 use crate::cgm::vector::{at, slices};
-use crate::cgm::{Constraint, Known, Linearised, reduce};
+use crate::cgm::{Constraint, Linearised, reduce};
 use crate::operator::Operator;
 use crate::report::Status;
+
+/// What the caller knows of the start of a solve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Known<const N: usize> {
+    Nothing,
+    /// It has been an answer at these multipliers: it is looked at first.
+    Answer([f64; N]),
+    /// It is extrapolated from answers: its gradient tells where cells become free.
+    Extrapolated,
+}
 
 /// What a sum may miss, of the sum of the magnitudes, and be met but for round-off.
 const ROUND_OFF: f64 = 1e-13;

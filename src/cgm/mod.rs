@@ -122,7 +122,9 @@ mod workspace;
 pub(crate) use certificate::{Certificate, Iterate, examine};
 pub use disc::Disc;
 pub use interval::Interval;
+pub(crate) use look::Known;
 pub(crate) use motion::Linearised;
+pub(crate) use problem::minimise_from;
 pub use problem::{Minimum, Problem, minimise, minimise_with};
 #[cfg(feature = "dense")]
 pub(crate) use set::check as check_constraint;
@@ -130,7 +132,6 @@ pub use set::{Admissible, Ball, Bounds, Constraint, Magnitude, NonNegative, With
 pub use settings::{Method, Settings};
 pub(crate) use settings::{settings_methods, solver_settings};
 pub use totals::Total;
-pub(crate) use workspace::Known;
 pub use workspace::Workspace;
 
 pub use crate::report::{Iteration, Report, Status};

@@ -2,10 +2,12 @@
 
 use std::ops::ControlFlow;
 
+use crate::cgm::certificate::Iterate;
 use crate::cgm::motion::{Linearised, Reach};
 use crate::cgm::projected_gradient::Objective;
 use crate::cgm::run::Run;
 use crate::cgm::totals::Total;
+use crate::cgm::vector::{at, minus};
 use crate::cgm::{Constraint, Known, Method, MotionOf, Settings, Workspace, set};
 use crate::error::{Error, Result, all_finite, finite, length, positive};
 use crate::operator::{Identity, Operator};
@@ -17,7 +19,8 @@ use crate::report::{Iteration, Report, Status};
 pub struct Problem<'a, C, K, P = Identity, const N: usize = 1> {
     pub(super) operator: C,
     pub(super) preconditioner: P,
-    pub(super) linear: [&'a [f64]; N],
+    linear: [&'a [f64]; N],
+    datum: [f64; N],
     pub(super) constraint: K,
     pub(super) totals: [Total; N],
 }
@@ -31,6 +34,7 @@ impl<'a, C: Operator<N>, K: Constraint<N>, const N: usize> Problem<'a, C, K, Ide
             operator,
             preconditioner,
             linear,
+            datum: [0.0; N],
             constraint,
             totals: [Total::Free; N],
         }
@@ -45,6 +49,12 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
         self
     }
 
+    /// With each component of the linear term measured from a number, which is taken from it.
+    pub(crate) fn datum(mut self, datum: [f64; N]) -> Self {
+        self.datum = datum;
+        self
+    }
+
     /// With an approximate inverse of `C`, symmetric and positive definite; only
     /// [`Method::ActiveSet`] uses it.
     #[must_use]
@@ -53,6 +63,7 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
             operator: self.operator,
             preconditioner,
             linear: self.linear,
+            datum: self.datum,
             constraint: self.constraint,
             totals: self.totals,
         }
@@ -62,6 +73,28 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
     #[must_use]
     pub fn workspace(&self) -> Workspace<C, P, MotionOf<K, N>, N> {
         Workspace::new(&self.operator, &self.preconditioner)
+    }
+
+    /// The linear term of a cell.
+    pub(super) fn linear(&self, cell: usize) -> [f64; N] {
+        minus(at(&self.linear, cell), self.datum)
+    }
+
+    /// An iterate to examine, with its product and multipliers.
+    pub(super) fn iterate<'b>(
+        &'b self,
+        x: [&'b [f64]; N],
+        product: [&'b [f64]; N],
+        multiplier: [f64; N],
+    ) -> Iterate<'b, N> {
+        Iterate {
+            x,
+            product,
+            linear: self.linear,
+            datum: self.datum,
+            totals: self.totals,
+            multiplier,
+        }
     }
 
     fn check(&self, settings: &Settings, x: &[&mut [f64]; N]) -> Result<()> {
@@ -168,8 +201,18 @@ pub fn minimise_with<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: 
     workspace: &mut Workspace<C, P, MotionOf<K, N>, N>,
     observer: &mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
 ) -> Result<()> {
-    // Of this start alone, whatever comes of it.
-    let known = std::mem::replace(&mut workspace.known, Known::Nothing);
+    minimise_from(problem, settings, x, Known::Nothing, workspace, observer)
+}
+
+/// [`minimise_with`] from a start of which something is known.
+pub(crate) fn minimise_from<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
+    problem: &Problem<'_, C, K, P, N>,
+    settings: &Settings,
+    x: [&mut [f64]; N],
+    known: Known<N>,
+    workspace: &mut Workspace<C, P, MotionOf<K, N>, N>,
+    observer: &mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
+) -> Result<()> {
     problem.check(settings, &x)?;
     let cells = x[0].len();
     length("workspace", cells, workspace.motions.len())?;

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use crate::cgm::certificate::{Certificate, Iterate, examine};
+use crate::cgm::certificate::{Certificate, examine};
 use crate::cgm::monitor::Monitor;
 use crate::cgm::motion::{Linearised, Motion};
 use crate::cgm::progress::INNER_REDUCTION;
@@ -201,9 +201,9 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
 
     fn form_gradient(&mut self) {
         let w = &mut *self.workspace;
-        let (product, linear) = (slices(&w.product), self.problem.linear);
+        let (product, problem) = (slices(&w.product), self.problem);
         update_cells(&mut w.gradient, |i, _| {
-            plus(at(&product, i), 1.0, at(&linear, i))
+            plus(at(&product, i), 1.0, problem.linear(i))
         });
     }
 
@@ -231,14 +231,9 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
     /// Examines the iterate by the product at hand, and writes the findings to the report. They are certain only if
     /// that product is [fresh](Self::is_fresh).
     pub(super) fn examine(&mut self) -> Certificate {
-        let iterate = Iterate {
-            x: slices(&self.x),
-            product: slices(&self.workspace.product),
-            linear: self.problem.linear,
-            datum: [0.0; N],
-            totals: self.problem.totals,
-            multiplier: self.workspace.multiplier,
-        };
+        let w = &*self.workspace;
+        let (x, product) = (slices(&self.x), slices(&w.product));
+        let iterate = self.problem.iterate(x, product, w.multiplier);
         let findings = examine(&iterate, &self.problem.constraint, self.lower_bound);
         findings.write_to(&mut self.workspace.report);
         self.free = findings.free;
@@ -274,10 +269,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
     /// iteration towards zero would have no size left to measure its residual by.
     pub(super) fn multiplier_at_zero(&self) -> Option<[f64; N]> {
         let Problem {
-            linear,
-            constraint,
-            totals,
-            ..
+            constraint, totals, ..
         } = self.problem;
         let cells = self.cells();
         let first = reduce::first(cells, |i| constraint.of(i).can_move());
@@ -285,7 +277,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         for (c, total) in totals.iter().enumerate() {
             multiplier[c] = match *total {
                 Total::Free => 0.0,
-                Total::Sum(0.0) => first.map_or(0.0, |i| linear[c][i]),
+                Total::Sum(0.0) => first.map_or(0.0, |i| self.problem.linear(i)[c]),
                 Total::Sum(_) => return None,
                 Total::Spring { far_end, .. } => far_end,
             };
@@ -293,7 +285,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         let is_free = self.sums() == [None; N];
         let is_driven = |i: usize| {
             let set = constraint.of(i);
-            let gradient = std::array::from_fn(|c| linear[c][i] - multiplier[c]);
+            let gradient = minus(self.problem.linear(i), multiplier);
             let rests = if is_free {
                 norm(set.forbidden([0.0; N], gradient)) == 0.0
             } else {

@@ -5,16 +5,6 @@ use crate::cgm::moving::MovingCells;
 use crate::operator::Operator;
 use crate::report::Report;
 
-/// What the caller knows of the start of a solve.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Known<const N: usize> {
-    Nothing,
-    /// It has been an answer at these multipliers: it is looked at first.
-    Answer([f64; N]),
-    /// It is extrapolated from answers: its gradient tells where cells become free.
-    Extrapolated,
-}
-
 /// Everything an iteration writes to besides `x`; made once, reused by every solve of one size.
 ///
 /// `M` is how cells of the constraint move: [`Problem::workspace`](crate::cgm::Problem::workspace) names it.
@@ -36,8 +26,6 @@ pub struct Workspace<C: Operator<N>, P: Operator<N>, M, const N: usize = 1> {
     pub(super) moving: MovingCells,
     pub(super) report: Report,
     pub(super) multiplier: [f64; N],
-    /// Of the start of the next solve.
-    pub(super) known: Known<N>,
 }
 
 /// Vectors of the inner iteration, compressed to the cells that move.
@@ -74,13 +62,7 @@ impl<C: Operator<N>, P: Operator<N>, M: Motion<N>, const N: usize> Workspace<C, 
             moving: MovingCells::with_capacity(cells),
             report: Report::with_room(),
             multiplier: [0.0; N],
-            known: Known::Nothing,
         }
-    }
-
-    /// Tells the next solve of its start.
-    pub(crate) fn start_from(&mut self, known: Known<N>) {
-        self.known = known;
     }
 
     /// The product `C x` with the iterate last returned.
@@ -89,15 +71,19 @@ impl<C: Operator<N>, P: Operator<N>, M: Motion<N>, const N: usize> Workspace<C, 
         self.product.each_ref().map(Vec::as_slice)
     }
 
+    /// That product alone.
+    pub(crate) fn into_product(self) -> [Vec<f64>; N] {
+        self.product
+    }
+
     /// The buffers of a product, for one beside the solves.
     pub(crate) fn operator_mut(&mut self) -> &mut C::Workspace {
         &mut self.operator
     }
 
-    /// Measures product and multipliers of the last solve in another unit.
+    /// Measures the product of the last solve in another unit.
     pub(crate) fn rescale(&mut self, factor: f64) {
-        let values = self.product.iter_mut().flatten();
-        for value in values.chain(&mut self.multiplier) {
+        for value in self.product.iter_mut().flatten() {
             *value *= factor;
         }
     }

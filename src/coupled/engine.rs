@@ -6,10 +6,10 @@ use crate::boundary::Boundary;
 use crate::cascade::Conditions;
 use crate::cgm::cone::{self, Cone, ConeFindings, ConeProblem, ConeWorkspace, Opening};
 use crate::cgm::vector::{slices, slices_mut};
-use crate::cgm::{Disc, Interval, Magnitude, NonNegative, Settings, Total, reduce};
+use crate::cgm::{Disc, Interval, Known, Magnitude, NonNegative, Settings, Total, reduce};
 use crate::coupled::CoupledReport;
 use crate::coupled::contraction::Contraction;
-use crate::elastic::{ElasticSolver, Observer};
+use crate::elastic::{ElasticSolver, Observer, Posed};
 use crate::error::{Error, Result};
 use crate::fft::{CirculantInverse, Convolution, ConvolutionWorkspace};
 use crate::half_space::{Compliance, HalfSpace};
@@ -282,12 +282,19 @@ impl Engine {
         report: &mut CoupledReport,
     ) -> Result<Option<Status>> {
         self.add_displacements_of(&[1, 2]);
-        let (linear, totals) = (&self.linear[0], [task.totals[0]]);
+        let posed = Posed {
+            linear: [&self.linear[0]],
+            datum: [0.0],
+            constraint: NonNegative,
+            totals: [task.totals[0]],
+            known: Known::Nothing,
+        };
         let (normal, x) = (&mut self.normal, &mut self.x[0]);
         let solve = |settings: &Settings, observer: Observer<'_>| {
-            normal.minimise([linear], NonNegative, totals, [x], settings, observer)
+            normal.minimise(posed, [x], settings, observer)
         };
         let ended = half(tolerance, conditions, &report.work, solve);
+        self.normal.rest();
         report.normal.add_pass(self.normal.report());
         ended
     }
@@ -317,18 +324,19 @@ impl Engine {
             return Ok(None);
         }
         let ([_, x, y], [_, asked_x, asked_y]) = (&mut self.x, &self.linear);
-        let (plane, limits) = (&mut self.plane, Magnitude(&self.limits));
+        let posed = Posed {
+            linear: [asked_x.as_slice(), asked_y],
+            datum: [0.0; 2],
+            constraint: Magnitude(&self.limits),
+            totals,
+            known: Known::Nothing,
+        };
+        let plane = &mut self.plane;
         let solve = |settings: &Settings, observer: Observer<'_>| {
-            plane.minimise(
-                [asked_x, asked_y],
-                limits,
-                totals,
-                [x, y],
-                settings,
-                observer,
-            )
+            plane.minimise(posed, [x, y], settings, observer)
         };
         let ended = half(tolerance, conditions, &report.work, solve);
+        self.plane.rest();
         report.tangential.add_pass(self.plane.report());
         ended
     }

@@ -7,9 +7,9 @@ use num_complex::Complex;
 use crate::fft::aligned::Aligned;
 use crate::fft::plan::{Plan, blocks, zero};
 use crate::fft::real::Real;
-use crate::fft::scratch::Scratch;
 use crate::fft::symbol::Symbol;
 use crate::fft::tiles::{self, TILE_COLUMNS, TILE_ROWS, Tile};
+use crate::pool::Pool;
 
 #[derive(Debug, Clone)]
 pub(super) struct ColumnScratch<T, const N: usize> {
@@ -45,7 +45,7 @@ impl<T: Real> Plan<T> {
         symbol: &Symbol<T, N>,
         by_columns: &mut [Vec<Tile<T>>; N],
         occupied: &[Vec<bool>; N],
-        scratch: &Scratch<ColumnScratch<T, N>>,
+        scratch: &Pool<ColumnScratch<T, N>>,
     ) {
         let down = self.tiles_down();
         let fields = by_columns.each_mut().map(|tiles| blocks(tiles, down));

@@ -54,7 +54,7 @@ impl Convolution {
     /// # Errors
     /// As [`Table::sample`](crate::influence::Table::sample).
     pub fn new(grid: Grid, pair: &ElasticPair, component: Component) -> Result<Self> {
-        let table = samples(grid)?.table(grid, pair, component)?;
+        let table = samples(grid, grid.size())?.table(grid, pair, component)?;
         Ok(Self::of_kernels(grid.size(), [[&Kernel::Table(table)]]))
     }
 
@@ -135,10 +135,10 @@ fn lower_bound<const N: usize>([low, high]: [f64; 2], kernels: [[&Kernel; N]; N]
     }
 }
 
-/// The integrals of all coefficients at every distance the padded transform of `grid` reaches.
-pub(crate) fn samples(grid: Grid) -> Result<Samples> {
-    memory("influence coefficients", grid.size(), size_of::<f64>())?;
-    let reach = padded(grid.size()).map(|m| m / 2 + 1);
+/// The integrals of all coefficients at every distance the padded transform of `size` cells of `grid` reaches.
+pub(crate) fn samples(grid: Grid, size: [usize; 2]) -> Result<Samples> {
+    memory("influence coefficients", size, size_of::<f64>())?;
+    let reach = padded(size).map(|m| m / 2 + 1);
     Samples::new(grid, reach)
 }
 

@@ -18,7 +18,6 @@ mod length;
 mod plan;
 mod real;
 mod rows;
-mod scratch;
 mod single;
 mod spectrum;
 mod symbol;

@@ -15,10 +15,10 @@ use rustfft::{Fft, FftPlanner};
 use crate::fft::columns::ColumnScratch;
 use crate::fft::real::Real;
 use crate::fft::rows::RowScratch;
-use crate::fft::scratch::Scratch;
 use crate::fft::symbol::Symbol;
 use crate::fft::tiles::{self, TILE_COLUMNS, TILE_ROWS, Tile, exchange};
 use crate::parallel::{self, Blocks, Split};
+use crate::pool::Pool;
 
 /// Transforms of an `nx` x `ny` field padded to `mx` x `my`. Immutable and shared.
 #[derive(Clone)]
@@ -52,8 +52,8 @@ pub(super) struct Buffers<T, const N: usize> {
     occupied: [Vec<bool>; N],
     /// The same tiles while a task owns bands of columns.
     by_columns: [Vec<Tile<T>>; N],
-    row_scratch: Scratch<RowScratch<T>>,
-    column_scratch: Scratch<ColumnScratch<T, N>>,
+    row_scratch: Pool<RowScratch<T>>,
+    column_scratch: Pool<ColumnScratch<T, N>>,
 }
 
 impl<T: Real> Plan<T> {
@@ -111,13 +111,17 @@ impl<T: Real> Plan<T> {
     }
 
     pub(super) fn workspace<const N: usize>(&self) -> Buffers<T, N> {
-        let is_short = self.is_short();
+        let tasks = if self.is_short() {
+            1
+        } else {
+            parallel::threads()
+        };
         Buffers {
             by_rows: from_fn(|_| self.zero_tiles()),
             occupied: from_fn(|_| vec![false; self.tiles_down()]),
             by_columns: from_fn(|_| vec![Tile::default(); self.tiles()]),
-            row_scratch: Scratch::new(self.row_scratch(), is_short),
-            column_scratch: Scratch::new(self.column_scratch(), is_short),
+            row_scratch: Pool::new(vec![self.row_scratch(); tasks]),
+            column_scratch: Pool::new(vec![self.column_scratch(); tasks]),
         }
     }
 

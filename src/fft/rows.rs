@@ -3,8 +3,8 @@
 use crate::fft::aligned::Aligned;
 use crate::fft::plan::{Plan, blocks, zero};
 use crate::fft::real::Real;
-use crate::fft::scratch::Scratch;
 use crate::fft::tiles::{TILE_COLUMNS, TILE_ROWS, Tile};
+use crate::pool::Pool;
 use num_complex::Complex;
 use std::ops::Range;
 
@@ -42,7 +42,7 @@ impl<T: Real> Plan<T> {
         scale: f64,
         by_rows: &mut [Tile<T>],
         occupied: &mut [bool],
-        scratch: &Scratch<RowScratch<T>>,
+        scratch: &Pool<RowScratch<T>>,
     ) {
         let bands = (blocks(by_rows, self.tiles_across()), blocks(occupied, 1));
         self.bands(self.tiles_down(), bands, |band, (tiles, occupied)| {
@@ -105,7 +105,7 @@ impl<T: Real> Plan<T> {
         by_rows: &[Tile<T>],
         out: &mut [f64],
         scale: f64,
-        scratch: &Scratch<RowScratch<T>>,
+        scratch: &Pool<RowScratch<T>>,
     ) {
         let across = self.tiles_across();
         let rows = blocks(out, TILE_ROWS * self.nx);

@@ -5,10 +5,10 @@ use std::sync::Arc;
 use crate::boundary::Boundary;
 use crate::error::{Error, Result};
 use crate::fft::{CirculantInverse, Convolution};
-use crate::half_space::{HalfSpace, Shared};
-use crate::influence::{Component, Direction, Kernel, Symbols};
+use crate::half_space::HalfSpace;
+use crate::influence::{Component, Direction, Kernel};
 use crate::operator::Operator;
-use crate::parallel::get_or_make;
+use crate::pool::Pool;
 
 /// An operator and the preconditioner that goes with it.
 #[derive(Debug, Clone)]
@@ -40,6 +40,21 @@ impl HalfSpace {
         Ok(Compliance { operator, inverse })
     }
 
+    /// The pool of a kind of buffers for these cells, along whatever directions, as long as anyone has it.
+    pub(crate) fn pool<T: Send + 'static>(&self, size: [usize; 2]) -> Result<Arc<Pool<T>>> {
+        let empty = || Ok(Pool::new(Vec::new()));
+        let made = &self.shared.made;
+        made.get_or_make(&[], self.cut(size), false, empty)
+    }
+
+    /// What a rectangle of cells is worked on as: a grid that repeats is not cut.
+    fn cut(&self, size: [usize; 2]) -> [usize; 2] {
+        match self.boundary() {
+            Boundary::NonPeriodic => size,
+            Boundary::Periodic => self.size(),
+        }
+    }
+
     /// The operator alone, of any components.
     pub(crate) fn convolution<const N: usize>(
         &self,
@@ -56,43 +71,11 @@ impl HalfSpace {
         size: [usize; 2],
         make: impl FnOnce([usize; 2], [[&Kernel; N]; N]) -> T,
     ) -> Result<Arc<T>> {
-        let size = match self.boundary() {
-            Boundary::NonPeriodic => size,
-            Boundary::Periodic => self.size(),
-        };
+        let size = self.cut(size);
         let is_kept = size == self.size();
         let made = &self.shared.made;
         made.get_or_make(components.as_flattened(), size, is_kept, || {
-            Ok(make(size, self.kernels(components)?))
-        })
-    }
-
-    fn kernels<const N: usize>(
-        &self,
-        components: [[Component; N]; N],
-    ) -> Result<[[&Kernel; N]; N]> {
-        let mut kernels = [[self.kernel(components[0][0])?; N]; N];
-        for (row, components) in kernels.iter_mut().zip(components) {
-            for (kernel, component) in row.iter_mut().zip(components) {
-                *kernel = self.kernel(component)?;
-            }
-        }
-        Ok(kernels)
-    }
-
-    fn kernel(&self, component: Component) -> Result<&Kernel> {
-        let Shared {
-            grid,
-            pair,
-            samples,
-            kernels,
-            ..
-        } = &*self.shared;
-        get_or_make(&kernels[component as usize], || {
-            Ok(match samples {
-                Some(samples) => Kernel::Table(samples.table(*grid, pair, component)?),
-                None => Kernel::Symbols(Symbols::new(*grid, pair, component)),
-            })
+            self.with_kernels(components, size, |kernels| make(size, kernels))
         })
     }
 }

@@ -3,6 +3,7 @@
 mod cache;
 mod compliance;
 mod elastic;
+mod kernels;
 
 use std::sync::{Arc, OnceLock};
 
@@ -19,6 +20,7 @@ use cache::Cache;
 pub(crate) use compliance::Compliance;
 use compliance::tensor;
 pub use elastic::{ElasticOperator, ElasticPreconditioner};
+use kernels::Kernels;
 
 /// A pair of half-spaces on a grid, with the operators of the components in use.
 ///
@@ -46,14 +48,16 @@ pub struct HalfSpace {
 struct Shared {
     grid: Grid,
     pair: ElasticPair,
-    /// What the coefficients of this grid and of all coarser ones are made of; none where they repeat.
-    samples: Option<Arc<Samples>>,
-    kernels: [OnceLock<Kernel>; Component::ALL.len()],
+    /// Those that are kept, of small grids.
+    kernels: Kernels,
     /// Operators and preconditioners: those of the whole grid are kept, those of windows lent.
     made: Cache,
     /// The same bodies on cells twice as large.
     coarser: OnceLock<HalfSpace>,
 }
+
+/// Cells of a grid whose kernels are kept for other operators.
+const KEPT_CELLS: usize = 1 << 20;
 
 /// What a normal contact of all cells takes at least: operators, buffers, answer.
 const BYTES_PER_CELL: usize = 170;
@@ -96,10 +100,10 @@ impl HalfSpace {
     pub fn with_boundary(grid: Grid, pair: ElasticPair, boundary: Boundary) -> Result<Self> {
         memory("contact of all cells", grid.size(), BYTES_PER_CELL)?;
         let samples = match boundary {
-            Boundary::NonPeriodic => Some(Arc::new(samples(grid)?)),
+            Boundary::NonPeriodic => Some(samples(grid, grid.size())?),
             Boundary::Periodic => None,
         };
-        Ok(Self::with_samples(grid, pair, samples))
+        Ok(Self::with_samples(grid, pair, samples.map(Arc::new)))
     }
 
     fn with_samples(grid: Grid, pair: ElasticPair, samples: Option<Arc<Samples>>) -> Self {
@@ -107,8 +111,7 @@ impl HalfSpace {
             shared: Arc::new(Shared {
                 grid,
                 pair,
-                samples,
-                kernels: Default::default(),
+                kernels: Kernels::new(grid, pair, samples),
                 made: Cache::default(),
                 coarser: OnceLock::new(),
             }),
@@ -130,10 +133,7 @@ impl HalfSpace {
     /// What lies beyond the edge of the grid.
     #[must_use]
     pub fn boundary(&self) -> Boundary {
-        match self.shared.samples {
-            Some(_) => Boundary::NonPeriodic,
-            None => Boundary::Periodic,
-        }
+        self.shared.kernels.boundary()
     }
 
     /// The operator of one component on the whole grid, made at the first call.
@@ -221,15 +221,47 @@ impl HalfSpace {
         let Shared {
             grid,
             pair,
-            samples,
+            kernels,
             coarser,
             ..
         } = &*self.shared;
         get_or_make(coarser, || {
             let [nx, ny] = halved(self.size());
             let grid = Grid::new(nx, ny, 2.0 * grid.dx(), 2.0 * grid.dy())?;
-            Ok(Self::with_samples(grid, *pair, samples.clone()))
+            let samples = match kernels.samples() {
+                Some(_) if !self.keeps_kernels() => Some(Arc::new(samples(grid, grid.size())?)),
+                samples => samples.map(Arc::clone),
+            };
+            Ok(Self::with_samples(grid, *pair, samples))
         })
+    }
+
+    /// Whether kernels stay once they are made: those of a large grid would take more than all that is made of them
+    /// once saves in time.
+    fn keeps_kernels(&self) -> bool {
+        self.grid().cells() <= KEPT_CELLS
+    }
+
+    /// Makes something of the kernels of these components, on `size` cells.
+    fn with_kernels<T, const N: usize>(
+        &self,
+        components: [[Component; N]; N],
+        size: [usize; 2],
+        make: impl FnOnce([[&Kernel; N]; N]) -> T,
+    ) -> Result<T> {
+        let Shared {
+            grid,
+            pair,
+            kernels,
+            ..
+        } = &*self.shared;
+        if self.keeps_kernels() || kernels.samples().is_none() {
+            return Ok(make(kernels.of(components)?));
+        }
+        let samples = Arc::new(samples(*grid, size)?);
+        Ok(make(
+            Kernels::new(*grid, *pair, Some(samples)).of(components)?,
+        ))
     }
 
     /// `Ok` if what was made on a grid with a boundary was made for these.

@@ -38,7 +38,7 @@ pub(super) fn commit(
     if let Some((answer, memory)) = answer.zip(contact.as_mut()) {
         enter(answer, before, memory, state, step);
         let by = [0, 1].map(|axis| state.force[axis] - force[axis]);
-        memory.trend_by = [by, change.shift];
+        memory.trend.by = [0, 1].map(|axis| [by[axis], change.shift[axis]]);
     }
     state.contact = contact;
     let shifted: f64 = (0..2)
@@ -80,7 +80,7 @@ fn enter(
     let vectors = vectors.map(|parts| parts.map(|part| window.bands_of(part.as_mut_slice())));
     let numbers = numbers.map(|field| window.bands_of(field.as_mut_slice()));
     let zones = window.bands_of(&mut state.zones);
-    let own = [&mut memory.offset, &mut memory.trend];
+    let own = [&mut memory.offset, &mut memory.trend.change];
     let own = own.map(|parts| parts.each_mut().map(|part| window.bands(part)));
     let work = |rows: Range<usize>, (vectors, numbers, (zones, own)): Bands<'_>| {
         let [traction, accumulated, slip] = vectors;

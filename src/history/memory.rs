@@ -6,13 +6,10 @@ use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::history::state::State;
 use crate::tangential::{
-    Axis, Demand, Increment, Motion, PlaneVector, Pressed, TangentialControl, Zone, centre, zeros,
+    Axis, Demand, Increment, Motion, PlaneVector, Pressed, Zone, centre, zeros,
 };
+use crate::trend::Trend;
 use crate::window::Window;
-
-/// Parts of the last step that are round-off, and beyond which nothing is extrapolated.
-const NO_PART: f64 = 1e-9;
-const FARTHEST: f64 = 2.0;
 
 /// Displacement and offset of the cells of a window.
 #[derive(Debug)]
@@ -25,8 +22,7 @@ pub(super) struct Memory {
     pub(super) offset: PlaneVector,
     /// How the tractions changed in the last step, and force and shift with them; nothing where pressure and shear are
     /// found together.
-    pub(super) trend: PlaneVector,
-    pub(super) trend_by: [[f64; 2]; 2],
+    pub(super) trend: Trend<2>,
 }
 
 clone_in_place!(Memory {
@@ -34,7 +30,6 @@ clone_in_place!(Memory {
     displacement,
     offset,
     trend,
-    trend_by
 });
 
 impl Memory {
@@ -51,8 +46,10 @@ impl Memory {
             window,
             displacement: zeros(axes, window.cells()),
             offset,
-            trend: zeros(axes, window.cells()),
-            trend_by: [[0.0; 2]; 2],
+            trend: Trend {
+                change: zeros(axes, window.cells()),
+                ..Trend::default()
+            },
         }
     }
 
@@ -88,33 +85,12 @@ impl Memory {
         Ok((increment, wide))
     }
 
-    /// How many times as far as in the last step the load goes on along its way; `None` where it does not go on.
+    /// How many times the last step the load continues in the same direction; `None` where it does not.
     pub(super) fn parts_ahead(&self, state: &State, demand: &Demand) -> Option<f64> {
-        let [by_force, by_shift] = self.trend_by;
-        let (mut ahead, mut squares) = (0.0, 0.0);
-        for axis in [0, 1] {
-            let (force, shift) = (state.force[axis], state.motion.shift[axis]);
-            let parts = match demand.controls[axis] {
-                TangentialControl::Hold => 0.0,
-                TangentialControl::Force(end) => (end - force) / by_force[axis],
-                TangentialControl::Shift(end) => (end - shift) / by_shift[axis],
-                TangentialControl::Spring {
-                    position,
-                    stiffness,
-                } => {
-                    let by = by_shift[axis] + by_force[axis] / stiffness;
-                    (position - shift - force / stiffness) / by
-                }
-            };
-            let square = by_force[axis] * by_force[axis];
-            if square > 0.0 {
-                ahead += square * parts;
-                squares += square;
-            }
-        }
-        let parts = ahead / squares;
+        let ahead = demand.ahead(state.force, state.motion.shift);
         let turns = demand.twist.to_bits() != state.motion.twist.to_bits();
-        (!turns && parts > NO_PART && parts <= FARTHEST).then_some(parts)
+        let parts = self.trend.parts(ahead);
+        parts.filter(|parts| *parts > 0.0 && !turns)
     }
 
     /// The displacements of all cells, of a window that is the grid.

@@ -10,8 +10,9 @@ use crate::half_space::HalfSpace;
 use crate::history::TouchRule;
 use crate::history::memory::Memory;
 use crate::material::ElasticPair;
-use crate::normal::{NormalControl, NormalSolution, NormalSolver, Trend};
-use crate::tangential::{Axis, Friction, Motion, PlaneVector, Zone};
+use crate::normal::{NormalControl, NormalSolution, NormalSolver};
+use crate::tangential::{Axis, Friction, Motion, Zone};
+use crate::trend::Trend;
 use crate::window::Window;
 
 /// The state of a [`History`](crate::History): everything that its next step starts from, apart from the bodies and
@@ -71,7 +72,7 @@ pub struct State {
     /// Where the pressure was found; `None` before the first contact.
     pub(super) press_window: Option<Window>,
     /// How the pressure changed with the load there.
-    pub(super) trend: Trend,
+    pub(super) trend: Trend<1>,
     /// What the cells in and around the contact remember; `None` before the first contact.
     pub(super) contact: Option<Memory>,
     pub(super) traction: [Field; 2],
@@ -160,7 +161,7 @@ impl State {
         if self.is_joint() {
             let (grid, axes) = (self.grid(), Axis::BOTH);
             let mut memory = Memory::first(grid, axes, Window::whole(grid), self.motion);
-            memory.trend = PlaneVector::default();
+            memory.trend = Trend::default();
             (self.axes, self.contact) = (axes, Some(memory));
         }
         self

@@ -211,7 +211,13 @@ impl History {
     ) -> Result<&StepResult> {
         let demand = load.demand(self.twist());
         demand.check(self.state.axes, self.boundary())?;
-        parallel::enter_with(self.grid().cells(), || self.take(load, &mut observer))?;
+        parallel::enter_with(self.grid().cells(), || {
+            let outcome = self.take(load, &mut observer);
+            if let Some(increment) = &mut self.increment {
+                increment.rest();
+            }
+            outcome
+        })?;
         Ok(&self.step)
     }
 

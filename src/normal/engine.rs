@@ -2,76 +2,58 @@
 
 use std::sync::Arc;
 
-use crate::cgm::{self, Interval, Iterate, NonNegative, Total};
-use crate::elastic::{ElasticSolver, Observer};
+use crate::cgm::{self, Interval, Iterate, Known, NonNegative, Total};
+use crate::elastic::{ElasticSolver, Observer, Posed};
 use crate::error::{Error, Result};
 use crate::fft::{Convolution, ConvolutionWorkspace};
 use crate::half_space::{Compliance, HalfSpace};
 use crate::influence::Direction;
-use crate::normal::trend::{Reached, Trend};
 use crate::operator::Operator;
-use crate::parallel;
+use crate::pool::Lease;
+use crate::trend::{Ahead, Reached, Trend};
 use crate::window::Window;
+
+/// Change of a load, as part of it, below which it is round-off.
+const NO_CHANGE: f64 = 1e-12;
 
 /// The engine, set up where it works: around the contact, if that is much smaller than the grid.
 #[derive(Debug, Clone)]
 pub(super) struct Engine {
     pub(super) window: Window,
     pub(super) solver: ElasticSolver<Interval, 1>,
-    /// The gap of the window from the datum.
-    linear: Vec<f64>,
-    /// Pressure of the window.
-    x: Vec<f64>,
-    /// How that changed with the load.
-    pub(super) trend: Trend,
-    /// What it takes to see the rest of the grid, if there is a rest.
-    whole: Option<Whole>,
+    /// How the pressure of the window changed with the load.
+    pub(super) trend: Trend<1>,
+    /// What it takes to work on a part of the grid and to see the rest, if there is a rest.
+    part: Option<Part>,
 }
 
 #[derive(Debug, Clone)]
-struct Whole {
+struct Part {
+    /// Of the whole grid.
     operator: Arc<Convolution<1>>,
-    workspace: ConvolutionWorkspace<1>,
-    displacement: Vec<f64>,
+    fields: Lease<PartFields>,
 }
 
-impl Engine {
-    /// On a window, or on the whole grid if it repeats or the window saves too little.
-    pub(super) fn new(bodies: &HalfSpace, window: Window) -> Result<Self> {
-        let (window, whole) = (bodies.confined(window), Window::whole(bodies.grid()));
-        let is_whole = 5 * window.cells() > 4 * whole.cells();
-        let window = if is_whole { whole } else { window };
-        let beyond = if is_whole {
-            None
-        } else {
-            let Compliance { operator, .. } = bodies.compliance([Direction::Z], whole.size)?;
-            Some(Whole {
-                workspace: operator.workspace(),
-                displacement: vec![0.0; whole.cells()],
-                operator,
-            })
-        };
-        Ok(Self {
-            solver: ElasticSolver::new(bodies, [Direction::Z], window.size)?,
-            linear: vec![0.0; window.cells()],
-            x: vec![0.0; window.cells()],
-            trend: Trend::default(),
-            window,
-            whole: beyond,
+#[derive(Debug)]
+struct PartFields {
+    /// Of the window.
+    gap: Vec<f64>,
+    pressure: Vec<f64>,
+    /// Of the whole grid.
+    displacement: Vec<f64>,
+    workspace: ConvolutionWorkspace<1>,
+}
+
+impl Part {
+    /// Its fields, for a window of so many cells.
+    fn fields(&mut self, cells: usize) -> &mut PartFields {
+        let operator = &self.operator;
+        self.fields.take(|| PartFields {
+            gap: vec![0.0; cells],
+            pressure: vec![0.0; cells],
+            displacement: vec![0.0; operator.cells()],
+            workspace: operator.workspace(),
         })
-    }
-
-    /// Takes note of what the last solve changed.
-    pub(super) fn note(&mut self, from: Reached, to: Reached) {
-        self.trend.note(&self.x, from, to);
-    }
-
-    /// The displacement of the whole grid.
-    pub(super) fn displacement(&self) -> &[f64] {
-        match &self.whole {
-            Some(whole) => &whole.displacement,
-            None => self.solver.product()[0],
-        }
     }
 }
 
@@ -92,36 +74,107 @@ impl Load {
             _ => multiplier,
         }
     }
+
+    /// How far it lies ahead of what was reached: nowhere, if that is round-off.
+    pub(super) fn ahead(self, reached: Reached) -> Ahead {
+        let beyond = |wanted: f64, reached: f64| {
+            let ahead = wanted - reached;
+            (ahead.abs() > NO_CHANGE * wanted.abs()).then_some(ahead)
+        };
+        let ahead = match self.total {
+            Total::Sum(sum) => beyond(sum, reached[0]).map(Ahead::Total),
+            _ => beyond(self.datum, reached[1]).map(Ahead::Motion),
+        };
+        ahead.unwrap_or(Ahead::Nothing)
+    }
 }
 
 impl Engine {
+    /// On a window, or on the whole grid if it repeats or the window saves too little.
+    pub(super) fn new(bodies: &HalfSpace, window: Window) -> Result<Self> {
+        let (window, whole) = (bodies.confined(window), Window::whole(bodies.grid()));
+        let is_whole = 5 * window.cells() > 4 * whole.cells();
+        let window = if is_whole { whole } else { window };
+        let part = if is_whole {
+            None
+        } else {
+            let Compliance { operator, .. } = bodies.compliance([Direction::Z], whole.size)?;
+            Some(Part {
+                operator,
+                fields: Lease::new(bodies.pool(window.size)?),
+            })
+        };
+        Ok(Self {
+            solver: ElasticSolver::new(bodies, [Direction::Z], window.size)?,
+            trend: Trend::default(),
+            window,
+            part,
+        })
+    }
+
+    /// Gives the buffers back; the displacement is then gone.
+    pub(super) fn rest(&mut self) {
+        self.solver.rest();
+        if let Some(part) = &mut self.part {
+            part.fields.give_back();
+        }
+    }
+
+    /// The displacement of the whole grid, once it was solved on.
+    pub(super) fn displacement(&self) -> &[f64] {
+        match &self.part {
+            Some(part) => part
+                .fields
+                .held()
+                .map_or(&[], |fields| &fields.displacement),
+            None => self.solver.product()[0],
+        }
+    }
+
+    /// The same alone: all else is given up.
+    pub(super) fn into_displacement(self) -> Vec<f64> {
+        match self.part {
+            Some(part) => {
+                let fields = part.fields.into_piece();
+                fields.map(|fields| fields.displacement).unwrap_or_default()
+            }
+            None => {
+                let [displacement] = self.solver.into_product();
+                displacement
+            }
+        }
+    }
+
     /// Solves on the window, from the pressure of the whole grid into it.
     pub(super) fn solve(
         &mut self,
         gap: &[f64],
         load: Load,
-        pressure: &mut [f64],
+        (pressure, known): (&mut [f64], Known<1>),
         settings: &cgm::Settings,
         observer: Observer<'_>,
     ) -> Result<()> {
-        self.window.gather(gap, &mut self.linear);
-        parallel::update(&mut self.linear, |_, chunk| {
-            for gap in chunk {
-                *gap -= load.datum;
-            }
-        });
-        self.window.gather(pressure, &mut self.x);
-        let outcome = self.solver.minimise(
-            [&self.linear],
-            NonNegative,
-            [load.total],
-            [&mut self.x],
-            settings,
-            observer,
-        );
+        let (window, solver) = (self.window, &mut self.solver);
+        let mut minimise = |gap: &[f64], pressure: &mut [f64]| {
+            let posed = Posed {
+                linear: [gap],
+                datum: [load.datum],
+                constraint: NonNegative,
+                totals: [load.total],
+                known,
+            };
+            solver.minimise(posed, [pressure], settings, &mut *observer)
+        };
+        let Some(part) = &mut self.part else {
+            return minimise(gap, pressure);
+        };
+        let fields = part.fields(window.cells());
+        window.gather(gap, &mut fields.gap);
+        window.gather(pressure, &mut fields.pressure);
+        let outcome = minimise(&fields.gap, &mut fields.pressure);
         if matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
             pressure.fill(0.0);
-            self.window.scatter(&self.x, pressure);
+            window.scatter(&fields.pressure, pressure);
         }
         outcome
     }
@@ -134,11 +187,13 @@ impl Engine {
         pressure: &[f64],
     ) -> Option<cgm::Certificate> {
         let multiplier = self.solver.multiplier();
-        let Whole {
-            operator,
-            workspace,
+        let part = self.part.as_mut()?;
+        let operator = Arc::clone(&part.operator);
+        let PartFields {
             displacement,
-        } = self.whole.as_mut()?;
+            workspace,
+            ..
+        } = part.fields(self.window.cells());
         operator.apply([pressure], [displacement], workspace);
         let iterate = Iterate {
             x: [pressure],
@@ -164,5 +219,47 @@ impl Engine {
             let overlap = displacement[i] + (gap[i] - load.datum) - multiplier;
             overlap < -round_off && !self.window.contains(i)
         })
+    }
+
+    /// Moves the pressure of the whole grid on by so many times the trend, which then holds what it was.
+    pub(super) fn extrapolate(&mut self, parts: f64, pressure: &mut [f64]) {
+        let Self { window, trend, .. } = self;
+        let [change] = &mut trend.change;
+        change.resize(window.cells(), 0.0);
+        trend.by = [[0.0; 2]];
+        let data = (window.bands_of(pressure), window.bands(change));
+        window.sweep(
+            data,
+            &|rows, (pressure, change)| {
+                for (_, own, i) in window.places(rows) {
+                    let (p, change) = (&mut pressure.items[i], &mut change.items[own]);
+                    let before = *p;
+                    *p = (before + parts * *change).max(0.0);
+                    *change = before;
+                }
+            },
+            &|(), ()| (),
+        );
+    }
+
+    /// Takes note of the pressure that a solve has led to from where [`Self::extrapolate`] began.
+    pub(super) fn note(&mut self, pressure: &[f64], from: Reached, to: Reached) {
+        let Self { window, trend, .. } = self;
+        let [change] = &mut trend.change;
+        // One that was widened since has no start to tell the change from.
+        if change.len() != window.cells() {
+            return;
+        }
+        window.sweep(
+            window.bands(change),
+            &|rows, change| {
+                for (k, own, _) in window.places(rows) {
+                    let change = &mut change.items[own];
+                    *change = pressure[window.index(k)] - *change;
+                }
+            },
+            &|(), ()| (),
+        );
+        trend.by = [[to[0] - from[0], to[1] - from[1]]];
     }
 }

@@ -18,9 +18,7 @@ mod nested;
 mod problem;
 mod solution;
 mod solver;
-mod trend;
 
 pub use problem::{NormalControl, NormalProblem, NormalProblemBuilder};
 pub use solution::NormalSolution;
 pub use solver::NormalSolver;
-pub(crate) use trend::Trend;

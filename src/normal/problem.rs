@@ -81,22 +81,22 @@ pub struct NormalProblem {
 #[must_use = "a builder does nothing until build() is called"]
 pub struct NormalProblemBuilder<'a> {
     bodies: &'a HalfSpace,
-    gap: &'a Field,
+    gap: Arc<Field>,
     load: NormalControl,
     settings: Settings,
 }
 
 impl NormalProblem {
     /// Starts from what is required: bodies, initial gap (lengths, on the grid of the bodies) and
-    /// load.
-    pub fn builder<'a>(
-        bodies: &'a HalfSpace,
-        gap: &'a Field,
+    /// load. The gap is copied from a reference; given by value, or in an [`Arc`], it is not.
+    pub fn builder(
+        bodies: &HalfSpace,
+        gap: impl Into<Arc<Field>>,
         load: NormalControl,
-    ) -> NormalProblemBuilder<'a> {
+    ) -> NormalProblemBuilder<'_> {
         NormalProblemBuilder {
             bodies,
-            gap,
+            gap: gap.into(),
             load,
             settings: Settings::default(),
         }
@@ -108,10 +108,7 @@ impl NormalProblem {
     /// [`Error::NotConverged`] with the report, use [`NormalSolver::solve_into`] to keep the last iterate; as
     /// [`HalfSpace::operator`].
     pub fn solve(&self) -> Result<NormalSolution> {
-        let mut solver = NormalSolver::new(self.clone())?;
-        let mut solution = solver.new_solution();
-        solver.solve_into(&mut solution)?;
-        Ok(solution)
+        NormalSolver::new(self.clone())?.into_solution()
     }
 
     /// The reusable form: a solver that owns its buffers and lets load and gap change.
@@ -126,19 +123,19 @@ impl NormalProblem {
 impl NormalProblemBuilder<'_> {
     settings_methods!();
 
-    /// Checks everything and copies the gap.
+    /// Checks everything.
     ///
     /// # Errors
     /// [`Error::GridMismatch`] if the gap lives on another grid, [`Error::Sample`] if it is not
     /// finite, [`Error::Negative`] or [`Error::NotFinite`] for the load, [`Error::Tolerance`],
     /// [`Error::IterationLimit`]; [`Error::ApproachBeyondMeanGap`] on a periodic grid.
     pub fn build(self) -> Result<NormalProblem> {
-        check_gap(self.bodies, self.gap)?;
-        self.load.check(self.bodies, self.gap)?;
+        check_gap(self.bodies, &self.gap)?;
+        self.load.check(self.bodies, &self.gap)?;
         self.settings.check()?;
         Ok(NormalProblem {
             bodies: self.bodies.clone(),
-            gap: Arc::new(self.gap.clone()),
+            gap: self.gap,
             load: self.load,
             settings: self.settings,
         })

@@ -63,6 +63,11 @@ impl<'de> serde::Deserialize<'de> for NormalSolution {
     }
 }
 
+/// The gap of a cell whose surfaces are displaced and approached.
+fn under_load(initial: f64, displacement: f64, approach: f64) -> f64 {
+    displacement + (initial - approach)
+}
+
 impl NormalSolution {
     /// No contact yet.
     pub(crate) fn empty(gap: &Field, boundary: Boundary, pair: &ElasticPair) -> Self {
@@ -74,6 +79,30 @@ impl NormalSolution {
             approach: 0.0,
             report: Report::with_room(),
         }
+    }
+
+    /// Of pressures and displacements of all cells, over the gap before loading.
+    pub(crate) fn of(
+        bodies: &HalfSpace,
+        initial: &Field,
+        [pressure, mut gap]: [Vec<f64>; 2],
+        approach: f64,
+        report: Report,
+    ) -> Result<Self> {
+        let initial_gap = initial.as_slice();
+        parallel::update(&mut gap, |first, chunk| {
+            for (gap, initial) in chunk.iter_mut().zip(&initial_gap[first..]) {
+                *gap = under_load(*initial, *gap, approach);
+            }
+        });
+        Ok(Self {
+            pressure: Field::from_vec(initial.grid(), pressure)?,
+            gap: Field::from_vec(initial.grid(), gap)?,
+            boundary: bodies.boundary(),
+            pair: *bodies.pair(),
+            approach,
+            report,
+        })
     }
 
     /// With pressures and displacements of all cells, over the gap before loading.
@@ -91,7 +120,7 @@ impl NormalSolution {
         parallel::update(self.gap.as_mut_slice(), |first, chunk| {
             let samples = initial[first..].iter().zip(&displacement[first..]);
             for (gap, (initial, displacement)) in chunk.iter_mut().zip(samples) {
-                *gap = displacement + (initial - approach);
+                *gap = under_load(*initial, *displacement, approach);
             }
         });
         self.approach = approach;

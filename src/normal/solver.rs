@@ -14,11 +14,11 @@ use crate::influence::Direction;
 use crate::normal::engine::{Engine, Load};
 use crate::normal::nested::PressureScene;
 use crate::normal::problem::check_gap;
-use crate::normal::trend::{Distance, Reached, Trend};
 use crate::normal::{NormalControl, NormalProblem, NormalSolution};
 use crate::parallel;
 use crate::passes::{check_iterations_left, with_counts_of, with_limits_left, with_memory};
 use crate::report::{Report, Status};
+use crate::trend::{Ahead, Reached, Trend};
 use crate::window::Window;
 
 /// Solves normal contacts on one grid again and again, each time from the last answer, moved on along its trend where the
@@ -102,7 +102,7 @@ impl NormalSolver {
     }
 
     /// How the pressure changed with the load on that window, as far as it is known.
-    pub(crate) fn trend(&self) -> Option<&Trend> {
+    pub(crate) fn trend(&self) -> Option<&Trend<1>> {
         self.engine.as_ref().map(|engine| &engine.trend)
     }
 
@@ -112,7 +112,7 @@ impl NormalSolver {
         pressure: &[f64],
         approach: f64,
         window: Option<Window>,
-        trend: &Trend,
+        trend: &Trend<1>,
     ) -> Result<()> {
         self.pressure.copy_from_slice(pressure);
         self.approach = approach;
@@ -169,6 +169,44 @@ impl NormalSolver {
         solution: &mut NormalSolution,
         observer: Observer<'_>,
     ) -> Result<()> {
+        let is_cold = self.engine.is_none();
+        let (mut engine, outcome) = self.find(observer)?;
+        let NormalProblem { bodies, gap, .. } = &self.problem;
+        solution.fill(
+            bodies.pair(),
+            gap,
+            [&self.pressure, engine.displacement()],
+            self.approach,
+            &self.report,
+        );
+        engine.rest();
+        // Do not warm-start from NaN; and a first solve without contact has not found where to work.
+        let pressure = &self.pressure;
+        let touches = reduce::first(pressure.len(), |i| pressure[i] > 0.0).is_some();
+        let is_start = self.report.duality_gap.is_finite() && (touches || !is_cold);
+        self.engine = is_start.then_some(engine);
+        outcome
+    }
+
+    /// Solves once; of all that this takes the answer alone stays.
+    pub(super) fn into_solution(mut self) -> Result<NormalSolution> {
+        let cells = self.problem.bodies.grid().cells();
+        parallel::enter_with(cells, || {
+            let (engine, outcome) = self.find(&mut |_| ControlFlow::Continue(()))?;
+            outcome?;
+            let NormalProblem { bodies, gap, .. } = &self.problem;
+            NormalSolution::of(
+                bodies,
+                gap,
+                [self.pressure, engine.into_displacement()],
+                self.approach,
+                self.report,
+            )
+        })
+    }
+
+    /// Finds pressure and approach: with the engine, which has the displacement, and whether the answer is one.
+    fn find(&mut self, observer: Observer<'_>) -> Result<(Engine, Result<()>)> {
         let cell_area = self.problem.bodies.grid().cell_area();
         let (settings, mut observer) = (self.problem.settings, with_memory(observer));
         let mut conditions = Conditions {
@@ -188,7 +226,6 @@ impl NormalSolver {
             },
             NormalControl::Hold => return Err(Error::NothingToHold),
         };
-        let is_cold = self.engine.is_none();
         let from = [reduce::total(&self.pressure), self.approach];
         let (mut engine, known) = match self.engine.take() {
             Some(mut engine) => {
@@ -197,40 +234,33 @@ impl NormalSolver {
             }
             None => (self.start_cold(load, &mut conditions)?, Known::Nothing),
         };
-        let outcome = self.solve_on_window(&mut engine, load, known, &mut conditions);
-        if !matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
-            return outcome;
-        }
+        let is_found = match self.solve_on_window(&mut engine, load, known, &mut conditions) {
+            Ok(()) => true,
+            Err(Error::NotConverged(_)) => false,
+            Err(error) => return Err(error),
+        };
         self.report.time = conditions.start.elapsed();
         let [multiplier] = engine.solver.multiplier();
         self.approach = load.datum + multiplier;
-        let NormalProblem { bodies, gap, .. } = &self.problem;
-        solution.fill(
-            bodies.pair(),
-            gap,
-            [&self.pressure, engine.displacement()],
-            self.approach,
-            &self.report,
-        );
-        if outcome.is_ok() && known == Known::Extrapolated {
+        if is_found && known == Known::Extrapolated {
             let to = [reduce::total(&self.pressure), self.approach];
-            engine.note(from, to);
+            engine.note(&self.pressure, from, to);
         }
-        // Do not warm-start from NaN; and a first solve without contact has not found where to work.
-        let pressure = &self.pressure;
-        let touches = reduce::first(pressure.len(), |i| pressure[i] > 0.0).is_some();
-        let is_start = self.report.duality_gap.is_finite() && (touches || !is_cold);
-        self.engine = is_start.then_some(engine);
-        outcome.map_err(|_| Error::NotConverged(Box::new(self.report.clone())))
+        let outcome = if is_found {
+            Ok(())
+        } else {
+            Err(Error::NotConverged(Box::new(self.report.clone())))
+        };
+        Ok((engine, outcome))
     }
 
     /// From the last answer: as it is under the same load, moved on where the load has changed.
     fn set_out(&mut self, engine: &mut Engine, load: Load, from: Reached) -> Known<1> {
-        match engine.trend.distance(load, from) {
-            Distance::None => Known::Answer([load.of(self.approach - load.datum)]),
-            Distance::Parts(parts) => {
-                let window = engine.window;
-                engine.trend.extrapolate(parts, window, &mut self.pressure);
+        match load.ahead(from) {
+            Ahead::Nothing => Known::Answer([load.of(self.approach - load.datum)]),
+            ahead => {
+                let parts = engine.trend.parts([ahead]).unwrap_or(0.0);
+                engine.extrapolate(parts, &mut self.pressure);
                 Known::Extrapolated
             }
         }
@@ -282,8 +312,8 @@ impl NormalSolver {
         loop {
             let left = with_limits_left(settings, *start, &self.report).tolerance(aim);
             let mut observer = with_counts_of(&self.report, &mut **observer);
-            engine.solver.start_from(known);
-            let outcome = engine.solve(gap, load, &mut self.pressure, &left, &mut observer);
+            let from = (&mut self.pressure[..], known);
+            let outcome = engine.solve(gap, load, from, &left, &mut observer);
             if !matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
                 return outcome;
             }

@@ -3,6 +3,7 @@
 use crate::boundary::Boundary;
 use crate::error::{Error, Result, finite, positive};
 use crate::tangential::{Axis, Motion, TangentialModel};
+use crate::trend::Ahead;
 
 /// What is prescribed along one axis.
 ///
@@ -176,6 +177,22 @@ pub(crate) struct Demand {
 impl Demand {
     pub(crate) fn control(&self, axis: Axis) -> TangentialControl {
         self.controls[axis.index()]
+    }
+
+    /// How far it lies ahead of force and shift.
+    pub(crate) fn ahead(&self, force: [f64; 2], shift: [f64; 2]) -> [Ahead; 2] {
+        [0, 1].map(|axis| match self.controls[axis] {
+            TangentialControl::Hold => Ahead::Nothing,
+            TangentialControl::Force(end) => Ahead::Total(end - force[axis]),
+            TangentialControl::Shift(end) => Ahead::Motion(end - shift[axis]),
+            TangentialControl::Spring {
+                position,
+                stiffness,
+            } => Ahead::Spring {
+                far_end: position - shift[axis] - force[axis] / stiffness,
+                stiffness,
+            },
+        })
     }
 
     /// `Ok` if tractions along these axes can carry it; what pressure and friction allow is checked later.

@@ -5,7 +5,7 @@ use std::fmt::Debug;
 
 use crate::cascade::{Conditions, Scene, nested_start};
 use crate::cgm::{Ball, Known, Magnitude, Method, Settings, Total, Within};
-use crate::elastic::{ElasticSolver, Observer};
+use crate::elastic::{ElasticSolver, Observer, Posed};
 use crate::error::Result;
 use crate::field::Field;
 use crate::half_space::HalfSpace;
@@ -24,6 +24,8 @@ pub(super) struct Task<'a> {
     pub(super) limits: &'a [f64],
     pub(super) linear: &'a PlaneVector,
     pub(super) totals: [Total; 2],
+    /// The multipliers at which the start has been an answer, if it has.
+    pub(super) known: Option<[f64; 2]>,
 }
 
 /// An engine, whatever the number of tractions.
@@ -48,9 +50,6 @@ pub(super) trait ShearEngine: Debug + Send + Sync {
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<PlaneVector>;
 
-    /// Tells the next minimisation that its start has been an answer at these multipliers.
-    fn start_from_answer(&mut self, multiplier: [f64; 2]);
-
     /// The displacements that tractions cause; the answer stays.
     fn apply(&mut self, traction: &PlaneVector, displacement: &mut PlaneVector);
 
@@ -64,6 +63,9 @@ pub(super) trait ShearEngine: Debug + Send + Sync {
     fn rescale(&mut self, factor: f64);
 
     fn report(&self) -> &Report;
+
+    /// Gives the buffers back, and the displacements of the answer with them.
+    fn rest(&mut self);
 
     fn boxed(&self) -> Box<dyn ShearEngine>;
 }
@@ -164,14 +166,17 @@ where
         settings: &Settings,
         observer: Observer<'_>,
     ) -> Result<()> {
-        let (linear, totals) = (
-            self.of(task.linear),
-            self.axes.map(|axis| task.totals[axis.index()]),
-        );
+        let posed = Posed {
+            linear: self.of(task.linear),
+            datum: [0.0; N],
+            constraint: Magnitude(task.limits),
+            totals: self.axes.map(|axis| task.totals[axis.index()]),
+            known: task.known.map_or(Known::Nothing, |multiplier| {
+                Known::Answer(self.axes.map(|axis| multiplier[axis.index()]))
+            }),
+        };
         let traction = of_mut(self.axes, traction);
-        let limits = Magnitude(task.limits);
-        self.solver
-            .minimise(linear, limits, totals, traction, settings, observer)
+        self.solver.minimise(posed, traction, settings, observer)
     }
 
     fn start(
@@ -196,11 +201,6 @@ where
         Ok(self.both(found))
     }
 
-    fn start_from_answer(&mut self, multiplier: [f64; 2]) {
-        let multiplier = self.axes.map(|axis| multiplier[axis.index()]);
-        self.solver.start_from(Known::Answer(multiplier));
-    }
-
     fn apply(&mut self, traction: &PlaneVector, displacement: &mut PlaneVector) {
         let traction = self.of(traction);
         self.solver.apply(traction, of_mut(self.axes, displacement));
@@ -220,6 +220,10 @@ where
 
     fn report(&self) -> &Report {
         self.solver.report()
+    }
+
+    fn rest(&mut self) {
+        self.solver.rest();
     }
 
     fn boxed(&self) -> Box<dyn ShearEngine> {

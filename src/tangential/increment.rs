@@ -16,6 +16,7 @@ use crate::tangential::engine::{PlaneVector, ShearEngine, Task, engine_along};
 use crate::tangential::growth::{Growth, GrowthFields};
 use crate::tangential::motion::{Motion, centre};
 use crate::tangential::{Axis, Pressed, TangentialControl};
+use crate::trend::Trend;
 use crate::window::Window;
 
 /// The tangential contact on a window: pressure, limits and tractions of its cells, and the engine that solves a step.
@@ -113,9 +114,9 @@ impl Increment {
         }
     }
 
-    /// Moves the present tractions on by so many times a change.
-    pub(crate) fn extrapolate(&mut self, change: &PlaneVector, parts: f64) {
-        for (traction, change) in self.traction.iter_mut().zip(change) {
+    /// Moves the present tractions on by so many times a trend.
+    pub(crate) fn extrapolate(&mut self, trend: &Trend<2>, parts: f64) {
+        for (traction, change) in self.traction.iter_mut().zip(&trend.change) {
             parallel::update(traction, |first, chunk| {
                 for (traction, change) in chunk.iter_mut().zip(&change[first..]) {
                     *traction += parts * change;
@@ -133,6 +134,11 @@ impl Increment {
             offset: slices(&self.offset),
             motion: self.motion,
         }
+    }
+
+    /// Gives the buffers of the solve back: the displacements of the answer are gone.
+    pub(crate) fn rest(&mut self) {
+        self.engine.rest();
     }
 
     /// The displacement that the present tractions cause, computed anew.
@@ -257,19 +263,19 @@ impl Increment {
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<()> {
         let Pressed { window, limits, .. } = &self.pressed;
-        let task = Task {
+        let mut task = Task {
             limits: &limits.cells,
             linear: &self.linear,
             totals,
+            known: None,
         };
         match start {
             Start::Near => {}
             Start::Present(shift) => {
-                let beyond = |axis: usize| match totals[axis] {
+                task.known = Some([0, 1].map(|axis| match totals[axis] {
                     Total::Free => 0.0,
                     _ => (shift[axis] - self.motion.shift[axis]) / unit,
-                };
-                self.engine.start_from_answer([beyond(0), beyond(1)]);
+                }));
             }
             Start::Nested => {
                 let is_at_rest = self.motion == Motion::default();

@@ -253,6 +253,7 @@ impl TangentialSolver {
         self.report.time = conditions.start.elapsed();
         let axis = Axis::only(self.increment.axes());
         solution.fill(axis, &self.increment.answer(), &self.report);
+        self.increment.rest();
         outcome.map_err(|_| Error::NotConverged(Box::new(self.report.clone())))
     }
 }

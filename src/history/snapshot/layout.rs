@@ -19,7 +19,8 @@ use crate::history::state::State;
 use crate::material::{ElasticPair, Material};
 use crate::normal::{NormalControl, NormalSolution};
 use crate::report::Status;
-use crate::tangential::{Axis, Coefficient, Friction, PlaneVector, Zone};
+use crate::tangential::{Axis, Coefficient, Friction, Zone};
+use crate::trend::Trend;
 use crate::window::Window;
 
 /// Counts of steps and products beyond this are damage: no machine reaches it, and one more never overflows.
@@ -159,13 +160,17 @@ impl State {
     }
 
     fn visit_trend<C: Codec>(&mut self, codec: &mut C) -> Result<(), C::Error> {
-        let mut is_known = !self.trend.change.is_empty();
+        let Trend {
+            change: [change],
+            by: [by],
+        } = &mut self.trend;
+        let mut is_known = !change.is_empty();
         codec.kind("mark of a trend", &mut is_known, &[false, true])?;
         if is_known {
             let cells = self.press_window.map_or(0, |window| window.cells());
-            self.trend.change.resize(cells, 0.0);
-            codec.numbers("change of the pressure", &mut self.trend.change, FINITE)?;
-            codec.numbers("change of the normal load", &mut self.trend.by, FINITE)?;
+            change.resize(cells, 0.0);
+            codec.numbers("change of the pressure", change, FINITE)?;
+            codec.numbers("change of the normal load", by, FINITE)?;
         }
         Ok(())
     }
@@ -187,12 +192,12 @@ impl State {
             codec.numbers("offset", offset, FINITE)?;
         }
         if is_joint {
-            memory.trend = PlaneVector::default();
+            memory.trend = Trend::default();
         }
-        for trend in &mut memory.trend {
-            codec.numbers("change of the traction", trend, FINITE)?;
+        for change in &mut memory.trend.change {
+            codec.numbers("change of the traction", change, FINITE)?;
         }
-        for by in &mut memory.trend_by {
+        for by in &mut memory.trend.by {
             codec.numbers("change of the tangential load", by, FINITE)?;
         }
         Ok(())
