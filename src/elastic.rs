@@ -51,7 +51,7 @@ impl<S: Admissible<N>, const N: usize> ElasticSolver<S, N> {
     ) -> Result<Self> {
         Ok(Self {
             compliance: bodies.compliance(directions, size)?,
-            workspace: Lease::new(bodies.pool(size)?),
+            workspace: Lease::new(bodies.pool(&[], size)?),
             multiplier: [0.0; N],
             report: Report::with_room(),
         })

@@ -19,12 +19,17 @@ impl<T> Pool<T> {
     pub(crate) fn lend<R>(&self, make: impl FnOnce() -> T, work: impl FnOnce(&mut T) -> R) -> R {
         let mut piece = self.take().unwrap_or_else(make);
         let result = work(&mut piece);
-        self.free().push(piece);
+        self.give(piece);
         result
     }
 
-    fn take(&self) -> Option<T> {
+    /// A piece, if one is free.
+    pub(crate) fn take(&self) -> Option<T> {
         self.free().pop()
+    }
+
+    pub(crate) fn give(&self, piece: T) {
+        self.free().push(piece);
     }
 
     fn free(&self) -> MutexGuard<'_, Vec<T>> {

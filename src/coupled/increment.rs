@@ -169,11 +169,11 @@ impl CoupledIncrement {
 
     /// Writes the normal half of the last step.
     pub(crate) fn write(&self, initial: &Field, normal: &mut NormalSolution) {
-        let half = [&self.tractions[0][..], &self.displacement[0]];
+        parallel::copy(&self.tractions[0], normal.pressure_mut());
         normal.fill(
             self.bodies.pair(),
             initial,
-            half,
+            &self.displacement[0],
             self.approach,
             self.report(),
         );

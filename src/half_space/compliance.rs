@@ -40,11 +40,16 @@ impl HalfSpace {
         Ok(Compliance { operator, inverse })
     }
 
-    /// The pool of a kind of buffers for these cells, along whatever directions, as long as anyone has it.
-    pub(crate) fn pool<T: Send + 'static>(&self, size: [usize; 2]) -> Result<Arc<Pool<T>>> {
+    /// The pool of a kind of things for these cells and components, as long as anyone has it; of no components where
+    /// any will do.
+    pub(crate) fn pool<T: Send + 'static>(
+        &self,
+        components: &[Component],
+        size: [usize; 2],
+    ) -> Result<Arc<Pool<T>>> {
         let empty = || Ok(Pool::new(Vec::new()));
         let made = &self.shared.made;
-        made.get_or_make(&[], self.cut(size), false, empty)
+        made.get_or_make(components, self.cut(size), false, empty)
     }
 
     /// What a rectangle of cells is worked on as: a grid that repeats is not cut.

@@ -9,7 +9,8 @@ impl History {
     /// the errors of those that did not take theirs, each with its place.
     ///
     /// Each contact comes to the bits that it has alone. Those that fail are as they were, and the others go on. Contacts
-    /// of at most 4096 cells are solved on one thread each, larger ones share. A call allocates what the steps do, and the
+    /// of at most 4096 cells are solved on one thread each, larger ones share; the time limit of a larger one may then run
+    /// while its thread works on another. A call allocates what the steps do, and the
     /// list of failures if there are any.
     ///
     /// # Errors

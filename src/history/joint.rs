@@ -7,10 +7,11 @@ use crate::coupling::Coupling;
 use crate::elastic::Observer;
 use crate::error::Result;
 use crate::half_space::HalfSpace;
+use crate::history::increments::Increments;
 use crate::history::state::State;
 use crate::history::{History, LoadStep, touch};
 use crate::normal::{NormalControl, NormalSolution};
-use crate::tangential::{Increment, Motion, Pressed};
+use crate::tangential::Motion;
 
 impl History {
     /// Solves a step whose pressure and shear are coupled without a trace in the state; returns the motion of body 2 at
@@ -26,7 +27,7 @@ impl History {
             NormalControl::Hold => NormalControl::Force(state.normal.force()),
             control => control,
         };
-        self.press.set_load(normal)?;
+        normal.check(&self.bodies, &state.gap)?;
         if let Some(memory) = &state.contact {
             joint.set_offset(&memory.offset);
         }
@@ -44,18 +45,18 @@ impl History {
             tangential: load.demand(state.motion.twist),
         };
         joint.solve(demand, state.motion, &mut conditions)?;
-        joint.write(&state.gap, &mut self.candidate);
-        let candidate = &self.candidate;
+        let candidate = self.candidate.take(|| state.normal.clone());
+        joint.write(&state.gap, candidate);
         if make_lag(
             joint,
-            &mut self.increment,
+            &mut self.increments,
             &self.bodies,
             state,
             candidate,
             load,
         )? {
             joint.solve_further(demand, state.motion, &mut conditions)?;
-            joint.write(&state.gap, &mut self.candidate);
+            joint.write(&state.gap, candidate);
         }
         Ok(joint.answer().motion)
     }
@@ -65,7 +66,7 @@ impl History {
 /// have; returns whether any does.
 fn make_lag(
     joint: &mut CoupledIncrement,
-    increment: &mut Option<Increment>,
+    increments: &mut Increments,
     bodies: &HalfSpace,
     state: &State,
     pressed: &NormalSolution,
@@ -78,24 +79,14 @@ fn make_lag(
     if !touch::is_asked(state, pressed, &demand, joint.pressed.limits.sum) {
         return Ok(false);
     }
-    let fits = |increment: &Increment| increment.pressed.window == window;
-    let increment = match increment {
-        Some(increment) if fits(increment) => increment,
-        other => {
-            let pressed = Pressed::new(window);
-            other.insert(Increment::new(
-                bodies,
-                state.axes,
-                pressed,
-                Coupling::Neglected,
-            )?)
-        }
-    };
+    let kind = (state.axes, Coupling::Neglected);
+    let mut increment = increments.take(bodies, kind, window)?;
     let pressures = pressed.pressure().as_slice();
     increment.pressed.set(pressures, &state.friction);
     increment.gather_offset(joint.answer().offset);
-    let lags = touch::follow_growth(increment, state, pressed, load, &demand);
+    let lags = touch::follow_growth(&mut increment, state, pressed, load, &demand);
     joint.set_offset_within(window, increment.offset());
+    increments.give_back(increment);
     Ok(lags)
 }
 

@@ -3,11 +3,8 @@
 use crate::error::Result;
 use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
-use crate::half_space::HalfSpace;
 use crate::history::state::State;
-use crate::tangential::{
-    Axis, Demand, Increment, Motion, PlaneVector, Pressed, Zone, centre, zeros,
-};
+use crate::tangential::{Axis, Demand, Increment, Motion, PlaneVector, Zone, centre, zeros};
 use crate::trend::Trend;
 use crate::window::Window;
 
@@ -53,18 +50,9 @@ impl Memory {
         }
     }
 
-    /// On a window wide enough for a contact too, and a little wider, so that it may grow some more; with the
-    /// increment that works there.
-    pub(super) fn widened(
-        &self,
-        bodies: &HalfSpace,
-        contact: Window,
-        state: &State,
-    ) -> Result<(Increment, Self)> {
-        let grid = bodies.grid();
-        let window = self.window.union(contact.widened(grid));
-        let mut increment =
-            Increment::new(bodies, state.axes, Pressed::new(window), state.coupling)?;
+    /// On a wider window, that of an increment.
+    pub(super) fn widened(&self, grid: Grid, increment: &mut Increment, state: &State) -> Self {
+        let window = increment.pressed.window;
         increment.set_traction(state.traction.each_ref().map(Field::as_slice));
         let mut wide = Self::first(grid, state.axes, window, state.motion);
         wide.displacement = increment.fresh_displacement();
@@ -82,7 +70,7 @@ impl Memory {
             }
             window.gather(&whole, offset);
         }
-        Ok((increment, wide))
+        wide
     }
 
     /// How many times the last step the load continues in the same direction; `None` where it does not.

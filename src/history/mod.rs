@@ -74,6 +74,7 @@ mod cycle;
 mod energy;
 mod fretting;
 mod hysteresis;
+mod increments;
 mod joint;
 mod load;
 mod memory;

@@ -10,7 +10,7 @@ use crate::half_space::HalfSpace;
 use crate::history::TouchRule;
 use crate::history::memory::Memory;
 use crate::material::ElasticPair;
-use crate::normal::{NormalControl, NormalSolution, NormalSolver};
+use crate::normal::{NormalControl, NormalSolution, PressureSolver};
 use crate::tangential::{Axis, Friction, Motion, Zone};
 use crate::trend::Trend;
 use crate::window::Window;
@@ -182,11 +182,10 @@ impl State {
             && report.is_within(self.settings.tolerance)
     }
 
-    /// Makes the solver of a pressure that is found alone go on from here.
-    pub(super) fn resume(&self, press: &mut NormalSolver) -> Result<()> {
+    /// Makes what finds a pressure alone go on from here.
+    pub(super) fn resume(&self, bodies: &HalfSpace, press: &mut PressureSolver) -> Result<()> {
         let window = self.press_window.filter(|_| !self.is_joint());
-        let pressure = self.pressure().as_slice();
-        press.resume(pressure, self.approach(), window, &self.trend)
+        press.resume(bodies, self.approach(), window, &self.trend)
     }
 
     /// Whether what a state of coupled bodies remembers is all there.

@@ -12,28 +12,30 @@ use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::builder::HistoryBuilder;
 use crate::history::commit::commit;
+use crate::history::increments::Increments;
 use crate::history::joint::new_joint;
 use crate::history::memory::Memory;
 use crate::history::remarks::Remarks;
 use crate::history::state::State;
 use crate::history::touch;
 use crate::history::{EnergyBalance, LoadStep, StepResult};
-use crate::normal::{NormalControl, NormalProblem, NormalSolution, NormalSolver};
+use crate::normal::{NormalControl, NormalSolution, Pressing, PressureSolver};
 use crate::parallel;
 use crate::passes::with_memory;
+use crate::pool::Lease;
 use crate::report::{Report, Status};
-use crate::tangential::{Friction, Increment, Motion, Pressed, Start, TangentialModel};
+use crate::tangential::{Friction, Increment, Motion, Start, TangentialModel};
 use crate::window::Window;
 
 /// Two bodies in contact that remember their load: pressure, traction, slip and energy, step by step.
 ///
 /// Vectors are `[x, y]`; the scalar model leaves the component across its axis at zero.
 ///
-/// Beside its bodies it takes 180 bytes per cell of the grid and 395 per cell of the contact's bounding box,
-/// in the vector model ([`HistoryBuilder::model`]) 670 there, operators included. For bodies of different materials it
-/// takes several times that. A contact that outgrows the box takes
-/// a wider one for good, and in that step a quarter more in all, in the plane two fifths. After the first steps, a step
-/// within it allocates nothing.
+/// Beside its bodies it takes 170 bytes per cell of the grid and 395 per cell of the contact's bounding box,
+/// in the vector model ([`HistoryBuilder::model`]) 670 there, operators included. Most of it is borrowed for a step at a
+/// time: further histories of the same bodies, with boxes of the same size, take 121 and 43 (67) each, as long as they
+/// are not stepped at once. For bodies of different materials it takes several times that. A contact that outgrows the
+/// box takes a wider one for good. After the first steps, a step within it allocates nothing.
 ///
 /// Its [`state`](Self::state) is a value: a clone of it keeps what to return to ([`set_state`](Self::set_state)) or to
 /// continue from ([`from_state`](Self::from_state)), and [`to_bytes`](Self::to_bytes) saves it.
@@ -69,16 +71,16 @@ use crate::window::Window;
 pub struct History {
     pub(super) bodies: HalfSpace,
     pub(super) state: State,
-    pub(super) press: NormalSolver,
+    press: PressureSolver,
     /// The normal contact of the step under way.
-    pub(super) candidate: NormalSolution,
-    /// The tangential contact, on the window of the [`Memory`] in the state, if there is one; where pressure and shear are
-    /// found together it serves the touch rule alone.
-    pub(super) increment: Option<Increment>,
+    pub(super) candidate: Lease<NormalSolution>,
+    pub(super) increments: Increments,
+    /// The tangential contact of the step under way, on the window of the [`Memory`] in the state or on a wider one.
+    increment: Option<Increment>,
     /// Pressure and shear found together, instead of the above; none where they are not coupled.
     joint: Option<Box<CoupledIncrement>>,
-    /// What takes the place of both if the step under way, which needs a wider window, succeeds.
-    wider: Option<(Increment, Memory)>,
+    /// What takes the place of the memory if the step under way, which needs a wider window, succeeds.
+    wider: Option<Memory>,
     pub(super) step: StepResult,
     /// Where the fields of the step are not all zero, if anywhere.
     written: Option<Window>,
@@ -110,16 +112,14 @@ impl History {
     /// [`Error::Memory`](crate::Error::Memory).
     pub fn from_state(bodies: &HalfSpace, state: State) -> Result<Self> {
         state.check_bodies(bodies)?;
-        let mut press = NormalProblem::builder(bodies, &state.gap, NormalControl::Force(0.0))
-            .settings(state.settings)
-            .build()?
-            .into_solver()?;
-        state.resume(&mut press)?;
+        let mut press = PressureSolver::new();
+        state.resume(bodies, &mut press)?;
         Ok(Self {
             bodies: bodies.clone(),
-            candidate: press.new_solution(),
+            candidate: Lease::new(bodies.pool(&[], bodies.grid().size())?),
             press,
-            increment: new_increment(bodies, &state)?,
+            increments: Increments::default(),
+            increment: None,
             joint: new_joint(bodies, &state)?,
             wider: None,
             step: StepResult::new(state.grid()),
@@ -142,33 +142,17 @@ impl History {
     /// As [`History::from_state`]; the history is then as it was.
     pub fn set_state(&mut self, state: &State) -> Result<()> {
         state.check_bodies(&self.bodies)?;
-        if let Err(error) = state
-            .resume(&mut self.press)
-            .and_then(|()| self.resume(state))
-        {
+        if let Err(error) = self.resume(state) {
             self.take_back()?;
             return Err(error);
         }
-        self.press.set_load(NormalControl::Force(0.0))?;
-        self.press.set_gap(&state.gap)?;
-        self.press.set_settings(state.settings)?;
         self.state.clone_from(state);
         Ok(())
     }
 
-    /// Makes the increment fit another state: in the buffers there are, if they are of its window and model.
+    /// Makes what finds the pressure go on from another state, in the buffers there are if they are of its window.
     fn resume(&mut self, state: &State) -> Result<()> {
-        let is_alike = |own: &State| own.coupling == state.coupling && own.axes == state.axes;
-        let fits = match (&self.increment, &state.contact) {
-            (None, None) => true,
-            // Made anew when the touch rule asks for another.
-            _ if state.is_joint() => true,
-            (Some(increment), Some(memory)) => increment.pressed.window == memory.window,
-            _ => false,
-        };
-        if !(fits && is_alike(&self.state)) {
-            self.increment = new_increment(&self.bodies, state)?;
-        }
+        state.resume(&self.bodies, &mut self.press)?;
         match &mut self.joint {
             Some(joint) if state.is_joint() => joint.resume(state.press_window),
             joint => {
@@ -184,7 +168,7 @@ impl History {
         if let Some(joint) = &mut self.joint {
             return joint.resume(state.press_window);
         }
-        state.resume(&mut self.press)
+        state.resume(&self.bodies, &mut self.press)
     }
 
     /// Takes a step, and returns what it did; also [`History::last_step`] afterwards.
@@ -213,9 +197,10 @@ impl History {
         demand.check(self.state.axes, self.boundary())?;
         parallel::enter_with(self.grid().cells(), || {
             let outcome = self.take(load, &mut observer);
-            if let Some(increment) = &mut self.increment {
-                increment.rest();
+            if let Some(increment) = self.increment.take() {
+                self.increments.give_back(increment);
             }
+            self.candidate.give_back();
             outcome
         })?;
         Ok(&self.step)
@@ -234,25 +219,28 @@ impl History {
         let Self { state, step, .. } = self;
         let mut pressing = EnergyBalance::default();
         let control = load.normal_control();
-        if control == NormalControl::Hold && self.joint.is_none() {
-            step.normal_report.clone_from(&Report::unsolved());
-        } else if state.is_pressed_by(control) {
-            step.normal_report.recall(state.normal.report());
-        } else {
-            if self.joint.is_some() {
-                let before = (&state.normal, &state.pressed_gap);
-                pressing = EnergyBalance::of_pressing(before, (&self.candidate, &state.gap));
+        match self.candidate.held_mut() {
+            None if control == NormalControl::Hold => {
+                step.normal_report.clone_from(&Report::unsolved());
             }
-            std::mem::swap(&mut state.normal, &mut self.candidate);
-            state.pressed_gap.clone_from(&state.gap);
-            state.is_pressure_stale = false;
-            state.pressed_by = control;
-            let joint = self.joint.as_ref();
-            state.press_window = joint.map_or_else(|| self.press.window(), |joint| joint.window());
-            if let Some(trend) = self.press.trend().filter(|_| joint.is_none()) {
-                state.trend.clone_from(trend);
+            None => step.normal_report.recall(state.normal.report()),
+            Some(candidate) => {
+                let joint = self.joint.as_ref();
+                if joint.is_some() {
+                    let before = (&state.normal, &state.pressed_gap);
+                    pressing = EnergyBalance::of_pressing(before, (candidate, &state.gap));
+                }
+                std::mem::swap(&mut state.normal, candidate);
+                state.pressed_gap.clone_from(&state.gap);
+                state.is_pressure_stale = false;
+                state.pressed_by = control;
+                let alone = || self.press.window();
+                state.press_window = joint.map_or_else(alone, |joint| joint.window());
+                if let Some(trend) = self.press.trend().filter(|_| joint.is_none()) {
+                    state.trend.clone_from(trend);
+                }
+                step.normal_report.clone_from(state.normal.report());
             }
-            step.normal_report.clone_from(state.normal.report());
         }
         step.remarks = Remarks {
             is_pressure_stale: state.is_pressure_stale,
@@ -261,8 +249,8 @@ impl History {
         };
         step.normal_force = state.normal.force();
         step.approach = state.approach();
-        if let Some((increment, memory)) = self.wider.take() {
-            (self.increment, state.contact) = (Some(increment), Some(memory));
+        if let Some(memory) = self.wider.take() {
+            state.contact = Some(memory);
         }
         let (joint, increment) = (self.joint.as_ref(), self.increment.as_ref());
         let sheared = joint.map(|joint| (joint.answer(), joint.report()));
@@ -287,19 +275,36 @@ impl History {
         let pressed = if is_held {
             &self.state.normal
         } else {
-            self.press.set_load(control)?;
-            self.press
-                .solve_observed(&mut self.candidate, &mut *observer)?;
-            &self.candidate
+            control.check(&self.bodies, &self.state.gap)?;
+            let of = Pressing {
+                bodies: &self.bodies,
+                gap: &self.state.gap,
+                least_gap: self.state.gap.min(),
+                control,
+                settings: &self.state.settings,
+            };
+            let candidate = self.candidate.take(|| self.state.normal.clone());
+            let pressure = candidate.pressure_mut();
+            parallel::copy(self.state.pressure().as_slice(), pressure);
+            self.press.solve(&of, pressure, &mut *observer)?;
+            self.press.finish(&of, candidate);
+            &*candidate
         };
         let (state, demand) = (&self.state, load.demand(self.state.motion.twist));
-        self.wider = wider(&self.bodies, pressed.pressure(), state)?;
-        let under_way = match &mut self.wider {
-            Some((increment, memory)) => Some((increment, &*memory)),
-            None => self.increment.as_mut().zip(state.contact.as_ref()),
-        };
-        let Some((increment, memory)) = under_way else {
+        let grid = self.bodies.grid();
+        let Some(window) = window_of(&self.bodies, pressed.pressure(), state) else {
             return demand.without_contact(state.axes, state.motion);
+        };
+        let kind = (state.axes, state.coupling);
+        let increment = self.increments.take(&self.bodies, kind, window)?;
+        let increment = self.increment.insert(increment);
+        let memory = match &state.contact {
+            Some(memory) if memory.window == window => memory,
+            Some(memory) => self.wider.insert(memory.widened(grid, increment, state)),
+            None => {
+                let first = Memory::first(grid, state.axes, window, state.motion);
+                self.wider.insert(first)
+            }
         };
         let pressure = pressed.pressure().as_slice();
         increment.pressed.set(pressure, &state.friction);
@@ -333,9 +338,7 @@ impl History {
     /// [`Error::GridMismatch`](crate::Error::GridMismatch) or [`Error::Sample`](crate::Error::Sample); the gap
     /// is then as it was.
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
-        // The load of the last step has no say: the next brings its own.
-        self.press.set_load(NormalControl::Force(0.0))?;
-        self.press.set_gap(gap)?;
+        gap.check("gap", self.grid())?;
         let state = &mut self.state;
         let is_pressed = state.normal.report().status != Status::Unsolved;
         let differs = state.pressed_gap.as_slice() != gap.as_slice();
@@ -363,41 +366,23 @@ impl History {
     pub fn set_settings(&mut self, settings: Settings) -> Result<()> {
         settings.check()?;
         TangentialModel::of(self.state.axes).check(&settings)?;
-        self.press.set_settings(settings)?;
         self.state.settings = settings;
         Ok(())
     }
 }
 
-/// The increment on the window of a state's contact, if there is one.
-fn new_increment(bodies: &HalfSpace, state: &State) -> Result<Option<Increment>> {
-    let make = |memory: &Memory| {
-        let pressed = Pressed::new(memory.window);
-        Increment::new(bodies, state.axes, pressed, state.coupling)
-    };
-    let apart = state.contact.as_ref().filter(|_| !state.is_joint());
-    apart.map(make).transpose()
-}
-
-/// Increment and memory that a pressure needs where the contact has left its window, or is the first.
-fn wider(
-    bodies: &HalfSpace,
-    pressure: &Field,
-    state: &State,
-) -> Result<Option<(Increment, Memory)>> {
-    let samples = pressure.as_slice();
-    let Some(contact) = Window::around(bodies.grid(), |i| samples[i] > 0.0) else {
-        return Ok(None);
+/// Where the tractions of a pressure are found: on the window that the contact has, or on one that is wide enough for a
+/// contact that has left it, and a little wider, so that it may grow some more. `None` before the first contact.
+fn window_of(bodies: &HalfSpace, pressure: &Field, state: &State) -> Option<Window> {
+    let (grid, samples) = (bodies.grid(), pressure.as_slice());
+    let present = state.contact.as_ref().map(|memory| memory.window);
+    let Some(contact) = Window::around(grid, |i| samples[i] > 0.0) else {
+        return present;
     };
     let contact = bodies.confined(contact);
-    match &state.contact {
-        Some(memory) if memory.window.covers(contact) => Ok(None),
-        Some(memory) => memory.widened(bodies, contact, state).map(Some),
-        None => {
-            let pressed = Pressed::new(contact);
-            let increment = Increment::new(bodies, state.axes, pressed, state.coupling)?;
-            let memory = Memory::first(bodies.grid(), state.axes, contact, state.motion);
-            Ok(Some((increment, memory)))
-        }
-    }
+    Some(match present {
+        Some(window) if window.covers(contact) => window,
+        Some(window) => window.union(contact.widened(grid)),
+        None => contact,
+    })
 }

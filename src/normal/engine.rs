@@ -101,7 +101,7 @@ impl Engine {
             let Compliance { operator, .. } = bodies.compliance([Direction::Z], whole.size)?;
             Some(Part {
                 operator,
-                fields: Lease::new(bodies.pool(window.size)?),
+                fields: Lease::new(bodies.pool(&[], window.size)?),
             })
         };
         Ok(Self {

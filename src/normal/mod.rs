@@ -15,10 +15,12 @@
 
 mod engine;
 mod nested;
+mod pressure;
 mod problem;
 mod solution;
 mod solver;
 
+pub(crate) use pressure::{Pressing, PressureSolver};
 pub use problem::{NormalControl, NormalProblem, NormalProblemBuilder};
 pub use solution::NormalSolution;
 pub use solver::NormalSolver;

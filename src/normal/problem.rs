@@ -7,6 +7,7 @@ use crate::cgm::{Settings, settings_methods};
 use crate::error::{Error, Result, finite, non_negative};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
+use crate::normal::pressure::Pressing;
 use crate::normal::{NormalSolution, NormalSolver};
 
 /// What presses the bodies together.
@@ -99,6 +100,17 @@ impl NormalProblem {
             gap: gap.into(),
             load,
             settings: Settings::default(),
+        }
+    }
+
+    /// What is to be solved.
+    pub(super) fn pressing(&self, least_gap: f64) -> Pressing<'_> {
+        Pressing {
+            bodies: &self.bodies,
+            gap: &self.gap,
+            least_gap,
+            control: self.load,
+            settings: &self.settings,
         }
     }
 

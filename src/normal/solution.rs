@@ -105,17 +105,20 @@ impl NormalSolution {
         })
     }
 
-    /// With pressures and displacements of all cells, over the gap before loading.
+    pub(crate) fn pressure_mut(&mut self) -> &mut [f64] {
+        self.pressure.as_mut_slice()
+    }
+
+    /// With the displacements of all cells by the pressure that it has, over the gap before loading.
     pub(crate) fn fill(
         &mut self,
         pair: &ElasticPair,
         initial: &Field,
-        [pressure, displacement]: [&[f64]; 2],
+        displacement: &[f64],
         approach: f64,
         report: &Report,
     ) {
         self.pair = *pair;
-        parallel::copy(pressure, self.pressure.as_mut_slice());
         let initial = initial.as_slice();
         parallel::update(self.gap.as_mut_slice(), |first, chunk| {
             let samples = initial[first..].iter().zip(&displacement[first..]);

@@ -1,0 +1,63 @@
+//! The tangential contact of the step under way: had for its time alone, from a pool of all histories of the same bodies
+//! whose contacts have a window of the same size.
+
+use std::sync::Arc;
+
+use crate::coupling::Coupling;
+use crate::error::Result;
+use crate::half_space::HalfSpace;
+use crate::pool::Pool;
+use crate::tangential::{Axis, Increment, Pressed};
+use crate::window::Window;
+
+/// Where a history has its increments from.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Increments {
+    source: Option<Source>,
+}
+
+#[derive(Debug, Clone)]
+struct Source {
+    kind: Kind,
+    size: [usize; 2],
+    pool: Arc<Pool<Increment>>,
+}
+
+/// What an increment is made for.
+pub(super) type Kind = (&'static [Axis], Coupling);
+
+impl Increments {
+    /// An increment on a window, with the content of its last use.
+    pub(super) fn take(
+        &mut self,
+        bodies: &HalfSpace,
+        kind: Kind,
+        window: Window,
+    ) -> Result<Increment> {
+        let fits = |source: &Source| (source.kind, source.size) == (kind, window.size);
+        let source = match self.source.take().filter(fits) {
+            Some(source) => source,
+            None => Source {
+                kind,
+                size: window.size,
+                pool: bodies.pool(Increment::components(bodies, kind.0, kind.1), window.size)?,
+            },
+        };
+        let pool = &self.source.insert(source).pool;
+        match pool.take() {
+            Some(mut increment) => {
+                increment.pressed.window = window;
+                Ok(increment)
+            }
+            None => Increment::new(bodies, kind.0, Pressed::new(window), kind.1),
+        }
+    }
+
+    /// Takes back what [`Self::take`] gave last.
+    pub(super) fn give_back(&self, mut increment: Increment) {
+        increment.rest();
+        if let Some(source) = &self.source {
+            source.pool.give(increment);
+        }
+    }
+}

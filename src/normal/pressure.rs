@@ -1,0 +1,287 @@
+//! Normal contacts of the same bodies, one after the other, each from the answer of the last.
+
+use crate::cascade::{Conditions, Scene, nested_start};
+use crate::cgm::{Known, Method, Settings, Total, reduce};
+use crate::clock::Instant;
+use crate::elastic::Observer;
+use crate::error::{Error, Result};
+use crate::field::Field;
+use crate::half_space::HalfSpace;
+use crate::normal::NormalControl;
+use crate::normal::NormalSolution;
+use crate::normal::engine::{Engine, Load};
+use crate::normal::nested::PressureScene;
+use crate::parallel;
+use crate::passes::{check_iterations_left, with_counts_of, with_limits_left, with_memory};
+use crate::report::{Report, Status};
+use crate::trend::{Ahead, Reached, Trend};
+use crate::window::Window;
+
+/// What is pressed, and how.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Pressing<'a> {
+    pub(crate) bodies: &'a HalfSpace,
+    pub(crate) gap: &'a Field,
+    /// The least of its samples.
+    pub(crate) least_gap: f64,
+    pub(crate) control: NormalControl,
+    pub(crate) settings: &'a Settings,
+}
+
+/// What one solve leaves to the next, but for the pressure, which is its caller's: zero before the first solve.
+#[derive(Debug, Clone)]
+pub(crate) struct PressureSolver {
+    /// What the last solve worked with; `None` before the first.
+    engine: Option<Engine>,
+    /// Whether its answer is a start.
+    is_start: bool,
+    /// The approach that belongs to the pressure.
+    approach: f64,
+    report: Report,
+}
+
+impl PressureSolver {
+    pub(crate) fn new() -> Self {
+        Self {
+            engine: None,
+            is_start: false,
+            approach: 0.0,
+            report: Report::with_room(),
+        }
+    }
+
+    /// Where the engine works; `None` before the first solve.
+    pub(crate) fn window(&self) -> Option<Window> {
+        self.engine.as_ref().map(|engine| engine.window)
+    }
+
+    /// How the pressure changed with the load on that window, as far as it is known.
+    pub(crate) fn trend(&self) -> Option<&Trend<1>> {
+        self.engine.as_ref().map(|engine| &engine.trend)
+    }
+
+    /// Goes on as after a solve that came to this approach, on the window it ended with.
+    pub(crate) fn resume(
+        &mut self,
+        bodies: &HalfSpace,
+        approach: f64,
+        window: Option<Window>,
+        trend: &Trend<1>,
+    ) -> Result<()> {
+        self.approach = approach;
+        if self.window() != window {
+            self.engine = window
+                .map(|window| Engine::new(bodies, window))
+                .transpose()?;
+        }
+        if let Some(engine) = &mut self.engine {
+            engine.trend.clone_from(trend);
+        }
+        Ok(())
+    }
+
+    /// Forgets the last answer: the next solve starts as the first did.
+    pub(super) fn reset(&mut self) {
+        self.engine = None;
+    }
+
+    /// Writes what was found to a solution that has the pressure, and rests.
+    pub(crate) fn finish(&mut self, of: &Pressing<'_>, solution: &mut NormalSolution) {
+        let displacement = self.engine.as_ref().map_or(&[][..], Engine::displacement);
+        let Pressing { bodies, gap, .. } = of;
+        solution.fill(
+            bodies.pair(),
+            gap,
+            displacement,
+            self.approach,
+            &self.report,
+        );
+        match &mut self.engine {
+            Some(engine) if self.is_start => engine.rest(),
+            engine => *engine = None,
+        }
+    }
+
+    /// The solution with this pressure; all else is given up.
+    pub(super) fn into_solution(
+        self,
+        of: &Pressing<'_>,
+        pressure: Vec<f64>,
+    ) -> Result<NormalSolution> {
+        let displacement = self.engine.map(Engine::into_displacement);
+        let fields = [pressure, displacement.unwrap_or_default()];
+        NormalSolution::of(of.bodies, of.gap, fields, self.approach, self.report)
+    }
+
+    /// Finds the pressure of the whole grid from the last one, in its place. The rest of the answer is to be taken from
+    /// [`Self::finish`] or [`Self::into_solution`], converged or not.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] with the last feasible iterate; others, after which the next solve starts from nothing.
+    pub(crate) fn solve(
+        &mut self,
+        of: &Pressing<'_>,
+        pressure: &mut [f64],
+        observer: Observer<'_>,
+    ) -> Result<()> {
+        let mut observer = with_memory(observer);
+        let mut conditions = Conditions {
+            settings: of.settings,
+            start: Instant::now(),
+            observer: &mut observer,
+        };
+        // Without a datum far from the contact the sums keep their last digits.
+        let load = match of.control {
+            NormalControl::Force(force) => Load {
+                datum: of.least_gap,
+                total: Total::Sum(force / of.bodies.grid().cell_area()),
+            },
+            NormalControl::Approach(approach) => Load {
+                datum: approach,
+                total: Total::Free,
+            },
+            NormalControl::Hold => return Err(Error::NothingToHold),
+        };
+        let from = [reduce::total(pressure), self.approach];
+        let last = self.engine.take();
+        let is_cold = last.is_none();
+        let (mut engine, known) = match last {
+            Some(mut engine) => {
+                let known = self.set_out(&mut engine, load, from, pressure);
+                (engine, known)
+            }
+            None => {
+                let engine = start_cold(of, load, pressure, &mut conditions)?;
+                (engine, Known::Nothing)
+            }
+        };
+        let from_here = (&mut *pressure, known);
+        let outcome = self.solve_on_window(&mut engine, of, load, from_here, &mut conditions);
+        if !matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
+            return outcome;
+        }
+        self.report.time = conditions.start.elapsed();
+        let [multiplier] = engine.solver.multiplier();
+        self.approach = load.datum + multiplier;
+        if outcome.is_ok() && known == Known::Extrapolated {
+            let to = [reduce::total(pressure), self.approach];
+            engine.note(pressure, from, to);
+        }
+        // Do not warm-start from NaN; and a first solve without contact has not found where to work.
+        let touches = reduce::first(pressure.len(), |i| pressure[i] > 0.0).is_some();
+        self.is_start = self.report.duality_gap.is_finite() && (touches || !is_cold);
+        self.engine = Some(engine);
+        outcome.map_err(|_| Error::NotConverged(Box::new(self.report.clone())))
+    }
+
+    /// From the last answer: as it is under the same load, moved on where the load has changed.
+    fn set_out(
+        &self,
+        engine: &mut Engine,
+        load: Load,
+        from: Reached,
+        pressure: &mut [f64],
+    ) -> Known<1> {
+        match load.ahead(from) {
+            Ahead::Nothing => Known::Answer([load.of(self.approach - load.datum)]),
+            ahead => {
+                let parts = engine.trend.parts([ahead]).unwrap_or(0.0);
+                engine.extrapolate(parts, pressure);
+                Known::Extrapolated
+            }
+        }
+    }
+
+    /// Solves on the window and looks at the whole grid; where bodies overlap beyond the window it
+    /// was too small, and the work continues in a larger one.
+    fn solve_on_window(
+        &mut self,
+        engine: &mut Engine,
+        of: &Pressing<'_>,
+        load: Load,
+        (pressure, mut known): (&mut [f64], Known<1>),
+        conditions: &mut Conditions<'_, '_>,
+    ) -> Result<()> {
+        let Pressing { bodies, gap, .. } = of;
+        let Conditions {
+            settings,
+            start,
+            observer,
+        } = conditions;
+        let gap = gap.as_slice();
+        let mut aim = settings.tolerance;
+        self.report.clone_from(&Report::unsolved());
+        loop {
+            let left = with_limits_left(settings, *start, &self.report).tolerance(aim);
+            let mut observer = with_counts_of(&self.report, &mut **observer);
+            let from = (&mut *pressure, known);
+            let outcome = engine.solve(gap, load, from, &left, &mut observer);
+            if !matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
+                return outcome;
+            }
+            drop(observer);
+            self.report.add_pass(engine.solver.report());
+            let Some(findings) = engine.examine(gap, load, pressure) else {
+                return outcome;
+            };
+            self.report.double_precision_products += 1;
+            findings.write_to(&mut self.report);
+            // What has stalled may have done so because the contact is elsewhere.
+            if !matches!(self.report.status, Status::Converged | Status::Stalled) {
+                return outcome;
+            }
+            let missed = engine.missed(gap, load, ROUND_OFF * findings.displacement, bodies);
+            if missed.is_none() && (outcome.is_err() || self.report.is_within(settings.tolerance)) {
+                return outcome;
+            }
+            known = Known::Answer(engine.solver.multiplier());
+            // While the engine can still show what the iterate does.
+            check_iterations_left(settings, &mut self.report)?;
+            if let Some(missed) = missed {
+                let wider = engine.window.union(missed).widened(bodies.grid());
+                *engine = Engine::new(bodies, wider)?;
+            } else if aim < 0.1 * settings.tolerance {
+                self.report.status = Status::Stalled;
+                return Err(Error::NotConverged(Box::new(self.report.clone())));
+            } else {
+                // The bound for the whole grid is a little wider than that for the window.
+                aim *= 0.5;
+            }
+        }
+    }
+}
+
+/// From nothing: the answer on coarser cells, and the engine set up around its contact.
+fn start_cold(
+    of: &Pressing<'_>,
+    load: Load,
+    pressure: &mut [f64],
+    conditions: &mut Conditions<'_, '_>,
+) -> Result<Engine> {
+    let Pressing { bodies, gap, .. } = of;
+    let (grid, whole) = (bodies.grid(), Window::whole(bodies.grid()));
+    let mut scene = PressureScene {
+        linear: vec![0.0; grid.cells()],
+        total: load.total,
+    };
+    let gap = gap.as_slice();
+    parallel::update(&mut scene.linear, |first, chunk| {
+        for (linear, gap) in chunk.iter_mut().zip(&gap[first..]) {
+            *linear = gap - load.datum;
+        }
+    });
+    let is_plain = conditions.settings.method == Method::PolonskyKeer;
+    let [start] = if is_plain {
+        scene.plain_start()
+    } else {
+        nested_start(bodies, whole.size, &scene, conditions)?
+    };
+    parallel::copy(&start, pressure);
+    match Window::around(grid, |i| pressure[i] > 0.0) {
+        Some(contact) if !is_plain => Engine::new(bodies, contact.widened(grid)),
+        _ => Engine::new(bodies, whole),
+    }
+}
+
+/// Overlap beyond the window, relative to the largest displacement, that a product may show by itself.
+const ROUND_OFF: f64 = 1e-13;
