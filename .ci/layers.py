@@ -9,8 +9,8 @@ import sys
 
 # The modules of the crate by layer, lowest first, and the modules each may use: those named, of its own layer or of
 # a lower one.
-FOUNDATION = {"clock", "error", "report", "boundary", "grid", "field", "material", "parallel", "serial"}
-ENGINE = FOUNDATION | {"operator", "influence", "fft", "half_space", "cgm", "window"}
+FOUNDATION = {"clock", "error", "report", "boundary", "grid", "field", "material", "parallel", "pool", "serial"}
+ENGINE = FOUNDATION | {"operator", "influence", "fft", "half_space", "cgm", "window", "trend"}
 LAYERS = [
     ("words every layer speaks", {
         "clock": set(),
@@ -18,6 +18,7 @@ LAYERS = [
         "report": {"error", "serial"},
         "error": {"report"},
         "parallel": {"error"},
+        "pool": set(),
         "boundary": set(),
         "grid": {"error"},
         "field": {"error", "grid", "parallel", "serial"},
@@ -28,6 +29,7 @@ LAYERS = [
         "operator": set(),
         "contact_map": {"boundary", "grid"},
         "window": {"grid", "parallel"},
+        "trend": {"field"},
         "influence": FOUNDATION,
         "fft": FOUNDATION | {"operator", "influence"},
         "guide": set(),

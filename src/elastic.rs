@@ -96,7 +96,7 @@ impl<S: Admissible<N>, const N: usize> ElasticSolver<S, N> {
 
     /// `C x` of the answer; no cells once the buffers are given back.
     pub(crate) fn product(&self) -> [&[f64]; N] {
-        self.workspace.held().map_or([&[]; N], |w| w.product())
+        self.workspace.held().map_or([&[]; N], Workspace::product)
     }
 
     /// The same alone, without the buffers.

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use crate::coupling::Coupling;
 use crate::error::Result;
 use crate::half_space::HalfSpace;
+use crate::influence::Component;
 use crate::pool::Pool;
 use crate::tangential::{Axis, Increment, Pressed};
 use crate::window::Window;
@@ -40,7 +41,7 @@ impl Increments {
             None => Source {
                 kind,
                 size: window.size,
-                pool: bodies.pool(Increment::components(bodies, kind.0, kind.1), window.size)?,
+                pool: bodies.pool(components(bodies, kind), window.size)?,
             },
         };
         let pool = &self.source.insert(source).pool;
@@ -59,5 +60,18 @@ impl Increments {
         if let Some(source) = &self.source {
             source.pool.give(increment);
         }
+    }
+}
+
+/// The components of the half-space that an increment works with.
+fn components(bodies: &HalfSpace, (axes, coupling): Kind) -> &'static [Component] {
+    use Component::{XX, XY, XZ, YY, YZ};
+    match (axes, coupling.is_one_way(bodies.pair())) {
+        ([Axis::X], false) => &[XX],
+        ([Axis::X], true) => &[XX, XZ],
+        ([Axis::Y], false) => &[YY],
+        ([Axis::Y], true) => &[YY, YZ],
+        (_, false) => &[XX, XY, YY],
+        (_, true) => &[XX, XY, YY, XZ, YZ],
     }
 }

@@ -133,16 +133,12 @@ impl Engine {
 
     /// The same alone: all else is given up.
     pub(super) fn into_displacement(self) -> Vec<f64> {
-        match self.part {
-            Some(part) => {
-                let fields = part.fields.into_piece();
-                fields.map(|fields| fields.displacement).unwrap_or_default()
-            }
-            None => {
-                let [displacement] = self.solver.into_product();
-                displacement
-            }
+        if let Some(part) = self.part {
+            let fields = part.fields.into_piece();
+            return fields.map(|fields| fields.displacement).unwrap_or_default();
         }
+        let [displacement] = self.solver.into_product();
+        displacement
     }
 
     /// Solves on the window, from the pressure of the whole grid into it.

@@ -145,15 +145,12 @@ impl PressureSolver {
         let from = [reduce::total(pressure), self.approach];
         let last = self.engine.take();
         let is_cold = last.is_none();
-        let (mut engine, known) = match last {
-            Some(mut engine) => {
-                let known = self.set_out(&mut engine, load, from, pressure);
-                (engine, known)
-            }
-            None => {
-                let engine = start_cold(of, load, pressure, &mut conditions)?;
-                (engine, Known::Nothing)
-            }
+        let (mut engine, known) = if let Some(mut engine) = last {
+            let known = self.set_out(&mut engine, load, from, pressure);
+            (engine, known)
+        } else {
+            let engine = start_cold(of, load, pressure, &mut conditions)?;
+            (engine, Known::Nothing)
         };
         let from_here = (&mut *pressure, known);
         let outcome = self.solve_on_window(&mut engine, of, load, from_here, &mut conditions);

@@ -6,7 +6,6 @@ use crate::cgm::{Total, reduce};
 use crate::coupling::Coupling;
 use crate::error::{Result, finite};
 use crate::half_space::HalfSpace;
-use crate::influence::Component;
 use crate::parallel;
 use crate::passes::with_time_left;
 use crate::report::Report;
@@ -54,23 +53,6 @@ pub(crate) enum Start {
 }
 
 impl Increment {
-    /// The components of the half-space that an increment works with.
-    pub(crate) fn components(
-        bodies: &HalfSpace,
-        axes: &[Axis],
-        coupling: Coupling,
-    ) -> &'static [Component] {
-        use Component::{XX, XY, XZ, YY, YZ};
-        match (axes, coupling.is_one_way(bodies.pair())) {
-            ([Axis::X], false) => &[XX],
-            ([Axis::X], true) => &[XX, XZ],
-            ([Axis::Y], false) => &[YY],
-            ([Axis::Y], true) => &[YY, YZ],
-            (_, false) => &[XX, XY, YY],
-            (_, true) => &[XX, XY, YY, XZ, YZ],
-        }
-    }
-
     /// Without traction.
     pub(crate) fn new(
         bodies: &HalfSpace,
