@@ -8,7 +8,7 @@ use crate::fft::aligned::Aligned;
 use crate::fft::plan::{Plan, blocks, zero};
 use crate::fft::real::Real;
 use crate::fft::symbol::Symbol;
-use crate::fft::tiles::{self, TILE_COLUMNS, TILE_ROWS, Tile};
+use crate::fft::tiles::{self, TILE_ROWS, Tile};
 use crate::pool::Pool;
 
 #[derive(Debug, Clone)]
@@ -20,7 +20,7 @@ pub(super) struct ColumnScratch<T, const N: usize> {
 impl<T: Real> Plan<T> {
     pub(super) fn column_scratch<const N: usize>(&self) -> ColumnScratch<T, N> {
         ColumnScratch {
-            columns: from_fn(|_| Aligned::new(zero(), TILE_COLUMNS * self.column_stride())),
+            columns: from_fn(|_| Aligned::new(zero(), T::TILE_COLUMNS * self.column_stride())),
             transform: Aligned::new(
                 zero(),
                 self.column_forward
@@ -35,15 +35,15 @@ impl<T: Real> Plan<T> {
     fn column_stride(&self) -> usize {
         self.my
             .max(self.tiles_down() * TILE_ROWS)
-            .next_multiple_of(TILE_COLUMNS)
-            + TILE_COLUMNS
+            .next_multiple_of(T::TILE_COLUMNS)
+            + T::TILE_COLUMNS
     }
 
     /// Transforms the columns of all fields, multiplies them by the kernels, and transforms them back.
     pub(super) fn columns<const N: usize>(
         &self,
         symbol: &Symbol<T, N>,
-        by_columns: &mut [Vec<Tile<T>>; N],
+        by_columns: &mut [&mut [Tile]; N],
         occupied: &[Vec<bool>; N],
         scratch: &Pool<ColumnScratch<T, N>>,
     ) {
@@ -63,7 +63,7 @@ impl<T: Real> Plan<T> {
         &self,
         symbol: &Symbol<T, N>,
         band: usize,
-        mut fields: [&mut [Tile<T>]; N],
+        mut fields: [&mut [Tile]; N],
         occupied: &[Vec<bool>; N],
         scratch: &mut ColumnScratch<T, N>,
     ) {
@@ -72,8 +72,8 @@ impl<T: Real> Plan<T> {
         for n in 0..N {
             tiles::gather(fields[n], &occupied[n], &mut columns[n], stride);
         }
-        let first = band * TILE_COLUMNS;
-        for c in 0..TILE_COLUMNS.min(self.width() - first) {
+        let first = band * T::TILE_COLUMNS;
+        for c in 0..T::TILE_COLUMNS.min(self.width() - first) {
             let mut waves = columns.each_mut().map(|columns| {
                 self.waves_of(&mut columns[c * stride..(c + 1) * stride], transform)
             });

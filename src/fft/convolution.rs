@@ -2,9 +2,10 @@
 
 use crate::error::{Result, memory};
 use crate::fft::length::smooth_length;
-use crate::fft::plan::{Buffers, Plan};
-use crate::fft::single::{SingleProduct, SingleWorkspace};
+use crate::fft::plan::{Plan, Scratch};
+use crate::fft::single::SingleProduct;
 use crate::fft::symbol::Symbol;
+use crate::fft::tiles::Tiles;
 use crate::grid::Grid;
 use crate::influence::{Component, Kernel, Samples, Symbols};
 use crate::material::ElasticPair;
@@ -17,7 +18,7 @@ use crate::operator::Operator;
 ///
 /// Tractions are pressures, displacements lengths. Equal to the direct sum up to round-off
 /// (1e-15 of the largest displacement, typically). Immutable and shared; memory 12 bytes per cell for each
-/// of the N (N + 1)/2 coefficients, and 24 N per cell in each workspace; on a periodic grid 3, and 12 N.
+/// of the N (N + 1)/2 coefficients, and 16 N per cell in each workspace; on a periodic grid 3, and 8 N.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Grid, Material, Operator, fft::Convolution, influence::Component};
@@ -147,13 +148,13 @@ fn padded(size: [usize; 2]) -> [usize; 2] {
     size.map(|n| smooth_length(2 * n - 1))
 }
 
-/// Buffers of products: for each component 16 bytes per cell, 8 more from the first product in single
-/// precision on, and a little for each task.
+/// Buffers of products: for each component 16 bytes per cell, and a little for each task.
 #[derive(Debug, Clone)]
 pub struct ConvolutionWorkspace<const N: usize = 1> {
-    double: Buffers<f64, N>,
+    tiles: Tiles<N>,
+    double: Scratch<f64, N>,
     /// Made by the first product in single precision: many users never ask for one.
-    single: Option<SingleWorkspace<N>>,
+    single: Option<Scratch<f32, N>>,
 }
 
 impl<const N: usize> Operator<N> for Convolution<N> {
@@ -165,14 +166,16 @@ impl<const N: usize> Operator<N> for Convolution<N> {
 
     fn workspace(&self) -> ConvolutionWorkspace<N> {
         ConvolutionWorkspace {
-            double: self.plan.workspace(),
+            tiles: self.plan.tiles(),
+            double: self.plan.scratch(),
             single: None,
         }
     }
 
     fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut ConvolutionWorkspace<N>) {
-        let buffers = &mut workspace.double;
-        self.plan.convolve(&self.symbol, x, out, [1.0; 2], buffers);
+        let ConvolutionWorkspace { tiles, double, .. } = workspace;
+        self.plan
+            .convolve(&self.symbol, x, out, [1.0; 2], tiles, double);
     }
 
     /// In single precision: about 3e-7 of the largest displacement, at two thirds of the cost. In double precision where
@@ -186,10 +189,9 @@ impl<const N: usize> Operator<N> for Convolution<N> {
         if !self.is_single_enough {
             return self.apply(x, out, workspace);
         }
-        let buffers = workspace
-            .single
-            .get_or_insert_with(|| self.single.workspace());
-        self.single.apply(x, out, buffers);
+        let ConvolutionWorkspace { tiles, single, .. } = workspace;
+        let scratch = single.get_or_insert_with(|| self.single.scratch());
+        self.single.apply(x, out, tiles, scratch);
     }
 
     /// The smallest eigenvalue of the periodic continuation, a bound for the cells cut out of it; for a

@@ -58,6 +58,7 @@ impl<const N: usize> Operator<N> for CirculantInverse<N> {
     }
 
     fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut SingleWorkspace<N>) {
-        self.product.apply(x, out, workspace);
+        let SingleWorkspace { tiles, scratch } = workspace;
+        self.product.apply(x, out, tiles, scratch);
     }
 }

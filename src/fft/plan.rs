@@ -1,10 +1,9 @@
 //! The two-dimensional real transform of zero-padded fields, one pass over memory per stage.
 //!
-//! Rows: real to complex, only those that are not zero. Columns, eight at a time: gather, pad,
+//! Rows: real to complex, only those that are not zero. Columns, two cache lines of each row at a time: gather, pad,
 //! transform, multiply by the kernel, transform back, keep what is wanted. Rows: complex to real.
 //! Between the stages a field lies in tiles; from stage to stage their owners change, not their places.
 
-use std::array::from_fn;
 use std::fmt;
 use std::sync::Arc;
 
@@ -16,7 +15,7 @@ use crate::fft::columns::ColumnScratch;
 use crate::fft::real::Real;
 use crate::fft::rows::RowScratch;
 use crate::fft::symbol::Symbol;
-use crate::fft::tiles::{self, TILE_COLUMNS, TILE_ROWS, Tile, exchange};
+use crate::fft::tiles::{TILE_ROWS, Tiles, exchange};
 use crate::parallel::{self, Blocks, Split};
 use crate::pool::Pool;
 
@@ -43,17 +42,11 @@ impl<T: Real> fmt::Debug for Plan<T> {
     }
 }
 
-/// Buffers of a product: two numbers per cell of each of N fields, and a little for each task.
+/// What the tasks of transforms of N fields work in.
 #[derive(Debug, Clone)]
-pub(super) struct Buffers<T, const N: usize> {
-    /// All tiles of a band of rows, then of the next band; a task owns bands of rows.
-    by_rows: [Vec<Tile<T>>; N],
-    /// Which bands of rows hold anything.
-    occupied: [Vec<bool>; N],
-    /// The same tiles while a task owns bands of columns.
-    by_columns: [Vec<Tile<T>>; N],
-    row_scratch: Pool<RowScratch<T>>,
-    column_scratch: Pool<ColumnScratch<T, N>>,
+pub(super) struct Scratch<T, const N: usize> {
+    rows: Pool<RowScratch<T>>,
+    columns: Pool<ColumnScratch<T, N>>,
 }
 
 impl<T: Real> Plan<T> {
@@ -84,16 +77,12 @@ impl<T: Real> Plan<T> {
 
     /// Tiles along x.
     pub(super) fn tiles_across(&self) -> usize {
-        self.width().div_ceil(TILE_COLUMNS)
+        self.width().div_ceil(T::TILE_COLUMNS)
     }
 
     /// Tiles along y.
     pub(super) fn tiles_down(&self) -> usize {
         self.ny.div_ceil(TILE_ROWS)
-    }
-
-    fn tiles(&self) -> usize {
-        self.tiles_down() * self.tiles_across()
     }
 
     /// Whether a field is too short to share its work.
@@ -110,29 +99,25 @@ impl<T: Real> Plan<T> {
         }
     }
 
-    pub(super) fn workspace<const N: usize>(&self) -> Buffers<T, N> {
+    /// Tiles of N fields.
+    pub(super) fn tiles<const N: usize>(&self) -> Tiles<N> {
+        let (across, down) = (self.tiles_across(), self.tiles_down());
+        // Each band is made by the task that first writes there.
+        Tiles::new(across, down, |tiles, fill| {
+            self.bands(down, blocks(tiles, across), |_, band| fill(band.items));
+        })
+    }
+
+    pub(super) fn scratch<const N: usize>(&self) -> Scratch<T, N> {
         let tasks = if self.is_short() {
             1
         } else {
             parallel::threads()
         };
-        Buffers {
-            by_rows: from_fn(|_| self.zero_tiles()),
-            occupied: from_fn(|_| vec![false; self.tiles_down()]),
-            by_columns: from_fn(|_| vec![Tile::default(); self.tiles()]),
-            row_scratch: Pool::new(vec![self.row_scratch(); tasks]),
-            column_scratch: Pool::new(vec![self.column_scratch(); tasks]),
+        Scratch {
+            rows: Pool::new(vec![self.row_scratch(); tasks]),
+            columns: Pool::new(vec![self.column_scratch(); tasks]),
         }
-    }
-
-    /// Tiles of a field, each band made by the task that first writes there.
-    fn zero_tiles(&self) -> Vec<Tile<T>> {
-        let mut tiles = vec![Tile::default(); self.tiles()];
-        let bands = blocks(&mut tiles, self.tiles_across());
-        self.bands(self.tiles_down(), bands, |_, band| {
-            band.items.fill_with(tiles::zero);
-        });
-        tiles
     }
 
     /// `out = inverse(symbol * forward(x))`, all fields `nx` x `ny`; `scales` multiply what goes
@@ -143,32 +128,38 @@ impl<T: Real> Plan<T> {
         x: [&[f64]; N],
         out: [&mut [f64]; N],
         scales: [f64; 2],
-        workspace: &mut Buffers<T, N>,
+        tiles: &mut Tiles<N>,
+        scratch: &Scratch<T, N>,
     ) {
-        let Buffers {
+        let (across, down) = (self.tiles_across(), self.tiles_down());
+        let tiles_of_field = across * down;
+        let Tiles {
             by_rows,
             occupied,
             by_columns,
-            row_scratch,
-            column_scratch,
-        } = workspace;
+        } = tiles;
         assert!(
             x.iter().all(|x| x.len() == self.cells())
                 && out.iter().all(|out| out.len() == self.cells())
-                && by_rows.iter().all(|tiles| tiles.len() == self.tiles()),
+                && occupied.iter().all(|bands| bands.len() == down)
+                && by_rows.iter().all(|tiles| tiles.len() >= tiles_of_field),
             "fields and workspace must be those of the {} x {} cells of the operator",
             self.nx,
             self.ny
         );
+        let by_rows = by_rows.each_mut().map(|tiles| &mut tiles[..tiles_of_field]);
+        let mut by_columns = by_columns
+            .each_mut()
+            .map(|tiles| &mut tiles[..tiles_of_field]);
         for n in 0..N {
-            let (rows, occupied) = (&mut by_rows[n], &mut occupied[n]);
-            self.forward_rows(x[n], scales[0], rows, occupied, row_scratch);
-            exchange(rows, &mut by_columns[n], self.tiles_across());
+            let (rows, occupied) = (&mut *by_rows[n], &mut occupied[n]);
+            self.forward_rows(x[n], scales[0], rows, occupied, &scratch.rows);
+            exchange(rows, by_columns[n], across);
         }
-        self.columns(symbol, by_columns, occupied, column_scratch);
+        self.columns(symbol, &mut by_columns, occupied, &scratch.columns);
         for (n, out) in out.into_iter().enumerate() {
-            exchange(&mut by_columns[n], &mut by_rows[n], self.tiles_down());
-            self.inverse_rows(&by_rows[n], out, scales[1], row_scratch);
+            exchange(by_columns[n], by_rows[n], down);
+            self.inverse_rows(by_rows[n], out, scales[1], &scratch.rows);
         }
     }
 }

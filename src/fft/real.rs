@@ -1,9 +1,14 @@
 //! The two precisions of a transform.
 
+use bytemuck::Pod;
+use num_complex::Complex;
 use rustfft::FftNum;
 
 /// `f64`, or `f32` where an iteration needs no more.
-pub(super) trait Real: FftNum {
+pub(super) trait Real: FftNum + Pod {
+    /// Complex numbers in a cache line, twice: columns of a tile.
+    const TILE_COLUMNS: usize = 128 / size_of::<Complex<Self>>();
+
     /// The nearest number.
     fn of(value: f64) -> Self;
 

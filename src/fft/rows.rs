@@ -3,7 +3,7 @@
 use crate::fft::aligned::Aligned;
 use crate::fft::plan::{Plan, blocks, zero};
 use crate::fft::real::Real;
-use crate::fft::tiles::{TILE_COLUMNS, TILE_ROWS, Tile};
+use crate::fft::tiles::{TILE_ROWS, Tile};
 use crate::pool::Pool;
 use num_complex::Complex;
 use std::ops::Range;
@@ -32,7 +32,7 @@ impl<T: Real> Plan<T> {
 
     /// From one transformed row to the next in scratch memory.
     fn row_stride(&self) -> usize {
-        self.tiles_across() * TILE_COLUMNS
+        self.tiles_across() * T::TILE_COLUMNS
     }
 
     /// Transforms the rows of `x` times `scale` that are not zero, and notes which bands hold any.
@@ -40,7 +40,7 @@ impl<T: Real> Plan<T> {
         &self,
         x: &[f64],
         scale: f64,
-        by_rows: &mut [Tile<T>],
+        by_rows: &mut [Tile],
         occupied: &mut [bool],
         scratch: &Pool<RowScratch<T>>,
     ) {
@@ -70,7 +70,7 @@ impl<T: Real> Plan<T> {
         &self,
         input: &[f64],
         scale: f64,
-        band: &mut [Tile<T>],
+        band: &mut [Tile],
         scratch: &mut RowScratch<T>,
     ) {
         let rows = scratch.complex.chunks_exact_mut(self.row_stride());
@@ -90,10 +90,14 @@ impl<T: Real> Plan<T> {
                 output.fill(zero());
             }
         }
-        for (column, tile) in (0..).step_by(TILE_COLUMNS).zip(band) {
-            for (row, values) in tile.chunks_exact_mut(TILE_COLUMNS).enumerate() {
+        for (column, tile) in (0..).step_by(T::TILE_COLUMNS).zip(band) {
+            for (row, values) in tile
+                .of_mut::<T>()
+                .chunks_exact_mut(T::TILE_COLUMNS)
+                .enumerate()
+            {
                 values.copy_from_slice(
-                    &scratch.complex[row * self.row_stride() + column..][..TILE_COLUMNS],
+                    &scratch.complex[row * self.row_stride() + column..][..T::TILE_COLUMNS],
                 );
             }
         }
@@ -102,7 +106,7 @@ impl<T: Real> Plan<T> {
     /// Transforms the rows back and writes them, times `scale`, to `out`.
     pub(super) fn inverse_rows(
         &self,
-        by_rows: &[Tile<T>],
+        by_rows: &[Tile],
         out: &mut [f64],
         scale: f64,
         scratch: &Pool<RowScratch<T>>,
@@ -114,9 +118,11 @@ impl<T: Real> Plan<T> {
             scratch.lend(
                 || self.row_scratch(),
                 |scratch| {
-                    for (column, tile) in (0..).step_by(TILE_COLUMNS).zip(tiles) {
-                        for (row, values) in tile.chunks_exact(TILE_COLUMNS).enumerate() {
-                            scratch.complex[row * self.row_stride() + column..][..TILE_COLUMNS]
+                    for (column, tile) in (0..).step_by(T::TILE_COLUMNS).zip(tiles) {
+                        for (row, values) in
+                            tile.of::<T>().chunks_exact(T::TILE_COLUMNS).enumerate()
+                        {
+                            scratch.complex[row * self.row_stride() + column..][..T::TILE_COLUMNS]
                                 .copy_from_slice(values);
                         }
                     }

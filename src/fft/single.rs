@@ -2,8 +2,9 @@
 
 use std::ops::Range;
 
-use crate::fft::plan::{Buffers, Plan};
+use crate::fft::plan::{Plan, Scratch};
 use crate::fft::symbol::Symbol;
+use crate::fft::tiles::Tiles;
 use crate::parallel;
 
 /// Plan and symbol in single precision, the symbol scaled to values about one.
@@ -14,10 +15,12 @@ pub(super) struct SingleProduct<const N: usize> {
     scale: f64,
 }
 
-/// Buffers of products in single precision, for each component 8 bytes per cell for an operator and 4 for a
-/// preconditioner.
+/// Buffers of products in single precision alone, for each component 4 bytes per cell of a preconditioner.
 #[derive(Debug, Clone)]
-pub struct SingleWorkspace<const N: usize = 1>(Buffers<f32, N>);
+pub struct SingleWorkspace<const N: usize = 1> {
+    pub(super) tiles: Tiles<N>,
+    pub(super) scratch: Scratch<f32, N>,
+}
 
 impl<const N: usize> SingleProduct<N> {
     pub(super) fn new(size: [usize; 2], torus: [usize; 2], symbol: &Symbol<f64, N>) -> Self {
@@ -35,7 +38,14 @@ impl<const N: usize> SingleProduct<N> {
     }
 
     pub(super) fn workspace(&self) -> SingleWorkspace<N> {
-        SingleWorkspace(self.plan.workspace())
+        SingleWorkspace {
+            tiles: self.plan.tiles(),
+            scratch: self.scratch(),
+        }
+    }
+
+    pub(super) fn scratch(&self) -> Scratch<f32, N> {
+        self.plan.scratch()
     }
 
     /// Scales the input to values about one: in some unit systems its squares, or the results,
@@ -44,13 +54,14 @@ impl<const N: usize> SingleProduct<N> {
         &self,
         x: [&[f64]; N],
         out: [&mut [f64]; N],
-        workspace: &mut SingleWorkspace<N>,
+        tiles: &mut Tiles<N>,
+        scratch: &Scratch<f32, N>,
     ) {
         let largest = x.iter().fold(0.0, |a, x| larger(a, largest_magnitude(x)));
         if largest.is_normal() {
             let scales = [1.0 / largest, largest * self.scale];
             self.plan
-                .convolve(&self.symbol, x, out, scales, &mut workspace.0);
+                .convolve(&self.symbol, x, out, scales, tiles, scratch);
         } else {
             // Nothing, or nothing that could be scaled; a broken input stays broken.
             let is_nothing = |x: &[f64]| x.iter().all(|x| x.abs() < f64::MIN_POSITIVE);

@@ -1,23 +1,70 @@
 //! The pieces in which one stage of a transform hands its results to the next.
 
+use std::array::from_fn;
+
+use bytemuck::{cast_slice, cast_slice_mut};
 use num_complex::Complex;
 
 use crate::fft::real::Real;
 
-/// Rows and columns of a tile: a piece long enough for memory, small enough to be turned in the cache.
+/// Rows of a tile. With two cache lines of each it is a piece long enough for memory, small enough to be turned in the
+/// cache.
 pub(super) const TILE_ROWS: usize = 16;
-pub(super) const TILE_COLUMNS: usize = 8;
 
-/// A tile, row by row; empty while the other order owns it.
-pub(super) type Tile<T> = Box<[Complex<T>]>;
+/// A tile, row by row, in either precision; empty while the other order owns it.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Tile(Box<[Complex<f64>]>);
 
-/// A tile of zeros.
-pub(super) fn zero<T: Real>() -> Tile<T> {
-    vec![Complex::new(T::zero(), T::zero()); TILE_ROWS * TILE_COLUMNS].into_boxed_slice()
+impl Tile {
+    fn zero() -> Self {
+        let zero = Complex::new(0.0, 0.0);
+        Self(vec![zero; TILE_ROWS * f64::TILE_COLUMNS].into_boxed_slice())
+    }
+
+    /// The numbers of the precision it was last written in.
+    pub(super) fn of<T: Real>(&self) -> &[Complex<T>] {
+        cast_slice(&self.0)
+    }
+
+    pub(super) fn of_mut<T: Real>(&mut self) -> &mut [Complex<T>] {
+        cast_slice_mut(&mut self.0)
+    }
+}
+
+/// Tiles of N fields, for transforms of either precision: 16 bytes per cell of each. What is in them does not matter to
+/// the next transform.
+#[derive(Debug, Clone)]
+pub(super) struct Tiles<const N: usize> {
+    /// All tiles of a band of rows, then of the next band; a task owns bands of rows.
+    pub(super) by_rows: [Vec<Tile>; N],
+    /// Which bands of rows hold anything.
+    pub(super) occupied: [Vec<bool>; N],
+    /// The same tiles while a task owns bands of columns.
+    pub(super) by_columns: [Vec<Tile>; N],
+}
+
+impl<const N: usize> Tiles<N> {
+    /// So many across and down; `fill` has the work done on the bands of rows.
+    pub(super) fn new(
+        across: usize,
+        down: usize,
+        fill: impl Fn(&mut [Tile], &(dyn Fn(&mut [Tile]) + Sync)),
+    ) -> Self {
+        let empty = || vec![Tile::default(); across * down];
+        Self {
+            by_rows: from_fn(|_| {
+                let mut tiles = empty();
+                fill(&mut tiles, &|band| band.fill_with(Tile::zero));
+                tiles
+            }),
+            occupied: from_fn(|_| vec![false; down]),
+            by_columns: from_fn(|_| empty()),
+        }
+    }
 }
 
 /// Hands tiles over from one order to the other, `width` of which lie in a band of the first.
-pub(super) fn exchange<T>(from: &mut [Tile<T>], to: &mut [Tile<T>], width: usize) {
+pub(super) fn exchange(from: &mut [Tile], to: &mut [Tile], width: usize) {
     let height = from.len() / width;
     for (j, band) in from.chunks_exact_mut(width).enumerate() {
         for (i, tile) in band.iter_mut().enumerate() {
@@ -28,16 +75,17 @@ pub(super) fn exchange<T>(from: &mut [Tile<T>], to: &mut [Tile<T>], width: usize
 
 /// Turns a band of tiles into columns, one behind the other.
 pub(super) fn gather<T: Real>(
-    tiles: &[Tile<T>],
+    tiles: &[Tile],
     occupied: &[bool],
     columns: &mut [Complex<T>],
     stride: usize,
 ) {
     for ((row, tile), &occupied) in (0..).step_by(TILE_ROWS).zip(tiles).zip(occupied) {
+        let tile = tile.of::<T>();
         for (c, column) in columns.chunks_exact_mut(stride).enumerate() {
             let target = &mut column[row..row + TILE_ROWS];
             if occupied {
-                for (value, values) in target.iter_mut().zip(tile.chunks_exact(TILE_COLUMNS)) {
+                for (value, values) in target.iter_mut().zip(tile.chunks_exact(T::TILE_COLUMNS)) {
                     *value = values[c];
                 }
             } else {
@@ -48,11 +96,12 @@ pub(super) fn gather<T: Real>(
 }
 
 /// Turns columns back into a band of tiles.
-pub(super) fn scatter<T: Real>(columns: &[Complex<T>], stride: usize, tiles: &mut [Tile<T>]) {
+pub(super) fn scatter<T: Real>(columns: &[Complex<T>], stride: usize, tiles: &mut [Tile]) {
     for (row, tile) in (0..).step_by(TILE_ROWS).zip(tiles) {
+        let tile = tile.of_mut::<T>();
         for (c, column) in columns.chunks_exact(stride).enumerate() {
             let source = &column[row..row + TILE_ROWS];
-            for (values, value) in tile.chunks_exact_mut(TILE_COLUMNS).zip(source) {
+            for (values, value) in tile.chunks_exact_mut(T::TILE_COLUMNS).zip(source) {
                 values[c] = *value;
             }
         }

@@ -60,7 +60,7 @@ struct Shared {
 const KEPT_CELLS: usize = 1 << 20;
 
 /// What a normal contact of all cells takes at least: operators, buffers, answer.
-const BYTES_PER_CELL: usize = 170;
+const BYTES_PER_CELL: usize = 90;
 
 const _: () = {
     const fn assert_send_sync<T: Send + Sync>() {}

@@ -31,8 +31,8 @@ use crate::window::Window;
 ///
 /// Vectors are `[x, y]`; the scalar model leaves the component across its axis at zero.
 ///
-/// Beside its bodies it takes 170 bytes per cell of the grid and 395 per cell of the contact's bounding box,
-/// in the vector model ([`HistoryBuilder::model`]) 670 there, operators included. Most of it is borrowed for a step at a
+/// Beside its bodies it takes 170 bytes per cell of the grid and 375 per cell of the contact's bounding box,
+/// in the vector model ([`HistoryBuilder::model`]) 640 there, operators included. Most of it is borrowed for a step at a
 /// time: further histories of the same bodies, with boxes of the same size, take 121 and 43 (67) each, as long as they
 /// are not stepped at once. For bodies of different materials it takes several times that. A contact that outgrows the
 /// box takes a wider one for good. After the first steps, a step within it allocates nothing.

@@ -28,7 +28,7 @@ fn ball(bodies: &HalfSpace) -> Field {
 }
 
 fn pressed(bodies: &HalfSpace) -> NormalSolution {
-    NormalProblem::builder(bodies, &ball(bodies), NormalControl::Force(1.0))
+    NormalProblem::builder(bodies, ball(bodies), NormalControl::Force(1.0))
         .build()
         .unwrap()
         .solve()
@@ -90,7 +90,7 @@ fn a_refused_change_leaves_the_solver_as_it_was() {
     assert!(solver.set_gap(&Field::zeros(other)).is_err());
     let mut foreign = NormalProblem::builder(
         &unit_bodies(other, 0.3),
-        &Field::zeros(other),
+        Field::zeros(other),
         NormalControl::Force(1.0),
     )
     .build()
@@ -192,7 +192,7 @@ fn what_a_tangential_problem_stands_on() {
         Some(mismatch("normal solution", other.grid(), bodies.grid()))
     );
 
-    let apart = NormalProblem::builder(&bodies, &ball(&bodies), NormalControl::Force(0.0))
+    let apart = NormalProblem::builder(&bodies, ball(&bodies), NormalControl::Force(0.0))
         .build()
         .unwrap()
         .solve()
