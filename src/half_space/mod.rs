@@ -25,9 +25,11 @@ use kernels::Kernels;
 /// A pair of half-spaces on a grid, with the operators of the components in use.
 ///
 /// A component is sampled and transformed when a problem first asks for it, once; clones share it, and
-/// contacts on equal windows of the grid share what they need while any of them lives. The
+/// contacts on equal windows of the grid share what they need while any of them lives, and the buffers of their solves
+/// while they are not solved at once. The
 /// samples behind `XX`, `YY` and `ZZ` take 16 bytes per cell together, those of `XY`, `XZ` and `YZ` 8 each, and serve
-/// the coarser grids of nested starts too; each operator takes 12 and its preconditioner one, the coarser ones a third
+/// the coarser grids of nested starts too; on more than a million cells they are made anew for each operator instead of
+/// kept. Each operator takes 12 and its preconditioner one, the coarser ones a third
 /// more. An operator of two directions takes three times that, one of all three six times. With a periodic boundary
 /// there are no samples, and an operator takes three bytes per cell. `Send + Sync`: many solvers may run over one
 /// `HalfSpace` on many threads.
