@@ -34,6 +34,12 @@ pub enum Warning {
         /// From the first row to the last.
         along_y: bool,
     },
+    /// The pressure of some cells is beyond the hardness that a material states: the contact would flow there. Give the
+    /// problem a [`Hardness`](crate::normal::Hardness).
+    BeyondHardness {
+        /// Cells of such a pressure.
+        cells: usize,
+    },
     /// A step of a history held the pressure although the gap had changed: the pressure is still that of the old gap.
     StalePressure,
 }
@@ -67,6 +73,10 @@ impl std::fmt::Display for Warning {
                     "a contact spot runs across the whole grid along {axes}: its ends at the edges bear peaks of pressure; let the surface rise before them, or take a periodic grid"
                 )
             }
+            Self::BeyondHardness { cells } => write!(
+                formatter,
+                "{cells} cells are pressed beyond the hardness of the softer body: limit the pressure to it"
+            ),
             Self::StalePressure => write!(
                 formatter,
                 "the gap has changed, but the pressure was held: it is that of the old gap; give the normal load again"

@@ -2,6 +2,7 @@
 
 mod check;
 mod place;
+mod result;
 mod show;
 
 pub(crate) use check::{
@@ -9,26 +10,10 @@ pub(crate) use check::{
     positive, samples_obey,
 };
 pub use place::Place;
+pub use result::Result;
 use show::prefix;
 
 use crate::report::Report;
-
-/// The result of a call that can be refused.
-///
-/// A second parameter replaces the error, so that a glob import of this crate leaves the two-parameter `Result` of the
-/// standard library usable.
-///
-/// ```
-/// use stickslip::*;
-/// fn cells(text: &str) -> Result<usize, std::num::ParseIntError> {
-///     text.parse()
-/// }
-/// fn grid(cells: usize) -> Result<Grid> {
-///     Grid::square(cells, 1.0)
-/// }
-/// assert!(cells("many").is_err() && grid(0).is_err());
-/// ```
-pub type Result<T, E = Error> = std::result::Result<T, E>;
 
 /// The reason a call failed: one variant per violated rule, with the offending number.
 ///
@@ -200,6 +185,22 @@ pub enum Error {
         force: f64,
         /// Largest force that friction can carry, the area integral of the shear limit.
         limit: f64,
+    },
+    /// The normal force exceeds what the hardness lets the cells carry.
+    #[error("{}", show::beyond_hardness(*force, *capacity))]
+    BeyondHardness {
+        /// Normal force requested.
+        force: f64,
+        /// Largest force that the cells carry, the integral of the hardness.
+        capacity: f64,
+    },
+    /// A quantity that only elastic contacts have was asked of one in which cells are at their hardness.
+    #[error("{quantity} is that of an elastic contact, and {cells} cells of this one are at their hardness")]
+    Yielded {
+        /// The quantity, in words.
+        quantity: &'static str,
+        /// Cells at their hardness.
+        cells: usize,
     },
     /// The load has components along both axes, which the scalar tangential model does not allow.
     #[error(

@@ -56,6 +56,7 @@
 //! | press and shear bodies of different materials | [`CoupledProblem`], [`History`]; [`coupled`] |
 //! | load step by step with memory of slip | [`History`], [`LoadStep`] |
 //! | press and shear at once, with steps short enough for a tolerance | [`history::AdaptiveSteps`], the page on [growing contacts](guide::growing_contacts) |
+//! | limit the pressure to the hardness | [`normal::Hardness`], in problems and [histories](history::HistoryBuilder::hardness) |
 //! | get the slopes of the forces | [`History::stiffness`], [`stiffness`] |
 //! | get moments, the centre of pressure, spots | [`NormalSolution::moments`], [`centre_of_pressure`](NormalSolution::centre_of_pressure), of a history through [`History::normal`]; [`ContactSpots`] |
 //! | keep the state of a history, return to it, save it | [`history::State`] |
@@ -210,6 +211,7 @@ pub mod normal;
 mod operator;
 mod parallel;
 mod passes;
+mod per_cell;
 mod pool;
 mod report;
 #[cfg(feature = "serde")]

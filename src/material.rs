@@ -25,6 +25,9 @@ pub struct Material {
     #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
     youngs_modulus: f64,
     poisson_ratio: f64,
+    /// Infinite where none is stated.
+    #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
+    hardness: f64,
 }
 
 /// The values read, before they are checked.
@@ -34,6 +37,8 @@ struct UncheckedMaterial {
     #[serde(with = "crate::serial::number")]
     youngs_modulus: f64,
     poisson_ratio: f64,
+    #[serde(with = "crate::serial::number")]
+    hardness: f64,
 }
 
 #[cfg(feature = "serde")]
@@ -41,11 +46,13 @@ impl TryFrom<UncheckedMaterial> for Material {
     type Error = Error;
 
     fn try_from(read: UncheckedMaterial) -> Result<Self> {
-        if read.youngs_modulus == f64::INFINITY {
+        let body = if read.youngs_modulus == f64::INFINITY {
             check_poisson_ratio(read.poisson_ratio)?;
-            return Ok(Self::rigid());
-        }
-        Self::new(read.youngs_modulus, read.poisson_ratio)
+            Self::rigid()
+        } else {
+            Self::new(read.youngs_modulus, read.poisson_ratio)?
+        };
+        body.stating(read.hardness)
     }
 }
 
@@ -60,6 +67,7 @@ impl Material {
         Self {
             youngs_modulus,
             poisson_ratio,
+            hardness: f64::INFINITY,
         }
         .checked(youngs_modulus)
     }
@@ -74,6 +82,7 @@ impl Material {
         Self {
             youngs_modulus: 2.0 * (1.0 + poisson_ratio) * shear_modulus,
             poisson_ratio,
+            hardness: f64::INFINITY,
         }
         .checked(shear_modulus)
     }
@@ -96,7 +105,33 @@ impl Material {
         Self {
             youngs_modulus: f64::INFINITY,
             poisson_ratio: 0.0,
+            hardness: f64::INFINITY,
         }
+    }
+
+    /// With the hardness it has (a pressure): where an elastic contact presses harder, its solution warns
+    /// ([`Warning::BeyondHardness`](crate::Warning::BeyondHardness)). To limit the pressure, give the problem a
+    /// [`Hardness`](crate::normal::Hardness).
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`].
+    pub fn with_hardness(self, hardness: f64) -> Result<Self> {
+        self.stating(positive("hardness", hardness)?)
+    }
+
+    /// The same, or none if infinite.
+    pub(crate) fn stating(mut self, hardness: f64) -> Result<Self> {
+        if hardness != f64::INFINITY {
+            positive("hardness", hardness)?;
+        }
+        self.hardness = hardness;
+        Ok(self)
+    }
+
+    /// The hardness stated (a pressure); infinite where none is.
+    #[must_use]
+    pub fn hardness(&self) -> f64 {
+        self.hardness
     }
 
     /// Whether the body does not deform.
@@ -215,6 +250,12 @@ impl ElasticPair {
         positive("shear modulus of the pair", pair.equivalent_shear_modulus())?;
         finite("Dundurs' beta of the pair", pair.dundurs_beta())?;
         Ok(pair)
+    }
+
+    /// Hardness of the softer body (a pressure); infinite where none is stated.
+    #[must_use]
+    pub fn hardness(&self) -> f64 {
+        self.bodies[0].hardness.min(self.bodies[1].hardness)
     }
 
     /// The two bodies.

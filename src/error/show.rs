@@ -24,3 +24,10 @@ pub(super) fn beyond_capacity(force: f64, limit: f64) -> String {
     };
     format!("a tangential force of {force:e} exceeds the friction limit {limit:e}: {remedy}")
 }
+
+/// Why a normal force cannot act, and what to do.
+pub(super) fn beyond_hardness(force: f64, capacity: f64) -> String {
+    format!(
+        "a normal force of {force:e} exceeds the {capacity:e} that cells at their hardness carry: take a larger grid, or prescribe an approach"
+    )
+}

@@ -2,11 +2,12 @@
 
 use crate::cgm::{Settings, settings_methods};
 use crate::coupling::Coupling;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::state::State;
 use crate::history::{History, TouchRule};
+use crate::normal::Hardness;
 use crate::tangential::{Axis, Friction, TangentialModel};
 
 /// Options of a [`History`]; each has a default.
@@ -21,6 +22,8 @@ pub struct HistoryBuilder<'a> {
     settings: Settings,
     coupling: Coupling,
     touch_rule: TouchRule,
+    hardness: Option<Hardness>,
+    is_set_permanent: bool,
 }
 
 impl<'a> HistoryBuilder<'a> {
@@ -34,6 +37,8 @@ impl<'a> HistoryBuilder<'a> {
             settings: Settings::default(),
             coupling: Coupling::default(),
             touch_rule: TouchRule::default(),
+            hardness: None,
+            is_set_permanent: false,
         }
     }
 }
@@ -92,11 +97,44 @@ impl HistoryBuilder<'_> {
         self
     }
 
+    /// The largest pressure the cells carry in every step (default: no limit). Not with pressure and shear found together.
+    pub fn hardness(mut self, hardness: Hardness) -> Self {
+        self.hardness = Some(hardness);
+        self
+    }
+
+    /// Whether what flows under the [hardness](Self::hardness) stays (default: it does not): the overlap of a step is then
+    /// added to the gap of all that follow and to [`State::yielded`], and the same load, or less, is elastic the next time.
+    ///
+    /// ```
+    /// use stickslip::{*, normal::Hardness};
+    /// let grid = Grid::square(32, 0.30e-3)?;
+    /// let steel = Material::new(213e9, 0.29)?;
+    /// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
+    /// let ball = surface::sphere(grid, 3.5e-3)?;
+    /// let builder = History::builder(&bodies, &ball, Friction::coulomb(0.5)?);
+    /// let mut history = builder.hardness(Hardness::uniform(1.5e9)?).permanent_set(true).build()?;
+    /// let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
+    /// history.step(&press(100.0))?;
+    /// let depth = history.state().yielded().map_or(0.0, Field::max);
+    /// assert!(depth > 0.0 && history.pressure().max() == 1.5e9);
+    /// // The first loading has done it all.
+    /// history.step(&press(20.0))?;
+    /// history.step(&press(99.0))?;
+    /// assert_eq!(history.state().yielded().map_or(0.0, Field::max), depth);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn permanent_set(mut self, stays: bool) -> Self {
+        self.is_set_permanent = stays;
+        self
+    }
+
     /// Checks everything and copies the gap; nothing is solved yet.
     ///
     /// # Errors
     /// [`Error::GridMismatch`](crate::Error::GridMismatch) for gap or friction,
-    /// [`Error::Sample`](crate::Error::Sample) for the gap,
+    /// [`Error::Sample`](crate::Error::Sample) for the gap, [`Error::NotModelled`](crate::Error::NotModelled) for a
+    /// hardness with pressure and shear found together,
     /// [`Error::Method`](crate::Error::Method) for a method that the model does not have,
     /// [`Error::Tolerance`](crate::Error::Tolerance), [`Error::IterationLimit`](crate::Error::IterationLimit).
     pub fn build(self) -> Result<History> {
@@ -106,8 +144,19 @@ impl HistoryBuilder<'_> {
             TangentialModel::Scalar => self.axis.alone(),
             TangentialModel::Vector => Axis::BOTH,
         };
-        if self.coupling.is_joint(self.bodies.pair()) {
+        let is_joint = self.coupling.is_joint(self.bodies.pair());
+        if is_joint {
             TangentialModel::Vector.check(&self.settings)?;
+        }
+        if let Some(hardness) = &self.hardness {
+            hardness.check(self.bodies.grid())?;
+            if is_joint {
+                return Err(Error::NotModelled {
+                    quantity: "hardness",
+                    value: hardness.of_cell(0),
+                    remedy: "build it with .coupling(Coupling::OneWay)",
+                });
+            }
         }
         let bodies = self.bodies;
         self.gap.check("gap", bodies.grid())?;
@@ -116,6 +165,7 @@ impl HistoryBuilder<'_> {
         let (pair, settings) = (bodies.pair(), self.settings);
         let rule = self.touch_rule;
         let state = State::new(gap, boundary, pair, self.friction, axes, settings, rule);
+        let state = state.limited(self.hardness, self.is_set_permanent);
         History::from_state(bodies, state.coupled(self.coupling))
     }
 }

@@ -88,6 +88,7 @@ mod step;
 mod stepping;
 mod touch;
 pub mod wear;
+mod yielding;
 
 pub use adaptive::{AdaptiveSteps, StepError};
 pub use builder::HistoryBuilder;

@@ -13,6 +13,8 @@ pub(super) struct Remarks {
     pub(super) edge_cells: usize,
     /// Whether nothing touched.
     pub(super) is_apart: bool,
+    /// Cells pressed beyond the hardness a material states, the most of any step.
+    pub(super) overloaded_cells: usize,
 }
 
 impl Remarks {
@@ -22,6 +24,7 @@ impl Remarks {
             is_pressure_stale: self.is_pressure_stale || other.is_pressure_stale,
             edge_cells: self.edge_cells.max(other.edge_cells),
             is_apart: self.is_apart || other.is_apart,
+            overloaded_cells: self.overloaded_cells.max(other.overloaded_cells),
         }
     }
 
@@ -30,7 +33,10 @@ impl Remarks {
         let stale = self.is_pressure_stale.then_some(Warning::StalePressure);
         let at_edge = (cells > 0).then_some(Warning::ContactAtEdge { cells });
         let apart = self.is_apart.then_some(Warning::NoContact);
-        stale.into_iter().chain(at_edge).chain(apart).collect()
+        let cells = self.overloaded_cells;
+        let beyond = (cells > 0).then_some(Warning::BeyondHardness { cells });
+        let all = stale.into_iter().chain(at_edge).chain(apart);
+        all.chain(beyond).collect()
     }
 }
 

@@ -10,7 +10,7 @@ use crate::half_space::HalfSpace;
 use crate::history::TouchRule;
 use crate::history::memory::Memory;
 use crate::material::ElasticPair;
-use crate::normal::{NormalControl, NormalSolution, PressureSolver};
+use crate::normal::{Hardness, NormalControl, NormalSolution, PressureSolver};
 use crate::tangential::{Axis, Friction, Motion, Zone};
 use crate::trend::Trend;
 use crate::window::Window;
@@ -62,6 +62,10 @@ pub struct State {
     pub(super) settings: Settings,
     pub(super) friction: Friction,
     pub(super) gap: Field,
+    /// Of the pressure of all steps.
+    pub(super) hardness: Option<Hardness>,
+    /// What has flown, if it is to stay.
+    pub(super) yielded: Option<Field>,
     /// The normal contact after the last step.
     pub(super) normal: NormalSolution,
     /// The gap that the pressure belongs to; another than `gap` after wear.
@@ -93,6 +97,8 @@ clone_in_place!(State {
     settings,
     friction,
     gap,
+    hardness,
+    yielded,
     normal,
     pressed_gap,
     is_pressure_stale,
@@ -135,6 +141,8 @@ impl State {
             normal: NormalSolution::empty(&gap, boundary, pair),
             pressed_gap: gap.clone(),
             gap,
+            hardness: None,
+            yielded: None,
             is_pressure_stale: false,
             pressed_by: NormalControl::Hold,
             press_window: None,
@@ -152,6 +160,13 @@ impl State {
             touch_rule,
             coupling: Coupling::default(),
         }
+    }
+
+    /// With pressures limited by this hardness, and a permanent set if what flows is to stay.
+    pub(super) fn limited(mut self, hardness: Option<Hardness>, stays: bool) -> Self {
+        self.yielded = stays.then(|| Field::zeros(self.grid()));
+        self.hardness = hardness;
+        self
     }
 
     /// With this much coupling. Where pressure and shear are found together, that is on all of the grid and along both
@@ -241,7 +256,20 @@ impl State {
         &self.friction
     }
 
-    /// The gap before loading (lengths), as last set.
+    /// The limit of the pressure of all steps; `None` if there is none.
+    #[must_use]
+    pub fn hardness(&self) -> Option<&Hardness> {
+        self.hardness.as_ref()
+    }
+
+    /// How deep the surfaces have flown since the start (lengths, non-negative); `None` unless it
+    /// [stays](crate::history::HistoryBuilder::permanent_set).
+    #[must_use]
+    pub fn yielded(&self) -> Option<&Field> {
+        self.yielded.as_ref()
+    }
+
+    /// The gap before loading (lengths), as last set, and what the surfaces have [yielded](Self::yielded).
     #[must_use]
     pub fn gap(&self) -> &Field {
         &self.gap

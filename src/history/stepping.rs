@@ -18,6 +18,7 @@ use crate::history::memory::Memory;
 use crate::history::remarks::Remarks;
 use crate::history::state::State;
 use crate::history::touch;
+use crate::history::yielding::{add_yielded, settle};
 use crate::history::{EnergyBalance, LoadStep, StepResult};
 use crate::normal::{NormalControl, NormalSolution, Pressing, PressureSolver};
 use crate::parallel;
@@ -218,7 +219,7 @@ impl History {
         };
         let Self { state, step, .. } = self;
         let mut pressing = EnergyBalance::default();
-        let control = load.normal_control();
+        let (control, is_pressed) = (load.normal_control(), self.candidate.held().is_some());
         match self.candidate.held_mut() {
             None if control == NormalControl::Hold => {
                 step.normal_report.clone_from(&Report::unsolved());
@@ -246,6 +247,7 @@ impl History {
             is_pressure_stale: state.is_pressure_stale,
             edge_cells: state.normal.cells_on_edge(),
             is_apart: state.normal.force() <= 0.0,
+            overloaded_cells: state.normal.overloaded_cells(),
         };
         step.normal_force = state.normal.force();
         step.approach = state.approach();
@@ -259,6 +261,9 @@ impl History {
         step.tangential_report
             .clone_from(report.unwrap_or(&Report::unsolved()));
         commit(answer.as_ref(), motion, state, step, &mut self.written);
+        if is_pressed {
+            settle(state);
+        }
         step.energy = step.energy.plus(&pressing);
         Ok(())
     }
@@ -276,10 +281,14 @@ impl History {
             &self.state.normal
         } else {
             control.check(&self.bodies, &self.state.gap)?;
+            if let Some(hardness) = &self.state.hardness {
+                hardness.check_load(self.bodies.grid(), control)?;
+            }
             let of = Pressing {
                 bodies: &self.bodies,
                 gap: &self.state.gap,
                 least_gap: self.state.gap.min(),
+                hardness: self.state.hardness.as_ref(),
                 control,
                 settings: &self.state.settings,
             };
@@ -331,7 +340,8 @@ impl History {
     }
 
     /// Changes the gap before loading, as wear does; all else stays, the pressure too until a step that does not
-    /// hold it: give the normal load in the next step again. One that holds it carries
+    /// hold it: give the normal load in the next step again. What has [yielded](State::yielded) is added to it. One that
+    /// holds it carries
     /// [`Warning::StalePressure`](crate::Warning::StalePressure). Copies without allocating.
     ///
     /// # Errors
@@ -341,9 +351,10 @@ impl History {
         gap.check("gap", self.grid())?;
         let state = &mut self.state;
         let is_pressed = state.normal.report().status != Status::Unsolved;
-        let differs = state.pressed_gap.as_slice() != gap.as_slice();
-        state.is_pressure_stale = is_pressed && differs;
         state.gap.as_mut_slice().copy_from_slice(gap.as_slice());
+        add_yielded(state);
+        let differs = state.pressed_gap.as_slice() != state.gap.as_slice();
+        state.is_pressure_stale = is_pressed && differs;
         Ok(())
     }
 

@@ -2,13 +2,15 @@
 
 use std::sync::Arc;
 
-use crate::cgm::{self, Interval, Iterate, Known, NonNegative, Total};
+use crate::cgm::{self, Interval, Iterate, Known, Total};
 use crate::elastic::{ElasticSolver, Observer, Posed};
 use crate::error::{Error, Result};
 use crate::fft::{Convolution, ConvolutionWorkspace};
 use crate::half_space::{Compliance, HalfSpace};
 use crate::influence::Direction;
+use crate::normal::hardness::Carried;
 use crate::operator::Operator;
+use crate::per_cell::PerCell;
 use crate::pool::Lease;
 use crate::trend::{Ahead, Reached, Trend};
 use crate::window::Window;
@@ -39,6 +41,8 @@ struct PartFields {
     /// Of the window.
     gap: Vec<f64>,
     pressure: Vec<f64>,
+    /// Likewise, where each cell has its own.
+    limits: Vec<f64>,
     /// Of the whole grid.
     displacement: Vec<f64>,
     workspace: ConvolutionWorkspace<1>,
@@ -51,10 +55,18 @@ impl Part {
         self.fields.take(|| PartFields {
             gap: vec![0.0; cells],
             pressure: vec![0.0; cells],
+            limits: Vec::new(),
             displacement: vec![0.0; operator.cells()],
             workspace: operator.workspace(),
         })
     }
+}
+
+/// The surfaces as the engine takes them, on the whole grid: their gap, and the largest pressure they carry.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Surfaces<'a> {
+    pub(super) gap: &'a [f64],
+    pub(super) limits: PerCell<&'a [f64]>,
 }
 
 /// The load as the engine takes it.
@@ -144,30 +156,38 @@ impl Engine {
     /// Solves on the window, from the pressure of the whole grid into it.
     pub(super) fn solve(
         &mut self,
-        gap: &[f64],
+        surfaces: Surfaces<'_>,
         load: Load,
         (pressure, known): (&mut [f64], Known<1>),
         settings: &cgm::Settings,
         observer: Observer<'_>,
     ) -> Result<()> {
         let (window, solver) = (self.window, &mut self.solver);
-        let mut minimise = |gap: &[f64], pressure: &mut [f64]| {
+        let mut minimise = |surfaces: Surfaces<'_>, pressure: &mut [f64]| {
             let posed = Posed {
-                linear: [gap],
+                linear: [surfaces.gap],
                 datum: [load.datum],
-                constraint: NonNegative,
+                constraint: Carried(surfaces.limits),
                 totals: [load.total],
                 known,
             };
             solver.minimise(posed, [pressure], settings, &mut *observer)
         };
         let Some(part) = &mut self.part else {
-            return minimise(gap, pressure);
+            return minimise(surfaces, pressure);
         };
         let fields = part.fields(window.cells());
-        window.gather(gap, &mut fields.gap);
+        window.gather(surfaces.gap, &mut fields.gap);
         window.gather(pressure, &mut fields.pressure);
-        let outcome = minimise(&fields.gap, &mut fields.pressure);
+        let inside = Surfaces {
+            gap: &fields.gap,
+            limits: surfaces.limits.map(|limits| {
+                fields.limits.resize(window.cells(), 0.0);
+                window.gather(limits, &mut fields.limits);
+                fields.limits.as_slice()
+            }),
+        };
+        let outcome = minimise(inside, &mut fields.pressure);
         if matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
             pressure.fill(0.0);
             window.scatter(&fields.pressure, pressure);
@@ -178,7 +198,7 @@ impl Engine {
     /// Examines the pressure on the whole grid; `None` if the window is the grid.
     pub(super) fn examine(
         &mut self,
-        gap: &[f64],
+        surfaces: Surfaces<'_>,
         load: Load,
         pressure: &[f64],
     ) -> Option<cgm::Certificate> {
@@ -194,12 +214,13 @@ impl Engine {
         let iterate = Iterate {
             x: [pressure],
             product: [displacement],
-            linear: [gap],
+            linear: [surfaces.gap],
             datum: [load.datum],
             totals: [load.total],
             multiplier,
         };
-        Some(cgm::examine(&iterate, &NonNegative, operator.lower_bound()))
+        let carried = Carried(surfaces.limits);
+        Some(cgm::examine(&iterate, &carried, operator.lower_bound()))
     }
 
     /// The cells beyond the window where bodies overlap by more than round-off.

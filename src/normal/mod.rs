@@ -8,18 +8,20 @@
 //! (eqs 10-12 of Wang et al. 2021): `h` is the initial gap, `p` the pressure, `delta` the approach
 //! of the bodies, `g` the gap under load, `Delta` the area of a cell. It is the minimum over `p >= 0` of
 //! `1/2 p'Cp + h'p` with `Delta sum p = W` under a force, or of `1/2 p'Cp + (h - delta)'p` under an approach; the
-//! engine of [`crate::cgm`] finds it.
+//! engine of [`crate::cgm`] finds it. With a [`Hardness`] H the pressure is limited to it, and cells at the limit overlap.
 //!
 //! [`NormalProblem`] checks and holds a scene; [`NormalSolver`] owns the buffers and starts from
 //! its last answer; [`NormalSolution`] is the answer.
 
 mod engine;
+mod hardness;
 mod nested;
 mod pressure;
 mod problem;
 mod solution;
 mod solver;
 
+pub use hardness::Hardness;
 pub(crate) use pressure::{Pressing, PressureSolver};
 pub use problem::{NormalControl, NormalProblem, NormalProblemBuilder};
 pub use solution::NormalSolution;

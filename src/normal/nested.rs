@@ -1,18 +1,21 @@
 //! The normal problem on coarser cells.
 
 use crate::cascade::Scene;
-use crate::cgm::{Constraint, Interval, NonNegative, Total};
+use crate::cgm::{Constraint, Interval, Total};
 use crate::half_space::HalfSpace;
 use crate::influence::Direction;
+use crate::normal::hardness::Carried;
+use crate::per_cell::PerCell;
 use crate::window::{Window, coarsened, refined};
 
 /// How many times the cells of a coarse window a grid has at least: operators of the grid are kept, those of windows are
 /// made for one solve.
 const FEW: usize = 4;
 
-/// The gap from a datum, and the sum of pressures: all a normal contact depends on.
+/// The gap from a datum, the largest pressures, and their sum: all a normal contact depends on.
 pub(super) struct PressureScene {
     pub(super) linear: Vec<f64>,
+    pub(super) limits: PerCell<Vec<f64>>,
     pub(super) total: Total,
 }
 
@@ -24,7 +27,7 @@ impl Scene<1> for PressureScene {
     }
 
     fn constraint(&self) -> impl Constraint<1, Set = Interval> {
-        NonNegative
+        Carried(self.limits.map(Vec::as_slice))
     }
 
     fn linear(&self) -> [&[f64]; 1] {
@@ -38,6 +41,7 @@ impl Scene<1> for PressureScene {
     fn coarsened(&self, size: [usize; 2]) -> Self {
         Self {
             linear: coarsened(size, &self.linear),
+            limits: self.limits.map(|limits| coarsened(size, limits)),
             total: self.total.scaled(0.25),
         }
     }
@@ -48,10 +52,17 @@ impl Scene<1> for PressureScene {
         let contact = Window::around(grid, |i| start[i] > 0.0)?;
         let window = bodies.confined(contact.widened(grid));
         (FEW * window.cells() <= grid.cells()).then(|| {
-            let mut linear = vec![0.0; window.cells()];
-            window.gather(&self.linear, &mut linear);
-            let total = self.total;
-            (window, Self { linear, total })
+            let inside = |whole: &Vec<f64>| {
+                let mut part = vec![0.0; window.cells()];
+                window.gather(whole, &mut part);
+                part
+            };
+            let part = Self {
+                linear: inside(&self.linear),
+                limits: self.limits.map(inside),
+                total: self.total,
+            };
+            (window, part)
         })
     }
 

@@ -7,10 +7,10 @@ use crate::elastic::Observer;
 use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
-use crate::normal::NormalControl;
-use crate::normal::NormalSolution;
-use crate::normal::engine::{Engine, Load};
+use crate::normal::engine::{Engine, Load, Surfaces};
+use crate::normal::hardness::UNLIMITED;
 use crate::normal::nested::PressureScene;
+use crate::normal::{Hardness, NormalControl, NormalSolution};
 use crate::parallel;
 use crate::passes::{check_iterations_left, with_counts_of, with_limits_left, with_memory};
 use crate::report::{Report, Status};
@@ -24,8 +24,18 @@ pub(crate) struct Pressing<'a> {
     pub(crate) gap: &'a Field,
     /// The least of its samples.
     pub(crate) least_gap: f64,
+    pub(crate) hardness: Option<&'a Hardness>,
     pub(crate) control: NormalControl,
     pub(crate) settings: &'a Settings,
+}
+
+impl<'a> Pressing<'a> {
+    fn surfaces(&self) -> Surfaces<'a> {
+        Surfaces {
+            gap: self.gap.as_slice(),
+            limits: self.hardness.map_or(UNLIMITED, Hardness::limits),
+        }
+    }
 }
 
 /// What one solve leaves to the next, but for the pressure, which is its caller's: zero before the first solve.
@@ -96,6 +106,9 @@ impl PressureSolver {
             self.approach,
             &self.report,
         );
+        let pressure = solution.pressure().as_slice();
+        let yielded = of.hardness.map_or(0, |hardness| hardness.count(pressure));
+        solution.set_yielded_cells(yielded);
         match &mut self.engine {
             Some(engine) if self.is_start => engine.rest(),
             engine => *engine = None,
@@ -108,9 +121,13 @@ impl PressureSolver {
         of: &Pressing<'_>,
         pressure: Vec<f64>,
     ) -> Result<NormalSolution> {
+        let yielded = of.hardness.map_or(0, |hardness| hardness.count(&pressure));
         let displacement = self.engine.map(Engine::into_displacement);
         let fields = [pressure, displacement.unwrap_or_default()];
-        NormalSolution::of(of.bodies, of.gap, fields, self.approach, self.report)
+        let mut solution =
+            NormalSolution::of(of.bodies, of.gap, fields, self.approach, self.report)?;
+        solution.set_yielded_cells(yielded);
+        Ok(solution)
     }
 
     /// Finds the pressure of the whole grid from the last one, in its place. The rest of the answer is to be taken from
@@ -199,26 +216,25 @@ impl PressureSolver {
         (pressure, mut known): (&mut [f64], Known<1>),
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<()> {
-        let Pressing { bodies, gap, .. } = of;
+        let (bodies, surfaces) = (of.bodies, of.surfaces());
         let Conditions {
             settings,
             start,
             observer,
         } = conditions;
-        let gap = gap.as_slice();
         let mut aim = settings.tolerance;
         self.report.clone_from(&Report::unsolved());
         loop {
             let left = with_limits_left(settings, *start, &self.report).tolerance(aim);
             let mut observer = with_counts_of(&self.report, &mut **observer);
             let from = (&mut *pressure, known);
-            let outcome = engine.solve(gap, load, from, &left, &mut observer);
+            let outcome = engine.solve(surfaces, load, from, &left, &mut observer);
             if !matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
                 return outcome;
             }
             drop(observer);
             self.report.add_pass(engine.solver.report());
-            let Some(findings) = engine.examine(gap, load, pressure) else {
+            let Some(findings) = engine.examine(surfaces, load, pressure) else {
                 return outcome;
             };
             self.report.double_precision_products += 1;
@@ -227,7 +243,7 @@ impl PressureSolver {
             if !matches!(self.report.status, Status::Converged | Status::Stalled) {
                 return outcome;
             }
-            let missed = engine.missed(gap, load, ROUND_OFF * findings.displacement, bodies);
+            let missed = engine.missed(surfaces.gap, load, ROUND_OFF * findings.displacement, bodies);
             if missed.is_none() && (outcome.is_err() || self.report.is_within(settings.tolerance)) {
                 return outcome;
             }
@@ -255,13 +271,13 @@ fn start_cold(
     pressure: &mut [f64],
     conditions: &mut Conditions<'_, '_>,
 ) -> Result<Engine> {
-    let Pressing { bodies, gap, .. } = of;
+    let (bodies, Surfaces { gap, limits }) = (of.bodies, of.surfaces());
     let (grid, whole) = (bodies.grid(), Window::whole(bodies.grid()));
     let mut scene = PressureScene {
         linear: vec![0.0; grid.cells()],
+        limits: limits.map(|limits| limits.to_vec()),
         total: load.total,
     };
-    let gap = gap.as_slice();
     parallel::update(&mut scene.linear, |first, chunk| {
         for (linear, gap) in chunk.iter_mut().zip(&gap[first..]) {
             *linear = gap - load.datum;

@@ -8,7 +8,7 @@ use crate::error::{Error, Result, finite, non_negative};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::normal::pressure::Pressing;
-use crate::normal::{NormalSolution, NormalSolver};
+use crate::normal::{Hardness, NormalSolution, NormalSolver};
 
 /// What presses the bodies together.
 ///
@@ -74,6 +74,7 @@ pub struct NormalProblem {
     pub(super) bodies: HalfSpace,
     pub(super) gap: Arc<Field>,
     pub(super) load: NormalControl,
+    pub(super) hardness: Option<Hardness>,
     pub(super) settings: Settings,
 }
 
@@ -84,6 +85,7 @@ pub struct NormalProblemBuilder<'a> {
     bodies: &'a HalfSpace,
     gap: Arc<Field>,
     load: NormalControl,
+    hardness: Option<Hardness>,
     settings: Settings,
 }
 
@@ -99,6 +101,7 @@ impl NormalProblem {
             bodies,
             gap: gap.into(),
             load,
+            hardness: None,
             settings: Settings::default(),
         }
     }
@@ -109,6 +112,7 @@ impl NormalProblem {
             bodies: &self.bodies,
             gap: &self.gap,
             least_gap,
+            hardness: self.hardness.as_ref(),
             control: self.load,
             settings: &self.settings,
         }
@@ -135,20 +139,32 @@ impl NormalProblem {
 impl NormalProblemBuilder<'_> {
     settings_methods!();
 
+    /// The largest pressure the cells carry (default: no limit). A force beyond what all cells carry together is refused;
+    /// an approach may bring them all to their limit.
+    pub fn hardness(mut self, hardness: Hardness) -> Self {
+        self.hardness = Some(hardness);
+        self
+    }
+
     /// Checks everything.
     ///
     /// # Errors
     /// [`Error::GridMismatch`] if the gap lives on another grid, [`Error::Sample`] if it is not
     /// finite, [`Error::Negative`] or [`Error::NotFinite`] for the load, [`Error::Tolerance`],
-    /// [`Error::IterationLimit`]; [`Error::ApproachBeyondMeanGap`] on a periodic grid.
+    /// [`Error::IterationLimit`]; [`Error::ApproachBeyondMeanGap`] on a periodic grid;
+    /// [`Error::BeyondHardness`].
     pub fn build(self) -> Result<NormalProblem> {
         check_gap(self.bodies, &self.gap)?;
         self.load.check(self.bodies, &self.gap)?;
+        if let Some(hardness) = &self.hardness {
+            hardness.check_load(self.bodies.grid(), self.load)?;
+        }
         self.settings.check()?;
         Ok(NormalProblem {
             bodies: self.bodies.clone(),
             gap: self.gap,
             load: self.load,
+            hardness: self.hardness,
             settings: self.settings,
         })
     }

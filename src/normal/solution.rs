@@ -26,6 +26,7 @@ pub struct NormalSolution {
     boundary: Boundary,
     pair: ElasticPair,
     approach: f64,
+    yielded_cells: usize,
     report: Report,
 }
 
@@ -35,6 +36,7 @@ clone_in_place!(NormalSolution {
     boundary,
     pair,
     approach,
+    yielded_cells,
     report,
 });
 
@@ -48,6 +50,7 @@ struct Unchecked {
     boundary: Boundary,
     pair: ElasticPair,
     approach: f64,
+    yielded_cells: usize,
     report: Report,
 }
 
@@ -77,6 +80,7 @@ impl NormalSolution {
             boundary,
             pair: *pair,
             approach: 0.0,
+            yielded_cells: 0,
             report: Report::with_room(),
         }
     }
@@ -101,8 +105,14 @@ impl NormalSolution {
             boundary: bodies.boundary(),
             pair: *bodies.pair(),
             approach,
+            yielded_cells: 0,
             report,
         })
+    }
+
+    /// With so many cells at their hardness.
+    pub(crate) fn set_yielded_cells(&mut self, cells: usize) {
+        self.yielded_cells = cells;
     }
 
     pub(crate) fn pressure_mut(&mut self) -> &mut [f64] {
@@ -138,6 +148,11 @@ impl NormalSolution {
             &mut self.approach,
             &mut self.report,
         )
+    }
+
+    /// Pressure, and gap under load, from which what has flown is to be taken.
+    pub(crate) fn flow_mut(&mut self) -> (&[f64], &mut [f64]) {
+        (self.pressure.as_slice(), self.gap.as_mut_slice())
     }
 
     /// The grid of all its fields.
@@ -258,6 +273,20 @@ impl NormalSolution {
         self.contact_map().cells()
     }
 
+    /// Cells whose pressure is at the [`Hardness`](crate::normal::Hardness) of the problem: there the gap is negative.
+    #[must_use]
+    pub fn yielded_cells(&self) -> usize {
+        self.yielded_cells
+    }
+
+    /// `Ok` if no cell is at its hardness, for what holds of elastic contacts alone.
+    pub(crate) fn check_elastic(&self, quantity: &'static str) -> Result<()> {
+        match self.yielded_cells {
+            0 => Ok(()),
+            cells => Err(Error::Yielded { quantity, cells }),
+        }
+    }
+
     /// Contact area by counting cells; reads high by about 0.3 cell sides over the contact radius.
     #[must_use]
     pub fn contact_area(&self) -> f64 {
@@ -314,7 +343,22 @@ impl NormalSolution {
     /// Remarks that a result may mislead; see [`Warning`].
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
-        self.contact_map().warnings()
+        let cells = self.overloaded_cells();
+        let beyond = (cells > 0).then_some(Warning::BeyondHardness { cells });
+        let mut warnings = self.contact_map().warnings();
+        warnings.extend(beyond);
+        warnings
+    }
+
+    /// Cells whose pressure is beyond what the softer body bears, if it states that.
+    pub(crate) fn overloaded_cells(&self) -> usize {
+        let hardness = self.pair.hardness();
+        let pressure = self.pressure.as_slice().iter();
+        if hardness.is_finite() {
+            pressure.filter(|p| **p > hardness).count()
+        } else {
+            0
+        }
     }
 
     /// Contact cells on the edge of a grid that has edges.

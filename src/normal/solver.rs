@@ -59,10 +59,19 @@ impl NormalSolver {
     /// Changes the load of the next solve.
     ///
     /// # Errors
-    /// [`Error::Negative`], [`Error::NotFinite`] or, on a periodic grid,
+    /// [`Error::Negative`], [`Error::NotFinite`], [`Error::BeyondHardness`] or, on a periodic grid,
     /// [`Error::ApproachBeyondMeanGap`]; the load is then as it was.
     pub fn set_load(&mut self, load: NormalControl) -> Result<()> {
-        load.check(&self.problem.bodies, &self.problem.gap)?;
+        let NormalProblem {
+            bodies,
+            gap,
+            hardness,
+            ..
+        } = &self.problem;
+        load.check(bodies, gap)?;
+        if let Some(hardness) = hardness {
+            hardness.check_load(bodies.grid(), load)?;
+        }
         self.problem.load = load;
         Ok(())
     }

@@ -199,6 +199,7 @@ struct Press {
 /// `None` without contact.
 fn pressed(bodies: &HalfSpace, normal: &NormalSolution) -> Result<Option<Press>> {
     normal.check_bodies(bodies)?;
+    normal.check_elastic("the stiffness")?;
     let pressure = normal.pressure().as_slice();
     let Some(window) = Window::around(bodies.grid(), |i| pressure[i] > 0.0) else {
         return Ok(None);

@@ -3,6 +3,7 @@
 use crate::error::{Result, all_non_negative, non_negative, positive};
 use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
+use crate::per_cell::PerCell;
 use crate::window::coarsened;
 
 /// Coulomb friction, uniform or one coefficient per cell, optionally capped.
@@ -23,7 +24,7 @@ use crate::window::coarsened;
     serde(try_from = "Unchecked")
 )]
 pub struct Friction {
-    coefficient: Coefficient,
+    coefficient: PerCell<Field>,
     /// `None` without a cap.
     max_shear_stress: Option<f64>,
 }
@@ -33,7 +34,7 @@ pub struct Friction {
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Unchecked {
-    coefficient: Coefficient,
+    coefficient: PerCell<Field>,
     max_shear_stress: Option<f64>,
 }
 
@@ -43,8 +44,8 @@ impl TryFrom<Unchecked> for Friction {
 
     fn try_from(read: Unchecked) -> Result<Self> {
         let friction = match read.coefficient {
-            Coefficient::Uniform(coefficient) => Self::coulomb(coefficient)?,
-            Coefficient::PerCell(coefficients) => Self::per_cell(coefficients)?,
+            PerCell::Uniform(coefficient) => Self::coulomb(coefficient)?,
+            PerCell::Cells(coefficients) => Self::per_cell(coefficients)?,
         };
         match read.max_shear_stress {
             Some(tau_max) => friction.max_shear_stress(tau_max),
@@ -53,34 +54,10 @@ impl TryFrom<Unchecked> for Friction {
     }
 }
 
-/// The coefficient of friction.
-#[derive(Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub(crate) enum Coefficient {
-    Uniform(f64),
-    PerCell(Field),
-}
-
 clone_in_place!(Friction {
     coefficient,
     max_shear_stress
 });
-
-impl Clone for Coefficient {
-    fn clone(&self) -> Self {
-        match self {
-            Self::Uniform(coefficient) => Self::Uniform(*coefficient),
-            Self::PerCell(field) => Self::PerCell(field.clone()),
-        }
-    }
-
-    fn clone_from(&mut self, source: &Self) {
-        match (self, source) {
-            (Self::PerCell(own), Self::PerCell(field)) => own.clone_from(field),
-            (own, source) => *own = source.clone(),
-        }
-    }
-}
 
 impl Friction {
     /// One coefficient of friction mu >= 0 for all cells (dimensionless).
@@ -89,7 +66,7 @@ impl Friction {
     /// [`Error::Negative`](crate::Error::Negative).
     pub fn coulomb(coefficient: f64) -> Result<Self> {
         Ok(Self {
-            coefficient: Coefficient::Uniform(non_negative(
+            coefficient: PerCell::Uniform(non_negative(
                 "coefficient of friction",
                 coefficient,
             )?),
@@ -104,7 +81,7 @@ impl Friction {
     pub fn per_cell(coefficients: Field) -> Result<Self> {
         all_non_negative("coefficient of friction", coefficients.as_slice())?;
         Ok(Self {
-            coefficient: Coefficient::PerCell(coefficients),
+            coefficient: PerCell::Cells(coefficients),
             max_shear_stress: None,
         })
     }
@@ -130,9 +107,9 @@ impl Friction {
     /// The friction of cells twice as large.
     pub(crate) fn coarsened(&self, size: [usize; 2], grid: Grid) -> Result<Self> {
         let coefficient = match &self.coefficient {
-            Coefficient::Uniform(coefficient) => Coefficient::Uniform(*coefficient),
-            Coefficient::PerCell(field) => {
-                Coefficient::PerCell(Field::from_vec(grid, coarsened(size, field.as_slice()))?)
+            PerCell::Uniform(coefficient) => PerCell::Uniform(*coefficient),
+            PerCell::Cells(field) => {
+                PerCell::Cells(Field::from_vec(grid, coarsened(size, field.as_slice()))?)
             }
         };
         Ok(Self {
@@ -144,16 +121,13 @@ impl Friction {
     /// The largest coefficient of all cells.
     pub(crate) fn largest_coefficient(&self) -> f64 {
         match &self.coefficient {
-            Coefficient::Uniform(coefficient) => *coefficient,
-            Coefficient::PerCell(field) => field.max(),
+            PerCell::Uniform(coefficient) => *coefficient,
+            PerCell::Cells(field) => field.max(),
         }
     }
 
     fn coefficient_at(&self, index: usize) -> f64 {
-        match &self.coefficient {
-            Coefficient::Uniform(coefficient) => *coefficient,
-            Coefficient::PerCell(field) => field.as_slice().get(index).copied().unwrap_or(f64::NAN),
-        }
+        self.coefficient.map(Field::as_slice).of(index)
     }
 
     fn cap(&self) -> f64 {
@@ -172,15 +146,15 @@ impl Friction {
 
     /// The coefficient and the cap (`None` without a cap). A change must keep the rules of the
     /// constructors.
-    pub(crate) fn parts_mut(&mut self) -> (&mut Coefficient, &mut Option<f64>) {
+    pub(crate) fn parts_mut(&mut self) -> (&mut PerCell<Field>, &mut Option<f64>) {
         (&mut self.coefficient, &mut self.max_shear_stress)
     }
 
     /// `Ok` if the coefficients fit the grid.
     pub(crate) fn check(&self, grid: Grid) -> Result<()> {
         match &self.coefficient {
-            Coefficient::PerCell(field) => grid.expect("coefficient of friction", field.grid()),
-            Coefficient::Uniform(_) => Ok(()),
+            PerCell::Cells(field) => grid.expect("coefficient of friction", field.grid()),
+            PerCell::Uniform(_) => Ok(()),
         }
     }
 }

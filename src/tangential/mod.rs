@@ -52,7 +52,6 @@ pub(crate) use answer::Answer;
 pub(crate) use control::Demand;
 pub use control::{TangentialControl, TangentialLoad};
 pub(crate) use engine::{PlaneVector, displacement};
-pub(crate) use friction::Coefficient;
 pub use friction::Friction;
 pub(crate) use growth::Growth;
 pub(crate) use increment::{Increment, Start, at, zeros};

@@ -56,6 +56,7 @@ impl JaegerSuperposition {
             if contact.pair() != pair {
                 return Err(Error::MaterialMismatch { quantity });
             }
+            contact.check_elastic("the superposition")?;
         }
         if let Some(unsolved) = [full, stick]
             .into_iter()

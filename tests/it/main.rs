@@ -55,6 +55,7 @@ mod histories_in_the_plane;
 mod histories_keep_their_state_through_wear;
 mod histories_obey_the_spring;
 mod histories_obey_their_laws;
+mod histories_remember_what_has_yielded;
 mod histories_run_side_by_side;
 mod influence_coefficients;
 mod known_contacts_beyond_spheres;
@@ -88,6 +89,8 @@ mod statistics_obey_their_laws;
 mod stiffness_is_the_slope_of_solves;
 mod superposition_is_exact;
 mod the_certificate_is_its_formula;
+#[cfg(feature = "dense")]
+mod the_hardness_bounds_the_pressure;
 mod too_large_is_refused;
 mod unchanged_problems_stop_at_once;
 mod units_do_not_matter;

@@ -17,9 +17,10 @@ use crate::history::TouchRule;
 use crate::history::memory::Memory;
 use crate::history::state::State;
 use crate::material::{ElasticPair, Material};
-use crate::normal::{NormalControl, NormalSolution};
+use crate::normal::{Hardness, NormalControl, NormalSolution};
+use crate::per_cell::PerCell;
 use crate::report::Status;
-use crate::tangential::{Axis, Coefficient, Friction, Zone};
+use crate::tangential::{Axis, Friction, Zone};
 use crate::trend::Trend;
 use crate::window::Window;
 
@@ -36,19 +37,25 @@ pub(super) struct Host {
     cells: [usize; 2],
     sides: [f64; 2],
     boundary: Boundary,
-    /// Young's modulus and Poisson's ratio of each body.
-    materials: [[f64; 2]; 2],
+    /// Young's modulus, Poisson's ratio and hardness of each body.
+    materials: [[f64; 3]; 2],
 }
 
 impl Host {
     pub(super) fn of(state: &State) -> Self {
         let grid = state.grid();
-        let elastic = |body: Material| [body.youngs_modulus(), body.poisson_ratio()];
+        let constants = |body: Material| {
+            [
+                body.youngs_modulus(),
+                body.poisson_ratio(),
+                body.hardness(),
+            ]
+        };
         Self {
             cells: grid.size(),
             sides: [grid.dx(), grid.dy()],
             boundary: state.boundary(),
-            materials: state.pair().bodies().map(elastic),
+            materials: state.pair().bodies().map(constants),
         }
     }
 
@@ -61,9 +68,10 @@ impl Host {
         }
         let boundaries = [Boundary::NonPeriodic, Boundary::Periodic];
         codec.kind("boundary", &mut self.boundary, &boundaries)?;
-        for [modulus, ratio] in &mut self.materials {
+        for [modulus, ratio, hardness] in &mut self.materials {
             codec.number("Young's modulus", modulus, POSITIVE_OR_INFINITE)?;
             codec.number("Poisson's ratio", ratio, FINITE)?;
+            codec.number("hardness of a body", hardness, POSITIVE_OR_INFINITE)?;
         }
         Ok(())
     }
@@ -71,11 +79,11 @@ impl Host {
     /// A state to read into, of which only the bodies are right. Its memory is that of the cells, so their
     /// number must have been checked against the bytes at hand.
     pub(super) fn blank(&self, grid: Grid) -> Result<State> {
-        let [one, two] = self.materials.map(|[modulus, ratio]| {
+        let [one, two] = self.materials.map(|[modulus, ratio, hardness]| {
             if modulus.is_infinite() {
-                Ok(Material::rigid())
+                Material::rigid().stating(hardness)
             } else {
-                Material::new(modulus, ratio)
+                Material::new(modulus, ratio)?.stating(hardness)
             }
         });
         let pair = one.and_then(|one| ElasticPair::new(one, two?));
@@ -132,6 +140,7 @@ impl State {
             self.pressed_gap.clone_from(&self.gap);
         }
         visit_normal(codec, &mut self.normal)?;
+        self.visit_hardness(codec)?;
         let is_stale = &mut self.is_pressure_stale;
         codec.kind("mark of a stale pressure", is_stale, &[false, true])?;
         visit_control(codec, &mut self.pressed_by)?;
@@ -157,6 +166,22 @@ impl State {
             codec.kind("zone", zone, &zones)?;
         }
         self.visit_contact(codec)
+    }
+
+    fn visit_hardness<C: Codec>(&mut self, codec: &mut C) -> Result<(), C::Error> {
+        let grid = self.grid();
+        codec.option("hardness", &mut self.hardness, Hardness::blank)?;
+        if let Some(hardness) = &mut self.hardness {
+            visit_per_cell(codec, "hardness", hardness.limit_mut(), grid)?;
+            let pressure = self.normal.pressure().as_slice();
+            let yielded = hardness.count(pressure);
+            self.normal.set_yielded_cells(yielded);
+        }
+        codec.option("permanent set", &mut self.yielded, || Field::zeros(grid))?;
+        if let Some(yielded) = &mut self.yielded {
+            codec.numbers("permanent set", yielded.as_mut_slice(), NOT_NEGATIVE)?;
+        }
+        Ok(())
     }
 
     fn visit_trend<C: Codec>(&mut self, codec: &mut C) -> Result<(), C::Error> {
@@ -231,15 +256,23 @@ fn visit_friction<C: Codec>(
     if let Some(cap) = cap {
         codec.number("shear cap", cap, POSITIVE)?;
     }
-    let mut is_per_cell = matches!(coefficient, Coefficient::PerCell(_));
-    codec.kind("kind of friction", &mut is_per_cell, &[false, true])?;
-    if is_per_cell && matches!(coefficient, Coefficient::Uniform(_)) {
-        *coefficient = Coefficient::PerCell(Field::zeros(grid));
+    visit_per_cell(codec, "coefficient of friction", coefficient, grid)
+}
+
+fn visit_per_cell<C: Codec>(
+    codec: &mut C,
+    what: &'static str,
+    quantity: &mut PerCell<Field>,
+    grid: Grid,
+) -> Result<(), C::Error> {
+    let mut is_per_cell = matches!(quantity, PerCell::Cells(_));
+    codec.kind(what, &mut is_per_cell, &[false, true])?;
+    if is_per_cell && matches!(quantity, PerCell::Uniform(_)) {
+        *quantity = PerCell::Cells(Field::zeros(grid));
     }
-    let what = "coefficient of friction";
-    match coefficient {
-        Coefficient::Uniform(coefficient) => codec.number(what, coefficient, NOT_NEGATIVE),
-        Coefficient::PerCell(field) => codec.numbers(what, field.as_mut_slice(), NOT_NEGATIVE),
+    match quantity {
+        PerCell::Uniform(value) => codec.number(what, value, NOT_NEGATIVE),
+        PerCell::Cells(field) => codec.numbers(what, field.as_mut_slice(), NOT_NEGATIVE),
     }
 }
 

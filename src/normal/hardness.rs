@@ -1,0 +1,188 @@
+//! The largest pressure that cells carry.
+
+use crate::cgm::{Constraint, Interval};
+use crate::error::{Error, Result, all_non_negative, positive};
+use crate::field::{Field, clone_in_place};
+use crate::grid::Grid;
+use crate::normal::{NormalControl, NormalSolution};
+use crate::per_cell::PerCell;
+
+/// The largest pressure H that the softer body carries, of all cells or of each: $`0 \le p \le H`$.
+///
+/// Cells at the limit flow: they overlap by as much as the elastic surfaces would interpenetrate, and all other cells
+/// are in elastic contact or apart,
+///
+/// ```math
+/// p = 0:\ g \ge 0, \qquad 0 < p < H:\ g = 0, \qquad p = H:\ g \le 0 .
+/// ```
+///
+/// That is the elastic, perfectly plastic contact of Almqvist et al., J. Mech. Phys. Solids 55 (2007) 2183
+/// (<https://doi.org/10.1016/j.jmps.2007.03.006>); the certified error is that of its pressure. H is the indentation
+/// hardness, about 2.8 times the yield stress.
+///
+/// ```
+/// use stickslip::*;
+/// let grid = Grid::square(64, 0.5)?;
+/// let steel = Material::new(210e3, 0.3)?;
+/// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
+/// let ball = surface::sphere(grid, 10.0)?;
+/// let hertz = analytical::HertzSphere::new(bodies.pair(), 10.0, 100.0)?;
+/// let hardness = normal::Hardness::uniform(0.7 * hertz.max_pressure())?;
+/// let problem = NormalProblem::builder(&bodies, &ball, NormalControl::Force(100.0));
+/// let contact = problem.hardness(hardness.clone()).build()?.solve()?;
+/// assert_eq!(contact.pressure().max(), hardness.of_cell(0));
+/// // What flows spreads the load: a wider contact, a deeper one, and an overlap in the middle.
+/// assert!(contact.contact_area() > hertz.contact_area() && contact.approach() > hertz.approach());
+/// assert!(hardness.overlap(&contact)?.get(32, 32) > Some(0.0));
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "Unchecked")
+)]
+pub struct Hardness {
+    limit: PerCell<Field>,
+}
+
+clone_in_place!(Hardness { limit });
+
+/// What was read, before it is checked.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Unchecked {
+    limit: PerCell<Field>,
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<Unchecked> for Hardness {
+    type Error = Error;
+
+    fn try_from(read: Unchecked) -> Result<Self> {
+        match read.limit {
+            PerCell::Uniform(limit) => Self::uniform(limit),
+            PerCell::Cells(limits) => Self::per_cell(limits),
+        }
+    }
+}
+
+impl Hardness {
+    /// One largest pressure H > 0 for all cells.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`].
+    pub fn uniform(limit: f64) -> Result<Self> {
+        let limit = PerCell::Uniform(positive("hardness", limit)?);
+        Ok(Self { limit })
+    }
+
+    /// One largest pressure H >= 0 per cell: where it is zero nothing is carried.
+    ///
+    /// # Errors
+    /// [`Error::Sample`] at the first that is negative or not finite.
+    pub fn per_cell(limits: Field) -> Result<Self> {
+        all_non_negative("hardness", limits.as_slice())?;
+        let limit = PerCell::Cells(limits);
+        Ok(Self { limit })
+    }
+
+    /// The largest pressure of cell `index` (row-major); NaN for a cell beyond the field of limits.
+    #[must_use]
+    pub fn of_cell(&self, index: usize) -> f64 {
+        self.limits().of(index)
+    }
+
+    /// The largest normal force that the cells of a grid carry, the integral of the limit.
+    #[must_use]
+    pub fn capacity(&self, grid: Grid) -> f64 {
+        match &self.limit {
+            PerCell::Uniform(limit) => limit * grid.area(),
+            PerCell::Cells(limits) => limits.integral(),
+        }
+    }
+
+    /// By how much the surfaces of a solved contact overlap where its pressure is at the limit (lengths, non-negative;
+    /// zero elsewhere): what has flown, to be added to the gap of the next contact of the same surfaces.
+    ///
+    /// # Errors
+    /// [`Error::GridMismatch`].
+    pub fn overlap(&self, contact: &NormalSolution) -> Result<Field> {
+        self.check(contact.grid())?;
+        let (limits, pressure) = (self.limits(), contact.pressure().as_slice());
+        let cells = contact.gap().as_slice().iter().zip(pressure).enumerate();
+        let overlap = |(cell, (gap, pressure)): (usize, (&f64, &f64))| {
+            let has_flown = *pressure > 0.0 && *pressure >= limits.of(cell);
+            if has_flown { (-gap).max(0.0) } else { 0.0 }
+        };
+        Field::from_vec(contact.grid(), cells.map(overlap).collect())
+    }
+
+    /// Cells that carry as much as they can.
+    pub(crate) fn count(&self, pressure: &[f64]) -> usize {
+        let limits = self.limits();
+        let is_at_limit = |(cell, p): &(usize, &f64)| **p > 0.0 && **p >= limits.of(*cell);
+        pressure.iter().enumerate().filter(is_at_limit).count()
+    }
+
+    /// One to read into.
+    pub(crate) fn blank() -> Self {
+        let limit = PerCell::Uniform(f64::INFINITY);
+        Self { limit }
+    }
+
+    /// The limit, to be read from what was saved. A change must keep the rules of the constructors.
+    pub(crate) fn limit_mut(&mut self) -> &mut PerCell<Field> {
+        &mut self.limit
+    }
+
+    pub(super) fn limits(&self) -> PerCell<&[f64]> {
+        self.limit.map(Field::as_slice)
+    }
+
+    /// `Ok` if the limits fit the grid.
+    pub(crate) fn check(&self, grid: Grid) -> Result<()> {
+        match &self.limit {
+            PerCell::Cells(limits) => grid.expect("hardness", limits.grid()),
+            PerCell::Uniform(_) => Ok(()),
+        }
+    }
+
+    /// `Ok` if the limits fit the grid and carry the load.
+    pub(crate) fn check_load(&self, grid: Grid, load: NormalControl) -> Result<()> {
+        self.check(grid)?;
+        match (load, self.capacity(grid)) {
+            (NormalControl::Force(force), capacity) if force > capacity => {
+                Err(Error::BeyondHardness { force, capacity })
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// `0 <= p <= H`, with or without a limit.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Carried<'a>(pub(super) PerCell<&'a [f64]>);
+
+impl Constraint for Carried<'_> {
+    type Set = Interval;
+
+    fn cells(&self) -> Option<usize> {
+        match self.0 {
+            PerCell::Uniform(_) => None,
+            PerCell::Cells(cells) => Some(cells.len()),
+        }
+    }
+
+    #[inline]
+    fn of(&self, cell: usize) -> Interval {
+        Interval {
+            lower: 0.0,
+            upper: self.0.of(cell),
+        }
+    }
+}
+
+/// Where nothing limits the pressure.
+pub(super) const UNLIMITED: PerCell<&[f64]> = PerCell::Uniform(f64::INFINITY);

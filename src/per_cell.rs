@@ -1,0 +1,46 @@
+//! A quantity that is the same everywhere, or another in each cell.
+
+/// One number for all cells, or one for each.
+#[derive(Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) enum PerCell<C> {
+    Uniform(f64),
+    Cells(C),
+}
+
+impl<C> PerCell<C> {
+    /// The same with something else for the cells.
+    pub(crate) fn map<'a, D>(&'a self, of: impl FnOnce(&'a C) -> D) -> PerCell<D> {
+        match self {
+            Self::Uniform(value) => PerCell::Uniform(*value),
+            Self::Cells(cells) => PerCell::Cells(of(cells)),
+        }
+    }
+}
+
+impl PerCell<&[f64]> {
+    /// That of a cell; NaN for one beyond the cells there are.
+    #[inline]
+    pub(crate) fn of(&self, cell: usize) -> f64 {
+        match self {
+            Self::Uniform(value) => *value,
+            Self::Cells(cells) => cells.get(cell).copied().unwrap_or(f64::NAN),
+        }
+    }
+}
+
+/// In the memory that is there.
+impl<C: Clone> Clone for PerCell<C> {
+    fn clone(&self) -> Self {
+        self.map(C::clone)
+    }
+
+    fn clone_from(&mut self, source: &Self) {
+        match (self, source) {
+            (Self::Cells(own), Self::Cells(cells)) => own.clone_from(cells),
+            (own, source) => *own = source.clone(),
+        }
+    }
+}
+
+impl<C: Copy> Copy for PerCell<C> {}

@@ -1,0 +1,146 @@
+//! Under a hardness a history presses no harder than that, and what has flown stays where it is asked to.
+
+use kit::{max_difference, rough, unit_bodies};
+use stickslip::normal::Hardness;
+use stickslip::{
+    Axis, Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
+    Material, NormalControl, NormalProblem, TangentialControl, TangentialModel, Warning, surface,
+};
+
+const LIMIT: f64 = 0.02;
+
+fn scene() -> (HalfSpace, Field) {
+    let grid = Grid::square(48, 1.0).unwrap();
+    (unit_bodies(grid, 0.3), rough(grid, 5))
+}
+
+fn history(bodies: &HalfSpace, gap: &Field, model: TangentialModel, stays: bool) -> History {
+    let builder = History::builder(bodies, gap, Friction::coulomb(0.4).unwrap());
+    let builder = builder.hardness(Hardness::uniform(LIMIT).unwrap());
+    let builder = builder.permanent_set(stays).model(model);
+    builder.tolerance(1e-10).build().unwrap()
+}
+
+fn press(force: f64) -> LoadStep {
+    LoadStep::hold().normal(NormalControl::Force(force))
+}
+
+fn drag(force: f64, shear: f64) -> LoadStep {
+    press(force).tangential(Axis::X, TangentialControl::Force(shear))
+}
+
+#[test]
+fn a_second_loading_is_elastic() {
+    let (bodies, gap) = scene();
+    let mut stays = history(&bodies, &gap, TangentialModel::Scalar, true);
+    let mut forgets = history(&bodies, &gap, TangentialModel::Scalar, false);
+    for history in [&mut stays, &mut forgets] {
+        history.step(&press(0.004)).unwrap();
+        assert_eq!(history.pressure().max(), LIMIT);
+        assert!(history.normal().yielded_cells() > 10);
+    }
+    assert_eq!(stays.pressure(), forgets.pressure());
+    assert!(forgets.state().yielded().is_none());
+    let flown = stays.state().yielded().unwrap().clone();
+    // Surfaces that fit: the gap under load is closed where it was an overlap.
+    assert!(forgets.normal().gap().min() < -1e-3 * stays.approach());
+    assert!(stays.normal().gap().min() > -1e-9 * stays.approach());
+    let worn = gap.as_slice().iter().zip(flown.as_slice());
+    let worn = Field::from_vec(gap.grid(), worn.map(|(a, b)| a + b).collect()).unwrap();
+    assert_eq!(stays.state().gap(), &worn);
+
+    for force in [0.001, 0.0, 0.0039] {
+        stays.step(&press(force)).unwrap();
+        assert_eq!(stays.state().yielded(), Some(&flown), "at {force}");
+        let elastic = NormalProblem::builder(&bodies, &worn, NormalControl::Force(force));
+        let elastic = elastic.tolerance(1e-10).build().unwrap().solve().unwrap();
+        let (a, b) = (stays.pressure().as_slice(), elastic.pressure().as_slice());
+        assert!(max_difference(a, b) < 1e-7 * LIMIT);
+    }
+    // Beyond the first load it flows on, nowhere back.
+    stays.step(&press(0.006)).unwrap();
+    let further = stays.state().yielded().unwrap();
+    assert!(further.integral() > 1.1 * flown.integral());
+    let grew = further.as_slice().iter().zip(flown.as_slice());
+    assert!(grew.into_iter().all(|(now, before)| now >= before));
+}
+
+#[test]
+fn shear_wear_restarts_and_failures_keep_it() {
+    let (bodies, gap) = scene();
+    for model in [TangentialModel::Scalar, TangentialModel::Vector] {
+        let mut history = history(&bodies, &gap, model, true);
+        let path = [drag(0.004, 0.0), drag(0.005, 0.0008), drag(0.003, -0.0004)];
+        for step in &path {
+            let balance = *history.step(step).unwrap().energy();
+            let work = balance.work.abs() + balance.dissipated_energy + balance.elastic_after;
+            assert!(balance.residual.abs() < 1e-8 * work.max(1e-9));
+        }
+        let bytes = history.to_bytes();
+        let mut restored = History::from_bytes(&bodies, &bytes).unwrap();
+        assert_eq!(restored.to_bytes(), bytes);
+        assert_eq!(restored.normal().yielded_cells(), history.normal().yielded_cells());
+        // More than friction or hardness holds: refused, and nothing has changed.
+        let capacity = LIMIT * gap.grid().area();
+        let refused = history.step(&press(1.1 * capacity));
+        assert!(matches!(refused, Err(Error::BeyondHardness { .. })));
+        assert!(history.step(&drag(0.005, 0.1)).is_err());
+        assert_eq!(history.to_bytes(), bytes);
+        // The user's gap wears by the same everywhere: only the approach follows.
+        let worn = Field::from_vec(
+            gap.grid(),
+            gap.as_slice().iter().map(|gap| gap + 0.5).collect(),
+        )
+        .unwrap();
+        let (approach, flown) = (history.approach(), history.state().yielded().cloned());
+        for history in [&mut history, &mut restored] {
+            history.set_gap(&worn).unwrap();
+            history.step(&drag(0.003, -0.0004)).unwrap();
+            assert_eq!(history.state().yielded(), flown.as_ref());
+            assert!((history.approach() - approach - 0.5).abs() < 1e-8 * approach.abs());
+        }
+        assert_eq!(history.to_bytes(), restored.to_bytes());
+    }
+}
+
+#[test]
+fn what_it_cannot_model_is_refused() {
+    let grid = Grid::square(16, 4.0).unwrap();
+    let rubber = Material::new(1.0, 0.5).unwrap();
+    let soft = Material::new(1.0, 0.1).unwrap();
+    let ball = surface::sphere(grid, 10.0).unwrap();
+    let limit = Hardness::uniform(0.01).unwrap();
+    let builder = |bodies: &HalfSpace, coupling| {
+        let builder = History::builder(bodies, &ball, Friction::coulomb(0.4).unwrap());
+        builder.hardness(limit.clone()).coupling(coupling).build()
+    };
+    let pair = ElasticPair::new(soft, Material::rigid()).unwrap();
+    let coupled = HalfSpace::new(grid, pair).unwrap();
+    let refused = builder(&coupled, Coupling::Full);
+    assert!(matches!(refused, Err(Error::NotModelled { quantity: "hardness", .. })));
+    let mut one_way = builder(&coupled, Coupling::OneWay).unwrap();
+    one_way.step(&press(0.05)).unwrap();
+    assert_eq!(one_way.pressure().max(), 0.01);
+    // The slope of an elastic contact is not that of one that flows.
+    assert!(matches!(one_way.stiffness(), Err(Error::Yielded { cells, .. }) if cells > 0));
+
+    // Without a limit, a material that states what it bears is heard.
+    let stated = rubber.with_hardness(0.01).unwrap();
+    let pair = ElasticPair::new(stated, Material::rigid()).unwrap();
+    assert_eq!((pair.hardness(), rubber.hardness()), (0.01, f64::INFINITY));
+    let bodies = HalfSpace::new(grid, pair).unwrap();
+    let problem = |force| {
+        let problem = NormalProblem::builder(&bodies, &ball, NormalControl::Force(force));
+        problem.build().unwrap().solve().unwrap()
+    };
+    let warns = |warnings: Vec<Warning>| {
+        warnings.iter().any(|w| matches!(w, Warning::BeyondHardness { cells } if *cells > 0))
+    };
+    assert!(!warns(problem(1e-5).warnings()) && warns(problem(0.05).warnings()));
+    let builder = History::builder(&bodies, &ball, Friction::coulomb(0.4).unwrap());
+    let mut history = builder.build().unwrap();
+    assert!(warns(history.step(&press(0.05)).unwrap().warnings()));
+    let bytes = history.to_bytes();
+    assert_eq!(History::from_bytes(&bodies, &bytes).unwrap().to_bytes(), bytes);
+    assert!(rubber.with_hardness(-1.0).is_err() && rubber.with_hardness(f64::NAN).is_err());
+}

@@ -1,0 +1,220 @@
+//! Pressure never exceeds the hardness, and is the minimum among those that do not: as another code has it, as a dense
+//! matrix has it, and again after unloading.
+
+use kit::{Random, max_difference, rough, unit_bodies};
+use stickslip::cgm::Bounds;
+use stickslip::dense::DenseOperator;
+use stickslip::influence::Component;
+use stickslip::normal::Hardness;
+use stickslip::{
+    Boundary, ElasticPair, Error, Field, Grid, HalfSpace, Material, NormalControl, NormalProblem,
+    NormalSolution, Operator, analytical, surface,
+};
+
+/// Steel of this contact modulus on a rigid body: MPa.
+fn steel(grid: Grid) -> HalfSpace {
+    let body = Material::new(115_384.615_384_615_39, 0.0).unwrap();
+    HalfSpace::new(grid, ElasticPair::new(body, Material::rigid()).unwrap()).unwrap()
+}
+
+fn solved(bodies: &HalfSpace, gap: &Field, force: f64, hardness: &Hardness) -> NormalSolution {
+    NormalProblem::builder(bodies, gap, NormalControl::Force(force))
+        .hardness(hardness.clone())
+        .tolerance(1e-12)
+        .build()
+        .unwrap()
+        .solve()
+        .unwrap()
+}
+
+/// Cells below the hardness and at it.
+fn counts(contact: &NormalSolution, hardness: f64) -> [usize; 2] {
+    let pressure = contact.pressure().as_slice().iter();
+    let at = pressure.filter(|p| **p == hardness).count();
+    [contact.contact_cells() - at, at]
+}
+
+/// A ball whose load is that of a reference solution by an active-set Newton method, and by Tamaas 2.9.
+#[test]
+fn a_ball_pressed_beyond_its_hardness() {
+    let grid = Grid::square(64, 0.5).unwrap();
+    let (bodies, limit) = (steel(grid), 959.615_355_1);
+    let ball = Field::from_fn(grid, |x, y| (x * x + y * y) / 20.0);
+    let hardness = Hardness::uniform(limit).unwrap();
+    let contact = solved(&bodies, &ball, 100.0, &hardness);
+    assert!((contact.approach() / 0.003_589_337_413_622_2 - 1.0).abs() < 1e-10);
+    assert_eq!(counts(&contact, limit), [548, 1396]);
+    let overlap = hardness.overlap(&contact).unwrap();
+    assert!((overlap.max() / 0.000_563_145_390_583_1 - 1.0).abs() < 1e-9);
+    assert!((overlap.integral() / 2.080_208_148_299e-5 - 1.0).abs() < 1e-9);
+    let energy = contact.elastic_energy(&bodies).unwrap();
+    assert!((energy / 0.127_615_238_127_7 - 1.0).abs() < 1e-9);
+}
+
+/// The head of the file states the case and its source.
+const ROUGH_CAP: &str = include_str!("../data/hardness/rough_cap.csv");
+
+#[test]
+fn a_rough_cap_pressed_beyond_its_hardness() {
+    let lines = ROUGH_CAP.lines().filter(|line| !line.starts_with('#'));
+    let column = |k: usize| {
+        let entries = lines.clone().map(|line| line.split(',').nth(k));
+        let numbers = entries.map(|entry| entry.map_or(0.0, |entry| entry.parse().unwrap()));
+        numbers.collect::<Vec<f64>>()
+    };
+    let grid = Grid::square(64, 0.64).unwrap();
+    let gap = Field::from_vec(grid, column(0)).unwrap();
+    let hardness = Hardness::uniform(1800.0).unwrap();
+    let contact = solved(&steel(grid), &gap, 60.0, &hardness);
+    assert!((contact.approach() / 0.001_999_189_658_979_7 - 1.0).abs() < 1e-10);
+    assert_eq!(counts(&contact, 1800.0), [511, 110]);
+    let pressure = contact.pressure().as_slice();
+    assert!(max_difference(pressure, &column(1)) < 1e-9 * 1800.0);
+    let overlap = hardness.overlap(&contact).unwrap();
+    assert!(max_difference(overlap.as_slice(), &column(2)) < 1e-10 * contact.approach());
+}
+
+/// A random small scene: any cells, gap and limits, some of them zero.
+fn scene(seed: u64) -> (HalfSpace, Field, Field, Random) {
+    let mut random = Random(seed);
+    let (nx, ny) = (random.integer(2, 11), random.integer(2, 11));
+    let dx = 10_f64.powf(random.uniform(-3.0, 3.0));
+    let grid = Grid::new(nx, ny, dx, dx * random.uniform(0.4, 2.5)).unwrap();
+    let bodies = unit_bodies(grid, random.uniform(0.0, 0.5));
+    let size = dx * nx.max(ny) as f64;
+    let (bowl, noise) = (random.uniform(0.0, 0.3), 10_f64.powf(random.uniform(-4.0, -1.0)));
+    let gap = Field::from_fn(grid, |x, y| {
+        bowl * (x * x + y * y) / size + noise * size * random.uniform(0.0, 1.0)
+    });
+    let softest = 10_f64.powf(random.uniform(-3.0, 0.0));
+    let limits = Field::from_fn(grid, |_, _| {
+        let is_hole = random.uniform(0.0, 1.0) < 0.05;
+        if is_hole { 0.0 } else { softest * random.uniform(1.0, 3.0) }
+    });
+    (bodies, gap, limits, random)
+}
+
+#[test]
+fn the_certificate_holds_on_random_scenes() {
+    let mut at_limit = 0;
+    for seed in 0..200 {
+        let (bodies, gap, limits, mut random) = scene(seed);
+        let hardness = Hardness::per_cell(limits.clone()).unwrap();
+        let force = random.uniform(0.02, 0.98) * hardness.capacity(bodies.grid());
+        let settings = 10_f64.powf(random.uniform(-11.0, -2.0));
+        let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(force));
+        let problem = problem.hardness(hardness).tolerance(settings);
+        let found = problem.build().unwrap().solve().unwrap();
+
+        let matrix = DenseOperator::of_half_space(&bodies, Component::ZZ).unwrap();
+        let zeros = vec![0.0; limits.as_slice().len()];
+        let bounds = Bounds {
+            lower: &zeros,
+            upper: limits.as_slice(),
+        };
+        let total = Some(force / bodies.grid().cell_area());
+        let exact = matrix.minimise(gap.as_slice(), &bounds, total).unwrap();
+        let norm = |x: &[f64]| {
+            let mut product = vec![0.0; x.len()];
+            matrix.apply([x], [&mut product], &mut ());
+            let energy: f64 = x.iter().zip(&product).map(|(x, u)| x * u).sum();
+            energy.sqrt()
+        };
+        let pressure = found.pressure().as_slice();
+        let difference: Vec<f64> = pressure.iter().zip(&exact.x).map(|(a, b)| a - b).collect();
+        let error = norm(&difference) / norm(&exact.x);
+        // The round-off of the dense matrix has no bound of its own.
+        let bound = found.report().energy_error_bound() + 1e-12;
+        assert!(error <= bound, "{seed}: {error:e} beyond {bound:e}");
+        for (p, limit) in pressure.iter().zip(limits.as_slice()) {
+            assert!((0.0..=*limit).contains(p));
+            at_limit += usize::from(*p == *limit && *limit > 0.0);
+        }
+    }
+    assert!(at_limit > 1000, "{at_limit}");
+}
+
+/// What has flown stays: under the same load the surfaces then fit without flowing.
+#[test]
+fn pressed_again_it_is_elastic() {
+    for boundary in [Boundary::NonPeriodic, Boundary::Periodic] {
+        let grid = Grid::square(48, 1.0).unwrap();
+        let bodies = HalfSpace::with_boundary(grid, kit::unit_pair(0.3), boundary).unwrap();
+        let gap = rough(grid, 5);
+        let hardness = Hardness::uniform(0.02).unwrap();
+        let first = solved(&bodies, &gap, 0.004, &hardness);
+        let flown = hardness.overlap(&first).unwrap();
+        assert!(flown.max() > 1e-4 * first.approach().abs());
+        let worn = Field::from_vec(
+            grid,
+            gap.as_slice().iter().zip(flown.as_slice()).map(|(a, b)| a + b).collect(),
+        )
+        .unwrap();
+        let again = solved(&bodies, &worn, 0.004, &hardness);
+        assert!((again.approach() / first.approach() - 1.0).abs() < 1e-10);
+        let (a, b) = (first.pressure().as_slice(), again.pressure().as_slice());
+        assert!(max_difference(a, b) < 1e-9 * 0.02);
+        let flown_again = hardness.overlap(&again).unwrap().max();
+        assert!(flown_again < 1e-9 * flown.max(), "{flown_again:e}");
+        // With less load it is elastic too.
+        let less = solved(&bodies, &worn, 0.002, &hardness);
+        let free = NormalProblem::builder(&bodies, &worn, NormalControl::Force(0.002));
+        let free = free.tolerance(1e-12).build().unwrap().solve().unwrap();
+        let (a, b) = (less.pressure().as_slice(), free.pressure().as_slice());
+        assert!(max_difference(a, b) < 1e-9 * 0.02);
+    }
+}
+
+#[test]
+fn a_limit_that_nothing_reaches_changes_nothing() {
+    let grid = Grid::square(40, 4.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let ball = surface::sphere(grid, 10.0).unwrap();
+    let hertz = analytical::HertzSphere::new(bodies.pair(), 10.0, 0.1).unwrap();
+    let limit = 1.1 * hertz.max_pressure();
+    let unlimited = NormalProblem::builder(&bodies, &ball, NormalControl::Force(0.1));
+    let unlimited = unlimited.tolerance(1e-12).build().unwrap().solve().unwrap();
+    let uniform = Hardness::uniform(limit).unwrap();
+    let of_cells = Hardness::per_cell(Field::constant(grid, limit)).unwrap();
+    for hardness in [uniform, of_cells] {
+        let limited = solved(&bodies, &ball, 0.1, &hardness);
+        assert_eq!(limited.pressure(), unlimited.pressure());
+        assert_eq!(limited.approach().to_bits(), unlimited.approach().to_bits());
+        assert_eq!(hardness.overlap(&limited).unwrap().max(), 0.0);
+    }
+}
+
+/// An approach may bring all cells to their limit, a force only as much as they carry.
+#[test]
+fn loads_that_the_cells_carry_and_others() {
+    let grid = Grid::square(16, 1.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let flat = Field::zeros(grid);
+    let hardness = Hardness::uniform(0.1).unwrap();
+    let problem = |load| NormalProblem::builder(&bodies, &flat, load).hardness(hardness.clone());
+    let capacity = hardness.capacity(grid);
+    let beyond = problem(NormalControl::Force(1.01 * capacity)).build();
+    assert!(matches!(beyond, Err(Error::BeyondHardness { force, .. }) if force > capacity));
+    for load in [NormalControl::Force(capacity), NormalControl::Approach(10.0)] {
+        let contact = problem(load).build().unwrap().solve().unwrap();
+        assert!(contact.pressure().as_slice().iter().all(|p| *p == 0.1));
+    }
+    let press = problem(NormalControl::Force(0.5 * capacity));
+    let mut press = press.build().unwrap().into_solver().unwrap();
+    assert!(press.set_load(NormalControl::Force(2.0 * capacity)).is_err());
+    let mut contact = press.new_solution();
+    press.solve_into(&mut contact).unwrap();
+    assert!((contact.force() / capacity - 0.5).abs() < 1e-12);
+
+    for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        assert!(matches!(Hardness::uniform(bad), Err(Error::NotPositive { .. })));
+    }
+    let negative = Field::constant(grid, -1.0);
+    assert!(matches!(Hardness::per_cell(negative), Err(Error::Sample { .. })));
+    let other = Field::constant(Grid::square(8, 1.0).unwrap(), 1.0);
+    let other = Hardness::per_cell(other).unwrap();
+    let problem = NormalProblem::builder(&bodies, &flat, NormalControl::Force(0.01));
+    let refused = problem.hardness(other.clone()).build();
+    assert!(matches!(refused, Err(Error::GridMismatch { .. })));
+    assert!(matches!(other.overlap(&contact), Err(Error::GridMismatch { .. })));
+}
