@@ -40,7 +40,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         .seed(3)
         .generate(grid)?;
     let gap = surface::gap_from_heights(heights.heights())?;
-    let builder = || Ok::<_, stickslip::Error>(History::builder(&bodies, &gap, Friction::coulomb(0.1)?));
+    let builder =
+        || Ok::<_, stickslip::Error>(History::builder(&bodies, &gap, Friction::coulomb(0.1)?));
     let mut elastic = builder()?.tolerance(1e-6).build()?;
     let hardness = Hardness::uniform(HARDNESS)?;
     let plastic = builder()?.hardness(hardness).permanent_set(true);
@@ -61,7 +62,10 @@ fn main() -> Result<(), Box<dyn Error>> {
             point[1 + place] = 100.0 * history.normal().contact_area() / grid.area();
             point[3 + place] = 1e6 * history.approach();
         }
-        let (touching, at_limit) = (plastic.normal().contact_cells(), plastic.normal().yielded_cells());
+        let (touching, at_limit) = (
+            plastic.normal().contact_cells(),
+            plastic.normal().yielded_cells(),
+        );
         if step % 3 == 0 && step > 0 {
             println!(
                 "{part:>10.4} | {:>7.2} | {:>7.2} | {:>7.2} | {:>11.2} | {:>5.1} {phase}",
@@ -75,12 +79,23 @@ fn main() -> Result<(), Box<dyn Error>> {
         points.push((phase, point));
     }
     let depth = plastic.state().yielded().map_or(0.0, Field::max);
-    println!("\nThe highest summit is flattened by {:.3} um.", 1e6 * depth);
+    println!(
+        "\nThe highest summit is flattened by {:.3} um.",
+        1e6 * depth
+    );
 
     let csv = support::gallery("hardness.csv")?;
     let mut table = csv::Writer::from_path(&csv)?;
-    let head = ["phase", "mean_pressure_over_hardness", "area_elastic_percent", "area_limited_percent"];
-    table.write_record(head.into_iter().chain(["approach_elastic_um", "approach_limited_um"]))?;
+    let head = [
+        "phase",
+        "mean_pressure_over_hardness",
+        "area_elastic_percent",
+        "area_limited_percent",
+    ];
+    table.write_record(
+        head.into_iter()
+            .chain(["approach_elastic_um", "approach_limited_um"]),
+    )?;
     for row in &points {
         table.serialize(row)?;
     }
@@ -101,15 +116,22 @@ fn draw(path: &Path, points: &[(&str, [f64; 5])], plastic: &History) -> Result<(
     };
     let line = |colour: RGBColor| colour.stroke_width(3);
     let limits = |columns: [usize; 2]| {
-        let values = points.iter().flat_map(|(_, point)| columns.map(|column| point[column]));
-        values.fold((0.0_f64, 0.0_f64), |(low, high), value| (low.min(value), high.max(value)))
+        let values = points
+            .iter()
+            .flat_map(|(_, point)| columns.map(|column| point[column]));
+        values.fold((0.0_f64, 0.0_f64), |(low, high), value| {
+            (low.min(value), high.max(value))
+        })
     };
     let curves = [
         ("elastic", "pressed", 0, support::BLUE),
         ("limited, pressed", "pressed", 1, support::ORANGE),
         ("limited, released", "released", 1, support::GREEN),
     ];
-    for (place, (name, first)) in [("area, %", 1), ("approach, µm", 3)].into_iter().enumerate() {
+    for (place, (name, first)) in [("area, %", 1), ("approach, µm", 3)]
+        .into_iter()
+        .enumerate()
+    {
         let (low, high) = limits([first, first + 1]);
         let x = (0.0..1.05 * LARGEST, "mean pressure / H");
         let y = (1.1 * low..1.3 * high, name);
@@ -133,9 +155,14 @@ fn draw(path: &Path, points: &[(&str, [f64; 5])], plastic: &History) -> Result<(
     let (grid, pressure) = (plastic.grid(), plastic.pressure());
     let at = |ix: usize, iy: usize| pressure.get(ix, iy).unwrap_or_default();
     let loaded = |iy: usize| (0..grid.nx()).map(|ix| at(ix, iy)).sum::<f64>();
-    let row = (0..grid.ny()).max_by(|a, b| loaded(*a).total_cmp(&loaded(*b))).unwrap_or_default();
+    let row = (0..grid.ny())
+        .max_by(|a, b| loaded(*a).total_cmp(&loaded(*b)))
+        .unwrap_or_default();
     let reach = 1e6 * 0.5 * SIDE;
-    let (x, y) = ((-reach..reach, "x, µm"), (0.0..1.2e-9 * HARDNESS, "GPa, at the largest load"));
+    let (x, y) = (
+        (-reach..reach, "x, µm"),
+        (0.0..1.2e-9 * HARDNESS, "GPa, at the largest load"),
+    );
     let mut chart = support::axes(&areas[2], x, y)?;
     let profile = (0..grid.nx()).map(|ix| (1e6 * grid.x(ix), 1e-9 * at(ix, row)));
     chart.draw_series(LineSeries::new(profile, line(support::ORANGE)))?;

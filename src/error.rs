@@ -195,7 +195,9 @@ pub enum Error {
         capacity: f64,
     },
     /// A quantity that only elastic contacts have was asked of one in which cells are at their hardness.
-    #[error("{quantity} is that of an elastic contact, and {cells} cells of this one are at their hardness")]
+    #[error(
+        "{quantity} is that of an elastic contact, and {cells} cells of this one are at their hardness"
+    )]
     Yielded {
         /// The quantity, in words.
         quantity: &'static str,

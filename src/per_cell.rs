@@ -30,6 +30,10 @@ impl PerCell<&[f64]> {
 }
 
 /// In the memory that is there.
+#[expect(
+    clippy::expl_impl_clone_on_copy,
+    reason = "that of fields is theirs to keep, slices are copied"
+)]
 impl<C: Clone> Clone for PerCell<C> {
     fn clone(&self) -> Self {
         self.map(C::clone)

@@ -18,7 +18,7 @@ pub(crate) enum Known<const N: usize> {
 }
 
 /// What a sum may miss, of the sum of the magnitudes, and be met but for round-off.
-const ROUND_OFF: f64 = 1e-13;
+pub(super) const ROUND_OFF: f64 = 1e-13;
 
 impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '_, C, K, P, N> {
     /// Ends where the start, at the multipliers it had as an answer, is converged: it is feasible, and what it shows is the

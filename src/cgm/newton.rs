@@ -11,7 +11,7 @@ use std::ops::ControlFlow;
 use crate::cgm::motion::{Linearised, Motion};
 use crate::cgm::progress::Progress;
 use crate::cgm::run::{Run, Start};
-use crate::cgm::totals::{Total, TotalsSystem};
+use crate::cgm::totals::{Standing, Total, TotalsSystem};
 use crate::cgm::vector::{at, chunks, held, minus, put, slices, within};
 use crate::cgm::{Constraint, MotionOf, reduce};
 use crate::operator::Operator;
@@ -128,13 +128,17 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         self.totals_system()
     }
 
-    /// Lists the cells that move; with none nothing could change, and some are released.
+    /// Lists the cells that move; with none nothing could change, and some are released, unless they all rest.
     fn list_moving(&mut self) {
         let w = &mut *self.workspace;
         if !MotionOf::<K, N>::IS_STEADY {
             w.moving.update(|i| w.motions[i].moves());
             if w.moving.len() == 0 {
-                self.release();
+                match self.stand_at_bounds() {
+                    Some(Standing::Rests) => {}
+                    Some(Standing::Pushed) => self.release(false),
+                    None => self.release(self.sums() != [None; N]),
+                }
                 let w = &mut *self.workspace;
                 w.moving.update(|i| w.motions[i].moves());
             }
@@ -149,17 +153,16 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         }
     }
 
-    /// Releases the cells that are pushed, or all if a total asks for a change.
-    fn release(&mut self) {
-        let has_total = self.sums() != [None; N];
-        if !has_total && !self.is_fresh {
+    /// Releases the cells that are pushed, or all.
+    fn release(&mut self, all: bool) {
+        if !all && !self.is_fresh {
             self.refresh();
         }
         let w = &mut *self.workspace;
         let (gradient, multiplier) = (slices(&w.gradient), w.multiplier);
         parallel::update(&mut w.motions, |first, chunk| {
             for (i, motion) in (first..).zip(chunk) {
-                *motion = motion.released(minus(at(&gradient, i), multiplier), has_total);
+                *motion = motion.released(minus(at(&gradient, i), multiplier), all);
             }
         });
     }

@@ -22,7 +22,8 @@
 //! (A constraint preconditioner: Keller, Gould & Wathen, SIAM J. Matrix Anal. Appl. 21 (2000) 1300,
 //! <https://doi.org/10.1137/S0895479899351805>.)
 
-use crate::cgm::motion::Motion;
+use crate::cgm::look::ROUND_OFF;
+use crate::cgm::motion::{Linearised, Motion};
 use crate::cgm::reduce;
 use crate::cgm::run::Run;
 use crate::cgm::small::Small;
@@ -316,6 +317,10 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             return;
         }
         let w = &mut *self.workspace;
+        if w.moving.len() == 0 {
+            // All stand at their bounds: the multiplier is that of `stand_at_bounds`.
+            return;
+        }
         let gradient = slices(&w.gradient);
         let products: [f64; N] = w.moving.sweep((), |entries, ()| {
             let spread = &w.spread[entries.range.clone()];
@@ -343,4 +348,44 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             w.multiplier[a] = free[a];
         }
     }
+
+    /// Where all cells stand at their bounds and have the sum, the multiplier is any between the gradients of those at
+    /// the upper bound and those at the lower: takes the middle. `None` where the sum is not met or not prescribed.
+    pub(super) fn stand_at_bounds(&mut self) -> Option<Standing> {
+        let total = self.sums()[0]?;
+        let [sum, magnitude] = sums_of(&slices(&self.x))[0];
+        if (total - sum).abs() > ROUND_OFF * magnitude {
+            return None;
+        }
+        if !self.is_fresh {
+            self.refresh();
+        }
+        let (x, gradient) = (&self.x[0], &self.workspace.gradient[0]);
+        let stands_at = |i: usize, direction: f64| {
+            let set = self.problem.constraint.of(i);
+            let mut along = [0.0; N];
+            along[0] = direction;
+            set.can_move() && set.extreme(along)[0] - x[i] == 0.0
+        };
+        let cells = x.len();
+        let above = reduce::least(cells, |i| stands_at(i, 1.0).then(|| -gradient[i]));
+        let below = reduce::least(cells, |i| stands_at(i, -1.0).then(|| gradient[i]));
+        let (above, below) = (above.map(|(_, g)| -g), below.map(|(_, g)| g));
+        let (low, high) = (above.or(below)?, below.or(above)?);
+        self.workspace.multiplier[0] = 0.5 * (low + high);
+        Some(if low <= high {
+            Standing::Rests
+        } else {
+            Standing::Pushed
+        })
+    }
+}
+
+/// How cells stand that are all at their bounds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Standing {
+    /// Nothing pushes any from its bound.
+    Rests,
+    /// Some are pushed away, in pairs that keep the sum.
+    Pushed,
 }

@@ -132,11 +132,11 @@ impl HistoryBuilder<'_> {
     /// Checks everything and copies the gap; nothing is solved yet.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch) for gap or friction,
-    /// [`Error::Sample`](crate::Error::Sample) for the gap, [`Error::NotModelled`](crate::Error::NotModelled) for a
+    /// [`Error::GridMismatch`] for gap or friction,
+    /// [`Error::Sample`] for the gap, [`Error::NotModelled`] for a
     /// hardness with pressure and shear found together,
-    /// [`Error::Method`](crate::Error::Method) for a method that the model does not have,
-    /// [`Error::Tolerance`](crate::Error::Tolerance), [`Error::IterationLimit`](crate::Error::IterationLimit).
+    /// [`Error::Method`] for a method that the model does not have,
+    /// [`Error::Tolerance`], [`Error::IterationLimit`].
     pub fn build(self) -> Result<History> {
         self.settings.check()?;
         self.model.check(&self.settings)?;

@@ -243,7 +243,12 @@ impl PressureSolver {
             if !matches!(self.report.status, Status::Converged | Status::Stalled) {
                 return outcome;
             }
-            let missed = engine.missed(surfaces.gap, load, ROUND_OFF * findings.displacement, bodies);
+            let missed = engine.missed(
+                surfaces.gap,
+                load,
+                ROUND_OFF * findings.displacement,
+                bodies,
+            );
             if missed.is_none() && (outcome.is_err() || self.report.is_within(settings.tolerance)) {
                 return outcome;
             }

@@ -66,10 +66,7 @@ impl Friction {
     /// [`Error::Negative`](crate::Error::Negative).
     pub fn coulomb(coefficient: f64) -> Result<Self> {
         Ok(Self {
-            coefficient: PerCell::Uniform(non_negative(
-                "coefficient of friction",
-                coefficient,
-            )?),
+            coefficient: PerCell::Uniform(non_negative("coefficient of friction", coefficient)?),
             max_shear_stress: None,
         })
     }

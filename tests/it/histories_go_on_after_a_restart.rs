@@ -166,7 +166,7 @@ fn contents_are_checked_behind_a_right_sum() {
 }
 
 /// The number of steps follows bodies, options and a uniform friction with a cap.
-const STEPS: usize = 20 + (32 + 1 + 32) + (1 + 1 + 8 + 8 + 1) + (1 + 8 + 1 + 8);
+const STEPS: usize = 20 + (32 + 1 + 48) + (1 + 1 + 8 + 8 + 1) + (1 + 8 + 1 + 8);
 
 #[test]
 fn no_number_of_steps_overflows_later() {

@@ -44,13 +44,8 @@ pub(super) struct Host {
 impl Host {
     pub(super) fn of(state: &State) -> Self {
         let grid = state.grid();
-        let constants = |body: Material| {
-            [
-                body.youngs_modulus(),
-                body.poisson_ratio(),
-                body.hardness(),
-            ]
-        };
+        let constants =
+            |body: Material| [body.youngs_modulus(), body.poisson_ratio(), body.hardness()];
         Self {
             cells: grid.size(),
             sides: [grid.dx(), grid.dy()],
