@@ -37,8 +37,13 @@ struct UncheckedMaterial {
     #[serde(with = "crate::serial::number")]
     youngs_modulus: f64,
     poisson_ratio: f64,
-    #[serde(with = "crate::serial::number")]
+    #[serde(default = "unstated", with = "crate::serial::number")]
     hardness: f64,
+}
+
+#[cfg(feature = "serde")]
+fn unstated() -> f64 {
+    f64::INFINITY
 }
 
 #[cfg(feature = "serde")]

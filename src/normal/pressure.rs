@@ -70,7 +70,8 @@ impl PressureSolver {
         self.engine.as_ref().map(|engine| &engine.trend)
     }
 
-    /// Goes on as after a solve that came to this approach, on the window it ended with.
+    /// Goes on as after a solve that came to this approach, on the window it ended with; one that failed gives its buffers
+    /// back.
     pub(crate) fn resume(
         &mut self,
         bodies: &HalfSpace,
@@ -85,6 +86,7 @@ impl PressureSolver {
                 .transpose()?;
         }
         if let Some(engine) = &mut self.engine {
+            engine.rest();
             engine.trend.clone_from(trend);
         }
         Ok(())

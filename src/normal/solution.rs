@@ -168,7 +168,7 @@ impl NormalSolution {
     }
 
     /// Gap under load `h + u_z - delta` (lengths): zero in the contact up to the residual,
-    /// positive outside.
+    /// positive outside, and negative where cells flow under a [`Hardness`](crate::normal::Hardness).
     #[must_use]
     pub fn gap(&self) -> &Field {
         &self.gap

@@ -12,6 +12,7 @@ use serde::de::DeserializeOwned;
 use stickslip::cgm::{Method, Settings};
 use stickslip::history::{Cycle, FrettingLoop, LoadPath};
 use stickslip::influence::{Component, Rectangle};
+use stickslip::normal::Hardness;
 use stickslip::surface::{self, Amplitudes, PowerSpectrum, SelfAffine, Statistics};
 use stickslip::{
     Axis, Boundary, CoupledProblem, ElasticPair, Field, Friction, Grid, HalfSpace, History,
@@ -57,7 +58,10 @@ fn scenes() {
         survives(&material);
         survives(&ElasticPair::new(material, odd).unwrap());
     }
+    survives(&odd.with_hardness(1.0 / 3.0).unwrap());
     survives(&Table2::pair());
+    survives(&Hardness::uniform(1.0 / 3.0).unwrap());
+    survives(&Hardness::per_cell(Field::constant(grid(), 1.0 / 3.0)).unwrap());
     for friction in [
         Friction::coulomb(0.1).unwrap(),
         Friction::per_cell(Field::constant(grid(), 1.0 / 3.0)).unwrap(),
