@@ -5,6 +5,7 @@
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) enum PerCell<C> {
     Uniform(f64),
+    #[cfg_attr(feature = "serde", serde(rename = "PerCell"))]
     Cells(C),
 }
 

@@ -301,8 +301,8 @@ fn by_the_words_of_their_constructors() {
         &field,
         &json!({"grid": as_json, "samples": [1.5, "Infinity"]}),
     );
-    let steel = json!({"youngs_modulus": 213e9, "poisson_ratio": 0.29});
-    let rigid = json!({"youngs_modulus": "Infinity", "poisson_ratio": 0.0});
+    let steel = json!({"youngs_modulus": 213e9, "poisson_ratio": 0.29, "hardness": "Infinity"});
+    let rigid = json!({"youngs_modulus": "Infinity", "poisson_ratio": 0.0, "hardness": "Infinity"});
     let pair = ElasticPair::new(Table2::pair().bodies()[0], Material::rigid()).unwrap();
     is_written(&pair, &json!({"bodies": [steel, rigid]}));
     is_written(
@@ -478,7 +478,7 @@ proptest! {
             Ok(_) if modulus == f64::INFINITY => Ok(Material::rigid()),
             _ => Material::new(modulus, nu),
         };
-        agrees(constructed, &text, &(modulus, nu));
+        agrees(constructed, &text, &(modulus, nu, f64::INFINITY));
     }
 
     #[test]
