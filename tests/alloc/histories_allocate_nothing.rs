@@ -133,6 +133,7 @@ fn while_contacts_grow_within_a_cycle() {
             assert!(History::step_all(&mut contacts, &loads).unwrap().is_empty());
         }
     };
-    cycle();
+    // On one thread both times: of several sets of buffers the first cycle may not have used each for everything.
+    assert!(allocations(&mut cycle) > 0);
     assert_eq!(allocations(&mut cycle), 0);
 }
