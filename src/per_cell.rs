@@ -28,6 +28,12 @@ impl PerCell<&[f64]> {
             Self::Cells(cells) => cells.get(cell).copied().unwrap_or(f64::NAN),
         }
     }
+
+    /// Whether the pressure of a cell that is pressed is at what is its largest.
+    #[inline]
+    pub(crate) fn are_reached(&self, cell: usize, pressure: f64) -> bool {
+        pressure > 0.0 && pressure >= self.of(cell)
+    }
 }
 
 /// In the memory that is there.

@@ -314,6 +314,24 @@ mod tests {
     use crate::material::Material;
     use crate::operator::Operator;
 
+    /// Kernels of a large grid are not kept; those of a window of it are those of a grid of that size.
+    #[test]
+    fn windows_of_large_grids_have_the_operators_of_small_grids() {
+        let body = Material::new(1.0, 0.4).unwrap();
+        let pair = ElasticPair::new(body, Material::rigid()).unwrap();
+        let on = |nx, ny| HalfSpace::new(Grid::new(nx, ny, 0.5, 0.7).unwrap(), pair).unwrap();
+        let (large, small) = (on(1025, 1024), on(9, 7));
+        assert!(!large.keeps_kernels() && small.keeps_kernels());
+        let traction: Vec<f64> = (0..63).map(f64::from).collect();
+        let displacement = |bodies: &HalfSpace| {
+            let Compliance { operator, .. } = bodies.compliance([Direction::Z], [9, 7]).unwrap();
+            let mut u = vec![0.0; 63];
+            operator.apply([&traction], [&mut u], &mut operator.workspace());
+            u
+        };
+        assert_eq!(displacement(&large), displacement(&small));
+    }
+
     /// The products of both tractions are the sums of those of each alone, and the inverse inverts them
     /// where nothing is cut.
     #[test]

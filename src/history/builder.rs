@@ -103,8 +103,9 @@ impl HistoryBuilder<'_> {
         self
     }
 
-    /// Whether what flows under the [hardness](Self::hardness) stays (default: it does not): the overlap of a step is then
+    /// Whether what yields under the [hardness](Self::hardness) stays (default: it does not): the overlap of a step is then
     /// added to the gap of all that follow and to [`State::yielded`], and the same load, or less, is elastic the next time.
+    /// Without a hardness nothing yields.
     ///
     /// ```
     /// use stickslip::{*, normal::Hardness};

@@ -64,7 +64,7 @@ pub struct State {
     pub(super) gap: Field,
     /// Of the pressure of all steps.
     pub(super) hardness: Option<Hardness>,
-    /// What has flown, if it is to stay.
+    /// What has yielded, if it is to stay.
     pub(super) yielded: Option<Field>,
     /// The normal contact after the last step.
     pub(super) normal: NormalSolution,
@@ -162,7 +162,7 @@ impl State {
         }
     }
 
-    /// With pressures limited by this hardness, and a permanent set if what flows is to stay.
+    /// With pressures limited by this hardness, and a permanent set if what yields is to stay.
     pub(super) fn limited(mut self, hardness: Option<Hardness>, stays: bool) -> Self {
         self.yielded = stays.then(|| Field::zeros(self.grid()));
         self.hardness = hardness;
@@ -256,13 +256,13 @@ impl State {
         &self.friction
     }
 
-    /// The limit of the pressure of all steps; `None` if there is none.
+    /// The hardness, which limits the pressure of every step; `None` if there is none.
     #[must_use]
     pub fn hardness(&self) -> Option<&Hardness> {
         self.hardness.as_ref()
     }
 
-    /// How deep the surfaces have flown since the start (lengths, non-negative); `None` unless it
+    /// How deep the surfaces have yielded since the start (lengths, non-negative); `None` unless it
     /// [stays](crate::history::HistoryBuilder::permanent_set).
     #[must_use]
     pub fn yielded(&self) -> Option<&Field> {

@@ -1,4 +1,4 @@
-//! What flows under the hardness of a history and stays.
+//! What yields under the hardness of a history and stays.
 
 use crate::history::state::State;
 
@@ -8,10 +8,11 @@ pub(super) fn settle(state: &mut State) {
     let (Some(yielded), Some(hardness)) = (&mut state.yielded, &state.hardness) else {
         return;
     };
-    let (pressure, under_load) = state.normal.flow_mut();
+    let (pressure, under_load) = state.normal.yielding_mut();
+    let limits = hardness.limits();
     for (cell, pressure) in pressure.iter().enumerate() {
         let overlap = -under_load[cell];
-        if *pressure > 0.0 && *pressure >= hardness.of_cell(cell) && overlap > 0.0 {
+        if overlap > 0.0 && limits.are_reached(cell, *pressure) {
             under_load[cell] = 0.0;
             yielded.as_mut_slice()[cell] += overlap;
             state.gap.as_mut_slice()[cell] += overlap;

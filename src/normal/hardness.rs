@@ -9,16 +9,16 @@ use crate::per_cell::PerCell;
 
 /// The largest pressure H that the softer body carries, of all cells or of each: $`0 \le p \le H`$.
 ///
-/// Cells at the limit flow: they overlap by as much as the elastic surfaces would interpenetrate, and all other cells
+/// Cells at the limit yield: they overlap by as much as the elastic surfaces would interpenetrate, and all other cells
 /// are in elastic contact or apart,
 ///
 /// ```math
 /// p = 0:\ g \ge 0, \qquad 0 < p < H:\ g = 0, \qquad p = H:\ g \le 0 .
 /// ```
 ///
-/// That is the elastic, perfectly plastic contact of Almqvist et al., J. Mech. Phys. Solids 55 (2007) 2183
-/// (<https://doi.org/10.1016/j.jmps.2007.03.006>); the certified error is that of its pressure. H is the indentation
-/// hardness, about 2.8 times the yield stress.
+/// That is the elastic, perfectly plastic contact of Almqvist, Sahlin, Larsson & Glavatskih, Tribology International 40
+/// (2007) 574 (<https://doi.org/10.1016/j.triboint.2005.11.008>); the certified error is that of its pressure. H is the
+/// indentation hardness.
 ///
 /// ```
 /// use stickslip::*;
@@ -31,7 +31,7 @@ use crate::per_cell::PerCell;
 /// let problem = NormalProblem::builder(&bodies, &ball, NormalControl::Force(100.0));
 /// let contact = problem.hardness(hardness.clone()).build()?.solve()?;
 /// assert_eq!(contact.pressure().max(), hardness.of_cell(0));
-/// // What flows spreads the load: a wider contact, a deeper one, and an overlap in the middle.
+/// // What yields spreads the load: a wider contact, a deeper one, and an overlap in the middle.
 /// assert!(contact.contact_area() > hertz.contact_area() && contact.approach() > hertz.approach());
 /// assert!(hardness.overlap(&contact)?.get(32, 32) > Some(0.0));
 /// # Ok::<(), Error>(())
@@ -104,7 +104,7 @@ impl Hardness {
     }
 
     /// By how much the surfaces of a solved contact overlap where its pressure is at the limit (lengths, non-negative;
-    /// zero elsewhere): what has flown, to be added to the gap of the next contact of the same surfaces.
+    /// zero elsewhere): what has yielded, to be added to the gap of the next contact of the same surfaces.
     ///
     /// # Errors
     /// [`Error::GridMismatch`].
@@ -113,8 +113,11 @@ impl Hardness {
         let (limits, pressure) = (self.limits(), contact.pressure().as_slice());
         let cells = contact.gap().as_slice().iter().zip(pressure).enumerate();
         let overlap = |(cell, (gap, pressure)): (usize, (&f64, &f64))| {
-            let has_flown = *pressure > 0.0 && *pressure >= limits.of(cell);
-            if has_flown { (-gap).max(0.0) } else { 0.0 }
+            if limits.are_reached(cell, *pressure) {
+                (-gap).max(0.0)
+            } else {
+                0.0
+            }
         };
         Field::from_vec(contact.grid(), cells.map(overlap).collect())
     }
@@ -122,7 +125,7 @@ impl Hardness {
     /// Cells that carry as much as they can.
     pub(crate) fn count(&self, pressure: &[f64]) -> usize {
         let limits = self.limits();
-        let is_at_limit = |(cell, p): &(usize, &f64)| **p > 0.0 && **p >= limits.of(*cell);
+        let is_at_limit = |(cell, p): &(usize, &f64)| limits.are_reached(*cell, **p);
         pressure.iter().enumerate().filter(is_at_limit).count()
     }
 
@@ -137,7 +140,7 @@ impl Hardness {
         &mut self.limit
     }
 
-    pub(super) fn limits(&self) -> PerCell<&[f64]> {
+    pub(crate) fn limits(&self) -> PerCell<&[f64]> {
         self.limit.map(Field::as_slice)
     }
 
@@ -152,12 +155,13 @@ impl Hardness {
     /// `Ok` if the limits fit the grid and carry the load.
     pub(crate) fn check_load(&self, grid: Grid, load: NormalControl) -> Result<()> {
         self.check(grid)?;
-        match (load, self.capacity(grid)) {
-            (NormalControl::Force(force), capacity) if force > capacity => {
-                Err(Error::BeyondHardness { force, capacity })
+        if let NormalControl::Force(force) = load {
+            let capacity = self.capacity(grid);
+            if force > capacity {
+                return Err(Error::BeyondHardness { force, capacity });
             }
-            _ => Ok(()),
         }
+        Ok(())
     }
 }
 

@@ -150,8 +150,8 @@ impl NormalSolution {
         )
     }
 
-    /// Pressure, and gap under load, from which what has flown is to be taken.
-    pub(crate) fn flow_mut(&mut self) -> (&[f64], &mut [f64]) {
+    /// Pressure, and gap under load, from which what has yielded is to be taken.
+    pub(crate) fn yielding_mut(&mut self) -> (&[f64], &mut [f64]) {
         (self.pressure.as_slice(), self.gap.as_mut_slice())
     }
 
@@ -168,7 +168,7 @@ impl NormalSolution {
     }
 
     /// Gap under load `h + u_z - delta` (lengths): zero in the contact up to the residual,
-    /// positive outside, and negative where cells flow under a [`Hardness`](crate::normal::Hardness).
+    /// positive outside, and negative where cells yield under a [`Hardness`](crate::normal::Hardness).
     #[must_use]
     pub fn gap(&self) -> &Field {
         &self.gap

@@ -1,4 +1,4 @@
-//! Under a hardness a history presses no harder than that, and what has flown stays where it is asked to.
+//! Under a hardness a history presses no harder than that, and what has yielded stays where it is asked to.
 
 use kit::{max_difference, rough, unit_bodies};
 use stickslip::normal::Hardness;
@@ -41,17 +41,17 @@ fn a_second_loading_is_elastic() {
     }
     assert_eq!(stays.pressure(), forgets.pressure());
     assert!(forgets.state().yielded().is_none());
-    let flown = stays.state().yielded().unwrap().clone();
+    let yielded = stays.state().yielded().unwrap().clone();
     // Surfaces that fit: the gap under load is closed where it was an overlap.
     assert!(forgets.normal().gap().min() < -1e-3 * stays.approach());
     assert!(stays.normal().gap().min() > -1e-9 * stays.approach());
-    let worn = gap.as_slice().iter().zip(flown.as_slice());
+    let worn = gap.as_slice().iter().zip(yielded.as_slice());
     let worn = Field::from_vec(gap.grid(), worn.map(|(a, b)| a + b).collect()).unwrap();
     assert_eq!(stays.state().gap(), &worn);
 
     for force in [0.001, 0.0, 0.0039] {
         stays.step(&press(force)).unwrap();
-        assert_eq!(stays.state().yielded(), Some(&flown), "at {force}");
+        assert_eq!(stays.state().yielded(), Some(&yielded), "at {force}");
         let elastic = NormalProblem::builder(&bodies, &worn, NormalControl::Force(force));
         let elastic = elastic.tolerance(1e-10).build().unwrap().solve().unwrap();
         let (a, b) = (stays.pressure().as_slice(), elastic.pressure().as_slice());
@@ -60,8 +60,8 @@ fn a_second_loading_is_elastic() {
     // Beyond the first load it flows on, nowhere back.
     stays.step(&press(0.006)).unwrap();
     let further = stays.state().yielded().unwrap();
-    assert!(further.integral() > 1.1 * flown.integral());
-    let grew = further.as_slice().iter().zip(flown.as_slice());
+    assert!(further.integral() > 1.1 * yielded.integral());
+    let grew = further.as_slice().iter().zip(yielded.as_slice());
     assert!(grew.into_iter().all(|(now, before)| now >= before));
 }
 
@@ -95,11 +95,11 @@ fn shear_wear_restarts_and_failures_keep_it() {
             gap.as_slice().iter().map(|gap| gap + 0.5).collect(),
         )
         .unwrap();
-        let (approach, flown) = (history.approach(), history.state().yielded().cloned());
+        let (approach, yielded) = (history.approach(), history.state().yielded().cloned());
         for history in [&mut history, &mut restored] {
             history.set_gap(&worn).unwrap();
             history.step(&drag(0.003, -0.0004)).unwrap();
-            assert_eq!(history.state().yielded(), flown.as_ref());
+            assert_eq!(history.state().yielded(), yielded.as_ref());
             assert!((history.approach() - approach - 0.5).abs() < 1e-8 * approach.abs());
         }
         assert_eq!(history.to_bytes(), restored.to_bytes());
@@ -130,11 +130,11 @@ fn what_it_cannot_model_is_refused() {
     let mut one_way = builder(&coupled, Coupling::OneWay).unwrap();
     one_way.step(&press(0.05)).unwrap();
     assert_eq!(one_way.pressure().max(), 0.01);
-    // The slope of an elastic contact is not that of one that flows.
+    // The slope of an elastic contact is not that of one that yields.
     let (bodies, gap) = scene();
-    let mut flows = history(&bodies, &gap, TangentialModel::Scalar, false);
-    flows.step(&press(0.004)).unwrap();
-    assert!(matches!(flows.stiffness(), Err(Error::Yielded { cells, .. }) if cells > 10));
+    let mut yields = history(&bodies, &gap, TangentialModel::Scalar, false);
+    yields.step(&press(0.004)).unwrap();
+    assert!(matches!(yields.stiffness(), Err(Error::Yielded { cells, .. }) if cells > 10));
 
     // Without a limit, a material that states what it bears is heard.
     let stated = rubber.with_hardness(0.01).unwrap();

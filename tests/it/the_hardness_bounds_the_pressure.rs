@@ -141,7 +141,7 @@ fn the_certificate_holds_on_random_scenes() {
     assert!(at_limit > 1000, "{at_limit}");
 }
 
-/// What has flown stays: under the same load the surfaces then fit without flowing.
+/// What has yielded stays: under the same load the surfaces then fit without yielding.
 #[test]
 fn pressed_again_it_is_elastic() {
     for boundary in [Boundary::NonPeriodic, Boundary::Periodic] {
@@ -150,13 +150,13 @@ fn pressed_again_it_is_elastic() {
         let gap = rough(grid, 5);
         let hardness = Hardness::uniform(0.02).unwrap();
         let first = solved(&bodies, &gap, 0.004, &hardness);
-        let flown = hardness.overlap(&first).unwrap();
-        assert!(flown.max() > 1e-4 * first.approach().abs());
+        let yielded = hardness.overlap(&first).unwrap();
+        assert!(yielded.max() > 1e-4 * first.approach().abs());
         let worn = Field::from_vec(
             grid,
             gap.as_slice()
                 .iter()
-                .zip(flown.as_slice())
+                .zip(yielded.as_slice())
                 .map(|(a, b)| a + b)
                 .collect(),
         )
@@ -165,8 +165,8 @@ fn pressed_again_it_is_elastic() {
         assert!((again.approach() / first.approach() - 1.0).abs() < 1e-10);
         let (a, b) = (first.pressure().as_slice(), again.pressure().as_slice());
         assert!(max_difference(a, b) < 1e-9 * 0.02);
-        let flown_again = hardness.overlap(&again).unwrap().max();
-        assert!(flown_again < 1e-9 * flown.max(), "{flown_again:e}");
+        let yielded_again = hardness.overlap(&again).unwrap().max();
+        assert!(yielded_again < 1e-9 * yielded.max(), "{yielded_again:e}");
         // With less load it is elastic too.
         let less = solved(&bodies, &worn, 0.002, &hardness);
         let free = NormalProblem::builder(&bodies, &worn, NormalControl::Force(0.002));

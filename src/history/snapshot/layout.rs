@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use super::FORMAT;
 use super::codec::{
-    Codec, FINITE, NOT_NEGATIVE, NOT_NEGATIVE_OR_INFINITE, POSITIVE, POSITIVE_OR_INFINITE,
+    Codec, FINITE, NOT_NEGATIVE, NOT_NEGATIVE_OR_INFINITE, POSITIVE, POSITIVE_OR_INFINITE, Rule,
     TOLERANCE,
 };
 use crate::boundary::Boundary;
@@ -167,7 +167,7 @@ impl State {
         let grid = self.grid();
         codec.option("hardness", &mut self.hardness, Hardness::blank)?;
         if let Some(hardness) = &mut self.hardness {
-            visit_per_cell(codec, "hardness", hardness.limit_mut(), grid)?;
+            visit_per_cell(codec, "hardness", hardness.limit_mut(), POSITIVE, grid)?;
             let pressure = self.normal.pressure().as_slice();
             let yielded = hardness.count(pressure);
             self.normal.set_yielded_cells(yielded);
@@ -251,13 +251,21 @@ fn visit_friction<C: Codec>(
     if let Some(cap) = cap {
         codec.number("shear cap", cap, POSITIVE)?;
     }
-    visit_per_cell(codec, "coefficient of friction", coefficient, grid)
+    visit_per_cell(
+        codec,
+        "coefficient of friction",
+        coefficient,
+        NOT_NEGATIVE,
+        grid,
+    )
 }
 
+/// One number that obeys the rule `uniform`, or one for each cell, where zero is allowed.
 fn visit_per_cell<C: Codec>(
     codec: &mut C,
     what: &'static str,
     quantity: &mut PerCell<Field>,
+    uniform: Rule,
     grid: Grid,
 ) -> Result<(), C::Error> {
     let mut is_per_cell = matches!(quantity, PerCell::Cells(_));
@@ -266,7 +274,7 @@ fn visit_per_cell<C: Codec>(
         *quantity = PerCell::Cells(Field::zeros(grid));
     }
     match quantity {
-        PerCell::Uniform(value) => codec.number(what, value, NOT_NEGATIVE),
+        PerCell::Uniform(value) => codec.number(what, value, uniform),
         PerCell::Cells(field) => codec.numbers(what, field.as_mut_slice(), NOT_NEGATIVE),
     }
 }
