@@ -1,5 +1,7 @@
 //! How solves and batches of small contacts scale with the threads of a pool: a table of milliseconds.
 
+#![allow(clippy::print_stdout, reason = "a table is printed")]
+
 use std::time::Instant;
 
 use kit::benchmark::{self, FRICTION};
@@ -76,7 +78,7 @@ fn measure(pool: &ThreadPool, sizes: &Sizes) -> Result<()> {
     Ok(())
 }
 
-/// Milliseconds of a step of many rough contacts to and fro, after a first cycle.
+/// Milliseconds of a step of many balls to and fro, after a first cycle.
 fn batch(side: usize, contacts: usize, repeats: usize) -> Result<Vec<f64>> {
     let scene = benchmark::ball(64)?;
     let grid = Grid::square(side, scene.bodies.grid().area().sqrt())?;
@@ -104,7 +106,7 @@ fn batch(side: usize, contacts: usize, repeats: usize) -> Result<Vec<f64>> {
     }
     let mut share = 0.4;
     timed(repeats, || {
-        share = -0.9 * share;
+        share *= -0.9;
         step(share)
     })
 }

@@ -1,5 +1,7 @@
 //! Properties of a map of contact: area, edge, spots.
 
+use std::array::from_fn;
+
 use crate::boundary::Boundary;
 use crate::grid::Grid;
 
@@ -60,7 +62,7 @@ impl std::fmt::Display for Warning {
             ),
             Self::LineOfCells => write!(
                 formatter,
-                "the grid is a line of cells that does not repeat: rectangles in a row, not a line contact in plane strain; take several rows, or a periodic grid"
+                "the grid is a line of cells that does not repeat: rectangles in a row, not a line contact in plane strain; give the bodies Boundary::PeriodicAlongY for that"
             ),
             Self::ContactAcross { along_x, along_y } => {
                 let axes = match (along_x, along_y) {
@@ -70,7 +72,7 @@ impl std::fmt::Display for Warning {
                 };
                 write!(
                     formatter,
-                    "a contact spot runs across the whole grid along {axes}: its ends at the edges bear peaks of pressure; let the surface rise before them, or take a periodic grid"
+                    "a contact spot runs across the whole grid along {axes}: its ends at the edges bear peaks of pressure; let the surface rise before them, or let the grid repeat: Boundary::PeriodicAlongY for a cylinder along y"
                 )
             }
             Self::BeyondHardness { cells } => write!(
@@ -125,20 +127,8 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
         for i in (0..self.grid.cells()).filter(|&i| (self.contains)(i)) {
             (columns[i % nx], rows[i / nx]) = (true, true);
         }
-        Some([self.span(&columns)?, self.span(&rows)?])
-    }
-
-    /// Places from the first taken one to the last; on a periodic grid, all places except the longest run of free ones.
-    fn span(&self, taken: &[bool]) -> Option<usize> {
-        let first = taken.iter().position(|taken| *taken)?;
-        let last = taken.iter().rposition(|taken| *taken)?;
-        let within = last + 1 - first;
-        if self.boundary == Boundary::NonPeriodic {
-            return Some(within);
-        }
-        let runs = taken[first..=last].split(|taken| *taken).map(<[bool]>::len);
-        let longest = runs.max().unwrap_or(0).max(taken.len() - within);
-        Some(taken.len() - longest)
+        let [along_x, along_y] = self.boundary.repeats();
+        Some([span(&columns, along_x)?, span(&rows, along_y)?])
     }
 
     /// Pairs of neighbours, along x or y, of which exactly one is in the set.
@@ -164,14 +154,13 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
             warnings.push(Warning::ContactAtEdge { cells });
         }
         let (sizes, across) = self.survey_spots();
-        if self.boundary == Boundary::NonPeriodic {
-            let [columns, rows] = self.grid.size();
-            if columns.min(rows) == 1 && columns.max(rows) > 1 {
-                warnings.push(Warning::LineOfCells);
-            } else if across != [false; 2] {
-                let [along_x, along_y] = across;
-                warnings.push(Warning::ContactAcross { along_x, along_y });
-            }
+        let [columns, rows] = self.grid.size();
+        let repeats = self.boundary.repeats();
+        let [along_x, along_y] = from_fn(|axis| across[axis] && !repeats[axis]);
+        if repeats == [false; 2] && columns.min(rows) == 1 && columns.max(rows) > 1 {
+            warnings.push(Warning::LineOfCells);
+        } else if along_x || along_y {
+            warnings.push(Warning::ContactAcross { along_x, along_y });
         }
         let unresolved = sizes.iter().filter(|&&size| size < RESOLVED).count();
         if unresolved > 0 {
@@ -208,14 +197,13 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
 
     /// Contact cells on the edge of a grid that has edges.
     pub(crate) fn cells_on_edge(&self) -> usize {
-        if self.boundary == Boundary::Periodic {
-            return 0;
-        }
-        let (nx, ny) = (self.grid.nx(), self.grid.ny());
+        let ([along_x, along_y], [nx, ny]) = (self.boundary.repeats(), self.grid.size());
         let edge = (0..ny).flat_map(|iy| {
-            let is_whole = iy == 0 || iy + 1 == ny;
-            let stride = if is_whole { 1 } else { (nx - 1).max(1) };
-            (0..nx).step_by(stride).map(move |ix| iy * nx + ix)
+            let is_end = !along_y && (iy == 0 || iy + 1 == ny);
+            let inner = if along_x { nx } else { (nx - 1).max(1) };
+            let stride = if is_end { 1 } else { inner };
+            let first = if is_end || !along_x { 0 } else { nx };
+            (first..nx).step_by(stride).map(move |ix| iy * nx + ix)
         });
         edge.filter(|&i| (self.contains)(i)).count()
     }
@@ -256,6 +244,19 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
     }
 }
 
+/// Places from the first taken one to the last; where they repeat, all places except the longest run of free ones.
+fn span(taken: &[bool], repeats: bool) -> Option<usize> {
+    let first = taken.iter().position(|taken| *taken)?;
+    let last = taken.iter().rposition(|taken| *taken)?;
+    let within = last + 1 - first;
+    if !repeats {
+        return Some(within);
+    }
+    let runs = taken[first..=last].split(|taken| *taken).map(<[bool]>::len);
+    let longest = runs.max().unwrap_or(0).max(taken.len() - within);
+    Some(taken.len() - longest)
+}
+
 /// A place in memory as a signed one: no slice is longer than `isize::MAX`.
 fn signed(place: usize) -> isize {
     isize::try_from(place).unwrap_or(isize::MAX)
@@ -264,20 +265,20 @@ fn signed(place: usize) -> isize {
 /// The cells to the left, below, to the right and above one of `nx` by `ny`; beyond an edge none, or the periodic
 /// image.
 pub(crate) fn neighbours(i: usize, [nx, ny]: [usize; 2], boundary: Boundary) -> [Option<usize>; 4] {
-    let wraps = boundary == Boundary::Periodic;
+    let repeats = boundary.repeats();
     let (ix, last_row) = (i % nx, nx * (ny - 1));
-    let step = |is_inside: bool, next: usize, image: usize| {
+    let step = |axis: usize, is_inside: bool, next: usize, image: usize| {
         if is_inside {
             Some(next)
         } else {
-            wraps.then_some(image)
+            repeats[axis].then_some(image)
         }
     };
     [
-        step(ix > 0, i.wrapping_sub(1), i + nx - 1),
-        step(i >= nx, i.wrapping_sub(nx), i + last_row),
-        step(ix + 1 < nx, i + 1, i - ix),
-        step(i < last_row, i + nx, ix),
+        step(0, ix > 0, i.wrapping_sub(1), i + nx - 1),
+        step(1, i >= nx, i.wrapping_sub(nx), i + last_row),
+        step(0, ix + 1 < nx, i + 1, i - ix),
+        step(1, i < last_row, i + nx, ix),
     ]
 }
 

@@ -86,6 +86,16 @@ impl Grid {
         Self::new(n, n, cell, cell)
     }
 
+    /// A line of `n` cells of side `dx` (a length) along x, each of unit length along y: on bodies with
+    /// [`Boundary::PeriodicAlongY`](crate::Boundary::PeriodicAlongY) a line contact in plane strain, and all forces and
+    /// energies are those per unit length.
+    ///
+    /// # Errors
+    /// As [`Grid::new`].
+    pub fn line(n: usize, dx: f64) -> Result<Self> {
+        Self::new(n, 1, dx, 1.0)
+    }
+
     /// Cells along x.
     #[must_use]
     pub fn nx(&self) -> usize {

@@ -109,6 +109,17 @@ impl Window {
         wide
     }
 
+    /// From edge to edge along the axes of which it is asked.
+    pub(crate) fn spanning(self, grid: Grid, axes: [bool; 2]) -> Self {
+        let mut wide = self;
+        for (axis, cells) in grid.size().into_iter().enumerate() {
+            if axes[axis] {
+                (wide.corner[axis], wide.size[axis]) = (0, cells);
+            }
+        }
+        wide
+    }
+
     pub(crate) fn cells(&self) -> usize {
         self.size[0] * self.size[1]
     }

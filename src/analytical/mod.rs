@@ -4,6 +4,8 @@
 //! |---|---|---|
 //! | sphere, or paraboloid of revolution, under a normal load | [`HertzSphere`] | Hertz; Johnson (1985), section 4.2 |
 //! | elliptic paraboloid under a normal load | [`HertzEllipse`] | Hertz; Johnson (1985), section 4.2 |
+//! | cylinder along a line, in plane strain | [`HertzLine`] | Hertz; Johnson (1985), section 4.2 |
+//! | the same in partial slip, also under bulk strain | [`CattaneoMindlinLine`] | Johnson (1985), section 7.2; Nowell and Hills (1987) |
 //! | sphere in partial slip under a tangential load | [`CattaneoMindlin`] | Cattaneo (1938), Mindlin (1949) |
 //! | sphere in partial slip under a varying tangential force | [`MindlinDeresiewicz`] | Mindlin and Deresiewicz (1953), Jaeger (1998) |
 //! | elliptic paraboloid in partial slip under a tangential load | [`CattaneoMindlinEllipse`] | Mindlin (1949), Vermeulen and Johnson (1964) |
@@ -53,6 +55,8 @@
 //!   *J. Appl. Mech.* 20 (1953) 327-344, [doi:10.1115/1.4010702](https://doi.org/10.1115/1.4010702).
 //! - M. H. Müser, On the contact area of nominally flat Hertzian contacts, *Tribol. Lett.* 64 (2016) 14,
 //!   [doi:10.1007/s11249-016-0750-3](https://doi.org/10.1007/s11249-016-0750-3).
+//! - D. Nowell and D. A. Hills, Mechanics of fretting fatigue tests, *Int. J. Mech. Sci.* 29 (1987)
+//!   355-365.
 //! - M. Paggi, R. Pohrt, V. L. Popov, Partial-slip frictional response of rough surfaces, *Sci. Rep.* 4
 //!   (2014) 5178, [doi:10.1038/srep05178](https://doi.org/10.1038/srep05178).
 //! - L. Pastewka and M. O. Robbins, Contact area of rough spheres, *Appl. Phys. Lett.* 108 (2016)
@@ -76,6 +80,7 @@ mod flat_punch;
 mod full_stick;
 mod held_force;
 mod hertz;
+mod line;
 mod lubkin_torsion;
 mod mindlin_deresiewicz;
 mod no_slip;
@@ -93,6 +98,7 @@ pub use cone::{Cone, ConePartialSlip};
 pub use flat_punch::FlatPunch;
 pub use full_stick::MindlinFullStick;
 pub use hertz::{HertzEllipse, HertzSphere};
+pub use line::{CattaneoMindlinLine, HertzLine};
 pub use lubkin_torsion::LubkinTorsion;
 pub use mindlin_deresiewicz::MindlinDeresiewicz;
 pub use no_slip::{NoSlipPunch, NoSlipSphere};

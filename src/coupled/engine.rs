@@ -121,7 +121,7 @@ impl Engine {
             workspace: ConeWorkspace::new(&compliance.operator, &compliance.inverse),
             normal: ElasticSolver::new(bodies, [z], size)?,
             plane: ElasticSolver::new(bodies, [x, y], size)?,
-            is_bounded: bodies.boundary() == Boundary::NonPeriodic,
+            is_bounded: bodies.boundary() != Boundary::Periodic,
             contraction: Contraction {
                 beta: bodies.pair().dundurs_beta().abs(),
                 coupling: tensor.coupling(),

@@ -18,7 +18,7 @@ use crate::boundary::Boundary;
 use crate::error::{Error, Result, all_finite, length};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
-use crate::influence::{Component, Table};
+use crate::influence::{Component, Samples, Table};
 use crate::operator::Operator;
 
 /// Largest number of unknowns accepted: a matrix of 128 MiB.
@@ -74,14 +74,22 @@ impl DenseOperator {
     pub fn of_half_space(bodies: &HalfSpace, component: Component) -> Result<Self> {
         let grid = bodies.grid();
         check_size(grid.cells())?;
+        let [odd_x, odd_y] = component.is_odd();
         let coefficients = match bodies.boundary() {
             Boundary::NonPeriodic => {
                 let table = Table::sample(grid, bodies.pair(), component)?;
                 Field::from_indices(grid, |i, j| table.at(i, j))
             }
+            Boundary::PeriodicAlongY { datum } => {
+                let samples = Samples::repeating_along_y(grid, grid.size(), datum)?;
+                let table = samples.table(grid, bodies.pair(), component)?;
+                Field::from_indices(grid, |i, j| match grid.ny() - j {
+                    back if back < j && odd_y => -table.at(i, back),
+                    back => table.at(i, j.min(back)),
+                })
+            }
             Boundary::Periodic => wave_sum::coefficients(grid, bodies.pair(), component),
         };
-        let [odd_x, odd_y] = component.is_odd();
         let (nx, cells) = (grid.nx(), grid.cells());
         let entry = |field: usize, source: usize| {
             let ((i, k), (j, l)) = ((field % nx, source % nx), (field / nx, source / nx));

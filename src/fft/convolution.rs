@@ -1,6 +1,7 @@
 //! The half-space as an operator: convolution with influence coefficients, zero-padded or periodic.
 
-use crate::error::{Result, memory};
+use crate::boundary::Boundary;
+use crate::error::Result;
 use crate::fft::length::smooth_length;
 use crate::fft::plan::{Plan, Scratch};
 use crate::fft::single::SingleProduct;
@@ -55,7 +56,8 @@ impl Convolution {
     /// # Errors
     /// As [`Table::sample`](crate::influence::Table::sample).
     pub fn new(grid: Grid, pair: &ElasticPair, component: Component) -> Result<Self> {
-        let table = samples(grid, grid.size())?.table(grid, pair, component)?;
+        let reach = reach(grid.size(), Boundary::NonPeriodic);
+        let table = Samples::new(grid, reach)?.table(grid, pair, component)?;
         Ok(Self::of_kernels(grid.size(), [[&Kernel::Table(table)]]))
     }
 
@@ -91,13 +93,13 @@ impl<const N: usize> Convolution<N> {
     /// kernel of any parity. Tables must hold the [`samples`] of these or more cells, symbols are those of
     /// these cells.
     pub(crate) fn of_kernels(size: [usize; 2], kernels: [[&Kernel; N]; N]) -> Self {
-        let is_periodic = kernels[0][0].is_periodic();
-        let torus = if is_periodic { size } else { padded(size) };
+        let repeats = kernels[0][0].repeats();
+        let torus = torus(size, repeats);
         let symbol = Symbol::new(torus, kernels);
         let normalisation = 1.0 / (torus[0] * torus[1]) as f64;
         // The matrix of a free half-space is a principal part of the torus's, whose eigenvalues are those of the
         // symbol. A mean on a grid that repeats has the eigenvalue zero.
-        let range = symbol.extremes(is_periodic);
+        let range = symbol.extremes(repeats == [true; 2]);
         Self {
             plan: Plan::new(size, torus),
             single: SingleProduct::new(size, torus, &symbol),
@@ -136,16 +138,30 @@ fn lower_bound<const N: usize>([low, high]: [f64; 2], kernels: [[&Kernel; N]; N]
     }
 }
 
-/// The integrals of all coefficients at every distance the padded transform of `size` cells of `grid` reaches.
-pub(crate) fn samples(grid: Grid, size: [usize; 2]) -> Result<Samples> {
-    memory("influence coefficients", size, size_of::<f64>())?;
-    let reach = padded(size).map(|m| m / 2 + 1);
-    Samples::new(grid, reach)
+/// The integrals of all coefficients at every distance that the transform of `size` cells of `grid` reaches; none for
+/// a grid that repeats along both axes, which has symbols.
+pub(crate) fn samples(grid: Grid, boundary: Boundary, size: [usize; 2]) -> Result<Option<Samples>> {
+    let reach = reach(size, boundary);
+    match boundary {
+        Boundary::NonPeriodic => Samples::new(grid, reach).map(Some),
+        Boundary::PeriodicAlongY { datum } => {
+            Samples::repeating_along_y(grid, reach, datum).map(Some)
+        }
+        Boundary::Periodic => Ok(None),
+    }
 }
 
-/// Cells of the torus: no image of `n` cells reaches back into them.
-fn padded(size: [usize; 2]) -> [usize; 2] {
-    size.map(|n| smooth_length(2 * n - 1))
+/// Distances along each axis from nothing to half around the torus.
+fn reach(size: [usize; 2], boundary: Boundary) -> [usize; 2] {
+    torus(size, boundary.repeats()).map(|m| m / 2 + 1)
+}
+
+/// Cells of the torus: along an axis that does not repeat, no image of `n` cells reaches back into them.
+fn torus(size: [usize; 2], repeats: [bool; 2]) -> [usize; 2] {
+    std::array::from_fn(|axis| match (size[axis], repeats[axis]) {
+        (cells, true) => cells,
+        (cells, false) => smooth_length(2 * cells - 1),
+    })
 }
 
 /// Buffers of products: for each component 16 bytes per cell, and a little for each task.

@@ -22,17 +22,16 @@ impl<const N: usize> CirculantInverse<N> {
     /// On `[nx, ny]` cells, from a symmetric tensor of kernels, with eigenvalues below `floor` raised to
     /// it: wrapping may produce some that no cut of the operator has.
     pub(crate) fn new(size: [usize; 2], kernels: [[&Kernel; N]; N], floor: f64) -> Self {
-        let is_periodic = kernels[0][0].is_periodic();
-        let torus = if is_periodic {
-            size
-        } else {
-            size.map(smooth_length)
-        };
+        let repeats = kernels[0][0].repeats();
+        let torus = std::array::from_fn(|axis| match (size[axis], repeats[axis]) {
+            (cells, true) => cells,
+            (cells, false) => smooth_length(cells),
+        });
         let symbol = Symbol::new(torus, kernels);
         let [_, high] = symbol.extremes(false);
         // A single cell that repeats has no wave but the mean: any weight will do.
         let high = if high > 0.0 { high } else { 1.0 };
-        let symbol = if is_periodic {
+        let symbol = if repeats == [true; 2] {
             symbol.with_mean(high)
         } else {
             symbol

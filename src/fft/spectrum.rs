@@ -18,7 +18,7 @@ pub(super) struct Lines<'a> {
 /// of `my / 2 + 1` numbers for each wave number `0..=mx/2` along x.
 pub(super) fn transform(kernel: &Kernel, torus: [usize; 2], sign: f64, lines: Lines<'_>) {
     match kernel {
-        Kernel::Table(table) => of_table(table, torus, sign, lines),
+        Kernel::Table(table) | Kernel::Rows(table) => of_table(table, torus, sign, lines),
         Kernel::Symbols(symbols) => {
             let Lines {
                 values,

@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use crate::boundary::Boundary;
 use crate::error::{Error, Result};
 use crate::fft::{CirculantInverse, Convolution};
 use crate::half_space::HalfSpace;
@@ -19,7 +18,7 @@ pub(crate) struct Compliance<const N: usize> {
 
 impl HalfSpace {
     /// Operator and preconditioner of distinct directions on a rectangle of `[nx, ny]` cells cut out of the
-    /// grid, wherever it lies; a grid that repeats is not cut.
+    /// grid, wherever it lies; along an axis that repeats it is not cut.
     pub(crate) fn compliance<const N: usize>(
         &self,
         directions: [Direction; N],
@@ -52,12 +51,16 @@ impl HalfSpace {
         made.get_or_make(components, self.cut(size), false, empty)
     }
 
-    /// What a rectangle of cells is worked on as: a grid that repeats is not cut.
+    /// What a rectangle of cells is worked on as: along an axis that repeats a grid is not cut.
     fn cut(&self, size: [usize; 2]) -> [usize; 2] {
-        match self.boundary() {
-            Boundary::NonPeriodic => size,
-            Boundary::Periodic => self.size(),
-        }
+        let (whole, repeats) = (self.size(), self.boundary().repeats());
+        std::array::from_fn(|axis| {
+            if repeats[axis] {
+                whole[axis]
+            } else {
+                size[axis]
+            }
+        })
     }
 
     /// The operator alone, of any components.
@@ -94,6 +97,7 @@ pub(super) fn tensor<const N: usize>(directions: [Direction; N]) -> [[Component;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::boundary::Boundary;
     use crate::grid::Grid;
     use crate::material::{ElasticPair, Material};
 
@@ -126,5 +130,23 @@ mod tests {
         let part = bodies.compliance([z], [7, 5]).unwrap();
         let whole = bodies.compliance([z], [12, 9]).unwrap();
         assert!(Arc::ptr_eq(&part.operator, &whole.operator));
+    }
+
+    /// Kernels of a large grid are not kept; those of a window of it are those of a grid of that size.
+    #[test]
+    fn windows_of_large_grids_have_the_operators_of_small_grids() {
+        let body = Material::new(1.0, 0.4).unwrap();
+        let pair = ElasticPair::new(body, Material::rigid()).unwrap();
+        let on = |nx, ny| HalfSpace::new(Grid::new(nx, ny, 0.5, 0.7).unwrap(), pair).unwrap();
+        let (large, small) = (on(1025, 1024), on(9, 7));
+        assert!(!large.keeps_kernels() && small.keeps_kernels());
+        let traction: Vec<f64> = (0..63).map(f64::from).collect();
+        let displacement = |bodies: &HalfSpace| {
+            let Compliance { operator, .. } = bodies.compliance([Direction::Z], [9, 7]).unwrap();
+            let mut u = vec![0.0; 63];
+            operator.apply([&traction], [&mut u], &mut operator.workspace());
+            u
+        };
+        assert_eq!(displacement(&large), displacement(&small));
     }
 }

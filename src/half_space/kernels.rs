@@ -14,16 +14,23 @@ use crate::parallel::get_or_make;
 pub(super) struct Kernels {
     grid: Grid,
     pair: ElasticPair,
-    /// What they are made of, on this grid and on all coarser ones; none where they repeat.
+    boundary: Boundary,
+    /// What they are made of; none where they repeat along both axes.
     samples: Option<Arc<Samples>>,
     made: [OnceLock<Kernel>; Component::ALL.len()],
 }
 
 impl Kernels {
-    pub(super) fn new(grid: Grid, pair: ElasticPair, samples: Option<Arc<Samples>>) -> Self {
+    pub(super) fn new(
+        grid: Grid,
+        pair: ElasticPair,
+        boundary: Boundary,
+        samples: Option<Arc<Samples>>,
+    ) -> Self {
         Self {
             grid,
             pair,
+            boundary,
             samples,
             made: Default::default(),
         }
@@ -34,10 +41,7 @@ impl Kernels {
     }
 
     pub(super) fn boundary(&self) -> Boundary {
-        match self.samples {
-            Some(_) => Boundary::NonPeriodic,
-            None => Boundary::Periodic,
-        }
+        self.boundary
     }
 
     /// Those of these components.
@@ -57,9 +61,13 @@ impl Kernels {
     fn kernel(&self, component: Component) -> Result<&Kernel> {
         let (grid, pair) = (self.grid, &self.pair);
         get_or_make(&self.made[component as usize], || {
-            Ok(match &self.samples {
-                Some(samples) => Kernel::Table(samples.table(grid, pair, component)?),
-                None => Kernel::Symbols(Symbols::new(grid, pair, component)),
+            let Some(samples) = &self.samples else {
+                return Ok(Kernel::Symbols(Symbols::new(grid, pair, component)));
+            };
+            let table = samples.table(grid, pair, component)?;
+            Ok(match self.boundary.repeats() {
+                [false, false] => Kernel::Table(table),
+                _ => Kernel::Rows(table),
             })
         })
     }

@@ -8,7 +8,7 @@ mod kernels;
 use std::sync::{Arc, OnceLock};
 
 use crate::boundary::Boundary;
-use crate::error::{Error, Result, memory};
+use crate::error::{Error, Result, at_least, finite, memory};
 use crate::fft::samples;
 use crate::grid::Grid;
 use crate::influence::{Component, Direction, Kernel, Samples};
@@ -98,22 +98,39 @@ impl HalfSpace {
     /// ```
     ///
     /// # Errors
-    /// As [`HalfSpace::new`].
+    /// As [`HalfSpace::new`]; [`Error::Below`] if the [datum](Boundary::PeriodicAlongY) is nearer than the grid is long.
     pub fn with_boundary(grid: Grid, pair: ElasticPair, boundary: Boundary) -> Result<Self> {
         memory("contact of all cells", grid.size(), BYTES_PER_CELL)?;
-        let samples = match boundary {
-            Boundary::NonPeriodic => Some(samples(grid, grid.size())?),
-            Boundary::Periodic => None,
-        };
-        Ok(Self::with_samples(grid, pair, samples.map(Arc::new)))
+        if let Boundary::PeriodicAlongY { datum } = boundary {
+            let length = grid.dx() * grid.nx() as f64;
+            finite("distance of the datum", datum)?;
+            at_least(
+                "the length of the grid along x",
+                length,
+                "distance of the datum",
+                datum,
+            )?;
+        }
+        let samples = samples(grid, boundary, grid.size())?;
+        Ok(Self::with_samples(
+            grid,
+            pair,
+            boundary,
+            samples.map(Arc::new),
+        ))
     }
 
-    fn with_samples(grid: Grid, pair: ElasticPair, samples: Option<Arc<Samples>>) -> Self {
+    fn with_samples(
+        grid: Grid,
+        pair: ElasticPair,
+        boundary: Boundary,
+        samples: Option<Arc<Samples>>,
+    ) -> Self {
         Self {
             shared: Arc::new(Shared {
                 grid,
                 pair,
-                kernels: Kernels::new(grid, pair, samples),
+                kernels: Kernels::new(grid, pair, boundary, samples),
                 made: Cache::default(),
                 coarser: OnceLock::new(),
             }),
@@ -230,11 +247,14 @@ impl HalfSpace {
         get_or_make(coarser, || {
             let [nx, ny] = halved(self.size());
             let grid = Grid::new(nx, ny, 2.0 * grid.dx(), 2.0 * grid.dy())?;
+            let boundary = self.boundary();
             let samples = match kernels.samples() {
-                Some(_) if !self.keeps_kernels() => Some(Arc::new(samples(grid, grid.size())?)),
-                samples => samples.map(Arc::clone),
+                Some(samples) if self.keeps_kernels() && samples.have_no_scale() => {
+                    Some(Arc::clone(samples))
+                }
+                _ => samples(grid, boundary, grid.size())?.map(Arc::new),
             };
-            Ok(Self::with_samples(grid, *pair, samples))
+            Ok(Self::with_samples(grid, *pair, boundary, samples))
         })
     }
 
@@ -260,9 +280,10 @@ impl HalfSpace {
         if self.keeps_kernels() || kernels.samples().is_none() {
             return Ok(make(kernels.of(components)?));
         }
-        let samples = Arc::new(samples(*grid, size)?);
+        let boundary = self.boundary();
+        let samples = samples(*grid, boundary, size)?.map(Arc::new);
         Ok(make(
-            Kernels::new(*grid, *pair, Some(samples)).of(components)?,
+            Kernels::new(*grid, *pair, boundary, samples).of(components)?,
         ))
     }
 
@@ -283,15 +304,13 @@ impl HalfSpace {
 
     /// Whether cells of twice the sides fit.
     pub(crate) fn can_be_coarser(&self) -> bool {
-        self.boundary() == Boundary::NonPeriodic || self.size().iter().all(|n| n % 2 == 0)
+        let cells = self.size().into_iter().zip(self.boundary().repeats());
+        cells.into_iter().all(|(n, repeats)| !repeats || n % 2 == 0)
     }
 
-    /// The whole grid where it repeats, else the window: where a contact in the window is solved.
+    /// The window, along an axis that repeats the whole grid: where a contact in the window is solved.
     pub(crate) fn confined(&self, window: Window) -> Window {
-        match self.boundary() {
-            Boundary::NonPeriodic => window,
-            Boundary::Periodic => Window::whole(self.grid()),
-        }
+        window.spanning(self.grid(), self.boundary().repeats())
     }
 
     fn size(&self) -> [usize; 2] {
@@ -313,24 +332,6 @@ mod tests {
     use super::*;
     use crate::material::Material;
     use crate::operator::Operator;
-
-    /// Kernels of a large grid are not kept; those of a window of it are those of a grid of that size.
-    #[test]
-    fn windows_of_large_grids_have_the_operators_of_small_grids() {
-        let body = Material::new(1.0, 0.4).unwrap();
-        let pair = ElasticPair::new(body, Material::rigid()).unwrap();
-        let on = |nx, ny| HalfSpace::new(Grid::new(nx, ny, 0.5, 0.7).unwrap(), pair).unwrap();
-        let (large, small) = (on(1025, 1024), on(9, 7));
-        assert!(!large.keeps_kernels() && small.keeps_kernels());
-        let traction: Vec<f64> = (0..63).map(f64::from).collect();
-        let displacement = |bodies: &HalfSpace| {
-            let Compliance { operator, .. } = bodies.compliance([Direction::Z], [9, 7]).unwrap();
-            let mut u = vec![0.0; 63];
-            operator.apply([&traction], [&mut u], &mut operator.workspace());
-            u
-        };
-        assert_eq!(displacement(&large), displacement(&small));
-    }
 
     /// The products of both tractions are the sums of those of each alone, and the inverse inverts them
     /// where nothing is cut.

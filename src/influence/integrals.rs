@@ -26,7 +26,7 @@ impl Integral {
     pub(super) const COUNT: usize = 5;
 
     /// Whether it is odd in x and odd in y; otherwise it is even.
-    const fn is_odd(self) -> [bool; 2] {
+    pub(super) const fn is_odd(self) -> [bool; 2] {
         match self {
             Self::Potential | Self::AlongX => [false, false],
             Self::Diagonal => [true, true],
@@ -265,7 +265,7 @@ const GAUSS_3: [[f64; 2]; 3] = [
     [0.0, 0.8888888888888888],
     [0.7745966692414834, 0.5555555555555556],
 ];
-const GAUSS_4: [[f64; 2]; 4] = [
+pub(super) const GAUSS_4: [[f64; 2]; 4] = [
     [-0.8611363115940526, 0.34785484513745385],
     [-0.33998104358485626, 0.6521451548625461],
     [0.33998104358485626, 0.6521451548625461],

@@ -7,14 +7,20 @@ use crate::influence::{Component, Symbols, Table};
 pub(crate) enum Kernel {
     /// Free surroundings: the coefficient at every distance.
     Table(Table),
+    /// A grid that repeats along y: the coefficient at every distance up to half the period.
+    Rows(Table),
     /// A grid that repeats: its symbol at every wave.
     Symbols(Symbols),
 }
 
 impl Kernel {
-    /// Whether the grid repeats.
-    pub(crate) fn is_periodic(&self) -> bool {
-        matches!(self, Self::Symbols(_))
+    /// Whether the grid repeats along x and along y.
+    pub(crate) fn repeats(&self) -> [bool; 2] {
+        match self {
+            Self::Table(_) => [false; 2],
+            Self::Rows(_) => [false, true],
+            Self::Symbols(_) => [true; 2],
+        }
     }
 
     /// Whether the coefficient is odd in x and odd in y.
@@ -24,7 +30,7 @@ impl Kernel {
 
     fn component(&self) -> Component {
         match self {
-            Self::Table(table) => table.component(),
+            Self::Table(table) | Self::Rows(table) => table.component(),
             Self::Symbols(symbols) => symbols.component(),
         }
     }

@@ -44,12 +44,22 @@
 //!
 //! and likewise for `zy` and `yz`. The symbol of zero wave number, a mean traction, is undefined and set to zero.
 //!
+//! On a grid that repeats along y alone the integrals are summed over all images of the cell along y. On a line of cells,
+//! which is uniform along y, they are those over a strip of half width a, relative to the datum d
+//! (Johnson 1985, sections 2.2 and 2.3; the constant parts of $`S_X`$ and $`S_Y`$ alone move the body as a whole):
+//!
+//! ```math
+//! S_X + S_Y = -2 \int_{-a}^{a} \ln\frac{|x - s|}{d}\,\mathrm{d}s, \quad S_Y = S_{XY} = D_Y = 0, \quad
+//! D_X = \pi \int_{-a}^{a} \operatorname{sgn}(x - s)\,\mathrm{d}s .
+//! ```
+//!
 //! Source: Appendix A of Wang, De Boer, Neville & Ghanbarzadeh, Tribology International 159
 //! (2021) 106947, with the printed errors corrected: in `C_xx`, `C_yy` and `C_zz` the numerator of the
 //! second logarithm is `(x+a) + hypot(x+a, y+b)`, the stray terms before the third are dropped,
 //! and the third term of `C_xx` carries `(1 - nu)(x - a)`.
 
 mod direction;
+mod images;
 mod integrals;
 mod kernel;
 mod rectangle;

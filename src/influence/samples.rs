@@ -2,8 +2,9 @@
 
 use std::sync::{Arc, OnceLock};
 
-use crate::error::Result;
+use crate::error::{Result, memory};
 use crate::grid::Grid;
+use crate::influence::images::Images;
 use crate::influence::integrals::Integral;
 use crate::influence::{Component, Rectangle, Table};
 use crate::material::ElasticPair;
@@ -17,6 +18,8 @@ pub(crate) struct Samples {
     rectangle: Rectangle,
     sides: [f64; 2],
     size: [usize; 2],
+    /// Where the grid repeats along y.
+    images: Option<Images>,
     values: [OnceLock<Arc<[f64]>>; Integral::COUNT],
 }
 
@@ -25,14 +28,35 @@ impl Samples {
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) if the sides of a cell cannot be halved or
-    /// compared.
+    /// compared; [`Error::Memory`](crate::Error::Memory).
     pub(crate) fn new(grid: Grid, size: [usize; 2]) -> Result<Self> {
+        memory("influence coefficients", size, size_of::<f64>())?;
         Ok(Self {
             rectangle: Rectangle::new(0.5 * grid.dx(), 0.5 * grid.dy())?,
             sides: [grid.dx(), grid.dy()],
             size,
+            images: None,
             values: Default::default(),
         })
+    }
+
+    /// The same for a grid that repeats along y, its displacements relative to a datum (a length).
+    pub(crate) fn repeating_along_y(grid: Grid, size: [usize; 2], datum: f64) -> Result<Self> {
+        let samples = Self::new(grid, size)?;
+        let unit = samples.rectangle.unit;
+        let images = Images {
+            period: grid.dy() / unit * grid.ny() as f64,
+            datum: datum / unit,
+        };
+        Ok(Self {
+            images: Some(images),
+            ..samples
+        })
+    }
+
+    /// Whether they are those of cells of any size.
+    pub(crate) fn have_no_scale(&self) -> bool {
+        self.images.is_none()
     }
 
     /// A coefficient of the pair on a grid whose cells are the sampled ones or a multiple of them.
@@ -67,7 +91,11 @@ impl Samples {
         let xs: Vec<f64> = (0..nx).map(|i| distance(i, 0)).collect();
         let mut values = vec![0.0; nx * ny];
         parallel::rows(&mut values, nx, |row, out| {
-            cell.along_row(integral, &xs, distance(row, 1), out);
+            let y = distance(row, 1);
+            match self.images {
+                None => cell.along_row(integral, &xs, y, out),
+                Some(images) => images.along_row(cell, integral, &xs, y, out),
+            }
         });
         values.into()
     }

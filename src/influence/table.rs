@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::error::{Result, memory};
+use crate::error::Result;
 use crate::grid::Grid;
 use crate::influence::{Component, Samples};
 use crate::material::ElasticPair;
@@ -40,7 +40,6 @@ impl Table {
     /// [`Error::NotPositive`](crate::Error::NotPositive) if the sides of a cell cannot be halved or compared;
     /// [`Error::Memory`](crate::Error::Memory).
     pub fn sample(grid: Grid, pair: &ElasticPair, component: Component) -> Result<Self> {
-        memory("influence coefficients", grid.size(), size_of::<f64>())?;
         Samples::new(grid, grid.size())?.table(grid, pair, component)
     }
 

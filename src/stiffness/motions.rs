@@ -48,7 +48,7 @@ impl<const N: usize> Motions<N> {
             })
             .collect();
         let mut kinds: Vec<_> = axes.iter().map(|axis| axis.index()).collect();
-        if N == 2 && boundary == Boundary::NonPeriodic {
+        if N == 2 && boundary.may_turn() {
             cells.push(motion(&|[x, y]| [middle[1] - y, x - middle[0]]));
             kinds.push(2);
         }

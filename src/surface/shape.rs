@@ -40,7 +40,8 @@ pub fn ellipsoid(grid: Grid, radius_x: f64, radius_y: f64) -> Result<Field> {
 /// A cylinder along y, touching a plane along the line `x = 0`: `h = x^2 / (2 R)`, lengths.
 ///
 /// A cylinder of another direction is a [`paraboloid`]. On a grid that does not repeat it ends with the grid, and its ends
-/// bear peaks of pressure: [`Warning::ContactAcross`](crate::Warning::ContactAcross).
+/// bear peaks of pressure: [`Warning::ContactAcross`](crate::Warning::ContactAcross). A line contact in plane strain is on
+/// bodies with [`Boundary::PeriodicAlongY`](crate::Boundary::PeriodicAlongY).
 ///
 /// # Errors
 /// [`Error::NotPositive`](crate::Error::NotPositive) for the radius.

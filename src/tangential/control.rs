@@ -215,10 +215,10 @@ impl Demand {
             }
         }
         let (quantity, value) = ("twist", finite("twist", self.twist)?);
-        let remedy = match (axes.len(), boundary) {
-            (_, Boundary::Periodic) => "a grid that repeats cannot turn, with any option",
-            (1, Boundary::NonPeriodic) => "build it with .model(TangentialModel::Vector)",
-            (_, Boundary::NonPeriodic) => return Ok(()),
+        let remedy = match (axes.len(), boundary.may_turn()) {
+            (_, false) => "a grid that repeats cannot turn, with any option",
+            (1, true) => "build it with .model(TangentialModel::Vector)",
+            (_, true) => return Ok(()),
         };
         if value == 0.0 {
             return Ok(());

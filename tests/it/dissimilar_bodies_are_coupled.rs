@@ -343,8 +343,8 @@ fn controls_invert_one_another() {
 /// Each half, solved again to the end with the other as it is, lies within its bound.
 #[test]
 fn halves_lie_within_their_bounds() {
-    for boundary in [Boundary::NonPeriodic, Boundary::Periodic] {
-        let grid = Grid::new(24, 20, 0.1, 0.12).unwrap();
+    let grid = Grid::new(24, 20, 0.1, 0.12).unwrap();
+    for boundary in kit::boundaries(grid) {
         let bodies = HalfSpace::with_boundary(grid, on_rigid(0.45), boundary).unwrap();
         let gap = rough(Grid::square(24, 1.0).unwrap(), 5);
         let gap = Field::from_indices(grid, |ix, iy| 0.05 * gap.get(ix, iy).unwrap());

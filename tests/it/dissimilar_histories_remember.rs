@@ -158,8 +158,8 @@ fn steps(history: &mut History, worn: &Field) -> Vec<f64> {
 
 #[test]
 fn energies_balance() {
-    for boundary in [Boundary::NonPeriodic, Boundary::Periodic] {
-        let grid = Grid::new(26, 22, 0.1, 0.12).unwrap();
+    let grid = Grid::new(26, 22, 0.1, 0.12).unwrap();
+    for boundary in kit::boundaries(grid) {
         let bodies = HalfSpace::with_boundary(grid, on_rigid(0.1), boundary).unwrap();
         let gap = surface::ellipsoid(grid, 9.0, 7.0).unwrap();
         let worn = Field::from_fn(grid, |x, y| 1e-3 * (0.5 - x * x - y * y).max(0.0));

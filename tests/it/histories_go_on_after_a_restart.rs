@@ -31,10 +31,15 @@ fn scenes() -> Vec<(HalfSpace, Field, Friction)> {
     let per_cell = Friction::per_cell(coefficients).unwrap();
     let periodic = HalfSpace::with_boundary(grid, unit_pair(0.2), Boundary::Periodic).unwrap();
     let ball = surface::sphere(grid, 40.0).unwrap();
+    let [_, _, along_y] = kit::boundaries(grid);
+    let rows = HalfSpace::with_boundary(grid, unit_pair(0.2), along_y).unwrap();
+    let roller = surface::cylinder(grid, 40.0).unwrap();
+    let coulomb = Friction::coulomb(0.45).unwrap();
     vec![
         (unit_bodies(grid, 0.3), ball, uniform),
         (unit_bodies(grid, 0.1), rough(grid, 2), per_cell.clone()),
         (periodic, rough(grid, 6), per_cell),
+        (rows, roller, coulomb),
     ]
 }
 
@@ -108,7 +113,7 @@ fn damaged_bytes_are_refused() {
     assert!(problem(b"").contains("magic"));
     assert!(problem(b"nothing of the kind").contains("do not begin"));
     let mut newer = bytes.clone();
-    for version in [8, 10] {
+    for version in [9, 11] {
         newer[8] = version;
         assert!(problem(&newer).contains(&format!("version {version} is unknown")));
     }

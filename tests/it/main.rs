@@ -61,6 +61,7 @@ mod influence_coefficients;
 mod known_contacts_beyond_spheres;
 mod laws_hold;
 mod levelling_takes_off_the_form;
+mod lines_are_plane_strain;
 mod load_paths_close_and_turn_exactly;
 mod measured_surfaces_are_prepared;
 mod methods_agree;

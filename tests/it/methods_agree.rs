@@ -4,8 +4,8 @@ use kit::{Table2, energy_difference, rough, unit_bodies, unit_pair};
 use stickslip::cgm::{self, Magnitude, Method, NonNegative, Problem, Settings};
 use stickslip::influence::Component;
 use stickslip::{
-    Boundary, Field, Friction, Grid, HalfSpace, NormalControl, NormalSolution, Report,
-    TangentialLoad, TangentialSolution, surface,
+    Field, Friction, Grid, HalfSpace, NormalControl, NormalSolution, Report, TangentialLoad,
+    TangentialSolution, surface,
 };
 
 const TOLERANCE: f64 = 1e-6;
@@ -124,7 +124,7 @@ fn active_sets_alone_solve_the_sphere_of_table_2_within_their_cost() {
 fn under_a_load_far_below_the_roughness() {
     let grid = Grid::square(32, 32.0).unwrap();
     let gap = rough(grid, 4);
-    for boundary in [Boundary::NonPeriodic, Boundary::Periodic] {
+    for boundary in kit::boundaries(grid) {
         let bodies = HalfSpace::with_boundary(grid, unit_pair(0.3), boundary).unwrap();
         for force in [1e-9, 1e-15] {
             let [sets, plain] = [Method::ActiveSet, Method::PolonskyKeer]

@@ -3,8 +3,8 @@
 use kit::{l2_difference, max_difference};
 use stickslip::analytical::SpencePressing;
 use stickslip::{
-    Axis, Boundary, CoupledProblem, Coupling, ElasticPair, Field, Friction, Grid, HalfSpace,
-    History, LoadStep, Material, NormalControl, NormalProblem, TangentialControl, TangentialLoad,
+    Axis, CoupledProblem, Coupling, ElasticPair, Field, Friction, Grid, HalfSpace, History,
+    LoadStep, Material, NormalControl, NormalProblem, TangentialControl, TangentialLoad,
     TangentialModel, TangentialProblem, TangentialSolution, surface,
 };
 
@@ -58,7 +58,7 @@ fn punches_stick_as_goodman_assumes() {
 #[test]
 fn tractions_belong_to_their_pressure() {
     let grid = Grid::new(26, 22, 0.1, 0.12).unwrap();
-    for boundary in [Boundary::NonPeriodic, Boundary::Periodic] {
+    for boundary in kit::boundaries(grid) {
         let bodies = HalfSpace::with_boundary(grid, on_rigid(0.4), boundary).unwrap();
         let gap = surface::ellipsoid(grid, 9.0, 7.0).unwrap();
         let friction = || Friction::coulomb(0.4).unwrap();

@@ -50,7 +50,7 @@ fn scenes() {
     let holes = Field::from_vec(Grid::new(5, 1, 1.0, 1.0).unwrap(), missing.to_vec()).unwrap();
     read_back(&holes);
 
-    for boundary in [Boundary::NonPeriodic, Boundary::Periodic] {
+    for boundary in kit::boundaries(grid()) {
         survives(&boundary);
     }
     let odd = Material::from_shear_modulus(200.0 / 3.0, 0.42).unwrap();

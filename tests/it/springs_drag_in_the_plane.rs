@@ -89,7 +89,7 @@ fn springs_of_all_stiffnesses() {
             ] {
                 let twist = match bodies.boundary() {
                     Boundary::NonPeriodic => twist,
-                    Boundary::Periodic => 0.0,
+                    _ => 0.0,
                 };
                 by_spring.step(&both(x, y).twist(twist)).unwrap();
                 let (force, shift) = (by_spring.force(), by_spring.shift());

@@ -61,8 +61,7 @@ impl Host {
         for side in &mut self.sides {
             codec.number("cell side", side, POSITIVE)?;
         }
-        let boundaries = [Boundary::NonPeriodic, Boundary::Periodic];
-        codec.kind("boundary", &mut self.boundary, &boundaries)?;
+        visit_boundary(codec, &mut self.boundary)?;
         for [modulus, ratio, hardness] in &mut self.materials {
             codec.number("Young's modulus", modulus, POSITIVE_OR_INFINITE)?;
             codec.number("Poisson's ratio", ratio, FINITE)?;
@@ -258,6 +257,28 @@ fn visit_friction<C: Codec>(
         NOT_NEGATIVE,
         grid,
     )
+}
+
+fn visit_boundary<C: Codec>(codec: &mut C, boundary: &mut Boundary) -> Result<(), C::Error> {
+    let mut repeats = boundary.repeats();
+    codec.kind(
+        "boundary",
+        &mut repeats,
+        &[[false, false], [true, true], [false, true]],
+    )?;
+    let mut datum = match boundary {
+        Boundary::PeriodicAlongY { datum } => *datum,
+        _ => 0.0,
+    };
+    *boundary = match repeats {
+        [_, false] => Boundary::NonPeriodic,
+        [true, true] => Boundary::Periodic,
+        [false, true] => {
+            codec.number("distance of the datum", &mut datum, POSITIVE)?;
+            Boundary::PeriodicAlongY { datum }
+        }
+    };
+    Ok(())
 }
 
 /// One number that obeys the rule `uniform`, or one for each cell, where zero is allowed.

@@ -28,8 +28,8 @@ pub use random::Random;
 use stickslip::cgm::Method;
 use stickslip::influence::Component;
 use stickslip::{
-    ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
-    NormalSolution, Operator, TangentialLoad, TangentialProblem, TangentialSolution,
+    Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl,
+    NormalProblem, NormalSolution, Operator, TangentialLoad, TangentialProblem, TangentialSolution,
 };
 #[cfg(feature = "serde")]
 pub use {postcard, serde_json};
@@ -90,6 +90,16 @@ fn add_wave(heights: &mut Field, [kx, ky]: [f64; 2], amplitude: f64, phase: f64)
 pub fn unit_pair(poisson_ratio: f64) -> ElasticPair {
     let each = Material::new(2.0 * (1.0 - poisson_ratio * poisson_ratio), poisson_ratio).unwrap();
     ElasticPair::new(each, each).unwrap()
+}
+
+/// All surroundings that a grid may have, the datum of a row of it at twice its length.
+pub fn boundaries(grid: Grid) -> [Boundary; 3] {
+    let datum = 2.0 * grid.dx() * grid.nx() as f64;
+    [
+        Boundary::NonPeriodic,
+        Boundary::Periodic,
+        Boundary::PeriodicAlongY { datum },
+    ]
 }
 
 pub fn unit_bodies(grid: Grid, poisson_ratio: f64) -> HalfSpace {

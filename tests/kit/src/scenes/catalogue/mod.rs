@@ -61,6 +61,7 @@ pub(crate) fn press(bodies: &HalfSpace, part: f64) -> NormalControl {
 pub(crate) fn suffix(boundary: Boundary) -> &'static str {
     match boundary {
         Boundary::Periodic => ", periodic",
+        Boundary::PeriodicAlongY { .. } => ", periodic along y",
         Boundary::NonPeriodic => "",
     }
 }

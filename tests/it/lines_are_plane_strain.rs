@@ -1,0 +1,288 @@
+//! A line of cells that repeats along y is in plane strain: it has the kernels of strips, the closed forms of cylinders,
+//! and the same answers as any number of equal rows.
+
+use kit::{max_difference, unit_pair};
+use proptest::prelude::*;
+use stickslip::analytical::{CattaneoMindlinLine, HertzLine};
+use stickslip::dense::DenseOperator;
+use stickslip::influence::Component;
+use stickslip::{
+    Axis, Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
+    Material, NormalControl, NormalProblem, NormalSolution, Operator, TangentialControl,
+    TangentialLoad, TangentialModel, TangentialProblem, surface,
+};
+
+const DATUM: f64 = 40.0;
+const FRICTION: f64 = 0.5;
+
+fn along_y(grid: Grid, pair: ElasticPair) -> HalfSpace {
+    let boundary = Boundary::PeriodicAlongY { datum: DATUM };
+    HalfSpace::with_boundary(grid, pair, boundary).unwrap()
+}
+
+/// Gauss-Legendre, eight points on each of many parts.
+fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
+    const RULE: [[f64; 2]; 4] = [
+        [0.183_434_642_495_649_8, 0.362_683_783_378_362],
+        [0.525_532_409_916_329, 0.313_706_645_877_887_27],
+        [0.796_666_477_413_626_7, 0.222_381_034_453_374_48],
+        [0.960_289_856_497_536_3, 0.101_228_536_290_376_26],
+    ];
+    let parts = 400;
+    let half = 0.5 * (to - from) / f64::from(parts);
+    (0..parts)
+        .map(|part| {
+            let middle = from + (2.0 * f64::from(part) + 1.0) * half;
+            let pairs = RULE
+                .iter()
+                .map(|[node, weight]| weight * (f(middle - half * node) + f(middle + half * node)));
+            half * pairs.sum::<f64>()
+        })
+        .sum()
+}
+
+/// Flamant's line loads along x and z and the antiplane one, integrated over a cell.
+#[test]
+fn kernels_are_those_of_line_loads() {
+    let nu = 0.2;
+    let body = Material::from_shear_modulus(1.0, nu).unwrap();
+    let pair = ElasticPair::new(body, Material::rigid()).unwrap();
+    let grid = Grid::line(9, 0.5).unwrap();
+    let bodies = along_y(grid, pair);
+    let unit = 1.0 / std::f64::consts::PI;
+    for component in Component::ALL {
+        let matrix = DenseOperator::of_half_space(&bodies, component).unwrap();
+        for cell in 1..9 {
+            let x = 0.5 * cell as f64;
+            let logarithm =
+                |factor: f64| integral(|s| -factor * unit * ((x - s) / DATUM).ln(), -0.25, 0.25);
+            let step = 0.5 * 0.25 * (1.0 - 2.0 * nu);
+            let expected = match component {
+                Component::XX | Component::ZZ => logarithm(1.0 - nu),
+                Component::YY => logarithm(1.0),
+                Component::ZX => step,
+                Component::XZ => -step,
+                _ => 0.0,
+            };
+            let found = matrix.get(cell, 0).unwrap();
+            assert!(
+                (found - expected).abs() < 1e-13,
+                "{component:?} {cell}: {found} is not {expected}"
+            );
+        }
+    }
+}
+
+/// The images of a period are every other one of half the period, and in one period more are counted in full.
+#[test]
+fn twice_the_period_adds_up_to_the_same() {
+    let nu = 0.2;
+    let body = Material::from_shear_modulus(1.0, nu).unwrap();
+    let pair = ElasticPair::new(body, Material::rigid()).unwrap();
+    for (nx, ny, dy) in [(40, 4, 0.5), (6, 7, 0.2), (40, 1, 1.0), (3, 2, 9.0)] {
+        let [one, two] = [ny, 2 * ny].map(|ny| {
+            let bodies = along_y(Grid::new(nx, ny, 0.5, dy).unwrap(), pair);
+            Component::ALL
+                .map(|component| DenseOperator::of_half_space(&bodies, component).unwrap())
+        });
+        for (n, component) in Component::ALL.into_iter().enumerate() {
+            let scale = one[8].get(0, 0).unwrap();
+            for cell in 0..nx * ny {
+                let sum = two[n].get(cell, 0).unwrap() + two[n].get(cell + nx * ny, 0).unwrap();
+                let error = (sum - one[n].get(cell, 0).unwrap()).abs() / scale;
+                assert!(error < 1e-13, "{component:?} {nx} {ny} {cell}: {error:e}");
+            }
+        }
+    }
+}
+
+fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
+    let problem = NormalProblem::builder(bodies, gap, NormalControl::Force(force));
+    problem.tolerance(1e-12).build().unwrap().solve().unwrap()
+}
+
+fn shear(normal: &NormalSolution, bodies: &HalfSpace, force: f64) -> stickslip::TangentialSolution {
+    let load = TangentialLoad::force([force, 0.0]);
+    let friction = Friction::coulomb(FRICTION).unwrap();
+    let problem = TangentialProblem::builder(bodies, normal, friction, load);
+    problem.tolerance(1e-12).build().unwrap().solve().unwrap()
+}
+
+/// Equal rows are a line, and rough ones are not.
+#[test]
+fn equal_rows_answer_as_one() {
+    let pair = unit_pair(0.3);
+    let answers = [1, 4, 64].map(|ny| {
+        let grid = Grid::new(96, ny, 0.05, 1.0 / ny as f64).unwrap();
+        let bodies = along_y(grid, pair);
+        let gap = surface::cylinder(grid, 20.0).unwrap();
+        let gap = Field::from_fn(grid, |x, _| 0.002 * (9.0 * x).sin())
+            .as_slice()
+            .iter()
+            .zip(gap.as_slice())
+            .map(|(a, b)| a + b)
+            .collect();
+        let gap = Field::from_vec(grid, gap).unwrap();
+        let normal = press(&bodies, &gap, 0.06);
+        let sheared = shear(&normal, &bodies, 0.012);
+        let energy = normal.elastic_energy(&bodies).unwrap();
+        (normal, sheared, energy)
+    });
+    let (line, line_sheared, line_energy) = &answers[0];
+    for (rows, sheared, energy) in &answers[1..] {
+        for (row, of_line) in [
+            (rows.pressure(), line.pressure()),
+            (&sheared.traction()[0], &line_sheared.traction()[0]),
+        ] {
+            let scale = of_line.max();
+            for row in row.as_slice().chunks_exact(96) {
+                let error = max_difference(row, of_line.as_slice()) / scale;
+                assert!(error < 1e-12, "{error:e}");
+            }
+        }
+        assert!((rows.approach() / line.approach() - 1.0).abs() < 1e-12);
+        assert!((sheared.shift()[0] / line_sheared.shift()[0] - 1.0).abs() < 1e-12);
+        assert!((energy / line_energy - 1.0).abs() < 1e-12);
+    }
+}
+
+/// Errors of the cylinder on `n` cells: peak pressure, pressure in the L1 norm, approach, half-width that sticks,
+/// traction, shift.
+fn errors(n: usize) -> [f64; 6] {
+    let steel = Material::new(210e3, 0.3).unwrap();
+    let pair = ElasticPair::new(steel, steel).unwrap();
+    let hertz = HertzLine::new(&pair, 10.0, 100.0).unwrap();
+    let exact = CattaneoMindlinLine::new(hertz, FRICTION, 0.6 * FRICTION * 100.0).unwrap();
+    let grid = Grid::line(n, 2.6 * hertz.half_width() / n as f64).unwrap();
+    let bodies = along_y(grid, pair);
+    let normal = press(&bodies, &surface::cylinder(grid, 10.0).unwrap(), 100.0);
+    assert!(normal.warnings().is_empty());
+    let sheared = shear(&normal, &bodies, exact.force());
+    let l1 = |found: &Field, exact: &dyn Fn(f64) -> f64, force: f64| {
+        let cells = found.as_slice().iter().enumerate();
+        let sum: f64 = cells.map(|(i, q)| (q - exact(grid.x(i))).abs()).sum();
+        sum * grid.dx() / force
+    };
+    let relative = |found: f64, exact: f64| (found / exact - 1.0).abs();
+    [
+        relative(normal.pressure().max(), hertz.max_pressure()),
+        l1(normal.pressure(), &|x| hertz.pressure(x), 100.0),
+        relative(normal.approach(), hertz.approach(DATUM)),
+        (0.5 * sheared.stick_area() - exact.stick_half_width()).abs() / grid.dx(),
+        l1(
+            &sheared.traction()[0],
+            &|x| exact.traction(x),
+            exact.force(),
+        ),
+        relative(sheared.shift()[0], exact.shift(DATUM)),
+    ]
+}
+
+/// Peak, approach and shift converge with the second power of the cell, tractions in the L1 norm with 3/2, as those of the
+/// sphere do; the strip that sticks is right to a cell.
+#[test]
+fn cylinders_are_hertzs_and_cattaneos() {
+    let laws = [
+        (4e-4, 2.0),
+        (4e-3, 1.5),
+        (4e-5, 2.0),
+        (1.0, 0.0),
+        (8e-3, 1.5),
+        (4e-5, 2.0),
+    ];
+    for n in [64, 128, 256, 512, 1024] {
+        for (k, (error, (factor, order))) in errors(n).into_iter().zip(laws).enumerate() {
+            let limit = factor * (64.0 / n as f64).powf(order);
+            assert!(error < limit, "{n} {k}: {error:e}");
+        }
+    }
+}
+
+/// The loop of a cycle between two forces has the area of the closed form, dissipates it, and balances.
+#[test]
+fn cycles_dissipate_the_area_of_their_loops() {
+    let pair = unit_pair(0.3);
+    let (radius, load) = (50.0, 0.02);
+    let hertz = HertzLine::new(&pair, radius, load).unwrap();
+    let force = 0.7 * FRICTION * load;
+    let exact = CattaneoMindlinLine::new(hertz, FRICTION, force).unwrap();
+    for model in [TangentialModel::Scalar, TangentialModel::Vector] {
+        let grid = Grid::line(512, 2.4 * hertz.half_width() / 512.0).unwrap();
+        let bodies = along_y(grid, pair);
+        let gap = surface::cylinder(grid, radius).unwrap();
+        let builder = History::builder(&bodies, &gap, Friction::coulomb(FRICTION).unwrap());
+        let mut history = builder.model(model).tolerance(1e-10).build().unwrap();
+        history
+            .step(&LoadStep::hold().normal(NormalControl::Force(load)))
+            .unwrap();
+        let mut dissipated = [0.0; 4];
+        for half in &mut dissipated {
+            let sign = if history.force()[0] > 0.0 { -1.0 } else { 1.0 };
+            let control = TangentialControl::Force(sign * force);
+            let step = history
+                .step(&LoadStep::hold().tangential(Axis::X, control))
+                .unwrap();
+            let energy = step.energy();
+            assert!(energy.imbalance().abs() < 1e-12 * energy.elastic_after);
+            *half = energy.dissipated_energy;
+        }
+        let cycle = dissipated[2] + dissipated[3];
+        let error = (cycle / exact.energy_per_cycle() - 1.0).abs();
+        assert!(error < 3e-5, "{error:e}");
+        assert!((dissipated[0] / (0.25 * cycle) - 1.0).abs() < 1e-4);
+    }
+}
+
+/// Another datum moves approach and shift by a multiple of the force, and nothing else.
+#[test]
+fn a_datum_only_moves_the_far_field() {
+    let pair = unit_pair(0.3);
+    let grid = Grid::new(64, 4, 0.05, 0.3).unwrap();
+    let gap = surface::cylinder(grid, 20.0).unwrap();
+    let [near, far] = [10.0, 1e5].map(|datum| {
+        let boundary = Boundary::PeriodicAlongY { datum };
+        let bodies = HalfSpace::with_boundary(grid, pair, boundary).unwrap();
+        let normal = press(&bodies, &gap, 0.06);
+        let sheared = shear(&normal, &bodies, 0.012);
+        (normal, sheared)
+    });
+    let scale = near.0.pressure().max();
+    let error = max_difference(near.0.pressure().as_slice(), far.0.pressure().as_slice());
+    assert!(error < 1e-10 * scale, "{:e}", error / scale);
+    let moved = |force: f64| 2.0 * force / 1.2 / std::f64::consts::PI * 1e4_f64.ln();
+    assert!((far.0.approach() - near.0.approach() - moved(0.06)).abs() < 1e-10);
+    assert!((far.1.shift()[0] - near.1.shift()[0] - moved(0.012)).abs() < 1e-10);
+
+    let refused = HalfSpace::with_boundary(grid, pair, Boundary::PeriodicAlongY { datum: 3.0 });
+    assert!(matches!(refused, Err(Error::Below { value: 3.0, .. })));
+    for datum in [f64::NAN, f64::INFINITY] {
+        let refused = HalfSpace::with_boundary(grid, pair, Boundary::PeriodicAlongY { datum });
+        assert!(matches!(refused, Err(Error::NotFinite { .. })));
+    }
+}
+
+proptest! {
+    /// The operator of rows equals its explicit matrix, and a window of it that of the whole.
+    #[test]
+    fn a_shifted_load_shifts_the_answer(
+        (nx, ny, rows, seed) in (4..20_usize, 1..12_usize, 0..12_usize, any::<u64>())
+    ) {
+        let grid = Grid::new(nx, ny, 0.5, 0.3).unwrap();
+        let bodies = along_y(grid, unit_pair(0.2));
+        let mut random = kit::Random(seed);
+        let traction: Vec<f64> = (0..nx * ny).map(|_| random.uniform(-1.0, 1.0)).collect();
+        let turned = |field: &[f64]| {
+            let mut field = field.to_vec();
+            field.rotate_right(nx * (rows % ny));
+            field
+        };
+        let operator = bodies.operator(Component::ZZ).unwrap();
+        let product = |traction: &[f64]| {
+            let mut u = vec![0.0; nx * ny];
+            operator.apply([traction], [&mut u], &mut operator.workspace());
+            u
+        };
+        let (one, other) = (turned(&product(&traction)), product(&turned(&traction)));
+        prop_assert!(max_difference(&one, &other) < 1e-13 * kit::max_abs(&one));
+    }
+}
