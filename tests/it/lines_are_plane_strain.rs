@@ -132,7 +132,7 @@ fn equal_rows_answer_as_one() {
     for (rows, sheared, energy) in &answers[1..] {
         for (row, of_line) in [
             (rows.pressure(), line.pressure()),
-            (&sheared.traction()[0], &line_sheared.traction()[0]),
+            (sheared.traction()[0], line_sheared.traction()[0]),
         ] {
             let scale = of_line.max();
             for row in row.as_slice().chunks_exact(96) {
@@ -169,11 +169,7 @@ fn errors(n: usize) -> [f64; 6] {
         l1(normal.pressure(), &|x| hertz.pressure(x), 100.0),
         relative(normal.approach(), hertz.approach(DATUM)),
         (0.5 * sheared.stick_area() - exact.stick_half_width()).abs() / grid.dx(),
-        l1(
-            &sheared.traction()[0],
-            &|x| exact.traction(x),
-            exact.force(),
-        ),
+        l1(sheared.traction()[0], &|x| exact.traction(x), exact.force()),
         relative(sheared.shift()[0], exact.shift(DATUM)),
     ]
 }

@@ -15,10 +15,9 @@ use stickslip::influence::{Component, Rectangle};
 use stickslip::normal::Hardness;
 use stickslip::surface::{self, Amplitudes, PowerSpectrum, SelfAffine, Statistics};
 use stickslip::{
-    Axis, Boundary, CoupledProblem, ElasticPair, Field, Friction, Grid, HalfSpace, History,
-    LoadStep, Material, NormalControl, NormalProblem, NormalSolution, Result, Status,
-    TangentialControl, TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution,
-    Warning, Zone,
+    Axis, CoupledProblem, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep,
+    Material, NormalControl, NormalProblem, NormalSolution, Result, Status, TangentialControl,
+    TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution, Warning, Zone,
 };
 
 /// What is read from text and from bytes, to the last bit but for the sign of what is no number.
