@@ -67,6 +67,7 @@
 //! | characterise a surface, prepare a measured one | [`surface::Statistics`], [`fill_missing`](surface::fill_missing), [`gap_from_heights`](surface::gap_from_heights) ... and the page on [rough surfaces](guide::rough_surfaces) |
 //! | read surfaces, write fields for other programs | [`io`] |
 //! | press a cylinder along a line, smooth or rough | [`Grid::line`], [`Boundary::PeriodicAlongY`] |
+//! | stretch a body by a bulk stress while it is sheared | [`tangential::RelativeDisplacement`] |
 //! | press nominally flat surfaces without edges | [`HalfSpace::with_boundary`], [`Boundary::Periodic`] |
 //! | compare with a closed form: spheres, cones, punches, waves, rough surfaces | [`analytical`], [`tangential::JaegerSuperposition`] |
 //! | use the engine with a custom operator | [`cgm`], with your [`Operator`] |

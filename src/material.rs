@@ -114,6 +114,14 @@ impl Material {
         }
     }
 
+    /// The strain of the bulk along x under the stress `stress` along x, without strain along y and stress along z:
+    /// $`\varepsilon = \sigma (1 - \nu^2)/E`$, positive where it is stretched. A body that is free to contract along y is
+    /// strained by $`\sigma/E`$ along x and by $`-\nu\sigma/E`$ along y.
+    #[must_use]
+    pub fn plane_strain(&self, stress: f64) -> f64 {
+        stress * (1.0 - self.poisson_ratio * self.poisson_ratio) / self.youngs_modulus
+    }
+
     /// With the hardness it has (a pressure): where an elastic contact presses harder, its solution warns
     /// ([`Warning::BeyondHardness`](crate::Warning::BeyondHardness)). To limit the pressure, give the problem a
     /// [`Hardness`](crate::normal::Hardness).

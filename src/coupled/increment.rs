@@ -148,6 +148,15 @@ impl CoupledIncrement {
         }
     }
 
+    /// Moves the offsets back by the change of a relative displacement along each axis.
+    pub(crate) fn displace(&mut self, change: impl Fn(usize, usize) -> f64) {
+        for (axis, offset) in self.offset.iter_mut().enumerate() {
+            for (cell, offset) in offset.iter_mut().enumerate() {
+                *offset -= change(axis, cell);
+            }
+        }
+    }
+
     /// Takes the offsets of a step.
     pub(crate) fn set_offset(&mut self, offset: &PlaneVector) {
         for (target, offset) in self.offset.iter_mut().zip(offset) {

@@ -6,7 +6,7 @@ use crate::error::Result;
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::normal::NormalControl;
-use crate::tangential::{Axis, Friction, TangentialLoad, TangentialModel};
+use crate::tangential::{Axis, Friction, RelativeDisplacement, TangentialLoad, TangentialModel};
 
 /// Bodies, gap, friction and load of a contact whose pressure and shear are found together, in one step from rest.
 ///
@@ -34,6 +34,7 @@ pub struct CoupledProblem {
     pub(super) friction: Friction,
     pub(super) normal: NormalControl,
     pub(super) load: TangentialLoad,
+    pub(super) relative: Option<RelativeDisplacement>,
     pub(super) settings: Settings,
 }
 
@@ -46,6 +47,7 @@ pub struct CoupledProblemBuilder<'a> {
     friction: Friction,
     normal: NormalControl,
     load: TangentialLoad,
+    relative: Option<RelativeDisplacement>,
     settings: Settings,
 }
 
@@ -68,6 +70,7 @@ impl CoupledProblem {
             friction,
             normal,
             load,
+            relative: None,
             settings: Settings::default(),
         }
     }
@@ -97,6 +100,12 @@ impl CoupledProblem {
 impl CoupledProblemBuilder<'_> {
     settings_methods!();
 
+    /// A displacement of body 1 relative to body 2 that the contact does not cause (default: none).
+    pub fn relative_displacement(mut self, relative: RelativeDisplacement) -> Self {
+        self.relative = Some(relative);
+        self
+    }
+
     /// Checks everything and copies the gap.
     ///
     /// # Errors
@@ -110,6 +119,9 @@ impl CoupledProblemBuilder<'_> {
         self.friction.check(self.bodies.grid())?;
         let demand = self.load.demand();
         demand.check(Axis::BOTH, self.bodies.boundary())?;
+        if let Some(relative) = &self.relative {
+            relative.check(self.bodies.grid(), Axis::BOTH)?;
+        }
         self.settings.check()?;
         TangentialModel::Vector.check(&self.settings)?;
         Ok(CoupledProblem {
@@ -118,6 +130,7 @@ impl CoupledProblemBuilder<'_> {
             friction: self.friction,
             normal: self.normal,
             load: self.load,
+            relative: self.relative,
             settings: self.settings,
         })
     }

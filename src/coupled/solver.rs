@@ -44,10 +44,11 @@ pub struct CoupledSolver {
 
 impl CoupledSolver {
     pub(super) fn new(problem: CoupledProblem) -> Result<Self> {
-        Ok(Self {
-            increment: CoupledIncrement::new(&problem.bodies)?,
-            problem,
-        })
+        let mut increment = CoupledIncrement::new(&problem.bodies)?;
+        if let Some(relative) = &problem.relative {
+            increment.displace(|axis, cell| relative.at(axis, cell));
+        }
+        Ok(Self { problem, increment })
     }
 
     /// Changes the normal load of the next solve.

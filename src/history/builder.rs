@@ -5,10 +5,11 @@ use crate::coupling::Coupling;
 use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
+use crate::history::relative::Relative;
 use crate::history::state::State;
 use crate::history::{History, TouchRule};
 use crate::normal::Hardness;
-use crate::tangential::{Axis, Friction, TangentialModel};
+use crate::tangential::{Axis, Friction, RelativeDisplacement, TangentialModel};
 
 /// Options of a [`History`]; each has a default.
 #[derive(Debug, Clone)]
@@ -23,6 +24,7 @@ pub struct HistoryBuilder<'a> {
     coupling: Coupling,
     touch_rule: TouchRule,
     hardness: Option<Hardness>,
+    relative: Option<RelativeDisplacement>,
     is_set_permanent: bool,
 }
 
@@ -38,6 +40,7 @@ impl<'a> HistoryBuilder<'a> {
             coupling: Coupling::default(),
             touch_rule: TouchRule::default(),
             hardness: None,
+            relative: None,
             is_set_permanent: false,
         }
     }
@@ -97,6 +100,38 @@ impl HistoryBuilder<'_> {
         self
     }
 
+    /// A displacement of body 1 relative to body 2 that the contact does not cause, which steps reach to
+    /// [an amount](crate::LoadStep::relative_displacement) (default: none).
+    ///
+    /// Its work on the tractions is part of the [balance](crate::history::EnergyBalance). A cell that comes into contact
+    /// within a step follows all of its change.
+    ///
+    /// ```
+    /// use stickslip::{*, tangential::RelativeDisplacement};
+    /// // A roller on a flat specimen, body 1, whose bulk stress then rises to 100 MPa.
+    /// let titanium = Material::new(115e3, 0.32)?;
+    /// let pair = ElasticPair::new(titanium, titanium)?;
+    /// let grid = Grid::line(128, 0.01)?;
+    /// let bodies = HalfSpace::with_boundary(grid, pair, Boundary::PeriodicAlongY { datum: 50.0 })?;
+    /// let roller = surface::cylinder(grid, 20.0)?;
+    /// let strain = [[titanium.plane_strain(1.0), 0.0], [0.0, 0.0]];
+    /// let bulk = RelativeDisplacement::bulk_strain(grid, strain)?;
+    /// let builder = History::builder(&bodies, &roller, Friction::coulomb(0.5)?);
+    /// let mut history = builder.relative_displacement(bulk).build()?;
+    /// history.step(&LoadStep::hold().normal(NormalControl::Force(200.0)))?;
+    /// let stretched = LoadStep::force([0.0, 0.0]).relative_displacement(100.0);
+    /// history.step(&stretched)?;
+    /// // The roller holds the specimen back: traction inwards on both sides, slip at both ends.
+    /// let traction = history.traction()[0];
+    /// assert!(traction.get(70, 0) < Some(-1.0) && traction.get(57, 0) > Some(1.0));
+    /// assert!(history.last_step().slip_area() > 0.0);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn relative_displacement(mut self, relative: RelativeDisplacement) -> Self {
+        self.relative = Some(relative);
+        self
+    }
+
     /// The largest pressure the cells carry in every step (default: no limit). Not with pressure and shear found together.
     pub fn hardness(mut self, hardness: Hardness) -> Self {
         self.hardness = Some(hardness);
@@ -149,6 +184,10 @@ impl HistoryBuilder<'_> {
         if is_joint {
             TangentialModel::Vector.check(&self.settings)?;
         }
+        if let Some(relative) = &self.relative {
+            let found = if is_joint { Axis::BOTH } else { axes };
+            relative.check(self.bodies.grid(), found)?;
+        }
         if let Some(hardness) = &self.hardness {
             hardness.check(self.bodies.grid())?;
             if is_joint {
@@ -166,7 +205,8 @@ impl HistoryBuilder<'_> {
         let (pair, settings) = (bodies.pair(), self.settings);
         let rule = self.touch_rule;
         let state = State::new(gap, boundary, pair, self.friction, axes, settings, rule);
-        let state = state.limited(self.hardness, self.is_set_permanent);
+        let mut state = state.limited(self.hardness, self.is_set_permanent);
+        state.relative = self.relative.map(Relative::new);
         History::from_state(bodies, state.coupled(self.coupling))
     }
 }

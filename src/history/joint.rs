@@ -31,6 +31,9 @@ impl History {
         if let Some(memory) = &state.contact {
             joint.set_offset(&memory.offset);
         }
+        if let Some(change) = state.displaced_by(load) {
+            joint.displace(change);
+        }
         let (pressure, traction) = (state.pressure(), state.traction());
         joint.set_start(pressure, traction, state.approach(), state.shift());
         let mut conditions = Conditions {

@@ -4,7 +4,8 @@ use crate::history::State;
 use crate::normal::NormalControl;
 use crate::tangential::{Axis, Demand, TangentialControl, TangentialLoad};
 
-/// What a step does: normal load, tangential load along each axis, twist. Whatever is not named is held.
+/// What a step does: normal load, tangential load along each axis, twist, relative displacement. Whatever is not named is
+/// held.
 ///
 /// ```
 /// use stickslip::{Axis, LoadStep, NormalControl, TangentialControl};
@@ -26,6 +27,8 @@ pub struct LoadStep {
     tangential: [TangentialControl; 2],
     /// `None` leaves it as it is.
     twist: Option<f64>,
+    /// `None` leaves it as it is.
+    relative_displacement: Option<f64>,
 }
 
 impl LoadStep {
@@ -35,6 +38,7 @@ impl LoadStep {
             normal: NormalControl::Hold,
             tangential: [TangentialControl::Hold; 2],
             twist: None,
+            relative_displacement: None,
         }
     }
 
@@ -116,6 +120,14 @@ impl LoadStep {
         self
     }
 
+    /// With this amount of the [relative displacement](crate::history::HistoryBuilder::relative_displacement) at the end of
+    /// the step, as a multiple of what the history was built with, since the start of the history: the bulk stress of a
+    /// specimen, for example, if that was built for one of 1.
+    pub fn relative_displacement(mut self, amount: f64) -> Self {
+        self.relative_displacement = Some(amount);
+        self
+    }
+
     /// The step to a part of this one, in `[0, 1]`: what is prescribed has come that part of its way from the state.
     pub(super) fn part(&self, state: &State, part: f64) -> Self {
         let between = |start: f64, end: f64| {
@@ -152,12 +164,24 @@ impl LoadStep {
             },
             tangential: [along(0), along(1)],
             twist: self.twist.map(|end| between(state.twist(), end)),
+            relative_displacement: self.relative_displacement.map(|end| {
+                let reached = state
+                    .relative
+                    .as_ref()
+                    .map_or(0.0, |relative| relative.amount);
+                between(reached, end)
+            }),
         }
     }
 
     /// What is prescribed in the normal direction.
     pub(super) fn normal_control(&self) -> NormalControl {
         self.normal
+    }
+
+    /// How much of the relative displacement is prescribed, if it is.
+    pub(super) fn relative_amount(&self) -> Option<f64> {
+        self.relative_displacement
     }
 
     /// What the step asks of the tangential contact, with the twist from the `last`.

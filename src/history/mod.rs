@@ -81,6 +81,7 @@ mod memory;
 mod path;
 mod reading;
 mod regime;
+mod relative;
 mod remarks;
 mod snapshot;
 mod state;

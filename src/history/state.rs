@@ -9,6 +9,7 @@ use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::history::TouchRule;
 use crate::history::memory::Memory;
+use crate::history::relative::Relative;
 use crate::material::ElasticPair;
 use crate::normal::{Hardness, NormalControl, NormalSolution, PressureSolver};
 use crate::tangential::{Axis, Friction, Motion, Zone};
@@ -66,6 +67,8 @@ pub struct State {
     pub(super) hardness: Option<Hardness>,
     /// What has yielded, if it is to stay.
     pub(super) yielded: Option<Field>,
+    /// What displaces the bodies beside the contact.
+    pub(super) relative: Option<Relative>,
     /// The normal contact after the last step.
     pub(super) normal: NormalSolution,
     /// The gap that the pressure belongs to; another than `gap` after wear.
@@ -99,6 +102,7 @@ clone_in_place!(State {
     gap,
     hardness,
     yielded,
+    relative,
     normal,
     pressed_gap,
     is_pressure_stale,
@@ -143,6 +147,7 @@ impl State {
             gap,
             hardness: None,
             yielded: None,
+            relative: None,
             is_pressure_stale: false,
             pressed_by: NormalControl::Hold,
             press_window: None,
@@ -260,6 +265,14 @@ impl State {
     #[must_use]
     pub fn hardness(&self) -> Option<&Hardness> {
         self.hardness.as_ref()
+    }
+
+    /// The [displacement](crate::history::HistoryBuilder::relative_displacement) of body 1 relative to body 2 beside that by
+    /// the contact, after the last step (lengths, `[x, y]`); `None` unless the history has one.
+    #[must_use]
+    pub fn relative_displacement(&self) -> Option<[&Field; 2]> {
+        let relative = self.relative.as_ref();
+        relative.map(|relative| relative.reached.fields())
     }
 
     /// How deep the surfaces have yielded since the start (lengths, non-negative); `None` unless it

@@ -196,6 +196,7 @@ impl History {
     ) -> Result<&StepResult> {
         let demand = load.demand(self.twist());
         demand.check(self.state.axes, self.boundary())?;
+        self.state.check_relative(load)?;
         parallel::enter_with(self.grid().cells(), || {
             let outcome = self.take(load, &mut observer);
             if let Some(increment) = self.increment.take() {
@@ -261,6 +262,7 @@ impl History {
         step.tangential_report
             .clone_from(report.unwrap_or(&Report::unsolved()));
         commit(answer.as_ref(), motion, state, step, &mut self.written);
+        state.reach(load);
         if is_pressed {
             settle(state);
         }
@@ -318,6 +320,9 @@ impl History {
         let pressure = pressed.pressure().as_slice();
         increment.pressed.set(pressure, &state.friction);
         increment.set_offset(&memory.offset);
+        if let Some(change) = state.displaced_by(load) {
+            increment.displace(change);
+        }
         if !is_held {
             increment.draw_from(state.pressure().as_slice());
             touch::follow_growth(increment, state, pressed, load, &demand);

@@ -15,7 +15,7 @@ use crate::tangential::drawing::Drawing;
 use crate::tangential::engine::{PlaneVector, ShearEngine, Task, engine_along};
 use crate::tangential::growth::{Growth, GrowthFields};
 use crate::tangential::motion::{Motion, centre};
-use crate::tangential::{Axis, Pressed, TangentialControl};
+use crate::tangential::{Axis, Pressed, RelativeDisplacement, TangentialControl};
 use crate::trend::Trend;
 use crate::window::Window;
 
@@ -190,13 +190,26 @@ impl Increment {
         }
     }
 
-    /// Sets the offsets to those of bodies that were apart.
-    pub(crate) fn draw(&mut self) {
+    /// Sets the offsets to those of bodies that were apart, and are displaced by this.
+    pub(crate) fn draw(&mut self, relative: Option<&RelativeDisplacement>) {
+        for offset in self.offset.iter_mut().flatten() {
+            *offset = 0.0;
+        }
         if let Some(drawing) = &mut self.drawing {
-            for offset in self.offset.iter_mut().flatten() {
-                *offset = 0.0;
-            }
             drawing.subtract(self.pressed.pressure.iter().copied(), &mut self.offset);
+        }
+        if let Some(relative) = relative {
+            self.displace(|axis, index| relative.at(axis, index));
+        }
+    }
+
+    /// Moves the offsets back by the change of a relative displacement along each axis, in the cells of the grid.
+    pub(crate) fn displace(&mut self, change: impl Fn(usize, usize) -> f64) {
+        for axis in self.axes.iter().map(|axis| axis.index()) {
+            let cells = self.offset[axis].iter_mut();
+            for (offset, index) in cells.zip(self.pressed.window.indices()) {
+                *offset -= change(axis, index);
+            }
         }
     }
 

@@ -6,8 +6,8 @@ use crate::error::{Error, Result};
 use crate::half_space::HalfSpace;
 use crate::tangential::pressure::contact_window;
 use crate::tangential::{
-    Friction, Pressed, PressureSource, TangentialLoad, TangentialModel, TangentialSolution,
-    TangentialSolver,
+    Friction, Pressed, PressureSource, RelativeDisplacement, TangentialLoad, TangentialModel,
+    TangentialSolution, TangentialSolver,
 };
 
 /// Bodies, pressure, friction and tangential load.
@@ -45,6 +45,7 @@ pub struct TangentialProblem {
     pub(super) load: TangentialLoad,
     pub(super) model: TangentialModel,
     pub(super) coupling: Coupling,
+    pub(super) relative: Option<RelativeDisplacement>,
     pub(super) settings: Settings,
 }
 
@@ -58,6 +59,7 @@ pub struct TangentialProblemBuilder<'a, 'p> {
     load: TangentialLoad,
     model: TangentialModel,
     coupling: Coupling,
+    relative: Option<RelativeDisplacement>,
     settings: Settings,
 }
 
@@ -77,6 +79,7 @@ impl TangentialProblem {
             load,
             model: TangentialModel::default(),
             coupling: Coupling::OneWay,
+            relative: None,
             settings: Settings::default(),
         }
     }
@@ -145,13 +148,20 @@ impl TangentialProblemBuilder<'_, '_> {
         self
     }
 
+    /// A displacement of body 1 relative to body 2 that the contact does not cause, reached in proportion to the load
+    /// (default: none).
+    pub fn relative_displacement(mut self, relative: RelativeDisplacement) -> Self {
+        self.relative = Some(relative);
+        self
+    }
+
     /// Checks everything and cuts out the contact.
     ///
     /// # Errors
     /// [`Error::NotConverged`] if the normal contact is not, with its report; [`Error::Sample`] for a prescribed
     /// pressure that is negative or not finite; [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or
     /// [`Error::MaterialMismatch`] for one of other bodies; [`Error::CoupledMaterials`], [`Error::ObliqueLoad`],
-    /// [`Error::NotFinite`], [`Error::EmptyContact`], [`Error::BeyondFrictionCapacity`],
+    /// [`Error::NotModelled`], [`Error::NotFinite`], [`Error::EmptyContact`], [`Error::BeyondFrictionCapacity`],
     /// [`Error::Tolerance`], [`Error::IterationLimit`].
     pub fn build(self) -> Result<TangentialProblem> {
         let grid = self.bodies.grid();
@@ -162,6 +172,9 @@ impl TangentialProblemBuilder<'_, '_> {
         self.settings.check()?;
         self.model.check(&self.settings)?;
         check_coupling(self.bodies, self.coupling)?;
+        if let Some(relative) = &self.relative {
+            relative.check(grid, axes)?;
+        }
         let samples = self.pressure.checked(self.bodies)?;
         let mut pressed = Pressed::new(contact_window(self.bodies, samples)?);
         pressed.set(samples, &self.friction);
@@ -173,6 +186,7 @@ impl TangentialProblemBuilder<'_, '_> {
             load: self.load,
             model: self.model,
             coupling: self.coupling,
+            relative: self.relative,
             settings: self.settings,
         })
     }

@@ -16,8 +16,8 @@ use crate::tangential::increment::{Increment, Start};
 use crate::tangential::motion::Motion;
 use crate::tangential::pressure::contact_window;
 use crate::tangential::{
-    Axis, Friction, Pressed, PressureSource, TangentialLoad, TangentialModel, TangentialProblem,
-    TangentialSolution,
+    Axis, Friction, Pressed, PressureSource, RelativeDisplacement, TangentialLoad, TangentialModel,
+    TangentialProblem, TangentialSolution,
 };
 
 /// Solves tangential contacts again and again, each time from the last answer.
@@ -55,6 +55,7 @@ pub struct TangentialSolver {
     load: TangentialLoad,
     model: TangentialModel,
     coupling: Coupling,
+    relative: Option<RelativeDisplacement>,
     settings: Settings,
     /// The step on the contact's bounding box, with the last traction, the start of the next.
     increment: Increment,
@@ -73,11 +74,12 @@ impl TangentialSolver {
             load,
             model,
             coupling,
+            relative,
             settings,
         } = problem;
         let candidate = pressed.clone();
         let mut increment = Increment::new(&bodies, load.axes(model)?, pressed, coupling)?;
-        increment.draw();
+        increment.draw(relative.as_ref());
         Ok(Self {
             candidate,
             increment,
@@ -88,6 +90,7 @@ impl TangentialSolver {
             load,
             model,
             coupling,
+            relative,
             settings,
         })
     }
@@ -113,9 +116,12 @@ impl TangentialSolver {
         let limits = &self.increment.pressed.limits;
         limits.check(demand.force(), self.bodies.grid().cell_area())?;
         if axes != self.increment.axes() {
+            if let Some(relative) = &self.relative {
+                relative.check(self.bodies.grid(), axes)?;
+            }
             let pressed = self.increment.pressed.clone();
             self.increment = Increment::new(&self.bodies, axes, pressed, self.coupling)?;
-            self.increment.draw();
+            self.increment.draw(self.relative.as_ref());
             self.is_warm = false;
         }
         self.load = load;
@@ -152,7 +158,7 @@ impl TangentialSolver {
         if self.increment.pressed.window.covers(contact) {
             self.candidate.set(samples, &self.friction);
             self.take_candidate()?;
-            self.increment.draw();
+            self.increment.draw(self.relative.as_ref());
             return Ok(());
         }
         // A little wider than the contact, so that it may grow some more.
@@ -162,9 +168,25 @@ impl TangentialSolver {
         let candidate = pressed.clone();
         let axes = self.increment.axes();
         let mut wider = Increment::new(&self.bodies, axes, pressed, self.coupling)?;
-        wider.draw();
+        wider.draw(self.relative.as_ref());
         self.increment.hand_over(&mut wider);
         (self.increment, self.candidate) = (wider, candidate);
+        Ok(())
+    }
+
+    /// Changes the displacement of body 1 relative to body 2 that the contact does not cause of the next solve. Allocates
+    /// only if there was none.
+    ///
+    /// # Errors
+    /// [`Error::GridMismatch`]; [`Error::NotModelled`] for one along an axis of which the model finds no traction; the
+    /// displacement is then as it was.
+    pub fn set_relative_displacement(&mut self, relative: &RelativeDisplacement) -> Result<()> {
+        relative.check(self.bodies.grid(), self.increment.axes())?;
+        match &mut self.relative {
+            Some(own) => own.clone_from(relative),
+            none => *none = Some(relative.clone()),
+        }
+        self.increment.draw(self.relative.as_ref());
         Ok(())
     }
 

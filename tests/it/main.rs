@@ -24,6 +24,7 @@ mod bad_loads_are_refused;
 mod bad_matrices_are_refused;
 mod bad_surfaces_are_refused;
 mod both_tractions_in_the_plane;
+mod bulk_strain_moves_the_stick_zone;
 mod close_to_sliding_in_the_plane;
 mod closed_forms;
 mod contact_spots_add_up;

@@ -15,12 +15,13 @@ use crate::field::Field;
 use crate::grid::Grid;
 use crate::history::TouchRule;
 use crate::history::memory::Memory;
+use crate::history::relative::Relative;
 use crate::history::state::State;
 use crate::material::{ElasticPair, Material};
 use crate::normal::{Hardness, NormalControl, NormalSolution};
 use crate::per_cell::PerCell;
 use crate::report::Status;
-use crate::tangential::{Axis, Friction, Zone};
+use crate::tangential::{Axis, Friction, RelativeDisplacement, Zone};
 use crate::trend::Trend;
 use crate::window::Window;
 
@@ -135,6 +136,7 @@ impl State {
         }
         visit_normal(codec, &mut self.normal)?;
         self.visit_hardness(codec)?;
+        self.visit_relative(codec)?;
         let is_stale = &mut self.is_pressure_stale;
         codec.kind("mark of a stale pressure", is_stale, &[false, true])?;
         visit_control(codec, &mut self.pressed_by)?;
@@ -174,6 +176,25 @@ impl State {
         codec.option("permanent set", &mut self.yielded, || Field::zeros(grid))?;
         if let Some(yielded) = &mut self.yielded {
             codec.numbers("permanent set", yielded.as_mut_slice(), NOT_NEGATIVE)?;
+        }
+        Ok(())
+    }
+
+    fn visit_relative<C: Codec>(&mut self, codec: &mut C) -> Result<(), C::Error> {
+        let (grid, what) = (self.grid(), "relative displacement");
+        let none = || Relative::new(RelativeDisplacement::zeros(grid));
+        codec.option(what, &mut self.relative, none)?;
+        if let Some(relative) = &mut self.relative {
+            codec.number(
+                "amount of the relative displacement",
+                &mut relative.amount,
+                FINITE,
+            )?;
+            for fields in [&mut relative.pattern, &mut relative.reached] {
+                for field in fields.fields_mut() {
+                    codec.numbers(what, field, FINITE)?;
+                }
+            }
         }
         Ok(())
     }

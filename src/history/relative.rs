@@ -1,0 +1,100 @@
+//! What displaces one body relative to the other beside the contact, step by step.
+
+use crate::error::{Error, Result, finite};
+use crate::field::clone_in_place;
+use crate::history::state::State;
+use crate::history::{History, LoadStep};
+use crate::tangential::RelativeDisplacement;
+
+/// A pattern of relative displacement, how much of it is reached, and what that is in each cell.
+#[derive(Debug)]
+pub(super) struct Relative {
+    pub(super) pattern: RelativeDisplacement,
+    pub(super) amount: f64,
+    /// The displacement that the offsets know of: of another pattern, if it has been changed since.
+    pub(super) reached: RelativeDisplacement,
+}
+
+clone_in_place!(Relative {
+    pattern,
+    amount,
+    reached,
+});
+
+impl Relative {
+    /// None of it reached.
+    pub(super) fn new(pattern: RelativeDisplacement) -> Self {
+        let [along_x, _] = pattern.fields();
+        Self {
+            reached: RelativeDisplacement::zeros(along_x.grid()),
+            amount: 0.0,
+            pattern,
+        }
+    }
+
+    /// How much a step reaches.
+    fn end(&self, load: &LoadStep) -> f64 {
+        load.relative_amount().unwrap_or(self.amount)
+    }
+}
+
+impl State {
+    /// `Ok` if an amount is asked of a history that has a pattern for it.
+    pub(super) fn check_relative(&self, load: &LoadStep) -> Result<()> {
+        let amount = load.relative_amount().unwrap_or(0.0);
+        let value = finite("amount of the relative displacement", amount)?;
+        if self.relative.is_none() && value != 0.0 {
+            return Err(Error::NotModelled {
+                quantity: "relative displacement",
+                value,
+                remedy: "build it with .relative_displacement()",
+            });
+        }
+        Ok(())
+    }
+
+    /// How far a step displaces a cell along an axis.
+    pub(super) fn displaced_by(
+        &self,
+        load: &LoadStep,
+    ) -> Option<impl Fn(usize, usize) -> f64 + use<'_>> {
+        let relative = self.relative.as_ref()?;
+        let Relative {
+            pattern, reached, ..
+        } = relative;
+        let amount = relative.end(load);
+        Some(move |axis, cell| amount * pattern.at(axis, cell) - reached.at(axis, cell))
+    }
+
+    /// A step has displaced the cells.
+    pub(super) fn reach(&mut self, load: &LoadStep) {
+        let Some(relative) = &mut self.relative else {
+            return;
+        };
+        relative.amount = relative.end(load);
+        let reached = relative.reached.fields_mut();
+        for (reached, pattern) in reached.into_iter().zip(relative.pattern.fields()) {
+            for (reached, pattern) in reached.iter_mut().zip(pattern.as_slice()) {
+                *reached = relative.amount * pattern;
+            }
+        }
+    }
+}
+
+impl History {
+    /// Changes the pattern of the [relative displacement](crate::history::HistoryBuilder::relative_displacement): the next
+    /// step leads from what was reached of the old one to its amount of the new one. Copies without allocating, unless the
+    /// history had none.
+    ///
+    /// # Errors
+    /// [`Error::GridMismatch`]; [`Error::NotModelled`] for one along an axis of which the model finds no traction; the
+    /// pattern is then as it was.
+    pub fn set_relative_displacement(&mut self, pattern: &RelativeDisplacement) -> Result<()> {
+        pattern.check(self.grid(), self.state.axes)?;
+        match &mut self.state.relative {
+            Some(relative) => relative.pattern.clone_from(pattern),
+            none => *none = Some(Relative::new(pattern.clone())),
+        }
+        Ok(())
+    }
+}

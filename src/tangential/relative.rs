@@ -1,0 +1,100 @@
+//! Displacements of one body relative to the other that the contact does not cause.
+
+use crate::error::{Error, Result, all_finite};
+use crate::field::{Field, clone_in_place};
+use crate::grid::Grid;
+use crate::tangential::Axis;
+
+/// A tangential displacement w of body 1 relative to body 2 in each cell that tractions of the contact do not cause
+/// (lengths, `[x, y]`): bulk strain, thermal expansion, the deformation by a contact nearby.
+///
+/// The slip is then $`s = u + w - \delta`$: where the bodies stick, tractions make up for it. A uniform part of it is a
+/// shift of the other sign. Source: Nowell & Hills, Int. J. Mech. Sci. 29 (1987) 355; as the "tangential initial
+/// displacement" of Johnson, Contact Mechanics (1985), section 7.2.
+///
+/// ```
+/// use stickslip::tangential::RelativeDisplacement;
+/// use stickslip::{Grid, Material};
+/// // A flat specimen, body 1, under a bulk stress of 100 MPa along x, too wide to contract along y.
+/// let titanium = Material::new(115e3, 0.32)?;
+/// let grid = Grid::line(64, 0.01)?;
+/// let strain = titanium.plane_strain(100.0);
+/// let bulk = RelativeDisplacement::bulk_strain(grid, [[strain, 0.0], [0.0, 0.0]])?;
+/// let [along_x, _] = bulk.fields();
+/// let stretch = along_x.get(63, 0).unwrap() - along_x.get(0, 0).unwrap();
+/// assert!((stretch - 0.63 * strain).abs() < 1e-15);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, PartialEq)]
+pub struct RelativeDisplacement {
+    fields: [Field; 2],
+}
+
+clone_in_place!(RelativeDisplacement { fields });
+
+impl RelativeDisplacement {
+    /// The displacements of the cells along x and along y.
+    ///
+    /// # Errors
+    /// [`Error::GridMismatch`] if they are on two grids, [`Error::Sample`] at the first that is not finite.
+    pub fn new(fields: [Field; 2]) -> Result<Self> {
+        let [x, y] = &fields;
+        x.check("relative displacement along x", y.grid())?;
+        y.check("relative displacement along y", y.grid())?;
+        Ok(Self { fields })
+    }
+
+    /// That of a uniform strain of body 1 less that of body 2: $`w_i = \sum_j \varepsilon_{ij} x_j`$, zero at the origin
+    /// of the grid, with the components `[[xx, xy], [yx, yy]]`, positive where body 1 is stretched.
+    ///
+    /// # Errors
+    /// [`Error::Sample`] if a component is not finite.
+    pub fn bulk_strain(grid: Grid, strain: [[f64; 2]; 2]) -> Result<Self> {
+        all_finite("bulk strain", strain.as_flattened())?;
+        let along =
+            |[x_part, y_part]: [f64; 2]| Field::from_fn(grid, |x, y| x_part * x + y_part * y);
+        Self::new(strain.map(along))
+    }
+
+    /// None of all cells.
+    pub(crate) fn zeros(grid: Grid) -> Self {
+        let fields = [Field::zeros(grid), Field::zeros(grid)];
+        Self { fields }
+    }
+
+    /// The displacements along x and along y (lengths).
+    #[must_use]
+    pub fn fields(&self) -> [&Field; 2] {
+        self.fields.each_ref()
+    }
+
+    /// Along an axis in a cell of the grid.
+    pub(crate) fn at(&self, axis: usize, cell: usize) -> f64 {
+        self.fields[axis].as_slice()[cell]
+    }
+
+    /// To be read into; numbers must stay finite.
+    pub(crate) fn fields_mut(&mut self) -> [&mut [f64]; 2] {
+        self.fields.each_mut().map(Field::as_mut_slice)
+    }
+
+    /// `Ok` if it is on the grid, and zero along an axis of which tractions are not found.
+    pub(crate) fn check(&self, grid: Grid, axes: &[Axis]) -> Result<()> {
+        grid.expect("relative displacement", self.fields[0].grid())?;
+        for &axis in Axis::BOTH {
+            let values = self.fields[axis.index()].as_slice();
+            let first = values.iter().find(|w| **w != 0.0);
+            if let (Some(&value), false) = (first, axes.contains(&axis)) {
+                return Err(Error::NotModelled {
+                    quantity: match axis {
+                        Axis::X => "relative displacement along x",
+                        Axis::Y => "relative displacement along y",
+                    },
+                    value,
+                    remedy: "build it with .model(TangentialModel::Vector)",
+                });
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,325 @@
+//! A displacement of one body relative to the other beside the contact: bulk strain moves the zone that sticks, and
+//! reverses slip where it is large; its work is part of the balance.
+
+use kit::{boundaries, max_difference, unit_bodies, unit_pair};
+use stickslip::analytical::{CattaneoMindlinLine, HertzLine};
+use stickslip::tangential::RelativeDisplacement;
+use stickslip::{
+    Axis, Boundary, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
+    LoadStep, Material, NormalControl, NormalProblem, TangentialControl, TangentialLoad,
+    TangentialModel, TangentialProblem, TangentialSolution, Zone, surface,
+};
+
+const FRICTION: f64 = 0.5;
+const LOAD: f64 = 100.0;
+const RADIUS: f64 = 10.0;
+
+fn friction() -> Friction {
+    Friction::coulomb(FRICTION).unwrap()
+}
+
+fn steel() -> Material {
+    Material::new(210e3, 0.3).unwrap()
+}
+
+fn hertz() -> HertzLine {
+    HertzLine::new(&ElasticPair::new(steel(), steel()).unwrap(), RADIUS, LOAD).unwrap()
+}
+
+/// A steel roller on a line of `n` cells, sheared and stretched.
+fn roller(n: usize, force: f64, bulk_stress: f64) -> TangentialSolution {
+    let grid = Grid::line(n, 2.4 * hertz().half_width() / n as f64).unwrap();
+    let boundary = Boundary::PeriodicAlongY { datum: 50.0 };
+    let bodies = HalfSpace::with_boundary(grid, *hertz().pair(), boundary).unwrap();
+    let gap = surface::cylinder(grid, RADIUS).unwrap();
+    let press = NormalProblem::builder(&bodies, &gap, NormalControl::Force(LOAD));
+    let normal = press.tolerance(1e-11).build().unwrap().solve().unwrap();
+    let load = TangentialLoad::force([force, 0.0]);
+    let strain = [[steel().plane_strain(bulk_stress), 0.0], [0.0; 2]];
+    let bulk = RelativeDisplacement::bulk_strain(grid, strain).unwrap();
+    let shear = TangentialProblem::builder(&bodies, &normal, friction(), load);
+    let shear = shear.relative_displacement(bulk).tolerance(1e-11);
+    shear.build().unwrap().solve().unwrap()
+}
+
+/// Middle and half-width of what sticks.
+fn stick(shear: &TangentialSolution) -> [f64; 2] {
+    let grid = shear.grid();
+    let sticks = |i: &usize| shear.zones()[*i] == Zone::Stick;
+    let first = (0..grid.nx()).find(sticks).unwrap();
+    let last = (0..grid.nx()).rfind(sticks).unwrap();
+    [
+        0.5 * (grid.x(first) + grid.x(last)),
+        0.5 * (grid.x(last) - grid.x(first) + grid.dx()),
+    ]
+}
+
+/// Nowell and Hills: the zone that sticks moves, and the traction is theirs, to the law of the grid.
+#[test]
+fn moderate_strain_moves_what_sticks() {
+    let limit = FRICTION * LOAD;
+    for (force, bulk_stress) in [(0.6, 150.0), (-0.6, 150.0), (0.6, -150.0), (0.8, 300.0)] {
+        let exact = CattaneoMindlinLine::new(hertz(), FRICTION, force * limit).unwrap();
+        let exact = exact
+            .with_strain(steel().plane_strain(bulk_stress))
+            .unwrap();
+        assert!(exact.stick_centre().abs() > 0.1 * hertz().half_width());
+        for n in [128, 256, 512, 1024] {
+            let found = roller(n, force * limit, bulk_stress);
+            let (grid, traction) = (found.grid(), found.traction()[0]);
+            let [centre, half_width] = stick(&found);
+            assert!((centre - exact.stick_centre()).abs() < grid.dx());
+            assert!((half_width - exact.stick_half_width()).abs() < grid.dx());
+            let cells = traction.as_slice().iter().enumerate();
+            let error: f64 = cells
+                .map(|(i, q)| (q - exact.traction(grid.x(i))).abs())
+                .sum();
+            let error = error * grid.dx() / (force.abs() * limit);
+            let law = 4e-3 * (128.0 / n as f64).powf(1.5);
+            assert!(error < law, "{force} {bulk_stress} {n}: {error:e}");
+        }
+    }
+    // Beyond, slip reverses at one end.
+    let exact = CattaneoMindlinLine::new(hertz(), FRICTION, 0.6 * limit).unwrap();
+    let beyond = exact.with_strain(steel().plane_strain(600.0));
+    assert!(matches!(beyond, Err(Error::Below { .. })));
+    let found = roller(1024, 0.6 * limit, 600.0);
+    let slips = |i: usize| found.zones()[i] == Zone::Slip;
+    let slipping = (0..1024).filter(|&i| slips(i));
+    let signs: Vec<f64> = slipping
+        .map(|i| found.slip()[0].as_slice()[i].signum())
+        .collect();
+    assert!(signs.contains(&1.0) && signs.contains(&-1.0));
+    assert!(signs.windows(2).filter(|pair| pair[0] != pair[1]).count() == 1);
+}
+
+/// `K(m)` less `E(m)`, by the arithmetic-geometric mean.
+fn difference_of_elliptic_integrals(m: f64) -> f64 {
+    let (mut a, mut b, mut sum, mut power) = (1.0, (1.0 - m).sqrt(), 0.5 * m, 0.5);
+    for _ in 0..30 {
+        let c = 0.5 * (a - b);
+        (a, b) = (0.5 * (a + b), (a * b).sqrt());
+        power *= 2.0;
+        sum += power * c * c;
+    }
+    std::f64::consts::FRAC_PI_2 / a * sum
+}
+
+/// Under bulk stress alone both ends slip inwards, and what sticks has no singular traction at its ends:
+/// $`\sigma = \frac8\pi \mu p_0 [K(m) - E(m)]`$ with $`m = 1 - c^2/a^2`$, which the inversion of the singular integral
+/// equation of a traction bounded at both ends asks for.
+#[test]
+fn strain_alone_slips_inwards_at_both_ends() {
+    let (a, limit) = (hertz().half_width(), FRICTION * hertz().max_pressure());
+    for part in [0.3, 0.6, 0.9] {
+        let integrals = difference_of_elliptic_integrals(1.0 - part * part);
+        let bulk_stress = 8.0 / std::f64::consts::PI * limit * integrals;
+        for n in [256, 1024] {
+            let found = roller(n, 0.0, bulk_stress);
+            let grid = found.grid();
+            let [centre, half_width] = stick(&found);
+            assert!(centre.abs() < 1e-12 * a);
+            assert!(
+                (half_width - part * a).abs() < 1.01 * grid.dx(),
+                "{part} {n}: {}",
+                half_width / a
+            );
+            let traction = found.traction()[0].as_slice();
+            let odd = (0..n).map(|i| (traction[i] + traction[n - 1 - i]).abs());
+            assert!(odd.fold(0.0, f64::max) < 1e-8 * limit);
+            assert!(traction[n - n / 10] <= 0.0 && found.slip()[0].max() > 0.0);
+        }
+    }
+}
+
+/// A uniform displacement is a shift of the other sign, of bodies alike or not.
+#[test]
+fn a_uniform_displacement_is_a_shift() {
+    let grid = Grid::new(26, 22, 0.1, 0.12).unwrap();
+    let gap = surface::ellipsoid(grid, 9.0, 7.0).unwrap();
+    let uniform = [0.004, -0.002].map(|w| Field::constant(grid, w));
+    let uniform = RelativeDisplacement::new(uniform).unwrap();
+    let soft = Material::new(1.0, 0.1).unwrap();
+    let unlike = ElasticPair::new(soft, Material::rigid()).unwrap();
+    for boundary in boundaries(grid) {
+        let bodies = HalfSpace::with_boundary(grid, unit_pair(0.3), boundary).unwrap();
+        let press = NormalProblem::builder(&bodies, &gap, NormalControl::Force(0.08));
+        let normal = press.tolerance(1e-12).build().unwrap().solve().unwrap();
+        let shear = |shift: [f64; 2], relative: Option<&RelativeDisplacement>| {
+            let load = TangentialLoad::shift(shift);
+            let problem = TangentialProblem::builder(&bodies, &normal, friction(), load);
+            let problem = problem.model(TangentialModel::Vector).tolerance(1e-11);
+            let problem = match relative {
+                Some(relative) => problem.relative_displacement(relative.clone()),
+                None => problem,
+            };
+            problem.build().unwrap().solve().unwrap()
+        };
+        let moved = shear([0.001, 0.001], Some(&uniform));
+        let shifted = shear([-0.003, 0.003], None);
+        for axis in 0..2 {
+            let [a, b] = [&moved, &shifted].map(|found| found.traction()[axis].as_slice());
+            assert!(max_difference(a, b) < 1e-9 * normal.pressure().max());
+            let [a, b] = [&moved, &shifted].map(|found| found.slip()[axis].as_slice());
+            assert!(max_difference(a, b) < 1e-9);
+        }
+
+        let bodies = HalfSpace::with_boundary(grid, unlike, boundary).unwrap();
+        let coupled = |shift: [f64; 2], relative: Option<&RelativeDisplacement>| {
+            let load = TangentialLoad::shift(shift);
+            let press = NormalControl::Force(0.08);
+            let problem = CoupledProblem::builder(&bodies, &gap, friction(), press, load);
+            let problem = problem.tolerance(1e-10);
+            let problem = match relative {
+                Some(relative) => problem.relative_displacement(relative.clone()),
+                None => problem,
+            };
+            problem.build().unwrap().solve().unwrap()
+        };
+        let moved = coupled([0.001, 0.001], Some(&uniform));
+        let shifted = coupled([-0.003, 0.003], None);
+        let [a, b] = [&moved, &shifted].map(|found| found.shear().traction()[0].as_slice());
+        assert!(max_difference(a, b) < 1e-7 * normal.pressure().max());
+    }
+}
+
+/// Force and bulk stress in phase, out of phase, and a pattern that changes: every step balances, and closed cycles
+/// dissipate their work.
+#[test]
+fn its_work_is_in_the_balance() {
+    let soft = Material::new(1.0, 0.1).unwrap();
+    let pairs = [
+        unit_pair(0.3),
+        ElasticPair::new(soft, Material::rigid()).unwrap(),
+    ];
+    let grid = Grid::new(26, 22, 0.1, 0.12).unwrap();
+    let gap = surface::ellipsoid(grid, 9.0, 7.0).unwrap();
+    let stretch = [[1.0, 0.2], [0.2, -0.3]];
+    let bulk = RelativeDisplacement::bulk_strain(grid, stretch).unwrap();
+    let other = RelativeDisplacement::bulk_strain(grid, [[0.3, 0.0], [0.0, 1.0]]).unwrap();
+    for pair in pairs {
+        let bodies = HalfSpace::new(grid, pair).unwrap();
+        let builder = History::builder(&bodies, &gap, friction()).tolerance(1e-8);
+        let builder = builder.model(TangentialModel::Vector);
+        let mut history = builder.relative_displacement(bulk.clone()).build().unwrap();
+        let load = |force: f64, amount: f64| {
+            let press = LoadStep::hold().normal(NormalControl::Force(0.08));
+            let drag = press.tangential(Axis::X, TangentialControl::Force(force));
+            drag.relative_displacement(amount)
+        };
+        let take = |history: &mut History, force: f64, amount: f64| {
+            let step = history.step(&load(force, amount)).unwrap();
+            let energy = *step.energy();
+            let size = energy.elastic_before + energy.elastic_after + energy.work.abs();
+            assert!(energy.imbalance().abs() <= 1e-12 * size, "{energy:?}");
+            assert!(energy.dissipated_energy >= 0.0);
+            energy.dissipated_energy
+        };
+        let mut total = take(&mut history, 0.0, 0.0);
+        for cycle in 0..2 {
+            for quarter in 0..4 {
+                let angle = 0.5 * std::f64::consts::PI * f64::from(quarter);
+                total += take(&mut history, 0.02 * angle.sin(), 0.02 * angle.sin());
+                total += take(
+                    &mut history,
+                    0.02 * angle.cos(),
+                    0.01 * angle.sin() + 0.001 * f64::from(cycle),
+                );
+            }
+        }
+        assert!(total > 1e-6);
+        // Held, it stays; another pattern takes the place of what was reached.
+        let reached = history
+            .state()
+            .relative_displacement()
+            .map(|w| w[0].clone());
+        history.step(&LoadStep::force([0.01, 0.0])).unwrap();
+        assert_eq!(
+            history
+                .state()
+                .relative_displacement()
+                .map(|w| w[0].clone()),
+            reached
+        );
+        history.set_relative_displacement(&other).unwrap();
+        let bytes = history.to_bytes();
+        let mut restored = History::from_bytes(&bodies, &bytes).unwrap();
+        for history in [&mut history, &mut restored] {
+            take(history, 0.01, 0.015);
+        }
+        assert_eq!(history.to_bytes(), restored.to_bytes());
+        let [_, along_y] = history.state().relative_displacement().unwrap();
+        assert_eq!(along_y.get(3, 21), Some(0.015 * grid.y(21)));
+    }
+}
+
+/// One step of a history from rest is the problem, and parts of it lead to the same where nothing turns.
+#[test]
+fn a_step_from_rest_is_the_problem() {
+    let found = roller(256, 0.6 * FRICTION * LOAD, 150.0);
+    let grid = found.grid();
+    let boundary = Boundary::PeriodicAlongY { datum: 50.0 };
+    let bodies = HalfSpace::with_boundary(grid, *hertz().pair(), boundary).unwrap();
+    let gap = surface::cylinder(grid, RADIUS).unwrap();
+    let strain = [[steel().plane_strain(1.0), 0.0], [0.0; 2]];
+    let bulk = RelativeDisplacement::bulk_strain(grid, strain).unwrap();
+    for parts in [1, 5] {
+        let builder = History::builder(&bodies, &gap, friction()).tolerance(1e-11);
+        let mut history = builder.relative_displacement(bulk.clone()).build().unwrap();
+        let press = LoadStep::hold().normal(NormalControl::Force(LOAD));
+        history.step(&press).unwrap();
+        for part in 1..=parts {
+            let part = f64::from(part) / f64::from(parts);
+            let force = part * 0.6 * FRICTION * LOAD;
+            let load = LoadStep::force([force, 0.0]).relative_displacement(part * 150.0);
+            history.step(&load).unwrap();
+        }
+        let [a, b] = [history.traction()[0], found.traction()[0]].map(Field::as_slice);
+        let scale = FRICTION * hertz().max_pressure();
+        assert!(
+            max_difference(a, b) < 1e-6 * scale,
+            "{:e}",
+            max_difference(a, b) / scale
+        );
+        assert!((history.shift()[0] / found.shift()[0] - 1.0).abs() < 1e-7);
+    }
+}
+
+#[test]
+fn what_does_not_fit_is_refused() {
+    let grid = Grid::square(8, 4.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let gap = surface::sphere(grid, 10.0).unwrap();
+    let across = RelativeDisplacement::bulk_strain(grid, [[0.0, 0.0], [0.0, 0.25]]).unwrap();
+    let builder = || History::builder(&bodies, &gap, friction());
+    let refused = builder().relative_displacement(across.clone()).build();
+    assert!(matches!(
+        refused,
+        Err(Error::NotModelled { value: -0.4375, .. })
+    ));
+    let other = Grid::square(9, 4.0).unwrap();
+    let elsewhere = RelativeDisplacement::bulk_strain(other, [[0.0; 2]; 2]).unwrap();
+    let mut history = builder().build().unwrap();
+    for (wrong, is_grid) in [(across, false), (elsewhere, true)] {
+        let refused = history.set_relative_displacement(&wrong);
+        assert_eq!(matches!(refused, Err(Error::GridMismatch { .. })), is_grid);
+        assert!(refused.is_err());
+    }
+    let bytes = history.to_bytes();
+    let press = LoadStep::hold().normal(NormalControl::Force(0.1));
+    let refused = history.step(&press.relative_displacement(2.0));
+    assert!(matches!(
+        refused,
+        Err(Error::NotModelled { value: 2.0, .. })
+    ));
+    let refused = history.step(&press.relative_displacement(f64::NAN));
+    assert!(matches!(refused, Err(Error::NotFinite { .. })));
+    assert_eq!(history.to_bytes(), bytes);
+    let refused = RelativeDisplacement::bulk_strain(grid, [[f64::INFINITY, 0.0], [0.0; 2]]);
+    assert!(matches!(refused, Err(Error::Sample { .. })));
+    let fields = [Field::zeros(grid), Field::zeros(other)];
+    assert!(matches!(
+        RelativeDisplacement::new(fields),
+        Err(Error::GridMismatch { .. })
+    ));
+}
