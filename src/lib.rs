@@ -206,6 +206,7 @@ mod half_space;
 pub mod history;
 pub mod influence;
 pub mod io;
+mod kept;
 mod material;
 pub mod normal;
 mod operator;
