@@ -142,10 +142,10 @@ impl Increment {
     }
 
     /// The displacement that the present tractions cause, computed anew.
-    pub(crate) fn fresh_displacement(&mut self) -> PlaneVector {
-        let mut displacement = zeros(self.axes, self.pressed.window.cells());
-        self.engine.apply(&self.traction, &mut displacement);
-        displacement
+    pub(crate) fn fresh_displacement(&mut self) -> [&[f64]; 2] {
+        // A solve writes its linear term first.
+        self.engine.apply(&self.traction, &mut self.linear);
+        slices(&self.linear)
     }
 
     /// The offsets of the step, of the cells of the window.
