@@ -208,6 +208,7 @@ mod half_space;
 pub mod history;
 pub mod influence;
 pub mod io;
+mod kept;
 mod material;
 pub mod normal;
 mod operator;

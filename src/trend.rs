@@ -57,6 +57,14 @@ impl Ahead {
 }
 
 impl<const N: usize> Trend<N> {
+    /// Knows of no change any more; keeps its memory.
+    pub(crate) fn forget(&mut self) {
+        for change in &mut self.change {
+            change.clear();
+        }
+        self.by = [[0.0; 2]; N];
+    }
+
     /// How many times the last change the load lies ahead, negative if it goes back: the mean of the components, by the
     /// squares of the changes of their sums. `None` where the trend does not lead there, or too far.
     pub(crate) fn parts(&self, ahead: [Ahead; N]) -> Option<f64> {

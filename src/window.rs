@@ -79,6 +79,17 @@ impl Window {
         both
     }
 
+    /// What two have in common, if anything.
+    pub(crate) fn intersection(self, other: Self) -> Option<Self> {
+        let mut common = self;
+        for axis in [0, 1] {
+            let end = |window: Self| window.corner[axis] + window.size[axis];
+            common.corner[axis] = self.corner[axis].max(other.corner[axis]);
+            common.size[axis] = end(self).min(end(other)).checked_sub(common.corner[axis])?;
+        }
+        (common.cells() > 0).then_some(common)
+    }
+
     /// Whether all of another window lies inside.
     pub(crate) fn covers(self, other: Self) -> bool {
         self.union(other) == self
@@ -195,6 +206,39 @@ impl Window {
         })
     }
 
+    /// The window as one of a grid that is a window around it.
+    fn within(self, outer: Self) -> Self {
+        Self {
+            columns: outer.size[0],
+            corner: [0, 1].map(|axis| self.corner[axis] - outer.corner[axis]),
+            size: self.size,
+        }
+    }
+
+    /// Cuts the window out of a field of one around it, in place.
+    pub(crate) fn cut(self, outer: Self, field: &mut Vec<f64>) {
+        let ([nx, ny], own) = (self.size, self.within(outer));
+        for row in 0..ny {
+            let start = own.row_start(row);
+            field.copy_within(start..start + nx, row * nx);
+        }
+        field.truncate(self.cells());
+    }
+
+    /// Spreads a field of a window inside over the window, in place, with zeros around it.
+    pub(crate) fn spread(self, inner: Self, field: &mut Vec<f64>) {
+        let ([nx, ny], place) = (inner.size, inner.within(self));
+        field.resize(self.cells(), 0.0);
+        let mut end = field.len();
+        for row in (0..ny).rev() {
+            let start = place.row_start(row);
+            field.copy_within(row * nx..(row + 1) * nx, start);
+            field[start + nx..end].fill(0.0);
+            end = start;
+        }
+        field[..end].fill(0.0);
+    }
+
     /// Copies the window out of a field of the whole grid.
     pub(crate) fn gather(&self, whole: &[f64], part: &mut [f64]) {
         let work = |rows: Range<usize>, part: Blocks<'_, f64>| {
@@ -264,4 +308,49 @@ pub(crate) fn refined([nx, ny]: [usize; 2], coarse: &[f64]) -> Vec<f64> {
         }
     });
     fine
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_field_that_is_spread_and_cut_is_as_it_was() {
+        let grid = Grid::new(9, 7, 1.0, 1.0).unwrap();
+        let window = |corner, size| Window::at(grid, corner, size).unwrap();
+        let outer = window([1, 1], [7, 5]);
+        for inner in [
+            outer,
+            window([1, 1], [1, 1]),
+            window([2, 3], [5, 2]),
+            window([7, 1], [1, 5]),
+            window([1, 5], [7, 1]),
+        ] {
+            let mut whole = vec![0.0; grid.cells()];
+            for i in inner.indices() {
+                whole[i] = 1.0 + i as f64;
+            }
+            let of = |window: Window| {
+                let mut part = vec![0.0; window.cells()];
+                window.gather(&whole, &mut part);
+                part
+            };
+            let mut field = of(inner);
+            outer.spread(inner, &mut field);
+            assert_eq!(field, of(outer));
+            inner.cut(outer, &mut field);
+            assert_eq!(field, of(inner));
+        }
+    }
+
+    #[test]
+    fn windows_that_only_touch_have_nothing_in_common() {
+        let grid = Grid::new(9, 7, 1.0, 1.0).unwrap();
+        let window = |corner, size| Window::at(grid, corner, size).unwrap();
+        let one = window([1, 1], [3, 4]);
+        assert_eq!(one.intersection(window([4, 1], [2, 2])), None);
+        assert_eq!(one.intersection(window([7, 6], [2, 1])), None);
+        let other = window([2, 3], [6, 4]);
+        assert_eq!(one.intersection(other), Some(window([2, 3], [2, 2])));
+    }
 }

@@ -102,11 +102,9 @@ impl Cone for Within<'_> {
 }
 
 impl Engine {
-    /// On a window, or on the whole grid if it repeats or the window saves too little.
+    /// On a window, as [`HalfSpace::place`] has it.
     pub(super) fn new(bodies: &HalfSpace, window: Window) -> Result<Self> {
-        let (window, whole) = (bodies.confined(window), Window::whole(bodies.grid()));
-        let is_whole = 5 * window.cells() > 4 * whole.cells();
-        let window = if is_whole { whole } else { window };
+        let (window, whole) = (bodies.place(window), Window::whole(bodies.grid()));
         let size = window.size;
         let [x, y, z] = [Direction::X, Direction::Y, Direction::Z];
         let compliance = bodies.compliance([z, x, y], size)?;
@@ -127,7 +125,7 @@ impl Engine {
                 coupling: tensor.coupling(),
                 spread: (plane.upper_bound() / normal.lower_bound()).sqrt(),
             },
-            whole: (!is_whole).then(|| Whole {
+            whole: (window != whole).then(|| Whole {
                 workspace: tensor.workspace(),
                 operator: tensor,
             }),
@@ -140,6 +138,11 @@ impl Engine {
             image: zeros(),
             limits: vec![0.0; cells],
         })
+    }
+
+    /// In another place of the same size.
+    pub(super) fn at(self, window: Window) -> Self {
+        Self { window, ..self }
     }
 
     /// Takes tractions of the whole grid as the start.

@@ -4,6 +4,7 @@ use crate::cascade::Conditions;
 use crate::cgm::{Total, reduce};
 use crate::coupled::CoupledReport;
 use crate::coupled::engine::{Engine, N, Start, Task};
+use crate::coupled::engines::Engines;
 use crate::error::{Error, Result, finite};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
@@ -29,8 +30,7 @@ const ROUND_OFF: f64 = 1e-13;
 #[derive(Debug, Clone)]
 pub(crate) struct CoupledIncrement {
     pub(super) bodies: HalfSpace,
-    /// On the window of the contact; `None` before the first.
-    engine: Option<Engine>,
+    engines: Engines,
     /// Pressure and tractions of the whole grid: the start of the next step, and the answer of the last.
     tractions: [Vec<f64>; N],
     displacement: [Vec<f64>; N],
@@ -63,7 +63,7 @@ impl CoupledIncrement {
         bodies.compliance([Direction::Z, Direction::X, Direction::Y], grid.size())?;
         let zeros_of_all = || std::array::from_fn(|_| vec![0.0; grid.cells()]);
         Ok(Self {
-            engine: None,
+            engines: Engines::default(),
             tractions: zeros_of_all(),
             displacement: zeros_of_all(),
             pressed: Pressed::new(Window::whole(grid)),
@@ -98,16 +98,12 @@ impl CoupledIncrement {
 
     /// Where the engine works; `None` before the first contact.
     pub(crate) fn window(&self) -> Option<Window> {
-        self.engine.as_ref().map(|engine| engine.window)
+        self.engines.present.as_ref().map(|engine| engine.window)
     }
 
     /// Goes on as after a step that ended with this window.
     pub(crate) fn resume(&mut self, window: Option<Window>) -> Result<()> {
-        if self.window() != window {
-            let remake = |window| Engine::new(&self.bodies, window);
-            self.engine = window.map(remake).transpose()?;
-        }
-        Ok(())
+        self.engines.resume(&self.bodies, window)
     }
 
     /// Takes pressure and tractions as the start of the next step, with the approach and the shift they belong to.
@@ -208,6 +204,7 @@ impl CoupledIncrement {
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<()> {
         self.report.clear();
+        self.engines.age();
         parallel::enter_with(self.bodies.grid().cells(), || {
             self.find(demand, before, conditions)
         })
@@ -265,7 +262,11 @@ impl CoupledIncrement {
         let expected = self.expected(&totals, datum);
         let outcome = self.solve_on_window(totals, expected, start, demand.friction, conditions);
         self.report.work.time = conditions.start.elapsed();
-        let [approach, x, y] = self.engine.as_ref().map_or([0.0; N], Engine::multiplier);
+        let [approach, x, y] = self
+            .engines
+            .present
+            .as_ref()
+            .map_or([0.0; N], Engine::multiplier);
         self.approach = datum + approach;
         self.motion.shift = [self.motion.shift[0] + x, self.motion.shift[1] + y];
         self.pressed.set(&self.tractions[0], demand.friction);
@@ -310,10 +311,10 @@ impl CoupledIncrement {
         let grown = contact.with_margins(grid, [GROWTH; 2]);
         let fits = self.window().is_some_and(|window| window.covers(grown));
         if !fits {
-            self.engine = Some(Engine::new(&self.bodies, contact.widened(grid))?);
+            self.engines.work_on(&self.bodies, contact.widened(grid))?;
         }
         loop {
-            let Some(engine) = &mut self.engine else {
+            let Some(engine) = &mut self.engines.present else {
                 return Err(Error::EmptyContact);
             };
             engine.take(&self.tractions);
@@ -335,7 +336,7 @@ impl CoupledIncrement {
             match missed {
                 Some(missed) if outcome.is_ok() => {
                     let wider = window.union(missed).widened(grid);
-                    self.engine = Some(Engine::new(&self.bodies, wider)?);
+                    self.engines.work_on(&self.bodies, wider)?;
                     start = Start::Present;
                 }
                 _ => return outcome,

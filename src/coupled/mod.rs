@@ -40,6 +40,7 @@
 
 mod contraction;
 mod engine;
+mod engines;
 mod increment;
 mod nested;
 mod problem;

@@ -313,6 +313,13 @@ impl HalfSpace {
         window.spanning(self.grid(), self.boundary().repeats())
     }
 
+    /// Where a contact in the window is solved with looks at the whole grid: there, if the window saves too little.
+    pub(crate) fn place(&self, window: Window) -> Window {
+        let (window, whole) = (self.confined(window), Window::whole(self.grid()));
+        let saves_little = 5 * window.cells() > 4 * whole.cells();
+        if saves_little { whole } else { window }
+    }
+
     fn size(&self) -> [usize; 2] {
         self.shared.grid.size()
     }

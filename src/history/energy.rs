@@ -20,9 +20,9 @@ use crate::normal::NormalSolution;
 /// holds for any two states, because the operator is symmetric. In the plane, products are those of vectors, and
 /// to the work comes that of the moment, $`\tfrac12 (M_n + M_{n+1})\,\Delta\varphi`$, as the motion of a cell is
 /// $`\delta + \varphi\,(-y, x)`$. A cell that comes into contact within the step follows a part of the motion
-/// ([`TouchRule`](crate::history::TouchRule)), which then stands for $`\Delta\delta`$ on both sides. So does $`\Delta\delta
-/// - \Delta w`$ where a [relative displacement](crate::tangential::RelativeDisplacement) w changes. The rest is what slip dissipates
-/// ([`mid_step_dissipated_energy`](Self::mid_step_dissipated_energy)), what cells that leave the contact let go
+/// ([`TouchRule`](crate::history::TouchRule)), which then stands for $`\Delta\delta`$ on both sides; where a
+/// [relative displacement](crate::tangential::RelativeDisplacement) w changes, $`\Delta\delta - \Delta w`$ does. The rest
+/// is what slip dissipates ([`mid_step_dissipated_energy`](Self::mid_step_dissipated_energy)), what cells that leave the contact let go
 /// ([`released`](Self::released)) and what the tolerance of the solve leaves where there should be no slip
 /// ([`residual`](Self::residual)). What a spring stores, $`F^2 / 2k`$, is not among these: work is what it does to
 /// body 2. Where pressure and shear are coupled, work and elastic energy include those of the pressure,

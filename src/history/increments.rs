@@ -1,5 +1,5 @@
 //! The tangential contact of the step under way: had for its time alone, from a pool of all histories of the same bodies
-//! whose contacts have a window of the same size.
+//! whose contacts have a window of the same size. The pools of sizes that a contact has left are kept for its return.
 
 use std::sync::Arc;
 
@@ -7,6 +7,7 @@ use crate::coupling::Coupling;
 use crate::error::Result;
 use crate::half_space::HalfSpace;
 use crate::influence::Component;
+use crate::kept::Kept;
 use crate::pool::Pool;
 use crate::tangential::{Axis, Increment, Pressed};
 use crate::window::Window;
@@ -15,6 +16,8 @@ use crate::window::Window;
 #[derive(Debug, Clone, Default)]
 pub(super) struct Increments {
     source: Option<Source>,
+    /// Those of other sizes.
+    kept: Kept<Source>,
 }
 
 #[derive(Debug, Clone)]
@@ -35,14 +38,24 @@ impl Increments {
         kind: Kind,
         window: Window,
     ) -> Result<Increment> {
+        self.kept.age();
         let fits = |source: &Source| (source.kind, source.size) == (kind, window.size);
-        let source = match self.source.take().filter(fits) {
-            Some(source) => source,
-            None => Source {
-                kind,
-                size: window.size,
-                pool: bodies.pool(components(bodies, kind), window.size)?,
-            },
+        let source = match self.source.take() {
+            Some(source) if fits(&source) => source,
+            left => {
+                let source = match self.kept.take(window.size).filter(fits) {
+                    Some(source) => source,
+                    None => Source {
+                        kind,
+                        size: window.size,
+                        pool: bodies.pool(components(bodies, kind), window.size)?,
+                    },
+                };
+                if let Some(left) = left {
+                    self.kept.leave(left.size, left, window.size);
+                }
+                source
+            }
         };
         let pool = &self.source.insert(source).pool;
         match pool.take() {

@@ -4,7 +4,7 @@ use crate::error::Result;
 use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
 use crate::history::state::State;
-use crate::tangential::{Axis, Demand, Increment, Motion, PlaneVector, Zone, centre, zeros};
+use crate::tangential::{Axis, Demand, Increment, Motion, PlaneVector, centre, zeros};
 use crate::trend::Trend;
 use crate::window::Window;
 
@@ -50,27 +50,49 @@ impl Memory {
         }
     }
 
-    /// On a wider window, that of an increment.
-    pub(super) fn widened(&self, grid: Grid, increment: &mut Increment, state: &State) -> Self {
-        let window = increment.pressed.window;
-        increment.set_traction(state.traction.each_ref().map(Field::as_slice));
-        let mut wide = Self::first(grid, state.axes, window, state.motion);
-        wide.displacement = increment.fresh_displacement();
-        let mut whole = vec![0.0; grid.cells()];
-        for axis in state.axes.iter().map(|axis| axis.index()) {
-            let offset = &mut wide.offset[axis];
-            for (offset, displacement) in offset.iter_mut().zip(&wide.displacement[axis]) {
-                *offset += displacement;
-            }
-            window.scatter(offset, &mut whole);
-            for (i, offset) in self.window.indices().zip(&self.offset[axis]) {
-                if state.zones[i] != Zone::Separated {
-                    whole[i] = *offset;
-                }
-            }
-            window.gather(&whole, offset);
+    /// Takes the window of an increment, which is wider; what it knew of its own cells stays, bit for bit.
+    pub(super) fn widen(&mut self, grid: Grid, increment: &mut Increment, state: &State) {
+        let (window, old) = (increment.pressed.window, self.window);
+        for field in self.fields_mut() {
+            window.spread(old, field);
         }
-        wide
+        self.window = window;
+        increment.set_traction(state.traction.each_ref().map(Field::as_slice));
+        let displacement = increment.fresh_displacement();
+        let added = window
+            .indices()
+            .enumerate()
+            .filter(|(_, i)| !old.contains(*i));
+        for (k, i) in added {
+            let moved = state.motion.at(centre(grid, i));
+            for axis in state.axes.iter().map(|axis| axis.index()) {
+                self.displacement[axis][k] = displacement[axis][k];
+                self.offset[axis][k] = displacement[axis][k] - moved[axis];
+            }
+        }
+    }
+
+    /// Takes a smaller window around all contact. What a cell apart remembers is lost with it: [`Self::widen`] finds it
+    /// again.
+    pub(super) fn narrow(&mut self, window: Window) {
+        let old = self.window;
+        for field in self.fields_mut() {
+            window.cut(old, field);
+        }
+        self.window = window;
+    }
+
+    /// All fields of the window.
+    fn fields_mut(&mut self) -> impl Iterator<Item = &mut Vec<f64>> {
+        let Self {
+            displacement,
+            offset,
+            trend,
+            ..
+        } = self;
+        let vectors = [displacement, offset, &mut trend.change];
+        let fields = vectors.into_iter().flatten();
+        fields.filter(|field| !field.is_empty())
     }
 
     /// How many times the last step the load continues in the same direction; `None` where it does not.

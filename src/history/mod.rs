@@ -67,6 +67,7 @@
 //! with tractions and slip kept.
 
 mod adaptive;
+mod attempt;
 mod batch;
 mod builder;
 mod commit;
@@ -78,6 +79,7 @@ mod increments;
 mod joint;
 mod load;
 mod memory;
+mod narrowing;
 mod path;
 mod reading;
 mod regime;

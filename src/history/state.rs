@@ -208,6 +208,14 @@ impl State {
         press.resume(bodies, self.approach(), window, &self.trend)
     }
 
+    /// Makes what the cells remember that of this window again, which was widened since; `None` if there was none.
+    pub(super) fn forget_beyond(&mut self, window: Option<Window>) {
+        match (&mut self.contact, window) {
+            (Some(memory), Some(window)) => memory.narrow(window),
+            (contact, _) => *contact = None,
+        }
+    }
+
     /// Whether what a state of coupled bodies remembers is all there.
     pub(super) fn is_whole(&self) -> bool {
         let whole = Window::whole(self.grid());

@@ -2,9 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use crate::cascade::Conditions;
 use crate::cgm::{Iteration, Settings};
-use crate::clock::Instant;
 use crate::coupled::CoupledIncrement;
 use crate::elastic::Observer;
 use crate::error::Result;
@@ -14,18 +12,17 @@ use crate::history::builder::HistoryBuilder;
 use crate::history::commit::commit;
 use crate::history::increments::Increments;
 use crate::history::joint::new_joint;
-use crate::history::memory::Memory;
+use crate::history::narrowing::narrow;
 use crate::history::remarks::Remarks;
 use crate::history::state::State;
-use crate::history::touch;
 use crate::history::yielding::{add_yielded, settle};
 use crate::history::{EnergyBalance, LoadStep, StepResult};
-use crate::normal::{NormalControl, NormalSolution, Pressing, PressureSolver};
+use crate::normal::{NormalControl, NormalSolution, PressureSolver};
 use crate::parallel;
 use crate::passes::with_memory;
 use crate::pool::Lease;
 use crate::report::{Report, Status};
-use crate::tangential::{Friction, Increment, Motion, Start, TangentialModel};
+use crate::tangential::{Friction, Increment, TangentialModel};
 use crate::window::Window;
 
 /// Two bodies in contact that remember their load: pressure, traction, slip and energy, step by step.
@@ -35,8 +32,12 @@ use crate::window::Window;
 /// Beside its bodies it takes 170 bytes per cell of the grid and 375 per cell of the contact's bounding box,
 /// in the vector model ([`HistoryBuilder::model`]) 640 there, operators included. Most of it is borrowed for a step at a
 /// time: further histories of the same bodies, with boxes of the same size, take 121 and 43 (67) each, as long as they
-/// are not stepped at once. For bodies of different materials it takes several times that. A contact that outgrows the
-/// box takes a wider one for good. After the first steps, a step within it allocates nothing.
+/// are not stepped at once. For bodies of different materials it takes several times that.
+///
+/// A contact that outgrows the box takes a wider one; one that needs at most half its cells, before a step and after it,
+/// takes a smaller one. What was made for other boxes is kept for 256 steps, while it serves no more than twice the cells
+/// of the largest: a contact that goes to and fro between such boxes allocates nothing after the first cycles. Its state
+/// keeps room for the largest; a clone of it does not.
 ///
 /// Its [`state`](Self::state) is a value: a clone of it keeps what to return to ([`set_state`](Self::set_state)) or to
 /// continue from ([`from_state`](Self::from_state)), and [`to_bytes`](Self::to_bytes) saves it.
@@ -72,16 +73,14 @@ use crate::window::Window;
 pub struct History {
     pub(super) bodies: HalfSpace,
     pub(super) state: State,
-    press: PressureSolver,
+    pub(super) press: PressureSolver,
     /// The normal contact of the step under way.
     pub(super) candidate: Lease<NormalSolution>,
     pub(super) increments: Increments,
-    /// The tangential contact of the step under way, on the window of the [`Memory`] in the state or on a wider one.
-    increment: Option<Increment>,
+    /// The tangential contact of the step under way.
+    pub(super) increment: Option<Increment>,
     /// Pressure and shear found together, instead of the above; none where they are not coupled.
-    joint: Option<Box<CoupledIncrement>>,
-    /// What takes the place of the memory if the step under way, which needs a wider window, succeeds.
-    wider: Option<Memory>,
+    pub(super) joint: Option<Box<CoupledIncrement>>,
     pub(super) step: StepResult,
     /// Where the fields of the step are not all zero, if anywhere.
     written: Option<Window>,
@@ -122,7 +121,6 @@ impl History {
             increments: Increments::default(),
             increment: None,
             joint: new_joint(bodies, &state)?,
-            wider: None,
             step: StepResult::new(state.grid()),
             written: None,
             state,
@@ -136,8 +134,8 @@ impl History {
     }
 
     /// Returns to a state, one of this history or of another on equal bodies: gap, friction and settings are those
-    /// of the state too. It copies into the buffers that are there, and allocates only if the contact has outgrown
-    /// its box since. [`last_step`](Self::last_step) still is the step taken last.
+    /// of the state too. It copies into the buffers that are there, and allocates only if the contact has had
+    /// another box since. [`last_step`](Self::last_step) still is the step taken last.
     ///
     /// # Errors
     /// As [`History::from_state`]; the history is then as it was.
@@ -164,7 +162,7 @@ impl History {
     }
 
     /// Makes the solver of the pressure start from the state again.
-    fn take_back(&mut self) -> Result<()> {
+    pub(super) fn take_back(&mut self) -> Result<()> {
         let state = &self.state;
         if let Some(joint) = &mut self.joint {
             return joint.resume(state.press_window);
@@ -210,16 +208,17 @@ impl History {
 
     /// Takes a step that has been checked.
     fn take(&mut self, load: &LoadStep, observer: Observer<'_>) -> Result<()> {
+        let remembered = self.state.contact.as_ref().map(|memory| memory.window);
         let motion = match self.attempt(load, &mut with_memory(observer)) {
             Ok(motion) => motion,
             Err(error) => {
+                self.state.forget_beyond(remembered);
                 self.take_back()?;
-                self.wider = None;
                 return Err(error);
             }
         };
         let Self { state, step, .. } = self;
-        let mut pressing = EnergyBalance::default();
+        let (mut pressing, press_window) = (EnergyBalance::default(), state.press_window);
         let (control, is_pressed) = (load.normal_control(), self.candidate.held().is_some());
         match self.candidate.held_mut() {
             None if control == NormalControl::Hold => {
@@ -252,9 +251,6 @@ impl History {
         };
         step.normal_force = state.normal.force();
         step.approach = state.approach();
-        if let Some(memory) = self.wider.take() {
-            state.contact = Some(memory);
-        }
         let (joint, increment) = (self.joint.as_ref(), self.increment.as_ref());
         let sheared = joint.map(|joint| (joint.answer(), joint.report()));
         let sheared = sheared.or_else(|| increment.map(|part| (part.answer(), part.report())));
@@ -267,81 +263,9 @@ impl History {
             settle(state);
         }
         step.energy = step.energy.plus(&pressing);
+        let before = self.candidate.held().map(NormalSolution::pressure);
+        narrow(state, before, press_window);
         Ok(())
-    }
-
-    /// Solves both halves of a step without a trace in the state; returns the motion of body 2 at its end.
-    fn attempt(&mut self, load: &LoadStep, observer: Observer<'_>) -> Result<Motion> {
-        if let Some(mut joint) = self.joint.take() {
-            let motion = self.attempt_joint(&mut joint, load, observer);
-            self.joint = Some(joint);
-            return motion;
-        }
-        let control = load.normal_control();
-        let is_held = control == NormalControl::Hold || self.state.is_pressed_by(control);
-        let pressed = if is_held {
-            &self.state.normal
-        } else {
-            control.check(&self.bodies, &self.state.gap)?;
-            if let Some(hardness) = &self.state.hardness {
-                hardness.check_load(self.bodies.grid(), control)?;
-            }
-            let of = Pressing {
-                bodies: &self.bodies,
-                gap: &self.state.gap,
-                least_gap: self.state.gap.min(),
-                hardness: self.state.hardness.as_ref(),
-                control,
-                settings: &self.state.settings,
-            };
-            let candidate = self.candidate.take(|| self.state.normal.clone());
-            let pressure = candidate.pressure_mut();
-            parallel::copy(self.state.pressure().as_slice(), pressure);
-            self.press.solve(&of, pressure, &mut *observer)?;
-            self.press.finish(&of, candidate);
-            &*candidate
-        };
-        let (state, demand) = (&self.state, load.demand(self.state.motion.twist));
-        let grid = self.bodies.grid();
-        let Some(window) = window_of(&self.bodies, pressed.pressure(), state) else {
-            return demand.without_contact(state.axes, state.motion);
-        };
-        let kind = (state.axes, state.coupling);
-        let increment = self.increments.take(&self.bodies, kind, window)?;
-        let increment = self.increment.insert(increment);
-        let memory = match &state.contact {
-            Some(memory) if memory.window == window => memory,
-            Some(memory) => self.wider.insert(memory.widened(grid, increment, state)),
-            None => {
-                let first = Memory::first(grid, state.axes, window, state.motion);
-                self.wider.insert(first)
-            }
-        };
-        let pressure = pressed.pressure().as_slice();
-        increment.pressed.set(pressure, &state.friction);
-        increment.set_offset(&memory.offset);
-        if let Some(change) = state.displaced_by(load) {
-            increment.displace(change);
-        }
-        if !is_held {
-            increment.draw_from(state.pressure().as_slice());
-            touch::follow_growth(increment, state, pressed, load, &demand);
-        }
-        increment.set_traction(state.traction.each_ref().map(Field::as_slice));
-        let mut conditions = Conditions {
-            settings: &state.settings,
-            start: Instant::now(),
-            observer,
-        };
-        let start = match memory.parts_ahead(state, &demand) {
-            Some(parts) => {
-                increment.extrapolate(&memory.trend, parts);
-                Start::Near
-            }
-            None => Start::Present(state.shift()),
-        };
-        increment.solve(&demand, state.motion, start, &mut conditions)?;
-        Ok(increment.motion())
     }
 
     /// Changes the gap before loading, as wear does; all else stays, the pressure too until a step that does not
@@ -385,20 +309,4 @@ impl History {
         self.state.settings = settings;
         Ok(())
     }
-}
-
-/// Where the tractions of a pressure are found: on the window that the contact has, or on one that is wide enough for a
-/// contact that has left it, and a little wider, so that it may grow some more. `None` before the first contact.
-fn window_of(bodies: &HalfSpace, pressure: &Field, state: &State) -> Option<Window> {
-    let (grid, samples) = (bodies.grid(), pressure.as_slice());
-    let present = state.contact.as_ref().map(|memory| memory.window);
-    let Some(contact) = Window::around(grid, |i| samples[i] > 0.0) else {
-        return present;
-    };
-    let contact = bodies.confined(contact);
-    Some(match present {
-        Some(window) if window.covers(contact) => window,
-        Some(window) => window.union(contact.widened(grid)),
-        None => contact,
-    })
 }

@@ -102,12 +102,10 @@ impl Load {
 }
 
 impl Engine {
-    /// On a window, or on the whole grid if it repeats or the window saves too little.
+    /// On a window, as [`HalfSpace::place`] has it.
     pub(super) fn new(bodies: &HalfSpace, window: Window) -> Result<Self> {
-        let (window, whole) = (bodies.confined(window), Window::whole(bodies.grid()));
-        let is_whole = 5 * window.cells() > 4 * whole.cells();
-        let window = if is_whole { whole } else { window };
-        let part = if is_whole {
+        let (window, whole) = (bodies.place(window), Window::whole(bodies.grid()));
+        let part = if window == whole {
             None
         } else {
             let Compliance { operator, .. } = bodies.compliance([Direction::Z], whole.size)?;
@@ -122,6 +120,13 @@ impl Engine {
             window,
             part,
         })
+    }
+
+    /// In another place of the same size, without a trend.
+    pub(super) fn at(mut self, window: Window) -> Self {
+        self.window = window;
+        self.trend.forget();
+        self
     }
 
     /// Gives the buffers back; the displacement is then gone.

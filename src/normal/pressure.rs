@@ -7,6 +7,7 @@ use crate::elastic::Observer;
 use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
+use crate::kept::Kept;
 use crate::normal::engine::{Engine, Load, Surfaces};
 use crate::normal::hardness::UNLIMITED;
 use crate::normal::nested::PressureScene;
@@ -43,6 +44,8 @@ impl<'a> Pressing<'a> {
 pub(crate) struct PressureSolver {
     /// What the last solve worked with; `None` before the first.
     engine: Option<Engine>,
+    /// Those of other windows.
+    kept: Kept<Engine>,
     /// Whether its answer is a start.
     is_start: bool,
     /// The approach that belongs to the pressure.
@@ -54,6 +57,7 @@ impl PressureSolver {
     pub(crate) fn new() -> Self {
         Self {
             engine: None,
+            kept: Kept::default(),
             is_start: false,
             approach: 0.0,
             report: Report::with_room(),
@@ -70,6 +74,11 @@ impl PressureSolver {
         self.engine.as_ref().map(|engine| &engine.trend)
     }
 
+    /// Counts a step, whether or not it solves.
+    pub(crate) fn age(&mut self) {
+        self.kept.age();
+    }
+
     /// Goes on as after a solve that came to this approach, on the window it ended with; one that failed gives its buffers
     /// back.
     pub(crate) fn resume(
@@ -81,15 +90,33 @@ impl PressureSolver {
     ) -> Result<()> {
         self.approach = approach;
         if self.window() != window {
-            self.engine = window
-                .map(|window| Engine::new(bodies, window))
-                .transpose()?;
+            let next = window.map(|window| self.engine_on(bodies, window));
+            let next = next.transpose()?;
+            if let Some((left, next)) = self.engine.take().zip(next.as_ref()) {
+                self.leave(left, next);
+            }
+            self.engine = next;
         }
         if let Some(engine) = &mut self.engine {
             engine.rest();
             engine.trend.clone_from(trend);
         }
         Ok(())
+    }
+
+    /// An engine on a window.
+    fn engine_on(&mut self, bodies: &HalfSpace, window: Window) -> Result<Engine> {
+        let window = bodies.place(window);
+        match self.kept.take(window.size) {
+            Some(engine) => Ok(engine.at(window)),
+            None => Engine::new(bodies, window),
+        }
+    }
+
+    /// Keeps an engine that another takes the place of.
+    fn leave(&mut self, mut left: Engine, next: &Engine) {
+        left.rest();
+        self.kept.leave(left.window.size, left, next.window.size);
     }
 
     /// Forgets the last answer: the next solve starts as the first did.
@@ -259,7 +286,9 @@ impl PressureSolver {
             check_iterations_left(settings, &mut self.report)?;
             if let Some(missed) = missed {
                 let wider = engine.window.union(missed).widened(bodies.grid());
-                *engine = Engine::new(bodies, wider)?;
+                let next = self.engine_on(bodies, wider)?;
+                let left = std::mem::replace(engine, next);
+                self.leave(left, engine);
             } else if aim < 0.1 * settings.tolerance {
                 self.report.status = Status::Stalled;
                 return Err(Error::NotConverged(Box::new(self.report.clone())));

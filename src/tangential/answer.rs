@@ -1,7 +1,7 @@
 //! What a step has found in the cells of a window, however it was found.
 
 use crate::cgm::vector::{dot, minus};
-use crate::tangential::increment::at;
+use crate::tangential::engine::at;
 use crate::tangential::limits::is_at_limit;
 use crate::tangential::{Motion, Pressed};
 

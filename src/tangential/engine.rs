@@ -18,6 +18,21 @@ use crate::tangential::nested::FrictionScene;
 /// A vector of the plane on the cells of a window, `[x, y]`; a component that the model leaves out has no cells.
 pub(crate) type PlaneVector = [Vec<f64>; 2];
 
+/// Zero in the components along these axes.
+pub(crate) fn zeros(axes: &[Axis], cells: usize) -> PlaneVector {
+    let mut both = PlaneVector::default();
+    for axis in axes {
+        both[axis.index()] = vec![0.0; cells];
+    }
+    both
+}
+
+/// `[x, y]` of a cell, zero where the model has no component.
+pub(crate) fn at<V: AsRef<[f64]>>(vector: &[V; 2], cell: usize) -> [f64; 2] {
+    let part = |axis: usize| vector[axis].as_ref().get(cell).copied().unwrap_or(0.0);
+    [part(0), part(1)]
+}
+
 /// What is asked of a solve.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Task<'a> {

@@ -5,7 +5,7 @@ use crate::cgm::vector::plus;
 use crate::contact_map::neighbours;
 use crate::tangential::Axis;
 use crate::tangential::engine::PlaneVector;
-use crate::tangential::increment::{at, zeros};
+use crate::tangential::engine::{at, zeros};
 
 /// A growth of traction in proportion to that of the pressure: along an axis, or about a point.
 #[derive(Debug, Clone, Copy)]

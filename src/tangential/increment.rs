@@ -12,7 +12,7 @@ use crate::report::Report;
 use crate::tangential::answer::Answer;
 use crate::tangential::control::Demand;
 use crate::tangential::drawing::Drawing;
-use crate::tangential::engine::{PlaneVector, ShearEngine, Task, engine_along};
+use crate::tangential::engine::{PlaneVector, ShearEngine, Task, at, engine_along, zeros};
 use crate::tangential::growth::{Growth, GrowthFields};
 use crate::tangential::motion::{Motion, centre};
 use crate::tangential::{Axis, Pressed, RelativeDisplacement, TangentialControl};
@@ -142,10 +142,10 @@ impl Increment {
     }
 
     /// The displacement that the present tractions cause, computed anew.
-    pub(crate) fn fresh_displacement(&mut self) -> PlaneVector {
-        let mut displacement = zeros(self.axes, self.pressed.window.cells());
-        self.engine.apply(&self.traction, &mut displacement);
-        displacement
+    pub(crate) fn fresh_displacement(&mut self) -> [&[f64]; 2] {
+        // A solve writes its linear term first.
+        self.engine.apply(&self.traction, &mut self.linear);
+        slices(&self.linear)
     }
 
     /// The offsets of the step, of the cells of the window.
@@ -384,19 +384,4 @@ impl Increment {
             });
         }
     }
-}
-
-/// Zero in the components along these axes.
-pub(crate) fn zeros(axes: &[Axis], cells: usize) -> PlaneVector {
-    let mut both = PlaneVector::default();
-    for axis in axes {
-        both[axis.index()] = vec![0.0; cells];
-    }
-    both
-}
-
-/// `[x, y]` of a cell, zero where the model has no component.
-pub(crate) fn at<V: AsRef<[f64]>>(vector: &[V; 2], cell: usize) -> [f64; 2] {
-    let part = |axis: usize| vector[axis].as_ref().get(cell).copied().unwrap_or(0.0);
-    [part(0), part(1)]
 }

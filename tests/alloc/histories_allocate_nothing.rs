@@ -137,3 +137,35 @@ fn while_contacts_grow_within_a_cycle() {
     assert!(allocations(&mut cycle) > 0);
     assert_eq!(allocations(&mut cycle), 0);
 }
+
+/// To and fro between sizes of which one is at least twice the other: the buffers of both are kept.
+#[test]
+fn while_contacts_shrink_and_grow_again() {
+    let grid = Grid::square(96, 96.0).unwrap();
+    let gap = surface::sphere(grid, 1000.0).unwrap();
+    let (soft, hard) = (Material::new(1.0, 0.1).unwrap(), Material::rigid());
+    let unlike = HalfSpace::new(grid, ElasticPair::new(soft, hard).unwrap()).unwrap();
+    let alike = unit_bodies(grid, 0.3);
+    for (bodies, model) in [
+        (&alike, TangentialModel::Scalar),
+        (&alike, TangentialModel::Vector),
+        (&unlike, TangentialModel::Vector),
+    ] {
+        let builder = History::builder(bodies, &gap, Friction::coulomb(0.4).unwrap());
+        let mut history = builder.model(model).tolerance(1e-6).build().unwrap();
+        let mut cycle = || {
+            for radius in [30.0_f64, 8.0] {
+                let approach = radius * radius / 1000.0;
+                let press = LoadStep::hold().normal(NormalControl::Approach(approach));
+                for part in [0.1, -0.1, 0.2, 0.0] {
+                    let drag = TangentialControl::Shift(part * approach);
+                    history.step(&press.tangential(Axis::X, drag)).unwrap();
+                }
+            }
+        };
+        for _ in 0..4 {
+            cycle();
+        }
+        assert_eq!(allocations(&mut cycle), 0);
+    }
+}

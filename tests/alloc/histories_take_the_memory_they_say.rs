@@ -73,3 +73,34 @@ fn per_cell_of_the_grid_and_of_the_contact() {
         }
     }
 }
+
+/// A contact that has been small for long gives back what it took when it was large, but for what its state has room
+/// for.
+#[test]
+fn what_was_large_long_ago_takes_the_memory_of_what_is_small() {
+    let bodies = unit_bodies(Grid::square(256, 256.0).unwrap(), 0.3);
+    for (lateral, room) in [
+        (TangentialModel::Scalar, 34.0),
+        (TangentialModel::Vector, 58.0),
+    ] {
+        let [small, large] = [15.0, 75.0].map(|radius| measured(&bodies, lateral, radius));
+        let mut kept = None;
+        let work = || {
+            let mut history = history(&bodies, lateral, 75.0);
+            let press = LoadStep::hold().normal(NormalControl::Approach(15.0 * 15.0 / RADIUS));
+            history.step(&press).unwrap();
+            for _ in 0..300 {
+                history.step(&LoadStep::hold()).unwrap();
+            }
+            kept = Some(history);
+        };
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(1);
+        let found = pool.build().unwrap();
+        let found = found.install(|| allocation_counter::measure(work).bytes_current) as f64;
+        let allowed = small[1] + 1.2 * room * large[0];
+        assert!(
+            found < allowed && allowed < 0.8 * large[1],
+            "{found} of {allowed}"
+        );
+    }
+}

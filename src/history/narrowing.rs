@@ -1,0 +1,52 @@
+//! A contact that has become small is worked on in smaller windows.
+
+use crate::boundary::Boundary;
+use crate::field::Field;
+use crate::history::state::State;
+use crate::window::Window;
+
+/// Times the cells needed that a window has when it is left: to return to it costs no more than what a few steps in the
+/// smaller one have saved.
+const WASTE: f64 = 2.0;
+/// The same of a window that the last step had to widen: that was a guess from an answer on too few cells.
+const OVERSHOOT: f64 = 1.5;
+
+/// Makes windows smaller that are much too large for the contact before the last step and after it. `before` is the
+/// pressure that the step has changed, if it has, and `press_window` where that was found.
+///
+/// Nothing is lost: outside both contacts there is neither traction nor a memory of slip, and what a cell apart would
+/// touch at follows from the tractions. The solvers of the next step follow the state.
+pub(super) fn narrow(state: &mut State, before: Option<&Field>, press_window: Option<Window>) {
+    let (grid, is_joint) = (state.grid(), state.is_joint());
+    // A grid that repeats is never cut.
+    if state.boundary() == Boundary::Periodic {
+        return;
+    }
+    let after = state.pressure().as_slice();
+    let before = before.map_or(after, Field::as_slice);
+    let Some(contact) = Window::around(grid, |i| before[i] > 0.0 || after[i] > 0.0) else {
+        return;
+    };
+    let needed = contact.widened(grid);
+    let smaller = |window: Window, waste: f64| {
+        let is_left = window.cells() as f64 >= waste * needed.cells() as f64;
+        needed.intersection(window).filter(|_| is_left)
+    };
+    // Pressure and shear found together remember all of the grid.
+    if let Some(memory) = state.contact.as_mut().filter(|_| !is_joint) {
+        if let Some(window) = smaller(memory.window, WASTE) {
+            memory.narrow(window);
+        }
+    }
+    let is_widened = press_window.is_some() && press_window != state.press_window;
+    let waste = if is_widened { OVERSHOOT } else { WASTE };
+    let left = state.press_window;
+    if let Some((left, window)) = left.and_then(|left| Some((left, smaller(left, waste)?))) {
+        for change in &mut state.trend.change {
+            if change.len() == left.cells() {
+                window.cut(left, change);
+            }
+        }
+        state.press_window = Some(window);
+    }
+}
