@@ -3,12 +3,12 @@
 
 use kit::{max_difference, unit_pair};
 use proptest::prelude::*;
-use stickslip::analytical::{CattaneoMindlinLine, HertzLine};
+use stickslip::analytical::{CattaneoMindlinLine, HertzLine, SpencePressing};
 use stickslip::dense::DenseOperator;
 use stickslip::influence::Component;
 use stickslip::{
-    Axis, Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
-    Material, NormalControl, NormalProblem, NormalSolution, Operator, TangentialControl,
+    Axis, Boundary, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
+    LoadStep, Material, NormalControl, NormalProblem, NormalSolution, Operator, TangentialControl,
     TangentialLoad, TangentialModel, TangentialProblem, surface,
 };
 
@@ -280,5 +280,54 @@ proptest! {
         };
         let (one, other) = (turned(&product(&traction)), product(&turned(&traction)));
         prop_assert!(max_difference(&one, &other) < 1e-13 * kit::max_abs(&one));
+    }
+}
+
+/// A flat punch of half-width one on a line of cells, on bodies of this beta, pressed and held: half-width that sticks, with
+/// the pressure of no friction and with its own.
+fn punch(cells: usize, beta: f64, coefficient: f64) -> [f64; 2] {
+    let poisson_ratio = (1.0 - 2.0 * beta) / (2.0 - 2.0 * beta);
+    let body = Material::new(1.0, poisson_ratio).unwrap();
+    let pair = ElasticPair::new(body, Material::rigid()).unwrap();
+    // Cells end where the punch does.
+    let grid = Grid::line(cells + cells / 8, 2.0 / cells as f64).unwrap();
+    let bodies = along_y(grid, pair);
+    let gap = Field::from_fn(grid, |x, _| if x.abs() < 1.0 { 0.0 } else { 1e3 });
+    let (press, still) = (NormalControl::Force(1.0), TangentialLoad::shift([0.0; 2]));
+    let friction = || Friction::coulomb(coefficient).unwrap();
+    let normal = press_tightly(&bodies, &gap, press);
+    let one_way = TangentialProblem::builder(&bodies, &normal, friction(), still);
+    let one_way = one_way.build().unwrap().solve().unwrap();
+    let coupled = CoupledProblem::builder(&bodies, &gap, friction(), press, still);
+    let coupled = coupled.tolerance(1e-8).build().unwrap().solve().unwrap();
+    [one_way.stick_ratio(), coupled.shear().stick_ratio()]
+}
+
+fn press_tightly(bodies: &HalfSpace, gap: &Field, press: NormalControl) -> NormalSolution {
+    let problem = NormalProblem::builder(bodies, gap, press);
+    problem.tolerance(1e-10).build().unwrap().solve().unwrap()
+}
+
+/// Spence's, and with full coupling those that an independent method of line elements finds, to 3e-5 in the coefficient.
+#[test]
+fn punches_of_other_materials_stick_as_spence_has_it() {
+    let cases = [
+        (0.5, [(0.3, 0.36868), (0.5, 0.48552), (0.7, 0.64745)]),
+        (2.0 / 7.0, [(0.3, 0.18449), (0.5, 0.23740), (0.7, 0.30445)]),
+        (0.117, [(0.3, 0.07222), (0.5, 0.09235), (0.7, 0.11727)]),
+    ];
+    for (beta, values) in cases {
+        for (part, coefficient) in values {
+            for cells in [128, 512] {
+                let [one_way, coupled] = punch(cells, beta, coefficient);
+                let poisson_ratio = (1.0 - 2.0 * beta) / (2.0 - 2.0 * beta);
+                let body = Material::new(1.0, poisson_ratio).unwrap();
+                let pair = ElasticPair::new(body, Material::rigid()).unwrap();
+                let goodman = SpencePressing::plane(&pair, coefficient).unwrap();
+                let cell = 2.0 / cells as f64;
+                assert!((one_way - goodman.stick_radius()).abs() < cell);
+                assert!((coupled - part).abs() < cell, "{beta} {part}: {coupled}");
+            }
+        }
     }
 }
