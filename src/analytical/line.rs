@@ -261,24 +261,23 @@ impl CattaneoMindlinLine {
     #[must_use]
     pub fn energy_per_cycle(&self) -> f64 {
         let HeldForce {
-            friction,
-            limit,
+            force,
             fraction: f,
             reserve,
             ..
         } = self.held;
+        // The bracket over the square of f, in terms that do not cancel.
         let bracket = if f > 0.5 {
             let logarithm = if reserve > 0.0 {
                 reserve * reserve.ln()
             } else {
                 0.0
             };
-            4.0 * logarithm + 2.0 * f * (2.0 - f)
+            (4.0 * logarithm + 2.0 * f * (2.0 - f)) / (f * f)
         } else {
-            // The series of the same, whose terms do not cancel.
-            let terms = (3..60).map(|k| 4.0 * f.powi(k) / f64::from(k * (k - 1)));
+            let terms = (3..60).map(|k| 4.0 * f.powi(k - 2) / f64::from(k * (k - 1)));
             terms.sum()
         };
-        limit * friction * self.hertz.displacement * bracket
+        force * force * (self.hertz.displacement / self.hertz.load) * bracket
     }
 }

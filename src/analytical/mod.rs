@@ -6,6 +6,7 @@
 //! | elliptic paraboloid under a normal load | [`HertzEllipse`] | Hertz; Johnson (1985), section 4.2 |
 //! | cylinder along a line, in plane strain | [`HertzLine`] | Hertz; Johnson (1985), section 4.2 |
 //! | the same in partial slip, also under bulk strain | [`CattaneoMindlinLine`] | Johnson (1985), section 7.2; Nowell and Hills (1987) |
+//! | flat punch with rounded edges along a line | [`RoundedPunch`] | Ciavarella, Hills and Monno (1998) |
 //! | sphere in partial slip under a tangential load | [`CattaneoMindlin`] | Cattaneo (1938), Mindlin (1949) |
 //! | sphere in partial slip under a varying tangential force | [`MindlinDeresiewicz`] | Mindlin and Deresiewicz (1953), Jaeger (1998) |
 //! | elliptic paraboloid in partial slip under a tangential load | [`CattaneoMindlinEllipse`] | Mindlin (1949), Vermeulen and Johnson (1964) |
@@ -46,6 +47,8 @@
 //!   [doi:10.1017/CBO9781139171731](https://doi.org/10.1017/CBO9781139171731).
 //! - M. Ciavarella, The generalized Cattaneo partial slip plane contact problem, *Int. J. Solids
 //!   Struct.* 35 (1998) 2349-2362, [doi:10.1016/S0020-7683(97)00154-6](https://doi.org/10.1016/S0020-7683(97)00154-6).
+//! - M. Ciavarella, D. A. Hills, G. Monno, The influence of rounded edges on indentation by a flat punch,
+//!   *Proc. Inst. Mech. Eng. C* 212 (1998) 319-327.
 //! - J. Jaeger, A new principle in contact mechanics, *J. Tribology* 120 (1998) 677-684,
 //!   [doi:10.1115/1.2833765](https://doi.org/10.1115/1.2833765).
 //! - J. L. Lubkin, The torsion of elastic spheres in contact, *J. Appl. Mech.* 18 (1951) 183-187.
@@ -89,6 +92,7 @@ mod persson;
 mod popov_limiting_shape;
 mod quadrature;
 mod rough_sphere;
+mod rounded_punch;
 mod sines;
 mod spence_pressing;
 mod westergaard;
@@ -105,5 +109,6 @@ pub use no_slip::{NoSlipPunch, NoSlipSphere};
 pub use persson::{Persson, linear_stick_ratio};
 pub use popov_limiting_shape::PopovLimitingShape;
 pub use rough_sphere::RoughSphere;
+pub use rounded_punch::RoundedPunch;
 pub use spence_pressing::SpencePressing;
 pub use westergaard::{Westergaard, WestergaardPartialSlip};

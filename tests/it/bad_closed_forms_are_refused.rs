@@ -6,9 +6,10 @@ use kit::refusal::assert_checked;
 use kit::unit_pair;
 use stickslip::Error;
 use stickslip::analytical::{
-    CattaneoMindlin, CattaneoMindlinEllipse, Cone, ConePartialSlip, FlatPunch, HertzEllipse,
-    HertzSphere, LubkinTorsion, MindlinDeresiewicz, MindlinFullStick, Persson, PopovLimitingShape,
-    RoughSphere, Westergaard, WestergaardPartialSlip, linear_stick_ratio,
+    CattaneoMindlin, CattaneoMindlinEllipse, CattaneoMindlinLine, Cone, ConePartialSlip, FlatPunch,
+    HertzEllipse, HertzLine, HertzSphere, LubkinTorsion, MindlinDeresiewicz, MindlinFullStick,
+    Persson, PopovLimitingShape, RoughSphere, RoundedPunch, Westergaard, WestergaardPartialSlip,
+    linear_stick_ratio,
 };
 
 #[test]
@@ -50,6 +51,40 @@ fn normal_contacts() {
     assert_checked("amplitude", Positive, |value| wavy(value, 1.0, 0.1));
     assert_checked("wavelength", Positive, |value| wavy(0.1, value, 0.1));
     assert_checked("mean pressure", Positive, |value| wavy(0.1, 1.0, value));
+}
+
+#[test]
+fn line_contacts() {
+    let pair = unit_pair(0.3);
+    let hertz = |radius, load| {
+        let hertz = HertzLine::new(&pair, radius, load)?;
+        Ok(hertz.max_pressure() + hertz.approach(10.0) + hertz.half_width())
+    };
+    assert_checked("radius", Positive, |value| hertz(value, 2.0));
+    assert_checked("load per length", Positive, |value| hertz(2.0, value));
+    let shear = |friction, force, strain| {
+        let hertz = HertzLine::new(&pair, 2.0, 1e-3)?;
+        let shear = CattaneoMindlinLine::new(hertz, friction, force)?.with_strain(strain)?;
+        Ok(shear.shift(10.0) + shear.traction(1e-3) + shear.energy_per_cycle())
+    };
+    assert_checked("coefficient of friction", NonNegative, |value| {
+        shear(value, 0.0, 0.0)
+    });
+    assert_checked("tangential force", Finite, |value| shear(0.5, value, 0.0));
+    assert_checked("bulk strain", Finite, |value| shear(0.5, 1e-4, value));
+    let rounded = |flat, radius, load| {
+        let punch = RoundedPunch::new(&pair, flat, radius, load)?;
+        Ok(punch.half_width() + punch.pressure(0.5))
+    };
+    assert_checked("half-width of the flat", Positive, |value| {
+        rounded(value, 1.0, 1.0)
+    });
+    assert_checked("radius of the edges", Positive, |value| {
+        rounded(1.0, value, 1.0)
+    });
+    assert_checked("load per length", Positive, |value| {
+        rounded(1.0, 1.0, value)
+    });
 }
 
 #[test]

@@ -3,7 +3,7 @@
 
 use kit::{max_difference, unit_pair};
 use proptest::prelude::*;
-use stickslip::analytical::{CattaneoMindlinLine, HertzLine, SpencePressing};
+use stickslip::analytical::{CattaneoMindlinLine, HertzLine, RoundedPunch, SpencePressing};
 use stickslip::influence::Component;
 use stickslip::{
     Axis, Boundary, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
@@ -336,6 +336,30 @@ fn punches_of_other_materials_stick_as_spence_has_it() {
                 assert!((one_way - goodman.stick_radius()).abs() < cell);
                 assert!((coupled - part).abs() < cell, "{beta} {part}: {coupled}");
             }
+        }
+    }
+}
+
+/// The pressure of a flat punch with rounded edges, in the L1 norm.
+#[test]
+fn punches_with_rounded_edges_are_ciavarellas() {
+    let pair = unit_pair(0.3);
+    for (flat, load) in [(0.3, 0.05), (0.9, 0.05), (0.9, 0.4)] {
+        let exact = RoundedPunch::new(&pair, flat, 20.0, load).unwrap();
+        for n in [128, 256, 512, 1024] {
+            let grid = Grid::line(n, 2.4 * exact.half_width() / n as f64).unwrap();
+            let bodies = along_y(grid, pair);
+            let gap = Field::from_fn(grid, |x, _| (x.abs() - flat).max(0.0).powi(2) / 40.0);
+            let found = press(&bodies, &gap, load);
+            let half_width = 0.5 * found.contact_cells() as f64 * grid.dx();
+            assert!((half_width - exact.half_width()).abs() < grid.dx());
+            let cells = found.pressure().as_slice().iter().enumerate();
+            let error: f64 = cells
+                .map(|(i, p)| (p - exact.pressure(grid.x(i))).abs())
+                .sum();
+            let error = error * grid.dx() / load;
+            let law = 1.5e-3 * (128.0 / n as f64).powf(1.5);
+            assert!(error < law, "{flat} {load} {n}: {error:e}");
         }
     }
 }
