@@ -63,6 +63,7 @@ LAYERS = [
     }),
     ("what is told of all of these", {
         "spots": {"contact_map", "error", "grid", "normal", "tangential", "history"},
+        "subsurface": FOUNDATION | {"influence", "fft", "half_space", "io", "normal", "tangential", "coupled", "history"},
     }),
 ]
 # Of some modules, others may use these items only: the tangential problem reads the normal solution, never how it

@@ -82,6 +82,12 @@ pub enum Error {
     /// Both bodies are rigid. Neither deforms, so there is nothing to solve.
     #[error("both bodies are rigid")]
     BothRigid,
+    /// Stress or displacement of a body that is rigid: nothing determines them.
+    #[error("{0} is rigid: nothing determines its stress")]
+    RigidBody(&'static str),
+    /// What is known for a grid that does not repeat alone.
+    #[error("{0} needs surroundings that do not repeat: Boundary::NonPeriodic")]
+    Repeats(&'static str),
     /// The materials couple pressure and shear, and what was asked for knows no shear that changes the pressure.
     #[error(
         "the pair couples pressure and shear (Dundurs beta = {beta:e}): a CoupledProblem or a History finds both together; elsewhere choose Coupling::OneWay or Coupling::Neglected and its error"
@@ -232,9 +238,7 @@ pub enum Error {
     },
     /// The approach is not below the mean gap of a periodic contact: the surfaces then touch everywhere, and the
     /// pressure is undetermined.
-    #[error(
-        "an approach of {approach:e} is not below the mean gap {mean_gap:e} of a periodic contact: it closes the gap everywhere, and the pressure is undetermined"
-    )]
+    #[error("{}", show::beyond_mean_gap(*approach, *mean_gap))]
     ApproachBeyondMeanGap {
         /// The approach requested.
         approach: f64,
@@ -323,10 +327,7 @@ pub enum Error {
         shortest: f64,
     },
     /// No phases were found that give the heights the requested skewness and kurtosis.
-    #[error(
-        "no surface of this spectrum was found with a skewness of {skewness} and a kurtosis of {kurtosis}; the search ended at {} and {}",
-        .reached[0], .reached[1]
-    )]
+    #[error("{}", show::heights_not_reached(*skewness, *kurtosis, *reached))]
     HeightsNotReached {
         /// Skewness requested.
         skewness: f64,
@@ -372,9 +373,7 @@ pub enum Error {
         last: u64,
     },
     /// A cycle that does not close was to stand for those that follow.
-    #[error(
-        "the cycle ends {residual:e} of its amplitude from where it began, more than {limit:e}: take another cycle on this gap before jumping, or allow more with closed_within()"
-    )]
+    #[error("{}", show::not_closed(*residual, *limit))]
     CycleNotClosed {
         /// [`Cycle::cyclic_residual`](crate::history::Cycle::cyclic_residual).
         residual: f64,

@@ -59,6 +59,7 @@
 //! | limit the pressure to the hardness | [`normal::Hardness`], in problems and [histories](history::HistoryBuilder::hardness) |
 //! | get the slopes of the forces | [`History::stiffness`], [`stiffness`] |
 //! | get moments, the centre of pressure, spots | [`NormalSolution::moments`], [`centre_of_pressure`](NormalSolution::centre_of_pressure), of a history through [`History::normal`]; [`ContactSpots`] |
+//! | get stresses and displacements below the surface: at points, on planes, as a volume for ParaView | [`subsurface`]: [`at_points`](subsurface::at_points), [`Planes`](subsurface::Planes) |
 //! | keep the state of a history, return to it, save it | [`history::State`] |
 //! | apply cyclic loads, until steady or with wear | [`history::FrettingLoop`], [`history::LoadPath`], [`history::Cycle`], [`history::wear`] |
 //! | embed contacts in a simulator | the page on [embedding](guide::embedding) |
@@ -179,6 +180,7 @@
 //! | zero-padded convolution ([`fft`]) | Liu, Wang & Liu (2000), <https://doi.org/10.1016/S0043-1648(00)00427-0> |
 //! | single-loop conjugate gradients ([`cgm`]) | Polonsky & Keer (1999), <https://doi.org/10.1016/S0043-1648(99)00113-1> |
 //! | duality gap ([`cgm`]) | Frank & Wolfe (1956), <https://doi.org/10.1002/nav.3800030109> |
+//! | stresses below the surface ([`subsurface`]) | Love (1929), <https://doi.org/10.1098/rsta.1929.0009> |
 //! | transient shift ([`history`]) | Kalker (1990), <https://doi.org/10.1007/978-94-015-7889-9> |
 //! | wear by dissipated energy ([`history::wear`]) | Fouvry, Kapsa & Vincent (1996), <https://doi.org/10.1016/S0043-1648(96)07306-1> |
 //! | closed forms | each on its page, listed in [`analytical`] |
@@ -221,6 +223,7 @@ mod report;
 mod serial;
 mod spots;
 pub mod stiffness;
+pub mod subsurface;
 pub mod surface;
 pub mod tangential;
 mod trend;

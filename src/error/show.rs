@@ -31,3 +31,25 @@ pub(super) fn beyond_hardness(force: f64, capacity: f64) -> String {
         "a normal force of {force:e} exceeds the {capacity:e} that cells at their hardness carry: take a larger grid, or prescribe an approach"
     )
 }
+
+/// That no surface has the heights asked for.
+pub(super) fn heights_not_reached(skewness: f64, kurtosis: f64, reached: [f64; 2]) -> String {
+    format!(
+        "no surface of this spectrum was found with a skewness of {skewness} and a kurtosis of {kurtosis}; the search ended at {} and {}",
+        reached[0], reached[1]
+    )
+}
+
+/// Why an approach determines no pressure.
+pub(super) fn beyond_mean_gap(approach: f64, mean_gap: f64) -> String {
+    format!(
+        "an approach of {approach:e} is not below the mean gap {mean_gap:e} of a periodic contact: it closes the gap everywhere, and the pressure is undetermined"
+    )
+}
+
+/// Why a cycle cannot stand for those that follow, and what to do.
+pub(super) fn not_closed(residual: f64, limit: f64) -> String {
+    format!(
+        "the cycle ends {residual:e} of its amplitude from where it began, more than {limit:e}: take another cycle on this gap before jumping, or allow more with closed_within()"
+    )
+}

@@ -63,27 +63,64 @@ impl<T: Real> Plan<T> {
         &self,
         symbol: &Symbol<T, N>,
         band: usize,
-        mut fields: [&mut [Tile]; N],
+        fields: [&mut [Tile]; N],
         occupied: &[Vec<bool>; N],
         scratch: &mut ColumnScratch<T, N>,
     ) {
         let stride = self.column_stride();
-        let ColumnScratch { columns, transform } = scratch;
         for n in 0..N {
-            tiles::gather(fields[n], &occupied[n], &mut columns[n], stride);
+            tiles::gather(fields[n], &occupied[n], &mut scratch.columns[n], stride);
         }
+        self.multiply_band(band, scratch, |kx, waves| symbol.multiply(kx, waves));
+        for (field, columns) in fields.into_iter().zip(&scratch.columns) {
+            tiles::scatter(columns, stride, field);
+        }
+    }
+
+    /// The same from the tiles of some fields to those of others, multiplied by anything.
+    pub(super) fn columns_between<const N: usize>(
+        &self,
+        from: [&[Tile]; N],
+        occupied: &[Vec<bool>; N],
+        to: [&mut [Tile]; N],
+        scratch: &Pool<ColumnScratch<T, N>>,
+        multiply: impl Fn(usize, &mut [&mut [Complex<T>]; N]) + Sync,
+    ) {
+        let (down, stride) = (self.tiles_down(), self.column_stride());
+        let fields = to.map(|tiles| blocks(tiles, down));
+        self.bands(self.tiles_across(), fields, |band, fields| {
+            let make = || self.column_scratch();
+            scratch.lend(make, |scratch| {
+                for n in 0..N {
+                    let tiles = &from[n][band * down..(band + 1) * down];
+                    tiles::gather(tiles, &occupied[n], &mut scratch.columns[n], stride);
+                }
+                self.multiply_band(band, scratch, &multiply);
+                for (field, columns) in fields.into_iter().zip(&scratch.columns) {
+                    tiles::scatter(columns, stride, field.items);
+                }
+            });
+        });
+    }
+
+    /// Transforms the gathered columns of a band, multiplies them and transforms them back.
+    fn multiply_band<const N: usize>(
+        &self,
+        band: usize,
+        scratch: &mut ColumnScratch<T, N>,
+        multiply: impl Fn(usize, &mut [&mut [Complex<T>]; N]),
+    ) {
+        let stride = self.column_stride();
+        let ColumnScratch { columns, transform } = scratch;
         let first = band * T::TILE_COLUMNS;
         for c in 0..T::TILE_COLUMNS.min(self.width() - first) {
             let mut waves = columns.each_mut().map(|columns| {
                 self.waves_of(&mut columns[c * stride..(c + 1) * stride], transform)
             });
-            symbol.multiply(first + c, &mut waves);
+            multiply(first + c, &mut waves);
             for column in waves {
                 self.column_inverse.process_with_scratch(column, transform);
             }
-        }
-        for (field, columns) in fields.iter_mut().zip(&*columns) {
-            tiles::scatter(columns, stride, field);
         }
     }
 

@@ -2,7 +2,7 @@
 
 use crate::boundary::Boundary;
 use crate::error::Result;
-use crate::fft::length::smooth_length;
+use crate::fft::length::torus;
 use crate::fft::plan::{Plan, Scratch};
 use crate::fft::single::SingleProduct;
 use crate::fft::symbol::Symbol;
@@ -154,14 +154,6 @@ pub(crate) fn samples(grid: Grid, boundary: Boundary, size: [usize; 2]) -> Resul
 /// Distances along each axis from nothing to half around the torus.
 fn reach(size: [usize; 2], boundary: Boundary) -> [usize; 2] {
     torus(size, boundary.repeats()).map(|m| m / 2 + 1)
-}
-
-/// Cells of the torus: along an axis that does not repeat, no image of `n` cells reaches back into them.
-fn torus(size: [usize; 2], repeats: [bool; 2]) -> [usize; 2] {
-    std::array::from_fn(|axis| match (size[axis], repeats[axis]) {
-        (cells, true) => cells,
-        (cells, false) => smooth_length(2 * cells - 1),
-    })
 }
 
 /// Buffers of products: for each component 16 bytes per cell, and a little for each task.

@@ -1,5 +1,13 @@
 //! Lengths whose transform is fast.
 
+/// Cells of the torus: along an axis that does not repeat, no image of `n` cells reaches back into them.
+pub(super) fn torus(size: [usize; 2], repeats: [bool; 2]) -> [usize; 2] {
+    std::array::from_fn(|axis| match (size[axis], repeats[axis]) {
+        (cells, true) => cells,
+        (cells, false) => smooth_length(2 * cells - 1),
+    })
+}
+
 /// The even length `2^a 3^b 5^c >= least` whose transform costs least (1 for `least <= 1`).
 ///
 /// It grows with `least`: a candidate that is best for less and long enough is best for more.

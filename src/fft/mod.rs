@@ -20,6 +20,7 @@ mod real;
 mod rows;
 mod single;
 mod spectrum;
+mod superposition;
 mod symbol;
 mod tiles;
 
@@ -27,3 +28,4 @@ pub(crate) use convolution::samples;
 pub use convolution::{Convolution, ConvolutionWorkspace};
 pub use inverse::CirculantInverse;
 pub use single::SingleWorkspace;
+pub(crate) use superposition::{Kernels, Superposition, Torus};

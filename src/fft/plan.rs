@@ -45,8 +45,8 @@ impl<T: Real> fmt::Debug for Plan<T> {
 /// What the tasks of transforms of N fields work in.
 #[derive(Debug, Clone)]
 pub(super) struct Scratch<T, const N: usize> {
-    rows: Pool<RowScratch<T>>,
-    columns: Pool<ColumnScratch<T, N>>,
+    pub(super) rows: Pool<RowScratch<T>>,
+    pub(super) columns: Pool<ColumnScratch<T, N>>,
 }
 
 impl<T: Real> Plan<T> {

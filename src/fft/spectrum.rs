@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use realfft::RealFftPlanner;
 
-use crate::influence::{Kernel, Table};
+use crate::influence::Kernel;
 use crate::parallel::{self, Blocks};
 
 /// Where numbers go: the places `entry` of each piece of `stride` numbers.
@@ -18,7 +18,10 @@ pub(super) struct Lines<'a> {
 /// of `my / 2 + 1` numbers for each wave number `0..=mx/2` along x.
 pub(super) fn transform(kernel: &Kernel, torus: [usize; 2], sign: f64, lines: Lines<'_>) {
     match kernel {
-        Kernel::Table(table) | Kernel::Rows(table) => of_table(table, torus, sign, lines),
+        Kernel::Table(table) | Kernel::Rows(table) => {
+            let is_odd = table.component().is_odd();
+            of_samples(is_odd, torus, sign, lines, |i, j| table.at(i, j));
+        }
         Kernel::Symbols(symbols) => {
             let Lines {
                 values,
@@ -34,12 +37,17 @@ pub(super) fn transform(kernel: &Kernel, torus: [usize; 2], sign: f64, lines: Li
     }
 }
 
-/// Transforms a table that reaches at least half around the torus.
+/// Transforms a kernel whose samples reach at least half around the torus.
 ///
-/// Along an axis the sample `d` of the torus is the table's at distance `min(d, m - d)`, with the sign of
+/// Along an axis the sample `d` of the torus is that at distance `min(d, m - d)`, with the sign of
 /// its parity; an odd kernel vanishes half way around.
-fn of_table(table: &Table, [mx, my]: [usize; 2], sign: f64, lines: Lines<'_>) {
-    let [is_odd_x, is_odd_y] = table.component().is_odd();
+pub(super) fn of_samples(
+    [is_odd_x, is_odd_y]: [bool; 2],
+    [mx, my]: [usize; 2],
+    sign: f64,
+    lines: Lines<'_>,
+    at: impl Fn(usize, usize) -> f64 + Sync,
+) {
     // An odd axis contributes -i: one makes the spectrum imaginary, two turn its sign.
     let sign = if is_odd_x || is_odd_y { -sign } else { sign };
 
@@ -51,7 +59,7 @@ fn of_table(table: &Table, [mx, my]: [usize; 2], sign: f64, lines: Lines<'_>) {
         stride: width,
         entry: 0..width,
     };
-    half_transforms(mx, is_odd_x, row_lines, |j, i| table.at(i, j));
+    half_transforms(mx, is_odd_x, row_lines, |j, i| at(i, j));
     half_transforms(my, is_odd_y, lines, |i, j| sign * rows[j * width + i]);
 }
 

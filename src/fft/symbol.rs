@@ -32,6 +32,12 @@ pub(super) struct Symbol<T, const N: usize> {
 struct Shape<const N: usize> {
     /// Values of an entry in a column.
     height: usize,
+    turns: Turns<N>,
+}
+
+/// How the matrices of all waves follow from the real ones of a quarter of them.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Turns<const N: usize> {
     /// Which entries change sign with the wave number along y.
     is_odd_y: [[bool; N]; N],
     /// Which fields are multiplied by -i on the way into S, and which by i on the way out.
@@ -39,22 +45,35 @@ struct Shape<const N: usize> {
     turns_out: [bool; N],
 }
 
+impl<const N: usize> Turns<N> {
+    /// For kernels that are odd in x and in y as told: what comes out, then what goes in.
+    pub(super) fn new(is_odd: [[[bool; 2]; N]; N]) -> Self {
+        let is_imaginary = |[is_odd_x, is_odd_y]: [bool; 2]| is_odd_x != is_odd_y;
+        let first = is_imaginary(is_odd[0][0]);
+        Self {
+            is_odd_y: is_odd.map(|row| row.map(|[_, is_odd_y]| is_odd_y)),
+            turns_in: from_fn(|j| is_imaginary(is_odd[0][j]) != first),
+            turns_out: from_fn(|i| is_imaginary(is_odd[i][0])),
+        }
+    }
+
+    /// Whether an entry of S is the negative of what its spectrum is, or is i times.
+    ///
+    /// The transform of an imaginary entry is i times its values. S is -i times that if row i is turned, i times that
+    /// if column j is.
+    pub(super) fn negates(&self, i: usize, j: usize) -> bool {
+        self.turns_in[j] && !self.turns_out[i]
+    }
+}
+
 impl<const N: usize> Shape<N> {
     /// Entries of the upper triangle.
     const ENTRIES: usize = N * (N + 1) / 2;
 
     fn new(height: usize, kernels: [[&Kernel; N]; N]) -> Self {
-        let is_imaginary = |kernel: &Kernel| {
-            let [is_odd_x, is_odd_y] = kernel.is_odd();
-            is_odd_x != is_odd_y
-        };
-        let first = is_imaginary(kernels[0][0]);
-        Self {
-            height,
-            is_odd_y: kernels.map(|row| row.map(|kernel| kernel.is_odd()[1])),
-            turns_in: from_fn(|j| is_imaginary(kernels[0][j]) != first),
-            turns_out: from_fn(|i| is_imaginary(kernels[i][0])),
-        }
+        let is_odd = kernels.map(|row| row.map(Kernel::is_odd));
+        let turns = Turns::new(is_odd);
+        Self { height, turns }
     }
 
     /// Values of a column.
@@ -82,10 +101,7 @@ impl<const N: usize> Symbol<f64, N> {
         let shape = Shape::new(my / 2 + 1, kernels);
         let mut values = vec![0.0; (mx / 2 + 1) * shape.stride()];
         for (i, j) in upper_triangle::<N>() {
-            // The transform of an imaginary entry is i times its values. S is -i times that if row i is
-            // turned, i times that if column j is.
-            let is_negated = shape.turns_in[j] && !shape.turns_out[i];
-            let sign = if is_negated { -1.0 } else { 1.0 };
+            let sign = if shape.turns.negates(i, j) { -1.0 } else { 1.0 };
             let lines = Lines {
                 values: &mut values,
                 stride: shape.stride(),
@@ -187,23 +203,29 @@ impl Symbol<f64, 3> {
 impl<T: Real, const N: usize> Symbol<T, N> {
     /// Multiplies the transformed columns of wave number `kx` of all fields in place.
     pub(super) fn multiply(&self, kx: usize, columns: &mut [&mut [Complex<T>]; N]) {
-        let Shape {
-            is_odd_y,
-            turns_in,
-            turns_out,
-            ..
-        } = self.shape;
         let values = &self.values[kx * self.shape.stride()..][..self.shape.stride()];
-        let quarter: [[&[T]; N]; N] = from_fn(|i| from_fn(|j| &values[self.shape.entry(i, j)]));
-        for (column, turns) in columns.iter_mut().zip(turns_in) {
+        let quarter = from_fn(|i| from_fn(|j| &values[self.shape.entry(i, j)]));
+        self.shape.turns.multiply(quarter, columns);
+    }
+}
+
+impl<const N: usize> Turns<N> {
+    /// Multiplies transformed columns in place by the matrices of the lower half of their waves, entry by entry.
+    pub(super) fn multiply<T: Real>(
+        &self,
+        quarter: [[&[T]; N]; N],
+        columns: &mut [&mut [Complex<T>]; N],
+    ) {
+        for (column, turns) in columns.iter_mut().zip(self.turns_in) {
             if turns {
                 turn(column, |z| Complex::new(z.im, -z.re));
             }
         }
+        let height = quarter[0][0].len();
         let mut high = from_fn(|_| <&mut [Complex<T>]>::default());
         let mut halves = high.iter_mut();
         let low = columns.each_mut().map(|column| {
-            let (low, rest) = column.split_at_mut(self.shape.height);
+            let (low, rest) = column.split_at_mut(height);
             if let Some(half) = halves.next() {
                 *half = rest;
             }
@@ -212,10 +234,11 @@ impl<T: Real, const N: usize> Symbol<T, N> {
         let even = [[T::one(); N]; N];
         multiply_half(quarter, even, low, |k, _| k);
         // The upper half mirrors the lower, where entries odd in y have the other sign.
-        let signs = is_odd_y.map(|row| row.map(|is_odd| if is_odd { -T::one() } else { T::one() }));
+        let sign = |is_odd| if is_odd { -T::one() } else { T::one() };
+        let signs = self.is_odd_y.map(|row| row.map(sign));
         let beyond_mean = quarter.map(|row| row.map(|entry| &entry[1..]));
         multiply_half(beyond_mean, signs, high, |k, len| len - 1 - k);
-        for (column, turns) in columns.iter_mut().zip(turns_out) {
+        for (column, turns) in columns.iter_mut().zip(self.turns_out) {
             if turns {
                 turn(column, |z| Complex::new(-z.im, z.re));
             }

@@ -6,6 +6,7 @@
 //! | [`fretting_and_wear`] | cyclic loads, wear, cycle jumps |
 //! | [`growing_contacts`] | contacts that grow while they are sheared: the touch rule, steps of a given error |
 //! | [`dissimilar_bodies`] | bodies of different materials: when their coupling matters, and in which steps to load them |
+//! | [`from_tractions_to_stresses`] | stress below the surface, bulk stress, series for a fatigue criterion; what a half-space can say |
 //! | [`embedding`] | contacts in a simulator: ownership, threads, allocation, states, errors |
 //! | [`hard_cases`] | difficult scenes, each checked, and the results of random scenes |
 //! | [`errata`] | the formulas of Wang et al. (2021) that are misprinted, and how each correction was checked |
@@ -23,6 +24,9 @@ pub mod growing_contacts {}
 
 #[doc = include_str!("dissimilar_bodies.md")]
 pub mod dissimilar_bodies {}
+
+#[doc = include_str!("from_tractions_to_stresses.md")]
+pub mod from_tractions_to_stresses {}
 
 #[doc = include_str!("embedding.md")]
 pub mod embedding {}

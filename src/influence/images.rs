@@ -39,7 +39,7 @@ const CORRECTIONS: [f64; 8] = [
 const END: i32 = WHOLE + 8;
 
 /// Distance in periods beyond which images are a strip to the last digit, `exp(-2 pi 6) = 4e-17`.
-const FAR: f64 = 6.0;
+pub(crate) const FAR: f64 = 6.0;
 
 impl Images {
     /// The integral at the points `(x, y)` of a row, with `x` ascending from zero or more and `0 <= y <= period/2`.
@@ -75,17 +75,12 @@ impl Images {
                 *out += weight * part;
             }
         };
-        let long = Cell {
-            a: cell.a,
-            b: (f64::from(END) + 0.5) * self.period,
-        };
-        // What cells of some height are taken as has ends that are smeared over that height.
-        for [node, part] in GAUSS_4 {
-            add(long, y + node * cell.b, -0.5 * part * share);
-        }
-        let last = END + 8;
-        for image in -last..=last {
-            add(cell, y + f64::from(image) * self.period, weight(image));
+        for piece in pieces(cell.b, self.period) {
+            let other = Cell {
+                b: piece.half,
+                ..cell
+            };
+            add(other, y + piece.offset, piece.weight);
         }
     }
 
@@ -106,6 +101,38 @@ impl Images {
             Integral::AlongX | Integral::Diagonal | Integral::RadialY => 0.0,
         }
     }
+}
+
+/// A cell of the same width whose integrals, times the weight, make a strip into a row of images.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Piece {
+    /// Half side along y.
+    pub(crate) half: f64,
+    /// Whether it is a piece of the strip that is cut out, not an image.
+    pub(crate) is_strip: bool,
+    /// How far it lies from the cell, towards lower y.
+    pub(crate) offset: f64,
+    pub(crate) weight: f64,
+}
+
+/// What a strip, of which cells of half side b cover a part, lacks to be the row of their images.
+pub(crate) fn pieces(b: f64, period: f64) -> impl Iterator<Item = Piece> {
+    let share = 2.0 * b / period;
+    // What cells of some height are taken as has ends that are smeared over that height.
+    let strip = GAUSS_4.into_iter().map(move |[node, part]| Piece {
+        half: (f64::from(END) + 0.5) * period,
+        is_strip: true,
+        offset: node * b,
+        weight: -0.5 * part * share,
+    });
+    let last = END + 8;
+    let images = (-last..=last).map(move |image| Piece {
+        half: b,
+        is_strip: false,
+        offset: f64::from(image) * period,
+        weight: weight(image),
+    });
+    strip.chain(images)
 }
 
 /// How much an image counts.

@@ -59,7 +59,7 @@
 //! and the third term of `C_xx` carries `(1 - nu)(x - a)`.
 
 mod direction;
-mod images;
+pub(crate) mod images;
 mod integrals;
 mod kernel;
 mod rectangle;

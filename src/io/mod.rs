@@ -9,7 +9,7 @@
 //! | SDF of ISO 25178-71 | [`sdf`] | yes | yes | yes | metre |
 //! | SUR of Digital Surf, not compressed | [`sur`] | yes | | yes | metre |
 //! | X3P of ISO 25178-72 | `x3p`, behind the feature of that name | yes | | yes | metre |
-//! | VTI, the image data of VTK and ParaView | [`vti`] | | yes | yes | the field's |
+//! | VTI, the image data of VTK and ParaView | [`vti`], volumes by [`Planes::write_vti`](crate::subsurface::Planes::write_vti) | | yes | yes | the field's |
 //! | PVD, a series of VTI files in time | [`pvd`] | | yes | | |
 //!
 //! `read` takes a path, `parse` the bytes of a file; `write` and `to_bytes` are their inverses.
@@ -39,6 +39,7 @@ pub mod pvd;
 pub mod sdf;
 pub mod sur;
 mod text;
+pub(crate) mod volume;
 pub mod vti;
 #[cfg(feature = "x3p")]
 #[cfg_attr(docsrs, doc(cfg(feature = "x3p")))]

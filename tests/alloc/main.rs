@@ -16,3 +16,5 @@ mod histories_allocate_nothing;
 #[cfg(feature = "parallel")]
 mod histories_take_the_memory_they_say;
 mod states_take_no_more_than_they_are;
+#[cfg(feature = "parallel")]
+mod stresses_below_the_surface_take_the_memory_they_say;

@@ -297,3 +297,89 @@ proptest! {
         prop_assert!(same(&io::sdf::parse(&io::sdf::to_bytes(&measured).unwrap()).unwrap(), &measured));
     }
 }
+
+/// The numbers of an array that follows the XML as bytes.
+fn appended(file: &[u8], name: &str) -> Vec<f64> {
+    let start = b"<AppendedData encoding=\"raw\">\n   _";
+    let data = file
+        .windows(start.len())
+        .position(|part| part == start)
+        .unwrap();
+    let header = std::str::from_utf8(&file[..data]).unwrap();
+    let (_, rest) = header.split_once(&format!(r#"Name="{name}""#)).unwrap();
+    let (_, rest) = rest.split_once(r#"offset=""#).unwrap();
+    let offset: usize = rest.split_once('"').unwrap().0.parse().unwrap();
+    let words: Vec<_> = file[data + start.len() + offset..]
+        .chunks_exact(8)
+        .collect();
+    let bytes = u64::from_le_bytes(words[0].try_into().unwrap());
+    let numbers = words[1..=bytes as usize / 8].iter();
+    numbers
+        .map(|word| f64::from_le_bytes((*word).try_into().unwrap()))
+        .collect()
+}
+
+/// Planes of a slab keep every bit, from low to high z in both bodies.
+#[test]
+fn a_volume_of_stress_holds_the_planes_of_its_slab() {
+    use stickslip::subsurface::{Body, Planes, Tractions};
+    use stickslip::{ElasticPair, HalfSpace, Material};
+
+    let grid = Grid::new(5, 4, 0.5, 0.25).unwrap();
+    let body = |nu| Material::new(3.0, nu).unwrap();
+    let bodies = HalfSpace::new(grid, ElasticPair::new(body(0.3), body(0.1)).unwrap()).unwrap();
+    let pressure = Field::from_fn(grid, |x, y| 1.0 + x * y);
+    let shear = [&pressure.scaled(0.3), &pressure.scaled(-0.1)];
+    let tractions = Tractions::new(&pressure).with_shear(shear);
+    let depths = [0.1, 0.3, 0.5];
+    let mut planes = Planes::new(&bodies, &depths).unwrap().with_displacements();
+    let path = temporary("slab.vti");
+    for (body, order, lowest) in [(Body::One, [0, 1, 2], 0.1), (Body::Two, [2, 1, 0], -0.5)] {
+        planes.write_vti(&path, body, tractions).unwrap();
+        let file = std::fs::read(&path).unwrap();
+        let text = String::from_utf8_lossy(&file);
+        let image = format!(
+            r#"<ImageData WholeExtent="0 4 0 3 0 2" Origin="-1 -0.375 {lowest}" Spacing="0.5 0.25 0.2""#
+        );
+        assert!(text.contains(&image), "{text}");
+        assert!(text.ends_with("</AppendedData>\n</VTKFile>\n"));
+        let [tensors, equivalent, vectors] =
+            ["stress", "von_mises", "displacement"].map(|name| appended(&file, name));
+        assert_eq!(equivalent.len(), 60);
+        for (level, index) in order.into_iter().enumerate() {
+            let plane = planes.solve(index, body, tractions).unwrap();
+            let [ux, uy, uz] = plane.displacement().unwrap();
+            for (cell, stress) in plane.stresses().enumerate() {
+                let point = 20 * level + cell;
+                let s = stress;
+                assert_eq!(
+                    tensors[6 * point..][..6],
+                    [s.xx, s.yy, s.zz, s.xy, s.yz, s.xz]
+                );
+                assert_eq!(equivalent[point], s.von_mises());
+                let u = [ux, uy, uz].map(|u| u.as_slice()[cell]);
+                assert_eq!(vectors[3 * point..][..3], u);
+            }
+        }
+    }
+    // What cannot be written leaves the file as it was.
+    let before = std::fs::read(&path).unwrap();
+    for bad in [&[0.1, 0.2, 0.4][..], &[0.2, 0.1], &[0.1, 0.1]] {
+        let mut planes = Planes::new(&bodies, bad).unwrap();
+        let refused = planes.write_vti(&path, Body::One, tractions).unwrap_err();
+        assert!(matches!(refused, Error::Sample { .. }), "{refused}");
+    }
+    let refused = Planes::new(&bodies, &[])
+        .unwrap()
+        .write_vti(&path, Body::One, tractions);
+    assert!(matches!(refused, Err(Error::Length { .. })));
+    let broken = Field::constant(grid, f64::NAN);
+    let refused = planes.write_vti(&path, Body::One, Tractions::new(&broken));
+    assert!(matches!(refused, Err(Error::Sample { .. })));
+    assert_eq!(std::fs::read(&path).unwrap(), before);
+    let nowhere = temporary("no_such_folder").join("slab.vti");
+    assert!(matches!(
+        planes.write_vti(&nowhere, Body::One, tractions),
+        Err(Error::File { .. })
+    ));
+}

@@ -71,6 +71,7 @@ mod moments_and_energies_follow_from_the_fields;
 mod one_way_coupling_is_goodmans;
 #[cfg(feature = "serde")]
 mod plain_types_survive_serialisation;
+mod planes_below_the_surface;
 mod pressing_in_steps_meets_closed_forms;
 mod problems_take_every_load;
 #[cfg(feature = "dense")]
@@ -90,6 +91,7 @@ mod states_are_kept_and_returned_to;
 mod statistics_agree_with_an_independent_evaluation;
 mod statistics_obey_their_laws;
 mod stiffness_is_the_slope_of_solves;
+mod stresses_below_the_surface;
 mod superposition_is_exact;
 mod the_certificate_is_its_formula;
 #[cfg(feature = "dense")]

@@ -1,0 +1,186 @@
+//! Sums of convolutions of three fields: what three tractions cause, three components at a time.
+
+use std::array::from_fn;
+
+use crate::error::{Result, memory};
+use crate::fft::length::torus;
+use crate::fft::plan::{Plan, Scratch};
+use crate::fft::spectrum::{Lines, of_samples};
+use crate::fft::symbol::Turns;
+use crate::fft::tiles::{Tiles, exchange};
+use crate::parallel;
+use crate::pool::Pool;
+
+/// Transforms of three fields that are convolved with many kernels: the fields are transformed along their rows once,
+/// then [convolved](Self::convolve) with three times three kernels at a time. 96 bytes per cell, and a little for
+/// each task.
+#[derive(Debug, Clone)]
+pub(crate) struct Superposition {
+    plan: Plan<f64>,
+    sources: Tiles<3>,
+    results: Tiles<3>,
+    scratch: Scratch<f64, 3>,
+    /// The nine kernels of a column of waves, one for each task.
+    columns: Pool<Vec<f64>>,
+    /// Whether the sources lie in bands of columns.
+    is_loaded: bool,
+}
+
+/// Cells of the torus on which fields of these cells are convolved, and the waves of the quarter of its spectrum that
+/// kernels are given for: `[along x, along y]`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Torus {
+    cells: [usize; 2],
+}
+
+impl Torus {
+    /// For fields of `[nx, ny]` cells that repeat or not.
+    pub(crate) fn new(size: [usize; 2], repeats: [bool; 2]) -> Self {
+        Self {
+            cells: torus(size, repeats),
+        }
+    }
+
+    /// Waves along each axis, and distances at which a kernel is sampled: from nothing to half around.
+    pub(crate) fn quarter(&self) -> [usize; 2] {
+        self.cells.map(|m| m / 2 + 1)
+    }
+
+    /// The spectrum of a kernel sampled at the distances of a quarter, `at(i, j)`, or its imaginary part if it is odd
+    /// in one axis: the waves along y of each wave along x, one after the other.
+    pub(crate) fn spectrum(
+        &self,
+        is_odd: [bool; 2],
+        at: impl Fn(usize, usize) -> f64 + Sync,
+    ) -> Vec<f64> {
+        let [width, height] = self.quarter();
+        let mut values = vec![0.0; width * height];
+        let lines = Lines {
+            values: &mut values,
+            stride: height,
+            entry: 0..height,
+        };
+        of_samples(is_odd, self.cells, 1.0, lines, at);
+        values
+    }
+}
+
+/// Nine kernels, by what comes out and what goes in.
+pub(crate) trait Kernels: Sync {
+    /// Whether each is odd in x and in y.
+    fn is_odd(&self) -> [[[bool; 2]; 3]; 3];
+
+    /// Adds the spectrum of one, times a factor, of the wave number `kx` to `out`.
+    fn add(&self, out: &mut [f64], entry: [usize; 2], factor: f64, kx: usize);
+}
+
+impl Superposition {
+    /// For fields of `[nx, ny]` cells on a torus.
+    ///
+    /// # Errors
+    /// [`Error::Memory`](crate::Error::Memory).
+    pub(crate) fn new(size: [usize; 2], torus: Torus) -> Result<Self> {
+        memory("transforms of tractions and stresses", size, 96)?;
+        let plan = Plan::new(size, torus.cells);
+        let mut results = plan.tiles();
+        for n in 0..3 {
+            exchange(
+                &mut results.by_rows[n],
+                &mut results.by_columns[n],
+                plan.tiles_across(),
+            );
+        }
+        Ok(Self {
+            sources: plan.tiles(),
+            results,
+            scratch: plan.scratch(),
+            columns: Pool::new(Vec::new()),
+            plan,
+            is_loaded: false,
+        })
+    }
+
+    /// Takes the fields, each times its factor; none is a field of zeros.
+    pub(crate) fn load(&mut self, fields: [Option<&[f64]>; 3], factors: [f64; 3]) {
+        let Self {
+            plan,
+            sources,
+            scratch,
+            is_loaded,
+            ..
+        } = self;
+        let Tiles {
+            by_rows,
+            occupied,
+            by_columns,
+        } = sources;
+        let (across, down) = (plan.tiles_across(), plan.tiles_down());
+        for n in 0..3 {
+            let (rows, columns) = (&mut by_rows[n], &mut by_columns[n]);
+            if *is_loaded {
+                exchange(columns, rows, down);
+            }
+            match fields[n] {
+                Some(x) => plan.forward_rows(x, factors[n], rows, &mut occupied[n], &scratch.rows),
+                None => occupied[n].fill(false),
+            }
+            exchange(rows, columns, across);
+        }
+        *is_loaded = true;
+    }
+
+    /// Writes the sums of the convolutions of what was loaded to three fields, each times its factor.
+    pub(crate) fn convolve(
+        &mut self,
+        kernels: &impl Kernels,
+        out: [&mut [f64]; 3],
+        factors: [f64; 3],
+    ) {
+        let Self {
+            plan,
+            sources,
+            results,
+            scratch,
+            columns,
+            ..
+        } = self;
+        let (across, down) = (plan.tiles_across(), plan.tiles_down());
+        let height = plan.my / 2 + 1;
+        let turns = Turns::new(kernels.is_odd());
+        let Tiles {
+            by_rows,
+            by_columns,
+            ..
+        } = results;
+        plan.columns_between(
+            sources.by_columns.each_ref().map(|tiles| &tiles[..]),
+            &sources.occupied,
+            by_columns.each_mut().map(|tiles| &mut tiles[..]),
+            &scratch.columns,
+            |kx, waves| {
+                let make = || vec![0.0; 9 * height];
+                columns.lend(make, |table| {
+                    table.fill(0.0);
+                    for (k, values) in table.chunks_exact_mut(height).enumerate() {
+                        let entry @ [i, j] = [k / 3, k % 3];
+                        let factor = if turns.negates(i, j) { -1.0 } else { 1.0 };
+                        kernels.add(values, entry, factor, kx);
+                    }
+                    let entry = |k: usize| &table[k * height..(k + 1) * height];
+                    turns.multiply(from_fn(|i| from_fn(|j| entry(3 * i + j))), waves);
+                });
+            },
+        );
+        let normalisation = 1.0 / (plan.mx * plan.my) as f64;
+        for (n, out) in out.into_iter().enumerate() {
+            exchange(&mut by_columns[n], &mut by_rows[n], down);
+            plan.inverse_rows(&by_rows[n], out, factors[n] * normalisation, &scratch.rows);
+            exchange(&mut by_rows[n], &mut by_columns[n], across);
+        }
+    }
+
+    /// The threads of the caller's pool, entered once for work on fields of this size.
+    pub(crate) fn enter<T: Send>(&mut self, work: impl FnOnce(&mut Self) -> T + Send) -> T {
+        parallel::enter_with(self.plan.cells(), || work(self))
+    }
+}

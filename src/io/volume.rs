@@ -1,0 +1,139 @@
+//! Volumes in VTI files, written plane by plane.
+//!
+//! The arrays follow the XML as raw bytes (`AppendedData` of the
+//! [format](https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html)), so that the place of every
+//! plane is known beforehand and no more than one is in memory.
+
+use std::fmt::Write as _;
+use std::fs::File;
+use std::io::{BufWriter, Seek, SeekFrom, Write};
+use std::path::Path;
+
+use super::{part_beside, refused};
+use crate::error::Result;
+use crate::grid::Grid;
+
+/// The points of a volume: the cell centres of a grid in planes of equal distance.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Shape {
+    pub(crate) grid: Grid,
+    /// z of the lowest plane, and from one to the next (lengths).
+    pub(crate) first: f64,
+    pub(crate) step: f64,
+    pub(crate) planes: usize,
+}
+
+/// An array of so many numbers a point: its name, and those of its components, if they have any.
+pub(crate) type Array = (&'static str, &'static [&'static str]);
+
+/// Where the numbers of planes go.
+#[derive(Debug)]
+pub(crate) struct Planes<'a> {
+    file: BufWriter<File>,
+    path: &'a Path,
+    /// Where the numbers of each array begin, and how many a plane of it has.
+    places: Vec<(u64, u64)>,
+}
+
+impl Planes<'_> {
+    /// Writes the numbers of an array in one plane, point by point with x fastest.
+    pub(crate) fn write(
+        &mut self,
+        plane: usize,
+        array: usize,
+        values: impl Iterator<Item = f64>,
+    ) -> Result<()> {
+        let (start, per_plane) = self.places[array];
+        let place = SeekFrom::Start(start + 8 * per_plane * plane as u64);
+        let file = &mut self.file;
+        let written = file.seek(place).and_then(|_| {
+            let mut values = values;
+            values.try_for_each(|value| file.write_all(&value.to_le_bytes()))
+        });
+        written.map_err(|error| refused(self.path, &error))
+    }
+}
+
+/// Creates or replaces a VTI file of point data, whose planes `fill` writes in any order. If it fails the path is as it
+/// was.
+pub(crate) fn write(
+    path: &Path,
+    shape: &Shape,
+    arrays: &[Array],
+    fill: impl FnOnce(&mut Planes<'_>) -> Result<()>,
+) -> Result<()> {
+    let (part, file) = part_beside(path).map_err(|error| refused(path, &error))?;
+    let mut volume = Planes {
+        file: BufWriter::new(file),
+        path,
+        places: Vec::new(),
+    };
+    let filled = volume.begin(shape, arrays).and_then(|end| {
+        fill(&mut volume)?;
+        let Planes { mut file, .. } = volume;
+        let closed = file.seek(SeekFrom::Start(end)).and_then(|_| {
+            file.write_all(b"\n  </AppendedData>\n</VTKFile>\n")?;
+            file.into_inner()?.sync_all()?;
+            std::fs::rename(&part, path)
+        });
+        closed.map_err(|error| refused(path, &error))
+    });
+    if filled.is_err() {
+        // What is left of it has no use; the first error is the one to tell.
+        drop(std::fs::remove_file(&part));
+    }
+    filled
+}
+
+impl Planes<'_> {
+    /// Writes all but the numbers; where they end.
+    fn begin(&mut self, shape: &Shape, arrays: &[Array]) -> Result<u64> {
+        let Shape {
+            grid,
+            first,
+            step,
+            planes,
+        } = *shape;
+        let [x, y] = grid.position(0, 0);
+        let (dx, dy) = (grid.dx(), grid.dy());
+        let extent = format!("0 {} 0 {} 0 {}", grid.nx() - 1, grid.ny() - 1, planes - 1);
+        let mut text = format!(
+            r#"<?xml version="1.0"?>
+<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
+  <ImageData WholeExtent="{extent}" Origin="{x} {y} {first}" Spacing="{dx} {dy} {step}">
+    <Piece Extent="{extent}">
+      <PointData>
+"#
+        );
+        // Each array is preceded by the number of its bytes.
+        let mut offset = 0;
+        for (name, components) in arrays {
+            let count = components.len().max(1);
+            let names = components.iter().enumerate();
+            let names: String = names
+                .map(|(k, name)| format!(r#" ComponentName{k}="{name}""#))
+                .collect();
+            writeln!(
+                text,
+                r#"        <DataArray type="Float64" Name="{name}" NumberOfComponents="{count}"{names} format="appended" offset="{offset}"/>"#
+            )
+            .expect("writing to a string cannot fail");
+            let per_plane = (count * grid.cells()) as u64;
+            self.places.push((offset + 8, per_plane));
+            offset += 8 + 8 * per_plane * planes as u64;
+        }
+        text.push_str("      </PointData>\n    </Piece>\n  </ImageData>\n");
+        text.push_str("  <AppendedData encoding=\"raw\">\n   _");
+        let start = text.len() as u64;
+        let file = &mut self.file;
+        let written = file.write_all(text.as_bytes()).and_then(|()| {
+            self.places.iter_mut().try_for_each(|(place, per_plane)| {
+                *place += start;
+                file.seek(SeekFrom::Start(*place - 8))?;
+                file.write_all(&(8 * *per_plane * planes as u64).to_le_bytes())
+            })
+        });
+        written.map_err(|error| refused(self.path, &error))?;
+        Ok(start + offset)
+    }
+}

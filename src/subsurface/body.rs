@@ -1,0 +1,72 @@
+//! Which body is looked into, and what its half-space is told.
+
+use crate::error::{Error, Result};
+use crate::material::ElasticPair;
+use crate::subsurface::kernel::{Component, Load};
+
+/// One of the two bodies of a contact.
+///
+/// Depths count from the surface into the body, in both bodies, and are never negative: the depth `d` is the plane
+/// `z = d` of body 1 and `z = -d` of body 2. Components are along the common axes x, y and z in both, with z into
+/// body 1. Body 1 receives the pressure along +z and the tractions along +x and +y, body 2 the opposites; so both have
+/// `szz = -p`, `sxz = -qx` and `syz = -qy` on their surface.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Body {
+    /// Body 1, into which z points.
+    One,
+    /// Body 2, above it.
+    Two,
+}
+
+/// What the half-space `z >= 0` that stands for a body is made of and told.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Constants {
+    pub(super) shear_modulus: f64,
+    pub(super) poisson_ratio: f64,
+    is_second: bool,
+}
+
+impl Body {
+    pub(super) fn constants(self, pair: &ElasticPair) -> Result<Constants> {
+        let [one, two] = pair.bodies();
+        let (material, name) = match self {
+            Self::One => (one, "body 1"),
+            Self::Two => (two, "body 2"),
+        };
+        if material.is_rigid() {
+            return Err(Error::RigidBody(name));
+        }
+        Ok(Constants {
+            shear_modulus: material.shear_modulus(),
+            poisson_ratio: material.poisson_ratio(),
+            is_second: self == Self::Two,
+        })
+    }
+}
+
+/// Body 2 is the half-space `z >= 0` seen from below: mirrored in z, its tractions along x and y are the opposites.
+impl Constants {
+    /// The factor of a traction before it acts on the half-space.
+    pub(super) fn factor_in(&self, load: Load) -> f64 {
+        if self.is_second && load != Load::P {
+            -1.0
+        } else {
+            1.0
+        }
+    }
+
+    /// The factor from a component composed of the integrals to that of the body.
+    pub(super) fn factor_out(&self, component: Component) -> f64 {
+        let sign = if self.is_second && component.is_odd_in_z() {
+            -1.0
+        } else {
+            1.0
+        };
+        if component.is_displacement() {
+            sign / self.shear_modulus
+        } else {
+            sign
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! The integrals by Gauss-Legendre quadrature, for points far from the cell.
+
+use super::gauss::Rule;
+use super::integral::Integral;
+
+/// The integrals over a rectangle of half sides a and b at `N` points of a row of the quadrant `x >= 0`, `y >= 0`.
+/// Each point is evaluated as if it were alone.
+///
+/// Below the cell what is odd in x cancels between two halves: of `x - a..x + a` there remains `a - x..a + x`, which is
+/// the same integral with x and a exchanged.
+pub(super) fn integrals<const N: usize>(
+    [a, b]: [f64; 2],
+    rule: Rule,
+    xs: &[f64; N],
+    [y, z]: [f64; 2],
+) -> [[f64; N]; Integral::COUNT] {
+    let mut sums = product_rule(rule, [xs, &[a; N]], [y, b], z);
+    let mut replace_odd = |axis: usize, others: [[f64; N]; Integral::COUNT]| {
+        for ((sum, other), integral) in sums.iter_mut().zip(others).zip(Integral::ALL) {
+            if integral.is_odd()[axis] {
+                *sum = other;
+            }
+        }
+    };
+    if xs.iter().any(|&x| x < a) {
+        let sides = [&xs.map(|x| x.max(a)), &xs.map(|x| x.min(a))];
+        replace_odd(0, product_rule(rule, sides, [y, b], z));
+    }
+    if y < b {
+        replace_odd(1, product_rule(rule, [xs, &[a; N]], [b, y], z));
+    }
+    sums
+}
+
+/// Sums over the nodes; `[x, a]` of each point and `[y, b]` are the centre and the half side of an interval.
+fn product_rule<const N: usize>(
+    rule: Rule,
+    [xs, a]: [&[f64; N]; 2],
+    [y, b]: [f64; 2],
+    z: f64,
+) -> [[f64; N]; Integral::COUNT] {
+    let mut sums = [[0.0; N]; Integral::COUNT];
+    for &[node_y, weight_y] in rule {
+        let y = y + b * node_y;
+        for &[node_x, weight_x] in rule {
+            let weight = weight_x * (b * weight_y);
+            add_integrands(&mut sums, [xs, a], [node_x, weight], [y, z]);
+        }
+    }
+    sums
+}
+
+/// Adds `a` times a weight times the functions under the integrals: derivatives of `1/r`, `ln(r + z)` and `z ln(r +
+/// z) - r`, and products of three coordinates over `r^5/3`.
+#[inline]
+fn add_integrands<const N: usize>(
+    sums: &mut [[f64; N]; Integral::COUNT],
+    [xs, a]: [&[f64; N]; 2],
+    [node, weight]: [f64; 2],
+    [y, z]: [f64; 2],
+) {
+    let (y2, z2) = (y * y, z * z);
+    for (lane, (x, a)) in xs.iter().zip(a).enumerate() {
+        let mut add = |integral: Integral, value| sums[integral.index()][lane] += value;
+        let (x, weight) = (x + a * node, a * weight);
+        let x2 = x * x;
+        let r = ((x2 + y2) + z2).sqrt();
+        // i = 1/r and s = 1/(r + z) by one division, and t = r/(r + z).
+        let sum = r + z;
+        let quotient = 1.0 / (r * sum);
+        let (i, s) = (sum * quotient, r * quotient);
+        let (i2, t) = (i * i, r * s);
+
+        // The weight goes into one factor of each product.
+        let wi3 = weight * i * i2;
+        let three = 3.0 * wi3 * i2;
+        let wis = weight * quotient;
+        let (m, n) = (wi3 * s * (1.0 + t), wis * s);
+        let k = wi3 * (s * s) * (1.0 + 2.0 * t);
+        let (xy, three_x, three_y, three_z) = (x * y, three * x, three * y, three * z);
+
+        add(Integral::V, weight * i);
+        add(Integral::Lx, x * wis);
+        add(Integral::Ly, y * wis);
+        add(Integral::Wxx, x2 * n - weight * s);
+        add(Integral::Wxy, xy * n);
+        add(Integral::Lxx, wis - x2 * m);
+        add(Integral::Lxy, -(xy * m));
+        add(Integral::Wxxy, y * (n - x2 * k));
+        add(Integral::Wxyy, x * (n - y2 * k));
+        add(Integral::Txxx, three_x * x2);
+        add(Integral::Txxy, three_y * x2);
+        add(Integral::Txyy, three_x * y2);
+        add(Integral::Tyyy, three_y * y2);
+        add(Integral::Txxz, three_z * x2);
+        add(Integral::Txyz, three_z * xy);
+        add(Integral::Tyyz, three_z * y2);
+        add(Integral::Txzz, three_x * z2);
+        add(Integral::Tyzz, three_y * z2);
+        add(Integral::Tzzz, three_z * z2);
+    }
+}

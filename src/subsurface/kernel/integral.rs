@@ -1,0 +1,95 @@
+//! The integrals from which all components are composed.
+
+/// One of the potentials `V`, `L` and `W` of the [module](super) over the loaded rectangle, or a derivative of it, or a
+/// component of the tensor `T`.
+///
+/// The first five are lengths, the others numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Integral {
+    V,
+    Lx,
+    Ly,
+    Wxx,
+    Wxy,
+    Lxx,
+    Lxy,
+    Wxxy,
+    Wxyy,
+    Txxx,
+    Txxy,
+    Txyy,
+    Tyyy,
+    Txxz,
+    Txyz,
+    Tyyz,
+    Txzz,
+    Tyzz,
+    Tzzz,
+}
+
+impl Integral {
+    /// How many there are.
+    pub(crate) const COUNT: usize = 19;
+
+    /// How many are lengths: the first ones.
+    pub(crate) const LENGTHS: usize = 5;
+
+    /// All of them, each at its own index.
+    pub(crate) const ALL: [Self; Self::COUNT] = [
+        Self::V,
+        Self::Lx,
+        Self::Ly,
+        Self::Wxx,
+        Self::Wxy,
+        Self::Lxx,
+        Self::Lxy,
+        Self::Wxxy,
+        Self::Wxyy,
+        Self::Txxx,
+        Self::Txxy,
+        Self::Txyy,
+        Self::Tyyy,
+        Self::Txxz,
+        Self::Txyz,
+        Self::Tyyz,
+        Self::Txzz,
+        Self::Tyzz,
+        Self::Tzzz,
+    ];
+
+    /// Its place in an array of all.
+    pub(crate) const fn index(self) -> usize {
+        self as usize
+    }
+
+    /// Whether it is a length.
+    pub(crate) fn is_length(self) -> bool {
+        self.index() < Self::LENGTHS
+    }
+
+    /// Whether it is odd in x and odd in y; otherwise it is even.
+    pub(crate) const fn is_odd(self) -> [bool; 2] {
+        match self {
+            Self::V | Self::Wxx | Self::Lxx | Self::Txxz | Self::Tyyz | Self::Tzzz => {
+                [false, false]
+            }
+            Self::Lx | Self::Wxyy | Self::Txxx | Self::Txyy | Self::Txzz => [true, false],
+            Self::Ly | Self::Wxxy | Self::Txxy | Self::Tyyy | Self::Tyzz => [false, true],
+            Self::Wxy | Self::Lxy | Self::Txyz => [true, true],
+        }
+    }
+}
+
+/// One number for each integral.
+pub(super) type Values = [f64; Integral::COUNT];
+
+/// The sign of an integral relative to the quadrant of positive x and y; zero where it vanishes by parity.
+pub(super) fn sign(integral: Integral, [x, y]: [f64; 2]) -> f64 {
+    let [odd_x, odd_y] = integral.is_odd();
+    let along = |is_odd: bool, x: f64| match x {
+        _ if !is_odd || x > 0.0 => 1.0,
+        x if x < 0.0 => -1.0,
+        _ => x,
+    };
+    along(odd_x, x) * along(odd_y, y)
+}

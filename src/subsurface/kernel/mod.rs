@@ -1,0 +1,127 @@
+//! Displacements and stresses below a uniformly loaded rectangle on an elastic half-space.
+//!
+//! The rectangle `|x| < a`, `|y| < b` of the surface `z = 0` carries a uniform traction; the body is `z >= 0`. The
+//! pressure `p` pushes along `+z`, the tractions `qx` and `qy` act on the body along `+x` and `+y`. Stresses are
+//! tensile positive, so under the load `szz = -p`, `sxz = -qx`, `syz = -qy`. Displacements vanish at infinity.
+//!
+//! # Formulas
+//!
+//! With `X = x - xi`, `Y = y - eta` and `r^2 = X^2 + Y^2 + z^2`, Boussinesq's and Cerruti's solutions follow from
+//! three harmonic potentials, each the derivative of the next along z, integrated over the rectangle:
+//!
+//! ```math
+//! V = \iint \frac{1}{r}, \qquad L = \iint \ln(r + z), \qquad W = \iint [z \ln(r + z) - r], \qquad
+//! V = L_z, \quad L = W_z.
+//! ```
+//!
+//! A pressure of unit size causes, with the shear modulus `G` and Poisson's ratio `nu`, the displacements
+//!
+//! ```math
+//! 4 \pi G\,u_x = -(1 - 2\nu) L_x - z V_x, \quad
+//! 4 \pi G\,u_y = -(1 - 2\nu) L_y - z V_y, \quad
+//! 4 \pi G\,u_z = 2 (1 - \nu) V - z V_z,
+//! ```
+//!
+//! and a unit traction along x
+//!
+//! ```math
+//! 4 \pi G\,u_x = 2 V + 2 \nu W_{xx} - z L_{xx}, \quad
+//! 4 \pi G\,u_y = 2 \nu W_{xy} - z L_{xy}, \quad
+//! 4 \pi G\,u_z = (1 - 2\nu) L_x - z V_x.
+//! ```
+//!
+//! Hooke's law gives the stresses. Deep below the cell they are smaller than the derivatives of the potentials they
+//! consist of, so those that remain in an incompressible body are integrated as one, with `X_3 = z`:
+//!
+//! ```math
+//! T_{ijk} = \iint \frac{3 X_i X_j X_k}{r^5}, \qquad \tfrac13 T_{iik} = -V_k.
+//! ```
+//!
+//! Under a unit pressure
+//!
+//! ```math
+//! 2 \pi\,\sigma_{ij} = -T_{ijz} + (1 - 2\nu)
+//! \begin{pmatrix} L_{yy} & -L_{xy} & 0 \\ -L_{xy} & L_{xx} & 0 \\ 0 & 0 & 0 \end{pmatrix}_{ij}, \qquad
+//! L_{xx} + L_{yy} = -V_z,
+//! ```
+//!
+//! and under a unit traction along x
+//!
+//! ```math
+//! 2 \pi\,\sigma_{ij} = -T_{ijx} + (1 - 2\nu)
+//! \begin{pmatrix} W_{xyy} & -W_{xxy} & 0 \\ -W_{xxy} & W_{xxx} & 0 \\ 0 & 0 & 0 \end{pmatrix}_{ij}, \qquad
+//! W_{xxx} + W_{xyy} = -V_x;
+//! ```
+//!
+//! a traction along y acts like one along x with the axes exchanged. There remain the 19 functions of [`Integral`],
+//! which depend on the cell and the point but not on `nu`; [`Weights`] makes the components of them.
+//!
+//! With the corners `(X, Y, s) = (x+a, y+b, +), (x-a, y+b, -), (x+a, y-b, -), (x-a, y-b, +)`, now `r` their
+//! distances, and `rho_X^2 = X^2 + z^2`, `rho_Y^2 = Y^2 + z^2`,
+//!
+//! ```math
+//! V_x = \sum s \operatorname{asinh} \frac{Y}{\rho_X}, \quad
+//! V_z = -\sum s \arctan \frac{X Y}{z r}, \quad
+//! L_{xx} = \sum s\,\theta_x, \quad \theta_x = \arctan \frac{X Y}{\rho_X^2 + z r}, \quad
+//! L_{xy} = \sum s \ln(r + z),
+//! ```
+//! ```math
+//! V = \sum s \left[X \operatorname{asinh} \frac{Y}{\rho_X} + Y \operatorname{asinh} \frac{X}{\rho_Y}\right]
+//!   + z V_z, \quad
+//! L_x = \sum s\,[Y \ln(r + z) + X \theta_x] + z V_x,
+//! ```
+//! ```math
+//! W_{xx} = z L_{xx} - \sum s\,X \operatorname{asinh} \frac{Y}{\rho_X}, \quad
+//! W_{xy} = z L_{xy} - \sum s\,r, \quad
+//! W_{xyy} = -\sum s \frac{Y}{r + z},
+//! ```
+//! ```math
+//! T_{xxx} = -2 V_x - \sum s \frac{X^2 Y}{r \rho_X^2}, \quad
+//! T_{xyy} = -V_x + \sum s \frac{Y}{r}, \quad
+//! T_{xzz} = -\sum s \frac{z^2 Y}{r \rho_X^2}, \quad
+//! T_{xyz} = \sum s \frac{z}{r},
+//! ```
+//! ```math
+//! T_{xxz} = -V_z - \sum s \frac{z X Y}{r \rho_X^2}, \quad
+//! T_{zzz} = -V_z + \sum s \frac{z X Y}{r} \left[\frac{1}{\rho_X^2} + \frac{1}{\rho_Y^2}\right],
+//! ```
+//!
+//! and those with x and y exchanged. Near the cell they are evaluated as differences between the two ends of an edge,
+//! in closed form, so that nothing cancels beside an edge, on its extension or at small depth; far from the cell by
+//! Gauss-Legendre quadrature of the integrands; a slender cell in pieces.
+//!
+//! # On the surface
+//!
+//! `z = 0` means the limit from inside the body. Where the limits from the two sides of an edge differ, the value is
+//! their mean, and at a corner the mean over the four quadrants. Where a stress is logarithmically infinite, the zero
+//! distance to the edge or corner inside the logarithm is replaced by the longer half side of the cell, which leaves a
+//! finite part. In a sum over equal cells with equal tractions these logarithms cancel, as they should.
+//!
+//! # Accuracy
+//!
+//! Relative to the largest displacement, or the largest stress, at the point under the load in question, errors are
+//! about 1e-15, and 1e-14 at worst, at any place and depth. Slender cells are worse where that stress itself is
+//! small: beside the middle of a long edge, where the pressure on an endless strip would cause none on the surface.
+//! There the error is about 1e-16 times the ratio of the sides.
+//!
+//! # Sources
+//!
+//! Love, Phil. Trans. R. Soc. A 228 (1929) 377, doi 10.1098/rsta.1929.0009; Ahmadi, Keer & Mura, Int. J. Solids
+//! Struct. 19 (1983) 357; Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, 1990; Johnson, Contact
+//! Mechanics, 1985, section 3.1.
+
+mod cell;
+mod edge;
+mod far;
+mod gauss;
+mod integral;
+mod near;
+mod piece;
+mod rectangle;
+#[cfg(test)]
+mod tests;
+mod weights;
+
+pub(crate) use integral::Integral;
+pub(crate) use rectangle::LoadedRectangle;
+pub(crate) use weights::{Component, Load, Weights};

@@ -1,0 +1,129 @@
+//! The integrals in closed form, for points near the cell.
+
+use super::edge::{Differences, Edge};
+use super::integral::{Integral, Values};
+use super::piece::Piece;
+use std::f64::consts::PI;
+
+/// The four edges of a rectangle, as differences between their ends.
+struct Outline {
+    /// The places of the edges parallel to y.
+    xs: [f64; 2],
+    ys: [f64; 2],
+    along_y: [Differences; 2],
+    along_x: [Differences; 2],
+}
+
+impl Outline {
+    fn new(piece: &Piece) -> Self {
+        let Piece { x, y, z, unit } = *piece;
+        let (xs, ys) = (x.ends, y.ends);
+        // Its form keeps the exchange of the axes exact.
+        let distances = xs.map(|x| ys.map(|y| ((x * x + y * y) + z * z).sqrt()));
+        let along_y = [0, 1].map(|i| Edge {
+            offset: xs[i],
+            z,
+            extent: y,
+            distances: distances[i],
+            unit,
+        });
+        let along_x = [0, 1].map(|j| Edge {
+            offset: ys[j],
+            z,
+            extent: x,
+            distances: [distances[0][j], distances[1][j]],
+            unit,
+        });
+        Self {
+            xs,
+            ys,
+            along_y: along_y.map(|edge| edge.differences()),
+            along_x: along_x.map(|edge| edge.differences()),
+        }
+    }
+
+    /// The double difference of a function, by its differences along the edges parallel to y.
+    fn over_x(&self, of: impl Fn(&Differences) -> f64) -> f64 {
+        of(&self.along_y[0]) - of(&self.along_y[1])
+    }
+
+    fn over_y(&self, of: impl Fn(&Differences) -> f64) -> f64 {
+        of(&self.along_x[0]) - of(&self.along_x[1])
+    }
+
+    /// The double difference of `X` times a function.
+    fn times_x(&self, of: impl Fn(&Differences) -> f64) -> f64 {
+        self.xs[0] * of(&self.along_y[0]) - self.xs[1] * of(&self.along_y[1])
+    }
+
+    fn times_y(&self, of: impl Fn(&Differences) -> f64) -> f64 {
+        self.ys[0] * of(&self.along_x[0]) - self.ys[1] * of(&self.along_x[1])
+    }
+
+    /// The solid angle of the piece. Beside the piece it is of order z, and only one of the two orders of differences
+    /// is a sum of angles of that order.
+    fn solid_angle(&self, z: f64) -> f64 {
+        if z == 0.0 {
+            let share = |[_, end]: [f64; 2]| match end {
+                end if end < 0.0 => 1.0,
+                end if end > 0.0 => 0.0,
+                _ => 0.5,
+            };
+            2.0 * PI * share(self.xs) * share(self.ys)
+        } else if self.ys[1] < self.xs[1] {
+            self.over_y(|edge| edge.solid_angle)
+        } else {
+            self.over_x(|edge| edge.solid_angle)
+        }
+    }
+}
+
+/// All integrals over a piece whose centre lies in the quadrant `x >= 0`, `y >= 0`.
+pub(super) fn integrals(piece: &Piece) -> Values {
+    let z = piece.z;
+    let outline = Outline::new(piece);
+    let lines_x = outline.times_x(|edge| edge.asinh);
+    let lines_y = outline.times_y(|edge| edge.asinh);
+    let vx = outline.over_x(|edge| edge.asinh);
+    let vy = outline.over_y(|edge| edge.asinh);
+    let vz = -outline.solid_angle(z);
+    let lxx = outline.over_x(|edge| edge.theta);
+    let lxy = outline.over_x(|edge| edge.logarithm);
+    let logarithms_x = outline.times_x(|edge| edge.logarithm);
+    let logarithms_y = outline.times_y(|edge| edge.logarithm);
+    // z V_xx and so on.
+    let [xxx, zvxx, zvxz] = [0, 1, 2].map(|k| -outline.over_x(|edge| edge.cubes[k]));
+    let [yyy, zvyy, zvyz] = [0, 1, 2].map(|k| -outline.over_y(|edge| edge.cubes[k]));
+
+    let mut values = [0.0; Integral::COUNT];
+    let mut set = |integral: Integral, value| values[integral.index()] = value;
+    set(Integral::V, lines_x + lines_y + z * vz);
+    set(
+        Integral::Lx,
+        logarithms_y + outline.times_x(|edge| edge.theta) + z * vx,
+    );
+    set(
+        Integral::Ly,
+        logarithms_x + outline.times_y(|edge| edge.theta) + z * vy,
+    );
+    set(Integral::Wxx, z * lxx - lines_x);
+    set(
+        Integral::Wxy,
+        z * lxy - outline.over_x(|edge| edge.distance),
+    );
+    set(Integral::Lxx, lxx);
+    set(Integral::Lxy, lxy);
+    set(Integral::Wxxy, -outline.over_x(|edge| edge.ratio));
+    set(Integral::Wxyy, -outline.over_y(|edge| edge.ratio));
+    set(Integral::Txxx, xxx - 2.0 * vx);
+    set(Integral::Txxy, outline.over_x(|edge| edge.inverse[0]) - vy);
+    set(Integral::Txyy, outline.over_y(|edge| edge.inverse[0]) - vx);
+    set(Integral::Tyyy, yyy - 2.0 * vy);
+    set(Integral::Txxz, zvxx - vz);
+    set(Integral::Txyz, outline.over_x(|edge| edge.inverse[1]));
+    set(Integral::Tyyz, zvyy - vz);
+    set(Integral::Txzz, zvxz);
+    set(Integral::Tyzz, zvyz);
+    set(Integral::Tzzz, -(zvxx + zvyy) - vz);
+    values
+}

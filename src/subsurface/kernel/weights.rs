@@ -1,0 +1,197 @@
+//! The components of displacement and stress composed of the integrals.
+
+use super::integral::Integral;
+use std::f64::consts::PI;
+
+/// A unit traction on the cell.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Load {
+    /// A pressure.
+    P,
+    /// A traction along x.
+    Qx,
+    /// A traction along y.
+    Qy,
+}
+
+impl Load {
+    /// All of them.
+    pub(crate) const ALL: [Self; 3] = [Self::P, Self::Qx, Self::Qy];
+
+    /// Along which axis it turns the parity of a component.
+    pub(crate) fn turns(self) -> [bool; 2] {
+        [self == Self::Qx, self == Self::Qy]
+    }
+}
+
+/// A component of displacement, times the shear modulus and per unit traction (a length), or of stress, per unit
+/// traction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Component {
+    Ux,
+    Uy,
+    Uz,
+    Sxx,
+    Syy,
+    Szz,
+    Sxy,
+    Sxz,
+    Syz,
+}
+
+impl Component {
+    /// How many there are.
+    pub(crate) const COUNT: usize = 9;
+
+    /// All of them, displacements first.
+    #[cfg(test)]
+    pub(crate) const ALL: [Self; Self::COUNT] = [
+        Self::Ux,
+        Self::Uy,
+        Self::Uz,
+        Self::Sxx,
+        Self::Syy,
+        Self::Szz,
+        Self::Sxy,
+        Self::Sxz,
+        Self::Syz,
+    ];
+
+    /// Whether it is a displacement.
+    pub(crate) fn is_displacement(self) -> bool {
+        matches!(self, Self::Ux | Self::Uy | Self::Uz)
+    }
+
+    /// Whether it has a z once, and so the other sign in a body that z points out of.
+    pub(crate) fn is_odd_in_z(self) -> bool {
+        matches!(self, Self::Uz | Self::Sxz | Self::Syz)
+    }
+
+    /// Whether it is odd in x and odd in y under a pressure; otherwise it is even. A traction along an axis turns the
+    /// parity along it.
+    pub(crate) fn is_odd(self) -> [bool; 2] {
+        match self {
+            Self::Uz | Self::Sxx | Self::Syy | Self::Szz => [false, false],
+            Self::Ux | Self::Sxz => [true, false],
+            Self::Uy | Self::Syz => [false, true],
+            Self::Sxy => [true, true],
+        }
+    }
+}
+
+/// The weights of the integrals in all components: a table that depends on `nu` and `z` only.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Weights {
+    /// By load, component and integral.
+    table: [[[f64; Integral::COUNT]; Component::COUNT]; 3],
+}
+
+#[derive(Debug, Clone, Copy)]
+enum Axis {
+    X,
+    Y,
+    Z,
+}
+
+impl Weights {
+    /// The weights at the depth `z` for Poisson's ratio `nu`.
+    pub(crate) fn new(nu: f64, z: f64) -> Self {
+        let table = [[[0.0; Integral::COUNT]; Component::COUNT]; 3];
+        let mut weights = Self { table };
+        weights.set_pressure(nu, z);
+        weights.set_traction_x(nu, z);
+        weights.set_traction_y(nu, z);
+        weights
+    }
+
+    /// The weights of one component, by [`Integral::index`].
+    pub(crate) fn of(&self, load: Load, component: Component) -> &[f64; Integral::COUNT] {
+        &self.table[load as usize][component as usize]
+    }
+
+    fn set_pressure(&mut self, nu: f64, z: f64) {
+        use Integral::{Lx, Lxx, Lxy, Ly, Txxz, Txyz, Txzz, Tyyz, Tyzz, Tzzz, V};
+        let e = 1.0 - 2.0 * nu;
+        let load = Load::P;
+        self.add(load, Component::Ux, &[(-e, Lx)]);
+        self.add_trace(load, Component::Ux, z, Axis::X);
+        self.add(load, Component::Uy, &[(-e, Ly)]);
+        self.add_trace(load, Component::Uy, z, Axis::Y);
+        self.add(load, Component::Uz, &[(2.0 * (1.0 - nu), V)]);
+        self.add_trace(load, Component::Uz, z, Axis::Z);
+        self.add(load, Component::Sxx, &[(-1.0, Txxz), (-e, Lxx)]);
+        self.add_trace(load, Component::Sxx, e, Axis::Z);
+        self.add(load, Component::Syy, &[(-1.0, Tyyz), (e, Lxx)]);
+        self.add(load, Component::Szz, &[(-1.0, Tzzz)]);
+        self.add(load, Component::Sxy, &[(-1.0, Txyz), (-e, Lxy)]);
+        self.add(load, Component::Sxz, &[(-1.0, Txzz)]);
+        self.add(load, Component::Syz, &[(-1.0, Tyzz)]);
+    }
+
+    fn set_traction_x(&mut self, nu: f64, z: f64) {
+        use Integral::{Lx, Lxx, Lxy, Txxx, Txxy, Txxz, Txyy, Txyz, Txzz, V, Wxx, Wxxy, Wxy, Wxyy};
+        let e = 1.0 - 2.0 * nu;
+        let load = Load::Qx;
+        self.add(load, Component::Ux, &[(2.0, V), (2.0 * nu, Wxx), (-z, Lxx)]);
+        self.add(load, Component::Uy, &[(2.0 * nu, Wxy), (-z, Lxy)]);
+        self.add(load, Component::Uz, &[(e, Lx)]);
+        self.add_trace(load, Component::Uz, z, Axis::X);
+        self.add(load, Component::Sxx, &[(-1.0, Txxx), (e, Wxyy)]);
+        self.add(load, Component::Syy, &[(-1.0, Txyy), (-e, Wxyy)]);
+        self.add_trace(load, Component::Syy, e, Axis::X);
+        self.add(load, Component::Szz, &[(-1.0, Txzz)]);
+        self.add(load, Component::Sxy, &[(-1.0, Txxy), (-e, Wxxy)]);
+        self.add(load, Component::Sxz, &[(-1.0, Txxz)]);
+        self.add(load, Component::Syz, &[(-1.0, Txyz)]);
+    }
+
+    /// The traction along x with the axes exchanged, `L_yy` and `W_yy` replaced by the others.
+    fn set_traction_y(&mut self, nu: f64, z: f64) {
+        use Integral::{Lxx, Lxy, Ly, Txxy, Txyy, Txyz, Tyyy, Tyyz, Tyzz, V, Wxx, Wxxy, Wxy, Wxyy};
+        let e = 1.0 - 2.0 * nu;
+        let load = Load::Qy;
+        self.add(load, Component::Ux, &[(2.0 * nu, Wxy), (-z, Lxy)]);
+        self.add(
+            load,
+            Component::Uy,
+            &[(2.0 - 2.0 * nu, V), (-2.0 * nu, Wxx), (z, Lxx)],
+        );
+        self.add_trace(load, Component::Uy, -z, Axis::Z);
+        self.add(load, Component::Uz, &[(e, Ly)]);
+        self.add_trace(load, Component::Uz, z, Axis::Y);
+        self.add(load, Component::Sxx, &[(-1.0, Txxy), (-e, Wxxy)]);
+        self.add_trace(load, Component::Sxx, e, Axis::Y);
+        self.add(load, Component::Syy, &[(-1.0, Tyyy), (e, Wxxy)]);
+        self.add(load, Component::Szz, &[(-1.0, Tyzz)]);
+        self.add(load, Component::Sxy, &[(-1.0, Txyy), (-e, Wxyy)]);
+        self.add(load, Component::Sxz, &[(-1.0, Txyz)]);
+        self.add(load, Component::Syz, &[(-1.0, Tyyz)]);
+    }
+
+    /// Adds a factor times `-V_x`, `-V_y` or `-V_z`, a third of the trace of `T`.
+    fn add_trace(&mut self, load: Load, component: Component, factor: f64, axis: Axis) {
+        use Integral::{Txxx, Txxy, Txxz, Txyy, Txzz, Tyyy, Tyyz, Tyzz, Tzzz};
+        let trace = match axis {
+            Axis::X => [Txxx, Txyy, Txzz],
+            Axis::Y => [Txxy, Tyyy, Tyzz],
+            Axis::Z => [Txxz, Tyyz, Tzzz],
+        };
+        self.add(
+            load,
+            component,
+            &trace.map(|integral| (factor / 3.0, integral)),
+        );
+    }
+
+    /// Displacements carry the factor `1/(4 pi)`, stresses `1/(2 pi)`.
+    fn add(&mut self, load: Load, component: Component, parts: &[(f64, Integral)]) {
+        let divisor = if component.is_displacement() {
+            4.0 * PI
+        } else {
+            2.0 * PI
+        };
+        for &(weight, integral) in parts {
+            self.table[load as usize][component as usize][integral.index()] += weight / divisor;
+        }
+    }
+}

@@ -1,0 +1,68 @@
+//! Stress and displacement below the surface of each body, from the pressure and both tractions of a contact.
+//!
+//! A cell that carries a uniform traction causes stresses and displacements in the half-space below it that are known
+//! in closed form (Love 1929; Ahmadi, Keer & Mura 1983); those of all cells add up,
+//!
+//! ```math
+//! \sigma_{ij}(x, y, z) = \sum_{\text{cells}} \left[S^p_{ij}\,p + S^x_{ij}\,q_x + S^y_{ij}\,q_y\right] .
+//! ```
+//!
+//! [`at_points`] adds them up at any points, [`Planes`] at the cell centres of planes of chosen depths, by fast
+//! transforms.
+//!
+//! ```
+//! use stickslip::subsurface::{self, Body};
+//! use stickslip::*;
+//! // A steel ball on steel: the largest shear stress is 0.310 p0, at the depth 0.481 a (nu = 0.3).
+//! let grid = Grid::square(64, 0.4)?;
+//! let steel = Material::new(210e3, 0.3)?;
+//! let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
+//! let load = NormalControl::Force(100.0);
+//! let ball = surface::sphere(grid, 5.0)?;
+//! let contact = NormalProblem::builder(&bodies, &ball, load).build()?.solve()?;
+//! let hertz = analytical::HertzSphere::new(bodies.pair(), 5.0, 100.0)?;
+//!
+//! let depth = 0.481 * hertz.contact_radius();
+//! let below = subsurface::at_points(&bodies, Body::One, &contact, &[[0.0, 0.0, depth]])?;
+//! assert!((below[0].stress.max_shear() / hertz.max_pressure() - 0.310).abs() < 1e-3);
+//! # Ok::<(), Error>(())
+//! ```
+//!
+//! # Units and signs
+//!
+//! Stresses are pressures, positive in tension; displacements are lengths. Depths count into the body and are
+//! positive in both; the axes x, y and z are common to both, with z into body 1. Under the load both bodies have `szz
+//! = -p`, `sxz = -qx` and `syz = -qy`. Displacements are those of the body, not relative to the other, and vanish at
+//! infinity: under a pressure `uz` is positive in body 1 and negative in body 2.
+//!
+//! # On the surface
+//!
+//! Depth zero is the limit from inside the body. `szz`, `sxz` and `syz` are then the tractions, and on the edge
+//! between cells the mean of those on both sides. `sxx`, `syy` and `sxy` jump or are logarithmically infinite on an
+//! edge between cells of different tractions; there their value is the mean of the two sides without the infinite
+//! part, which the longer half side of a cell has in place of the distance to the edge. Cell centres, where planes
+//! are computed, are free of that.
+//!
+//! # Sources
+//!
+//! A. E. H. Love, Phil. Trans. R. Soc. A 228 (1929) 377, <https://doi.org/10.1098/rsta.1929.0009>; N. Ahmadi, L. M.
+//! Keer, T. Mura, Int. J. Solids Struct. 19 (1983) 357, <https://doi.org/10.1016/0020-7683(83)90032-X>; K. L.
+//! Johnson, Contact Mechanics (1985), sections 3.1 and 3.2.
+
+mod body;
+mod kernel;
+mod plane;
+mod planes;
+mod points;
+mod spectra;
+mod stress;
+mod strip;
+mod tractions;
+mod volume;
+
+pub use body::Body;
+pub use plane::Plane;
+pub use planes::Planes;
+pub use points::{Response, at_points};
+pub use stress::{Principal, Stress};
+pub use tractions::Tractions;

@@ -1,0 +1,156 @@
+//! The answer of one depth.
+
+use crate::field::{Field, clone_in_place};
+use crate::grid::Grid;
+use crate::subsurface::body::Body;
+use crate::subsurface::kernel::Component;
+use crate::subsurface::stress::Stress;
+
+/// Stress, and displacement if it was asked for, at the cell centres of a plane in one body.
+#[derive(Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Plane {
+    body: Body,
+    depth: f64,
+    normal: [Field; 3],
+    shear: [Field; 3],
+    displacement: Option<[Field; 3]>,
+}
+
+clone_in_place!(Plane {
+    body,
+    depth,
+    normal,
+    shear,
+    displacement
+});
+
+/// The components in the order of the fields.
+pub(super) const STRESSES: [[Component; 3]; 2] = [
+    [Component::Sxx, Component::Syy, Component::Szz],
+    [Component::Sxy, Component::Sxz, Component::Syz],
+];
+pub(super) const DISPLACEMENTS: [Component; 3] = [Component::Ux, Component::Uy, Component::Uz];
+
+impl Plane {
+    pub(super) fn new(grid: Grid, body: Body, with_displacements: bool) -> Self {
+        let zeros = || [(); 3].map(|()| Field::zeros(grid));
+        Self {
+            body,
+            depth: 0.0,
+            normal: zeros(),
+            shear: zeros(),
+            displacement: with_displacements.then(zeros),
+        }
+    }
+
+    /// For an answer of this body.
+    pub(super) fn prepare(&mut self, body: Body, with_displacements: bool) {
+        self.body = body;
+        if !with_displacements {
+            self.displacement = None;
+        } else if self.displacement.is_none() {
+            let grid = self.grid();
+            self.displacement = Some([(); 3].map(|()| Field::zeros(grid)));
+        }
+    }
+
+    pub(super) fn set_depth(&mut self, depth: f64) {
+        self.depth = depth;
+    }
+
+    /// Normal stresses and shear stresses, to be written.
+    pub(super) fn stress_mut(&mut self) -> ([&mut [f64]; 3], [&mut [f64]; 3]) {
+        let [normal, shear] = [&mut self.normal, &mut self.shear];
+        (
+            normal.each_mut().map(Field::as_mut_slice),
+            shear.each_mut().map(Field::as_mut_slice),
+        )
+    }
+
+    pub(super) fn displacement_mut(&mut self) -> Option<[&mut [f64]; 3]> {
+        let fields = self.displacement.as_mut()?;
+        Some(fields.each_mut().map(Field::as_mut_slice))
+    }
+
+    /// The grid of all its fields.
+    #[must_use]
+    pub fn grid(&self) -> Grid {
+        self.normal[0].grid()
+    }
+
+    /// The body it lies in.
+    #[must_use]
+    pub fn body(&self) -> Body {
+        self.body
+    }
+
+    /// Its depth below the surface (a length, zero or positive).
+    #[must_use]
+    pub fn depth(&self) -> f64 {
+        self.depth
+    }
+
+    /// Its z on the axis common to both bodies (a length): the depth in body 1, minus the depth in body 2.
+    #[must_use]
+    pub fn z(&self) -> f64 {
+        match self.body {
+            Body::One => self.depth,
+            Body::Two => -self.depth,
+        }
+    }
+
+    /// The normal stresses xx, yy and zz (pressures, tensile positive).
+    #[must_use]
+    pub fn normal_stress(&self) -> [&Field; 3] {
+        self.normal.each_ref()
+    }
+
+    /// The shear stresses xy, xz and yz (pressures).
+    #[must_use]
+    pub fn shear_stress(&self) -> [&Field; 3] {
+        self.shear.each_ref()
+    }
+
+    /// The displacements of the body along x, y and z (lengths); `None` if they were not
+    /// [asked for](crate::subsurface::Planes::with_displacements).
+    #[must_use]
+    pub fn displacement(&self) -> Option<[&Field; 3]> {
+        self.displacement.as_ref().map(|fields| fields.each_ref())
+    }
+
+    /// The stress in cell `(ix, iy)`, `None` outside the grid.
+    #[must_use]
+    pub fn get(&self, ix: usize, iy: usize) -> Option<Stress> {
+        let grid = self.grid();
+        (ix < grid.nx() && iy < grid.ny()).then(|| self.at(iy * grid.nx() + ix))
+    }
+
+    /// The stresses of all cells, row by row with x fastest.
+    pub fn stresses(&self) -> impl ExactSizeIterator<Item = Stress> + '_ {
+        (0..self.grid().cells()).map(|cell| self.at(cell))
+    }
+
+    /// The field of a function of the stress, such as [`Stress::von_mises`].
+    #[must_use]
+    pub fn map(&self, mut f: impl FnMut(Stress) -> f64) -> Field {
+        let mut field = Field::zeros(self.grid());
+        for (value, stress) in field.as_mut_slice().iter_mut().zip(self.stresses()) {
+            *value = f(stress);
+        }
+        field
+    }
+
+    fn at(&self, cell: usize) -> Stress {
+        let [[xx, yy, zz], [xy, xz, yz]] =
+            [&self.normal, &self.shear].map(|fields| fields.each_ref().map(|f| f.as_slice()[cell]));
+        Stress {
+            xx,
+            yy,
+            zz,
+            xy,
+            xz,
+            yz,
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! The integrals over a cell and all its images along y.
+
+use crate::boundary::Boundary;
+use crate::grid::Grid;
+use crate::influence::images::{FAR, pieces};
+use crate::subsurface::kernel::{Integral, LoadedRectangle};
+
+/// Rows of cells that repeat along y: the cells near the point one by one, the others as a uniform strip
+/// ([how](crate::influence::images)).
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Strips {
+    /// Half sides of a cell.
+    a: f64,
+    b: f64,
+    period: f64,
+    datum: f64,
+}
+
+impl Strips {
+    /// None where the grid does not repeat along y alone.
+    pub(super) fn new(grid: Grid, boundary: Boundary) -> Option<Self> {
+        let Boundary::PeriodicAlongY { datum } = boundary else {
+            return None;
+        };
+        Some(Self {
+            a: 0.5 * grid.dx(),
+            b: 0.5 * grid.dy(),
+            period: grid.dy() * grid.ny() as f64,
+            datum,
+        })
+    }
+
+    /// The integrals at the points `(x, y, z)` of a row, with `x` ascending from zero and `0 <= y <= period/2`, not on
+    /// the edge of a cell of the surface.
+    pub(super) fn integrals_along_row(
+        &self,
+        cell: &LoadedRectangle,
+        xs: &[f64],
+        [y, z]: [f64; 2],
+        out: &mut [&mut [f64]; Integral::COUNT],
+    ) {
+        let share = 2.0 * self.b / self.period;
+        for (k, &x) in xs.iter().enumerate() {
+            for (out, value) in out.iter_mut().zip(self.of_strip(x, z)) {
+                out[k] = share * value;
+            }
+        }
+        // A cell as long as the period is a strip.
+        if share >= 1.0 {
+            return;
+        }
+        let near = xs.partition_point(|x| (x - self.a).max(0.0).hypot(z) < FAR * self.period);
+        let mut values = vec![0.0; Integral::COUNT * near];
+        for piece in pieces(self.b, self.period) {
+            if near == 0 {
+                break;
+            }
+            let mut lines = values.chunks_exact_mut(near);
+            let mut part = std::array::from_fn(|_| lines.next().unwrap_or_default());
+            let long;
+            let rectangle = if piece.is_strip {
+                long = LoadedRectangle::new(self.a, piece.half);
+                &long
+            } else {
+                cell
+            };
+            rectangle.integrals_along_row(&xs[..near], y + piece.offset, z, &mut part);
+            for (out, part) in out.iter_mut().zip(&part) {
+                for (out, part) in out.iter_mut().zip(&**part) {
+                    *out += piece.weight * part;
+                }
+            }
+        }
+        // Here, and half a period away, the images of one side are those of the other.
+        if y == 0.0 || 2.0 * y >= self.period {
+            for (out, integral) in out.iter_mut().zip(Integral::ALL) {
+                if integral.is_odd()[1] {
+                    out.fill(0.0);
+                }
+            }
+        }
+    }
+
+    /// Over a strip of half width `a` along y, infinitely long: the limits of the closed forms, in which
+    /// `V` is relative to the datum and a constant is left out of `W_xx = -V`, as both are on the surface.
+    fn of_strip(&self, x: f64, z: f64) -> [f64; Integral::COUNT] {
+        // In units of the half width.
+        let [x, z, datum] = [x, z, self.datum].map(|length| length / self.a);
+        let (right, left) = (x + 1.0, x - 1.0);
+        let squares = [right, left].map(|x| x * x + z * z);
+        let [arc_right, arc_left] = [right, left].map(|x| x.atan2(z));
+        // Differences between the edges at x + a and x - a.
+        let arcs = (2.0 * z).atan2(z * z + right * left);
+        let logarithms = (4.0 * x / squares[1]).ln_1p();
+        let product = squares[0] * squares[1];
+        let zz = 4.0 * x * z * z / product;
+        let zx = 2.0 * z * (z * z - right * left) / product;
+        let [log_right, log_left] = squares.map(|square| (square / (datum * datum)).ln());
+        let v = 4.0 - x * logarithms - (log_right + log_left) - 2.0 * z * arcs;
+        let of = |integral: Integral| match integral {
+            Integral::V => self.a * v,
+            Integral::Wxx => -self.a * v,
+            Integral::Lx => self.a * (2.0 * (x * arcs + arc_right + arc_left) - z * logarithms),
+            Integral::Lxx | Integral::Tyyz => 2.0 * arcs,
+            Integral::Txxx => 2.0 * (logarithms - zz),
+            Integral::Txyy => logarithms,
+            Integral::Txzz => 2.0 * zz,
+            Integral::Txxz => 2.0 * (arcs - zx),
+            Integral::Tzzz => 2.0 * (arcs + zx),
+            Integral::Ly
+            | Integral::Wxy
+            | Integral::Lxy
+            | Integral::Wxxy
+            | Integral::Wxyy
+            | Integral::Txxy
+            | Integral::Tyyy
+            | Integral::Txyz
+            | Integral::Tyzz => 0.0,
+        };
+        Integral::ALL.map(of)
+    }
+}

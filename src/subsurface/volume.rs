@@ -1,0 +1,117 @@
+//! The stress of a slab as a file.
+
+use std::path::Path;
+
+use crate::error::{Error, Result, length};
+use crate::io::volume::{self, Array, Shape};
+use crate::subsurface::body::Body;
+use crate::subsurface::planes::Planes;
+use crate::subsurface::tractions::Tractions;
+
+/// The arrays of the file; the order of the components is that of a symmetric tensor of VTK.
+const STRESS: Array = ("stress", &["XX", "YY", "ZZ", "XY", "YZ", "XZ"]);
+const VON_MISES: Array = ("von_mises", &[]);
+const DISPLACEMENT: Array = ("displacement", &["X", "Y", "Z"]);
+
+/// Relative difference between steps that count as equal.
+const EQUAL: f64 = 1e-9;
+
+impl Planes {
+    /// Writes the stress of all depths in a body to a VTI file, a volume for ParaView: the tensor `stress` (xx, yy, zz,
+    /// xy, yz, xz), `von_mises`, and the vector `displacement` if it was [asked for](Self::with_displacements), in
+    /// doubles that keep every bit. z is that of the axes common to both bodies: body 2 lies at `z <= 0`.
+    ///
+    /// The values are point data at the cell centres, where they hold, on an image whose origin is the first of them; a
+    /// [flat image](crate::io::vti) of the surface has its cells around them. Depths are computed and written one by
+    /// one: memory does not grow with their number.
+    ///
+    /// ```
+    /// use stickslip::subsurface::{Body, Planes, Tractions};
+    /// use stickslip::*;
+    /// let grid = Grid::square(16, 1.0)?;
+    /// let rubber = Material::new(1.0, 0.5)?;
+    /// let bodies = HalfSpace::new(grid, ElasticPair::new(rubber, Material::rigid())?)?;
+    /// let pressure = Field::constant(grid, 0.1);
+    /// let path = std::env::temp_dir().join("stickslip_slab.vti");
+    /// let mut planes = Planes::new(&bodies, &[0.0, 0.1, 0.2])?;
+    /// planes.write_vti(&path, Body::One, Tractions::new(&pressure))?;
+    /// // Seven doubles a point.
+    /// let size = std::fs::metadata(&path).unwrap().len();
+    /// assert!(size > 3 * 16 * 16 * 7 * 8);
+    /// # std::fs::remove_file(&path).unwrap();
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Sample`] for the first depth that does not follow the others in equal steps downwards;
+    /// [`Error::Length`] if there is no depth; [`Error::File`]; as [`Planes::solve`]. A file that was there is then
+    /// as it was.
+    #[doc(alias = "ParaView")]
+    pub fn write_vti<'a>(
+        &mut self,
+        path: impl AsRef<Path>,
+        body: Body,
+        tractions: impl Into<Tractions<'a>>,
+    ) -> Result<()> {
+        let tractions = tractions.into();
+        let depths = self.depths();
+        let (first, step) = equal_steps(depths)?;
+        let count = depths.len();
+        let lowest = match body {
+            Body::One => first,
+            Body::Two => -depths[count - 1],
+        };
+        let shape = Shape {
+            grid: self.grid(),
+            first: lowest,
+            step,
+            planes: count,
+        };
+        let arrays = [STRESS, VON_MISES, DISPLACEMENT];
+        let arrays = &arrays[..if self.has_displacements() { 3 } else { 2 }];
+        volume::write(path.as_ref(), &shape, arrays, |file| {
+            let mut visited = 0;
+            self.through(body, tractions, |plane| {
+                let index = match body {
+                    Body::One => visited,
+                    Body::Two => count - 1 - visited,
+                };
+                visited += 1;
+                let tensors = plane
+                    .stresses()
+                    .map(|s| [s.xx, s.yy, s.zz, s.xy, s.yz, s.xz]);
+                file.write(index, 0, tensors.flatten())?;
+                file.write(index, 1, plane.stresses().map(|stress| stress.von_mises()))?;
+                if let Some(fields) = plane.displacement() {
+                    let [x, y, z] = fields.map(|field| field.as_slice().iter());
+                    let vectors = x.zip(y).zip(z).flat_map(|((x, y), z)| [*x, *y, *z]);
+                    file.write(index, 2, vectors)?;
+                }
+                Ok(())
+            })
+        })
+    }
+}
+
+/// The first depth and the step to the next.
+fn equal_steps(depths: &[f64]) -> Result<(f64, f64)> {
+    let (first, last) = match depths {
+        [] => return length("list of depths", 1, 0).map(|()| (0.0, 1.0)),
+        [only] => return Ok((*only, 1.0)),
+        [first, .., last] => (*first, *last),
+    };
+    let step = (last - first) / (depths.len() - 1) as f64;
+    for (index, &value) in depths.iter().enumerate() {
+        let is_next = (value - (first + index as f64 * step)).abs() <= EQUAL * step;
+        if !is_next || step <= 0.0 {
+            let (quantity, rule) = ("depths", "an image needs equal steps downwards");
+            return Err(Error::Sample {
+                quantity,
+                index,
+                value,
+                rule,
+            });
+        }
+    }
+    Ok((first, step))
+}

@@ -1,0 +1,582 @@
+//! Planes below the surface are the sums over cells on free bodies, and the half-space's own on bodies that repeat.
+
+use kit::max_abs;
+use proptest::prelude::*;
+use stickslip::influence::Direction::{X, Y, Z};
+use stickslip::subsurface::{Body, Plane, Planes, Stress, Tractions, at_points};
+use stickslip::{Boundary, ElasticPair, Error, Field, Grid, HalfSpace, Material, Operator};
+
+fn pair(nu1: f64, nu2: f64) -> ElasticPair {
+    let body = |g, nu| Material::from_shear_modulus(g, nu).unwrap();
+    ElasticPair::new(body(1.0, nu1), body(2.5, nu2)).unwrap()
+}
+
+/// Tractions without any order, some cells without.
+fn scattered(grid: Grid, seed: usize) -> [Field; 3] {
+    [3, 5, 7].map(|prime: usize| {
+        Field::from_indices(grid, |ix, iy| {
+            let i = seed + ix + 31 * iy;
+            if i % 4 == 0 {
+                0.0
+            } else {
+                ((prime * i * i + 11 * i) % 17) as f64 - 7.0
+            }
+        })
+    })
+}
+
+fn of(fields: &[Field; 3]) -> Tractions<'_> {
+    Tractions::new(&fields[0]).with_shear([&fields[1], &fields[2]])
+}
+
+/// All nine components, displacements first.
+fn components(plane: &Plane) -> [&Field; 9] {
+    let ([ux, uy, uz], [xx, yy, zz], [xy, xz, yz]) = (
+        plane.displacement().unwrap(),
+        plane.normal_stress(),
+        plane.shear_stress(),
+    );
+    [ux, uy, uz, xx, yy, zz, xy, xz, yz]
+}
+
+/// The largest difference of two planes, relative to the largest displacement or stress.
+fn difference(found: &[&[f64]; 9], expected: &[&[f64]; 9]) -> f64 {
+    let mut worst: f64 = 0.0;
+    for range in [0..3, 3..9] {
+        let fields = || found[range.clone()].iter().zip(&expected[range.clone()]);
+        let scale = fields().fold(1e-300_f64, |scale, (_, b)| scale.max(max_abs(b)));
+        for (found, expected) in fields() {
+            assert_eq!(found.len(), expected.len());
+            for (a, b) in found.iter().zip(*expected) {
+                worst = worst.max((a - b).abs() / scale);
+            }
+        }
+    }
+    worst
+}
+
+fn slices<'a>(plane: &'a Plane) -> [&'a [f64]; 9] {
+    components(plane).map(Field::as_slice)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(40))]
+
+    /// To 1e-13 of the largest component, on the surface and below it, in both bodies, also without shear.
+    #[test]
+    fn planes_are_sums_over_cells(
+        nx in 1..20_usize, ny in 1..20_usize, aspect in 0.3..3.0_f64,
+        depth in prop_oneof![Just(0.0), 1e-3..60.0_f64], nu in -0.4..0.5_f64, seed in 0..1000_usize,
+    ) {
+        let grid = Grid::new(nx, ny, 1.0, aspect).unwrap();
+        let bodies = HalfSpace::new(grid, pair(nu, 0.5 - nu.abs())).unwrap();
+        let fields = scattered(grid, seed);
+        let mut planes = Planes::new(&bodies, &[depth]).unwrap().with_displacements();
+        let points: Vec<_> = (0..grid.cells())
+            .map(|i| [grid.x(i % nx), grid.y(i / nx), depth])
+            .collect();
+        for body in [Body::One, Body::Two] {
+            for tractions in [of(&fields), Tractions::new(&fields[0])] {
+                let plane = planes.solve(0, body, tractions).unwrap();
+                let sums = at_points(&bodies, body, tractions, &points).unwrap();
+                let column = |k: usize| -> Vec<f64> {
+                    let component = |r: &stickslip::subsurface::Response| {
+                        let (u, s) = (r.displacement, r.stress);
+                        [u[0], u[1], u[2], s.xx, s.yy, s.zz, s.xy, s.xz, s.yz][k]
+                    };
+                    sums.iter().map(component).collect()
+                };
+                let expected: [Vec<f64>; 9] = std::array::from_fn(column);
+                let error = difference(&slices(&plane), &expected.each_ref().map(|e| &e[..]));
+                prop_assert!(error < 1e-13, "{error:e}");
+            }
+        }
+    }
+}
+
+fn boundaries() -> [Boundary; 3] {
+    [
+        Boundary::NonPeriodic,
+        Boundary::Periodic,
+        Boundary::PeriodicAlongY { datum: 80.0 },
+    ]
+}
+
+/// Depth zero has the tractions and, between the bodies, the displacements that all contacts are solved with.
+#[test]
+fn the_surface_has_its_tractions_and_displacements() {
+    for boundary in boundaries() {
+        for (nx, ny) in [(12, 10), (9, 7), (16, 1), (8, 2)] {
+            let grid = Grid::new(nx, ny, 1.0, 0.7).unwrap();
+            let bodies = HalfSpace::with_boundary(grid, pair(0.3, 0.1), boundary).unwrap();
+            let fields = scattered(grid, 5);
+            let mut planes = Planes::new(&bodies, &[0.0]).unwrap().with_displacements();
+            let [one, two] =
+                [Body::One, Body::Two].map(|body| planes.solve(0, body, of(&fields)).unwrap());
+            for plane in [&one, &two] {
+                let ([_, _, zz], [_, xz, yz]) = (plane.normal_stress(), plane.shear_stress());
+                for (stress, traction) in [zz, xz, yz].iter().zip(&fields) {
+                    for (stress, traction) in stress.as_slice().iter().zip(traction.as_slice()) {
+                        assert!((stress + traction).abs() < 1e-12);
+                    }
+                }
+            }
+            let operator = bodies.tensor_operator([X, Y, Z]).unwrap();
+            let mut expected = [0, 1, 2].map(|_| vec![0.0; grid.cells()]);
+            operator.apply(
+                [1, 2, 0].map(|k: usize| fields[k].as_slice()),
+                expected.each_mut().map(|u| &mut u[..]),
+                &mut operator.workspace(),
+            );
+            let largest = expected
+                .iter()
+                .fold(0.0_f64, |scale, u| scale.max(max_abs(u)));
+            let [one, two] = [&one, &two].map(|plane| plane.displacement().unwrap());
+            for (k, expected) in expected.iter().enumerate() {
+                for (i, expected) in expected.iter().enumerate() {
+                    let found = one[k].as_slice()[i] - two[k].as_slice()[i];
+                    let error = (found - expected).abs() / largest;
+                    assert!(error < 2e-13, "{boundary:?} {nx} {ny} {k} {error:e}");
+                }
+            }
+        }
+    }
+}
+
+/// The plane repeated over the grid, in the order of [`components`].
+fn repeated(plane: &Plane, times: [usize; 2]) -> [Vec<f64>; 9] {
+    let grid = plane.grid();
+    components(plane).map(|field| {
+        let rows = (0..times[1] * grid.ny()).map(|iy| {
+            let row = &field.as_slice()[iy % grid.ny() * grid.nx()..][..grid.nx()];
+            row.repeat(times[0])
+        });
+        rows.collect::<Vec<_>>().concat()
+    })
+}
+
+/// Twice the period with the tractions twice is the same.
+#[test]
+fn a_period_may_be_counted_twice() {
+    let cases = [
+        (Boundary::Periodic, [2, 2], [6, 5]),
+        (Boundary::Periodic, [1, 2], [8, 6]),
+        (Boundary::PeriodicAlongY { datum: 30.0 }, [1, 2], [9, 5]),
+        (Boundary::PeriodicAlongY { datum: 30.0 }, [1, 3], [7, 2]),
+        (Boundary::PeriodicAlongY { datum: 30.0 }, [1, 4], [12, 1]),
+    ];
+    for (boundary, times, [nx, ny]) in cases {
+        // An odd component is lost at two cells per period; more cells keep that wave.
+        let grid = Grid::new(nx, ny, 1.0, 1.3).unwrap();
+        let larger = Grid::new(nx * times[0], ny * times[1], 1.0, 1.3).unwrap();
+        let mut fields = scattered(grid, 3);
+        if boundary == Boundary::Periodic {
+            fields = [0, 1, 2].map(|k| {
+                let phase = f64::from(k);
+                Field::from_indices(grid, |ix, iy| {
+                    let [x, y] = [ix as f64 / nx as f64, iy as f64 / ny as f64];
+                    let [x, y] = [x, y].map(|t| std::f64::consts::TAU * t);
+                    1.0 + phase + (x + phase).cos() + (2.0 * y - x).sin() + (x + y).cos()
+                })
+            });
+        }
+        let fields_of_larger = fields.each_ref().map(|field| {
+            Field::from_indices(larger, |ix, iy| field.get(ix % nx, iy % ny).unwrap())
+        });
+        let depths = [0.0, 0.01, 0.8, 3.0, 20.0];
+        let planes = |grid, fields| {
+            let bodies = HalfSpace::with_boundary(grid, pair(0.3, 0.45), boundary).unwrap();
+            let mut planes = Planes::new(&bodies, &depths).unwrap().with_displacements();
+            [0, 1, 2, 3, 4].map(|i| planes.solve(i, Body::Two, of(fields)).unwrap())
+        };
+        for (one, two) in planes(grid, &fields)
+            .iter()
+            .zip(planes(larger, &fields_of_larger))
+        {
+            let one = repeated(one, times);
+            let error = difference(&slices(&two), &one.each_ref().map(|field| &field[..]));
+            assert!(
+                error < 1e-13,
+                "{boundary:?} {times:?} {} {error:e}",
+                two.depth()
+            );
+        }
+    }
+}
+
+/// A wave is in equilibrium, and its stresses follow from its displacements by Hooke's law.
+#[test]
+fn waves_are_in_equilibrium_and_obey_hooke() {
+    let (nu, step) = (0.3, 0.02);
+    let grid = Grid::new(16, 8, 1.0, 1.5).unwrap();
+    let bodies = HalfSpace::with_boundary(grid, pair(nu, 0.2), Boundary::Periodic).unwrap();
+    // Wave lengths of 8 and 4 cells: a quarter of them is 2 cells and 1.
+    let k = [8.0, 4.0 * 1.5].map(|length| std::f64::consts::TAU / length);
+    let wave = |phase: f64| Field::from_fn(grid, |x, y| (k[0] * x + k[1] * y + phase).cos());
+    let fields = [wave(0.0), wave(1.0), wave(2.3)];
+    for depth in [0.1, 0.7, 2.0] {
+        let depths: Vec<f64> = (-3..=3).map(|j| depth + step * f64::from(j)).collect();
+        let mut planes = Planes::new(&bodies, &depths).unwrap().with_displacements();
+        let solved: Vec<Plane> = (0..7)
+            .map(|j| planes.solve(j, Body::One, of(&fields)).unwrap())
+            .collect();
+        let at = |plane: &Plane, c: usize, ix: usize, iy: usize| {
+            components(plane)[c].get(ix % 16, iy % 8).unwrap()
+        };
+        for (ix, iy) in [(0, 0), (3, 5), (10, 2)] {
+            let value = |c| at(&solved[3], c, ix, iy);
+            let dx = |c| k[0] * at(&solved[3], c, ix + 2, iy);
+            let dy = |c| k[1] * at(&solved[3], c, ix, iy + 1);
+            let dz = |c| {
+                let pair = |j: usize| at(&solved[3 + j], c, ix, iy) - at(&solved[3 - j], c, ix, iy);
+                (45.0 * pair(1) - 9.0 * pair(2) + pair(3)) / (60.0 * step)
+            };
+            for [x, y, z] in [[3, 6, 7], [6, 4, 8], [7, 8, 5]] {
+                let force = dx(x) + dy(y) + dz(z);
+                assert!(force.abs() < 1e-9, "{force:e}");
+            }
+            // With G = 1.
+            let mean = 2.0 * nu / (1.0 - 2.0 * nu) * (dx(0) + dy(1) + dz(2));
+            let hooke = [
+                2.0 * dx(0) + mean,
+                2.0 * dy(1) + mean,
+                2.0 * dz(2) + mean,
+                dx(1) + dy(0),
+                dx(2) + dz(0),
+                dy(2) + dz(1),
+            ];
+            for (c, expected) in (3..9).zip(hooke) {
+                assert!((value(c) - expected).abs() < 1e-9);
+            }
+        }
+    }
+}
+
+/// Under a mean traction stresses do not change with depth, and the sides do not move.
+#[test]
+fn a_mean_traction_presses_without_lateral_strain() {
+    let grid = Grid::new(6, 4, 1.0, 1.0).unwrap();
+    let bodies = HalfSpace::with_boundary(grid, pair(0.25, 0.4), Boundary::Periodic).unwrap();
+    let fields = [3.0, 0.5, -0.25].map(|value| Field::constant(grid, value));
+    let mut planes = Planes::new(&bodies, &[0.0, 5.0])
+        .unwrap()
+        .with_displacements();
+    for (body, nu) in [(Body::One, 0.25), (Body::Two, 0.4)] {
+        for index in [0, 1] {
+            let plane = planes.solve(index, body, of(&fields)).unwrap();
+            let lateral = -3.0 * nu / (1.0 - nu);
+            let expected = Stress {
+                xx: lateral,
+                yy: lateral,
+                zz: -3.0,
+                xy: 0.0,
+                xz: -0.5,
+                yz: 0.25,
+            };
+            for stress in plane.stresses() {
+                let difference = Stress {
+                    xx: stress.xx - expected.xx,
+                    yy: stress.yy - expected.yy,
+                    zz: stress.zz - expected.zz,
+                    xy: stress.xy,
+                    xz: stress.xz - expected.xz,
+                    yz: stress.yz - expected.yz,
+                };
+                assert!(difference.von_mises() + difference.hydrostatic().abs() < 1e-14);
+            }
+            assert!(
+                plane
+                    .displacement()
+                    .unwrap()
+                    .iter()
+                    .all(|u| max_abs(u.as_slice()) < 1e-15)
+            );
+        }
+    }
+}
+
+/// Equal rows are one row of cells, at every depth.
+#[test]
+fn equal_rows_are_one_row() {
+    let boundary = Boundary::PeriodicAlongY { datum: 50.0 };
+    let (line, rows) = (
+        Grid::line(14, 0.8).unwrap(),
+        Grid::new(14, 6, 0.8, 0.45).unwrap(),
+    );
+    let fields = scattered(line, 2);
+    let on_rows = fields
+        .each_ref()
+        .map(|f| Field::from_indices(rows, |ix, _| f.as_slice()[ix]));
+    let depths = [0.0, 1e-3, 0.5, 4.0, 30.0];
+    let solve = |grid, fields: &[Field; 3]| {
+        let bodies = HalfSpace::with_boundary(grid, pair(0.2, 0.3), boundary).unwrap();
+        let mut planes = Planes::new(&bodies, &depths).unwrap().with_displacements();
+        [0, 1, 2, 3, 4].map(|i| planes.solve(i, Body::One, of(fields)).unwrap())
+    };
+    for (one, many) in solve(line, &fields).iter().zip(solve(rows, &on_rows)) {
+        let one = repeated(one, [1, 6]);
+        let error = difference(&slices(&many), &one.each_ref().map(|field| &field[..]));
+        assert!(error < 1e-13, "{} {error:e}", many.depth());
+    }
+}
+
+/// McEwen (1949), in Johnson (1985), equation 4.49, for a half-width and a largest pressure of one: xx, zz and xz.
+fn mcewen(x: f64, z: f64) -> [f64; 3] {
+    let sum = 1.0 - x * x + z * z;
+    let root = (sum * sum + 4.0 * x * x * z * z).sqrt();
+    let (m, n) = (
+        (0.5 * (root + sum)).sqrt(),
+        (0.5 * (root - sum)).max(0.0).sqrt(),
+    );
+    let n = n.copysign(x);
+    let ratio = (z * z + n * n) / (m * m + n * n);
+    let shear = -n * (m * m - z * z) / (m * m + n * n);
+    [-m * (1.0 + ratio) + 2.0 * z, -m * (1.0 - ratio), shear]
+}
+
+/// The stresses below a cylinder, and plane strain along it.
+#[test]
+fn a_line_of_cells_is_a_cylinder() {
+    let errors = [128, 512].map(|n| {
+        let grid = Grid::line(n, 3.0 / n as f64).unwrap();
+        let boundary = Boundary::PeriodicAlongY { datum: 10.0 };
+        let bodies = HalfSpace::with_boundary(grid, pair(0.3, 0.3), boundary).unwrap();
+        let pressure = Field::from_fn(grid, |x, _| (1.0 - x * x).max(0.0).sqrt());
+        let mut planes = Planes::new(&bodies, &[0.2, 0.786, 2.0]).unwrap();
+        let mut worst: f64 = 0.0;
+        planes
+            .through(Body::One, Tractions::new(&pressure), |plane| {
+                for (ix, stress) in plane.stresses().enumerate() {
+                    let [xx, zz, xz] = mcewen(grid.x(ix), plane.depth());
+                    for difference in [stress.xx - xx, stress.zz - zz, stress.xz - xz] {
+                        worst = worst.max(difference.abs());
+                    }
+                    assert!((stress.yy - 0.3 * (stress.xx + stress.zz)).abs() < 1e-14);
+                    assert!(stress.xy.abs() + stress.yz.abs() < 1e-14);
+                }
+                Ok(())
+            })
+            .unwrap();
+        // The largest shear stress is 0.300 p0 at the depth 0.786 a.
+        let largest = planes
+            .solve(1, Body::One, Tractions::new(&pressure))
+            .unwrap();
+        assert!((largest.map(|stress| stress.max_shear()).max() - 0.300).abs() < 1e-3);
+        worst
+    });
+    // Order 3/2 at the edge of the contact.
+    assert!(
+        errors[1] < 2e-4 && errors[1] < 0.2 * errors[0],
+        "{errors:?}"
+    );
+}
+
+/// Hertz's ball of contact radius and largest pressure one on the body of this Poisson's ratio, on `n` cells along a
+/// side.
+fn ball(n: usize, nu: f64) -> (HalfSpace, Field) {
+    let grid = Grid::square(n, 2.2).unwrap();
+    let bodies = HalfSpace::new(grid, pair(nu, 0.2)).unwrap();
+    let pressure = Field::from_fn(grid, |x, y| (1.0 - x * x - y * y).max(0.0).sqrt());
+    (bodies, pressure)
+}
+
+/// The maxima on the axis for three Poisson's ratios, and where they are.
+#[test]
+fn below_a_ball_shear_is_largest_at_half_its_radius() {
+    let known = [
+        (0.25, 0.643356806, 0.464313193),
+        (0.3, 0.620041, 0.480864),
+        (0.5, 0.532697, 0.547868),
+    ];
+    for (nu, von_mises, depth) in known {
+        let (bodies, pressure) = ball(96, nu);
+        let points = [-0.04, 0.0, 0.04].map(|shift| [0.0, 0.0, depth + shift]);
+        let found = at_points(&bodies, Body::One, Tractions::new(&pressure), &points).unwrap();
+        let [before, at, after] = [0, 1, 2].map(|i: usize| found[i].stress.von_mises());
+        assert!(before < at && after < at);
+        // The top of the parabola through the three.
+        let place = 0.02 * (after - before) / (2.0 * at - before - after);
+        assert!(place.abs() < 2e-3, "{place}");
+        assert!((at - von_mises).abs() < 2e-4, "{at}");
+        assert!((found[1].stress.max_shear() - 0.5 * von_mises).abs() < 1e-4);
+        if nu == 0.3 {
+            assert!((found[1].stress.max_shear() - 0.310).abs() < 5e-4);
+        }
+    }
+}
+
+/// Von Mises, sxx, szz and sxz in the plane y = 0 or at `[x, y, z]` below a ball that slides along x (nu = 0.3), by
+/// quadrature of Hamilton and Goodman's problem; the last of each friction is the largest below the surface.
+#[expect(clippy::type_complexity, reason = "a table")]
+const SLIDING: [(f64, [([f64; 3], f64, [f64; 3]); 4], [f64; 3]); 2] = [
+    (
+        0.25,
+        [
+            (
+                [0.0, 0.0, 0.48],
+                0.632191050961,
+                [-0.192703645005, -0.812743823147, -0.071217278812],
+            ),
+            (
+                [0.5, 0.0, 0.25],
+                0.591823006076,
+                [-0.436451035326, -0.822767876591, -0.229937725417],
+            ),
+            (
+                [0.5, 0.5, 0.5],
+                0.563318982440,
+                [-0.182129614775, -0.532063011471, -0.187725054917],
+            ),
+            (
+                [1.2, 0.0, 0.3],
+                0.314700300618,
+                [-0.258694499244, -0.086982913545, -0.149576780582],
+            ),
+        ],
+        [0.27028, 0.44405, 0.647593455],
+    ),
+    (
+        0.5,
+        [
+            (
+                [0.0, 0.0, 0.48],
+                0.667317489751,
+                [-0.192703645005, -0.812743823147, -0.142434557624],
+            ),
+            (
+                [0.5, 0.0, 0.25],
+                0.725991837238,
+                [-0.552444627381, -0.852576718708, -0.340640082366],
+            ),
+            (
+                [-0.5, 0.0, 0.25],
+                0.599667497383,
+                [-0.088470259159, -0.733341350240, -0.102169345430],
+            ),
+            (
+                [3.0, 1.0, 1.0],
+                0.057760490994,
+                [-0.046477954125, -0.007225512388, -0.019992961652],
+            ),
+        ],
+        [0.46146, 0.33127, 0.732064998],
+    ),
+];
+
+#[test]
+fn a_sliding_ball_is_hamiltons() {
+    let (bodies, pressure) = ball(128, 0.3);
+    let none = Field::zeros(pressure.grid());
+    for (friction, known, [x, z, largest]) in SLIDING {
+        let shear = pressure.scaled(friction);
+        let tractions = Tractions::new(&pressure).with_shear([&shear, &none]);
+        let at = |point| at_points(&bodies, Body::One, tractions, &[point]).unwrap()[0].stress;
+        for (point, von_mises, components) in known {
+            let found = at(point);
+            for (found, known) in [found.xx, found.zz, found.xz].iter().zip(components) {
+                assert!(
+                    (found - known).abs() < 3e-4,
+                    "{friction} {point:?} {found} {known}"
+                );
+            }
+            assert!((found.von_mises() - von_mises).abs() < 3e-4);
+        }
+        let top = at([x, 0.0, z]).von_mises();
+        assert!((top - largest).abs() < 3e-4, "{top}");
+        for [dx, dz] in [[0.05, 0.0], [-0.05, 0.0], [0.0, 0.05], [0.0, -0.05]] {
+            assert!(at([x + dx, 0.0, z + dz]).von_mises() < top);
+        }
+        // At friction 0.5 the trailing edge is worse: 0.9567 there, and the cells approach it from inside.
+        let edge = at([pressure.grid().x(6), pressure.grid().y(64), 0.0]).von_mises();
+        assert_eq!(edge > largest, friction > 0.3, "{edge}");
+    }
+}
+
+#[test]
+fn solving_depth_by_depth_gives_the_same_bits() {
+    for boundary in boundaries() {
+        let grid = Grid::new(70, 66, 1.0, 0.7).unwrap();
+        let bodies = HalfSpace::with_boundary(grid, pair(0.3, 0.1), boundary).unwrap();
+        let (fields, others) = (scattered(grid, 1), scattered(grid, 8));
+        let mut planes = Planes::new(&bodies, &[0.0, 2.5, 0.3])
+            .unwrap()
+            .with_displacements();
+        let mut solved = Vec::new();
+        let visit = |plane: &Plane| {
+            solved.push(plane.clone());
+            Ok(())
+        };
+        planes.through(Body::Two, of(&fields), visit).unwrap();
+        assert_eq!(
+            solved.iter().map(Plane::depth).collect::<Vec<_>>(),
+            planes.depths()
+        );
+        assert!(
+            solved
+                .iter()
+                .all(|plane| plane.z() <= 0.0 && plane.body() == Body::Two)
+        );
+        // Other tractions, and a clone, in between.
+        let mut reused = planes
+            .solve(0, Body::One, Tractions::new(&others[0]))
+            .unwrap();
+        for index in [2, 0, 1] {
+            planes
+                .clone()
+                .solve_into(index, Body::Two, of(&fields), &mut reused)
+                .unwrap();
+            assert!(reused == solved[index]);
+            planes
+                .solve_into(index, Body::Two, of(&fields), &mut reused)
+                .unwrap();
+            assert!(reused == solved[index]);
+        }
+        assert_eq!(reused.get(3, 4), reused.stresses().nth(4 * 70 + 3));
+        assert_eq!(reused.get(70, 0), None);
+    }
+}
+
+#[test]
+fn bad_planes_are_refused() {
+    let grid = Grid::new(4, 3, 1.0, 1.0).unwrap();
+    let body = Material::new(1.0, 0.3).unwrap();
+    let on_rigid = ElasticPair::new(body, Material::rigid()).unwrap();
+    let bodies = HalfSpace::new(grid, on_rigid).unwrap();
+    for bad in [-1e-9, f64::NAN, f64::INFINITY] {
+        let refused = Planes::new(&bodies, &[0.0, bad]).unwrap_err();
+        assert!(
+            matches!(refused, Error::Sample { index: 1, .. }),
+            "{refused}"
+        );
+    }
+    let mut planes = Planes::new(&bodies, &[0.0, 1.0]).unwrap();
+    let p = Field::constant(grid, 1.0);
+    let refused = planes.solve(2, Body::One, Tractions::new(&p)).unwrap_err();
+    assert!(
+        matches!(
+            refused,
+            Error::Length {
+                expected: 3,
+                found: 2,
+                ..
+            }
+        ),
+        "{refused}"
+    );
+    let refused = planes.solve(0, Body::Two, Tractions::new(&p)).unwrap_err();
+    assert!(matches!(refused, Error::RigidBody("body 2")));
+    let other = HalfSpace::new(Grid::new(3, 4, 1.0, 1.0).unwrap(), on_rigid).unwrap();
+    let field = Field::zeros(other.grid());
+    let mut plane = Planes::new(&other, &[0.0])
+        .unwrap()
+        .solve(0, Body::One, Tractions::new(&field))
+        .unwrap();
+    let refused = planes
+        .solve_into(0, Body::One, Tractions::new(&p), &mut plane)
+        .unwrap_err();
+    assert!(matches!(refused, Error::GridMismatch { .. }));
+    let refused = planes
+        .solve(0, Body::One, Tractions::new(&field))
+        .unwrap_err();
+    assert!(matches!(refused, Error::GridMismatch { .. }));
+}
