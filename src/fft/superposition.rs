@@ -6,7 +6,7 @@ use crate::error::{Result, memory};
 use crate::fft::length::torus;
 use crate::fft::plan::{Plan, Scratch};
 use crate::fft::spectrum::{Lines, of_samples};
-use crate::fft::symbol::Turns;
+use crate::fft::symbol::Parity;
 use crate::fft::tiles::{Tiles, exchange};
 use crate::parallel;
 use crate::pool::Pool;
@@ -146,7 +146,7 @@ impl Superposition {
         } = self;
         let (across, down) = (plan.tiles_across(), plan.tiles_down());
         let height = plan.my / 2 + 1;
-        let turns = Turns::new(kernels.is_odd());
+        let parity = Parity::new(kernels.is_odd());
         let Tiles {
             by_rows,
             by_columns,
@@ -163,11 +163,11 @@ impl Superposition {
                     table.fill(0.0);
                     for (k, values) in table.chunks_exact_mut(height).enumerate() {
                         let entry @ [i, j] = [k / 3, k % 3];
-                        let factor = if turns.negates(i, j) { -1.0 } else { 1.0 };
+                        let factor = if parity.negates(i, j) { -1.0 } else { 1.0 };
                         kernels.add(values, entry, factor, kx);
                     }
                     let entry = |k: usize| &table[k * height..(k + 1) * height];
-                    turns.multiply(from_fn(|i| from_fn(|j| entry(3 * i + j))), waves);
+                    parity.multiply(from_fn(|i| from_fn(|j| entry(3 * i + j))), waves);
                 });
             },
         );

@@ -32,12 +32,12 @@ pub(super) struct Symbol<T, const N: usize> {
 struct Shape<const N: usize> {
     /// Values of an entry in a column.
     height: usize,
-    turns: Turns<N>,
+    parity: Parity<N>,
 }
 
 /// How the matrices of all waves follow from the real ones of a quarter of them.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Turns<const N: usize> {
+pub(super) struct Parity<const N: usize> {
     /// Which entries change sign with the wave number along y.
     is_odd_y: [[bool; N]; N],
     /// Which fields are multiplied by -i on the way into S, and which by i on the way out.
@@ -45,7 +45,7 @@ pub(super) struct Turns<const N: usize> {
     turns_out: [bool; N],
 }
 
-impl<const N: usize> Turns<N> {
+impl<const N: usize> Parity<N> {
     /// For kernels that are odd in x and in y as told: what comes out, then what goes in.
     pub(super) fn new(is_odd: [[[bool; 2]; N]; N]) -> Self {
         let is_imaginary = |[is_odd_x, is_odd_y]: [bool; 2]| is_odd_x != is_odd_y;
@@ -72,8 +72,8 @@ impl<const N: usize> Shape<N> {
 
     fn new(height: usize, kernels: [[&Kernel; N]; N]) -> Self {
         let is_odd = kernels.map(|row| row.map(Kernel::is_odd));
-        let turns = Turns::new(is_odd);
-        Self { height, turns }
+        let parity = Parity::new(is_odd);
+        Self { height, parity }
     }
 
     /// Values of a column.
@@ -101,7 +101,11 @@ impl<const N: usize> Symbol<f64, N> {
         let shape = Shape::new(my / 2 + 1, kernels);
         let mut values = vec![0.0; (mx / 2 + 1) * shape.stride()];
         for (i, j) in upper_triangle::<N>() {
-            let sign = if shape.turns.negates(i, j) { -1.0 } else { 1.0 };
+            let sign = if shape.parity.negates(i, j) {
+                -1.0
+            } else {
+                1.0
+            };
             let lines = Lines {
                 values: &mut values,
                 stride: shape.stride(),
@@ -205,11 +209,11 @@ impl<T: Real, const N: usize> Symbol<T, N> {
     pub(super) fn multiply(&self, kx: usize, columns: &mut [&mut [Complex<T>]; N]) {
         let values = &self.values[kx * self.shape.stride()..][..self.shape.stride()];
         let quarter = from_fn(|i| from_fn(|j| &values[self.shape.entry(i, j)]));
-        self.shape.turns.multiply(quarter, columns);
+        self.shape.parity.multiply(quarter, columns);
     }
 }
 
-impl<const N: usize> Turns<N> {
+impl<const N: usize> Parity<N> {
     /// Multiplies transformed columns in place by the matrices of the lower half of their waves, entry by entry.
     pub(super) fn multiply<T: Real>(
         &self,

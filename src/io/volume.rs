@@ -109,14 +109,15 @@ impl Planes<'_> {
         let mut offset = 0;
         for (name, components) in arrays {
             let count = components.len().max(1);
-            let names = components.iter().enumerate();
-            let names: String = names
-                .map(|(k, name)| format!(r#" ComponentName{k}="{name}""#))
-                .collect();
-            writeln!(
+            write!(
                 text,
-                r#"        <DataArray type="Float64" Name="{name}" NumberOfComponents="{count}"{names} format="appended" offset="{offset}"/>"#
+                r#"        <DataArray type="Float64" Name="{name}" NumberOfComponents="{count}""#
             )
+            .and_then(|()| {
+                let mut named = components.iter().enumerate();
+                named.try_for_each(|(k, name)| write!(text, r#" ComponentName{k}="{name}""#))?;
+                writeln!(text, r#" format="appended" offset="{offset}"/>"#)
+            })
             .expect("writing to a string cannot fail");
             let per_plane = (count * grid.cells()) as u64;
             self.places.push((offset + 8, per_plane));

@@ -116,7 +116,7 @@ impl Plane {
     /// [asked for](crate::subsurface::Planes::with_displacements).
     #[must_use]
     pub fn displacement(&self) -> Option<[&Field; 3]> {
-        self.displacement.as_ref().map(|fields| fields.each_ref())
+        self.displacement.as_ref().map(<[Field; 3]>::each_ref)
     }
 
     /// The stress in cell `(ix, iy)`, `None` outside the grid.
@@ -127,6 +127,7 @@ impl Plane {
     }
 
     /// The stresses of all cells, row by row with x fastest.
+    #[must_use]
     pub fn stresses(&self) -> impl ExactSizeIterator<Item = Stress> + '_ {
         (0..self.grid().cells()).map(|cell| self.at(cell))
     }

@@ -193,12 +193,11 @@ impl Planes {
         });
         for (kept, &depth) in kernels.iter().zip(&**depths) {
             let made;
-            let spectra = match kept.get() {
-                Some(spectra) => spectra,
-                None => {
-                    made = Spectra::new(bodies, *torus, depth, *with_displacements)?;
-                    &made
-                }
+            let spectra = if let Some(spectra) = kept.get() {
+                spectra
+            } else {
+                made = Spectra::new(bodies, *torus, depth, *with_displacements)?;
+                &made
             };
             transforms.enter(|transforms| fill(transforms, spectra, &constants, &mut plane));
             visit(&plane)?;

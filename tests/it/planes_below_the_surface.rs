@@ -55,7 +55,7 @@ fn difference(found: &[&[f64]; 9], expected: &[&[f64]; 9]) -> f64 {
     worst
 }
 
-fn slices<'a>(plane: &'a Plane) -> [&'a [f64]; 9] {
+fn slices(plane: &Plane) -> [&[f64]; 9] {
     components(plane).map(Field::as_slice)
 }
 
@@ -320,7 +320,7 @@ fn equal_rows_are_one_row() {
     }
 }
 
-/// McEwen (1949), in Johnson (1985), equation 4.49, for a half-width and a largest pressure of one: xx, zz and xz.
+/// `McEwen` (1949), in Johnson (1985), equation 4.49, for a half-width and a largest pressure of one: xx, zz and xz.
 fn mcewen(x: f64, z: f64) -> [f64; 3] {
     let sum = 1.0 - x * x + z * z;
     let root = (sum * sum + 4.0 * x * x * z * z).sqrt();

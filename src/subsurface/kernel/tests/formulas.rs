@@ -139,7 +139,7 @@ fn gradients(cell: &LoadedRectangle, point: [f64; 3], step: f64, nu: f64) -> [[[
         let at = |k: f64| {
             let mut moved = point;
             moved[axis] += k * step;
-            super::at(cell, moved, nu)
+            at(cell, moved, nu)
         };
         let steps = [1.0, 2.0, 3.0].map(|k| [at(k), at(-k)]);
         [0, 1, 2].map(|load| {
