@@ -17,8 +17,8 @@ use stickslip::history::{FrettingLoop, LoadPath};
 use stickslip::subsurface::{Body, Planes, Stress};
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::{
-    Boundary, ElasticPair, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl,
-    surface,
+    Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
+    NormalControl, Zone, surface,
 };
 use support::maps;
 
@@ -39,12 +39,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         .nth(1)
         .map_or(Ok(512), |cells| cells.parse())?;
     let titanium = Material::new(115e3, 0.32)?;
-    let pair = ElasticPair::new(titanium, titanium)?;
-    let hertz = HertzLine::new(&pair, RADIUS, LOAD)?;
+    let hertz = HertzLine::new(&ElasticPair::new(titanium, titanium)?, RADIUS, LOAD)?;
     let (a, p0) = (hertz.half_width(), hertz.max_pressure());
     let grid = Grid::line(cells, 3.0 * a / cells as f64)?;
     let boundary = Boundary::PeriodicAlongY { datum: DATUM };
-    let bodies = HalfSpace::with_boundary(grid, pair, boundary)?;
+    let bodies = HalfSpace::with_boundary(grid, *hertz.pair(), boundary)?;
 
     // The specimen is body 1. A bulk stress of 1 MPa stretches it by this much.
     let strain = [[titanium.plane_strain(1.0), 0.0], [0.0, 0.0]];
@@ -54,130 +53,155 @@ fn main() -> Result<(), Box<dyn Error>> {
     let builder = builder.relative_displacement(bulk).tolerance(1e-8);
     let mut history = builder.build()?;
     history.step(&LoadStep::hold().normal(NormalControl::Force(LOAD)))?;
+    let points = fret(&mut history)?;
 
+    let exact = CattaneoMindlinLine::new(hertz, FRICTION, SHEAR)?;
+    let exact = exact.with_strain(titanium.plane_strain(BULK))?;
+    compare(&history, &exact);
+    let profile = profile(&history, &exact)?;
+    let (rows, largest) = stresses(&history, &bodies, [a, p0])?;
+
+    let svg = support::gallery("fretting_rig.svg")?;
+    let map = Map {
+        reach: 1.5,
+        largest,
+        rows: rows.iter().map(Field::as_slice).collect(),
+    };
+    draw(&svg, &points, &profile, &map)?;
+    println!("figure: {}", svg.display());
+    Ok(())
+}
+
+/// Shears to and fro until the loop repeats, and then to the largest force; returns shift in um and force over that of
+/// sliding around the loop.
+fn fret(history: &mut History) -> Result<Vec<[f64; 2]>, Box<dyn Error>> {
     let path = LoadPath::sine([SHEAR, 0.0], 80)?;
     let quarter = path.steps()[..20].to_vec();
     let load =
         |force: [f64; 2]| LoadStep::force(force).relative_displacement(BULK * force[0] / SHEAR);
     let outcome = FrettingLoop::new(path, load)
         .until_steady(1e-6)
-        .run(&mut history, 10)?;
-    let last = &outcome.last;
-    let points: Vec<[f64; 2]> = last
-        .points()
-        .iter()
-        .map(|point| [1e3 * point.shift[0], point.force[0] / (FRICTION * LOAD)])
-        .collect();
+        .run(history, 10)?;
+    let energy = outcome.last.energy();
+    println!(
+        "The loop is steady after {} cycles. In one, load and bulk stress do the work of {:.5} mJ/mm, of which slip dissipates \
+         {:.5}.\n",
+        outcome.cycles, energy.work, energy.mid_step_dissipated_energy
+    );
     for force in quarter {
         history.step(&load(force))?;
     }
+    let points = outcome.last.points().iter();
+    let points = points.map(|point| [1e3 * point.shift[0], point.force[0] / (FRICTION * LOAD)]);
+    Ok(points.collect())
+}
 
-    let exact = CattaneoMindlinLine::new(hertz, FRICTION, SHEAR)?;
-    let exact = exact.with_strain(titanium.plane_strain(BULK))?;
-    let sticks: Vec<f64> = (0..cells)
-        .filter(|&i| history.zones()[i] == stickslip::Zone::Stick)
-        .map(|i| grid.x(i))
-        .collect();
-    let ends = [sticks.first(), sticks.last()].map(|x| x.copied().unwrap_or_default());
-    let pressure = history.pressure();
-    println!("                            | computed | closed form");
-    let row = |name: &str, computed: f64, closed: f64| {
-        println!("{name:27} | {computed:8.4} | {closed:8.4}");
+/// Prints the contact and its stick zone beside the closed forms.
+fn compare(history: &History, exact: &CattaneoMindlinLine) {
+    let (grid, hertz) = (history.grid(), exact.hertz());
+    let a = hertz.half_width();
+    let sticks = |i: &usize| history.zones()[*i] == Zone::Stick;
+    let ends = [(0..grid.nx()).find(sticks), (0..grid.nx()).rfind(sticks)];
+    let ends = ends.map(|end| end.map_or(0.0, |i| grid.x(i)));
+    let width = |cells: usize| 0.5 * cells as f64 * grid.dx();
+    println!("                           | computed | closed form");
+    for (name, computed, closed) in [
+        (
+            "largest pressure, MPa",
+            history.pressure().max(),
+            hertz.max_pressure(),
+        ),
+        ("half-width, mm", width(history.normal().contact_cells()), a),
+        (
+            "approach, um",
+            1e3 * history.approach(),
+            1e3 * hertz.approach(DATUM),
+        ),
+        (
+            "stick zone: middle / a",
+            0.5 * (ends[0] + ends[1]) / a,
+            exact.stick_centre() / a,
+        ),
+        (
+            "stick zone: half-width / a",
+            0.5 * (ends[1] - ends[0] + grid.dx()) / a,
+            exact.stick_half_width() / a,
+        ),
+    ] {
+        println!("{name:26} | {computed:8.4} | {closed:8.4}");
+    }
+}
+
+/// Pressure and traction along x at the largest force, in a table too: x/a, p/p0, q/(mu p0), and that of the closed form.
+fn profile(
+    history: &History,
+    exact: &CattaneoMindlinLine,
+) -> Result<Vec<[f64; 4]>, Box<dyn Error>> {
+    let (grid, hertz) = (history.grid(), exact.hertz());
+    let limit = FRICTION * hertz.max_pressure();
+    let (pressure, [traction, _]) = (history.pressure(), history.traction());
+    let row = |ix: usize| {
+        let x = grid.x(ix);
+        let (p, q) = (pressure.as_slice()[ix], traction.as_slice()[ix]);
+        let p0 = hertz.max_pressure();
+        [
+            x / hertz.half_width(),
+            p / p0,
+            q / limit,
+            exact.traction(x) / limit,
+        ]
     };
-    row("largest pressure, MPa", pressure.max(), p0);
-    row(
-        "half-width, mm",
-        0.5 * history.normal().contact_cells() as f64 * grid.dx(),
-        a,
-    );
-    row(
-        "approach, um",
-        1e3 * history.approach(),
-        1e3 * hertz.approach(DATUM),
-    );
-    row(
-        "stick zone: middle / a",
-        0.5 * (ends[0] + ends[1]) / a,
-        exact.stick_centre() / a,
-    );
-    row(
-        "stick zone: half-width / a",
-        0.5 * (ends[1] - ends[0] + grid.dx()) / a,
-        exact.stick_half_width() / a,
-    );
-    println!(
-        "\nThe loop is steady after {} cycles. In one, load and bulk stress do the work of {:.5} mJ/mm, of which slip dissipates \
-         {:.5}.",
-        outcome.cycles,
-        last.energy().work,
-        last.energy().mid_step_dissipated_energy
-    );
-
-    // At the largest force: stress of the contact and of the bulk, in plane strain.
-    let depths: Vec<f64> = (0..PLANES)
-        .map(|k| DEPTH * a * f64::from(k) / f64::from(PLANES - 1))
-        .collect();
-    let with_bulk = |stress: Stress| Stress {
-        xx: stress.xx + BULK,
-        yy: stress.yy + 0.32 * BULK,
-        ..stress
-    };
-    let mut planes = Planes::new(&bodies, &depths)?;
-    let (mut rows, mut largest, mut tension) = (Vec::new(), [0.0; 3], [0.0; 2]);
-    planes.through(Body::One, &history, |plane| {
-        let von_mises = plane.map(|stress| with_bulk(stress).von_mises() / p0);
-        for (i, stress) in plane.stresses().enumerate() {
-            let equivalent = von_mises.as_slice()[i];
-            if equivalent > largest[0] {
-                largest = [equivalent, grid.x(i) / a, plane.depth() / a];
-            }
-            let along = (stress.xx + BULK) / p0;
-            if plane.depth() == 0.0 && along > tension[0] {
-                tension = [along, grid.x(i) / a];
-            }
-        }
-        rows.push(von_mises);
-        Ok(())
-    })?;
-    println!(
-        "\nAt the largest force: von Mises {:.3} p0 at x = {:.2} a, z = {:.2} a; largest tension of the surface {:.3} p0 at \
-         x = {:.2} a, where a crack would start.",
-        largest[0], largest[1], largest[2], tension[0], tension[1]
-    );
-    let vti = support::gallery("fretting_rig.vti")?;
-    planes.write_vti(&vti, Body::One, &history)?;
-
+    let profile: Vec<_> = (0..grid.nx()).map(row).collect();
     let csv = support::gallery("fretting_rig.csv")?;
     let mut table = csv::Writer::from_path(&csv)?;
     table.write_record(["x_over_a", "p_over_p0", "q_over_mu_p0", "q_closed_form"])?;
-    let mut profile = Vec::new();
-    for ix in 0..cells {
-        let (x, limit) = (grid.x(ix), FRICTION * p0);
-        let q = history.traction()[0].as_slice()[ix] / limit;
-        let row = [
-            x / a,
-            pressure.as_slice()[ix] / p0,
-            q,
-            exact.traction(x) / limit,
-        ];
+    for row in &profile {
         table.serialize(row)?;
-        profile.push(row);
     }
     table.flush()?;
-    let svg = support::gallery("fretting_rig.svg")?;
-    let map = Map {
-        reach: 1.5,
-        largest: largest[0],
-        rows: rows.iter().map(|row| row.as_slice()).collect(),
+    println!("\ntable: {}", csv.display());
+    Ok(profile)
+}
+
+/// Von Mises stress of contact and bulk over p0 below the surface of the specimen, plane by plane, and its largest value.
+fn stresses(
+    history: &History,
+    bodies: &HalfSpace,
+    [a, p0]: [f64; 2],
+) -> Result<(Vec<Field>, f64), Box<dyn Error>> {
+    let (grid, nu) = (history.grid(), bodies.pair().bodies()[0].poisson_ratio());
+    // In plane strain.
+    let with_bulk = |stress: Stress| Stress {
+        xx: stress.xx + BULK,
+        yy: stress.yy + nu * BULK,
+        ..stress
     };
-    draw(&svg, &points, &profile, &map)?;
+    let depth = |k: u32| DEPTH * a * f64::from(k) / f64::from(PLANES - 1);
+    let depths: Vec<f64> = (0..PLANES).map(depth).collect();
+    let mut planes = Planes::new(bodies, &depths)?;
+    let (mut rows, mut largest, mut tension) = (Vec::new(), [0.0; 3], [0.0; 2]);
+    planes.through(Body::One, history, |plane| {
+        for (ix, stress) in plane.stresses().map(with_bulk).enumerate() {
+            let (x, von_mises, along) = (grid.x(ix) / a, stress.von_mises() / p0, stress.xx / p0);
+            if von_mises > largest[0] {
+                largest = [von_mises, x, plane.depth() / a];
+            }
+            if plane.depth() == 0.0 && along > tension[0] {
+                tension = [along, x];
+            }
+        }
+        rows.push(plane.map(|stress| with_bulk(stress).von_mises() / p0));
+        Ok(())
+    })?;
+    let vti = support::gallery("fretting_rig.vti")?;
+    planes.write_vti(&vti, Body::One, history)?;
+    println!("volume: {}", vti.display());
     println!(
-        "\ntable: {}\nfigure: {}\nvolume: {}",
-        csv.display(),
-        svg.display(),
-        vti.display()
+        "\nAt the largest force: von Mises {:.3} p0 at x = {:.2} a, z = {:.2} a; largest tension of the surface {:.3} p0 at \
+         x = {:.2} a, where a crack would start.\n",
+        largest[0], largest[1], largest[2], tension[0], tension[1]
     );
-    Ok(())
+    Ok((rows, largest[0]))
 }
 
 /// Von Mises stress over p0, plane by plane from the surface down.
