@@ -85,8 +85,8 @@ pub enum Error {
     /// Stress or displacement of a body that is rigid: nothing determines them.
     #[error("{0} is rigid: nothing determines its stress")]
     RigidBody(&'static str),
-    /// What is known for a grid that does not repeat alone.
-    #[error("{0} needs surroundings that do not repeat: Boundary::NonPeriodic")]
+    /// A sum over images that does not converge.
+    #[error("{0} does not converge on a grid that repeats along both axes")]
     Repeats(&'static str),
     /// The materials couple pressure and shear, and what was asked for knows no shear that changes the pressure.
     #[error(

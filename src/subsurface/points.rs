@@ -3,6 +3,7 @@
 use std::array::from_fn;
 use std::ops::Range;
 
+use crate::boundary::Boundary;
 use crate::error::{Error, Result};
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
@@ -10,6 +11,7 @@ use crate::parallel::{self, Blocks};
 use crate::subsurface::body::{Body, Constants};
 use crate::subsurface::kernel::{Component, Integral, Load, LoadedRectangle, Weights};
 use crate::subsurface::stress::Stress;
+use crate::subsurface::strip::Strips;
 use crate::subsurface::tractions::Tractions;
 
 /// Displacement and stress of a body at a point.
@@ -31,9 +33,11 @@ pub struct Response {
 /// on a common edge their finite part, and the mean of both sides, is returned ([the page of the
 /// module](crate::subsurface#on-the-surface)).
 ///
-/// The cost of a point is about 0.3 microseconds for each loaded cell. For a whole plane use
-/// [`Planes`](crate::subsurface::Planes). The points are shared by the threads of the caller's pool; the bits do not
-/// depend on their number.
+/// On a grid that repeats along y all images of the cells count too, and displacements are relative to the datum.
+///
+/// The cost of a point is about 0.3 microseconds for each loaded cell (fifty times that where rows repeat along y).
+/// For a whole plane use [`Planes`](crate::subsurface::Planes). The points are shared by the threads of the caller's
+/// pool; the bits do not depend on their number.
 ///
 /// ```
 /// use stickslip::subsurface::{self, Body};
@@ -56,8 +60,8 @@ pub struct Response {
 /// # Errors
 /// [`Error::Sample`] for a depth that is negative, or a coordinate or traction that is not finite;
 /// [`Error::GridMismatch`], [`Error::BoundaryMismatch`] and [`Error::MaterialMismatch`] if the tractions are not
-/// those of these bodies; [`Error::RigidBody`]; [`Error::Repeats`] if the grid repeats: there are no finitely many
-/// loaded cells.
+/// those of these bodies; [`Error::RigidBody`]; [`Error::Repeats`] if the grid
+/// repeats along both axes: use [`Planes`](crate::subsurface::Planes).
 pub fn at_points<'a>(
     bodies: &HalfSpace,
     body: Body,
@@ -66,8 +70,8 @@ pub fn at_points<'a>(
 ) -> Result<Vec<Response>> {
     let constants = body.constants(bodies.pair())?;
     let fields = tractions.into().checked(bodies)?;
-    if bodies.boundary().repeats() != [false; 2] {
-        return Err(Error::Repeats("a sum over loaded cells"));
+    if bodies.boundary() == Boundary::Periodic {
+        return Err(Error::Repeats("the sum over loaded cells"));
     }
     for (index, &[x, y, depth]) in points.iter().enumerate() {
         let refused = |value, rule| {
@@ -86,7 +90,7 @@ pub fn at_points<'a>(
             return refused(depth, "the depth must be non-negative and finite");
         }
     }
-    let loaded = Loaded::new(bodies.grid(), fields);
+    let loaded = Loaded::new(bodies, fields);
     let mut responses = vec![Response::default(); points.len()];
     let data = Blocks {
         items: &mut responses,
@@ -106,12 +110,15 @@ struct Loaded<'a> {
     grid: Grid,
     fields: [Option<&'a [f64]>; 3],
     cell: LoadedRectangle,
+    /// Where the grid repeats along y.
+    strips: Option<Strips>,
     /// The columns of each row between which they lie; rows without any are left out.
     rows: Vec<(usize, Range<usize>)>,
 }
 
 impl<'a> Loaded<'a> {
-    fn new(grid: Grid, fields: [Option<&'a [f64]>; 3]) -> Self {
+    fn new(bodies: &HalfSpace, fields: [Option<&'a [f64]>; 3]) -> Self {
+        let grid = bodies.grid();
         let row = |iy: usize| {
             let is_loaded = |ix: &usize| {
                 let mut carried = fields.iter().flatten();
@@ -125,6 +132,7 @@ impl<'a> Loaded<'a> {
             grid,
             fields,
             cell: LoadedRectangle::new(0.5 * grid.dx(), 0.5 * grid.dy()),
+            strips: Strips::new(grid, bodies.boundary()),
             rows: (0..grid.ny()).filter_map(row).collect(),
         }
     }
@@ -160,15 +168,27 @@ impl<'a> Loaded<'a> {
     fn sums(&self, [x, y, z]: [f64; 3]) -> [[f64; Integral::COUNT]; 3] {
         let mut sums = [[0.0; Integral::COUNT]; 3];
         let nx = self.grid.nx();
+        let along_x = Distances::new(x, nx, self.grid.dx(), false);
+        let is_round = self.strips.is_some();
+        let along_y = Distances::new(y, self.grid.ny(), self.grid.dy(), is_round);
         let mut xs = Vec::with_capacity(nx);
         let mut values = vec![0.0; Integral::COUNT * nx];
         for (iy, columns) in &self.rows {
             xs.clear();
-            xs.extend(columns.clone().map(|ix| x - self.grid.x(ix)));
+            xs.extend(columns.clone().map(|ix| along_x.to(ix)));
             let mut lines = values.chunks_exact_mut(nx);
             let mut out = from_fn(|_| lines.next().unwrap_or_default());
-            self.cell
-                .integrals_along_row(&xs, y - self.grid.y(*iy), z, &mut out);
+            let y = along_y.to(*iy);
+            if let Some(strips) = &self.strips {
+                for (k, &x) in xs.iter().enumerate() {
+                    let integrals = strips.integrals(&self.cell, [x, y, z]);
+                    for (out, integral) in out.iter_mut().zip(integrals) {
+                        out[k] = integral;
+                    }
+                }
+            } else {
+                self.cell.integrals_along_row(&xs, y, z, &mut out);
+            }
             let first = iy * nx;
             for (sums, field) in sums.iter_mut().zip(self.fields) {
                 let Some(field) = field else { continue };
@@ -181,5 +201,48 @@ impl<'a> Loaded<'a> {
             }
         }
         sums
+    }
+}
+
+/// The distances of a point from the cells along one axis, from their nearest images if they repeat. A point on an
+/// edge is there for the cells on both sides: one that were beside it by a rounding would see logarithms that do not
+/// cancel.
+struct Distances {
+    at: f64,
+    cells: usize,
+    side: f64,
+    repeats: bool,
+    /// Half sides from the middle of the grid, if they are whole.
+    steps: Option<f64>,
+}
+
+impl Distances {
+    fn new(at: f64, cells: usize, side: f64, repeats: bool) -> Self {
+        let steps = 2.0 * (at / side);
+        let error = 8.0 * f64::EPSILON * (1.0 + steps.abs());
+        let steps = Some(steps.round()).filter(|whole| (steps - whole).abs() <= error);
+        Self {
+            at,
+            cells,
+            side,
+            repeats,
+            steps,
+        }
+    }
+
+    fn to(&self, cell: usize) -> f64 {
+        // The centre in half sides.
+        let centre = 2.0 * cell as f64 - (self.cells - 1) as f64;
+        let half = 0.5 * self.side;
+        let (distance, period, unit) = match self.steps {
+            Some(steps) => (steps - centre, 2.0 * self.cells as f64, half),
+            None => (self.at - centre * half, self.side * self.cells as f64, 1.0),
+        };
+        let periods = if self.repeats {
+            (distance / period).round()
+        } else {
+            0.0
+        };
+        (distance - period * periods) * unit
     }
 }

@@ -1,5 +1,7 @@
 //! The integrals over a cell and all its images along y.
 
+use std::f64::consts::FRAC_PI_2;
+
 use crate::boundary::Boundary;
 use crate::grid::Grid;
 use crate::influence::images::{FAR, pieces};
@@ -14,6 +16,8 @@ pub(super) struct Strips {
     b: f64,
     period: f64,
     datum: f64,
+    /// What replaces a zero distance inside a logarithm, as in the pieces that the strip is made up with.
+    edge: f64,
 }
 
 impl Strips {
@@ -22,16 +26,39 @@ impl Strips {
         let Boundary::PeriodicAlongY { datum } = boundary else {
             return None;
         };
+        let (a, b) = (0.5 * grid.dx(), 0.5 * grid.dy());
+        let period = grid.dy() * grid.ny() as f64;
+        let longest = pieces(b, period).map(|piece| piece.half).fold(b, f64::max);
+        let edge = a.max(if grid.ny() == 1 { b } else { longest });
         Some(Self {
-            a: 0.5 * grid.dx(),
-            b: 0.5 * grid.dy(),
-            period: grid.dy() * grid.ny() as f64,
+            a,
+            b,
+            period,
             datum,
+            edge,
         })
     }
 
-    /// The integrals at the points `(x, y, z)` of a row, with `x` ascending from zero and `0 <= y <= period/2`, not on
-    /// the edge of a cell of the surface.
+    /// The integrals at `[x, y, z]` with `|y| <= period/2`.
+    pub(super) fn integrals(
+        &self,
+        cell: &LoadedRectangle,
+        [x, y, z]: [f64; 3],
+    ) -> [f64; Integral::COUNT] {
+        let mut values = [0.0; Integral::COUNT];
+        let mut out = values.each_mut().map(std::slice::from_mut);
+        self.integrals_along_row(cell, &[x.abs()], [y.abs(), z], &mut out);
+        for (value, integral) in values.iter_mut().zip(Integral::ALL) {
+            let [is_odd_x, is_odd_y] = integral.is_odd();
+            if (is_odd_x && x < 0.0) != (is_odd_y && y < 0.0) {
+                *value = -*value;
+            }
+        }
+        values
+    }
+
+    /// The integrals at the points `(x, y, z)` of a row, with `x` ascending from zero or more and
+    /// `0 <= y <= period/2`.
     pub(super) fn integrals_along_row(
         &self,
         cell: &LoadedRectangle,
@@ -87,14 +114,22 @@ impl Strips {
         // In units of the half width.
         let [x, z, datum] = [x, z, self.datum].map(|length| length / self.a);
         let (right, left) = (x + 1.0, x - 1.0);
-        let squares = [right, left].map(|x| x * x + z * z);
+        let mut squares = [right, left].map(|x| x * x + z * z);
         let [arc_right, arc_left] = [right, left].map(|x| x.atan2(z));
         // Differences between the edges at x + a and x - a.
-        let arcs = (2.0 * z).atan2(z * z + right * left);
-        let logarithms = (4.0 * x / squares[1]).ln_1p();
-        let product = squares[0] * squares[1];
-        let zz = 4.0 * x * z * z / product;
-        let zx = 2.0 * z * (z * z - right * left) / product;
+        let (arcs, logarithms, zz, zx);
+        if squares[1] == 0.0 {
+            // On an edge of the surface the mean of both sides, and in the logarithm a length in place of none.
+            squares[1] = (self.edge / self.a).powi(2);
+            logarithms = (squares[0] / squares[1]).ln();
+            (arcs, zz, zx) = (FRAC_PI_2, 0.0, 0.0);
+        } else {
+            logarithms = (4.0 * x / squares[1]).ln_1p();
+            arcs = (2.0 * z).atan2(z * z + right * left);
+            let product = squares[0] * squares[1];
+            zz = 4.0 * x * z * z / product;
+            zx = 2.0 * z * (z * z - right * left) / product;
+        }
         let [log_right, log_left] = squares.map(|square| (square / (datum * datum)).ln());
         let v = 4.0 - x * logarithms - (log_right + log_left) - 2.0 * z * arcs;
         let of = |integral: Integral| match integral {

@@ -94,6 +94,44 @@ proptest! {
     }
 }
 
+/// The same where rows repeat along y; and whole periods away.
+#[test]
+fn planes_of_rows_are_sums_over_images() {
+    for (nx, ny) in [(9, 1), (6, 4), (5, 7)] {
+        let grid = Grid::new(nx, ny, 1.0, 0.8).unwrap();
+        let boundary = Boundary::PeriodicAlongY { datum: 20.0 };
+        let bodies = HalfSpace::with_boundary(grid, pair(0.3, 0.1), boundary).unwrap();
+        let fields = scattered(grid, 4);
+        for depth in [0.0, 0.1, 2.0, 30.0] {
+            let mut planes = Planes::new(&bodies, &[depth]).unwrap().with_displacements();
+            let plane = planes.solve(0, Body::One, of(&fields)).unwrap();
+            let period = 0.8 * ny as f64;
+            for away in [0.0, -3.0 * period] {
+                let points: Vec<_> = (0..grid.cells())
+                    .map(|i| [grid.x(i % nx), grid.y(i / nx) + away, depth])
+                    .collect();
+                let sums = at_points(&bodies, Body::One, of(&fields), &points).unwrap();
+                let column = |k: usize| -> Vec<f64> {
+                    let values = sums.iter().map(|r| {
+                        let (u, s) = (r.displacement, r.stress);
+                        [u[0], u[1], u[2], s.xx, s.yy, s.zz, s.xy, s.xz, s.yz][k]
+                    });
+                    values.collect()
+                };
+                let expected: [Vec<f64>; 9] = std::array::from_fn(column);
+                let error = difference(&slices(&plane), &expected.each_ref().map(|e| &e[..]));
+                assert!(error < 2e-13, "{nx} {ny} {depth} {error:e}");
+            }
+        }
+        // On the edge between cells of equal pressure, inside a strip of it: sxx = szz = -p.
+        let even = Field::constant(grid, 1.0);
+        let points = [grid.y(0), grid.y(0) + 0.4, 0.1].map(|y| [grid.x(1) + 0.5, y, 0.0]);
+        for found in at_points(&bodies, Body::One, Tractions::new(&even), &points).unwrap() {
+            assert!((found.stress.xx + 1.0).abs() + (found.stress.zz + 1.0).abs() < 1e-12);
+        }
+    }
+}
+
 fn boundaries() -> [Boundary; 3] {
     [
         Boundary::NonPeriodic,

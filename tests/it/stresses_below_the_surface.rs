@@ -160,6 +160,41 @@ fn both_bodies_have_the_signs_of_the_common_axes() {
     }
 }
 
+/// On an edge between cells of equal tractions there is nothing to see, however its place is rounded.
+#[test]
+fn edges_between_equal_cells_leave_no_trace() {
+    let grid = Grid::new(7, 5, 0.1, 0.3).unwrap();
+    let bodies = on_rigid(grid, 0.3);
+    let (p, q) = (Field::constant(grid, 1.0), Field::constant(grid, 0.4));
+    let whole = Grid::new(1, 1, 0.7, 1.5).unwrap();
+    let one = on_rigid(whole, 0.3);
+    let (p_of_one, q_of_one) = (Field::constant(whole, 1.0), Field::constant(whole, 0.4));
+    for ix in 0..6 {
+        for iy in 0..4 {
+            let corner = [0.5 * (grid.x(ix) + grid.x(ix + 1)), grid.y(iy) + 0.15, 0.0];
+            let points = [
+                corner,
+                [corner[0], grid.y(iy), 0.0],
+                [grid.x(ix), corner[1], 0.0],
+            ];
+            let at = |bodies, p, q| {
+                at_points(
+                    bodies,
+                    Body::One,
+                    Tractions::new(p).with_shear([q, q]),
+                    &points,
+                )
+                .unwrap()
+            };
+            let (many, one) = (at(&bodies, &p, &q), at(&one, &p_of_one, &q_of_one));
+            for (many, one) in many.iter().zip(&one) {
+                let error = error(&components(many), &components(one));
+                assert!(error < 1e-13, "{ix} {iy} {error:e}");
+            }
+        }
+    }
+}
+
 #[test]
 fn bad_points_and_bodies_are_refused() {
     let grid = Grid::new(3, 2, 1.0, 1.0).unwrap();
