@@ -1,6 +1,5 @@
 //! A contact that has become small is worked on in smaller windows.
 
-use crate::boundary::Boundary;
 use crate::field::Field;
 use crate::history::state::State;
 use crate::window::Window;
@@ -18,16 +17,14 @@ const OVERSHOOT: f64 = 1.5;
 /// touch at follows from the tractions. The solvers of the next step follow the state.
 pub(super) fn narrow(state: &mut State, before: Option<&Field>, press_window: Option<Window>) {
     let (grid, is_joint) = (state.grid(), state.is_joint());
-    // A grid that repeats is never cut.
-    if state.boundary() == Boundary::Periodic {
-        return;
-    }
     let after = state.pressure().as_slice();
     let before = before.map_or(after, Field::as_slice);
     let Some(contact) = Window::around(grid, |i| before[i] > 0.0 || after[i] > 0.0) else {
         return;
     };
-    let needed = contact.widened(grid);
+    // Along an axis that repeats a grid is never cut.
+    let repeats = state.boundary().repeats();
+    let needed = contact.widened(grid).spanning(grid, repeats);
     let smaller = |window: Window, waste: f64| {
         let is_left = window.cells() as f64 >= waste * needed.cells() as f64;
         needed.intersection(window).filter(|_| is_left)
