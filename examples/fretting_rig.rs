@@ -2,7 +2,8 @@
 //! stress of the specimen follows, until the loop repeats; then the stresses below the surface of the specimen.
 //!
 //! `cargo run --release --example fretting_rig [cells]` (default 512) prints contact, stick zone, loop and largest stresses
-//! beside closed forms, and writes `target/gallery/fretting_rig.csv`, `.svg` and `.vti` (ParaView).
+//! beside closed forms, and writes `target/gallery/fretting_rig.csv`, `.svg` and `.vti` (ParaView; the stress of the contact,
+//! to which that of the bulk is to be added).
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -46,7 +47,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let bodies = HalfSpace::with_boundary(grid, *hertz.pair(), boundary)?;
 
     // The specimen is body 1. A bulk stress of 1 MPa stretches it by this much.
-    let strain = [[titanium.plane_strain(1.0), 0.0], [0.0, 0.0]];
+    let strain = [[titanium.plane_strain_under(1.0), 0.0], [0.0, 0.0]];
     let bulk = RelativeDisplacement::bulk_strain(grid, strain)?;
     let cylinder = surface::cylinder(grid, RADIUS)?;
     let builder = History::builder(&bodies, &cylinder, Friction::coulomb(FRICTION)?);
@@ -56,7 +57,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let points = fret(&mut history)?;
 
     let exact = CattaneoMindlinLine::new(hertz, FRICTION, SHEAR)?;
-    let exact = exact.with_strain(titanium.plane_strain(BULK))?;
+    let exact = exact.with_strain(titanium.plane_strain_under(BULK))?;
     compare(&history, &exact);
     let profile = profile(&history, &exact)?;
     let (rows, largest) = stresses(&history, &bodies, [a, p0])?;
@@ -197,7 +198,7 @@ fn stresses(
     planes.write_vti(&vti, Body::One, history)?;
     println!("volume: {}", vti.display());
     println!(
-        "\nAt the largest force: von Mises {:.3} p0 at x = {:.2} a, z = {:.2} a; largest tension of the surface {:.3} p0 at \
+        "\nAt the largest force, with the bulk stress: von Mises {:.3} p0 at x = {:.2} a, z = {:.2} a; largest tension of the surface {:.3} p0 at \
          x = {:.2} a, where a crack would start.\n",
         largest[0], largest[1], largest[2], tension[0], tension[1]
     );

@@ -4,7 +4,7 @@
 const PATIENCE: u64 = 256;
 
 /// Things made for sizes that were left for smaller ones, and those of smaller sizes that were left since: what goes to
-/// and fro between sizes finds them again. A size larger than all before makes the rest outgrown.
+/// and fro between sizes finds them again. When a size comes that is larger than all before, the others are dropped.
 ///
 /// A clone has none of them.
 #[derive(Debug)]

@@ -118,7 +118,7 @@ impl Material {
     /// $`\varepsilon = \sigma (1 - \nu^2)/E`$, positive where it is stretched. A body that is free to contract along y is
     /// strained by $`\sigma/E`$ along x and by $`-\nu\sigma/E`$ along y.
     #[must_use]
-    pub fn plane_strain(&self, stress: f64) -> f64 {
+    pub fn plane_strain_under(&self, stress: f64) -> f64 {
         stress * (1.0 - self.poisson_ratio * self.poisson_ratio) / self.youngs_modulus
     }
 

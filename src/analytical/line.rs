@@ -101,13 +101,14 @@ impl HertzLine {
         self.max_pressure * dome(x.abs() / self.half_width)
     }
 
-    /// Approach of the bodies (a length), positive, relative to the [datum](crate::Boundary::PeriodicAlongY) d, a length:
+    /// Approach of the bodies (a length) relative to the [datum](crate::Boundary::PeriodicAlongY) d, a length:
     ///
     /// ```math
     /// \delta = \frac{P}{\pi E^*}\left(2\ln\frac{2d}{a} + 1\right) .
     /// ```
     ///
-    /// By integration of Johnson (1985), 2.24, over the pressure.
+    /// Positive for a datum d > 0 that is large beside a, as it must be. By integration of Johnson (1985), 2.24, over the
+    /// pressure.
     #[must_use]
     pub fn approach(&self, datum: f64) -> f64 {
         self.displacement * (2.0 * (2.0 * datum / self.half_width).ln() + 1.0)
@@ -169,10 +170,16 @@ impl CattaneoMindlinLine {
     /// along x in one body strains it by $`\sigma (1 - \nu^2)/E`$ in plane strain.
     ///
     /// # Errors
-    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::Below`](crate::Error::Below) if the strip that sticks would leave the contact, $`|e| + c > a`$: slip
+    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::NotPositive`](crate::Error::NotPositive) without friction, if there
+    /// is strain; [`Error::Below`](crate::Error::Below) if the strip that sticks would leave the contact, $`|e| + c > a`$: slip
     /// then reverses at one end, and the formula does not hold.
     pub fn with_strain(mut self, strain: f64) -> Result<Self> {
         finite("bulk strain", strain)?;
+        if strain == 0.0 {
+            self.centre = 0.0;
+            return Ok(self);
+        }
+        positive("coefficient of friction", self.held.friction)?;
         let HertzLine {
             pair,
             half_width,
@@ -231,8 +238,8 @@ impl CattaneoMindlinLine {
     /// \delta_x = \pm\frac{\mu P}{\pi E^*}\left[f\left(2\ln\frac{2d}{a} + 1\right) + (1-f)\ln(1-f)\right] .
     /// ```
     ///
-    /// By superposition of two pressures' [approaches](HertzLine::approach), which a traction along x in plane strain
-    /// repeats.
+    /// By superposition of the [approaches](HertzLine::approach) of two pressures, which tractions along x in plane strain
+    /// repeat.
     #[must_use]
     pub fn shift(&self, datum: f64) -> f64 {
         let HeldForce {

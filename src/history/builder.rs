@@ -114,7 +114,7 @@ impl HistoryBuilder<'_> {
     /// let grid = Grid::line(128, 0.01)?;
     /// let bodies = HalfSpace::with_boundary(grid, pair, Boundary::PeriodicAlongY { datum: 50.0 })?;
     /// let roller = surface::cylinder(grid, 20.0)?;
-    /// let strain = [[titanium.plane_strain(1.0), 0.0], [0.0, 0.0]];
+    /// let strain = [[titanium.plane_strain_under(1.0), 0.0], [0.0, 0.0]];
     /// let bulk = RelativeDisplacement::bulk_strain(grid, strain)?;
     /// let builder = History::builder(&bodies, &roller, Friction::coulomb(0.5)?);
     /// let mut history = builder.relative_displacement(bulk).build()?;
@@ -168,9 +168,9 @@ impl HistoryBuilder<'_> {
     /// Checks everything and copies the gap; nothing is solved yet.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`] for gap or friction,
-    /// [`Error::Sample`] for the gap, [`Error::NotModelled`] for a
-    /// hardness with pressure and shear found together,
+    /// [`Error::GridMismatch`] for gap, friction, hardness or relative displacement,
+    /// [`Error::Sample`] for the gap, [`Error::NotModelled`] for a hardness with pressure and shear found together and for
+    /// a relative displacement along an axis of which no traction is found,
     /// [`Error::Method`] for a method that the model does not have,
     /// [`Error::Tolerance`], [`Error::IterationLimit`].
     pub fn build(self) -> Result<History> {

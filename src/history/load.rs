@@ -121,7 +121,7 @@ impl LoadStep {
     }
 
     /// With this amount of the [relative displacement](crate::history::HistoryBuilder::relative_displacement) at the end of
-    /// the step, as a multiple of what the history was built with, since the start of the history: the bulk stress of a
+    /// the step, as a multiple of the pattern of the history, since its start: the bulk stress of a
     /// specimen, for example, if that was built for one of 1.
     pub fn relative_displacement(mut self, amount: f64) -> Self {
         self.relative_displacement = Some(amount);

@@ -41,14 +41,23 @@ impl Relative {
 impl State {
     /// `Ok` if an amount is asked of a history that has a pattern for it.
     pub(super) fn check_relative(&self, load: &LoadStep) -> Result<()> {
-        let amount = load.relative_amount().unwrap_or(0.0);
-        let value = finite("amount of the relative displacement", amount)?;
-        if self.relative.is_none() && value != 0.0 {
-            return Err(Error::NotModelled {
-                quantity: "relative displacement",
-                value,
-                remedy: "build it with .relative_displacement()",
-            });
+        let Some(amount) = load.relative_amount() else {
+            return Ok(());
+        };
+        finite("amount of the relative displacement", amount)?;
+        match &self.relative {
+            Some(relative) => {
+                let largest = relative.pattern.largest();
+                finite("largest relative displacement", amount * largest)?;
+            }
+            None if amount != 0.0 => {
+                return Err(Error::NotModelled {
+                    quantity: "relative displacement",
+                    value: amount,
+                    remedy: "build it with .relative_displacement()",
+                });
+            }
+            None => {}
         }
         Ok(())
     }
@@ -83,7 +92,8 @@ impl State {
 
 impl History {
     /// Changes the pattern of the [relative displacement](crate::history::HistoryBuilder::relative_displacement): the next
-    /// step leads from what was reached of the old one to its amount of the new one. Copies without allocating, unless the
+    /// step leads from what was reached of the old one to its amount of the new one, also if it is the first of
+    /// [adaptive](crate::history::AdaptiveSteps) ones, and the first of them then takes up all of the change. Copies without allocating, unless the
     /// history had none.
     ///
     /// # Errors

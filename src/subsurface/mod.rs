@@ -33,7 +33,7 @@
 //! Stresses are pressures, positive in tension; displacements are lengths. Depths count into the body and are
 //! positive in both; the axes x, y and z are common to both, with z into body 1. Under the load both bodies have `szz
 //! = -p`, `sxz = -qx` and `syz = -qy`. Displacements are those of the body, not relative to the other, and vanish at
-//! infinity: under a pressure `uz` is positive in body 1 and negative in body 2.
+//! infinity (on grids that repeat see [`Planes`]): under a pressure `uz` is positive in body 1 and negative in body 2.
 //!
 //! # On the surface
 //!

@@ -18,7 +18,8 @@ use crate::subsurface::tractions::Tractions;
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Response {
-    /// Along x, y and z (lengths), zero at infinity; of the body itself, not relative to the other.
+    /// Along x, y and z (lengths), of the body itself, not relative to the other; zero at infinity,
+    /// relative to the datum where the grid repeats along y.
     pub displacement: [f64; 3],
     /// The stress (pressures, tensile positive).
     pub stress: Stress,
@@ -35,7 +36,7 @@ pub struct Response {
 ///
 /// On a grid that repeats along y all images of the cells count too, and displacements are relative to the datum.
 ///
-/// The cost of a point is about 0.3 microseconds for each loaded cell (fifty times that where rows repeat along y).
+/// The cost of a point is about 0.3 microseconds for each loaded cell (some fifty times that where several rows repeat along y).
 /// For a whole plane use [`Planes`](crate::subsurface::Planes). The points are shared by the threads of the caller's
 /// pool; the bits do not depend on their number.
 ///

@@ -72,7 +72,7 @@ impl<'a> PressureSource<'a> {
     }
 }
 
-/// The smallest window around all pressure; all of a grid that repeats.
+/// The smallest window around all pressure; all of the grid along an axis that repeats.
 pub(super) fn contact_window(bodies: &HalfSpace, pressure: &[f64]) -> Result<Window> {
     let contact = Window::around(bodies.grid(), |i| pressure[i] > 0.0);
     contact

@@ -9,8 +9,7 @@ use crate::tangential::Axis;
 /// (lengths, `[x, y]`): bulk strain, thermal expansion, the deformation by a contact nearby.
 ///
 /// The slip is then $`s = u + w - \delta`$: where the bodies stick, tractions make up for it. A uniform part of it is a
-/// shift of the other sign. Source: Nowell & Hills, Int. J. Mech. Sci. 29 (1987) 355; as the "tangential initial
-/// displacement" of Johnson, Contact Mechanics (1985), section 7.2.
+/// shift of the other sign. Source: Nowell & Hills, Int. J. Mech. Sci. 29 (1987) 355.
 ///
 /// ```
 /// use stickslip::tangential::RelativeDisplacement;
@@ -18,7 +17,7 @@ use crate::tangential::Axis;
 /// // A flat specimen, body 1, under a bulk stress of 100 MPa along x, too wide to contract along y.
 /// let titanium = Material::new(115e3, 0.32)?;
 /// let grid = Grid::line(64, 0.01)?;
-/// let strain = titanium.plane_strain(100.0);
+/// let strain = titanium.plane_strain_under(100.0);
 /// let bulk = RelativeDisplacement::bulk_strain(grid, [[strain, 0.0], [0.0, 0.0]])?;
 /// let [along_x, _] = bulk.fields();
 /// let stretch = along_x.get(63, 0).unwrap() - along_x.get(0, 0).unwrap();
@@ -66,6 +65,13 @@ impl RelativeDisplacement {
     #[must_use]
     pub fn fields(&self) -> [&Field; 2] {
         self.fields.each_ref()
+    }
+
+    /// The largest magnitude along an axis (a length).
+    pub(crate) fn largest(&self) -> f64 {
+        let fields = self.fields.iter();
+        let magnitudes = fields.map(|field| field.max().max(-field.min()));
+        magnitudes.fold(0.0, f64::max)
     }
 
     /// Along an axis in a cell of the grid.

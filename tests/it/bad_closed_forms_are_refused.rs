@@ -72,6 +72,15 @@ fn line_contacts() {
     });
     assert_checked("tangential force", Finite, |value| shear(0.5, value, 0.0));
     assert_checked("bulk strain", Finite, |value| shear(0.5, 1e-4, value));
+    // Without friction there is no traction, and no strain that it balances.
+    let hertz = HertzLine::new(&pair, 2.0, 1e-3).unwrap();
+    let smooth = CattaneoMindlinLine::new(hertz, 0.0, 0.0).unwrap();
+    assert_eq!(smooth.with_strain(0.0), Ok(smooth));
+    let refused = smooth.with_strain(1e-3);
+    assert!(matches!(
+        refused,
+        Err(Error::NotPositive { value: 0.0, .. })
+    ));
     let rounded = |flat, radius, load| {
         let punch = RoundedPunch::new(&pair, flat, radius, load)?;
         Ok(punch.half_width() + punch.pressure(0.5))

@@ -35,7 +35,7 @@ fn roller(n: usize, force: f64, bulk_stress: f64) -> TangentialSolution {
     let press = NormalProblem::builder(&bodies, &gap, NormalControl::Force(LOAD));
     let normal = press.tolerance(1e-11).build().unwrap().solve().unwrap();
     let load = TangentialLoad::force([force, 0.0]);
-    let strain = [[steel().plane_strain(bulk_stress), 0.0], [0.0; 2]];
+    let strain = [[steel().plane_strain_under(bulk_stress), 0.0], [0.0; 2]];
     let bulk = RelativeDisplacement::bulk_strain(grid, strain).unwrap();
     let shear = TangentialProblem::builder(&bodies, &normal, friction(), load);
     let shear = shear.relative_displacement(bulk).tolerance(1e-11);
@@ -61,7 +61,7 @@ fn moderate_strain_moves_what_sticks() {
     for (force, bulk_stress) in [(0.6, 150.0), (-0.6, 150.0), (0.6, -150.0), (0.8, 300.0)] {
         let exact = CattaneoMindlinLine::new(hertz(), FRICTION, force * limit).unwrap();
         let exact = exact
-            .with_strain(steel().plane_strain(bulk_stress))
+            .with_strain(steel().plane_strain_under(bulk_stress))
             .unwrap();
         assert!(exact.stick_centre().abs() > 0.1 * hertz().half_width());
         for n in [128, 256, 512, 1024] {
@@ -81,7 +81,7 @@ fn moderate_strain_moves_what_sticks() {
     }
     // Beyond, slip reverses at one end.
     let exact = CattaneoMindlinLine::new(hertz(), FRICTION, 0.6 * limit).unwrap();
-    let beyond = exact.with_strain(steel().plane_strain(600.0));
+    let beyond = exact.with_strain(steel().plane_strain_under(600.0));
     assert!(matches!(beyond, Err(Error::Below { .. })));
     let found = roller(1024, 0.6 * limit, 600.0);
     let slips = |i: usize| found.zones()[i] == Zone::Slip;
@@ -261,7 +261,7 @@ fn a_step_from_rest_is_the_problem() {
     let boundary = Boundary::PeriodicAlongY { datum: 50.0 };
     let bodies = HalfSpace::with_boundary(grid, *hertz().pair(), boundary).unwrap();
     let gap = surface::cylinder(grid, RADIUS).unwrap();
-    let strain = [[steel().plane_strain(1.0), 0.0], [0.0; 2]];
+    let strain = [[steel().plane_strain_under(1.0), 0.0], [0.0; 2]];
     let bulk = RelativeDisplacement::bulk_strain(grid, strain).unwrap();
     for parts in [1, 5] {
         let builder = History::builder(&bodies, &gap, friction()).tolerance(1e-11);
@@ -313,6 +313,12 @@ fn what_does_not_fit_is_refused() {
         Err(Error::NotModelled { value: 2.0, .. })
     ));
     let refused = history.step(&press.relative_displacement(f64::NAN));
+    assert!(matches!(refused, Err(Error::NotFinite { .. })));
+    assert_eq!(history.to_bytes(), bytes);
+    let stretch = RelativeDisplacement::bulk_strain(grid, [[2.0, 0.0], [0.0; 2]]).unwrap();
+    history.set_relative_displacement(&stretch).unwrap();
+    let bytes = history.to_bytes();
+    let refused = history.step(&LoadStep::hold().relative_displacement(f64::MAX));
     assert!(matches!(refused, Err(Error::NotFinite { .. })));
     assert_eq!(history.to_bytes(), bytes);
     let refused = RelativeDisplacement::bulk_strain(grid, [[f64::INFINITY, 0.0], [0.0; 2]]);

@@ -1,7 +1,8 @@
 //! A rectangle near the point: closed form, after division if it is slender.
 
+use super::gauss::{self, Rule};
 use super::integral::{Integral, Values, sign};
-use super::{far, gauss, near};
+use super::{far, near};
 
 /// The extent of a rectangle along one axis, as seen from the point.
 #[derive(Debug, Clone, Copy)]
@@ -61,34 +62,56 @@ const SLENDEREST: f64 = 2.0;
 
 impl Piece {
     pub(super) fn integrals(&self) -> Values {
+        let Some(halves) = self.halves() else {
+            return self.whole();
+        };
+        // A list in place of recursion: very slender cells are divided some hundred times.
+        let (mut values, mut pending) = ([0.0; Integral::COUNT], halves.to_vec());
+        while let Some(piece) = pending.pop() {
+            if let Some(halves) = piece.halves() {
+                pending.extend(halves);
+                continue;
+            }
+            for (value, part) in values.iter_mut().zip(piece.whole()) {
+                *value += part;
+            }
+        }
+        values
+    }
+
+    /// Its halves, if it is slender and near the point.
+    fn halves(&self) -> Option<[Self; 2]> {
+        let Self { x, y, .. } = self;
+        if self.rule().is_some() {
+            None
+        } else if x.half > SLENDEREST * y.half {
+            Some(x.halves().map(|x| Self { x, ..*self }))
+        } else if y.half > SLENDEREST * x.half {
+            Some(y.halves().map(|y| Self { y, ..*self }))
+        } else {
+            None
+        }
+    }
+
+    /// The integrals at once: by quadrature far away, by the closed form near a compact piece.
+    fn whole(&self) -> Values {
         let ((x, sign_x), (y, sign_y)) = (self.x.mirrored(), self.y.mirrored());
-        let mut values = Self { x, y, ..*self }.in_quadrant();
+        let mut values = match self.rule() {
+            Some(rule) => {
+                let (sides, place) = ([x.half, y.half], [y.middle, self.z]);
+                far::integrals(sides, rule, &[x.middle], place).map(|[value]| value)
+            }
+            None => near::integrals(&Self { x, y, ..*self }),
+        };
         for (value, integral) in values.iter_mut().zip(Integral::ALL) {
             *value *= sign(integral, [sign_x, sign_y]);
         }
         values
     }
 
-    /// The integrals over a piece whose centre lies in the quadrant `x >= 0`, `y >= 0`.
-    fn in_quadrant(&self) -> Values {
-        let Self { x, y, z, .. } = *self;
-        let sides = [x.half, y.half];
-        if let Some(rule) = gauss::rule(sides, [x.middle, y.middle, z]) {
-            far::integrals(sides, rule, &[x.middle], [y.middle, z]).map(|[value]| value)
-        } else if x.half > SLENDEREST * y.half {
-            sum_of(x.halves().map(|x| Self { x, ..*self }))
-        } else if y.half > SLENDEREST * x.half {
-            sum_of(y.halves().map(|y| Self { y, ..*self }))
-        } else {
-            near::integrals(self)
-        }
+    /// The rule of quadrature that suffices at this distance; `None` near the point.
+    fn rule(&self) -> Option<Rule> {
+        let Self { x, y, z, .. } = self;
+        gauss::rule([x.half, y.half], [x.middle, y.middle, *z])
     }
-}
-
-fn sum_of(pieces: [Piece; 2]) -> Values {
-    let [mut values, others] = pieces.map(|piece| piece.integrals());
-    for (value, other) in values.iter_mut().zip(others) {
-        *value += other;
-    }
-    values
 }
