@@ -5,11 +5,12 @@ use crate::cgm::{Admissible, Constraint, Known, Settings, Total};
 use crate::clock::Instant;
 use crate::elastic::{ElasticSolver, Observer, Posed};
 use crate::error::{Error, Result};
-use crate::half_space::HalfSpace;
+use crate::half_space::{HalfSpace, Region};
 use crate::influence::Direction;
+use crate::layout::Layout;
 use crate::passes::with_time_left;
 use crate::report::Status;
-use crate::window::{Window, halved};
+use crate::window::halved;
 
 /// Relative accuracy of a coarse answer: its own discretisation error is not smaller.
 const COARSE_TOLERANCE: f64 = 1e-2;
@@ -32,12 +33,12 @@ pub(crate) trait Scene<const N: usize>: Sized {
 
     fn totals(&self) -> [Total; N];
 
-    /// The scene on cells twice as large, of `size` cells.
-    fn coarsened(&self, size: [usize; 2]) -> Self;
+    /// The scene on cells twice as large.
+    fn coarsened(&self, levels: Levels<'_>) -> Self;
 
     /// The part of the grid that is worth solving on from a start, and the scene there, where that is little of it. What
     /// it misses the finest grid will see.
-    fn confined(&self, _bodies: &HalfSpace, _start: &[Vec<f64>; N]) -> Option<(Window, Self)> {
+    fn confined(&self, _bodies: &HalfSpace, _start: &[Vec<f64>; N]) -> Option<(Region, Self)> {
         None
     }
 
@@ -47,10 +48,40 @@ pub(crate) trait Scene<const N: usize>: Sized {
     /// A start from the coarser scene's answer.
     fn refined_start(
         &self,
-        size: [usize; 2],
+        levels: Levels<'_>,
         coarse: &Self,
         answer: &[Vec<f64>; N],
     ) -> [Vec<f64>; N];
+}
+
+/// Rectangles of `size` cells and of cells twice as large, and how their fields lie.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Levels<'a> {
+    size: [usize; 2],
+    bodies: &'a HalfSpace,
+    coarser: &'a HalfSpace,
+}
+
+impl Levels<'_> {
+    /// A field on the coarser cells.
+    pub(crate) fn coarsened(&self, field: &[f64]) -> Vec<f64> {
+        self.bodies.coarsened(self.coarser, self.size, field)
+    }
+
+    /// A field of the coarser cells on the finer ones.
+    pub(crate) fn refined(&self, field: &[f64]) -> Vec<f64> {
+        self.bodies.refined(self.coarser, self.size, field)
+    }
+
+    /// A field of the coarser cells, with the value of each in the finer cells that lie in it.
+    pub(crate) fn inherited(&self, field: &[f64]) -> Vec<f64> {
+        self.bodies.inherited(self.coarser, self.size, field)
+    }
+
+    /// How the coarser cells lie.
+    pub(crate) fn coarse_layout(&self) -> Layout {
+        self.coarser.layout(halved(self.size))
+    }
 }
 
 /// Settings, clock and observer of the solve that a start is for.
@@ -86,13 +117,18 @@ fn descend<S: Scene<N>, const N: usize>(
     if !is_worth_coarsening(bodies, size) {
         return Ok((scene.plain_start(), false));
     }
-    let coarse = scene.coarsened(size);
-    let (bodies, coarse_size) = (bodies.coarser()?, halved(size));
-    let (mut x, mut is_over) = descend(bodies, coarse_size, &coarse, conditions)?;
+    let (coarser, coarse_size) = (bodies.coarser()?, halved(size));
+    let levels = Levels {
+        size,
+        bodies,
+        coarser,
+    };
+    let coarse = scene.coarsened(levels);
+    let (mut x, mut is_over) = descend(coarser, coarse_size, &coarse, conditions)?;
     if !is_over {
-        is_over = solve(bodies, coarse_size, &coarse, &mut x, conditions)?;
+        is_over = solve(coarser, coarse_size, &coarse, &mut x, conditions)?;
     }
-    Ok((scene.refined_start(size, &coarse, &x), is_over))
+    Ok((scene.refined_start(levels, &coarse, &x), is_over))
 }
 
 /// Solves a coarse scene roughly, where it is worth solving; returns whether observer or clock ended it.
@@ -112,15 +148,15 @@ fn solve<S: Scene<N>, const N: usize>(
         .tolerance(settings.tolerance.max(COARSE_TOLERANCE))
         .max_iterations(settings.max_iterations.min(COARSE_STEPS));
     let confined = scene.confined(bodies, x);
-    let mut inside = confined.as_ref().map(|(window, _)| {
+    let mut inside = confined.as_ref().map(|(region, _)| {
         x.each_ref().map(|x| {
-            let mut inside = vec![0.0; window.cells()];
-            window.gather(x, &mut inside);
+            let mut inside = vec![0.0; region.cells()];
+            region.gather(x, &mut inside);
             inside
         })
     });
     let (size, scene) = match &confined {
-        Some((window, part)) => (window.size, part),
+        Some((region, part)) => (region.window().size, part),
         None => (size, scene),
     };
     let mut solver = ElasticSolver::<S::Set, N>::new(bodies, scene.directions(), size)?;
@@ -134,9 +170,9 @@ fn solve<S: Scene<N>, const N: usize>(
     let unknowns = inside.as_mut().unwrap_or(x).each_mut();
     let unknowns = unknowns.map(Vec::as_mut_slice);
     let outcome = solver.minimise(posed, unknowns, &rough, &mut **observer);
-    if let Some(((window, _), inside)) = confined.zip(inside) {
+    if let Some(((region, _), inside)) = confined.zip(inside) {
         for (x, inside) in x.iter_mut().zip(&inside) {
-            window.scatter(inside, x);
+            region.scatter(inside, x);
         }
     }
     match outcome {

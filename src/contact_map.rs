@@ -90,6 +90,27 @@ impl std::fmt::Display for Warning {
 /// Cells that a resolved spot needs.
 const RESOLVED: usize = 5;
 
+/// The cells of a whole grid that belong to a set, as every rank knows them.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Bits {
+    /// A bit for each cell; every row begins with a word of its own.
+    words: Vec<u64>,
+    columns: usize,
+}
+
+impl Bits {
+    pub(crate) fn new(words: Vec<u64>, columns: usize) -> Self {
+        Self { words, columns }
+    }
+
+    /// Whether a cell belongs to it.
+    pub(crate) fn contain(&self, cell: usize) -> bool {
+        let (column, row) = (cell % self.columns, cell / self.columns);
+        let word = self.words[row * self.columns.div_ceil(64) + column / 64];
+        (word >> (column % 64)) & 1 != 0
+    }
+}
+
 /// A map of the cells that belong to a set.
 pub(crate) struct ContactMap<F> {
     pub(crate) grid: Grid,

@@ -2,6 +2,7 @@
 
 mod check;
 mod place;
+mod ranks;
 mod result;
 mod show;
 
@@ -10,6 +11,7 @@ pub(crate) use check::{
     positive, samples_obey,
 };
 pub use place::Place;
+pub use ranks::RankFailure;
 pub use result::Result;
 use show::prefix;
 
@@ -392,6 +394,15 @@ pub enum Error {
         /// The tolerance of the whole load.
         tolerance: f64,
     },
+    /// Ranks cannot do this together; bodies that are not [distributed](crate::HalfSpace::distributed) can.
+    #[error("{quantity} cannot be shared by ranks")]
+    Distributed {
+        /// What was asked, in words.
+        quantity: &'static str,
+    },
+    /// Ranks that solve together cannot go on together.
+    #[error("{0}")]
+    Ranks(RankFailure),
     /// The iteration ended before it reached the tolerance. After `solve_into` or `solve_observed` the solution holds
     /// the last feasible iterate; a [`History`](crate::History) remains as it was before the step.
     #[error("not converged: {0}")]

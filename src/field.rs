@@ -253,7 +253,7 @@ impl Field {
     /// Integral over the grid, cell area times the sum of the samples.
     #[must_use]
     pub fn integral(&self) -> f64 {
-        let [sum] = parallel::sums(self.samples.len(), |i| [self.samples[i]]);
-        self.grid.cell_area() * sum
+        let leaf = |range: Range<usize>| self.samples[range].iter().fold(0.0, |sum, x| sum + x);
+        self.grid.cell_area() * self.grid.layout().fold(leaf, |a, b| a + b)
     }
 }

@@ -1,6 +1,9 @@
 //! The rectangular grid of cells on which every field is sampled.
 
+use std::ops::Range;
+
 use crate::error::{Error, Result, positive};
+use crate::layout::Layout;
 
 /// A rectangle of `nx` x `ny` cells of sides `dx` x `dy`, centred on the origin.
 ///
@@ -28,6 +31,17 @@ pub struct Grid {
     ny: usize,
     dx: f64,
     dy: f64,
+    /// The rows of a larger grid that these are; what is saved of a slab is a grid of its own.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    slab: Option<Slab>,
+}
+
+/// Some rows of a grid.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Slab {
+    first: usize,
+    /// Rows of the whole grid.
+    of: usize,
 }
 
 /// The values read, before they are checked.
@@ -70,6 +84,7 @@ impl Grid {
             ny,
             dx: positive("cell side dx", dx)?,
             dy: positive("cell side dy", dy)?,
+            slab: None,
         };
         positive("cell area", grid.cell_area())?;
         positive("grid area", grid.area())?;
@@ -94,6 +109,48 @@ impl Grid {
     /// As [`Grid::new`].
     pub fn line(n: usize, dx: f64) -> Result<Self> {
         Self::new(n, 1, dx, 1.0)
+    }
+
+    /// Some rows of this grid, none of which may be held: cells and positions are then those of the slab, at their places in
+    /// the whole grid. What ranks hold of a [distributed](crate::HalfSpace::distributed) contact lies on slabs.
+    pub(crate) fn slab(self, rows: Range<usize>) -> Self {
+        let first = self.rows().start + rows.start;
+        let of = self.whole().ny;
+        let slab = Some(Slab { first, of });
+        Self {
+            ny: rows.len(),
+            slab: slab.filter(|_| rows.len() < of),
+            ..self
+        }
+    }
+
+    /// So many of its cells, of which there may be none.
+    pub(crate) fn of_size(self, [nx, ny]: [usize; 2]) -> Self {
+        Self {
+            nx,
+            ny,
+            slab: None,
+            ..self
+        }
+    }
+
+    /// The grid that this one is a slab of; itself if it is whole.
+    #[must_use]
+    pub fn whole(&self) -> Self {
+        let ny = self.slab.map_or(self.ny, |slab| slab.of);
+        Self {
+            ny,
+            slab: None,
+            ..*self
+        }
+    }
+
+    /// The rows of the whole grid that are held here: all, unless the grid is a slab of a
+    /// [distributed](crate::HalfSpace::distributed) one.
+    #[must_use]
+    pub fn rows(&self) -> Range<usize> {
+        let first = self.slab.map_or(0, |slab| slab.first);
+        first..first + self.ny
     }
 
     /// Cells along x.
@@ -155,7 +212,15 @@ impl Grid {
     /// Whether the numbers of cells are equal, and the sides to round-off.
     pub(crate) fn agrees_with(&self, other: Self) -> bool {
         let is_near = |own: f64, other: f64| (own - other).abs() <= SAME_SIDE * own;
-        self.size() == other.size() && is_near(self.dx, other.dx) && is_near(self.dy, other.dy)
+        self.size() == other.size()
+            && self.slab == other.slab
+            && is_near(self.dx, other.dx)
+            && is_near(self.dy, other.dy)
+    }
+
+    /// How the cells of a field lie.
+    pub(crate) fn layout(&self) -> Layout {
+        Layout::of(self.size())
     }
 
     /// Cells along x and y.
@@ -172,7 +237,7 @@ impl Grid {
     /// y of the centre of row `iy` (a length); `iy` may lie outside the grid.
     #[must_use]
     pub fn y(&self, iy: usize) -> f64 {
-        centre(iy, self.ny, self.dy)
+        centre(self.rows().start + iy, self.whole().ny, self.dy)
     }
 
     /// Centre of cell `(ix, iy)`, `[x, y]` (lengths).

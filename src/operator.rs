@@ -1,5 +1,7 @@
 //! The seam between physics and engine: a linear operator that can be applied.
 
+use crate::layout::Layout;
+
 /// A symmetric linear map from tractions to displacements, `u = C x`, with `N` components per cell.
 ///
 /// A vector is handed over as `N` slices, one per component, each with an entry per cell. The
@@ -35,6 +37,11 @@ pub trait Operator<const N: usize = 1>: Sync {
 
     /// Number of cells: the unknowns of one component.
     fn cells(&self) -> usize;
+
+    /// How the cells lie, which sums over them follow. The default: one behind the other, all of them here.
+    fn layout(&self) -> Layout {
+        Layout::flat(self.cells())
+    }
 
     /// A workspace for [`Operator::apply`].
     fn workspace(&self) -> Self::Workspace;
@@ -74,6 +81,10 @@ macro_rules! operator_behind {
 
             fn cells(&self) -> usize {
                 (**self).cells()
+            }
+
+            fn layout(&self) -> Layout {
+                (**self).layout()
             }
 
             fn workspace(&self) -> T::Workspace {

@@ -61,6 +61,23 @@ pub(crate) fn threads() -> usize {
     }
 }
 
+/// Runs work on a pool of so many threads of its own, which it may block.
+///
+/// # Panics
+/// If the threads cannot be made.
+pub(crate) fn apart<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
+    #[cfg(feature = "parallel")]
+    {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+        pool.expect("the threads of a rank").install(work)
+    }
+    #[cfg(not(feature = "parallel"))]
+    {
+        let _ = threads;
+        work()
+    }
+}
+
 /// Whether work on so many cells is too short to share.
 pub(crate) fn is_short(cells: usize) -> bool {
     cells <= CHUNK

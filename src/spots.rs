@@ -74,7 +74,7 @@ struct Sums {
 impl ContactSpots {
     fn new(normal: &NormalSolution, zones: Option<&[Zone]>) -> Self {
         let (grid, pressure) = (normal.grid(), normal.pressure().as_slice());
-        let map = normal.contact_map();
+        let map = normal.own_map();
         let (mut labels, mut sums) = (vec![0; grid.cells()], Vec::new());
         map.walk_spots(|spot, cell, place| {
             labels[cell] = u32::try_from(spot + 1).unwrap_or(u32::MAX);
@@ -161,7 +161,7 @@ impl Sums {
 }
 
 impl NormalSolution {
-    /// The contact spots.
+    /// The contact spots; of a slab those of its rows, cut where it ends.
     #[must_use]
     pub fn spots(&self) -> ContactSpots {
         ContactSpots::new(self, None)

@@ -3,7 +3,9 @@
 use std::ops::Range;
 
 use crate::grid::Grid;
+use crate::layout::Layout;
 use crate::parallel::{self, Blocks, Split};
+use crate::ranks::Words;
 
 /// A rectangle of cells of a grid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -19,13 +21,13 @@ impl Window {
         Self {
             columns: grid.nx(),
             corner: [0, 0],
-            size: [grid.nx(), grid.ny()],
+            size: grid.whole().size(),
         }
     }
 
-    /// Around all cells of a grid that are in a set; `None` if none is.
+    /// Around all cells held of a grid that are in a set; `None` if none is.
     pub(crate) fn around(grid: Grid, contains: impl Fn(usize) -> bool + Sync) -> Option<Self> {
-        let nx = grid.nx();
+        let (nx, first_row) = (grid.nx(), grid.rows().start);
         let of_row = |iy: usize| {
             let mut columns = 0..nx;
             let contains = |ix: &usize| contains(iy * nx + ix);
@@ -33,25 +35,21 @@ impl Window {
             let last = columns.rev().find(contains).unwrap_or(first);
             Some(Self {
                 columns: nx,
-                corner: [first, iy],
+                corner: [first, first_row + iy],
                 size: [last - first + 1, 1],
             })
-        };
-        let both = |one: Option<Self>, other: Option<Self>| match (one, other) {
-            (Some(one), Some(other)) => Some(one.union(other)),
-            (one, other) => one.or(other),
         };
         parallel::fold_rows(
             grid.ny(),
             nx,
-            |rows| rows.map(of_row).fold(None, both),
-            both,
+            |rows| rows.map(of_row).fold(None, Self::union_of),
+            Self::union_of,
         )
     }
 
     /// The rectangle of `size` cells whose first is `corner`; `None` if it is empty or leaves the grid.
     pub(crate) fn at(grid: Grid, corner: [usize; 2], size: [usize; 2]) -> Option<Self> {
-        let cells = [grid.nx(), grid.ny()];
+        let cells = grid.whole().size();
         let fits = |axis: usize| {
             let end = corner[axis].checked_add(size[axis]);
             size[axis] > 0 && end.is_some_and(|end| end <= cells[axis])
@@ -63,9 +61,32 @@ impl Window {
         })
     }
 
+    /// Its columns and rows.
+    pub(crate) fn ranges(&self) -> [Range<usize>; 2] {
+        [0, 1].map(|axis| self.corner[axis]..self.corner[axis] + self.size[axis])
+    }
+
+    /// Some of its rows.
+    pub(crate) fn rows(self, rows: Range<usize>) -> Self {
+        let ([x, y], [nx, _]) = (self.corner, self.size);
+        Self {
+            corner: [x, y + rows.start],
+            size: [nx, rows.len()],
+            ..self
+        }
+    }
+
     /// Column and row of its first cell.
     pub(crate) fn corner(&self) -> [usize; 2] {
         self.corner
+    }
+
+    /// The smallest window around what there is of two.
+    pub(crate) fn union_of(one: Option<Self>, other: Option<Self>) -> Option<Self> {
+        match (one, other) {
+            (Some(one), Some(other)) => Some(one.union(other)),
+            (one, other) => one.or(other),
+        }
     }
 
     /// The smallest window around two.
@@ -111,7 +132,7 @@ impl Window {
     /// Wider by so many cells on each side along x and along y, as far as the grid goes.
     pub(crate) fn with_margins(self, grid: Grid, margins: [usize; 2]) -> Self {
         let mut wide = self;
-        for (axis, cells) in [grid.nx(), grid.ny()].into_iter().enumerate() {
+        for (axis, cells) in grid.whole().size().into_iter().enumerate() {
             let margin = margins[axis];
             let end = (self.corner[axis] + self.size[axis] + margin).min(cells);
             wide.corner[axis] = self.corner[axis].saturating_sub(margin);
@@ -123,7 +144,7 @@ impl Window {
     /// From edge to edge along the axes of which it is asked.
     pub(crate) fn spanning(self, grid: Grid, axes: [bool; 2]) -> Self {
         let mut wide = self;
-        for (axis, cells) in grid.size().into_iter().enumerate() {
+        for (axis, cells) in grid.whole().size().into_iter().enumerate() {
             if axes[axis] {
                 (wide.corner[axis], wide.size[axis]) = (0, cells);
             }
@@ -133,6 +154,11 @@ impl Window {
 
     pub(crate) fn cells(&self) -> usize {
         self.size[0] * self.size[1]
+    }
+
+    /// How the cells of a field of the window lie.
+    pub(crate) fn layout(&self) -> Layout {
+        Layout::of(self.size)
     }
 
     /// Index in the whole grid of the first cell of a row of the window.
@@ -262,6 +288,28 @@ impl Window {
     }
 }
 
+impl Words for Window {
+    const COUNT: usize = 5;
+    const ZERO: Self = Self {
+        columns: 0,
+        corner: [0; 2],
+        size: [0; 2],
+    };
+
+    fn write(self, words: &mut Vec<u64>) {
+        (self.columns, self.corner, self.size).write(words);
+    }
+
+    fn read(words: &mut &[u64]) -> Self {
+        let (columns, corner, size) = Words::read(words);
+        Self {
+            columns,
+            corner,
+            size,
+        }
+    }
+}
+
 /// Half the cells along each axis, the last one alone where their number is odd.
 pub(crate) fn halved(size: [usize; 2]) -> [usize; 2] {
     size.map(|n| n.div_ceil(2))
@@ -285,8 +333,14 @@ pub(crate) fn coarsened([nx, ny]: [usize; 2], fine: &[f64]) -> Vec<f64> {
     coarse
 }
 
-/// Bilinear interpolation of coarse cell centres at the fine ones, constant beyond the outermost.
-pub(crate) fn refined([nx, ny]: [usize; 2], coarse: &[f64]) -> Vec<f64> {
+/// Bilinear interpolation of coarse cell centres at the fine ones of some rows, constant beyond the outermost. The coarse
+/// field begins with the row `first`.
+pub(crate) fn refined(
+    [nx, ny]: [usize; 2],
+    rows: Range<usize>,
+    coarse: &[f64],
+    first: usize,
+) -> Vec<f64> {
     let [width, height] = halved([nx, ny]);
     // The nearer coarse cell weighs 3/4 along each axis, the one beyond 1/4.
     let neighbours = |i: usize, cells: usize| {
@@ -298,13 +352,33 @@ pub(crate) fn refined([nx, ny]: [usize; 2], coarse: &[f64]) -> Vec<f64> {
         };
         [near, far]
     };
-    let mut fine = vec![0.0; nx * ny];
+    let mut fine = vec![0.0; nx * rows.len()];
     parallel::rows(&mut fine, nx, |j, row| {
-        let [near, beyond] = neighbours(j, height).map(|row| &coarse[row * width..][..width]);
+        let neighbours_along_y = neighbours(rows.start + j, height);
+        let [near, beyond] =
+            neighbours_along_y.map(|row| &coarse[(row - first) * width..][..width]);
         for (i, value) in row.iter_mut().enumerate() {
             let [x, beyond_x] = neighbours(i, width);
             let corners = [near[x], near[beyond_x] + beyond[x], beyond[beyond_x]];
             *value = (9.0 * corners[0] + 3.0 * corners[1] + corners[2]) / 16.0;
+        }
+    });
+    fine
+}
+
+/// The value of the coarse cell that each fine one of some rows lies in. The coarse field begins with the row `first`.
+pub(crate) fn inherited(
+    [nx, ny]: [usize; 2],
+    rows: Range<usize>,
+    coarse: &[f64],
+    first: usize,
+) -> Vec<f64> {
+    let [width, _] = halved([nx, ny]);
+    let mut fine = vec![0.0; nx * rows.len()];
+    parallel::rows(&mut fine, nx, |j, row| {
+        let parents = &coarse[((rows.start + j) / 2 - first) * width..][..width];
+        for (i, value) in row.iter_mut().enumerate() {
+            *value = parents[i / 2];
         }
     });
     fine

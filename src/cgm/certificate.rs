@@ -8,6 +8,8 @@ use crate::cgm::reduce::{self, Tally, larger};
 use crate::cgm::totals::Total;
 use crate::cgm::vector::{at, dot, norm, within};
 use crate::cgm::{Admissible, Constraint};
+use crate::layout::Layout;
+use crate::ranks::Words;
 use crate::report::Report;
 
 /// What one recomputed product says about an iterate.
@@ -52,6 +54,7 @@ impl Certificate {
 /// An iterate and the product that belongs to it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Iterate<'a, const N: usize> {
+    pub(crate) layout: &'a Layout,
     /// The unknowns, each in its set.
     pub(crate) x: [&'a [f64]; N],
     /// `C x`.
@@ -107,6 +110,7 @@ pub(crate) fn measure<const N: usize>(
     lower_bound: f64,
 ) -> Shown {
     let Iterate {
+        layout,
         x,
         product,
         linear,
@@ -115,11 +119,11 @@ pub(crate) fn measure<const N: usize>(
         multiplier,
     } = *iterate;
     let (sums, found) = reduce::fold(
-        x[0].len(),
+        layout,
         |range| {
             let [x, product] = [&x, &product].map(|vector| within(vector, &range));
             let linear = within(&linear, &range);
-            let mut found = Findings::<N>::new();
+            let mut found = Findings::<N>::ZERO;
             for (k, cell) in range.enumerate() {
                 let (u, b) = (at(&product, k), at(&linear, k));
                 let g = std::array::from_fn(|c| u[c] + (b[c] - datum[c]) - multiplier[c]);
@@ -180,13 +184,6 @@ struct Sums<const N: usize> {
 }
 
 impl<const N: usize> Tally for Sums<N> {
-    const ZERO: Self = Self {
-        energy: 0.0,
-        squares: 0.0,
-        sum: [0.0; N],
-        magnitude: 0.0,
-    };
-
     #[inline]
     fn plus(self, other: Self) -> Self {
         Self {
@@ -221,6 +218,30 @@ impl<const N: usize> Sums<N> {
     }
 }
 
+impl<const N: usize> Words for Sums<N> {
+    const COUNT: usize = 3 + N;
+    const ZERO: Self = Self {
+        energy: 0.0,
+        squares: 0.0,
+        sum: [0.0; N],
+        magnitude: 0.0,
+    };
+
+    fn write(self, words: &mut Vec<u64>) {
+        (self.energy, self.squares, self.sum, self.magnitude).write(words);
+    }
+
+    fn read(words: &mut &[u64]) -> Self {
+        let (energy, squares, sum, magnitude) = Words::read(words);
+        Self {
+            energy,
+            squares,
+            sum,
+            magnitude,
+        }
+    }
+}
+
 /// What the cells that can move show.
 #[derive(Clone, Copy)]
 struct Findings<const N: usize> {
@@ -236,19 +257,39 @@ struct Findings<const N: usize> {
     pushed: [f64; N],
 }
 
-impl<const N: usize> Findings<N> {
-    fn new() -> Self {
-        Self {
-            displacement: 0.0,
-            forbidden: 0.0,
-            largest: 0.0,
-            free: 0,
-            dual: 0.0,
-            squares: 0.0,
-            pushed: [0.0; N],
-        }
+impl<const N: usize> Words for Findings<N> {
+    const COUNT: usize = 6 + N;
+    const ZERO: Self = Self {
+        displacement: 0.0,
+        forbidden: 0.0,
+        largest: 0.0,
+        free: 0,
+        dual: 0.0,
+        squares: 0.0,
+        pushed: [0.0; N],
+    };
+
+    fn write(self, words: &mut Vec<u64>) {
+        (self.displacement, self.forbidden, self.largest, self.free).write(words);
+        (self.dual, self.squares, self.pushed).write(words);
     }
 
+    fn read(words: &mut &[u64]) -> Self {
+        let (displacement, forbidden, largest, free) = Words::read(words);
+        let (dual, squares, pushed) = Words::read(words);
+        Self {
+            displacement,
+            forbidden,
+            largest,
+            free,
+            dual,
+            squares,
+            pushed,
+        }
+    }
+}
+
+impl<const N: usize> Findings<N> {
     #[inline]
     fn add<S: Admissible<N>>(
         &mut self,

@@ -20,6 +20,7 @@ use crate::cgm::turn::{SINGLE, Turn};
 use crate::cgm::vector::{at, dot, norm, plus, slices, update_cells};
 use crate::cgm::{Admissible, Constraint, reduce};
 use crate::error::{Error, Result, non_negative};
+use crate::layout::Layout;
 use crate::operator::Operator;
 use crate::report::Status;
 
@@ -166,11 +167,11 @@ impl Linearised<2> for Disc {
     }
 
     fn reach(
-        cells: usize,
+        layout: &Layout,
         constraint: &impl Constraint<2, Set = Self>,
         sums: [Option<f64>; 2],
     ) -> Result<Reach<2>> {
-        let limit = reduce::total_of(cells, |i| constraint.of(i).radius);
+        let limit = reduce::total_of(layout, |i| constraint.of(i).radius);
         let total = sums.map(|sum| sum.unwrap_or(0.0));
         let size = norm(total);
         if size.is_nan() || size > limit * (1.0 + EDGE) {
@@ -186,6 +187,7 @@ impl Linearised<2> for Disc {
     /// `q_i = P_i(q_i + t)`, with one `t` for all. The sums are the gradient of a convex function of `t`: Newton's
     /// method, damped.
     fn restore(
+        layout: &Layout,
         mut q: [&mut [f64]; 2],
         constraint: &impl Constraint<2, Set = Self>,
         _: impl Fn(usize) -> bool + Sync,
@@ -194,7 +196,7 @@ impl Linearised<2> for Disc {
         let mut t = [0.0; 2];
         if sums != [None, None] {
             let old = slices(&q);
-            let mut best = shifted(&old, constraint, sums, t);
+            let mut best = shifted(layout, &old, constraint, sums, t);
             for _ in 0..100 {
                 if norm(best.missing) <= 1e-14 * best.size {
                     break;
@@ -204,7 +206,7 @@ impl Linearised<2> for Disc {
                 let parts = std::iter::successors(Some(1.0), |part| Some(0.5 * part));
                 let nearer = parts.take_while(|part| *part >= 1e-9).find_map(|part| {
                     let next = plus(t, part, step);
-                    let found = shifted(&old, constraint, sums, next);
+                    let found = shifted(layout, &old, constraint, sums, next);
                     (norm(found.missing) < norm(best.missing)).then_some((next, found))
                 });
                 match nearer {
@@ -237,12 +239,13 @@ struct Shifted {
 }
 
 fn shifted(
+    layout: &Layout,
     q: &[&[f64]; 2],
     constraint: &impl Constraint<2, Set = Disc>,
     sums: [Option<f64>; 2],
     t: [f64; 2],
 ) -> Shifted {
-    let (found, slope, size) = reduce::sum(q[0].len(), |i| {
+    let (found, slope, size) = reduce::sum(layout, |i| {
         let moved = plus(at(q, i), 1.0, t);
         let (disc, length) = (constraint.of(i), norm(moved));
         let nearest = disc.project(moved);

@@ -122,9 +122,12 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         let (directions, last, spread) = (&w.inner.direction, &w.inner.last_residual, &w.spread);
         let motions = &w.motions;
         let data = (
-            (chunks(&mut self.x), chunks(&mut w.gradient)),
             (
-                chunks(&mut w.direction),
+                chunks(&self.problem.layout, &mut self.x),
+                chunks(&self.problem.layout, &mut w.gradient),
+            ),
+            (
+                chunks(&self.problem.layout, &mut w.direction),
                 w.moving.compressed(&mut w.inner.residual),
             ),
         );
@@ -231,7 +234,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         let (residual, correction, spread) = (&w.inner.residual, &w.inner.correction, &w.spread);
         let has_change = norm(change) != 0.0;
         let compressed = w.moving.compressed(&mut w.inner.direction);
-        let data = (chunks(&mut w.direction), compressed);
+        let data = (chunks(&self.problem.layout, &mut w.direction), compressed);
         w.moving.sweep(data, |entries, (mut full, compressed)| {
             let residual = &residual[entries.range.clone()];
             let correction = &correction[entries.range.clone()];

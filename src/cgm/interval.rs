@@ -5,6 +5,7 @@ use crate::cgm::run::Run;
 use crate::cgm::vector::update_cells;
 use crate::cgm::{Admissible, Constraint, reduce};
 use crate::error::{Error, Result};
+use crate::layout::Layout;
 use crate::operator::Operator;
 use crate::report::Status;
 
@@ -194,14 +195,14 @@ impl Linearised<1> for Interval {
     }
 
     fn reach(
-        cells: usize,
+        layout: &Layout,
         constraint: &impl Constraint<1, Set = Self>,
         [sum]: [Option<f64>; 1],
     ) -> Result<Reach<1>> {
         let Some(total) = sum else {
             return Ok(Reach::Inside);
         };
-        let [lower, upper, lower_size, upper_size] = reduce::sums(cells, |i| {
+        let [lower, upper, lower_size, upper_size] = reduce::sum(layout, |i| {
             let Self { lower, upper } = constraint.of(i);
             [lower, upper, lower.abs(), upper.abs()]
         });
@@ -224,15 +225,16 @@ impl Linearised<1> for Interval {
     }
 
     fn restore(
+        layout: &Layout,
         [x]: [&mut [f64]; 1],
         constraint: &impl Constraint<1, Set = Self>,
         preferred: impl Fn(usize) -> bool + Sync,
         [sum]: [Option<f64>; 1],
     ) -> bool {
         let Some(total) = sum else { return true };
-        let suffices = shift_to_total(x, constraint, preferred, total);
+        let suffices = shift_to_total(layout, x, constraint, preferred, total);
         if !suffices {
-            shift_to_total(x, constraint, |_| true, total);
+            shift_to_total(layout, x, constraint, |_| true, total);
         }
         suffices
     }
@@ -250,18 +252,20 @@ pub(super) const EDGE: f64 = 1e-12;
 /// Moves the selected cells to the nearest points of their intervals that have the total:
 /// `x_i = P_i(x_i + t)`, with one `t` for all. Returns whether the total was reached.
 pub(super) fn shift_to_total(
+    layout: &Layout,
     x: &mut [f64],
     constraint: &impl Constraint<1, Set = Interval>,
     selected: impl Fn(usize) -> bool + Sync,
     total: f64,
 ) -> bool {
     // A `t` far larger than what it leaves rounds that off; from there the next one is small.
-    (0..2).any(|_| shift(x, constraint, &selected, total))
+    (0..2).any(|_| shift(layout, x, constraint, &selected, total))
 }
 
 /// One move. The sum grows with `t` piecewise linearly, so Newton's method between brackets ends in a
 /// few passes.
 fn shift(
+    layout: &Layout,
     x: &mut [f64],
     constraint: &impl Constraint<1, Set = Interval>,
     selected: impl Fn(usize) -> bool + Sync,
@@ -270,7 +274,7 @@ fn shift(
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     let mut shift = 0.0;
     for _ in 0..200 {
-        let [sum, moving, magnitude, may_rise, may_fall] = reduce::sums(x.len(), |i| {
+        let [sum, moving, magnitude, may_rise, may_fall] = reduce::sum(layout, |i| {
             if !selected(i) {
                 return [x[i], 0.0, x[i].abs(), 0.0, 0.0];
             }
@@ -316,6 +320,6 @@ fn shift(
             [value]
         }
     });
-    let [sum, magnitude] = reduce::sums(x.len(), |i| [x[i], x[i].abs()]);
+    let [sum, magnitude] = reduce::sum(layout, |i| [x[i], x[i].abs()]);
     (total - sum).abs() <= 1e-12 * magnitude
 }

@@ -52,7 +52,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     fn is_feasible(&self, multiplier: [f64; N]) -> bool {
         let constraint = &self.problem.constraint;
         let x = slices(&self.x);
-        let sums = sums_of(&x);
+        let sums = sums_of(self.layout(), &x);
         let has_total = |c: usize| match self.problem.totals[c] {
             Total::Free => multiplier[c] == 0.0,
             Total::Sum(sum) => (sum - sums[c][0]).abs() <= ROUND_OFF * sums[c][1],
@@ -62,6 +62,6 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             }
         };
         (0..N).all(has_total)
-            && reduce::first(self.cells(), |i| constraint.of(i).excess(at(&x, i)) != 0.0).is_none()
+            && !reduce::any(self.layout(), |i| constraint.of(i).excess(at(&x, i)) != 0.0)
     }
 }

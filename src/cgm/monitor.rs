@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 
 use crate::cgm::Settings;
 use crate::clock::Instant;
+use crate::layout::Layout;
 use crate::report::{Iteration, Report, Status};
 
 /// A residual at which sets change by round-off alone.
@@ -12,6 +13,7 @@ const ROUND_OFF: f64 = 1e-12;
 /// Settings, observer and clock of one solve.
 pub(super) struct Monitor<'a> {
     pub(super) settings: &'a Settings,
+    layout: &'a Layout,
     observer: &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
     start: Instant,
     /// Conjugate-gradient steps so far.
@@ -26,6 +28,7 @@ impl<'a> Monitor<'a> {
     /// A clean report, and the clock set.
     pub(super) fn new(
         settings: &'a Settings,
+        layout: &'a Layout,
         observer: &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
         report: &mut Report,
     ) -> Self {
@@ -36,6 +39,7 @@ impl<'a> Monitor<'a> {
         report.history.clear();
         Self {
             settings,
+            layout,
             observer,
             start: Instant::now(),
             steps: 0,
@@ -105,14 +109,15 @@ impl<'a> Monitor<'a> {
     /// that moves the iterate or a step; one that only shows what the iterate is worth is due anyway.
     pub(super) fn ask(&mut self, free: usize, report: &Report) -> ControlFlow<Status> {
         let entry = self.entry(free, report);
-        if (self.observer)(&entry).is_break() {
-            return ControlFlow::Break(Status::Cancelled);
-        }
         let limit = self.settings.time_limit;
-        if limit.is_some_and(|limit| self.start.elapsed() >= limit) {
-            return ControlFlow::Break(Status::TimeLimit);
-        }
-        ControlFlow::Continue(())
+        let own = if (self.observer)(&entry).is_break() {
+            ControlFlow::Break(Status::Cancelled)
+        } else if limit.is_some_and(|limit| self.start.elapsed() >= limit) {
+            ControlFlow::Break(Status::TimeLimit)
+        } else {
+            ControlFlow::Continue(())
+        };
+        self.layout.decided(own)
     }
 
     /// The last word: what the examined iterate shows, whatever the iteration thought of it.

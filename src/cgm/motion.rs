@@ -6,6 +6,7 @@
 use crate::cgm::run::Run;
 use crate::cgm::{Admissible, Constraint};
 use crate::error::Result;
+use crate::layout::Layout;
 use crate::operator::Operator;
 use crate::report::Status;
 
@@ -112,7 +113,7 @@ pub trait Linearised<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'st
 
     /// Where prescribed sums lie, or an error if the sets cannot hold them.
     fn reach(
-        cells: usize,
+        layout: &Layout,
         constraint: &impl Constraint<N, Set = Self>,
         sums: [Option<f64>; N],
     ) -> Result<Reach<N>>
@@ -122,6 +123,7 @@ pub trait Linearised<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'st
     /// Moves the cells within their sets to the nearest points that have the sums, those of `preferred` alone if
     /// they suffice; says whether they did.
     fn restore(
+        layout: &Layout,
         x: [&mut [f64]; N],
         constraint: &impl Constraint<N, Set = Self>,
         preferred: impl Fn(usize) -> bool + Sync,

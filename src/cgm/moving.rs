@@ -4,7 +4,8 @@ use std::ops::Range;
 
 use crate::cgm::motion::Motion;
 use crate::cgm::reduce::Tally;
-use crate::parallel::{self, Blocks, CHUNK, Ragged, Split, blocks};
+use crate::layout::Layout;
+use crate::parallel::{Blocks, Ragged, Split};
 
 /// Where the cells that move stand, chunk by chunk of the grid.
 ///
@@ -12,12 +13,15 @@ use crate::parallel::{self, Blocks, CHUNK, Ragged, Split, blocks};
 /// `starts[t]..starts[t + 1]` of it.
 #[derive(Debug, Clone)]
 pub(super) struct MovingCells {
-    /// How far from the chunk's first cell they lie; chunk `t` keeps its list at `t * CHUNK`.
+    layout: Layout,
+    /// How far from the chunk's first cell they lie; the list of a chunk lies where its cells do.
     offsets: Vec<u16>,
     counts: Vec<usize>,
     starts: Vec<usize>,
     /// Where the chunks of a full vector start, and its end.
     firsts: Vec<usize>,
+    /// Cells that move on all ranks together.
+    all: usize,
 }
 
 /// The cells that move of one chunk.
@@ -85,21 +89,25 @@ impl Entries<'_> {
 }
 
 impl MovingCells {
-    pub(super) fn with_capacity(len: usize) -> Self {
-        let chunks = len.div_ceil(CHUNK);
+    /// Of cells that lie so; none moves.
+    pub(super) fn new(layout: Layout) -> Self {
+        let (cells, chunks) = (layout.cells(), layout.tasks());
+        let first = |chunk: usize| (chunk * layout.chunk()).min(cells);
         Self {
-            offsets: vec![0; len],
+            offsets: vec![0; cells],
             counts: vec![0; chunks],
             starts: vec![0; chunks + 1],
-            firsts: (0..=chunks).map(|chunk| (chunk * CHUNK).min(len)).collect(),
+            firsts: (0..=chunks).map(first).collect(),
+            all: 0,
+            layout,
         }
     }
 
     /// Lists the cells that move.
     pub(super) fn update(&mut self, moves: impl Fn(usize) -> bool + Sync) {
-        let len = self.offsets.len();
+        let layout = &self.layout;
         let data = (
-            blocks(&mut self.offsets),
+            layout.blocks(&mut self.offsets),
             Blocks {
                 items: &mut self.counts,
                 width: 1,
@@ -108,13 +116,14 @@ impl MovingCells {
         let work = |task: usize, (list, counts): (Blocks<'_, u16>, Blocks<'_, usize>)| {
             let mut count = 0;
             // A chunk has fewer cells than a u16 has values.
-            for (offset, cell) in (0_u16..).zip(chunk(task, len)) {
+            for (offset, cell) in (0_u16..).zip(layout.range(task)) {
                 list.items[count] = offset;
                 count += usize::from(moves(cell));
             }
             counts.items[0] = count;
+            count
         };
-        parallel::sweep(0..len.div_ceil(CHUNK), data, &work, &|(), ()| ());
+        self.all = layout.sweep(data, work, |a, b| a + b);
         let mut start = 0;
         for (next, count) in self.starts[1..].iter_mut().zip(&self.counts) {
             start += count;
@@ -122,9 +131,40 @@ impl MovingCells {
         }
     }
 
-    /// Cells that move.
+    /// Cells that move and are held here.
     pub(super) fn len(&self) -> usize {
         self.starts[self.counts.len()]
+    }
+
+    /// Cells that move on all ranks together.
+    pub(super) fn of_all_ranks(&self) -> usize {
+        self.all
+    }
+
+    /// Whether a cell does not move.
+    pub(super) fn leaves_any(&self) -> bool {
+        self.all < self.layout.of_all_ranks()
+    }
+
+    /// Whether a condition holds for any of the motions that are kept.
+    pub(super) fn any<M: Motion<N>, const N: usize>(
+        &self,
+        motions: &[M],
+        holds: impl Fn(M) -> bool + Sync,
+    ) -> bool {
+        let starts = if M::IS_STEADY {
+            &self.starts
+        } else {
+            &self.firsts
+        };
+        let of = |chunk: usize| &motions[starts[chunk]..starts[chunk + 1]];
+        let work = |chunk: usize, ()| of(chunk).iter().any(|&motion| holds(motion));
+        self.layout.sweep((), work, |a, b| a || b)
+    }
+
+    /// Sums over the parts of a compressed vector.
+    pub(super) fn sum<T: Tally>(&self, leaf: impl Fn(Range<usize>) -> T + Sync) -> T {
+        self.sweep((), |entries, ()| leaf(entries.range))
     }
 
     /// A compressed vector, of which each chunk owns its part.
@@ -150,15 +190,6 @@ impl MovingCells {
         }
     }
 
-    /// The same to read, in one piece.
-    pub(super) fn kept<'a, M: Motion<N>, const N: usize>(&self, motions: &'a [M]) -> &'a [M] {
-        if M::IS_STEADY {
-            &motions[..self.len()]
-        } else {
-            motions
-        }
-    }
-
     /// Runs `work(entries, its part of data)` for every chunk and sums what it returns.
     pub(super) fn sweep<D: Split, T: Tally>(
         &self,
@@ -168,15 +199,11 @@ impl MovingCells {
         let work = |task: usize, data: D| {
             let entries = Entries {
                 range: self.starts[task]..self.starts[task + 1],
-                chunk: chunk(task, self.offsets.len()),
-                offsets: &self.offsets[task * CHUNK..][..self.counts[task]],
+                chunk: self.layout.range(task),
+                offsets: &self.offsets[self.firsts[task]..][..self.counts[task]],
             };
             work(entries, data)
         };
-        parallel::sweep(0..self.counts.len(), data, &work, &T::plus)
+        self.layout.sweep(data, work, T::plus)
     }
-}
-
-fn chunk(task: usize, len: usize) -> Range<usize> {
-    task * CHUNK..((task + 1) * CHUNK).min(len)
 }

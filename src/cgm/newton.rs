@@ -112,7 +112,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         self.list_moving();
         let totals = self.totals_system();
         if !self.is_fresh {
-            let sums = std::array::from_fn(|c| reduce::total(self.x[c]));
+            let sums = std::array::from_fn(|c| reduce::total(self.layout(), self.x[c]));
             self.spread_missing(&totals, sums);
             self.ask()?;
             self.refresh_f32();
@@ -133,7 +133,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         let w = &mut *self.workspace;
         if !MotionOf::<K, N>::IS_STEADY {
             w.moving.update(|i| w.motions[i].moves());
-            if w.moving.len() == 0 {
+            if w.moving.of_all_ranks() == 0 {
                 match self.stand_at_bounds() {
                     Some(Standing::Rests) => {}
                     Some(Standing::Pushed) => self.release(false),
@@ -224,7 +224,10 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         self.is_fresh = false;
         let w = &mut *self.workspace;
         let (gradient, multiplier) = (slices(&w.gradient), w.multiplier);
-        let data = (chunks(&mut self.x), w.moving.motions(&mut w.motions));
+        let data = (
+            chunks(&self.problem.layout, &mut self.x),
+            w.moving.motions(&mut w.motions),
+        );
         w.moving.sweep(data, |entries, (mut x, motions)| {
             let mut changed = 0_usize;
             entries.visit::<MotionOf<K, N>, N>(|kept, place| {

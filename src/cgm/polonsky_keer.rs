@@ -8,11 +8,12 @@ use std::ops::ControlFlow;
 
 use crate::cgm::interval::{Side, shift_to_total};
 use crate::cgm::motion::Motion;
+use crate::cgm::reduce::Tally;
 use crate::cgm::run::{Precision, Run};
 use crate::cgm::vector::{at, plus, slices, update_cells};
 use crate::cgm::{Admissible, Constraint, Interval, reduce};
 use crate::operator::Operator;
-use crate::parallel::{self, Blocks, CHUNK, blocks};
+use crate::parallel::Blocks;
 use crate::report::Status;
 
 /// Steps between fresh products when nothing forces one.
@@ -99,7 +100,7 @@ impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, 
     fn set_mean_of_free(&mut self) -> usize {
         let w = &mut *self.workspace;
         let [gradient] = &w.gradient;
-        let (count, sum) = reduce::over_chunks(w.motions.len(), |range| {
+        let (count, sum) = reduce::over_chunks(&self.problem.layout, |range| {
             let free = range.filter(|&i| w.motions[i] == Side::Free);
             free.fold((0_usize, 0.0), |(count, sum), i| {
                 (count + 1, sum + gradient[i])
@@ -114,7 +115,7 @@ impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, 
     /// `R = sum r^2` on the free entries (eq 20).
     fn squares_of_free(&self) -> f64 {
         let r = self.residual_if_free();
-        reduce::sum(self.cells(), |i| r(i).powi(2))
+        reduce::sum(self.layout(), |i| r(i).powi(2))
     }
 
     fn set_direction_of_free(&mut self, conjugation: f64, free: usize) {
@@ -130,7 +131,7 @@ impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, 
         });
         if has_total && free > 0 {
             let [direction] = &w.direction;
-            let mean = reduce::sum(state.len(), |i| direction[i]) / free as f64;
+            let mean = reduce::sum(&self.problem.layout, |i| direction[i]) / free as f64;
             update_cells(&mut w.direction, |i, [d]| {
                 [if state[i] == Side::Free { d - mean } else { d }]
             });
@@ -141,7 +142,7 @@ impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, 
     fn length_of_free(&self) -> f64 {
         let w = &*self.workspace;
         let ([direction], [image], r) = (&w.direction, &w.image, self.residual_if_free());
-        let [along, curvature, square] = reduce::sums(self.cells(), |i| {
+        let [along, curvature, square] = reduce::sum(self.layout(), |i| {
             let d = direction[i];
             [r(i) * d, d * image[i], d * d]
         });
@@ -156,7 +157,7 @@ impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, 
     /// `x -= tau d` on the free entries, clipped (eq 21'); entries at a bound whose residual points
     /// inward follow theirs and become free (eqs 22, 23).
     fn step_and_clip(&mut self, length: f64) -> Moves {
-        let constraint = &self.problem.constraint;
+        let (constraint, layout) = (&self.problem.constraint, &self.problem.layout);
         let w = &mut *self.workspace;
         let ([gradient], [direction], [multiplier]) = (&w.gradient, &w.direction, w.multiplier);
         let work = |task: usize, (x, state): (Blocks<'_, f64>, Blocks<'_, Side>)| {
@@ -164,7 +165,7 @@ impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, 
                 clipped: 0,
                 entered: 0,
             };
-            for ((i, x), state) in (task * CHUNK..).zip(x.items).zip(state.items) {
+            for ((i, x), state) in (task * layout.chunk()..).zip(x.items).zip(state.items) {
                 let r = gradient[i] - multiplier;
                 let interval = constraint.of(i);
                 match *state {
@@ -188,16 +189,13 @@ impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, 
                     _ => {}
                 }
             }
-            moves
+            [moves.clipped, moves.entered]
         };
         let [x] = &mut self.x;
-        let tasks = x.len().div_ceil(CHUNK);
-        let data = (blocks(x), blocks(&mut w.motions));
+        let data = (layout.blocks(x), layout.blocks(&mut w.motions));
         self.is_fresh = false;
-        parallel::sweep(0..tasks, data, &work, &|a, b| Moves {
-            clipped: a.clipped + b.clipped,
-            entered: a.entered + b.entered,
-        })
+        let [clipped, entered] = layout.sweep(data, work, Tally::plus);
+        Moves { clipped, entered }
     }
 
     /// The product after a step that clipped nothing, without a new one.
@@ -216,9 +214,10 @@ impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, 
             return;
         };
         let (state, constraint) = (&self.workspace.motions, &self.problem.constraint);
+        let layout = &self.problem.layout;
         let [x] = &mut self.x;
-        if !shift_to_total(x, constraint, |i| state[i] == Side::Free, total) {
-            shift_to_total(x, constraint, |_| true, total);
+        if !shift_to_total(layout, x, constraint, |i| state[i] == Side::Free, total) {
+            shift_to_total(layout, x, constraint, |_| true, total);
             self.mark_start();
         }
     }

@@ -10,6 +10,7 @@ use crate::cgm::totals::Total;
 use crate::cgm::vector::{at, minus};
 use crate::cgm::{Constraint, Known, Method, MotionOf, Settings, Workspace, set};
 use crate::error::{Error, Result, all_finite, finite, length, positive};
+use crate::layout::Layout;
 use crate::operator::{Identity, Operator};
 use crate::parallel;
 use crate::report::{Iteration, Report, Status};
@@ -19,6 +20,7 @@ use crate::report::{Iteration, Report, Status};
 pub struct Problem<'a, C, K, P = Identity, const N: usize = 1> {
     pub(super) operator: C,
     pub(super) preconditioner: P,
+    pub(super) layout: Layout,
     linear: [&'a [f64]; N],
     datum: [f64; N],
     pub(super) constraint: K,
@@ -31,6 +33,7 @@ impl<'a, C: Operator<N>, K: Constraint<N>, const N: usize> Problem<'a, C, K, Ide
     pub fn new(operator: C, linear: [&'a [f64]; N], constraint: K) -> Self {
         let preconditioner = Identity::new(operator.cells());
         Self {
+            layout: operator.layout(),
             operator,
             preconditioner,
             linear,
@@ -62,6 +65,7 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
         Problem {
             operator: self.operator,
             preconditioner,
+            layout: self.layout,
             linear: self.linear,
             datum: self.datum,
             constraint: self.constraint,
@@ -88,6 +92,7 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
         multiplier: [f64; N],
     ) -> Iterate<'b, N> {
         Iterate {
+            layout: &self.layout,
             x,
             product,
             linear: self.linear,
@@ -213,12 +218,13 @@ pub(crate) fn minimise_from<C: Operator<N>, K: Constraint<N>, P: Operator<N>, co
     workspace: &mut Workspace<C, P, MotionOf<K, N>, N>,
     observer: &mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
 ) -> Result<()> {
-    problem.check(settings, &x)?;
     let cells = x[0].len();
-    length("workspace", cells, workspace.motions.len())?;
+    let checked = problem.check(settings, &x);
+    let checked = checked.and_then(|()| length("workspace", cells, workspace.motions.len()));
+    problem.layout.agreed(checked)?;
     let solve = || -> Result<Status> {
         let sums = problem.totals.map(Total::sum);
-        let reach = K::Set::reach(cells, &problem.constraint, sums)?;
+        let reach = K::Set::reach(&problem.layout, &problem.constraint, sums)?;
         let mut run = Run::new(problem, settings, x, workspace, observer);
         let status = match (run.multiplier_at_zero(), reach) {
             (Some(multiplier), _) => run.at_zero(multiplier),
@@ -230,7 +236,9 @@ pub(crate) fn minimise_from<C: Operator<N>, K: Constraint<N>, P: Operator<N>, co
         };
         Ok(run.finish(status))
     };
-    if parallel::enter_with(cells, solve)? == Status::Converged {
+    let status = parallel::enter_with(cells, solve)?;
+    problem.layout.check()?;
+    if status == Status::Converged {
         Ok(())
     } else {
         Err(Error::NotConverged(Box::new(workspace.report.clone())))

@@ -61,7 +61,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         }
         self.apply_to_direction(Precision::Double);
         let direction = slices(&self.workspace.direction);
-        let square = reduce::sum(self.cells(), |i| dot(at(&direction, i), at(&direction, i)));
+        let square = reduce::sum(self.layout(), |i| dot(at(&direction, i), at(&direction, i)));
         let curvature = self.curvature_of_all();
         (curvature > 0.0).then(|| square / curvature)
     }
@@ -75,14 +75,14 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         }
         let constraint = &self.problem.constraint;
         let gradient = slices(&self.workspace.gradient);
-        let (sum, count): ([f64; N], f64) = reduce::sum(self.cells(), |i| {
+        let (sum, count): ([f64; N], f64) = reduce::sum(self.layout(), |i| {
             if constraint.of(i).can_move() {
                 (at(&gradient, i), 1.0)
             } else {
                 ([0.0; N], 0.0)
             }
         });
-        let sums = sums_of(&slices(&self.x));
+        let sums = sums_of(self.layout(), &slices(&self.x));
         self.workspace.multiplier =
             std::array::from_fn(|c| totals[c].held(sum[c] / count, sums[c]));
     }
@@ -95,13 +95,19 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         let slope = |i: usize| minus(at(&gradient, i), multiplier);
         update_cells(&mut w.direction, |i, _| plus(at(&x, i), -length, slope(i)));
         if sums != [None; N] {
-            K::Set::restore(slices_mut(&mut w.direction), constraint, |_| true, sums);
+            K::Set::restore(
+                &self.problem.layout,
+                slices_mut(&mut w.direction),
+                constraint,
+                |_| true,
+                sums,
+            );
         }
         update_cells(&mut w.direction, |i, d| {
             minus(constraint.of(i).project(d), at(&x, i))
         });
         let direction = slices(&w.direction);
-        reduce::sums(x[0].len(), |i| {
+        reduce::sum(&self.problem.layout, |i| {
             let d = at(&direction, i);
             [dot(slope(i), d), dot(d, d)]
         })
@@ -111,7 +117,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     fn curvature_of_all(&self) -> f64 {
         let w = &*self.workspace;
         let (direction, image) = (slices(&w.direction), slices(&w.image));
-        let (bodies, sums): (f64, [f64; N]) = reduce::sum(self.cells(), |i| {
+        let (bodies, sums): (f64, [f64; N]) = reduce::sum(self.layout(), |i| {
             let d = at(&direction, i);
             (dot(d, at(&image, i)), d)
         });

@@ -95,7 +95,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             self.apply_to_direction(Precision::Single);
             let w = &mut *self.workspace;
             let (direction, image) = (slices(&w.direction), slices(&w.image));
-            let [square, along] = reduce::sums(self.x[0].len(), |i| {
+            let [square, along] = reduce::sum(&self.problem.layout, |i| {
                 let d = at(&direction, i);
                 [dot(d, d), dot(d, at(&image, i))]
             });

@@ -1,28 +1,22 @@
-//! Every global sum, maximum and search of the engine: the one place a distributed grid would change.
+//! Every sum, maximum and search over cells.
 //!
-//! Sums follow a fixed tree of chunks, so that their bits do not depend on the number of threads.
+//! Sums follow the tree of a [`Layout`], so that their bits do not depend on the number of threads or ranks.
 
 use std::ops::Range;
 
-use crate::parallel;
-pub(crate) use crate::parallel::sums;
+use crate::layout::Layout;
+use crate::ranks::Words;
 
 /// Quantities that add up: numbers, and arrays and tuples of them.
-pub(crate) trait Tally: Copy + Send {
-    const ZERO: Self;
-
+pub(crate) trait Tally: Words {
     fn plus(self, other: Self) -> Self;
 }
 
 impl Tally for () {
-    const ZERO: Self = ();
-
     fn plus(self, (): Self) -> Self {}
 }
 
 impl Tally for f64 {
-    const ZERO: Self = 0.0;
-
     #[inline]
     fn plus(self, other: Self) -> Self {
         self + other
@@ -30,16 +24,12 @@ impl Tally for f64 {
 }
 
 impl Tally for usize {
-    const ZERO: Self = 0;
-
     fn plus(self, other: Self) -> Self {
         self + other
     }
 }
 
 impl<T: Tally, const K: usize> Tally for [T; K] {
-    const ZERO: Self = [T::ZERO; K];
-
     #[inline]
     fn plus(mut self, other: Self) -> Self {
         for (a, b) in self.iter_mut().zip(other) {
@@ -53,8 +43,6 @@ impl<T: Tally, const K: usize> Tally for [T; K] {
 macro_rules! tally_of_tuple {
     ($($part:ident $place:tt),+) => {
         impl<$($part: Tally),+> Tally for ($($part,)+) {
-            const ZERO: Self = ($($part::ZERO,)+);
-
             #[inline]
             fn plus(self, other: Self) -> Self {
                 ($(self.$place.plus(other.$place),)+)
@@ -67,19 +55,19 @@ tally_of_tuple!(A 0, B 1);
 tally_of_tuple!(A 0, B 1, C 2);
 tally_of_tuple!(A 0, B 1, C 2, D 3);
 
-/// What the chunks of `0..len` add up to.
-pub(crate) fn over_chunks<T: Tally>(len: usize, leaf: impl Fn(Range<usize>) -> T + Sync) -> T {
-    parallel::fold(len, leaf, T::plus)
+/// What the chunks add up to.
+pub(crate) fn over_chunks<T: Tally>(layout: &Layout, leaf: impl Fn(Range<usize>) -> T + Sync) -> T {
+    layout.fold(leaf, T::plus)
 }
 
 /// The sum of a slice.
-pub(crate) fn total(values: &[f64]) -> f64 {
-    over_chunks(values.len(), |range| in_lanes(&values[range]))
+pub(crate) fn total(layout: &Layout, values: &[f64]) -> f64 {
+    over_chunks(layout, |range| in_lanes(&values[range]))
 }
 
-/// The sum of `f(i)` over `0..len`, bit for bit that of the slice of these values.
-pub(crate) fn total_of(len: usize, f: impl Fn(usize) -> f64 + Sync) -> f64 {
-    over_chunks(len, |range| {
+/// The sum of `f(i)` over the cells, bit for bit that of the slice of these values.
+pub(crate) fn total_of(layout: &Layout, f: impl Fn(usize) -> f64 + Sync) -> f64 {
+    over_chunks(layout, |range| {
         let mut lanes = [0.0; 8];
         let whole = range.start + range.len() / 8 * 8;
         for i in range.start..whole {
@@ -103,9 +91,9 @@ pub(crate) fn in_lanes(values: &[f64]) -> f64 {
     lanes.iter().sum::<f64>() + rest
 }
 
-/// `sum f(i)` over `0..len`.
-pub(crate) fn sum<T: Tally>(len: usize, f: impl Fn(usize) -> T + Sync) -> T {
-    over_chunks(len, |range| range.map(&f).fold(T::ZERO, T::plus))
+/// `sum f(i)` over the cells.
+pub(crate) fn sum<T: Tally>(layout: &Layout, f: impl Fn(usize) -> T + Sync) -> T {
+    over_chunks(layout, |range| range.map(&f).fold(T::ZERO, T::plus))
 }
 
 /// The larger of two numbers; NaN if either is.
@@ -114,38 +102,38 @@ pub(crate) fn larger(a: f64, b: f64) -> f64 {
     if b > a || b.is_nan() { b } else { a }
 }
 
-/// `max f(i)` over `0..len` of non-negative quantities; NaN wins, so that it is seen.
-pub(crate) fn max(len: usize, f: impl Fn(usize) -> f64 + Sync) -> f64 {
-    parallel::fold(len, |range| range.map(&f).fold(0.0, larger), larger)
+/// `max f(i)` over the cells of non-negative quantities; NaN wins, so that it is seen.
+pub(crate) fn max(layout: &Layout, f: impl Fn(usize) -> f64 + Sync) -> f64 {
+    layout.fold(|range| range.map(&f).fold(0.0, larger), larger)
 }
 
-/// Index of the least `f(i)` among the entries where it is given, the first of equals.
-pub(crate) fn least(len: usize, f: impl Fn(usize) -> Option<f64> + Sync) -> Option<(usize, f64)> {
-    let lesser = |a: Option<(usize, f64)>, b: Option<(usize, f64)>| match (a, b) {
-        (Some(a), Some(b)) => Some(if b.1 < a.1 { b } else { a }),
+/// The least of the values `f(i)` where they are given, and what is told of its cell; the first of equals.
+pub(crate) fn least<T: Words>(
+    layout: &Layout,
+    f: impl Fn(usize) -> Option<(f64, T)> + Sync,
+) -> Option<(f64, T)> {
+    let lesser = |a: Option<(f64, T)>, b: Option<(f64, T)>| match (a, b) {
+        (Some(a), Some(b)) => Some(if b.0 < a.0 { b } else { a }),
         (a, b) => a.or(b),
     };
-    parallel::fold(
-        len,
-        |range| {
-            range
-                .map(|i| f(i).map(|value| (i, value)))
-                .fold(None, lesser)
-        },
-        lesser,
-    )
+    layout.fold(|range| range.map(&f).fold(None, lesser), lesser)
 }
 
-/// The first index where a condition holds.
-pub(crate) fn first(len: usize, holds: impl Fn(usize) -> bool + Sync) -> Option<usize> {
-    parallel::fold(len, |mut range| range.find(|&i| holds(i)), Option::or)
+/// The first of the values `f(i)` that is given.
+pub(crate) fn first<T: Words>(layout: &Layout, f: impl Fn(usize) -> Option<T> + Sync) -> Option<T> {
+    layout.fold(|mut range| range.find_map(&f), Option::or)
 }
 
-/// Any other quantity of chunks, combined pairwise in the fixed tree.
-pub(crate) fn fold<T: Send>(
-    len: usize,
+/// Whether a condition holds in any cell.
+pub(crate) fn any(layout: &Layout, holds: impl Fn(usize) -> bool + Sync) -> bool {
+    layout.fold(|mut range| range.any(&holds), |a, b| a || b)
+}
+
+/// Any other quantity of chunks, combined pairwise in the tree.
+pub(crate) fn fold<T: Words>(
+    layout: &Layout,
     leaf: impl Fn(Range<usize>) -> T + Sync,
     combine: impl Fn(T, T) -> T + Sync,
 ) -> T {
-    parallel::fold(len, leaf, combine)
+    layout.fold(leaf, combine)
 }

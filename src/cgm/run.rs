@@ -9,6 +9,7 @@ use crate::cgm::progress::INNER_REDUCTION;
 use crate::cgm::totals::{Total, sums_of};
 use crate::cgm::vector::{at, dot, minus, norm, plus, slices, slices_mut, update_cells};
 use crate::cgm::{Admissible, Constraint, MotionOf, Problem, Settings, Workspace, reduce};
+use crate::layout::Layout;
 use crate::operator::Operator;
 use crate::report::{Iteration, Report, Status};
 
@@ -101,7 +102,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
     ) -> Self {
         workspace.multiplier = [0.0; N];
         Self {
-            monitor: Monitor::new(settings, observer, &mut workspace.report),
+            monitor: Monitor::new(settings, &problem.layout, observer, &mut workspace.report),
             // A bound that is not a number, or negative, says nothing.
             lower_bound: problem.operator.lower_bound().max(0.0),
             problem,
@@ -118,8 +119,9 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         }
     }
 
-    pub(super) fn cells(&self) -> usize {
-        self.x[0].len()
+    /// How the cells lie.
+    pub(super) fn layout(&self) -> &'a Layout {
+        &self.problem.layout
     }
 
     /// The prescribed sums.
@@ -157,7 +159,8 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
             self.problem.totals.map(Total::sum),
         );
         self.is_fresh = false;
-        K::Set::restore(slices_mut(&mut self.x), constraint, preferred, sums)
+        let layout = &self.problem.layout;
+        K::Set::restore(layout, slices_mut(&mut self.x), constraint, preferred, sums)
     }
 
     /// `image = C direction`.
@@ -215,11 +218,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         let is_flat = self.problem.totals.contains(&Total::Free)
             && (curvature < FLAT * stiffness || curvature == 0.0);
         let (moving, motions) = (&self.workspace.moving, &self.workspace.motions);
-        let motions = moving.kept(motions);
-        let slides = || {
-            motions.len() == self.cells()
-                && reduce::first(motions.len(), |i| !motions[i].is_free()).is_none()
-        };
+        let slides = || !moving.leaves_any() && !moving.any(motions, |motion| !motion.is_free());
         let flattest = if stiffness > 0.0 {
             FLATTEST * stiffness
         } else {
@@ -271,13 +270,17 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         let Problem {
             constraint, totals, ..
         } = self.problem;
-        let cells = self.cells();
-        let first = reduce::first(cells, |i| constraint.of(i).can_move());
+        let linear = |i: usize| self.problem.linear(i);
+        let first = || {
+            reduce::first(self.layout(), |i| {
+                constraint.of(i).can_move().then(|| linear(i))
+            })
+        };
         let mut multiplier = [0.0; N];
         for (c, total) in totals.iter().enumerate() {
             multiplier[c] = match *total {
                 Total::Free => 0.0,
-                Total::Sum(0.0) => first.map_or(0.0, |i| self.problem.linear(i)[c]),
+                Total::Sum(0.0) => first().map_or(0.0, |linear| linear[c]),
                 Total::Sum(_) => return None,
                 Total::Spring { far_end, .. } => far_end,
             };
@@ -293,9 +296,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
             };
             !rests || norm(set.project([0.0; N])) != 0.0
         };
-        reduce::first(cells, is_driven)
-            .is_none()
-            .then_some(multiplier)
+        (!reduce::any(self.layout(), is_driven)).then_some(multiplier)
     }
 
     pub(super) fn at_zero(&mut self, multiplier: [f64; N]) -> Status {
@@ -317,13 +318,13 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         self.is_extreme = true;
         self.refresh();
         let gradient = slices(&self.workspace.gradient);
-        let onset = reduce::least(self.cells(), |i| {
-            let moves = constraint.of(i).can_move();
-            moves.then(|| -dot(at(&gradient, i), direction))
+        let onset = reduce::least(self.layout(), |i| {
+            let (moves, g) = (constraint.of(i).can_move(), at(&gradient, i));
+            moves.then(|| (-dot(g, direction), g))
         });
-        let sums = sums_of(&slices(&self.x));
+        let sums = sums_of(self.layout(), &slices(&self.x));
         self.workspace.multiplier = std::array::from_fn(|c| {
-            let last = onset.map_or(0.0, |(cell, _)| gradient[c][cell]);
+            let last = onset.map_or(0.0, |(_, g)| g[c]);
             totals[c].held(last, sums[c])
         });
         Status::Converged
@@ -335,7 +336,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         let mut keeps_sets = true;
         let constraint = &self.problem.constraint;
         let x = slices(&self.x);
-        let outside = reduce::max(self.cells(), |i| constraint.of(i).excess(at(&x, i)));
+        let outside = reduce::max(self.layout(), |i| constraint.of(i).excess(at(&x, i)));
         if outside > 0.0 {
             update_cells(&mut self.x, |i, x| constraint.of(i).project(x));
             self.is_fresh = false;
@@ -345,7 +346,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         if prescribed != [None; N] && !self.is_extreme {
             let x = slices(&self.x);
             let (sums, magnitude): ([f64; N], f64) =
-                reduce::sum(self.cells(), |i| (at(&x, i), norm(at(&x, i))));
+                reduce::sum(self.layout(), |i| (at(&x, i), norm(at(&x, i))));
             let missing: [f64; N] =
                 std::array::from_fn(|c| prescribed[c].map_or(0.0, |sum| sum - sums[c]));
             if norm(missing) > 1e-13 * magnitude {
@@ -363,7 +364,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
     pub(super) fn hold_springs(&mut self) {
         let totals = self.problem.totals;
         if totals.iter().any(|total| total.is_spring()) {
-            let sums = sums_of(&slices(&self.x));
+            let sums = sums_of(self.layout(), &slices(&self.x));
             let multiplier = &mut self.workspace.multiplier;
             *multiplier = std::array::from_fn(|c| totals[c].held(multiplier[c], sums[c]));
         }

@@ -29,6 +29,7 @@ use crate::cgm::run::Run;
 use crate::cgm::small::Small;
 use crate::cgm::vector::{at, chunks, dot, held, norm, plus, put, slices, within};
 use crate::cgm::{Constraint, MotionOf};
+use crate::layout::Layout;
 use crate::operator::Operator;
 
 /// What is prescribed of the sum of one component over all cells.
@@ -124,8 +125,8 @@ impl Total {
 }
 
 /// The sum of each component over all cells, and the sum of its magnitudes.
-pub(super) fn sums_of<const N: usize>(x: &[&[f64]; N]) -> [[f64; 2]; N] {
-    reduce::sum(x[0].len(), |i| at(x, i).map(|x| [x, x.abs()]))
+pub(super) fn sums_of<const N: usize>(layout: &Layout, x: &[&[f64]; N]) -> [[f64; 2]; N] {
+    reduce::sum(layout, |i| at(x, i).map(|x| [x, x.abs()]))
 }
 
 /// The totals beside the cells as they may move at present.
@@ -228,8 +229,8 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     }
 
     fn has_free_cell(&self) -> bool {
-        let motions = self.workspace.moving.kept(&self.workspace.motions);
-        reduce::first(motions.len(), |i| motions[i].is_free()).is_some()
+        let w = &*self.workspace;
+        w.moving.any(&w.motions, Motion::is_free)
     }
 
     /// The sum of what cells can do of a uniform motion along each component.
@@ -237,7 +238,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         let w = &*self.workspace;
         let unit = |a: usize| std::array::from_fn(|c| if a == c { 1.0 } else { 0.0 });
         if !MotionOf::<K, N>::IS_CURVED {
-            let count = w.moving.len() as f64;
+            let count = w.moving.of_all_ranks() as f64;
             return Small(std::array::from_fn(|a| unit(a).map(|one: f64| one * count)));
         }
         let motions = &w.motions;
@@ -255,13 +256,15 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         unit[a] = 1.0;
         let w = &mut *self.workspace;
         let motions = &w.motions;
-        w.moving
-            .sweep(chunks(&mut w.direction), |entries, mut full| {
+        w.moving.sweep(
+            chunks(&self.problem.layout, &mut w.direction),
+            |entries, mut full| {
                 for (k, place) in entries.places().enumerate() {
                     let motion = entries.motion(motions, k, place);
                     put(&mut full, place, motion.weighted(motion.project(unit)));
                 }
-            });
+            },
+        );
         self.precondition();
         let w = &mut *self.workspace;
         let (motions, image) = (&w.motions, slices(&w.image));
@@ -297,12 +300,15 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             return;
         }
         let spread = &w.spread;
-        w.moving.sweep(chunks(&mut self.x), |entries, mut x| {
-            for (place, w) in entries.places().zip(&spread[entries.range.clone()]) {
-                let moved = (0..N).fold(held(&x, place), |x, a| plus(x, change[a], w[a]));
-                put(&mut x, place, moved);
-            }
-        });
+        w.moving.sweep(
+            chunks(&self.problem.layout, &mut self.x),
+            |entries, mut x| {
+                for (place, w) in entries.places().zip(&spread[entries.range.clone()]) {
+                    let moved = (0..N).fold(held(&x, place), |x, a| plus(x, change[a], w[a]));
+                    put(&mut x, place, moved);
+                }
+            },
+        );
         for a in (0..N).filter(|&a| system.totals[a].is_spring()) {
             w.multiplier[a] += change[a];
         }
@@ -317,7 +323,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             return;
         }
         let w = &mut *self.workspace;
-        if w.moving.len() == 0 {
+        if w.moving.of_all_ranks() == 0 {
             // All stand at their bounds: the multiplier is that of `stand_at_bounds`.
             return;
         }
@@ -332,7 +338,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             w.multiplier = mean;
             return;
         }
-        let sums = sums_of(&slices(&self.x));
+        let sums = sums_of(&self.problem.layout, &slices(&self.x));
         for a in (0..N).filter(|&a| system.totals[a].is_spring()) {
             w.multiplier[a] = system.totals[a].held(mean[a], sums[a]);
         }
@@ -353,7 +359,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     /// the upper bound and those at the lower: takes the middle. `None` where the sum is not met or not prescribed.
     pub(super) fn stand_at_bounds(&mut self) -> Option<Standing> {
         let total = self.sums()[0]?;
-        let [sum, magnitude] = sums_of(&slices(&self.x))[0];
+        let [sum, magnitude] = sums_of(&self.problem.layout, &slices(&self.x))[0];
         if (total - sum).abs() > ROUND_OFF * magnitude {
             return None;
         }
@@ -367,10 +373,10 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             along[0] = direction;
             set.can_move() && set.extreme(along)[0] - x[i] == 0.0
         };
-        let cells = x.len();
-        let above = reduce::least(cells, |i| stands_at(i, 1.0).then(|| -gradient[i]));
-        let below = reduce::least(cells, |i| stands_at(i, -1.0).then(|| gradient[i]));
-        let (above, below) = (above.map(|(_, g)| -g), below.map(|(_, g)| g));
+        let layout = self.layout();
+        let above = reduce::least(layout, |i| stands_at(i, 1.0).then(|| (-gradient[i], ())));
+        let below = reduce::least(layout, |i| stands_at(i, -1.0).then(|| (gradient[i], ())));
+        let (above, below) = (above.map(|(g, ())| -g), below.map(|(g, ())| g));
         let (low, high) = (above.or(below)?, below.or(above)?);
         self.workspace.multiplier[0] = 0.5 * (low + high);
         Some(if low <= high {

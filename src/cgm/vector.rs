@@ -2,6 +2,7 @@
 
 use std::ops::{Deref, DerefMut, Range};
 
+use crate::layout::Layout;
 use crate::parallel::{Blocks, CHUNK, blocks};
 
 /// The scalar product of two cells.
@@ -76,10 +77,11 @@ pub(crate) fn within<'a, const N: usize>(
 }
 
 /// A vector to write to, chunk by chunk.
-pub(crate) fn chunks<V: DerefMut<Target = [f64]>, const N: usize>(
-    vector: &mut [V; N],
-) -> [Blocks<'_, f64>; N] {
-    vector.each_mut().map(|part| blocks(part))
+pub(crate) fn chunks<'a, V: DerefMut<Target = [f64]>, const N: usize>(
+    layout: &Layout,
+    vector: &'a mut [V; N],
+) -> [Blocks<'a, f64>; N] {
+    vector.each_mut().map(|part| layout.blocks(part))
 }
 
 /// Replaces every cell by `f(cell, its components)`.
@@ -94,5 +96,10 @@ pub(crate) fn update_cells<V: DerefMut<Target = [f64]>, const N: usize>(
             put(&mut parts, place, value);
         }
     };
-    crate::parallel::sweep(0..tasks, chunks(vector), &work, &|(), ()| ());
+    crate::parallel::sweep(
+        0..tasks,
+        vector.each_mut().map(|part| blocks(part)),
+        &work,
+        &|(), ()| (),
+    );
 }

@@ -59,7 +59,7 @@ impl<C: Operator<N>, P: Operator<N>, M: Motion<N>, const N: usize> Workspace<C, 
             },
             spread: vec![[[0.0; N]; N]; cells],
             motions: vec![M::FIXED; cells],
-            moving: MovingCells::with_capacity(cells),
+            moving: MovingCells::new(operator.layout()),
             report: Report::with_room(),
             multiplier: [0.0; N],
         }

@@ -231,6 +231,7 @@ impl Engine {
         let problem = ConeProblem {
             operator: Arc::clone(&self.compliance.operator),
             preconditioner: Arc::clone(&self.compliance.inverse),
+            layout: &self.window.layout(),
             linear: slices(&self.asked),
             friction: Within {
                 friction: task.friction,
@@ -313,7 +314,7 @@ impl Engine {
         for (i, limit) in self.limits.iter_mut().enumerate() {
             *limit = task.friction.limit(self.window.index(i), self.x[0][i]);
         }
-        let capacity = reduce::total(&self.limits);
+        let capacity = reduce::total(&self.window.layout(), &self.limits);
         let [_, along_x, along_y] = task.totals;
         let [x, y] = [along_x, along_y].map(|total| total.sum().unwrap_or(0.0));
         let part = (HELD * capacity / x.hypot(y)).min(1.0);

@@ -66,7 +66,7 @@ impl CoupledIncrement {
             engines: Engines::default(),
             tractions: zeros_of_all(),
             displacement: zeros_of_all(),
-            pressed: Pressed::new(Window::whole(grid)),
+            pressed: Pressed::new(bodies, Window::whole(grid)),
             offset: zeros(Axis::BOTH, grid.cells()),
             linear: zeros_of_all(),
             motion: Motion::default(),
@@ -176,7 +176,7 @@ impl CoupledIncrement {
     pub(crate) fn write(&self, initial: &Field, normal: &mut NormalSolution) {
         parallel::copy(&self.tractions[0], normal.pressure_mut());
         normal.fill(
-            self.bodies.pair(),
+            &self.bodies,
             initial,
             &self.displacement[0],
             self.approach,
@@ -329,7 +329,7 @@ impl CoupledIncrement {
             multiplier = engine.multiplier();
             let (window, [delta, ..]) = (engine.window, multiplier);
             let ([displacement, ..], [gap, ..]) = (&self.displacement, &self.linear);
-            let round_off = ROUND_OFF * reduce::max(grid.cells(), |i| displacement[i].abs());
+            let round_off = ROUND_OFF * reduce::max(&grid.layout(), |i| displacement[i].abs());
             let missed = Window::around(grid, |i| {
                 displacement[i] + gap[i] - delta < -round_off && !window.contains(i)
             });

@@ -8,7 +8,7 @@ use crate::field::Field;
 use crate::passes::with_time_left;
 use crate::report::Status;
 use crate::tangential::Motion;
-use crate::window::{coarsened, refined};
+use crate::window::coarsened;
 
 /// Relative accuracy of a coarse answer.
 const COARSE_TOLERANCE: f64 = 1e-2;
@@ -63,7 +63,8 @@ impl CoupledIncrement {
         let answer = coarse.answer();
         self.set_known(coarse.approach(), answer.motion.shift);
         let [qx, qy] = answer.traction;
-        let fields = [&answer.pressed.pressure, qx, qy].map(|part| refined(size, part));
+        let fields = [&answer.pressed.pressure, qx, qy]
+            .map(|part| self.bodies.refined(&coarse.bodies, size, part));
         let [p, x, y] = fields;
         let columns = size[0].div_ceil(2);
         for (cell, pressure) in p.iter().enumerate() {

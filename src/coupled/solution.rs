@@ -57,10 +57,10 @@ impl CoupledSolution {
         }
     }
 
-    pub(super) fn fill(&mut self, gap: &Field, increment: &CoupledIncrement) {
+    pub(super) fn fill(&mut self, bodies: &HalfSpace, gap: &Field, increment: &CoupledIncrement) {
         increment.write(gap, &mut self.normal);
         self.shear
-            .fill(None, &increment.answer(), increment.report());
+            .fill(bodies, None, &increment.answer(), increment.report());
         for (field, values) in self.displacement.iter_mut().zip(increment.displacement()) {
             field.as_mut_slice().copy_from_slice(values);
         }
@@ -93,7 +93,9 @@ impl CoupledSolution {
         let [z, x, y] = self.displacement.each_ref().map(Field::as_slice);
         let [qx, qy] = self.shear.traction().map(Field::as_slice);
         let p = self.normal.pressure().as_slice();
-        let sum = reduce::sum(p.len(), |i| p[i] * z[i] + qx[i] * x[i] + qy[i] * y[i]);
+        let sum = reduce::sum(&self.normal.grid().layout(), |i| {
+            p[i] * z[i] + qx[i] * x[i] + qy[i] * y[i]
+        });
         0.5 * self.normal.grid().cell_area() * sum
     }
 

@@ -148,7 +148,7 @@ impl CoupledSolver {
             .increment
             .solve(demand, Motion::default(), &mut conditions);
         if matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
-            solution.fill(&problem.gap, &self.increment);
+            solution.fill(&problem.bodies, &problem.gap, &self.increment);
         }
         // Do not start from NaN.
         if outcome.is_err() && !self.increment.report().residual.is_finite() {

@@ -70,8 +70,9 @@ impl DenseOperator {
     /// added to every entry, which changes no answer under a total.
     ///
     /// # Errors
-    /// [`Error::TooManyCells`] above 4096 cells; as [`HalfSpace::operator`].
+    /// [`Error::TooManyCells`] above 4096 cells; as [`HalfSpace::operator`]; [`Error::Distributed`].
     pub fn of_half_space(bodies: &HalfSpace, component: Component) -> Result<Self> {
+        bodies.check_alone("a dense matrix")?;
         let grid = bodies.grid();
         check_size(grid.cells())?;
         let [odd_x, odd_y] = component.is_odd();

@@ -33,8 +33,9 @@ impl<T: Real> Plan<T> {
     /// From one padded column to the next in scratch memory: room for whole tiles, and off the powers
     /// of two, at which all columns would share one corner of the cache.
     fn column_stride(&self) -> usize {
-        self.my
-            .max(self.tiles_down() * TILE_ROWS)
+        let end = self.tile_rows.iter().map(|row| row + TILE_ROWS).max();
+        self.frame.torus[1]
+            .max(end.unwrap_or(0))
             .next_multiple_of(T::TILE_COLUMNS)
             + T::TILE_COLUMNS
     }
@@ -47,13 +48,13 @@ impl<T: Real> Plan<T> {
         occupied: &[Vec<bool>; N],
         scratch: &Pool<ColumnScratch<T, N>>,
     ) {
-        let down = self.tiles_down();
-        let fields = by_columns.each_mut().map(|tiles| blocks(tiles, down));
-        self.bands(self.tiles_across(), fields, |band, fields| {
+        let (along, own) = (self.tiles_along(), self.own_tile_columns());
+        let fields = by_columns.each_mut().map(|tiles| blocks(tiles, along));
+        self.bands(own.len(), fields, |band, fields| {
             let fields = fields.map(|field| field.items);
             scratch.lend(
                 || self.column_scratch(),
-                |scratch| self.column_band(symbol, band, fields, occupied, scratch),
+                |scratch| self.column_band(symbol, own.start + band, fields, occupied, scratch),
             );
         });
     }
@@ -69,11 +70,17 @@ impl<T: Real> Plan<T> {
     ) {
         let stride = self.column_stride();
         for n in 0..N {
-            tiles::gather(fields[n], &occupied[n], &mut scratch.columns[n], stride);
+            tiles::gather(
+                fields[n],
+                &self.tile_rows,
+                &occupied[n],
+                &mut scratch.columns[n],
+                stride,
+            );
         }
         self.multiply_band(band, scratch, |kx, waves| symbol.multiply(kx, waves));
         for (field, columns) in fields.into_iter().zip(&scratch.columns) {
-            tiles::scatter(columns, stride, field);
+            tiles::scatter(columns, stride, &self.tile_rows, field);
         }
     }
 
@@ -93,11 +100,17 @@ impl<T: Real> Plan<T> {
             scratch.lend(make, |scratch| {
                 for n in 0..N {
                     let tiles = &from[n][band * down..(band + 1) * down];
-                    tiles::gather(tiles, &occupied[n], &mut scratch.columns[n], stride);
+                    tiles::gather(
+                        tiles,
+                        &self.tile_rows,
+                        &occupied[n],
+                        &mut scratch.columns[n],
+                        stride,
+                    );
                 }
                 self.multiply_band(band, scratch, &multiply);
                 for (field, columns) in fields.into_iter().zip(&scratch.columns) {
-                    tiles::scatter(columns, stride, field.items);
+                    tiles::scatter(columns, stride, &self.tile_rows, field.items);
                 }
             });
         });
@@ -130,8 +143,8 @@ impl<T: Real> Plan<T> {
         column: &'a mut [Complex<T>],
         transform: &mut [Complex<T>],
     ) -> &'a mut [Complex<T>] {
-        let column = &mut column[..self.my];
-        column[self.ny..].fill(zero());
+        let column = &mut column[..self.frame.torus[1]];
+        column[self.frame.size[1]..].fill(zero());
         self.column_forward.process_with_scratch(column, transform);
         column
     }

@@ -1,7 +1,10 @@
 //! The half-space as an operator: convolution with influence coefficients, zero-padded or periodic.
 
+use std::sync::Arc;
+
 use crate::boundary::Boundary;
 use crate::error::Result;
+use crate::fft::frame::Frame;
 use crate::fft::length::torus;
 use crate::fft::plan::{Plan, Scratch};
 use crate::fft::single::SingleProduct;
@@ -9,8 +12,11 @@ use crate::fft::symbol::Symbol;
 use crate::fft::tiles::Tiles;
 use crate::grid::Grid;
 use crate::influence::{Component, Kernel, Samples, Symbols};
+use crate::layout::Layout;
 use crate::material::ElasticPair;
 use crate::operator::Operator;
+use crate::ranks::Team;
+use crate::share::Share;
 
 /// `u_i = sum_j C_ij * t_j` on a grid: N displacement components of every cell from N traction components
 /// of all cells, by fast transforms: one each way for each component. Without periodic images
@@ -58,7 +64,11 @@ impl Convolution {
     pub fn new(grid: Grid, pair: &ElasticPair, component: Component) -> Result<Self> {
         let reach = reach(grid.size(), Boundary::NonPeriodic);
         let table = Samples::new(grid, reach)?.table(grid, pair, component)?;
-        Ok(Self::of_kernels(grid.size(), [[&Kernel::Table(table)]]))
+        Ok(Self::of_kernels(
+            grid.size(),
+            None,
+            [[&Kernel::Table(table)]],
+        ))
     }
 
     /// The same on a grid that repeats along x and y, with the symbols of the [`influence`](crate::influence)
@@ -84,7 +94,7 @@ impl Convolution {
     #[must_use]
     pub fn periodic(grid: Grid, pair: &ElasticPair, component: Component) -> Self {
         let symbols = Symbols::new(grid, pair, component);
-        Self::of_kernels(grid.size(), [[&Kernel::Symbols(symbols)]])
+        Self::of_kernels(grid.size(), None, [[&Kernel::Symbols(symbols)]])
     }
 }
 
@@ -92,17 +102,26 @@ impl<const N: usize> Convolution<N> {
     /// On `[nx, ny]` cells, from a symmetric tensor of kernels (displacement, then traction) or from one
     /// kernel of any parity. Tables must hold the [`samples`] of these or more cells, symbols are those of
     /// these cells.
-    pub(crate) fn of_kernels(size: [usize; 2], kernels: [[&Kernel; N]; N]) -> Self {
+    pub(crate) fn of_kernels(
+        size: [usize; 2],
+        share: Option<Arc<Share>>,
+        kernels: [[&Kernel; N]; N],
+    ) -> Self {
         let repeats = kernels[0][0].repeats();
-        let torus = torus(size, repeats);
-        let symbol = Symbol::new(torus, kernels);
-        let normalisation = 1.0 / (torus[0] * torus[1]) as f64;
+        let frame = Frame {
+            size,
+            torus: torus(size, repeats),
+            share,
+        };
+        let symbol = Symbol::new(&frame, kernels);
+        let plan = Plan::new(frame.clone());
+        let normalisation = 1.0 / plan.cells_of_torus();
         // The matrix of a free half-space is a principal part of the torus's, whose eigenvalues are those of the
         // symbol. A mean on a grid that repeats has the eigenvalue zero.
         let range = symbol.extremes(repeats == [true; 2]);
         Self {
-            plan: Plan::new(size, torus),
-            single: SingleProduct::new(size, torus, &symbol),
+            plan,
+            single: SingleProduct::new(frame, &symbol),
             lower_bound: lower_bound(range, kernels),
             upper_bound: range[1],
             is_single_enough: range[0] > SINGLE_RANGE * range[1],
@@ -139,16 +158,21 @@ fn lower_bound<const N: usize>([low, high]: [f64; 2], kernels: [[&Kernel; N]; N]
 }
 
 /// The integrals of all coefficients at every distance that the transform of `size` cells of `grid` reaches; none for
-/// a grid that repeats along both axes, which has symbols.
-pub(crate) fn samples(grid: Grid, boundary: Boundary, size: [usize; 2]) -> Result<Option<Samples>> {
+/// a grid that repeats along both axes, which has symbols. Ranks deal out the distances along y.
+pub(crate) fn samples(
+    grid: Grid,
+    boundary: Boundary,
+    size: [usize; 2],
+    team: Option<&Arc<Team>>,
+) -> Result<Option<Samples>> {
     let reach = reach(size, boundary);
-    match boundary {
-        Boundary::NonPeriodic => Samples::new(grid, reach).map(Some),
-        Boundary::PeriodicAlongY { datum } => {
-            Samples::repeating_along_y(grid, reach, datum).map(Some)
-        }
-        Boundary::Periodic => Ok(None),
-    }
+    let samples = match boundary {
+        Boundary::NonPeriodic => Samples::new(grid, reach)?,
+        Boundary::PeriodicAlongY { datum } => Samples::repeating_along_y(grid, reach, datum)?,
+        Boundary::Periodic => return Ok(None),
+    };
+    let share = team.map(|team| Arc::new(Share::new(team, reach)));
+    Ok(Some(samples.shared(share)))
 }
 
 /// Distances along each axis from nothing to half around the torus.
@@ -170,6 +194,10 @@ impl<const N: usize> Operator<N> for Convolution<N> {
 
     fn cells(&self) -> usize {
         self.plan.cells()
+    }
+
+    fn layout(&self) -> Layout {
+        self.plan.layout()
     }
 
     fn workspace(&self) -> ConvolutionWorkspace<N> {

@@ -1,10 +1,15 @@
 //! The inverse of the nearest periodic operator: a preconditioner.
 
+use std::sync::Arc;
+
+use crate::fft::frame::Frame;
 use crate::fft::length::smooth_length;
 use crate::fft::single::{SingleProduct, SingleWorkspace};
 use crate::fft::symbol::Symbol;
 use crate::influence::Kernel;
+use crate::layout::Layout;
 use crate::operator::Operator;
+use crate::share::Share;
 
 /// Approximate inverse of a [`Convolution`](super::Convolution): the coefficients wrapped around
 /// the unpadded grid (Strang's circulant), inverted in Fourier space. On a periodic grid the inverse is
@@ -21,13 +26,19 @@ pub struct CirculantInverse<const N: usize = 1> {
 impl<const N: usize> CirculantInverse<N> {
     /// On `[nx, ny]` cells, from a symmetric tensor of kernels, with eigenvalues below `floor` raised to
     /// it: wrapping may produce some that no cut of the operator has.
-    pub(crate) fn new(size: [usize; 2], kernels: [[&Kernel; N]; N], floor: f64) -> Self {
+    pub(crate) fn new(
+        size: [usize; 2],
+        share: Option<Arc<Share>>,
+        kernels: [[&Kernel; N]; N],
+        floor: f64,
+    ) -> Self {
         let repeats = kernels[0][0].repeats();
         let torus = std::array::from_fn(|axis| match (size[axis], repeats[axis]) {
             (cells, true) => cells,
             (cells, false) => smooth_length(cells),
         });
-        let symbol = Symbol::new(torus, kernels);
+        let frame = Frame { size, torus, share };
+        let symbol = Symbol::new(&frame, kernels);
         let [_, high] = symbol.extremes(false);
         // A single cell that repeats has no wave but the mean: any weight will do.
         let high = if high > 0.0 { high } else { 1.0 };
@@ -40,7 +51,7 @@ impl<const N: usize> CirculantInverse<N> {
         let floor = floor.max(1e-12 * high).max(1e-2 * symbol.least_diagonal());
         let inverse = symbol.inverse_above(floor);
         Self {
-            product: SingleProduct::new(size, torus, &inverse),
+            product: SingleProduct::new(frame, &inverse),
         }
     }
 }
@@ -50,6 +61,10 @@ impl<const N: usize> Operator<N> for CirculantInverse<N> {
 
     fn cells(&self) -> usize {
         self.product.cells()
+    }
+
+    fn layout(&self) -> Layout {
+        self.product.layout()
     }
 
     fn workspace(&self) -> SingleWorkspace<N> {

@@ -12,7 +12,9 @@
 mod aligned;
 mod columns;
 mod convolution;
+mod deal;
 mod eigen;
+mod frame;
 mod inverse;
 mod length;
 mod plan;

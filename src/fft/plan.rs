@@ -5,6 +5,7 @@
 //! Between the stages a field lies in tiles; from stage to stage their owners change, not their places.
 
 use std::fmt;
+use std::ops::Range;
 use std::sync::Arc;
 
 use num_complex::Complex;
@@ -12,20 +13,21 @@ use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use rustfft::{Fft, FftPlanner};
 
 use crate::fft::columns::ColumnScratch;
+use crate::fft::frame::Frame;
 use crate::fft::real::Real;
 use crate::fft::rows::RowScratch;
 use crate::fft::symbol::Symbol;
 use crate::fft::tiles::{TILE_ROWS, Tiles, exchange};
+use crate::layout::Layout;
 use crate::parallel::{self, Blocks, Split};
 use crate::pool::Pool;
 
 /// Transforms of an `nx` x `ny` field padded to `mx` x `my`. Immutable and shared.
 #[derive(Clone)]
 pub(super) struct Plan<T: Real> {
-    pub(super) nx: usize,
-    pub(super) ny: usize,
-    pub(super) mx: usize,
-    pub(super) my: usize,
+    pub(super) frame: Frame,
+    /// The row at which each tile of a column begins.
+    pub(super) tile_rows: Vec<usize>,
     pub(super) row_forward: Arc<dyn RealToComplex<T>>,
     pub(super) row_inverse: Arc<dyn ComplexToReal<T>>,
     pub(super) column_forward: Arc<dyn Fft<T>>,
@@ -36,8 +38,8 @@ impl<T: Real> fmt::Debug for Plan<T> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             formatter,
-            "Plan({} x {} in {} x {})",
-            self.nx, self.ny, self.mx, self.my
+            "Plan({:?} in {:?})",
+            self.frame.size, self.frame.torus
         )
     }
 }
@@ -50,14 +52,13 @@ pub(super) struct Scratch<T, const N: usize> {
 }
 
 impl<T: Real> Plan<T> {
-    pub(super) fn new([nx, ny]: [usize; 2], [mx, my]: [usize; 2]) -> Self {
+    pub(super) fn new(frame: Frame) -> Self {
+        let [mx, my] = frame.torus;
         let mut real = RealFftPlanner::new();
         let mut complex = FftPlanner::new();
         Self {
-            nx,
-            ny,
-            mx,
-            my,
+            tile_rows: tile_rows(&frame),
+            frame,
             row_forward: real.plan_fft_forward(mx),
             row_inverse: real.plan_fft_inverse(mx),
             column_forward: complex.plan_fft_forward(my),
@@ -67,22 +68,53 @@ impl<T: Real> Plan<T> {
 
     /// Cells of a field.
     pub(super) fn cells(&self) -> usize {
-        self.nx * self.ny
+        self.frame.size[0] * self.frame.own_rows().len()
+    }
+
+    /// Cells of the torus, all of which a sum of waves is divided by.
+    pub(super) fn cells_of_torus(&self) -> f64 {
+        let [mx, my] = self.frame.torus;
+        (mx * my) as f64
+    }
+
+    /// How the cells of a field lie.
+    pub(super) fn layout(&self) -> Layout {
+        match &self.frame.share {
+            Some(share) => Layout::shared(Arc::clone(share)),
+            None => Layout::of(self.frame.size),
+        }
     }
 
     /// Complex numbers in a transformed row.
     pub(super) fn width(&self) -> usize {
-        self.mx / 2 + 1
+        self.frame.width()
     }
 
-    /// Tiles along x.
+    /// Tiles along x, of all ranks together.
     pub(super) fn tiles_across(&self) -> usize {
         self.width().div_ceil(T::TILE_COLUMNS)
     }
 
-    /// Tiles along y.
+    /// Tiles along x whose columns a rank multiplies.
+    pub(super) fn tile_columns_of(&self, rank: usize) -> Range<usize> {
+        let columns = self.frame.columns_of(rank);
+        columns.start / T::TILE_COLUMNS..columns.end.div_ceil(T::TILE_COLUMNS)
+    }
+
+    /// Tiles along x whose columns are multiplied here.
+    pub(super) fn own_tile_columns(&self) -> Range<usize> {
+        let columns = self.frame.own_columns();
+        columns.start / T::TILE_COLUMNS..columns.end.div_ceil(T::TILE_COLUMNS)
+    }
+
+    /// Tiles along y of the rows held here.
     pub(super) fn tiles_down(&self) -> usize {
-        self.ny.div_ceil(TILE_ROWS)
+        self.frame.own_rows().len().div_ceil(TILE_ROWS)
+    }
+
+    /// Tiles along y, of all ranks together.
+    pub(super) fn tiles_along(&self) -> usize {
+        self.tile_rows.len()
     }
 
     /// Whether a field is too short to share its work.
@@ -92,7 +124,9 @@ impl<T: Real> Plan<T> {
 
     /// Runs `work(band, its part of data)` for the bands of a stage.
     pub(super) fn bands<D: Split>(&self, bands: usize, data: D, work: impl Fn(usize, D) + Sync) {
-        if self.is_short() {
+        if bands == 0 {
+            // Of a rank without rows, or columns.
+        } else if self.is_short() {
             parallel::in_turn(0..bands, data, &work, &|(), ()| ());
         } else {
             parallel::sweep(0..bands, data, &work, &|(), ()| ());
@@ -102,10 +136,15 @@ impl<T: Real> Plan<T> {
     /// Tiles of N fields.
     pub(super) fn tiles<const N: usize>(&self) -> Tiles<N> {
         let (across, down) = (self.tiles_across(), self.tiles_down());
+        let own_columns = self.own_tile_columns().len();
         // Each band is made by the task that first writes there.
-        Tiles::new(across, down, |tiles, fill| {
-            self.bands(down, blocks(tiles, across), |_, band| fill(band.items));
-        })
+        Tiles::new(
+            [across, down],
+            [own_columns, self.tiles_along()],
+            |tiles, fill| {
+                self.bands(down, blocks(tiles, across), |_, band| fill(band.items));
+            },
+        )
     }
 
     pub(super) fn scratch<const N: usize>(&self) -> Scratch<T, N> {
@@ -132,35 +171,58 @@ impl<T: Real> Plan<T> {
         scratch: &Scratch<T, N>,
     ) {
         let (across, down) = (self.tiles_across(), self.tiles_down());
-        let tiles_of_field = across * down;
+        let along = self.tiles_along();
+        let (rows_tiles, columns_tiles) = (across * down, self.own_tile_columns().len() * along);
         let Tiles {
             by_rows,
             occupied,
             by_columns,
+            spare,
         } = tiles;
         assert!(
             x.iter().all(|x| x.len() == self.cells())
                 && out.iter().all(|out| out.len() == self.cells())
-                && occupied.iter().all(|bands| bands.len() == down)
-                && by_rows.iter().all(|tiles| tiles.len() >= tiles_of_field),
-            "fields and workspace must be those of the {} x {} cells of the operator",
-            self.nx,
-            self.ny
+                && occupied.iter().all(|bands| bands.len() == along)
+                && by_rows.iter().all(|tiles| tiles.len() >= rows_tiles)
+                && by_columns.iter().all(|tiles| tiles.len() >= columns_tiles),
+            "fields and workspace must be those of the {:?} cells of the operator",
+            self.frame.size
         );
-        let by_rows = by_rows.each_mut().map(|tiles| &mut tiles[..tiles_of_field]);
+        let by_rows = by_rows.each_mut().map(|tiles| &mut tiles[..rows_tiles]);
         let mut by_columns = by_columns
             .each_mut()
-            .map(|tiles| &mut tiles[..tiles_of_field]);
+            .map(|tiles| &mut tiles[..columns_tiles]);
+        let own = self.own_tile_rows();
         for n in 0..N {
-            let (rows, occupied) = (&mut *by_rows[n], &mut occupied[n]);
-            self.forward_rows(x[n], scales[0], rows, occupied, &scratch.rows);
-            exchange(rows, by_columns[n], across);
+            let (rows, own) = (&mut *by_rows[n], &mut occupied[n][own.clone()]);
+            self.forward_rows(x[n], scales[0], rows, own, &scratch.rows);
+            match &self.frame.share {
+                Some(share) => {
+                    self.deal_columns(share, rows, by_columns[n], &mut occupied[n], spare);
+                }
+                None => exchange(rows, by_columns[n], across),
+            }
         }
         self.columns(symbol, &mut by_columns, occupied, &scratch.columns);
         for (n, out) in out.into_iter().enumerate() {
-            exchange(by_columns[n], by_rows[n], down);
+            match &self.frame.share {
+                Some(share) => self.deal_rows(share, by_columns[n], by_rows[n], spare),
+                None => exchange(by_columns[n], by_rows[n], down),
+            }
             self.inverse_rows(by_rows[n], out, scales[1], &scratch.rows);
         }
+    }
+}
+
+/// The row at which each tile of a column begins: those of each rank from its own first row.
+fn tile_rows(frame: &Frame) -> Vec<usize> {
+    let tiles = |rows: Range<usize>| rows.step_by(TILE_ROWS);
+    match &frame.share {
+        Some(share) => {
+            let ranks = 0..share.team().size();
+            ranks.flat_map(|rank| tiles(share.rows_of(rank))).collect()
+        }
+        None => tiles(0..frame.size[1]).collect(),
     }
 }
 

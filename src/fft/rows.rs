@@ -19,7 +19,7 @@ pub(super) struct RowScratch<T> {
 impl<T: Real> Plan<T> {
     pub(super) fn row_scratch(&self) -> RowScratch<T> {
         RowScratch {
-            real: Aligned::new(T::zero(), self.mx),
+            real: Aligned::new(T::zero(), self.frame.torus[0]),
             complex: Aligned::new(zero(), TILE_ROWS * self.row_stride()),
             transform: Aligned::new(
                 zero(),
@@ -61,8 +61,8 @@ impl<T: Real> Plan<T> {
 
     /// The cells of a band.
     fn rows_of(&self, band: usize) -> Range<usize> {
-        let first = band * TILE_ROWS;
-        first * self.nx..(first + TILE_ROWS).min(self.ny) * self.nx
+        let (first, nx) = (band * TILE_ROWS, self.frame.size[0]);
+        first * nx..(first + TILE_ROWS).min(self.frame.own_rows().len()) * nx
     }
 
     /// Transforms the rows of a band into its tiles.
@@ -74,14 +74,14 @@ impl<T: Real> Plan<T> {
         scratch: &mut RowScratch<T>,
     ) {
         let rows = scratch.complex.chunks_exact_mut(self.row_stride());
-        for (input, output) in input.chunks_exact(self.nx).zip(rows) {
+        for (input, output) in input.chunks_exact(self.frame.size[0]).zip(rows) {
             let output = &mut output[..self.width()];
             if is_occupied(input) {
                 for (value, x) in scratch.real.iter_mut().zip(input) {
                     let scaled: f64 = x * scale;
                     *value = T::of(scaled);
                 }
-                scratch.real[self.nx..].fill(T::zero());
+                scratch.real[self.frame.size[0]..].fill(T::zero());
                 // Fails for a wrong length alone; all are from the same plan.
                 self.row_forward
                     .process_with_scratch(&mut scratch.real, output, &mut scratch.transform)
@@ -112,7 +112,7 @@ impl<T: Real> Plan<T> {
         scratch: &Pool<RowScratch<T>>,
     ) {
         let across = self.tiles_across();
-        let rows = blocks(out, TILE_ROWS * self.nx);
+        let rows = blocks(out, TILE_ROWS * self.frame.size[0]);
         self.bands(self.tiles_down(), rows, |band, output| {
             let tiles = &by_rows[band * across..(band + 1) * across];
             scratch.lend(
@@ -135,11 +135,11 @@ impl<T: Real> Plan<T> {
     /// Transforms the rows of a band back from scratch memory.
     fn inverse_band(&self, output: &mut [f64], scale: f64, scratch: &mut RowScratch<T>) {
         let rows = scratch.complex.chunks_exact_mut(self.row_stride());
-        for (row, output) in rows.zip(output.chunks_exact_mut(self.nx)) {
+        for (row, output) in rows.zip(output.chunks_exact_mut(self.frame.size[0])) {
             let row = &mut row[..self.width()];
             // A real row has real ends; round-off must not tell the transform otherwise.
             row[0].im = T::zero();
-            if self.mx % 2 == 0 {
+            if self.frame.torus[0] % 2 == 0 {
                 row[self.width() - 1].im = T::zero();
             }
             // Fails for a wrong length, or ends that are not real: set to zero above.

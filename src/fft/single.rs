@@ -2,10 +2,11 @@
 
 use std::ops::Range;
 
+use crate::fft::frame::Frame;
 use crate::fft::plan::{Plan, Scratch};
 use crate::fft::symbol::Symbol;
 use crate::fft::tiles::Tiles;
-use crate::parallel;
+use crate::layout::Layout;
 
 /// Plan and symbol in single precision, the symbol scaled to values about one.
 #[derive(Debug, Clone)]
@@ -23,18 +24,23 @@ pub struct SingleWorkspace<const N: usize = 1> {
 }
 
 impl<const N: usize> SingleProduct<N> {
-    pub(super) fn new(size: [usize; 2], torus: [usize; 2], symbol: &Symbol<f64, N>) -> Self {
+    pub(super) fn new(frame: Frame, symbol: &Symbol<f64, N>) -> Self {
         let largest = symbol.largest_entry();
         let scale = if largest > 0.0 { largest } else { 1.0 };
+        let plan = Plan::new(frame);
         Self {
-            plan: Plan::new(size, torus),
             symbol: symbol.map(|value| value / scale),
-            scale: scale / (torus[0] * torus[1]) as f64,
+            scale: scale / plan.cells_of_torus(),
+            plan,
         }
     }
 
     pub(super) fn cells(&self) -> usize {
         self.plan.cells()
+    }
+
+    pub(super) fn layout(&self) -> Layout {
+        self.plan.layout()
     }
 
     pub(super) fn workspace(&self) -> SingleWorkspace<N> {
@@ -57,7 +63,10 @@ impl<const N: usize> SingleProduct<N> {
         tiles: &mut Tiles<N>,
         scratch: &Scratch<f32, N>,
     ) {
-        let largest = x.iter().fold(0.0, |a, x| larger(a, largest_magnitude(x)));
+        let layout = self.layout();
+        let largest = x
+            .iter()
+            .fold(0.0, |a, x| larger(a, largest_magnitude(&layout, x)));
         if largest.is_normal() {
             let scales = [1.0 / largest, largest * self.scale];
             self.plan
@@ -65,10 +74,11 @@ impl<const N: usize> SingleProduct<N> {
         } else {
             // Nothing, or nothing that could be scaled; a broken input stays broken.
             let is_nothing = |x: &[f64]| x.iter().all(|x| x.abs() < f64::MIN_POSITIVE);
-            let value = if x.iter().all(|x| is_nothing(x)) {
-                0.0
-            } else {
+            let is_broken = x.iter().any(|x| !is_nothing(x));
+            let value = if self.plan.frame.over_ranks(is_broken, |a, b| a || b) {
                 f64::NAN
+            } else {
+                0.0
             };
             for out in out {
                 out.fill(value);
@@ -78,7 +88,7 @@ impl<const N: usize> SingleProduct<N> {
 }
 
 /// `max |x|` of the entries that are numbers; in lanes, so that many compare at a time.
-fn largest_magnitude(x: &[f64]) -> f64 {
+fn largest_magnitude(layout: &Layout, x: &[f64]) -> f64 {
     let leaf = |range: Range<usize>| {
         let mut lanes = [0.0; 8];
         let groups = x[range].chunks_exact(8);
@@ -91,7 +101,7 @@ fn largest_magnitude(x: &[f64]) -> f64 {
         }
         lanes.into_iter().fold(rest, larger)
     };
-    parallel::fold(x.len(), leaf, larger)
+    layout.fold(leaf, larger)
 }
 
 /// The larger number; the first if the second is NaN.

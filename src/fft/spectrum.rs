@@ -1,11 +1,14 @@
 //! The transform of one influence coefficient: one real quarter plane.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use realfft::RealFftPlanner;
 
+use crate::fft::frame::Frame;
 use crate::influence::Kernel;
 use crate::parallel::{self, Blocks};
+use crate::share::Share;
 
 /// Where numbers go: the places `entry` of each piece of `stride` numbers.
 pub(super) struct Lines<'a> {
@@ -14,13 +17,14 @@ pub(super) struct Lines<'a> {
     pub(super) entry: Range<usize>,
 }
 
-/// Writes the transform of a kernel on an `mx` x `my` torus, or its imaginary part, times `sign`: a line
-/// of `my / 2 + 1` numbers for each wave number `0..=mx/2` along x.
-pub(super) fn transform(kernel: &Kernel, torus: [usize; 2], sign: f64, lines: Lines<'_>) {
+/// Writes the transform of a kernel on the `mx` x `my` torus of a frame, or its imaginary part, times `sign`: a line
+/// of `my / 2 + 1` numbers for each wave number along x that is multiplied here, of `0..=mx/2`.
+pub(super) fn transform(kernel: &Kernel, frame: &Frame, sign: f64, lines: Lines<'_>) {
     match kernel {
         Kernel::Table(table) | Kernel::Rows(table) => {
             let is_odd = table.component().is_odd();
-            of_samples(is_odd, torus, sign, lines, |i, j| table.at(i, j));
+            let at = |i: usize, j: usize| table.at(i, j);
+            of_samples(is_odd, frame, table.share(), sign, lines, at);
         }
         Kernel::Symbols(symbols) => {
             let Lines {
@@ -28,9 +32,10 @@ pub(super) fn transform(kernel: &Kernel, torus: [usize; 2], sign: f64, lines: Li
                 stride,
                 entry,
             } = lines;
+            let first = frame.own_columns().start;
             parallel::rows(values, stride, |column, out| {
                 for (row, value) in out[entry.clone()].iter_mut().enumerate() {
-                    *value = sign * symbols.at([column, row]);
+                    *value = sign * symbols.at([first + column, row]);
                 }
             });
         }
@@ -40,10 +45,12 @@ pub(super) fn transform(kernel: &Kernel, torus: [usize; 2], sign: f64, lines: Li
 /// Transforms a kernel whose samples reach at least half around the torus.
 ///
 /// Along an axis the sample `d` of the torus is that at distance `min(d, m - d)`, with the sign of
-/// its parity; an odd kernel vanishes half way around.
+/// its parity; an odd kernel vanishes half way around. Of samples whose rows are dealt out each rank transforms its own
+/// along x, and its columns along y.
 pub(super) fn of_samples(
     [is_odd_x, is_odd_y]: [bool; 2],
-    [mx, my]: [usize; 2],
+    frame: &Frame,
+    share: Option<&Arc<Share>>,
     sign: f64,
     lines: Lines<'_>,
     at: impl Fn(usize, usize) -> f64 + Sync,
@@ -52,14 +59,26 @@ pub(super) fn of_samples(
     let sign = if is_odd_x || is_odd_y { -sign } else { sign };
 
     // Along x, one row per distance in y; then along y, one column per wave number in x.
-    let (width, height) = (mx / 2 + 1, my / 2 + 1);
-    let mut rows = vec![0.0; width * height];
+    let ([mx, my], width) = (frame.torus, frame.width());
+    let height = my / 2 + 1;
+    let own_rows = share.map_or(0..height, |share| {
+        let own = share.own_rows();
+        own.start.min(height)..own.end.min(height)
+    });
+    let mut rows = vec![0.0; width * own_rows.len()];
     let row_lines = Lines {
         values: &mut rows,
         stride: width,
         entry: 0..width,
     };
-    half_transforms(mx, is_odd_x, row_lines, |j, i| at(i, j));
+    half_transforms(mx, is_odd_x, row_lines, |j, i| at(i, own_rows.start + j));
+    let (rows, width) = match share {
+        Some(share) => {
+            let found = share.fetch(&rows, width, |rank| [frame.columns_of(rank), 0..height]);
+            (found, frame.own_columns().len())
+        }
+        None => (rows, width),
+    };
     half_transforms(my, is_odd_y, lines, |i, j| sign * rows[j * width + i]);
 }
 
@@ -79,7 +98,7 @@ fn half_transforms(
     let half = m / 2 + 1;
     let transform = RealFftPlanner::<f64>::new().plan_fft_forward(m);
     let count = values.len() / stride;
-    let per_task = count.div_ceil(parallel::lanes());
+    let per_task = count.div_ceil(parallel::lanes()).max(1);
     let data = Blocks {
         items: values,
         width: per_task * stride,

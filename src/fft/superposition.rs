@@ -3,6 +3,7 @@
 use std::array::from_fn;
 
 use crate::error::{Result, memory};
+use crate::fft::frame::Frame;
 use crate::fft::length::torus;
 use crate::fft::plan::{Plan, Scratch};
 use crate::fft::spectrum::{Lines, of_samples};
@@ -28,22 +29,26 @@ pub(crate) struct Superposition {
 
 /// Cells of the torus on which fields of these cells are convolved, and the waves of the quarter of its spectrum that
 /// kernels are given for: `[along x, along y]`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone)]
 pub(crate) struct Torus {
-    cells: [usize; 2],
+    frame: Frame,
 }
 
 impl Torus {
     /// For fields of `[nx, ny]` cells that repeat or not.
     pub(crate) fn new(size: [usize; 2], repeats: [bool; 2]) -> Self {
         Self {
-            cells: torus(size, repeats),
+            frame: Frame {
+                size,
+                torus: torus(size, repeats),
+                share: None,
+            },
         }
     }
 
     /// Waves along each axis, and distances at which a kernel is sampled: from nothing to half around.
     pub(crate) fn quarter(&self) -> [usize; 2] {
-        self.cells.map(|m| m / 2 + 1)
+        self.frame.torus.map(|m| m / 2 + 1)
     }
 
     /// The spectrum of a kernel sampled at the distances of a quarter, `at(i, j)`, or its imaginary part if it is odd
@@ -60,7 +65,7 @@ impl Torus {
             stride: height,
             entry: 0..height,
         };
-        of_samples(is_odd, self.cells, 1.0, lines, at);
+        of_samples(is_odd, &self.frame, None, 1.0, lines, at);
         values
     }
 }
@@ -75,13 +80,13 @@ pub(crate) trait Kernels: Sync {
 }
 
 impl Superposition {
-    /// For fields of `[nx, ny]` cells on a torus.
+    /// For the fields of a torus.
     ///
     /// # Errors
     /// [`Error::Memory`](crate::Error::Memory).
-    pub(crate) fn new(size: [usize; 2], torus: Torus) -> Result<Self> {
-        memory("transforms of tractions and stresses", size, 96)?;
-        let plan = Plan::new(size, torus.cells);
+    pub(crate) fn new(torus: &Torus) -> Result<Self> {
+        memory("transforms of tractions and stresses", torus.frame.size, 96)?;
+        let plan = Plan::new(torus.frame.clone());
         let mut results = plan.tiles();
         for n in 0..3 {
             exchange(
@@ -113,6 +118,7 @@ impl Superposition {
             by_rows,
             occupied,
             by_columns,
+            ..
         } = sources;
         let (across, down) = (plan.tiles_across(), plan.tiles_down());
         for n in 0..3 {
@@ -145,7 +151,7 @@ impl Superposition {
             ..
         } = self;
         let (across, down) = (plan.tiles_across(), plan.tiles_down());
-        let height = plan.my / 2 + 1;
+        let height = plan.frame.torus[1] / 2 + 1;
         let parity = Parity::new(kernels.is_odd());
         let Tiles {
             by_rows,
@@ -171,7 +177,7 @@ impl Superposition {
                 });
             },
         );
-        let normalisation = 1.0 / (plan.mx * plan.my) as f64;
+        let normalisation = 1.0 / plan.cells_of_torus();
         for (n, out) in out.into_iter().enumerate() {
             exchange(&mut by_columns[n], &mut by_rows[n], down);
             plan.inverse_rows(&by_rows[n], out, factors[n] * normalisation, &scratch.rows);

@@ -6,6 +6,7 @@ use std::ops::Range;
 use num_complex::Complex;
 
 use crate::fft::eigen::{coupling, eigenvalue_range, inverse_above};
+use crate::fft::frame::Frame;
 use crate::fft::plan::zero;
 use crate::fft::real::Real;
 use crate::fft::spectrum::{Lines, transform};
@@ -22,10 +23,13 @@ use crate::parallel;
 /// per cell of the unpadded grid.
 #[derive(Debug, Clone)]
 pub(super) struct Symbol<T, const N: usize> {
-    /// For each column `0..=mx/2` and each entry of the upper triangle of S, row by row, `my / 2 + 1`
+    /// For each column of `0..=mx/2` that is multiplied here and each entry of the upper triangle of S, row by row, `my / 2 + 1`
     /// values.
     values: Vec<T>,
+    /// The first column here.
+    first: usize,
     shape: Shape<N>,
+    frame: Frame,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -97,9 +101,10 @@ impl<const N: usize> Shape<N> {
 impl<const N: usize> Symbol<f64, N> {
     /// Of a symmetric tensor of kernels (displacement, then traction), or of one kernel of any parity;
     /// tables must reach at least half around the torus.
-    pub(super) fn new([mx, my]: [usize; 2], kernels: [[&Kernel; N]; N]) -> Self {
-        let shape = Shape::new(my / 2 + 1, kernels);
-        let mut values = vec![0.0; (mx / 2 + 1) * shape.stride()];
+    pub(super) fn new(frame: &Frame, kernels: [[&Kernel; N]; N]) -> Self {
+        let shape = Shape::new(frame.torus[1] / 2 + 1, kernels);
+        let columns = frame.own_columns();
+        let mut values = vec![0.0; columns.len() * shape.stride()];
         for (i, j) in upper_triangle::<N>() {
             let sign = if shape.parity.negates(i, j) {
                 -1.0
@@ -111,9 +116,14 @@ impl<const N: usize> Symbol<f64, N> {
                 stride: shape.stride(),
                 entry: shape.entry(i, j),
             };
-            transform(kernels[i][j], [mx, my], sign, lines);
+            transform(kernels[i][j], frame, sign, lines);
         }
-        Self { values, shape }
+        Self {
+            values,
+            first: columns.start,
+            shape,
+            frame: frame.clone(),
+        }
     }
 
     /// Smallest and largest eigenvalue of all waves, or of all but the mean.
@@ -127,33 +137,37 @@ impl<const N: usize> Symbol<f64, N> {
             let column = &self.values[wave / height * self.shape.stride()..];
             self.shape.matrix(column, wave % height)
         };
-        let first = usize::from(without_mean);
+        let first = usize::from(without_mean && self.first == 0);
         let leaf = |waves: Range<usize>| {
             let waves = waves.skip_while(|&wave| wave < first);
             waves
                 .map(|wave| eigenvalue_range(matrix(wave)))
                 .fold(none, wider)
         };
-        parallel::fold(self.values.len() / Shape::<N>::ENTRIES, leaf, wider)
+        let own = parallel::fold(self.values.len() / Shape::<N>::ENTRIES, leaf, wider);
+        self.frame.over_ranks(own, wider)
     }
 
     /// Largest magnitude of an entry.
     pub(super) fn largest_entry(&self) -> f64 {
         let larger = |a: f64, b: f64| a.max(b.abs());
         let leaf = |range: Range<usize>| self.values[range].iter().copied().fold(0.0, larger);
-        parallel::fold(self.values.len(), leaf, f64::max)
+        let own = parallel::fold(self.values.len(), leaf, f64::max);
+        self.frame.over_ranks(own, f64::max)
     }
 
     /// Smallest entry on the diagonal.
     pub(super) fn least_diagonal(&self) -> f64 {
         let columns = self.values.chunks_exact(self.shape.stride());
         let entries = columns.flat_map(|column| (0..N).map(|i| &column[self.shape.entry(i, i)]));
-        entries.flatten().copied().fold(f64::INFINITY, f64::min)
+        let own = entries.flatten().copied().fold(f64::INFINITY, f64::min);
+        self.frame.over_ranks(own, f64::min)
     }
 
     /// With a multiple of the identity for the mean.
     pub(super) fn with_mean(mut self, value: f64) -> Self {
-        for (i, j) in upper_triangle::<N>() {
+        let has_mean = self.first == 0 && !self.values.is_empty();
+        for (i, j) in upper_triangle::<N>().filter(|_| has_mean) {
             let entry = self.shape.entry(i, j);
             self.values[entry.start] = if i == j { value } else { 0.0 };
         }
@@ -170,7 +184,9 @@ impl<const N: usize> Symbol<f64, N> {
         });
         Symbol {
             values,
+            first: self.first,
             shape: self.shape,
+            frame: self.frame.clone(),
         }
     }
 
@@ -187,7 +203,12 @@ impl<const N: usize> Symbol<f64, N> {
                 }
             }
         });
-        Self { values, shape }
+        Self {
+            values,
+            first: self.first,
+            shape,
+            frame: self.frame.clone(),
+        }
     }
 }
 
@@ -200,14 +221,15 @@ impl Symbol<f64, 3> {
             coupling(self.shape.matrix(column, wave % height))
         };
         let leaf = |waves: Range<usize>| waves.map(of_wave).fold(0.0, f64::max);
-        parallel::fold(self.values.len() / Shape::<3>::ENTRIES, leaf, f64::max)
+        let own = parallel::fold(self.values.len() / Shape::<3>::ENTRIES, leaf, f64::max);
+        self.frame.over_ranks(own, f64::max)
     }
 }
 
 impl<T: Real, const N: usize> Symbol<T, N> {
     /// Multiplies the transformed columns of wave number `kx` of all fields in place.
     pub(super) fn multiply(&self, kx: usize, columns: &mut [&mut [Complex<T>]; N]) {
-        let values = &self.values[kx * self.shape.stride()..][..self.shape.stride()];
+        let values = &self.values[(kx - self.first) * self.shape.stride()..][..self.shape.stride()];
         let quarter = from_fn(|i| from_fn(|j| &values[self.shape.entry(i, j)]));
         self.shape.parity.multiply(quarter, columns);
     }

@@ -11,12 +11,15 @@ use crate::fft::real::Real;
 /// cache.
 pub(super) const TILE_ROWS: usize = 16;
 
+/// Words of a tile, in either precision.
+pub(super) const TILE_WORDS: usize = TILE_ROWS * 128 / size_of::<u64>();
+
 /// A tile, row by row, in either precision; empty while the other order owns it.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Tile(Box<[Complex<f64>]>);
 
 impl Tile {
-    fn zero() -> Self {
+    pub(super) fn zero() -> Self {
         let zero = Complex::new(0.0, 0.0);
         Self(vec![zero; TILE_ROWS * f64::TILE_COLUMNS].into_boxed_slice())
     }
@@ -24,6 +27,15 @@ impl Tile {
     /// The numbers of the precision it was last written in.
     pub(super) fn of<T: Real>(&self) -> &[Complex<T>] {
         cast_slice(&self.0)
+    }
+
+    /// Its memory, for what travels between ranks.
+    pub(super) fn words(&self) -> &[u64] {
+        cast_slice(&self.0)
+    }
+
+    pub(super) fn words_mut(&mut self) -> &mut [u64] {
+        cast_slice_mut(&mut self.0)
     }
 
     pub(super) fn of_mut<T: Real>(&mut self) -> &mut [Complex<T>] {
@@ -41,24 +53,28 @@ pub(super) struct Tiles<const N: usize> {
     pub(super) occupied: [Vec<bool>; N],
     /// The same tiles while a task owns bands of columns.
     pub(super) by_columns: [Vec<Tile>; N],
+    /// Memory of tiles that were sent to other ranks, for those that come.
+    pub(super) spare: Vec<Tile>,
 }
 
 impl<const N: usize> Tiles<N> {
-    /// So many across and down; `fill` has the work done on the bands of rows.
+    /// So many across and down in the bands of rows, and in those of columns; `fill` has the work done on the bands of
+    /// rows.
     pub(super) fn new(
-        across: usize,
-        down: usize,
+        [across, down]: [usize; 2],
+        [own_across, along]: [usize; 2],
         fill: impl Fn(&mut [Tile], &(dyn Fn(&mut [Tile]) + Sync)),
     ) -> Self {
-        let empty = || vec![Tile::default(); across * down];
+        let empty = |across: usize, down: usize| vec![Tile::default(); across * down];
         Self {
             by_rows: from_fn(|_| {
-                let mut tiles = empty();
+                let mut tiles = empty(across, down);
                 fill(&mut tiles, &|band| band.fill_with(Tile::zero));
                 tiles
             }),
-            occupied: from_fn(|_| vec![false; down]),
-            by_columns: from_fn(|_| empty()),
+            occupied: from_fn(|_| vec![false; along]),
+            by_columns: from_fn(|_| empty(own_across, along)),
+            spare: Vec::new(),
         }
     }
 }
@@ -73,14 +89,15 @@ pub(super) fn exchange(from: &mut [Tile], to: &mut [Tile], width: usize) {
     }
 }
 
-/// Turns a band of tiles into columns, one behind the other.
+/// Turns a band of tiles into columns, one behind the other; each tile begins at its row.
 pub(super) fn gather<T: Real>(
     tiles: &[Tile],
+    rows: &[usize],
     occupied: &[bool],
     columns: &mut [Complex<T>],
     stride: usize,
 ) {
-    for ((row, tile), &occupied) in (0..).step_by(TILE_ROWS).zip(tiles).zip(occupied) {
+    for ((&row, tile), &occupied) in rows.iter().zip(tiles).zip(occupied) {
         let tile = tile.of::<T>();
         for (c, column) in columns.chunks_exact_mut(stride).enumerate() {
             let target = &mut column[row..row + TILE_ROWS];
@@ -96,8 +113,13 @@ pub(super) fn gather<T: Real>(
 }
 
 /// Turns columns back into a band of tiles.
-pub(super) fn scatter<T: Real>(columns: &[Complex<T>], stride: usize, tiles: &mut [Tile]) {
-    for (row, tile) in (0..).step_by(TILE_ROWS).zip(tiles) {
+pub(super) fn scatter<T: Real>(
+    columns: &[Complex<T>],
+    stride: usize,
+    rows: &[usize],
+    tiles: &mut [Tile],
+) {
+    for (&row, tile) in rows.iter().zip(tiles) {
         let tile = tile.of_mut::<T>();
         for (c, column) in columns.chunks_exact(stride).enumerate() {
             let source = &column[row..row + TILE_ROWS];

@@ -8,6 +8,7 @@ use crate::half_space::HalfSpace;
 use crate::influence::{Component, Direction, Kernel};
 use crate::operator::Operator;
 use crate::pool::Pool;
+use crate::share::Share;
 
 /// An operator and the preconditioner that goes with it.
 #[derive(Debug, Clone)]
@@ -26,15 +27,16 @@ impl HalfSpace {
     ) -> Result<Compliance<N>> {
         let components = tensor(directions);
         let operator = self.convolution(components, size)?;
+        self.joint(Ok(()))?;
         // Without a bound nothing could be certified. A single cell that repeats has no wave to bound.
         let grid = self.grid();
-        if N < 3 && operator.lower_bound() <= 0.0 && grid.cells() > 1 {
+        if N < 3 && operator.lower_bound() <= 0.0 && grid.whole().cells() > 1 {
             return Err(Error::CellsTooLong {
                 sides: [grid.dx(), grid.dy()],
             });
         }
-        let inverse = self.made(components, size, |size, kernels| {
-            CirculantInverse::new(size, kernels, operator.lower_bound())
+        let inverse = self.made(components, size, |size, share, kernels| {
+            CirculantInverse::new(size, share, kernels, operator.lower_bound())
         })?;
         Ok(Compliance { operator, inverse })
     }
@@ -77,13 +79,15 @@ impl HalfSpace {
         &self,
         components: [[Component; N]; N],
         size: [usize; 2],
-        make: impl FnOnce([usize; 2], [[&Kernel; N]; N]) -> T,
+        make: impl FnOnce([usize; 2], Option<Arc<Share>>, [[&Kernel; N]; N]) -> T,
     ) -> Result<Arc<T>> {
         let size = self.cut(size);
         let is_kept = size == self.size();
         let made = &self.shared.made;
         made.get_or_make(components.as_flattened(), size, is_kept, || {
-            self.with_kernels(components, size, |kernels| make(size, kernels))
+            self.with_kernels(components, size, |kernels| {
+                make(size, self.share(size), kernels)
+            })
         })
     }
 }

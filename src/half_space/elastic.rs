@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::fft::{CirculantInverse, Convolution, ConvolutionWorkspace, SingleWorkspace};
+use crate::layout::Layout;
 use crate::operator::Operator;
 
 /// Displacements of the whole grid from tractions on it (lengths from pressures): N components of each.
@@ -26,6 +27,10 @@ macro_rules! operator_by {
 
             fn cells(&self) -> usize {
                 self.0.cells()
+            }
+
+            fn layout(&self) -> Layout {
+                self.0.layout()
             }
 
             fn workspace(&self) -> $workspace<N> {

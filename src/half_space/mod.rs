@@ -2,8 +2,10 @@
 
 mod cache;
 mod compliance;
+mod dealt;
 mod elastic;
 mod kernels;
+mod region;
 
 use std::sync::{Arc, OnceLock};
 
@@ -14,6 +16,8 @@ use crate::grid::Grid;
 use crate::influence::{Component, Direction, Kernel, Samples};
 use crate::material::ElasticPair;
 use crate::parallel::get_or_make;
+use crate::ranks::{Ranks, Team};
+use crate::share::Share;
 use crate::window::{Window, halved};
 
 use cache::Cache;
@@ -21,6 +25,7 @@ pub(crate) use compliance::Compliance;
 use compliance::tensor;
 pub use elastic::{ElasticOperator, ElasticPreconditioner};
 use kernels::Kernels;
+pub(crate) use region::Region;
 
 /// A pair of half-spaces on a grid, with the operators of the components in use.
 ///
@@ -52,6 +57,8 @@ struct Shared {
     pair: ElasticPair,
     /// Those that are kept, of small grids.
     kernels: Kernels,
+    /// How the grid is dealt out to ranks, if it is.
+    share: Option<Arc<Share>>,
     /// Operators and preconditioners: those of the whole grid are kept, those of windows lent.
     made: Cache,
     /// The same bodies on cells twice as large.
@@ -111,12 +118,43 @@ impl HalfSpace {
                 datum,
             )?;
         }
-        let samples = samples(grid, boundary, grid.size())?;
+        let samples = samples(grid, boundary, grid.size(), None)?;
         Ok(Self::with_samples(
             grid,
             pair,
             boundary,
             samples.map(Arc::new),
+            None,
+        ))
+    }
+
+    /// The pair meshed by `grid`, whose rows are dealt out to ranks: every rank calls this alike, and holds a slab of the
+    /// rows. [`HalfSpace::grid`] is that slab; fields, problems and solutions are those of its cells, and all ranks solve
+    /// together what each poses for its own. The answers have the bits of those of one process. The page of
+    /// [`ranks`](crate::ranks) tells more.
+    ///
+    /// # Errors
+    /// As [`HalfSpace::with_boundary`]; [`Error::Ranks`].
+    pub fn distributed(
+        grid: Grid,
+        pair: ElasticPair,
+        boundary: Boundary,
+        ranks: Arc<dyn Ranks>,
+    ) -> Result<Self> {
+        if ranks.size() == 1 {
+            return Self::with_boundary(grid, pair, boundary);
+        }
+        let team = Arc::new(Team::new(ranks));
+        let own = Share::new(&team, grid.size());
+        let rows = [grid.nx(), own.own_rows().len()];
+        team.agreed(memory("contact of all cells", rows, BYTES_PER_CELL))?;
+        let samples = None;
+        Ok(Self::with_samples(
+            grid,
+            pair,
+            boundary,
+            samples,
+            Some(team),
         ))
     }
 
@@ -125,10 +163,16 @@ impl HalfSpace {
         pair: ElasticPair,
         boundary: Boundary,
         samples: Option<Arc<Samples>>,
+        team: Option<Arc<Team>>,
     ) -> Self {
+        let share = team.map(|team| Arc::new(Share::new(&team, grid.size())));
+        let slab = share
+            .as_ref()
+            .map_or(grid, |share| grid.slab(share.own_rows()));
         Self {
             shared: Arc::new(Shared {
-                grid,
+                grid: slab,
+                share,
                 pair,
                 kernels: Kernels::new(grid, pair, boundary, samples),
                 made: Cache::default(),
@@ -137,7 +181,7 @@ impl HalfSpace {
         }
     }
 
-    /// The grid.
+    /// The grid; of [distributed](Self::distributed) bodies the slab that this rank holds.
     #[must_use]
     pub fn grid(&self) -> Grid {
         self.shared.grid
@@ -247,21 +291,22 @@ impl HalfSpace {
         get_or_make(coarser, || {
             let [nx, ny] = halved(self.size());
             let grid = Grid::new(nx, ny, 2.0 * grid.dx(), 2.0 * grid.dy())?;
-            let boundary = self.boundary();
+            let (boundary, team) = (self.boundary(), self.team_of_coarser([nx, ny]));
             let samples = match kernels.samples() {
+                _ if team.is_some() => None,
                 Some(samples) if self.keeps_kernels() && samples.have_no_scale() => {
                     Some(Arc::clone(samples))
                 }
-                _ => samples(grid, boundary, grid.size())?.map(Arc::new),
+                _ => samples(grid, boundary, grid.size(), None)?.map(Arc::new),
             };
-            Ok(Self::with_samples(grid, *pair, boundary, samples))
+            Ok(Self::with_samples(grid, *pair, boundary, samples, team))
         })
     }
 
     /// Whether kernels stay once they are made: those of a large grid would take more than all that is made of them
     /// once saves in time.
     fn keeps_kernels(&self) -> bool {
-        self.grid().cells() <= KEPT_CELLS
+        self.team().is_none() && self.grid().cells() <= KEPT_CELLS
     }
 
     /// Makes something of the kernels of these components, on `size` cells.
@@ -277,13 +322,14 @@ impl HalfSpace {
             kernels,
             ..
         } = &*self.shared;
-        if self.keeps_kernels() || kernels.samples().is_none() {
+        let boundary = self.boundary();
+        if self.keeps_kernels() || boundary == Boundary::Periodic {
             return Ok(make(kernels.of(components)?));
         }
-        let boundary = self.boundary();
-        let samples = samples(*grid, boundary, size)?.map(Arc::new);
+        let grid = grid.whole();
+        let samples = samples(grid, boundary, size, self.team())?.map(Arc::new);
         Ok(make(
-            Kernels::new(*grid, *pair, boundary, samples).of(components)?,
+            Kernels::new(grid, *pair, boundary, samples).of(components)?,
         ))
     }
 
@@ -321,7 +367,7 @@ impl HalfSpace {
     }
 
     fn size(&self) -> [usize; 2] {
-        self.shared.grid.size()
+        self.shared.grid.whole().size()
     }
 }
 

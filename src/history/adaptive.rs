@@ -213,7 +213,7 @@ impl AdaptiveSteps {
     /// How far the tractions of the whole step are from those of the history, over the sum of its friction limits.
     fn distance(&self, history: &History) -> f64 {
         let ([x, y], [u, v]) = (self.whole.each_ref(), history.traction());
-        let sum = reduce::sum(x.as_slice().len(), |i| {
+        let sum = reduce::sum(&history.grid().layout(), |i| {
             (x.as_slice()[i] - u.as_slice()[i]).hypot(y.as_slice()[i] - v.as_slice()[i])
         });
         let capacity = history.friction_capacity();

@@ -42,7 +42,7 @@ impl History {
         let state = &self.state;
         control.check(&self.bodies, &state.gap)?;
         if let Some(hardness) = &state.hardness {
-            hardness.check_load(self.bodies.grid(), control)?;
+            hardness.check_load(&self.bodies, control)?;
         }
         let of = Pressing {
             bodies: &self.bodies,

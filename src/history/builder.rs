@@ -172,8 +172,9 @@ impl HistoryBuilder<'_> {
     /// [`Error::Sample`] for the gap, [`Error::NotModelled`] for a hardness with pressure and shear found together and for
     /// a relative displacement along an axis of which no traction is found,
     /// [`Error::Method`] for a method that the model does not have,
-    /// [`Error::Tolerance`], [`Error::IterationLimit`].
+    /// [`Error::Tolerance`], [`Error::IterationLimit`]; [`Error::Distributed`].
     pub fn build(self) -> Result<History> {
+        self.bodies.check_alone("a history")?;
         self.settings.check()?;
         self.model.check(&self.settings)?;
         let axes = match self.model {

@@ -23,7 +23,7 @@ pub(super) fn commit(
     written: &mut Option<Window>,
 ) {
     // A state that was returned to may have another window than the last step.
-    let window = answer.map(|answer| answer.pressed.window);
+    let window = answer.map(|answer| answer.pressed.window());
     if *written != window {
         step.clear_fields();
         *written = window;
@@ -58,7 +58,7 @@ fn enter(
     state: &mut State,
     step: &mut StepResult,
 ) {
-    let (grid, window) = (state.grid(), answer.pressed.window);
+    let (grid, window) = (state.grid(), answer.pressed.window());
     let taken = Taken {
         answer,
         grid,
@@ -150,7 +150,7 @@ impl Taken<'_> {
     /// What the step did to a cell that had a traction and an offset before.
     fn cell(&self, k: usize, before: [f64; 2], offset_before: [f64; 2]) -> CellStep {
         let (answer, cell_area) = (self.answer, self.grid.cell_area());
-        let centre = centre(self.grid, answer.pressed.window.index(k));
+        let centre = centre(self.grid, answer.pressed.window().index(k));
         let (traction, u) = (answer.traction(k), answer.displacement(k));
         let relative = minus(u, self.motion.at(centre));
         let is_contact = answer.pressed.pressure[k] > 0.0;

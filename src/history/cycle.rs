@@ -248,8 +248,9 @@ impl Cycle {
     fn compare_traction(&mut self, history: &History) {
         let [x, y] = history.traction().map(Field::as_slice);
         let [first_x, first_y] = self.sums.first_traction.each_ref().map(Field::as_slice);
-        let traction = reduce::max(x.len(), |i| norm([x[i], y[i]]));
-        let change = reduce::max(x.len(), |i| norm([x[i] - first_x[i], y[i] - first_y[i]]));
+        let layout = history.grid().layout();
+        let traction = reduce::max(&layout, |i| norm([x[i], y[i]]));
+        let change = reduce::max(&layout, |i| norm([x[i] - first_x[i], y[i] - first_y[i]]));
         self.traction_change = change;
         self.largest_traction = self.largest_traction.max(traction);
     }

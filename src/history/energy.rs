@@ -62,7 +62,8 @@ impl EnergyBalance {
                 contact.gap().as_slice()[i] + (contact.approach() - gap.as_slice()[i]);
             (contact.pressure().as_slice()[i], displacement)
         };
-        let [work, elastic_before, elastic_after] = reduce::sum(before.1.as_slice().len(), |i| {
+        let layout = before.1.grid().layout();
+        let [work, elastic_before, elastic_after] = reduce::sum(&layout, |i| {
             let ((p, u), (p_next, u_next)) = (at(before, i), at(after, i));
             [
                 0.5 * (p + p_next) * (u_next - u),

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::coupling::Coupling;
 use crate::error::Result;
-use crate::half_space::HalfSpace;
+use crate::half_space::{HalfSpace, Region};
 use crate::influence::Component;
 use crate::kept::Kept;
 use crate::pool::Pool;
@@ -60,10 +60,10 @@ impl Increments {
         let pool = &self.source.insert(source).pool;
         match pool.take() {
             Some(mut increment) => {
-                increment.pressed.window = window;
+                increment.pressed.region = Region::new(bodies, window);
                 Ok(increment)
             }
-            None => Increment::new(bodies, kind.0, Pressed::new(window), kind.1),
+            None => Increment::new(bodies, kind.0, Pressed::new(bodies, window), kind.1),
         }
     }
 

@@ -52,7 +52,7 @@ impl Memory {
 
     /// Takes the window of an increment, which is wider; what it knew of its own cells stays, bit for bit.
     pub(super) fn widen(&mut self, grid: Grid, increment: &mut Increment, state: &State) {
-        let (window, old) = (increment.pressed.window, self.window);
+        let (window, old) = (increment.pressed.window(), self.window);
         for field in self.fields_mut() {
             window.spread(old, field);
         }

@@ -146,7 +146,9 @@ impl History {
     #[must_use]
     pub fn friction_capacity(&self) -> f64 {
         let pressure = self.pressure().as_slice();
-        let sum = reduce::sum(pressure.len(), |i| self.friction().limit(i, pressure[i]));
+        let sum = reduce::sum(&self.grid().layout(), |i| {
+            self.friction().limit(i, pressure[i])
+        });
         sum * self.grid().cell_area()
     }
 

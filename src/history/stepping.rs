@@ -110,8 +110,9 @@ impl History {
     /// [`Error::GridMismatch`](crate::Error::GridMismatch),
     /// [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) or
     /// [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) for other bodies;
-    /// [`Error::Memory`](crate::Error::Memory).
+    /// [`Error::Memory`](crate::Error::Memory); [`Error::Distributed`](crate::Error::Distributed).
     pub fn from_state(bodies: &HalfSpace, state: State) -> Result<Self> {
+        bodies.check_alone("a history")?;
         state.check_bodies(bodies)?;
         let mut press = PressureSolver::new();
         state.resume(bodies, &mut press)?;

@@ -51,7 +51,7 @@ pub(super) fn follow_growth(
         return false;
     };
     let before = state.pressure().as_slice();
-    let window = increment.pressed.window;
+    let window = increment.pressed.window();
     let contact = increment.pressed.pressure.iter().map(|p| *p > 0.0);
     increment.growth.begin_excess(increment.axes(), contact);
     for (k, i) in window.indices().enumerate() {
@@ -122,7 +122,7 @@ impl<'a> Press<'a> {
             self.state.pressure().as_slice(),
             self.pressed.pressure().as_slice(),
         );
-        let [sum, weights] = reduce::sum(before.len(), |i| {
+        let [sum, weights] = reduce::sum(&self.state.grid().layout(), |i| {
             let weight = before[i].min(after[i]);
             if weight > 0.0 {
                 [weight * self.displacement(i), weight]
@@ -147,7 +147,7 @@ impl<'a> Press<'a> {
         let (before, grid) = (self.state.pressure().as_slice(), self.state.grid());
         let pressed = &increment.pressed;
         let (mut sum, mut first) = (0.0, [0.0; 2]);
-        for (k, i) in pressed.window.indices().enumerate() {
+        for (k, i) in pressed.window().indices().enumerate() {
             let grown = pressed.pressure[k] - before[i];
             sum += grown;
             first = plus(first, grown, centre(grid, i));
@@ -247,7 +247,7 @@ impl Stuck {
             mut rotations,
             mut products,
         ] = [0.0; 5];
-        for (k, i) in pressed.window.indices().enumerate() {
+        for (k, i) in pressed.window().indices().enumerate() {
             let [x, y] = self.around(centre(press.state.grid(), i));
             let [u, v] = increment.growth.displacement(Growth::About, k);
             let part = 1.0 - press.displacement(i) / press.approach;
@@ -276,7 +276,7 @@ impl Stuck {
 fn mean_compliance(press: &Press<'_>, increment: &Increment) -> [[f64; 2]; 2] {
     let pressed = &increment.pressed;
     let (mut square, mut sums) = (0.0, [[0.0; 2]; 2]);
-    for (k, i) in pressed.window.indices().enumerate() {
+    for (k, i) in pressed.window().indices().enumerate() {
         let normal = press.displacement(i);
         let weight = pressed.pressure[k] * normal;
         square += weight * normal;
@@ -341,7 +341,7 @@ pub(super) fn is_asked(
     let touches = |i: usize| after[i] > 0.0 && before[i] <= 0.0;
     state.touch_rule == TouchRule::Growth
         && is_driven(state, demand, limit)
-        && reduce::first(after.len(), touches).is_some()
+        && reduce::any(&state.grid().layout(), touches)
 }
 
 /// Whether the step asks for shear that the state does not have, as part of what friction holds.

@@ -9,6 +9,7 @@ use crate::influence::integrals::Integral;
 use crate::influence::{Component, Rectangle, Table};
 use crate::material::ElasticPair;
 use crate::parallel::{self, get_or_make};
+use crate::share::Share;
 
 /// The integrals over one cell at the distances `(i, j)` of a grid, `0 <= i < nx`, `0 <= j < ny`, in
 /// units of the cell size, so that they are the same for a cell twice as large. Each integral is
@@ -18,6 +19,8 @@ pub(crate) struct Samples {
     rectangle: Rectangle,
     sides: [f64; 2],
     size: [usize; 2],
+    /// How the distances along y are dealt out to ranks, if they are: each samples its own.
+    share: Option<Arc<Share>>,
     /// Where the grid repeats along y.
     images: Option<Images>,
     values: [OnceLock<Arc<[f64]>>; Integral::COUNT],
@@ -35,6 +38,7 @@ impl Samples {
             rectangle: Rectangle::new(0.5 * grid.dx(), 0.5 * grid.dy())?,
             sides: [grid.dx(), grid.dy()],
             size,
+            share: None,
             images: None,
             values: Default::default(),
         })
@@ -52,6 +56,11 @@ impl Samples {
             images: Some(images),
             ..samples
         })
+    }
+
+    /// The same with the distances along y dealt out to ranks.
+    pub(crate) fn shared(self, share: Option<Arc<Share>>) -> Self {
+        Self { share, ..self }
     }
 
     /// Whether they are those of cells of any size.
@@ -79,6 +88,7 @@ impl Samples {
         Ok(Table::new(
             component,
             self.size,
+            self.share.clone(),
             scale,
             parts.collect::<Result<_>>()?,
         ))
@@ -86,12 +96,13 @@ impl Samples {
 
     fn sample(&self, integral: Integral) -> Arc<[f64]> {
         let [nx, ny] = self.size;
+        let rows = self.share.as_ref().map_or(0..ny, |share| share.own_rows());
         let Rectangle { cell, unit } = self.rectangle;
         let distance = |steps: usize, axis: usize| steps as f64 * self.sides[axis] / unit;
         let xs: Vec<f64> = (0..nx).map(|i| distance(i, 0)).collect();
-        let mut values = vec![0.0; nx * ny];
+        let mut values = vec![0.0; nx * rows.len()];
         parallel::rows(&mut values, nx, |row, out| {
-            let y = distance(row, 1);
+            let y = distance(rows.start + row, 1);
             match self.images {
                 None => cell.along_row(integral, &xs, y, out),
                 Some(images) => images.along_row(cell, integral, &xs, y, out),

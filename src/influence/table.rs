@@ -6,6 +6,7 @@ use crate::error::Result;
 use crate::grid::Grid;
 use crate::influence::{Component, Samples};
 use crate::material::ElasticPair;
+use crate::share::Share;
 
 /// One influence coefficient at the cell distances `(i dx, j dy)`, `0 <= i < nx`, `0 <= j < ny`.
 ///
@@ -27,6 +28,9 @@ pub struct Table {
     component: Component,
     nx: usize,
     ny: usize,
+    /// How the rows are dealt out to ranks, if they are, and the first row here.
+    share: Option<Arc<Share>>,
+    first_row: usize,
     /// Weights and the integrals they multiply, row by row.
     parts: Vec<(f64, Arc<[f64]>)>,
     /// Scale of the sum of the parts.
@@ -46,6 +50,7 @@ impl Table {
     pub(super) fn new(
         component: Component,
         [nx, ny]: [usize; 2],
+        share: Option<Arc<Share>>,
         scale: f64,
         parts: Vec<(f64, Arc<[f64]>)>,
     ) -> Self {
@@ -53,6 +58,8 @@ impl Table {
             component,
             nx,
             ny,
+            first_row: share.as_ref().map_or(0, |share| share.own_rows().start),
+            share,
             parts,
             scale,
         }
@@ -84,9 +91,14 @@ impl Table {
         Some(if negative { -value } else { value })
     }
 
-    /// The coefficient `column` columns and `row` rows further, within the distances sampled.
+    /// How the rows are dealt out to ranks, if they are.
+    pub(crate) fn share(&self) -> Option<&Arc<Share>> {
+        self.share.as_ref()
+    }
+
+    /// The coefficient `column` columns and `row` rows further, within the distances sampled here.
     pub(crate) fn at(&self, column: usize, row: usize) -> f64 {
-        let index = row * self.nx + column;
+        let index = (row - self.first_row) * self.nx + column;
         let parts = self.parts.iter();
         let sum: f64 = parts.map(|(weight, values)| weight * values[index]).sum();
         sum * self.scale

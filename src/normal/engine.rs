@@ -6,10 +6,11 @@ use crate::cgm::{self, Interval, Iterate, Known, Total};
 use crate::elastic::{ElasticSolver, Observer, Posed};
 use crate::error::{Error, Result};
 use crate::fft::{Convolution, ConvolutionWorkspace};
-use crate::half_space::{Compliance, HalfSpace};
+use crate::half_space::{Compliance, HalfSpace, Region};
 use crate::influence::Direction;
 use crate::normal::hardness::Carried;
 use crate::operator::Operator;
+use crate::parallel::{self, Blocks};
 use crate::per_cell::PerCell;
 use crate::pool::Lease;
 use crate::trend::{Ahead, Reached, Trend};
@@ -21,7 +22,7 @@ const NO_CHANGE: f64 = 1e-12;
 /// The engine, set up where it works: around the contact, if that is much smaller than the grid.
 #[derive(Debug, Clone)]
 pub(super) struct Engine {
-    pub(super) window: Window,
+    region: Region,
     pub(super) solver: ElasticSolver<Interval, 1>,
     /// How the pressure of the window changed with the load.
     pub(super) trend: Trend<1>,
@@ -117,14 +118,19 @@ impl Engine {
         Ok(Self {
             solver: ElasticSolver::new(bodies, [Direction::Z], window.size)?,
             trend: Trend::default(),
-            window,
+            region: Region::new(bodies, window),
             part,
         })
     }
 
+    /// Where it works.
+    pub(super) fn window(&self) -> Window {
+        self.region.window()
+    }
+
     /// In another place of the same size, without a trend.
-    pub(super) fn at(mut self, window: Window) -> Self {
-        self.window = window;
+    pub(super) fn at(mut self, bodies: &HalfSpace, window: Window) -> Self {
+        self.region = Region::new(bodies, window);
         self.trend.forget();
         self
     }
@@ -167,7 +173,7 @@ impl Engine {
         settings: &cgm::Settings,
         observer: Observer<'_>,
     ) -> Result<()> {
-        let (window, solver) = (self.window, &mut self.solver);
+        let (region, solver) = (&self.region, &mut self.solver);
         let mut minimise = |surfaces: Surfaces<'_>, pressure: &mut [f64]| {
             let posed = Posed {
                 linear: [surfaces.gap],
@@ -181,21 +187,22 @@ impl Engine {
         let Some(part) = &mut self.part else {
             return minimise(surfaces, pressure);
         };
-        let fields = part.fields(window.cells());
-        window.gather(surfaces.gap, &mut fields.gap);
-        window.gather(pressure, &mut fields.pressure);
+        let cells = region.cells();
+        let fields = part.fields(cells);
+        region.gather(surfaces.gap, &mut fields.gap);
+        region.gather(pressure, &mut fields.pressure);
         let inside = Surfaces {
             gap: &fields.gap,
             limits: surfaces.limits.map(|limits| {
-                fields.limits.resize(window.cells(), 0.0);
-                window.gather(limits, &mut fields.limits);
+                fields.limits.resize(cells, 0.0);
+                region.gather(limits, &mut fields.limits);
                 fields.limits.as_slice()
             }),
         };
         let outcome = minimise(inside, &mut fields.pressure);
         if matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
             pressure.fill(0.0);
-            window.scatter(&fields.pressure, pressure);
+            region.scatter(&fields.pressure, pressure);
         }
         outcome
     }
@@ -214,9 +221,10 @@ impl Engine {
             displacement,
             workspace,
             ..
-        } = part.fields(self.window.cells());
+        } = part.fields(self.region.cells());
         operator.apply([pressure], [displacement], workspace);
         let iterate = Iterate {
+            layout: &operator.layout(),
             x: [pressure],
             product: [displacement],
             linear: [surfaces.gap],
@@ -237,51 +245,67 @@ impl Engine {
         bodies: &HalfSpace,
     ) -> Option<Window> {
         let ([multiplier], displacement) = (self.solver.multiplier(), self.displacement());
-        Window::around(bodies.grid(), |i| {
+        let (first, window) = (bodies.first_cell(), self.window());
+        bodies.around(|i| {
             let overlap = displacement[i] + (gap[i] - load.datum) - multiplier;
-            overlap < -round_off && !self.window.contains(i)
+            overlap < -round_off && !window.contains(first + i)
         })
     }
 
     /// Moves the pressure of the whole grid on by so many times the trend, which then holds what it was.
     pub(super) fn extrapolate(&mut self, parts: f64, pressure: &mut [f64]) {
-        let Self { window, trend, .. } = self;
-        let [change] = &mut trend.change;
-        change.resize(window.cells(), 0.0);
-        trend.by = [[0.0; 2]];
-        let data = (window.bands_of(pressure), window.bands(change));
-        window.sweep(
-            data,
-            &|rows, (pressure, change)| {
-                for (_, own, i) in window.places(rows) {
-                    let (p, change) = (&mut pressure.items[i], &mut change.items[own]);
-                    let before = *p;
-                    *p = (before + parts * *change).max(0.0);
-                    *change = before;
-                }
-            },
-            &|(), ()| (),
-        );
+        let (region, cells) = (&self.region, self.region.cells());
+        let [change] = &mut self.trend.change;
+        change.resize(cells, 0.0);
+        self.trend.by = [[0.0; 2]];
+        let Some(part) = &mut self.part else {
+            return go_on(parts, pressure, change);
+        };
+        let inside = &mut part.fields(cells).pressure;
+        region.gather(pressure, inside);
+        go_on(parts, inside, change);
+        region.scatter(inside, pressure);
     }
 
     /// Takes note of the pressure that a solve has led to from where [`Self::extrapolate`] began.
     pub(super) fn note(&mut self, pressure: &[f64], from: Reached, to: Reached) {
-        let Self { window, trend, .. } = self;
-        let [change] = &mut trend.change;
+        let (region, cells) = (&self.region, self.region.cells());
+        let [change] = &mut self.trend.change;
         // One that was widened since has no start to tell the change from.
-        if change.len() != window.cells() {
+        if change.len() != cells {
             return;
         }
-        window.sweep(
-            window.bands(change),
-            &|rows, change| {
-                for (k, own, _) in window.places(rows) {
-                    let change = &mut change.items[own];
-                    *change = pressure[window.index(k)] - *change;
-                }
-            },
-            &|(), ()| (),
-        );
-        trend.by = [[to[0] - from[0], to[1] - from[1]]];
+        match &mut self.part {
+            Some(part) => {
+                let inside = &mut part.fields(cells).pressure;
+                region.gather(pressure, inside);
+                subtract_from(inside, change);
+            }
+            None => subtract_from(pressure, change),
+        }
+        self.trend.by = [[to[0] - from[0], to[1] - from[1]]];
     }
+}
+
+/// Moves pressures on by so many times their changes, which then hold what they were.
+fn go_on(parts: f64, pressure: &mut [f64], change: &mut [f64]) {
+    let data = (parallel::blocks(pressure), parallel::blocks(change));
+    let tasks = data.0.items.len().div_ceil(parallel::CHUNK);
+    let work = |_: usize, (pressure, change): (Blocks<'_, f64>, Blocks<'_, f64>)| {
+        for (p, change) in pressure.items.iter_mut().zip(change.items) {
+            let before = *p;
+            *p = (before + parts * *change).max(0.0);
+            *change = before;
+        }
+    };
+    parallel::sweep(0..tasks, data, &work, &|(), ()| ());
+}
+
+/// Replaces what was by what is less it.
+fn subtract_from(pressure: &[f64], change: &mut [f64]) {
+    parallel::update(change, |first, chunk| {
+        for (change, p) in chunk.iter_mut().zip(&pressure[first..]) {
+            *change = p - *change;
+        }
+    });
 }

@@ -4,6 +4,7 @@ use crate::cgm::{Constraint, Interval};
 use crate::error::{Error, Result, all_non_negative, positive};
 use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
+use crate::half_space::HalfSpace;
 use crate::normal::{NormalControl, NormalSolution};
 use crate::per_cell::PerCell;
 
@@ -122,13 +123,6 @@ impl Hardness {
         Field::from_vec(contact.grid(), cells.map(overlap).collect())
     }
 
-    /// Cells that carry as much as they can.
-    pub(crate) fn count(&self, pressure: &[f64]) -> usize {
-        let limits = self.limits();
-        let is_at_limit = |(cell, p): &(usize, &f64)| limits.are_reached(*cell, **p);
-        pressure.iter().enumerate().filter(is_at_limit).count()
-    }
-
     /// One to read into.
     pub(crate) fn blank() -> Self {
         let limit = PerCell::Uniform(f64::INFINITY);
@@ -153,10 +147,13 @@ impl Hardness {
     }
 
     /// `Ok` if the limits fit the grid and carry the load.
-    pub(crate) fn check_load(&self, grid: Grid, load: NormalControl) -> Result<()> {
-        self.check(grid)?;
+    pub(crate) fn check_load(&self, bodies: &HalfSpace, load: NormalControl) -> Result<()> {
+        bodies.agreed(self.check(bodies.grid()))?;
         if let NormalControl::Force(force) = load {
-            let capacity = self.capacity(grid);
+            let capacity = match &self.limit {
+                PerCell::Uniform(_) => self.capacity(bodies.grid().whole()),
+                PerCell::Cells(limits) => bodies.integral(limits),
+            };
             if force > capacity {
                 return Err(Error::BeyondHardness { force, capacity });
             }

@@ -20,6 +20,7 @@ mod pressure;
 mod problem;
 mod solution;
 mod solver;
+mod whole;
 
 pub use hardness::Hardness;
 pub(crate) use pressure::{Pressing, PressureSolver};

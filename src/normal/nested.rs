@@ -1,12 +1,11 @@
 //! The normal problem on coarser cells.
 
-use crate::cascade::Scene;
+use crate::cascade::{Levels, Scene};
 use crate::cgm::{Constraint, Interval, Total};
-use crate::half_space::HalfSpace;
+use crate::half_space::{HalfSpace, Region};
 use crate::influence::Direction;
 use crate::normal::hardness::Carried;
 use crate::per_cell::PerCell;
-use crate::window::{Window, coarsened, refined};
 
 /// How many times the cells of a coarse window a grid has at least: operators of the grid are kept, those of windows are
 /// made for one solve.
@@ -17,6 +16,8 @@ pub(super) struct PressureScene {
     pub(super) linear: Vec<f64>,
     pub(super) limits: PerCell<Vec<f64>>,
     pub(super) total: Total,
+    /// Cells of all ranks together.
+    pub(super) cells: usize,
 }
 
 impl Scene<1> for PressureScene {
@@ -38,41 +39,49 @@ impl Scene<1> for PressureScene {
         [self.total]
     }
 
-    fn coarsened(&self, size: [usize; 2]) -> Self {
+    fn coarsened(&self, levels: Levels<'_>) -> Self {
         Self {
-            linear: coarsened(size, &self.linear),
-            limits: self.limits.map(|limits| coarsened(size, limits)),
+            linear: levels.coarsened(&self.linear),
+            limits: self.limits.map(|limits| levels.coarsened(limits)),
+            cells: levels.coarse_layout().of_all_ranks(),
             total: self.total.scaled(0.25),
         }
     }
 
     /// Around the pressure, with room for it to spread.
-    fn confined(&self, bodies: &HalfSpace, [start]: &[Vec<f64>; 1]) -> Option<(Window, Self)> {
+    fn confined(&self, bodies: &HalfSpace, [start]: &[Vec<f64>; 1]) -> Option<(Region, Self)> {
         let grid = bodies.grid();
-        let contact = Window::around(grid, |i| start[i] > 0.0)?;
+        let contact = bodies.around(|i| start[i] > 0.0)?;
         let window = bodies.confined(contact.widened(grid));
-        (FEW * window.cells() <= grid.cells()).then(|| {
+        (FEW * window.cells() <= grid.whole().cells()).then(|| {
+            let region = Region::new(bodies, window);
             let inside = |whole: &Vec<f64>| {
-                let mut part = vec![0.0; window.cells()];
-                window.gather(whole, &mut part);
+                let mut part = vec![0.0; region.cells()];
+                region.gather(whole, &mut part);
                 part
             };
             let part = Self {
                 linear: inside(&self.linear),
                 limits: self.limits.map(inside),
                 total: self.total,
+                cells: window.cells(),
             };
-            (window, part)
+            (region, part)
         })
     }
 
     /// Uniform pressure under a force, zero under an approach.
     fn plain_start(&self) -> [Vec<f64>; 1] {
-        let cells = self.linear.len();
-        [vec![self.total.sum().unwrap_or(0.0) / cells as f64; cells]]
+        let mean = self.total.sum().unwrap_or(0.0) / self.cells as f64;
+        [vec![mean; self.linear.len()]]
     }
 
-    fn refined_start(&self, size: [usize; 2], _: &Self, [answer]: &[Vec<f64>; 1]) -> [Vec<f64>; 1] {
-        [refined(size, answer)]
+    fn refined_start(
+        &self,
+        levels: Levels<'_>,
+        _: &Self,
+        [answer]: &[Vec<f64>; 1],
+    ) -> [Vec<f64>; 1] {
+        [levels.refined(answer)]
     }
 }

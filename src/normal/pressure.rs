@@ -31,6 +31,15 @@ pub(crate) struct Pressing<'a> {
 }
 
 impl<'a> Pressing<'a> {
+    /// Cells at their hardness.
+    fn yielded(&self, pressure: &[f64]) -> usize {
+        let limits = self.hardness.map(Hardness::limits);
+        limits.map_or(0, |limits| {
+            let is_reached = |i: usize| limits.are_reached(i, pressure[i]);
+            reduce::sum(&self.bodies.grid_layout(), |i| usize::from(is_reached(i)))
+        })
+    }
+
     fn surfaces(&self) -> Surfaces<'a> {
         Surfaces {
             gap: self.gap.as_slice(),
@@ -66,7 +75,7 @@ impl PressureSolver {
 
     /// Where the engine works; `None` before the first solve.
     pub(crate) fn window(&self) -> Option<Window> {
-        self.engine.as_ref().map(|engine| engine.window)
+        self.engine.as_ref().map(Engine::window)
     }
 
     /// How the pressure changed with the load on that window, as far as it is known.
@@ -108,7 +117,7 @@ impl PressureSolver {
     fn engine_on(&mut self, bodies: &HalfSpace, window: Window) -> Result<Engine> {
         let window = bodies.place(window);
         match self.kept.take(window.size) {
-            Some(engine) => Ok(engine.at(window)),
+            Some(engine) => Ok(engine.at(bodies, window)),
             None => Engine::new(bodies, window),
         }
     }
@@ -116,7 +125,8 @@ impl PressureSolver {
     /// Keeps an engine that another takes the place of.
     fn leave(&mut self, mut left: Engine, next: &Engine) {
         left.rest();
-        self.kept.leave(left.window.size, left, next.window.size);
+        let (size, next) = (left.window().size, next.window().size);
+        self.kept.leave(size, left, next);
     }
 
     /// Forgets the last answer: the next solve starts as the first did.
@@ -128,15 +138,9 @@ impl PressureSolver {
     pub(crate) fn finish(&mut self, of: &Pressing<'_>, solution: &mut NormalSolution) {
         let displacement = self.engine.as_ref().map_or(&[][..], Engine::displacement);
         let Pressing { bodies, gap, .. } = of;
-        solution.fill(
-            bodies.pair(),
-            gap,
-            displacement,
-            self.approach,
-            &self.report,
-        );
+        solution.fill(bodies, gap, displacement, self.approach, &self.report);
         let pressure = solution.pressure().as_slice();
-        let yielded = of.hardness.map_or(0, |hardness| hardness.count(pressure));
+        let yielded = of.yielded(pressure);
         solution.set_yielded_cells(yielded);
         match &mut self.engine {
             Some(engine) if self.is_start => engine.rest(),
@@ -150,7 +154,7 @@ impl PressureSolver {
         of: &Pressing<'_>,
         pressure: Vec<f64>,
     ) -> Result<NormalSolution> {
-        let yielded = of.hardness.map_or(0, |hardness| hardness.count(&pressure));
+        let yielded = of.yielded(&pressure);
         let displacement = self.engine.map(Engine::into_displacement);
         let fields = [pressure, displacement.unwrap_or_default()];
         let mut solution =
@@ -188,7 +192,8 @@ impl PressureSolver {
             },
             NormalControl::Hold => return Err(Error::NothingToHold),
         };
-        let from = [reduce::total(pressure), self.approach];
+        let layout = of.bodies.grid_layout();
+        let from = [reduce::total(&layout, pressure), self.approach];
         let last = self.engine.take();
         let is_cold = last.is_none();
         let (mut engine, known) = if let Some(mut engine) = last {
@@ -207,11 +212,11 @@ impl PressureSolver {
         let [multiplier] = engine.solver.multiplier();
         self.approach = load.datum + multiplier;
         if outcome.is_ok() && known == Known::Extrapolated {
-            let to = [reduce::total(pressure), self.approach];
+            let to = [reduce::total(&layout, pressure), self.approach];
             engine.note(pressure, from, to);
         }
         // Do not warm-start from NaN; and a first solve without contact has not found where to work.
-        let touches = reduce::first(pressure.len(), |i| pressure[i] > 0.0).is_some();
+        let touches = reduce::any(&layout, |i| pressure[i] > 0.0);
         self.is_start = self.report.duality_gap.is_finite() && (touches || !is_cold);
         self.engine = Some(engine);
         outcome.map_err(|_| Error::NotConverged(Box::new(self.report.clone())))
@@ -285,7 +290,7 @@ impl PressureSolver {
             // While the engine can still show what the iterate does.
             check_iterations_left(settings, &mut self.report)?;
             if let Some(missed) = missed {
-                let wider = engine.window.union(missed).widened(bodies.grid());
+                let wider = engine.window().union(missed).widened(bodies.grid());
                 let next = self.engine_on(bodies, wider)?;
                 let left = std::mem::replace(engine, next);
                 self.leave(left, engine);
@@ -313,6 +318,7 @@ fn start_cold(
         linear: vec![0.0; grid.cells()],
         limits: limits.map(|limits| limits.to_vec()),
         total: load.total,
+        cells: whole.cells(),
     };
     parallel::update(&mut scene.linear, |first, chunk| {
         for (linear, gap) in chunk.iter_mut().zip(&gap[first..]) {
@@ -326,7 +332,7 @@ fn start_cold(
         nested_start(bodies, whole.size, &scene, conditions)?
     };
     parallel::copy(&start, pressure);
-    match Window::around(grid, |i| pressure[i] > 0.0) {
+    match bodies.around(|i| pressure[i] > 0.0) {
         Some(contact) if !is_plain => Engine::new(bodies, contact.widened(grid)),
         _ => Engine::new(bodies, whole),
     }

@@ -40,7 +40,7 @@ impl NormalControl {
             }
             Self::Approach(approach) => {
                 finite("approach", approach)?;
-                let mean_gap = || gap.integral() / gap.grid().area();
+                let mean_gap = || bodies.integral(gap) / bodies.grid().whole().area();
                 if bodies.boundary() == Boundary::Periodic && approach >= mean_gap() {
                     let mean_gap = mean_gap();
                     return Err(Error::ApproachBeyondMeanGap { approach, mean_gap });
@@ -154,12 +154,12 @@ impl NormalProblemBuilder<'_> {
     /// [`Error::IterationLimit`]; [`Error::ApproachBeyondMeanGap`] on a periodic grid;
     /// [`Error::BeyondHardness`].
     pub fn build(self) -> Result<NormalProblem> {
-        check_gap(self.bodies, &self.gap)?;
+        self.bodies.agreed(check_gap(self.bodies, &self.gap))?;
         self.load.check(self.bodies, &self.gap)?;
         if let Some(hardness) = &self.hardness {
-            hardness.check_load(self.bodies.grid(), self.load)?;
+            hardness.check_load(self.bodies, self.load)?;
         }
-        self.settings.check()?;
+        self.bodies.agreed(self.settings.check())?;
         Ok(NormalProblem {
             bodies: self.bodies.clone(),
             gap: self.gap,

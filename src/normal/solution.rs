@@ -11,6 +11,7 @@ use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::influence::Component;
 use crate::material::ElasticPair;
+use crate::normal::whole::Whole;
 use crate::operator::Operator;
 use crate::parallel;
 use crate::report::Report;
@@ -28,6 +29,9 @@ pub struct NormalSolution {
     approach: f64,
     yielded_cells: usize,
     report: Report,
+    /// Of a slab, what all ranks together have found.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    whole: Option<Whole>,
 }
 
 clone_in_place!(NormalSolution {
@@ -38,6 +42,7 @@ clone_in_place!(NormalSolution {
     approach,
     yielded_cells,
     report,
+    whole,
 });
 
 /// What is read, before it is checked.
@@ -52,6 +57,8 @@ struct Unchecked {
     approach: f64,
     yielded_cells: usize,
     report: Report,
+    #[serde(skip)]
+    whole: Option<Whole>,
 }
 
 #[cfg(feature = "serde")]
@@ -82,6 +89,7 @@ impl NormalSolution {
             approach: 0.0,
             yielded_cells: 0,
             report: Report::with_room(),
+            whole: None,
         }
     }
 
@@ -100,6 +108,7 @@ impl NormalSolution {
             }
         });
         Ok(Self {
+            whole: Whole::of(bodies, &pressure),
             pressure: Field::from_vec(initial.grid(), pressure)?,
             gap: Field::from_vec(initial.grid(), gap)?,
             boundary: bodies.boundary(),
@@ -122,13 +131,14 @@ impl NormalSolution {
     /// With the displacements of all cells by the pressure that it has, over the gap before loading.
     pub(crate) fn fill(
         &mut self,
-        pair: &ElasticPair,
+        bodies: &HalfSpace,
         initial: &Field,
         displacement: &[f64],
         approach: f64,
         report: &Report,
     ) {
-        self.pair = *pair;
+        self.pair = *bodies.pair();
+        self.whole = Whole::of(bodies, self.pressure.as_slice());
         let initial = initial.as_slice();
         parallel::update(self.gap.as_mut_slice(), |first, chunk| {
             let samples = initial[first..].iter().zip(&displacement[first..]);
@@ -187,7 +197,12 @@ impl NormalSolution {
     /// Normal force W, the integral of the pressure.
     #[must_use]
     pub fn force(&self) -> f64 {
-        self.pressure.integral()
+        match &self.whole {
+            Some(Whole {
+                sums: [sum, ..], ..
+            }) => sum * self.grid().cell_area(),
+            None => self.pressure.integral(),
+        }
     }
 
     /// Moments about x and about y, at the origin of the grid, that the pressure exerts on body 1 (force times length):
@@ -208,10 +223,15 @@ impl NormalSolution {
     /// Sums of x p and of y p, times the area of a cell.
     fn first_moments(&self) -> [f64; 2] {
         let (grid, pressure) = (self.grid(), self.pressure.as_slice());
-        let sums = reduce::sums(pressure.len(), |i| {
-            let (x, y) = (grid.x(i % grid.nx()), grid.y(i / grid.nx()));
-            [x * pressure[i], y * pressure[i]]
-        });
+        let sums = match &self.whole {
+            Some(Whole {
+                sums: [_, x, y], ..
+            }) => [*x, *y],
+            None => reduce::sum(&grid.layout(), |i| {
+                let (x, y) = (grid.x(i % grid.nx()), grid.y(i / grid.nx()));
+                [x * pressure[i], y * pressure[i]]
+            }),
+        };
         sums.map(|sum| sum * grid.cell_area())
     }
 
@@ -240,7 +260,7 @@ impl NormalSolution {
     pub fn elastic_energy(&self, bodies: &HalfSpace) -> Result<f64> {
         let displacement = self.displacement(bodies)?;
         let (p, u) = (self.pressure.as_slice(), displacement.as_slice());
-        let [sum] = reduce::sums(p.len(), |i| [p[i] * u[i]]);
+        let [sum] = reduce::sum(&bodies.grid_layout(), |i| [p[i] * u[i]]);
         Ok(0.5 * self.grid().cell_area() * sum)
     }
 
@@ -352,6 +372,9 @@ impl NormalSolution {
 
     /// Cells whose pressure is beyond what the softer body bears, if it states that.
     pub(crate) fn overloaded_cells(&self) -> usize {
+        if let Some(whole) = &self.whole {
+            return whole.overloaded;
+        }
         let hardness = self.pair.hardness();
         let pressure = self.pressure.as_slice().iter();
         if hardness.is_finite() {
@@ -368,9 +391,28 @@ impl NormalSolution {
 
     pub(crate) fn contact_map(&self) -> ContactMap<impl Fn(usize) -> bool + '_> {
         let pressure = self.pressure.as_slice();
+        let whole = self.whole.as_ref();
         ContactMap {
-            grid: self.pressure.grid(),
+            grid: self.grid().whole(),
             boundary: self.boundary,
+            contains: move |i| match whole {
+                Some(whole) => whole.contact.contain(i),
+                None => pressure[i] > 0.0,
+            },
+        }
+    }
+
+    /// The map of the cells held here, of a slab without what lies around it.
+    pub(crate) fn own_map(&self) -> ContactMap<impl Fn(usize) -> bool + '_> {
+        let pressure = self.pressure.as_slice();
+        let is_slab = self.whole.is_some();
+        ContactMap {
+            grid: self.grid(),
+            boundary: if is_slab {
+                Boundary::NonPeriodic
+            } else {
+                self.boundary
+            },
             contains: move |i| pressure[i] > 0.0,
         }
     }

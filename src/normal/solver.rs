@@ -47,9 +47,9 @@ impl NormalSolver {
         // A kernel that cannot be computed is better known now.
         problem
             .bodies
-            .compliance([Direction::Z], [grid.nx(), grid.ny()])?;
+            .compliance([Direction::Z], grid.whole().size())?;
         Ok(Self {
-            least_gap: problem.gap.min(),
+            least_gap: problem.bodies.least(&problem.gap),
             problem,
             press: PressureSolver::new(),
             pressure: vec![0.0; grid.cells()],
@@ -70,7 +70,7 @@ impl NormalSolver {
         } = &self.problem;
         load.check(bodies, gap)?;
         if let Some(hardness) = hardness {
-            hardness.check_load(bodies.grid(), load)?;
+            hardness.check_load(bodies, load)?;
         }
         self.problem.load = load;
         Ok(())
@@ -82,12 +82,13 @@ impl NormalSolver {
     /// [`Error::GridMismatch`], [`Error::Sample`] or, on a periodic grid,
     /// [`Error::ApproachBeyondMeanGap`]; the gap is then as it was.
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
-        check_gap(&self.problem.bodies, gap)?;
+        let bodies = &self.problem.bodies;
+        bodies.agreed(check_gap(bodies, gap))?;
         self.problem.load.check(&self.problem.bodies, gap)?;
         Arc::make_mut(&mut self.problem.gap)
             .as_mut_slice()
             .copy_from_slice(gap.as_slice());
-        self.least_gap = gap.min();
+        self.least_gap = self.problem.bodies.least(gap);
         Ok(())
     }
 
@@ -124,9 +125,12 @@ impl NormalSolver {
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<()> {
         let bodies = &self.problem.bodies;
-        bodies.check_host("solution", solution.grid(), solution.boundary())?;
+        bodies.agreed(bodies.check_host("solution", solution.grid(), solution.boundary()))?;
         let cells = bodies.grid().cells();
-        parallel::enter_with(cells, || self.solve_checked(solution, &mut observer))
+        let bodies = bodies.clone();
+        bodies.joint(parallel::enter_with(cells, || {
+            self.solve_checked(solution, &mut observer)
+        }))
     }
 
     fn solve_checked(
@@ -145,12 +149,12 @@ impl NormalSolver {
 
     /// Solves once; of all that this takes the answer alone stays.
     pub(super) fn into_solution(mut self) -> Result<NormalSolution> {
-        let cells = self.problem.bodies.grid().cells();
-        parallel::enter_with(cells, || {
+        let bodies = self.problem.bodies.clone();
+        bodies.joint(parallel::enter_with(bodies.grid().cells(), || {
             let of = self.problem.pressing(self.least_gap);
             let unwatched = &mut |_: &_| ControlFlow::Continue(());
             self.press.solve(&of, &mut self.pressure, unwatched)?;
             self.press.into_solution(&of, self.pressure)
-        })
+        }))
     }
 }

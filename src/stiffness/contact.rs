@@ -100,8 +100,10 @@ impl NormalSolution {
     /// [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) or
     /// [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) for bodies that the solution is
     /// not of; [`Error::NotFinite`](crate::Error::NotFinite) where a periodic contact is closed everywhere and
-    /// resists without limit; [`Error::NotConverged`](crate::Error::NotConverged); as [`HalfSpace::operator`].
+    /// resists without limit; [`Error::NotConverged`](crate::Error::NotConverged); as [`HalfSpace::operator`];
+    /// [`Error::Distributed`](crate::Error::Distributed).
     pub fn stiffness(&self, bodies: &HalfSpace) -> Result<NormalStiffness> {
+        bodies.check_alone("a stiffness")?;
         Ok(pressed(bodies, self)?.map_or(
             NormalStiffness {
                 value: 0.0,
@@ -122,8 +124,10 @@ impl TangentialSolution {
     /// [`Error::GridMismatch`](crate::Error::GridMismatch) or
     /// [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) for bodies that the solution is not of;
     /// [`Error::NotFinite`](crate::Error::NotFinite) where a periodic contact is closed everywhere;
-    /// [`Error::NotConverged`](crate::Error::NotConverged); as [`HalfSpace::operator`].
+    /// [`Error::NotConverged`](crate::Error::NotConverged); as [`HalfSpace::operator`];
+    /// [`Error::Distributed`](crate::Error::Distributed).
     pub fn stiffness(&self, bodies: &HalfSpace) -> Result<TangentialStiffness> {
+        bodies.check_alone("a stiffness")?;
         bodies.check_host("tangential contact", self.grid(), self.boundary())?;
         let sheared = Sheared {
             zones: self.zones(),

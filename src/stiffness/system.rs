@@ -19,6 +19,7 @@ use crate::cgm::vector::{at, dot, minus, plus, slices, slices_mut, update_cells}
 use crate::error::{Result, finite, not_converged};
 use crate::fft::ConvolutionWorkspace;
 use crate::half_space::Compliance;
+use crate::layout::Layout;
 use crate::operator::Operator;
 
 /// Products of one motion after which a stiffness counts as not found.
@@ -109,7 +110,9 @@ impl<'a, const N: usize> System<'a, N> {
 
     pub(super) fn product(&self, a: &Vector<N>, b: &Vector<N>) -> f64 {
         let (a, b) = (slices(a), slices(b));
-        reduce::sum(self.freedoms.len(), |i| dot(at(&a, i), at(&b, i)))
+        reduce::sum(&Layout::flat(self.freedoms.len()), |i| {
+            dot(at(&a, i), at(&b, i))
+        })
     }
 
     /// `A x`.

@@ -74,8 +74,9 @@ impl Planes {
     ///
     /// # Errors
     /// [`Error::Sample`](crate::Error::Sample) for a depth that is negative or not finite;
-    /// [`Error::Memory`](crate::Error::Memory).
+    /// [`Error::Memory`](crate::Error::Memory); [`Error::Distributed`](crate::Error::Distributed).
     pub fn new(bodies: &HalfSpace, depths: &[f64]) -> Result<Self> {
+        bodies.check_alone("stresses on planes")?;
         let rule = "must be non-negative and finite";
         samples_obey("depths", depths, rule, |depth| {
             depth >= 0.0 && depth.is_finite()
@@ -87,8 +88,8 @@ impl Planes {
             depths: depths.into(),
             kernels: no_kernels(depths),
             with_displacements: false,
+            transforms: Superposition::new(&torus)?,
             torus,
-            transforms: Superposition::new(size, torus)?,
         })
     }
 
@@ -155,7 +156,7 @@ impl Planes {
             transforms,
         } = self;
         let spectra = parallel::get_or_make(&kernels[index], || {
-            Spectra::new(bodies, *torus, depths[index], *with_displacements)
+            Spectra::new(bodies, torus, depths[index], *with_displacements)
         })?;
         plane.prepare(body, *with_displacements);
         transforms.enter(|transforms| {
@@ -196,7 +197,7 @@ impl Planes {
             let spectra = if let Some(spectra) = kept.get() {
                 spectra
             } else {
-                made = Spectra::new(bodies, *torus, depth, *with_displacements)?;
+                made = Spectra::new(bodies, torus, depth, *with_displacements)?;
                 &made
             };
             transforms.enter(|transforms| fill(transforms, spectra, &constants, &mut plane));

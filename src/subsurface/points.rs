@@ -62,13 +62,14 @@ pub struct Response {
 /// [`Error::Sample`] for a depth that is negative, or a coordinate or traction that is not finite;
 /// [`Error::GridMismatch`], [`Error::BoundaryMismatch`] and [`Error::MaterialMismatch`] if the tractions are not
 /// those of these bodies; [`Error::RigidBody`]; [`Error::Repeats`] if the grid
-/// repeats along both axes: use [`Planes`](crate::subsurface::Planes).
+/// repeats along both axes: use [`Planes`](crate::subsurface::Planes); [`Error::Distributed`].
 pub fn at_points<'a>(
     bodies: &HalfSpace,
     body: Body,
     tractions: impl Into<Tractions<'a>>,
     points: &[[f64; 3]],
 ) -> Result<Vec<Response>> {
+    bodies.check_alone("stresses at points")?;
     let constants = body.constants(bodies.pair())?;
     let fields = tractions.into().checked(bodies)?;
     if bodies.boundary() == Boundary::Periodic {

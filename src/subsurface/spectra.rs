@@ -30,7 +30,7 @@ const BYTES: usize = (Integral::COUNT + 2) * size_of::<f64>();
 impl Spectra {
     pub(super) fn new(
         bodies: &HalfSpace,
-        torus: Torus,
+        torus: &Torus,
         depth: f64,
         with_displacements: bool,
     ) -> Result<Self> {
@@ -77,7 +77,7 @@ impl Spectra {
 fn samples(
     grid: Grid,
     boundary: Boundary,
-    torus: Torus,
+    torus: &Torus,
     depth: f64,
 ) -> [Vec<f64>; Integral::COUNT] {
     let [width, height] = torus.quarter();
@@ -102,7 +102,7 @@ fn samples(
 }
 
 /// The symbols of the integrals, or their imaginary parts, for the waves of a quarter.
-fn waves(grid: Grid, torus: Torus, depth: f64) -> [Vec<f64>; Integral::COUNT] {
+fn waves(grid: Grid, torus: &Torus, depth: f64) -> [Vec<f64>; Integral::COUNT] {
     let [width, height] = torus.quarter();
     let sides = [grid.nx() as f64 * grid.dx(), grid.ny() as f64 * grid.dy()];
     let size = [grid.nx(), grid.ny()];

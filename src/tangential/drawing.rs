@@ -38,7 +38,7 @@ impl Drawing {
                 workspace,
             })
         };
-        let cells = size[0] * size[1];
+        let cells = bodies.layout(size).cells();
         Ok(Self {
             parts: axes.iter().map(part).collect::<Result<_>>()?,
             pressure: vec![0.0; cells],

@@ -203,6 +203,7 @@ where
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<PlaneVector> {
         let scene = FrictionScene {
+            layout: bodies.layout(size),
             directions: self.axes.map(Axis::direction),
             limits: task.limits.into(),
             linear: self.of(task.linear).map(Cow::from),

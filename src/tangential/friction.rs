@@ -3,6 +3,7 @@
 use crate::error::{Result, all_non_negative, non_negative, positive};
 use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
+use crate::half_space::Region;
 use crate::per_cell::PerCell;
 use crate::window::coarsened;
 
@@ -99,6 +100,22 @@ impl Friction {
         let (limit, cap) = (self.coefficient_at(index) * pressure, self.cap());
         // A minimum would pass over NaN.
         if limit > cap { cap } else { limit }
+    }
+
+    /// That of the cells of a region that ranks share, in its own order; `None` if none do, or if it is the same
+    /// everywhere.
+    pub(crate) fn on(&self, region: &Region) -> Option<Self> {
+        let PerCell::Cells(field) = &self.coefficient else {
+            return None;
+        };
+        region.is_shared().then(|| {
+            let mut cells = Field::zeros(field.grid().of_size(region.own().size));
+            region.gather(field.as_slice(), cells.as_mut_slice());
+            Self {
+                coefficient: PerCell::Cells(cells),
+                max_shear_stress: self.max_shear_stress,
+            }
+        })
     }
 
     /// The friction of cells twice as large.

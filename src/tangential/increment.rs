@@ -17,7 +17,6 @@ use crate::tangential::growth::{Growth, GrowthFields};
 use crate::tangential::motion::{Motion, centre};
 use crate::tangential::{Axis, Pressed, RelativeDisplacement, TangentialControl};
 use crate::trend::Trend;
-use crate::window::Window;
 
 /// The tangential contact on a window: pressure, limits and tractions of its cells, and the engine that solves a step.
 ///
@@ -60,7 +59,7 @@ impl Increment {
         pressed: Pressed,
         coupling: Coupling,
     ) -> Result<Self> {
-        let Window { size, .. } = pressed.window;
+        let (size, cells) = (pressed.window().size, pressed.region.cells());
         let is_drawn = coupling.is_one_way(bodies.pair());
         let drawing = is_drawn.then(|| Drawing::new(bodies, axes, size));
         Ok(Self {
@@ -68,9 +67,9 @@ impl Increment {
             bodies: bodies.clone(),
             axes,
             engine: engine_along(bodies, axes, size)?,
-            traction: zeros(axes, pressed.window.cells()),
-            offset: zeros(axes, pressed.window.cells()),
-            linear: zeros(axes, pressed.window.cells()),
+            traction: zeros(axes, cells),
+            offset: zeros(axes, cells),
+            linear: zeros(axes, cells),
             growth: GrowthFields::default(),
             motion: Motion::default(),
             pressed,
@@ -95,7 +94,7 @@ impl Increment {
         for axis in self.axes {
             let axis = axis.index();
             let part = &mut self.traction[axis];
-            self.pressed.window.gather(traction[axis], part);
+            self.pressed.region.gather(traction[axis], part);
         }
     }
 
@@ -105,11 +104,11 @@ impl Increment {
         for axis in self.axes.iter().map(|axis| axis.index()) {
             whole.fill(0.0);
             self.pressed
-                .window
+                .region
                 .scatter(&self.traction[axis], &mut whole);
             other
                 .pressed
-                .window
+                .region
                 .gather(&whole, &mut other.traction[axis]);
         }
     }
@@ -158,7 +157,7 @@ impl Increment {
         for axis in self.axes {
             let axis = axis.index();
             let part = &mut self.offset[axis];
-            self.pressed.window.gather(offset[axis], part);
+            self.pressed.region.gather(offset[axis], part);
         }
     }
 
@@ -184,7 +183,7 @@ impl Increment {
                 .pressed
                 .pressure
                 .iter()
-                .zip(self.pressed.window.indices());
+                .zip(self.pressed.region.own().indices());
             let grown = cells.map(|(pressure, index)| pressure - before[index]);
             drawing.subtract(grown, &mut self.offset);
         }
@@ -199,7 +198,15 @@ impl Increment {
             drawing.subtract(self.pressed.pressure.iter().copied(), &mut self.offset);
         }
         if let Some(relative) = relative {
-            self.displace(|axis, index| relative.at(axis, index));
+            for axis in self.axes.iter().map(|axis| axis.index()) {
+                // A solve writes its linear term first.
+                let own = &mut self.linear[axis];
+                let field = relative.fields()[axis];
+                self.pressed.region.gather(field.as_slice(), own);
+                for (offset, relative) in self.offset[axis].iter_mut().zip(own) {
+                    *offset -= *relative;
+                }
+            }
         }
     }
 
@@ -207,7 +214,7 @@ impl Increment {
     pub(crate) fn displace(&mut self, change: impl Fn(usize, usize) -> f64) {
         for axis in self.axes.iter().map(|axis| axis.index()) {
             let cells = self.offset[axis].iter_mut();
-            for (offset, index) in cells.zip(self.pressed.window.indices()) {
+            for (offset, index) in cells.zip(self.pressed.region.own().indices()) {
                 *offset -= change(axis, index);
             }
         }
@@ -221,7 +228,7 @@ impl Increment {
         before: &[f64],
         direction: impl Fn([f64; 2]) -> [f64; 2],
     ) {
-        let (grid, Pressed { window, .. }) = (self.bodies.grid(), &self.pressed);
+        let (grid, window) = (self.bodies.grid(), self.pressed.window());
         for (k, i) in window.indices().enumerate() {
             let grown = self.pressed.pressure[k] - before[i];
             let direction = direction(centre(grid, i));
@@ -275,7 +282,7 @@ impl Increment {
         unit: f64,
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<()> {
-        let Pressed { window, limits, .. } = &self.pressed;
+        let Pressed { region, limits, .. } = &self.pressed;
         let mut task = Task {
             limits: &limits.cells,
             linear: &self.linear,
@@ -292,16 +299,21 @@ impl Increment {
             }
             Start::Nested => {
                 let is_at_rest = self.motion == Motion::default();
-                let is_drawn = self.offset.iter().flatten().any(|offset| *offset != 0.0);
+                let is_drawn = reduce::any(region.layout(), |i| at(&self.offset, i) != [0.0; 2]);
                 let is_moved = !is_at_rest || is_drawn;
                 let is_idle = !is_moved && totals.iter().all(|total| total.is_idle());
                 self.traction = if is_idle || limits.sum <= 0.0 {
-                    zeros(self.axes, window.cells())
+                    zeros(self.axes, region.cells())
                 } else {
                     let [x, y] = totals.map(|total| total.sum().unwrap_or(0.0));
                     let is_sliding = x.hypot(y) >= limits.sum;
-                    self.engine
-                        .start(&self.bodies, window.size, task, is_sliding, conditions)?
+                    self.engine.start(
+                        &self.bodies,
+                        region.window().size,
+                        task,
+                        is_sliding,
+                        conditions,
+                    )?
                 };
             }
         }
@@ -358,27 +370,32 @@ impl Increment {
     /// The shift that, with a twist, would leave the cell of the largest limit without traction: measured from
     /// there, a contact that has nowhere slipped asks for exactly none.
     fn datum(&self) -> [f64; 2] {
-        let Pressed { window, limits, .. } = &self.pressed;
-        let limits = &limits.cells;
-        let Some((cell, _)) = reduce::least(limits.len(), |cell| Some(-limits[cell])) else {
+        let Pressed { region, limits, .. } = &self.pressed;
+        let (limits, own) = (&limits.cells, region.own());
+        let grid = self.bodies.grid().whole();
+        let largest = reduce::least(region.layout(), |cell| {
+            let centre = centre(grid, own.index(cell));
+            Some((-limits[cell], (at(&self.offset, cell), centre)))
+        });
+        let Some((_, (shift, centre))) = largest else {
             return [0.0; 2];
         };
-        let turned = Motion {
-            shift: at(&self.offset, cell),
+        let motion = Motion {
+            shift,
             ..self.motion
-        }
-        .at(centre(self.bodies.grid(), window.index(cell)));
-        turned.map(|motion| -motion)
+        };
+        motion.at(centre).map(|motion| -motion)
     }
 
     /// Asks every cell to follow the motion, from its offset.
     fn set_linear(&mut self) {
-        let (grid, motion, window) = (self.bodies.grid(), self.motion, self.pressed.window);
+        let (grid, motion) = (self.bodies.grid().whole(), self.motion);
+        let own = self.pressed.region.own();
         for axis in self.axes.iter().map(|axis| axis.index()) {
             let offset = &self.offset[axis];
             parallel::update(&mut self.linear[axis], |first, chunk| {
                 for (k, linear) in (first..).zip(chunk) {
-                    let moved = motion.at(centre(grid, window.index(k)))[axis];
+                    let moved = motion.at(centre(grid, own.index(k)))[axis];
                     *linear = -(offset[k] + moved);
                 }
             });

@@ -4,6 +4,8 @@ use std::ops::RangeInclusive;
 
 use crate::cgm::reduce;
 use crate::error::{Error, Result, finite};
+use crate::half_space::{HalfSpace, Region};
+use crate::layout::Layout;
 use crate::parallel;
 use crate::tangential::Friction;
 use crate::window::Window;
@@ -20,40 +22,47 @@ const NOTHING: f64 = 1e-30;
 /// The part of a normal contact that a tangential one needs: a window around it, pressure and limits there.
 #[derive(Debug, Clone)]
 pub(crate) struct Pressed {
-    pub(crate) window: Window,
-    /// Pressure of the cells of the window.
+    pub(crate) region: Region,
+    /// Pressure of the cells of the region.
     pub(crate) pressure: Vec<f64>,
     pub(crate) limits: Limits,
 }
 
 impl Pressed {
     /// Without pressure.
-    pub(crate) fn new(window: Window) -> Self {
+    pub(crate) fn new(bodies: &HalfSpace, window: Window) -> Self {
+        let region = Region::new(bodies, window);
         Self {
-            window,
-            pressure: vec![0.0; window.cells()],
+            pressure: vec![0.0; region.cells()],
             limits: Limits {
-                cells: vec![0.0; window.cells()],
+                layout: region.layout().clone(),
+                cells: vec![0.0; region.cells()],
                 sum: 0.0,
             },
+            region,
         }
+    }
+
+    pub(crate) fn window(&self) -> Window {
+        self.region.window()
     }
 
     /// Takes the pressure of the whole grid, and what friction makes of it.
     pub(crate) fn set(&mut self, pressure: &[f64], friction: &Friction) {
-        self.window.gather(pressure, &mut self.pressure);
-        self.limits.set(friction, self.window, &self.pressure);
+        self.region.gather(pressure, &mut self.pressure);
+        self.limits.set(friction, &self.region, &self.pressure);
     }
 
     /// Changes the friction alone.
     pub(crate) fn set_friction(&mut self, friction: &Friction) {
-        self.limits.set(friction, self.window, &self.pressure);
+        self.limits.set(friction, &self.region, &self.pressure);
     }
 }
 
 /// The friction limit of every cell of a window, and their sum.
 #[derive(Debug, Clone)]
 pub(crate) struct Limits {
+    layout: Layout,
     pub(crate) cells: Vec<f64>,
     pub(crate) sum: f64,
 }
@@ -64,11 +73,17 @@ pub(crate) fn is_at_limit(size: f64, limit: f64) -> bool {
 }
 
 impl Limits {
-    fn set(&mut self, friction: &Friction, window: Window, pressure: &[f64]) {
+    fn set(&mut self, friction: &Friction, region: &Region, pressure: &[f64]) {
+        let (own, gathered) = (region.own(), friction.on(region));
+        let friction = gathered.as_ref().unwrap_or(friction);
+        let place = |cell: usize| match gathered {
+            Some(_) => cell,
+            None => own.index(cell),
+        };
         parallel::update(&mut self.cells, |first, chunk| {
             for (k, limit) in (first..).zip(chunk) {
                 *limit = if pressure[k] > 0.0 {
-                    friction.limit(window.index(k), pressure[k])
+                    friction.limit(place(k), pressure[k])
                 } else {
                     0.0
                 };
@@ -81,11 +96,11 @@ impl Limits {
                 *limit = if *limit < least { 0.0 } else { *limit };
             }
         });
-        self.sum = reduce::total(&self.cells);
+        self.sum = reduce::total(&self.layout, &self.cells);
     }
 
     fn largest(&self) -> f64 {
-        reduce::max(self.cells.len(), |i| self.cells[i])
+        reduce::max(&self.layout, |i| self.cells[i])
     }
 
     /// A power of two near the largest limit, where tractions have to be measured in such a unit: their squares would

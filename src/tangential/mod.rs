@@ -47,6 +47,7 @@ mod relative;
 mod solution;
 mod solver;
 mod superposition;
+mod whole;
 mod zone;
 
 pub(crate) use answer::Answer;

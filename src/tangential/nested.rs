@@ -2,15 +2,16 @@
 
 use std::borrow::Cow;
 
-use crate::cascade::Scene;
+use crate::cascade::{Levels, Scene};
 use crate::cgm::vector::{at, norm, slices};
 use crate::cgm::{Admissible, Ball, Constraint, Linearised, Magnitude, Total, Within, reduce};
 use crate::influence::Direction;
+use crate::layout::Layout;
 use crate::tangential::limits::is_at_limit;
-use crate::window::{coarsened, refined};
 
 /// Friction limits, minus the prescribed motion, and the prescribed sums of the tractions along `directions`.
 pub(super) struct FrictionScene<'a, const N: usize> {
+    pub(super) layout: Layout,
     pub(super) directions: [Direction; N],
     pub(super) limits: Cow<'a, [f64]>,
     pub(super) linear: [Cow<'a, [f64]>; N],
@@ -20,7 +21,7 @@ pub(super) struct FrictionScene<'a, const N: usize> {
 impl<const N: usize> FrictionScene<'_, N> {
     /// What friction holds, as a traction times cells.
     fn capacity(&self) -> f64 {
-        reduce::total(&self.limits)
+        reduce::total(&self.layout, &self.limits)
     }
 }
 
@@ -47,12 +48,13 @@ where
     }
 
     /// With sums that are the same part of what friction holds.
-    fn coarsened(&self, size: [usize; 2]) -> Self {
+    fn coarsened(&self, levels: Levels<'_>) -> Self {
         let linear = self.linear.each_ref();
         let mut coarse = Self {
+            layout: levels.coarse_layout(),
             directions: self.directions,
-            limits: coarsened(size, &self.limits).into(),
-            linear: linear.map(|linear| coarsened(size, linear).into()),
+            limits: levels.coarsened(&self.limits).into(),
+            linear: linear.map(|linear| levels.coarsened(linear).into()),
             totals: self.totals,
         };
         let part = coarse.capacity() / self.capacity();
@@ -73,15 +75,23 @@ where
     /// with the traction. The direction is that of the whole where the interpolated traction is zero.
     fn refined_start(
         &self,
-        size: [usize; 2],
+        levels: Levels<'_>,
         coarse: &Self,
         answer: &[Vec<f64>; N],
     ) -> [Vec<f64>; N] {
-        let overall = answer.each_ref().map(|part| reduce::total(part));
-        let mut start = answer.each_ref().map(|part| refined(size, part));
-        let (answer, columns) = (slices(answer), size[0].div_ceil(2));
+        let overall = answer
+            .each_ref()
+            .map(|part| reduce::total(&coarse.layout, part));
+        let mut start = answer.each_ref().map(|part| levels.refined(part));
+        let answer = slices(answer);
+        let at_limit = (0..coarse.limits.len()).map(|cell| {
+            f64::from(u8::from(is_at_limit(
+                norm(at(&answer, cell)),
+                coarse.limits[cell],
+            )))
+        });
+        let slips = levels.inherited(&at_limit.collect::<Vec<f64>>());
         for (cell, &limit) in self.limits.iter().enumerate() {
-            let parent = (cell / size[0] / 2) * columns + cell % size[0] / 2;
             let interpolated = at(&slices(&start), cell);
             let direction = if norm(interpolated) > 0.0 {
                 interpolated
@@ -89,9 +99,8 @@ where
                 overall
             };
             let length = norm(direction);
-            let slips = is_at_limit(norm(at(&answer, parent)), coarse.limits[parent]);
             let set = Within::of_radius(limit);
-            let traction = if slips && length > 0.0 {
+            let traction = if slips[cell] > 0.0 && length > 0.0 {
                 set.extreme(direction.map(|q| q / length))
             } else {
                 set.project(interpolated)

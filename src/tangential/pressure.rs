@@ -74,7 +74,7 @@ impl<'a> PressureSource<'a> {
 
 /// The smallest window around all pressure; all of the grid along an axis that repeats.
 pub(super) fn contact_window(bodies: &HalfSpace, pressure: &[f64]) -> Result<Window> {
-    let contact = Window::around(bodies.grid(), |i| pressure[i] > 0.0);
+    let contact = bodies.around(|i| pressure[i] > 0.0);
     contact
         .map(|window| bodies.confined(window))
         .ok_or(Error::EmptyContact)

@@ -111,7 +111,7 @@ impl TangentialProblem {
     }
 }
 
-impl TangentialProblemBuilder<'_, '_> {
+impl<'p> TangentialProblemBuilder<'_, 'p> {
     settings_methods!();
 
     /// Which tractions are found (default [`TangentialModel::Scalar`]).
@@ -165,18 +165,9 @@ impl TangentialProblemBuilder<'_, '_> {
     /// [`Error::Tolerance`], [`Error::IterationLimit`].
     pub fn build(self) -> Result<TangentialProblem> {
         let grid = self.bodies.grid();
-        self.friction.check(grid)?;
-        let axes = self.load.axes(self.model)?;
         let demand = self.load.demand();
-        demand.check(axes, self.bodies.boundary())?;
-        self.settings.check()?;
-        self.model.check(&self.settings)?;
-        check_coupling(self.bodies, self.coupling)?;
-        if let Some(relative) = &self.relative {
-            relative.check(grid, axes)?;
-        }
-        let samples = self.pressure.checked(self.bodies)?;
-        let mut pressed = Pressed::new(contact_window(self.bodies, samples)?);
+        let samples = self.bodies.agreed(self.check())?;
+        let mut pressed = Pressed::new(self.bodies, contact_window(self.bodies, samples)?);
         pressed.set(samples, &self.friction);
         pressed.limits.check(demand.force(), grid.cell_area())?;
         Ok(TangentialProblem {
@@ -189,6 +180,21 @@ impl TangentialProblemBuilder<'_, '_> {
             relative: self.relative,
             settings: self.settings,
         })
+    }
+
+    /// What every rank checks of its own; returns the pressure of the cells held here.
+    fn check(&self) -> Result<&'p [f64]> {
+        let grid = self.bodies.grid();
+        self.friction.check(grid)?;
+        let axes = self.load.axes(self.model)?;
+        self.load.demand().check(axes, self.bodies.boundary())?;
+        self.settings.check()?;
+        self.model.check(&self.settings)?;
+        check_coupling(self.bodies, self.coupling)?;
+        if let Some(relative) = &self.relative {
+            relative.check(grid, axes)?;
+        }
+        self.pressure.checked(self.bodies)
     }
 }
 

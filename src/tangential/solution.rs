@@ -13,6 +13,7 @@ use crate::report::Report;
 #[cfg(feature = "serde")]
 use crate::serial::checked;
 use crate::tangential::motion::centre;
+use crate::tangential::whole::{Sums, Whole};
 use crate::tangential::{Answer, Axis, Zone, displacement};
 
 /// Traction, slip, zones and shift of a tangential contact.
@@ -29,6 +30,9 @@ pub struct TangentialSolution {
     shift: [f64; 2],
     twist: f64,
     report: Report,
+    /// Of a slab, what all ranks together have found.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    whole: Option<Whole>,
 }
 
 /// What is read, before it is checked.
@@ -44,6 +48,8 @@ struct Unchecked {
     shift: [f64; 2],
     twist: f64,
     report: Report,
+    #[serde(skip)]
+    whole: Option<Whole>,
 }
 
 #[cfg(feature = "serde")]
@@ -75,10 +81,17 @@ impl TangentialSolution {
             shift: [0.0; 2],
             twist: 0.0,
             report: Report::with_room(),
+            whole: None,
         }
     }
 
-    pub(crate) fn fill(&mut self, axis: Option<Axis>, answer: &Answer<'_>, report: &Report) {
+    pub(crate) fn fill(
+        &mut self,
+        bodies: &HalfSpace,
+        axis: Option<Axis>,
+        answer: &Answer<'_>,
+        report: &Report,
+    ) {
         self.zones.fill(Zone::Separated);
         for field in self.traction.iter_mut().chain(&mut self.slip) {
             field.as_mut_slice().fill(0.0);
@@ -86,20 +99,37 @@ impl TangentialSolution {
         self.axis = axis;
         (self.shift, self.twist) = (answer.motion.shift, answer.motion.twist);
         self.report.clone_from(report);
-        let (grid, pressed) = (self.grid(), answer.pressed);
-        for (k, i) in pressed.window.indices().enumerate() {
+        let (grid, pressed) = (self.grid().whole(), answer.pressed);
+        // In contact, at the limit; traction; slip.
+        let known = |k: usize, i: usize| {
             if pressed.pressure[k] <= 0.0 {
-                continue;
+                return [0.0; 6];
             }
-            let is_at_limit = answer.is_at_limit(k);
-            self.zones[i] = if is_at_limit { Zone::Slip } else { Zone::Stick };
-            let traction = answer.traction(k);
-            let slip = answer.slip(k, centre(grid, i)).unwrap_or([0.0; 2]);
-            for axis in 0..2 {
-                self.traction[axis].as_mut_slice()[i] = traction[axis];
-                self.slip[axis].as_mut_slice()[i] = slip[axis];
-            }
-        }
+            let slips = f64::from(u8::from(answer.is_at_limit(k)));
+            let [q, r] = answer.traction(k);
+            let [s, t] = answer.slip(k, centre(grid, i)).unwrap_or([0.0; 2]);
+            [1.0, slips, q, r, s, t]
+        };
+        let Self {
+            traction,
+            slip,
+            zones,
+            ..
+        } = self;
+        let [traction_x, traction_y] = traction.each_mut().map(Field::as_mut_slice);
+        let [slip_x, slip_y] = slip.each_mut().map(Field::as_mut_slice);
+        pressed
+            .region
+            .spread(known, |i, [touches, slips, q, r, s, t]| {
+                zones[i] = match (touches > 0.0, slips > 0.0) {
+                    (false, _) => Zone::Separated,
+                    (true, false) => Zone::Stick,
+                    (true, true) => Zone::Slip,
+                };
+                (traction_x[i], traction_y[i]) = (q, r);
+                (slip_x[i], slip_y[i]) = (s, t);
+            });
+        self.whole = Whole::of(bodies, &self.traction, &self.slip, &self.zones);
     }
 
     /// The grid of all its fields.
@@ -161,20 +191,17 @@ impl TangentialSolution {
     /// Tangential force that body 2 exerts on body 1, the integral of the traction.
     #[must_use]
     pub fn force(&self) -> [f64; 2] {
-        self.traction.each_ref().map(Field::integral)
+        match &self.whole {
+            Some(whole) => whole.sums.force.map(|sum| sum * self.grid().cell_area()),
+            None => self.traction.each_ref().map(Field::integral),
+        }
     }
 
     /// Moment about z, at the origin of the grid, that the tractions of body 2 exert on body 1 (force times length,
     /// positive from x to y).
     #[must_use]
     pub fn moment(&self) -> f64 {
-        let (grid, [x, y]) = (self.grid(), self.traction());
-        let (x, y) = (x.as_slice(), y.as_slice());
-        let moment = reduce::sum(x.len(), |i| {
-            let [along_x, along_y] = centre(grid, i);
-            along_x * y[i] - along_y * x[i]
-        });
-        moment * grid.cell_area()
+        self.sums().moment * self.grid().cell_area()
     }
 
     /// Displacement of the surface of body 1 relative to that of body 2 by the tractions (lengths), of all cells, in
@@ -199,7 +226,7 @@ impl TangentialSolution {
         let pairs = self.traction.iter().zip(&displacement);
         let energy = pairs.fold(0.0, |sum, (q, u)| {
             let (q, u) = (q.as_slice(), u.as_slice());
-            sum + reduce::sum(q.len(), |i| q[i] * u[i])
+            sum + reduce::sum(&bodies.grid_layout(), |i| q[i] * u[i])
         });
         Ok(0.5 * self.grid().cell_area() * energy)
     }
@@ -207,13 +234,13 @@ impl TangentialSolution {
     /// Whether the whole contact slips.
     #[must_use]
     pub fn is_gross_slip(&self) -> bool {
-        self.cells(Zone::Stick) == 0 && self.cells(Zone::Slip) > 0
+        self.stick_cells() == 0 && self.slip_cells() > 0
     }
 
     /// Stick area over contact area, by counting cells; zero for an empty solution.
     #[must_use]
     pub fn stick_ratio(&self) -> f64 {
-        let (stick, slip) = (self.cells(Zone::Stick), self.cells(Zone::Slip));
+        let (stick, slip) = (self.stick_cells(), self.slip_cells());
         if stick == 0 {
             0.0
         } else {
@@ -224,25 +251,20 @@ impl TangentialSolution {
     /// Area of the stick zone, by counting cells.
     #[must_use]
     pub fn stick_area(&self) -> f64 {
-        self.cells(Zone::Stick) as f64 * self.grid().cell_area()
+        self.stick_cells() as f64 * self.grid().cell_area()
     }
 
     /// Area of the slip zone, by counting cells.
     #[must_use]
     pub fn slip_area(&self) -> f64 {
-        self.cells(Zone::Slip) as f64 * self.grid().cell_area()
+        self.slip_cells() as f64 * self.grid().cell_area()
     }
 
     /// Energy dissipated by the step, `-Delta sum q s >= 0`, with the tractions at its end.
     #[must_use]
     pub fn dissipated_energy(&self) -> f64 {
-        let pairs = self.traction.iter().zip(&self.slip);
-        let work: f64 = pairs
-            .flat_map(|(traction, slip)| traction.as_slice().iter().zip(slip.as_slice()))
-            .map(|(q, s)| q * s)
-            .sum();
         // Not the negative of it: full stick dissipates 0, not -0.
-        0.0 - work * self.grid().cell_area()
+        0.0 - self.sums().work * self.grid().cell_area()
     }
 
     /// How the solve ended, what it cost, how large its error can be.
@@ -255,14 +277,41 @@ impl TangentialSolution {
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         let contact = ContactMap {
-            grid: self.grid(),
+            grid: self.grid().whole(),
             boundary: self.boundary,
-            contains: |i: usize| self.zones[i] != Zone::Separated,
+            contains: |i: usize| match &self.whole {
+                Some(whole) => whole.contact.contain(i),
+                None => self.zones[i] != Zone::Separated,
+            },
         };
         contact.warnings()
     }
 
-    fn cells(&self, zone: Zone) -> usize {
-        self.zones.iter().filter(|&&z| z == zone).count()
+    fn stick_cells(&self) -> usize {
+        self.cells(Zone::Stick, |sums| sums.stick)
+    }
+
+    fn slip_cells(&self) -> usize {
+        self.cells(Zone::Slip, |sums| sums.slip)
+    }
+
+    fn cells(&self, zone: Zone, of: impl Fn(&Sums) -> usize) -> usize {
+        match &self.whole {
+            Some(whole) => of(&whole.sums),
+            None => self.zones.iter().filter(|&&z| z == zone).count(),
+        }
+    }
+
+    /// Over all cells.
+    fn sums(&self) -> Sums {
+        let sums = || {
+            Sums::of(
+                &self.grid().layout(),
+                &self.traction,
+                &self.slip,
+                &self.zones,
+            )
+        };
+        self.whole.as_ref().map_or_else(sums, |whole| whole.sums)
     }
 }

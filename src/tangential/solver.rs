@@ -155,14 +155,14 @@ impl TangentialSolver {
     pub fn set_pressure<'a>(&mut self, pressure: impl Into<PressureSource<'a>>) -> Result<()> {
         let samples = pressure.into().checked(&self.bodies)?;
         let contact = contact_window(&self.bodies, samples)?;
-        if self.increment.pressed.window.covers(contact) {
+        if self.increment.pressed.window().covers(contact) {
             self.candidate.set(samples, &self.friction);
             self.take_candidate()?;
             self.increment.draw(self.relative.as_ref());
             return Ok(());
         }
         // A little wider than the contact, so that it may grow some more.
-        let mut pressed = Pressed::new(contact.widened(self.bodies.grid()));
+        let mut pressed = Pressed::new(&self.bodies, contact.widened(self.bodies.grid()));
         pressed.set(samples, &self.friction);
         self.check_load(&pressed)?;
         let candidate = pressed.clone();
@@ -241,8 +241,11 @@ impl TangentialSolver {
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<()> {
         let (grid, boundary) = (solution.grid(), solution.boundary());
-        self.bodies.check_host("solution", grid, boundary)?;
-        parallel::enter_with(grid.cells(), || self.solve_checked(solution, &mut observer))
+        let bodies = self.bodies.clone();
+        bodies.agreed(bodies.check_host("solution", grid, boundary))?;
+        bodies.joint(parallel::enter_with(grid.cells(), || {
+            self.solve_checked(solution, &mut observer)
+        }))
     }
 
     fn solve_checked(
@@ -274,7 +277,7 @@ impl TangentialSolver {
         self.report.clone_from(self.increment.report());
         self.report.time = conditions.start.elapsed();
         let axis = Axis::only(self.increment.axes());
-        solution.fill(axis, &self.increment.answer(), &self.report);
+        solution.fill(&self.bodies, axis, &self.increment.answer(), &self.report);
         self.increment.rest();
         outcome.map_err(|_| Error::NotConverged(Box::new(self.report.clone())))
     }

@@ -79,7 +79,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
 
     /// What is missing of the totals.
     pub(super) fn missing(&self) -> [f64; N] {
-        let sums = sums_of(&slices(&self.x));
+        let sums = sums_of(self.problem.layout, &slices(&self.x));
         let multiplier = self.workspace.multiplier;
         std::array::from_fn(|c| match self.problem.totals[c] {
             Total::Free => 0.0,
@@ -93,7 +93,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
 
     /// The multipliers of springs follow what the tractions have become.
     pub(super) fn hold_springs(&mut self) {
-        let sums = sums_of(&slices(&self.x));
+        let sums = sums_of(self.problem.layout, &slices(&self.x));
         let multiplier = &mut self.workspace.multiplier;
         for (c, total) in self.problem.totals.iter().enumerate() {
             if total.is_spring() {

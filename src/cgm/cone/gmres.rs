@@ -6,7 +6,6 @@ use crate::cgm::cone::border::Border;
 use crate::cgm::cone::krylov::{Hessenberg, RESTART};
 use crate::cgm::cone::workspace::gradient;
 use crate::cgm::cone::{Cone, ConeRun, N};
-use crate::cgm::reduce;
 use crate::cgm::run::Precision;
 use crate::cgm::vector::{at, chunks, dot, norm, put, slices, slices_mut, within};
 use crate::operator::Operator;
@@ -82,14 +81,16 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     pub(super) fn precondition(&mut self) {
         let w = &mut *self.workspace;
         let (laws, residual) = (&w.laws, &w.residual);
-        w.contact
-            .sweep(chunks(&mut w.direction), |entries, mut full| {
+        w.contact.sweep(
+            chunks(self.problem.layout, &mut w.direction),
+            |entries, mut full| {
                 let residual = &residual[entries.range.clone()];
                 for (k, place) in entries.places().enumerate() {
                     let law = laws[entries.chunk.start + place];
                     put(&mut full, place, law.weighted(residual[k]));
                 }
-            });
+            },
+        );
         let (direction, image) = (slices(&w.direction), slices_mut(&mut w.image));
         let preconditioner = &self.problem.preconditioner;
         preconditioner.apply_f32(direction, image, &mut w.preconditioner);
@@ -109,14 +110,16 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     fn apply_to_correction(&mut self) {
         let w = &mut *self.workspace;
         let (laws, correction) = (&w.laws, &w.correction);
-        w.contact
-            .sweep(chunks(&mut w.direction), |entries, mut full| {
+        w.contact.sweep(
+            chunks(self.problem.layout, &mut w.direction),
+            |entries, mut full| {
                 let correction = &correction[entries.range.clone()];
                 for (k, place) in entries.places().enumerate() {
                     let law = laws[entries.chunk.start + place];
                     put(&mut full, place, law.extend(correction[k]));
                 }
-            });
+            },
+        );
         let (direction, image) = (slices(&w.direction), slices_mut(&mut w.image));
         let (operator, report) = (&self.problem.operator, &mut w.report);
         Precision::Single.apply(operator, direction, image, &mut w.operator, report);
@@ -163,9 +166,9 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     }
 
     fn residual_size(&self) -> f64 {
-        let residual = &self.workspace.residual;
-        let square = reduce::sum(residual.len(), |k| dot(residual[k], residual[k]));
-        square.sqrt()
+        let w = &*self.workspace;
+        let residual = &w.residual;
+        w.contact.sum(|range| squares(&residual[range])).sqrt()
     }
 
     /// The system's product with the correction, at changes of the multipliers, as vector `j` of the basis.
@@ -189,11 +192,12 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     /// Makes vector `j + 1` of the basis orthogonal to those before, twice, and of length one; returns the products and
     /// the length it had left.
     fn orthogonalise(&mut self, j: usize) -> ([f64; RESTART], f64) {
-        let (done, rest) = self.workspace.basis.split_at_mut(j + 1);
+        let w = &mut *self.workspace;
+        let (contact, (done, rest)) = (&w.contact, w.basis.split_at_mut(j + 1));
         let next = &mut rest[0];
         let mut products = [0.0; RESTART];
         for _ in 0..2 {
-            let parts: [f64; RESTART] = reduce::over_chunks(next.len(), |range| {
+            let parts: [f64; RESTART] = contact.sum(|range| {
                 let mut parts = [0.0; RESTART];
                 for (part, vector) in parts.iter_mut().zip(&*done) {
                     *part = range
@@ -213,8 +217,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
                 *product += part;
             }
         }
-        let square = reduce::sum(next.len(), |k| dot(next[k], next[k]));
-        let length = square.sqrt();
+        let length = contact.sum(|range| squares(&next[range])).sqrt();
         if length > 0.0 {
             parallel::update(next, |_, chunk| {
                 for value in chunk {
@@ -238,4 +241,11 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
             }
         });
     }
+}
+
+/// The sum of the squares of a piece of a vector.
+fn squares(vector: &[[f64; N]]) -> f64 {
+    vector
+        .iter()
+        .fold(0.0, |sum, value| sum + dot(*value, *value))
 }

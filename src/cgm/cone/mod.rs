@@ -27,6 +27,7 @@ use std::ops::ControlFlow;
 
 use crate::cgm::monitor::Monitor;
 use crate::cgm::{Settings, Total, reduce};
+use crate::layout::Layout;
 use crate::operator::Operator;
 use crate::report::{Iteration, Status};
 
@@ -49,6 +50,7 @@ pub(crate) trait Cone: Sync {
 pub(crate) struct ConeProblem<'a, C, P, F> {
     pub(crate) operator: C,
     pub(crate) preconditioner: P,
+    pub(crate) layout: &'a Layout,
     /// The gap before loading, and minus what the cells are asked to follow along x and y.
     pub(crate) linear: [&'a [f64]; N],
     pub(crate) friction: F,
@@ -124,7 +126,7 @@ pub(crate) fn solve<C: Operator<N>, P: Operator<N>, F: Cone>(
 ) -> (Option<Status>, ConeFindings) {
     let mut run = ConeRun {
         problem,
-        monitor: Monitor::new(settings, observer, &mut workspace.report),
+        monitor: Monitor::new(settings, problem.layout, observer, &mut workspace.report),
         x,
         workspace,
         free: 0,

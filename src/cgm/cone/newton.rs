@@ -9,6 +9,7 @@ use crate::cgm::cone::{Cone, ConeFindings, ConeRun, N, Opening};
 use crate::cgm::run::Precision;
 use crate::cgm::vector::{chunks, held, norm, put, slices, slices_mut};
 use crate::cgm::{Admissible, Disc, Magnitude, NonNegative, reduce};
+use crate::layout::Layout;
 use crate::operator::Operator;
 use crate::parallel;
 use crate::report::Status;
@@ -86,15 +87,20 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     fn set_laws(&mut self) {
         let friction = &self.problem.friction;
         let laws = &mut self.workspace.laws;
-        move_cells(&mut self.x, laws, |cell, _, [p, x, y]| {
-            let pressure = p.max(0.0);
-            let disc = Disc {
-                radius: friction.limit(cell, pressure),
-            };
-            let [x, y] = disc.project([x, y]);
-            let tractions = [pressure, x, y];
-            (Law::of(tractions, disc.radius), tractions, false)
-        });
+        move_cells(
+            self.problem.layout,
+            &mut self.x,
+            laws,
+            |cell, _, [p, x, y]| {
+                let pressure = p.max(0.0);
+                let disc = Disc {
+                    radius: friction.limit(cell, pressure),
+                };
+                let [x, y] = disc.project([x, y]);
+                let tractions = [pressure, x, y];
+                (Law::of(tractions, disc.radius), tractions, false)
+            },
+        );
         self.hold_springs();
     }
 
@@ -123,6 +129,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     pub(super) fn examine(&mut self) -> ConeFindings {
         let (problem, w) = (self.problem, &*self.workspace);
         let normal = Iterate {
+            layout: problem.layout,
             x: [&*self.x[0]],
             product: [&w.product[0]],
             linear: [problem.linear[0]],
@@ -131,6 +138,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
             multiplier: [w.multiplier[0]],
         };
         let plane = Iterate {
+            layout: problem.layout,
             x: [&*self.x[1], &*self.x[2]],
             product: [&w.product[1], &w.product[2]],
             linear: [problem.linear[1], problem.linear[2]],
@@ -188,7 +196,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         let w = &mut *self.workspace;
         let gradient = gradient(&w.product, self.problem.linear, w.multiplier);
         let (pressure, limits) = (&*self.x[0], &w.limits);
-        let least = NOTHING * reduce::max(limits.len(), |i| limits[i]);
+        let least = NOTHING * reduce::max(self.problem.layout, |i| limits[i]);
         parallel::update(&mut w.laws, |first, laws| {
             for (i, law) in (first..).zip(laws) {
                 if law.touches() {
@@ -208,15 +216,20 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         let [z, x, y] = slices(&w.product);
         let sizes = |i: usize| norm([x[i], y[i]]);
         let noise = Noise {
-            gap: NOISE * tolerance * reduce::max(z.len(), |i| z[i].abs()),
-            slip: NOISE * tolerance * reduce::max(x.len(), sizes),
+            gap: NOISE * tolerance * reduce::max(self.problem.layout, |i| z[i].abs()),
+            slip: NOISE * tolerance * reduce::max(self.problem.layout, sizes),
         };
         let friction = &self.problem.friction;
-        move_cells(&mut self.x, &mut w.laws, |cell, law, tractions| {
-            let (next, value) = law.next(cell, tractions, gradient(cell), friction, noise);
-            let is_same = law.touches() == next.touches() && law.sticks() == next.sticks();
-            (next, value, !is_same)
-        })
+        move_cells(
+            self.problem.layout,
+            &mut self.x,
+            &mut w.laws,
+            |cell, law, tractions| {
+                let (next, value) = law.next(cell, tractions, gradient(cell), friction, noise);
+                let is_same = law.touches() == next.touches() && law.sticks() == next.sticks();
+                (next, value, !is_same)
+            },
+        )
     }
 
     /// Counts a step.
@@ -232,16 +245,16 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
 
 /// Puts every cell where `next` says, with its law; returns how many changed sets.
 fn move_cells(
+    layout: &Layout,
     x: &mut [&mut [f64]; N],
     laws: &mut [Law],
     next: impl Fn(usize, Law, [f64; N]) -> (Law, [f64; N], bool) + Sync,
 ) -> usize {
-    let tasks = laws.len().div_ceil(parallel::CHUNK);
-    let data = (chunks(x), parallel::blocks(laws));
+    let data = (chunks(layout, x), layout.blocks(laws));
     let work = |task: usize, (mut x, laws): (_, parallel::Blocks<'_, Law>)| {
-        let mut changed = 0;
+        let mut changed = 0_usize;
         for (place, law) in laws.items.iter_mut().enumerate() {
-            let cell = task * parallel::CHUNK + place;
+            let cell = task * layout.chunk() + place;
             let (law_next, value, is_changed) = next(cell, *law, held(&x, place));
             *law = law_next;
             put(&mut x, place, value);
@@ -249,5 +262,5 @@ fn move_cells(
         }
         changed
     };
-    parallel::sweep(0..tasks, data, &work, &|a, b| a + b)
+    layout.sweep(data, work, |a, b| a + b)
 }

@@ -42,7 +42,7 @@ impl<C: Operator<N>, P: Operator<N>> ConeWorkspace<C, P> {
             image: zeros(),
             limits: vec![0.0; cells],
             laws: vec![Law::Open; cells],
-            contact: MovingCells::with_capacity(cells),
+            contact: MovingCells::new(operator.layout()),
             residual: Vec::new(),
             correction: Vec::new(),
             spread: Vec::new(),

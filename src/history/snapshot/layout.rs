@@ -170,7 +170,9 @@ impl State {
         if let Some(hardness) = &mut self.hardness {
             visit_per_cell(codec, "hardness", hardness.limit_mut(), POSITIVE, grid)?;
             let pressure = self.normal.pressure().as_slice();
-            let yielded = hardness.count(pressure);
+            let limits = hardness.limits();
+            let is_reached = |i: &usize| limits.are_reached(*i, pressure[*i]);
+            let yielded = (0..pressure.len()).filter(is_reached).count();
             self.normal.set_yielded_cells(yielded);
         }
         codec.option("permanent set", &mut self.yielded, || Field::zeros(grid))?;

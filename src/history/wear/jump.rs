@@ -44,11 +44,12 @@ pub fn max_stable_cycles<'a>(
     coefficient: impl Into<Coefficient<'a>>,
     slip_distance: &Field,
 ) -> Result<f64> {
+    bodies.check_alone("a number of cycles")?;
     let coefficient = coefficient.into();
     coefficient.check(bodies.grid())?;
     check("slip length", slip_distance, bodies.grid())?;
     let slip = slip_distance.as_slice();
-    let rate = reduce::max(slip.len(), |i| coefficient.at(i) * slip[i]);
+    let rate = reduce::max(&bodies.grid().layout(), |i| coefficient.at(i) * slip[i]);
     Ok(2.0 * cycles_without_overshoot(bodies, rate)?)
 }
 
@@ -113,6 +114,7 @@ impl CycleJump {
     /// [`Error::GridMismatch`], [`Error::Sample`] for a
     /// depth that is negative or not finite; as [`HalfSpace::operator`].
     pub fn new(bodies: &HalfSpace, cycle: &Cycle, depth: &Field) -> Result<Self> {
+        bodies.check_alone("a jump over cycles")?;
         check(
             "pressure of the cycle",
             cycle.slip_pressure(),
@@ -120,7 +122,7 @@ impl CycleJump {
         )?;
         check("depth of the cycle", depth, bodies.grid())?;
         let (pressure, removed) = (cycle.slip_pressure().as_slice(), depth.as_slice());
-        let rate = reduce::max(removed.len(), |i| {
+        let rate = reduce::max(&bodies.grid().layout(), |i| {
             if pressure[i] > 0.0 {
                 removed[i] / pressure[i]
             } else {

@@ -1,0 +1,27 @@
+//! How ranks fail each other.
+
+/// Why ranks that solve together cannot go on.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RankFailure {
+    /// A rank has ended, or cannot be reached.
+    #[error("rank {rank} has left the others")]
+    Lost {
+        /// Its number.
+        rank: usize,
+    },
+    /// A rank did not answer for so long.
+    #[error("rank {rank} has been silent for {seconds} s")]
+    Silent {
+        /// Its number.
+        rank: usize,
+        /// The time that was waited (s).
+        seconds: f64,
+    },
+    /// A rank has refused its part of the work; its own error says why.
+    #[error("rank {rank} has refused its part of the work")]
+    Refused {
+        /// Its number.
+        rank: usize,
+    },
+}

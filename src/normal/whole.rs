@@ -1,0 +1,36 @@
+//! What all ranks together have found, kept with the slab of each.
+
+use crate::cgm::reduce;
+use crate::contact_map::Bits;
+use crate::half_space::HalfSpace;
+
+/// The contact of the whole grid, as every rank knows it.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Whole {
+    pub(super) contact: Bits,
+    /// Sums of the pressure, and of x and y times it.
+    pub(super) sums: [f64; 3],
+    /// Cells beyond what the softer body bears.
+    pub(super) overloaded: usize,
+}
+
+impl Whole {
+    /// Of the pressure of every rank; `None` of bodies that are not shared.
+    pub(super) fn of(bodies: &HalfSpace, pressure: &[f64]) -> Option<Self> {
+        let grid = bodies.grid();
+        let columns = grid.nx();
+        let contact = bodies.bits_of_all(|i| pressure[i] > 0.0)?;
+        let layout = bodies.grid_layout();
+        let total = reduce::sum(&layout, |i| pressure[i]);
+        let moments = reduce::sum(&layout, |i| {
+            let (x, y) = (grid.x(i % columns), grid.y(i / columns));
+            [x * pressure[i], y * pressure[i]]
+        });
+        let hardness = bodies.pair().hardness();
+        Some(Self {
+            contact,
+            sums: [total, moments[0], moments[1]],
+            overloaded: reduce::sum(&layout, |i| usize::from(pressure[i] > hardness)),
+        })
+    }
+}

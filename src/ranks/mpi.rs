@@ -1,0 +1,240 @@
+//! Ranks that are processes of an MPI program.
+
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+use mpi::Threading;
+use mpi::point_to_point::MatchedReceiveVec;
+use mpi::request::scope;
+use mpi::topology::{Process, SimpleCommunicator};
+use mpi::traits::{Communicator, Destination, Source};
+
+use crate::ranks::{RankFailure, Ranks};
+
+/// A rank that is a process started by `mpirun`. Made by [`Mpi::run`].
+///
+/// ```no_run
+/// use std::sync::Arc;
+/// use std::time::Duration;
+/// use stickslip::ranks::Mpi;
+/// use stickslip::{Boundary, ElasticPair, Grid, HalfSpace, Material};
+///
+/// let grid = Grid::square(8192, 8.0)?;
+/// let pair = ElasticPair::new(Material::new(1.0, 0.3)?, Material::rigid())?;
+/// Mpi::run(Duration::from_secs(600), |rank| {
+///     let bodies = HalfSpace::distributed(grid, pair, Boundary::NonPeriodic, Arc::new(rank))?;
+///     // Gaps on `bodies.grid()`, problems and solutions as ever.
+///     stickslip::Result::Ok(bodies.grid().rows())
+/// });
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct Mpi {
+    rank: usize,
+    size: usize,
+    /// To the thread that has the communicator; the lock is never contended, and makes the rank `Sync`.
+    line: Mutex<Line>,
+}
+
+/// Requests to the thread that has the communicator, and its answers.
+#[derive(Debug)]
+struct Line {
+    requests: Sender<Request>,
+    answers: Receiver<Result<Vec<u64>, RankFailure>>,
+}
+
+#[derive(Debug)]
+enum Request {
+    Swap {
+        block: Vec<u64>,
+        to: usize,
+        from: usize,
+    },
+    Leave,
+}
+
+/// Tags of messages: a block, or the last message of a rank.
+const BLOCK: i32 = 1;
+const LEFT: i32 = 2;
+
+/// Looks for a message that yield to other threads, before those that sleep.
+const EAGER: u32 = 1 << 12;
+/// How long those sleep.
+const NAP: Duration = Duration::from_micros(50);
+
+impl Mpi {
+    /// Initialises MPI, runs the work on this process's rank in a thread of its own, and ends MPI. A rank that waits for
+    /// another longer than `patience` gives up; it aborts all where it cannot take back what it has sent. `None` if
+    /// MPI was initialised before: it can be once in a process.
+    ///
+    /// The calling thread keeps the communicator and serves the work; the work spreads over the rayon pool of its
+    /// process as ever.
+    ///
+    /// # Panics
+    /// If the work panics, or more ranks than 2^31 are started.
+    pub fn run<T: Send>(patience: Duration, work: impl FnOnce(Self) -> T + Send) -> Option<T> {
+        let (universe, _) = mpi::initialize_with_threading(Threading::Funneled)?;
+        let world = universe.world();
+        let number = |rank: i32| usize::try_from(rank).expect("ranks are not negative");
+        let (requests, to_serve) = channel();
+        let (served, answers) = channel();
+        let leave = requests.clone();
+        let rank = Self {
+            rank: number(world.rank()),
+            size: number(world.size()),
+            line: Mutex::new(Line { requests, answers }),
+        };
+        Some(std::thread::scope(|threads| {
+            let worker = threads.spawn(move || {
+                let _leaving = Leaving(leave);
+                work(rank)
+            });
+            let mut post = Post {
+                have_left: vec![false; number(world.size())],
+                world,
+                patience,
+            };
+            for request in to_serve {
+                let Request::Swap { block, to, from } = request else {
+                    break;
+                };
+                if served.send(post.swap(&block, to, from)).is_err() {
+                    break;
+                }
+            }
+            let result = worker.join();
+            post.part();
+            result.unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+        }))
+    }
+}
+
+/// Tells the thread with the communicator that the work is done, however it ends.
+struct Leaving(Sender<Request>);
+
+impl Drop for Leaving {
+    fn drop(&mut self) {
+        // Nobody listens if that thread has ended.
+        let _ = self.0.send(Request::Leave);
+    }
+}
+
+impl Ranks for Mpi {
+    fn rank(&self) -> usize {
+        self.rank
+    }
+
+    fn size(&self) -> usize {
+        self.size
+    }
+
+    fn swap(&self, block: Vec<u64>, to: usize, from: usize) -> Result<Vec<u64>, RankFailure> {
+        let line = self.line.lock().unwrap_or_else(PoisonError::into_inner);
+        let lost = RankFailure::Lost { rank: self.rank };
+        let request = Request::Swap { block, to, from };
+        line.requests.send(request).map_err(|_| lost)?;
+        line.answers.recv().map_err(|_| lost)?
+    }
+}
+
+/// What the thread with the communicator does.
+struct Post {
+    world: SimpleCommunicator,
+    patience: Duration,
+    /// Ranks whose last message was read.
+    have_left: Vec<bool>,
+}
+
+impl Post {
+    fn process(&self, rank: usize) -> Process<'_> {
+        self.world.process_at_rank(rank_of(rank))
+    }
+
+    fn swap(&mut self, block: &[u64], to: usize, from: usize) -> Result<Vec<u64>, RankFailure> {
+        scope(|scope| {
+            let target = rank_of(to);
+            let mut sent = self
+                .world
+                .process_at_rank(target)
+                .immediate_send_with_tag(scope, block, BLOCK);
+            let received = self.receive(from);
+            let mut clock = Clock::new(self.patience);
+            // The memory of the block is MPI's until it is sent.
+            while let Err(pending) = sent.test() {
+                if clock.is_over() {
+                    self.world.abort(1);
+                }
+                sent = pending;
+            }
+            received
+        })
+    }
+
+    fn receive(&mut self, from: usize) -> Result<Vec<u64>, RankFailure> {
+        let mut clock = Clock::new(self.patience);
+        while !self.have_left[from] {
+            if let Some(message) = self.process(from).immediate_matched_probe() {
+                let (block, status) = message.matched_receive_vec();
+                if status.tag() == BLOCK {
+                    return Ok(block);
+                }
+                self.have_left[from] = true;
+                break;
+            }
+            if clock.is_over() {
+                return Err(RankFailure::Silent {
+                    rank: from,
+                    seconds: self.patience.as_secs_f64(),
+                });
+            }
+        }
+        Err(RankFailure::Lost { rank: from })
+    }
+
+    /// Takes leave of the others, so that nobody waits for this rank and no message is left unread.
+    fn part(&mut self) {
+        let own = self.world.rank();
+        let others = (0..self.have_left.len()).filter(move |rank| rank_of(*rank) != own);
+        for rank in others.clone() {
+            let last: [u64; 0] = [];
+            self.process(rank).send_with_tag(&last[..], LEFT);
+        }
+        for rank in others {
+            while self.receive(rank).is_ok() {}
+        }
+    }
+}
+
+/// As MPI numbers a rank.
+fn rank_of(rank: usize) -> i32 {
+    i32::try_from(rank).expect("it came from MPI")
+}
+
+/// The time spent waiting, which is first spun away, then slept.
+struct Clock {
+    start: Instant,
+    patience: Duration,
+    looks: u32,
+}
+
+impl Clock {
+    fn new(patience: Duration) -> Self {
+        Self {
+            start: Instant::now(),
+            patience,
+            looks: 0,
+        }
+    }
+
+    /// Lets a moment pass; whether the patience has ended.
+    fn is_over(&mut self) -> bool {
+        self.looks = self.looks.saturating_add(1);
+        if self.looks < EAGER {
+            std::thread::yield_now();
+            return false;
+        }
+        std::thread::sleep(NAP);
+        self.start.elapsed() >= self.patience
+    }
+}

@@ -1,0 +1,155 @@
+//! The ranks as the crate uses them: calls cannot fail one by one, a failure stays, and traffic is counted.
+
+use std::ops::Range;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, OnceLock};
+
+use crate::error::{Error, Result};
+use crate::ranks::{RankFailure, Ranks, Words};
+
+/// Ranks that solve together. Once a call has failed nothing more is sent: what is received is empty, every rank goes on
+/// alone until it is asked, and [`Team::check`] tells what happened.
+#[derive(Debug)]
+pub(crate) struct Team {
+    ranks: Arc<dyn Ranks>,
+    failure: OnceLock<RankFailure>,
+    blocks: AtomicU64,
+    words: AtomicU64,
+    gathers: AtomicU64,
+}
+
+/// What one rank has sent since its bodies were made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub struct Traffic {
+    /// Blocks sent to other ranks, those without content not counted.
+    pub blocks: u64,
+    /// Their bytes.
+    pub bytes: u64,
+    /// Partial results gathered from all ranks: sums, maxima, decisions.
+    pub gathers: u64,
+}
+
+impl Team {
+    pub(crate) fn new(ranks: Arc<dyn Ranks>) -> Self {
+        Self {
+            ranks,
+            failure: OnceLock::new(),
+            blocks: AtomicU64::new(0),
+            words: AtomicU64::new(0),
+            gathers: AtomicU64::new(0),
+        }
+    }
+
+    pub(crate) fn rank(&self) -> usize {
+        self.ranks.rank()
+    }
+
+    pub(crate) fn size(&self) -> usize {
+        self.ranks.size()
+    }
+
+    pub(crate) fn traffic(&self) -> Traffic {
+        Traffic {
+            blocks: self.blocks.load(Ordering::Relaxed),
+            bytes: 8 * self.words.load(Ordering::Relaxed),
+            gathers: self.gathers.load(Ordering::Relaxed),
+        }
+    }
+
+    /// Sends a block and receives one; an empty one once a call has failed.
+    pub(crate) fn swap(&self, block: Vec<u64>, to: usize, from: usize) -> Vec<u64> {
+        if self.has_failed() {
+            return Vec::new();
+        }
+        self.blocks
+            .fetch_add(u64::from(!block.is_empty()), Ordering::Relaxed);
+        self.words.fetch_add(block.len() as u64, Ordering::Relaxed);
+        let received = self.ranks.swap(block, to, from);
+        self.kept(received).unwrap_or_default()
+    }
+
+    /// The words of all ranks in their order, of which rank `r` contributes `counts[r]`, if no call has failed.
+    ///
+    /// Each step doubles the ranks that a rank has heard of: it sends all it knows back by that many ranks (Bruck et al.,
+    /// IEEE Trans. Parallel Distrib. Syst. 8 (1997) 1143, <https://doi.org/10.1109/71.642949>).
+    pub(crate) fn gather(&self, own: &[u64], counts: &[usize]) -> Option<Vec<u64>> {
+        let (me, ranks) = (self.rank(), self.size());
+        let words_of =
+            |ranks: Range<usize>| -> usize { ranks.map(|rank| counts[rank % self.size()]).sum() };
+        if self.has_failed() {
+            return None;
+        }
+        self.gathers.fetch_add(1, Ordering::Relaxed);
+        let (mut known, mut of) = (own.to_vec(), 1);
+        while of < ranks {
+            let new = of.min(ranks - of);
+            let sent = known[..words_of(me..me + new)].to_vec();
+            let received = self.kept(self.ranks.swap(
+                sent,
+                (me + ranks - of) % ranks,
+                (me + of) % ranks,
+            ))?;
+            if received.len() != words_of(me + of..me + of + new) {
+                return None;
+            }
+            known.extend(received);
+            of += new;
+        }
+        // From this rank on, around; begun with the first.
+        known.rotate_right(words_of(0..me));
+        Some(known)
+    }
+
+    /// A decision of the first rank, for all.
+    pub(crate) fn decided(&self, decision: u64) -> Option<u64> {
+        let mut counts = vec![0; self.size()];
+        counts[0] = 1;
+        let own: &[u64] = if self.rank() == 0 { &[decision] } else { &[] };
+        self.gather(own, &counts)?.first().copied()
+    }
+
+    /// What the values of all ranks come to, combined in their order; this rank's own once a call has failed.
+    pub(crate) fn combined<T: Words>(&self, own: T, combine: impl Fn(T, T) -> T) -> T {
+        let mut words = Vec::with_capacity(T::COUNT);
+        own.write(&mut words);
+        let Some(all) = self.gather(&words, &vec![T::COUNT; self.size()]) else {
+            return own;
+        };
+        let mut all = &all[..];
+        let values = (0..self.size()).map(|_| T::read(&mut all));
+        values.reduce(combine).unwrap_or(own)
+    }
+
+    /// The result of a step that every rank takes by itself; an error if any of them has failed.
+    pub(crate) fn agreed<T>(&self, result: Result<T>) -> Result<T> {
+        let own = u64::from(result.is_err());
+        let Some(all) = self.gather(&[own], &vec![1; self.size()]) else {
+            self.check()?;
+            return result;
+        };
+        match all.iter().position(|&failed| failed != 0) {
+            Some(rank) if result.is_ok() => Err(Error::Ranks(RankFailure::Refused { rank })),
+            _ => result,
+        }
+    }
+
+    /// `Ok` as long as every call has succeeded.
+    pub(crate) fn check(&self) -> Result<()> {
+        match self.failure.get() {
+            Some(failure) => Err(Error::Ranks(*failure)),
+            None => Ok(()),
+        }
+    }
+
+    pub(crate) fn has_failed(&self) -> bool {
+        self.failure.get().is_some()
+    }
+
+    /// The result of a call, if none has failed; takes note of a failure.
+    fn kept<T>(&self, result: Result<T, RankFailure>) -> Option<T> {
+        result
+            .map_err(|failure| self.failure.get_or_init(|| failure))
+            .ok()
+    }
+}

@@ -1,0 +1,125 @@
+//! What partial results look like on their way between ranks.
+
+/// A value that travels as a fixed number of 64-bit words.
+pub(crate) trait Words: Copy + Send {
+    /// How many.
+    const COUNT: usize;
+
+    /// Nothing: zero, false, none.
+    const ZERO: Self;
+
+    /// Appends them.
+    fn write(self, words: &mut Vec<u64>);
+
+    /// Takes them from the front, of which there are enough.
+    fn read(words: &mut &[u64]) -> Self;
+}
+
+/// The next word; zero if there is none, which [`Words::COUNT`] rules out.
+fn next(words: &mut &[u64]) -> u64 {
+    words.split_off_first().copied().unwrap_or_default()
+}
+
+impl Words for () {
+    const COUNT: usize = 0;
+    const ZERO: Self = ();
+
+    fn write(self, _: &mut Vec<u64>) {}
+
+    fn read(_: &mut &[u64]) -> Self {}
+}
+
+impl Words for f64 {
+    const COUNT: usize = 1;
+    const ZERO: Self = 0.0;
+
+    fn write(self, words: &mut Vec<u64>) {
+        words.push(self.to_bits());
+    }
+
+    fn read(words: &mut &[u64]) -> Self {
+        Self::from_bits(next(words))
+    }
+}
+
+impl Words for usize {
+    const COUNT: usize = 1;
+    const ZERO: Self = 0;
+
+    fn write(self, words: &mut Vec<u64>) {
+        words.push(self as u64);
+    }
+
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "it was a usize of the same program"
+    )]
+    fn read(words: &mut &[u64]) -> Self {
+        next(words) as Self
+    }
+}
+
+impl Words for bool {
+    const COUNT: usize = 1;
+    const ZERO: Self = false;
+
+    fn write(self, words: &mut Vec<u64>) {
+        words.push(self.into());
+    }
+
+    fn read(words: &mut &[u64]) -> Self {
+        next(words) != 0
+    }
+}
+
+impl<T: Words> Words for Option<T> {
+    const COUNT: usize = 1 + T::COUNT;
+    const ZERO: Self = None;
+
+    fn write(self, words: &mut Vec<u64>) {
+        self.is_some().write(words);
+        self.unwrap_or(T::ZERO).write(words);
+    }
+
+    fn read(words: &mut &[u64]) -> Self {
+        let (is_some, value) = (bool::read(words), T::read(words));
+        is_some.then_some(value)
+    }
+}
+
+impl<T: Words, const K: usize> Words for [T; K] {
+    const COUNT: usize = K * T::COUNT;
+    const ZERO: Self = [T::ZERO; K];
+
+    fn write(self, words: &mut Vec<u64>) {
+        for value in self {
+            value.write(words);
+        }
+    }
+
+    fn read(words: &mut &[u64]) -> Self {
+        std::array::from_fn(|_| T::read(words))
+    }
+}
+
+/// A tuple travels part by part.
+macro_rules! words_of_tuple {
+    ($($part:ident $place:tt),+) => {
+        impl<$($part: Words),+> Words for ($($part,)+) {
+            const COUNT: usize = 0 $(+ $part::COUNT)+;
+            const ZERO: Self = ($($part::ZERO,)+);
+
+            fn write(self, words: &mut Vec<u64>) {
+                $(self.$place.write(words);)+
+            }
+
+            fn read(words: &mut &[u64]) -> Self {
+                ($($part::read(words),)+)
+            }
+        }
+    };
+}
+
+words_of_tuple!(A 0, B 1);
+words_of_tuple!(A 0, B 1, C 2);
+words_of_tuple!(A 0, B 1, C 2, D 3);
