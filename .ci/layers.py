@@ -9,7 +9,10 @@ import sys
 
 # The modules of the crate by layer, lowest first, and the modules each may use: those named, of its own layer or of
 # a lower one.
-FOUNDATION = {"clock", "error", "report", "boundary", "grid", "field", "material", "parallel", "per_cell", "pool", "kept", "serial"}
+FOUNDATION = {
+    "clock", "error", "report", "boundary", "grid", "field", "material", "parallel", "per_cell", "pool", "kept", "serial",
+    "ranks", "share", "layout",
+}
 ENGINE = FOUNDATION | {"operator", "influence", "fft", "half_space", "cgm", "window", "trend"}
 LAYERS = [
     ("words every layer speaks", {
@@ -18,30 +21,33 @@ LAYERS = [
         "report": {"error", "serial"},
         "error": {"report"},
         "parallel": {"error"},
+        "ranks": {"error", "parallel"},
+        "share": {"parallel", "layout", "ranks"},
+        "layout": {"error", "report", "parallel", "ranks", "share"},
         "per_cell": set(),
         "pool": set(),
         "kept": set(),
         "boundary": set(),
-        "grid": {"error"},
-        "field": {"error", "grid", "parallel", "serial"},
+        "grid": {"error", "layout"},
+        "field": {"error", "grid", "layout", "parallel", "serial"},
         "material": {"error", "serial"},
         "coupling": {"material"},
     }),
     ("operators, kernels, transforms, closed forms, shapes; no physics of contact; and pages to read", {
-        "operator": set(),
+        "operator": {"layout"},
         "contact_map": {"boundary", "grid"},
-        "window": {"grid", "parallel"},
+        "window": {"grid", "layout", "parallel", "ranks"},
         "trend": {"field"},
         "influence": FOUNDATION,
         "fft": FOUNDATION | {"operator", "influence"},
         "guide": set(),
         "analytical": {"error", "material", "grid", "field"},
-        "surface": {"error", "grid", "field", "parallel", "serial"},
+        "surface": {"error", "grid", "field", "parallel", "ranks", "serial", "share"},
         "io": {"error", "grid", "field"},
     }),
     ("the engine, and what it works on", {
-        "half_space": FOUNDATION | {"operator", "influence", "fft", "window"},
-        "cgm": {"clock", "error", "report", "parallel", "operator", "serial"},
+        "half_space": FOUNDATION | {"contact_map", "operator", "influence", "fft", "surface", "window"},
+        "cgm": {"clock", "error", "layout", "report", "parallel", "operator", "ranks", "serial"},
         "elastic": ENGINE,
         "passes": {"clock", "error", "report", "cgm", "elastic"},
         "cascade": ENGINE | {"elastic", "passes"},

@@ -8,9 +8,9 @@ use crate::error::{Error, Result};
 use crate::half_space::{HalfSpace, Region};
 use crate::influence::Direction;
 use crate::layout::Layout;
+use crate::levels::halved;
 use crate::passes::with_time_left;
 use crate::report::Status;
-use crate::window::halved;
 
 /// Relative accuracy of a coarse answer: its own discretisation error is not smaller.
 const COARSE_TOLERANCE: f64 = 1e-2;

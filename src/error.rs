@@ -10,17 +10,13 @@ pub(crate) use check::{
     all_finite, all_non_negative, at_least, finite, length, memory, non_negative, not_converged,
     positive, samples_obey,
 };
-pub use place::Place;
-pub use ranks::RankFailure;
-pub use result::Result;
-use show::prefix;
+pub use {place::Place, ranks::RankFailure, result::Result};
 
 use crate::report::Report;
 
 /// The reason a call failed: one variant per violated rule, with the offending number.
 ///
 /// `Debug` writes the same sentence as `Display`: it is what a program prints whose `main` returns the error.
-///
 /// Arguments are checked before any work, and a failed call leaves the caller's state unchanged. The exception is
 /// [`Error::NotConverged`]: `solve_into` and `solve_observed` then leave the last feasible iterate in the solution.
 #[derive(Clone, PartialEq, thiserror::Error)]
@@ -347,7 +343,7 @@ pub enum Error {
         problem: String,
     },
     /// A file violates the rules of its format, or uses an unsupported part of it.
-    #[error("{}{format}, {place}: {problem}", prefix(.file.as_deref()))]
+    #[error("{}{format}, {place}: {problem}", show::prefix(.file.as_deref()))]
     Format {
         /// The file, if it was read from one.
         file: Option<String>,
@@ -393,12 +389,6 @@ pub enum Error {
         error: f64,
         /// The tolerance of the whole load.
         tolerance: f64,
-    },
-    /// Ranks cannot do this together; bodies that are not [distributed](crate::HalfSpace::distributed) can.
-    #[error("{quantity} cannot be shared by ranks")]
-    Distributed {
-        /// What was asked, in words.
-        quantity: &'static str,
     },
     /// Ranks that solve together cannot go on together.
     #[error("{0}")]

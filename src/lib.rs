@@ -212,6 +212,7 @@ pub mod influence;
 pub mod io;
 mod kept;
 mod layout;
+mod levels;
 mod material;
 pub mod normal;
 mod operator;

@@ -141,9 +141,9 @@ impl MovingCells {
         self.all
     }
 
-    /// Whether a cell does not move.
-    pub(super) fn leaves_any(&self) -> bool {
-        self.all < self.layout.of_all_ranks()
+    /// Whether cells have no motion that is kept.
+    pub(super) fn leaves_any<M: Motion<N>, const N: usize>(&self) -> bool {
+        M::IS_STEADY && self.all < self.layout.of_all_ranks()
     }
 
     /// Whether a condition holds for any of the motions that are kept.

@@ -218,7 +218,10 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         let is_flat = self.problem.totals.contains(&Total::Free)
             && (curvature < FLAT * stiffness || curvature == 0.0);
         let (moving, motions) = (&self.workspace.moving, &self.workspace.motions);
-        let slides = || !moving.leaves_any() && !moving.any(motions, |motion| !motion.is_free());
+        let slides = || {
+            !moving.leaves_any::<MotionOf<K, N>, N>()
+                && !moving.any(motions, |motion| !motion.is_free())
+        };
         let flattest = if stiffness > 0.0 {
             FLATTEST * stiffness
         } else {

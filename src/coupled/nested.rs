@@ -5,10 +5,10 @@ use crate::cgm::{Admissible, Disc};
 use crate::coupled::increment::{CoupledDemand, CoupledIncrement};
 use crate::error::{Error, Result};
 use crate::field::Field;
+use crate::levels::coarsened;
 use crate::passes::with_time_left;
 use crate::report::Status;
 use crate::tangential::Motion;
-use crate::window::coarsened;
 
 /// Relative accuracy of a coarse answer.
 const COARSE_TOLERANCE: f64 = 1e-2;

@@ -112,7 +112,7 @@ impl CoupledProblemBuilder<'_> {
     /// [`GridMismatch`](crate::Error::GridMismatch) if gap, friction or relative displacement live on another grid, [`Sample`](crate::Error::Sample) if the gap is not finite;
     /// [`Negative`](crate::Error::Negative), [`NotFinite`](crate::Error::NotFinite), [`NotPositive`](crate::Error::NotPositive), [`NothingToHold`](crate::Error::NothingToHold) or
     /// [`NotModelled`](crate::Error::NotModelled) for the loads; [`ApproachBeyondMeanGap`](crate::Error::ApproachBeyondMeanGap) on a periodic grid; [`Method`](crate::Error::Method) for
-    /// [`Method::PolonskyKeer`](crate::cgm::Method::PolonskyKeer); [`Tolerance`](crate::Error::Tolerance), [`IterationLimit`](crate::Error::IterationLimit); [`Distributed`](crate::Error::Distributed).
+    /// [`Method::PolonskyKeer`](crate::cgm::Method::PolonskyKeer); [`Tolerance`](crate::Error::Tolerance), [`IterationLimit`](crate::Error::IterationLimit); [`Ranks`](crate::Error::Ranks).
     pub fn build(self) -> Result<CoupledProblem> {
         self.bodies.check_alone("a coupled contact")?;
         self.gap.check("gap", self.bodies.grid())?;

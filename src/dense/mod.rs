@@ -70,7 +70,7 @@ impl DenseOperator {
     /// added to every entry, which changes no answer under a total.
     ///
     /// # Errors
-    /// [`Error::TooManyCells`] above 4096 cells; as [`HalfSpace::operator`]; [`Error::Distributed`].
+    /// [`Error::TooManyCells`] above 4096 cells; as [`HalfSpace::operator`]; [`Error::Ranks`].
     pub fn of_half_space(bodies: &HalfSpace, component: Component) -> Result<Self> {
         bodies.check_alone("a dense matrix")?;
         let grid = bodies.grid();

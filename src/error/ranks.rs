@@ -4,6 +4,9 @@
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RankFailure {
+    /// Ranks cannot share this; bodies that are not [distributed](crate::HalfSpace::distributed) have it.
+    #[error("{0} cannot be shared by ranks")]
+    NotShared(&'static str),
     /// A rank has ended, or cannot be reached.
     #[error("rank {rank} has left the others")]
     Lost {

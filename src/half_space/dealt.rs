@@ -3,19 +3,49 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use crate::boundary::Boundary;
 use crate::contact_map::Bits;
-use crate::error::{Error, Result};
+use crate::error::{Error, RankFailure, Result, memory};
 use crate::field::Field;
-use crate::half_space::HalfSpace;
+use crate::grid::Grid;
+use crate::half_space::{BYTES_PER_CELL, HalfSpace};
 use crate::layout::Layout;
-use crate::ranks::{Team, Traffic, Words};
+use crate::material::ElasticPair;
+use crate::ranks::{Ranks, Team, Traffic, Words};
 use crate::share::Share;
-use crate::window::{Window, coarsened, halved, inherited, refined};
-
-/// Coarser grids of no more cells than this every rank solves by itself: messages would take longer.
-const ALONE: usize = 1 << 16;
+use crate::window::Window;
 
 impl HalfSpace {
+    /// The pair meshed by `grid`, whose rows are dealt out to ranks: every rank calls this alike, and holds a slab of the
+    /// rows. [`HalfSpace::grid`] is that slab; fields, problems and solutions are those of its cells, and all ranks solve
+    /// together what each poses for its own. The answers have the bits of those of one process. The page of
+    /// [`ranks`](crate::ranks) tells more.
+    ///
+    /// # Errors
+    /// As [`HalfSpace::with_boundary`]; [`Error::Ranks`].
+    pub fn distributed(
+        grid: Grid,
+        pair: ElasticPair,
+        boundary: Boundary,
+        ranks: Arc<dyn Ranks>,
+    ) -> Result<Self> {
+        if ranks.size() == 1 {
+            return Self::with_boundary(grid, pair, boundary);
+        }
+        let team = Arc::new(Team::new(ranks));
+        let own = Share::new(&team, grid.size());
+        let rows = [grid.nx(), own.own_rows().len()];
+        team.agreed(memory("contact of all cells", rows, BYTES_PER_CELL))?;
+        let samples = None;
+        Ok(Self::with_samples(
+            grid,
+            pair,
+            boundary,
+            samples,
+            Some(team),
+        ))
+    }
+
     /// What this rank has sent to others, all solves together; nothing of bodies that are not
     /// [distributed](Self::distributed).
     #[must_use]
@@ -26,11 +56,6 @@ impl HalfSpace {
     /// The ranks that share the grid, if any do.
     pub(super) fn team(&self) -> Option<&Arc<Team>> {
         self.shared.share.as_ref().map(|share| share.team())
-    }
-
-    /// Those that share a coarser grid.
-    pub(super) fn team_of_coarser(&self, [nx, ny]: [usize; 2]) -> Option<Arc<Team>> {
-        self.team().filter(|_| nx * ny > ALONE).cloned()
     }
 
     /// How `[nx, ny]` cells are dealt out, if they are.
@@ -121,7 +146,7 @@ impl HalfSpace {
     /// `Ok` for bodies that are not shared, of what ranks cannot do together.
     pub(crate) fn check_alone(&self, quantity: &'static str) -> Result<()> {
         match self.team() {
-            Some(_) => Err(Error::Distributed { quantity }),
+            Some(_) => Err(Error::Ranks(RankFailure::NotShared(quantity))),
             None => Ok(()),
         }
     }
@@ -129,72 +154,5 @@ impl HalfSpace {
     /// Index in the whole grid of the first cell held here.
     pub(crate) fn first_cell(&self) -> usize {
         self.grid().rows().start * self.grid().nx()
-    }
-
-    /// A field of `[nx, ny]` cells on the cells of [`Self::coarser`].
-    pub(crate) fn coarsened(
-        &self,
-        coarser: &Self,
-        [nx, ny]: [usize; 2],
-        field: &[f64],
-    ) -> Vec<f64> {
-        let Some(fine) = self.share([nx, ny]) else {
-            return coarsened([nx, ny], field);
-        };
-        let size = halved([nx, ny]);
-        let coarse = coarser.share(size);
-        let rows = |rank: usize| {
-            let all = 0..size[1];
-            let coarse = coarse.as_ref().map_or(all, |coarse| coarse.rows_of(rank));
-            (2 * coarse.start).min(ny)..(2 * coarse.end).min(ny)
-        };
-        let own = rows(fine.team().rank());
-        let found = fine.fetch(field, nx, |rank| [0..nx, rows(rank)]);
-        coarsened([nx, own.len()], &found)
-    }
-
-    /// A field of the cells of [`Self::coarser`] on `[nx, ny]` cells, interpolated.
-    pub(crate) fn refined(&self, coarser: &Self, size: [usize; 2], field: &[f64]) -> Vec<f64> {
-        self.on_finer(coarser, size, field, refined)
-    }
-
-    /// A field of the cells of [`Self::coarser`] on `[nx, ny]` cells, each with the value of the cell that it lies in.
-    pub(crate) fn inherited(&self, coarser: &Self, size: [usize; 2], field: &[f64]) -> Vec<f64> {
-        self.on_finer(coarser, size, field, inherited)
-    }
-
-    /// The rows held here that a function makes of those of the coarser cells, the first of which it is told.
-    fn on_finer(
-        &self,
-        coarser: &Self,
-        [nx, ny]: [usize; 2],
-        field: &[f64],
-        make: impl Fn([usize; 2], Range<usize>, &[f64], usize) -> Vec<f64>,
-    ) -> Vec<f64> {
-        let Some(fine) = self.share([nx, ny]) else {
-            return make([nx, ny], 0..ny, field, 0);
-        };
-        let [width, height] = halved([nx, ny]);
-        // The coarse cells next to those of the rows too.
-        let rows = |rank: usize| {
-            let fine = fine.rows_of(rank);
-            if fine.is_empty() {
-                return 0..0;
-            }
-            (fine.start / 2).saturating_sub(1)..(fine.end / 2 + 1).min(height)
-        };
-        let own = fine.own_rows();
-        match coarser.share([width, height]) {
-            Some(coarse) => {
-                let found = coarse.fetch(field, width, |rank| [0..width, rows(rank)]);
-                make(
-                    [nx, ny],
-                    own.clone(),
-                    &found,
-                    rows(fine.team().rank()).start,
-                )
-            }
-            None => make([nx, ny], own, field, 0),
-        }
     }
 }

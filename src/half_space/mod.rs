@@ -1,11 +1,13 @@
 //! Two elastic half-spaces meshed by one grid: the operators every problem on it shares.
 
 mod cache;
+mod coarser;
 mod compliance;
 mod dealt;
 mod elastic;
 mod kernels;
 mod region;
+mod rough;
 
 use std::sync::{Arc, OnceLock};
 
@@ -15,10 +17,9 @@ use crate::fft::samples;
 use crate::grid::Grid;
 use crate::influence::{Component, Direction, Kernel, Samples};
 use crate::material::ElasticPair;
-use crate::parallel::get_or_make;
-use crate::ranks::{Ranks, Team};
+use crate::ranks::Team;
 use crate::share::Share;
-use crate::window::{Window, halved};
+use crate::window::Window;
 
 use cache::Cache;
 pub(crate) use compliance::Compliance;
@@ -125,36 +126,6 @@ impl HalfSpace {
             boundary,
             samples.map(Arc::new),
             None,
-        ))
-    }
-
-    /// The pair meshed by `grid`, whose rows are dealt out to ranks: every rank calls this alike, and holds a slab of the
-    /// rows. [`HalfSpace::grid`] is that slab; fields, problems and solutions are those of its cells, and all ranks solve
-    /// together what each poses for its own. The answers have the bits of those of one process. The page of
-    /// [`ranks`](crate::ranks) tells more.
-    ///
-    /// # Errors
-    /// As [`HalfSpace::with_boundary`]; [`Error::Ranks`].
-    pub fn distributed(
-        grid: Grid,
-        pair: ElasticPair,
-        boundary: Boundary,
-        ranks: Arc<dyn Ranks>,
-    ) -> Result<Self> {
-        if ranks.size() == 1 {
-            return Self::with_boundary(grid, pair, boundary);
-        }
-        let team = Arc::new(Team::new(ranks));
-        let own = Share::new(&team, grid.size());
-        let rows = [grid.nx(), own.own_rows().len()];
-        team.agreed(memory("contact of all cells", rows, BYTES_PER_CELL))?;
-        let samples = None;
-        Ok(Self::with_samples(
-            grid,
-            pair,
-            boundary,
-            samples,
-            Some(team),
         ))
     }
 
@@ -278,31 +249,6 @@ impl HalfSpace {
         Ok(ElasticPreconditioner(inverse))
     }
 
-    /// The same bodies on cells of twice the sides, the grid as large or a fine cell larger; a grid that
-    /// repeats must be [even](Self::can_be_coarser).
-    pub(crate) fn coarser(&self) -> Result<&Self> {
-        let Shared {
-            grid,
-            pair,
-            kernels,
-            coarser,
-            ..
-        } = &*self.shared;
-        get_or_make(coarser, || {
-            let [nx, ny] = halved(self.size());
-            let grid = Grid::new(nx, ny, 2.0 * grid.dx(), 2.0 * grid.dy())?;
-            let (boundary, team) = (self.boundary(), self.team_of_coarser([nx, ny]));
-            let samples = match kernels.samples() {
-                _ if team.is_some() => None,
-                Some(samples) if self.keeps_kernels() && samples.have_no_scale() => {
-                    Some(Arc::clone(samples))
-                }
-                _ => samples(grid, boundary, grid.size(), None)?.map(Arc::new),
-            };
-            Ok(Self::with_samples(grid, *pair, boundary, samples, team))
-        })
-    }
-
     /// Whether kernels stay once they are made: those of a large grid would take more than all that is made of them
     /// once saves in time.
     fn keeps_kernels(&self) -> bool {
@@ -346,12 +292,6 @@ impl HalfSpace {
         } else {
             Err(Error::BoundaryMismatch { quantity })
         }
-    }
-
-    /// Whether cells of twice the sides fit.
-    pub(crate) fn can_be_coarser(&self) -> bool {
-        let cells = self.size().into_iter().zip(self.boundary().repeats());
-        cells.into_iter().all(|(n, repeats)| !repeats || n % 2 == 0)
     }
 
     /// The window, along an axis that repeats the whole grid: where a contact in the window is solved.

@@ -172,7 +172,7 @@ impl HistoryBuilder<'_> {
     /// [`Error::Sample`] for the gap, [`Error::NotModelled`] for a hardness with pressure and shear found together and for
     /// a relative displacement along an axis of which no traction is found,
     /// [`Error::Method`] for a method that the model does not have,
-    /// [`Error::Tolerance`], [`Error::IterationLimit`]; [`Error::Distributed`].
+    /// [`Error::Tolerance`], [`Error::IterationLimit`]; [`Error::Ranks`].
     pub fn build(self) -> Result<History> {
         self.bodies.check_alone("a history")?;
         self.settings.check()?;

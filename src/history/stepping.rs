@@ -110,7 +110,7 @@ impl History {
     /// [`Error::GridMismatch`](crate::Error::GridMismatch),
     /// [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) or
     /// [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) for other bodies;
-    /// [`Error::Memory`](crate::Error::Memory); [`Error::Distributed`](crate::Error::Distributed).
+    /// [`Error::Memory`](crate::Error::Memory); [`Error::Ranks`](crate::Error::Ranks).
     pub fn from_state(bodies: &HalfSpace, state: State) -> Result<Self> {
         bodies.check_alone("a history")?;
         state.check_bodies(bodies)?;

@@ -13,6 +13,7 @@
 //! [`NormalProblem`] checks and holds a scene; [`NormalSolver`] owns the buffers and starts from
 //! its last answer; [`NormalSolution`] is the answer.
 
+mod area;
 mod engine;
 mod hardness;
 mod nested;

@@ -101,7 +101,7 @@ impl NormalSolution {
     /// [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) for bodies that the solution is
     /// not of; [`Error::NotFinite`](crate::Error::NotFinite) where a periodic contact is closed everywhere and
     /// resists without limit; [`Error::NotConverged`](crate::Error::NotConverged); as [`HalfSpace::operator`];
-    /// [`Error::Distributed`](crate::Error::Distributed).
+    /// [`Error::Ranks`](crate::Error::Ranks).
     pub fn stiffness(&self, bodies: &HalfSpace) -> Result<NormalStiffness> {
         bodies.check_alone("a stiffness")?;
         Ok(pressed(bodies, self)?.map_or(
@@ -125,7 +125,7 @@ impl TangentialSolution {
     /// [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) for bodies that the solution is not of;
     /// [`Error::NotFinite`](crate::Error::NotFinite) where a periodic contact is closed everywhere;
     /// [`Error::NotConverged`](crate::Error::NotConverged); as [`HalfSpace::operator`];
-    /// [`Error::Distributed`](crate::Error::Distributed).
+    /// [`Error::Ranks`](crate::Error::Ranks).
     pub fn stiffness(&self, bodies: &HalfSpace) -> Result<TangentialStiffness> {
         bodies.check_alone("a stiffness")?;
         bodies.check_host("tangential contact", self.grid(), self.boundary())?;

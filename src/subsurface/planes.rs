@@ -74,7 +74,7 @@ impl Planes {
     ///
     /// # Errors
     /// [`Error::Sample`](crate::Error::Sample) for a depth that is negative or not finite;
-    /// [`Error::Memory`](crate::Error::Memory); [`Error::Distributed`](crate::Error::Distributed).
+    /// [`Error::Memory`](crate::Error::Memory); [`Error::Ranks`](crate::Error::Ranks).
     pub fn new(bodies: &HalfSpace, depths: &[f64]) -> Result<Self> {
         bodies.check_alone("stresses on planes")?;
         let rule = "must be non-negative and finite";

@@ -62,7 +62,7 @@ pub struct Response {
 /// [`Error::Sample`] for a depth that is negative, or a coordinate or traction that is not finite;
 /// [`Error::GridMismatch`], [`Error::BoundaryMismatch`] and [`Error::MaterialMismatch`] if the tractions are not
 /// those of these bodies; [`Error::RigidBody`]; [`Error::Repeats`] if the grid
-/// repeats along both axes: use [`Planes`](crate::subsurface::Planes); [`Error::Distributed`].
+/// repeats along both axes: use [`Planes`](crate::subsurface::Planes); [`Error::Ranks`].
 pub fn at_points<'a>(
     bodies: &HalfSpace,
     body: Body,

@@ -1,7 +1,10 @@
 //! A surface as a sum of waves: the plain two-dimensional real transform.
 
 use std::f64::consts::TAU;
+use std::ops::Range;
+use std::sync::Arc;
 
+use bytemuck::cast_slice;
 use num_complex::Complex;
 use realfft::RealFftPlanner;
 use rustfft::FftPlanner;
@@ -9,6 +12,8 @@ use rustfft::FftPlanner;
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::parallel;
+use crate::ranks::Team;
+use crate::share::Share;
 
 /// Complex amplitudes `a(i, j)` of a periodic field,
 ///
@@ -20,7 +25,9 @@ use crate::parallel;
 #[derive(Debug, Clone)]
 pub(super) struct Waves {
     grid: Grid,
-    /// `ny` rows for each column `0..=nx/2`.
+    /// The first column held here.
+    first: usize,
+    /// `ny` rows for each column `0..=nx/2` that is held here.
     amplitudes: Vec<Complex<f64>>,
 }
 
@@ -41,9 +48,15 @@ pub(super) struct Mode {
 impl Waves {
     /// No wave at all.
     pub(super) fn none(grid: Grid) -> Self {
+        Self::none_of(grid, 0..columns(grid))
+    }
+
+    /// The same of some columns alone.
+    pub(super) fn none_of(grid: Grid, columns: Range<usize>) -> Self {
         Self {
             grid,
-            amplitudes: vec![Complex::default(); columns(grid) * grid.ny()],
+            first: columns.start,
+            amplitudes: vec![Complex::default(); columns.len() * grid.ny()],
         }
     }
 
@@ -74,33 +87,42 @@ impl Waves {
     /// The field the waves add up to. In a column that is its own mirror image the amplitudes of
     /// opposite rows should be conjugates; only their Hermitian part counts.
     pub(super) fn into_field(self) -> Field {
-        let Self {
-            grid,
-            mut amplitudes,
-        } = self;
-        let (nx, ny, width) = (grid.nx(), grid.ny(), columns(grid));
+        let (grid, ny) = (self.grid, self.grid.ny());
+        let amplitudes = self.summed_along_y();
+        along_rows(grid, |column, row| amplitudes[column * ny + row])
+    }
+
+    /// The rows of that field which a slab of the grid holds, of waves whose columns are dealt out to ranks, as
+    /// [`shared_columns`] does it, and the rows as `rows` does it.
+    pub(super) fn into_slab(self, columns: &Share, rows: &Share) -> Field {
+        let (grid, count) = (self.grid, self.grid.nx() / 2 + 1);
+        let slab = grid.slab(rows.own_rows());
+        let height = slab.ny();
+        let amplitudes = self.summed_along_y();
+        // A column of complex numbers is a row of twice as many reals.
+        let wanted = |rank: usize| {
+            let rows = rows.rows_of(rank);
+            [2 * rows.start..2 * rows.end, 0..count]
+        };
+        let found = columns.fetch(cast_slice(&amplitudes), 2 * grid.ny(), wanted);
+        let found: &[Complex<f64>] = cast_slice(&found);
+        along_rows(slab, |column, row| found[column * height + row])
+    }
+
+    /// The amplitudes of the waves along x in every row.
+    fn summed_along_y(mut self) -> Vec<Complex<f64>> {
+        let ny = self.grid.ny();
         let along_y = FftPlanner::new().plan_fft_inverse(ny);
-        parallel::rows(&mut amplitudes, ny, |_, column| along_y.process(column));
-        let along_x = RealFftPlanner::new().plan_fft_inverse(nx);
-        let mut field = Field::zeros(grid);
-        parallel::rows(field.as_mut_slice(), nx, |row, out| {
-            let at = |column| amplitudes[column * ny + row];
-            let mut waves: Vec<Complex<f64>> = (0..width).map(at).collect();
-            waves[0].im = 0.0;
-            if nx % 2 == 0 {
-                waves[width - 1].im = 0.0;
-            }
-            along_x
-                .process(&mut waves, out)
-                .expect("a row and its transform have the lengths planned, and real ends");
+        parallel::rows(&mut self.amplitudes, ny, |_, column| {
+            along_y.process(column)
         });
-        field
+        self.amplitudes
     }
 
     /// Every amplitude kept, with its mode.
     pub(super) fn iter(&self) -> impl Iterator<Item = (Mode, Complex<f64>)> + '_ {
         let grid = self.grid;
-        let values = self.amplitudes.chunks_exact(grid.ny()).enumerate();
+        let values = (self.first..).zip(self.amplitudes.chunks_exact(grid.ny()));
         values.flat_map(move |(column, values)| {
             let values = values.iter().enumerate();
             values.map(move |(row, &value)| (Mode::new(grid, column, row), value))
@@ -119,18 +141,47 @@ impl Waves {
         others: [&Self; N],
         f: impl Fn(Mode, Complex<f64>, [Complex<f64>; N]) -> Complex<f64> + Sync,
     ) {
-        let grid = self.grid;
+        let (grid, first) = (self.grid, self.first);
         let ny = grid.ny();
         parallel::rows(&mut self.amplitudes, ny, |column, values| {
             for (row, value) in values.iter_mut().enumerate() {
                 let likes = others.map(|other| other.amplitudes[column * ny + row]);
-                *value = f(Mode::new(grid, column, row), *value, likes);
+                *value = f(Mode::new(grid, first + column, row), *value, likes);
             }
         });
     }
 }
 
+/// How the columns of waves of a grid are dealt out to the ranks that share it.
+pub(super) fn shared_columns(grid: Grid, team: &Arc<Team>) -> Share {
+    Share::new(team, [2 * grid.ny(), columns(grid)])
+}
+
+/// The rows of a field, from the amplitudes of their waves along x, by column and row.
+fn along_rows(grid: Grid, at: impl Fn(usize, usize) -> Complex<f64> + Sync) -> Field {
+    let (nx, width) = (grid.nx(), columns(grid));
+    let along_x = RealFftPlanner::new().plan_fft_inverse(nx);
+    let mut field = Field::zeros(grid);
+    parallel::rows(field.as_mut_slice(), nx, |row, out| {
+        let mut waves: Vec<Complex<f64>> = (0..width).map(|column| at(column, row)).collect();
+        waves[0].im = 0.0;
+        if nx % 2 == 0 {
+            waves[width - 1].im = 0.0;
+        }
+        along_x
+            .process(&mut waves, out)
+            .expect("a row and its transform have the lengths planned, and real ends");
+    });
+    field
+}
+
 impl Mode {
+    /// All of a grid, column by column.
+    pub(super) fn all(grid: Grid) -> impl Iterator<Item = Self> {
+        let columns = 0..columns(grid);
+        columns.flat_map(move |column| (0..grid.ny()).map(move |row| Self::new(grid, column, row)))
+    }
+
     fn new(grid: Grid, column: usize, row: usize) -> Self {
         let (nx, ny) = (grid.nx(), grid.ny());
         let signed = |count: usize| i64::try_from(count).unwrap_or(i64::MAX);

@@ -4,8 +4,8 @@ use crate::error::{Result, all_non_negative, non_negative, positive};
 use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
 use crate::half_space::Region;
+use crate::levels::coarsened;
 use crate::per_cell::PerCell;
-use crate::window::coarsened;
 
 /// Coulomb friction, uniform or one coefficient per cell, optionally capped.
 ///

@@ -103,13 +103,9 @@ impl Increment {
         let mut whole = vec![0.0; self.bodies.grid().cells()];
         for axis in self.axes.iter().map(|axis| axis.index()) {
             whole.fill(0.0);
-            self.pressed
-                .region
-                .scatter(&self.traction[axis], &mut whole);
-            other
-                .pressed
-                .region
-                .gather(&whole, &mut other.traction[axis]);
+            let (from, to) = (&self.pressed.region, &other.pressed.region);
+            from.scatter(&self.traction[axis], &mut whole);
+            to.gather(&whole, &mut other.traction[axis]);
         }
     }
 

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use super::SelfAffine;
 use crate::error::{Error, Result, at_least, positive};
 use crate::grid::Grid;
-use crate::surface::fourier::{Mode, Waves};
+use crate::surface::fourier::Mode;
 
 /// A self-affine law with all its wavelengths set.
 #[derive(Debug, Clone, Copy)]
@@ -78,7 +78,7 @@ impl Law {
     /// Total power of the waves of a field, each weighted by a function of its mode.
     pub(super) fn total(&self, grid: Grid, weight: impl Fn(&Mode) -> f64) -> Result<f64> {
         let power = |mode: Mode| mode.copies * self.power(&mode) * weight(&mode);
-        let total = Waves::none(grid).iter().map(|(mode, _)| power(mode)).sum();
+        let total = Mode::all(grid).map(power).sum();
         if total == 0.0 {
             return Err(Error::EmptyBand {
                 longest: self.longest,

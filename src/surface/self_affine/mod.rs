@@ -11,9 +11,11 @@ mod rough_surface;
 
 use num_complex::Complex;
 
-use crate::error::{Result, all_finite, at_least, finite, memory, positive};
+use crate::error::{Error, RankFailure, Result, all_finite, at_least, finite, memory, positive};
+use crate::field::Field;
 use crate::grid::Grid;
-use crate::surface::fourier::Waves;
+use crate::share::Share;
+use crate::surface::fourier::{Waves, shared_columns};
 
 use cut::Cut;
 use law::Law;
@@ -318,7 +320,7 @@ impl SelfAffine {
             Cut::all(grid)
         };
         memory("rough surface", cut.whole.size(), BYTES_PER_CELL)?;
-        let mut waves = self.waves(&cut)?;
+        let mut waves = self.waves(&cut, Waves::none(cut.whole))?;
         let mut iterations = 0;
         if let Some(wanted) = wanted {
             (waves, iterations) = ranks::approach(&waves, wanted);
@@ -350,14 +352,35 @@ impl SelfAffine {
         Ok(Some([skewness, kurtosis]))
     }
 
+    /// The heights on the slab that a rank holds of a grid.
+    pub(crate) fn generate_slab(&self, grid: Grid, rows: &Share) -> Result<Field> {
+        let quantity = match (self.moments()?, self.is_cropped) {
+            (None, false) => None,
+            (Some(_), _) => Some("a surface of given skewness or kurtosis"),
+            (None, true) => Some("a cropped surface"),
+        };
+        if let Some(quantity) = quantity {
+            return Err(Error::Ranks(RankFailure::NotShared(quantity)));
+        }
+        let target = self.target.checked()?;
+        let columns = shared_columns(grid, rows.team());
+        let waves = Waves::none_of(grid, columns.own_rows());
+        let waves = self.waves(&Cut::all(grid), waves)?;
+        let mut heights = waves.into_slab(&columns, rows);
+        for height in heights.as_mut_slice() {
+            *height *= target;
+        }
+        all_finite("height of the rough surface", heights.as_slice())?;
+        Ok(heights)
+    }
+
     /// The waves of the periodic surface with a target of one, so that no square is out of range.
-    fn waves(&self, cut: &Cut) -> Result<Waves> {
+    fn waves(&self, cut: &Cut, mut waves: Waves) -> Result<Waves> {
         let law = Law::new(self, cut.whole)?;
         let total = match self.target {
             Target::RmsHeight(_) => law.total(cut.whole, |_| 1.0)?,
             Target::RmsSlope(_) => law.total(cut.whole, |mode| mode.wave_number().powi(2))?,
         };
-        let mut waves = Waves::none(cut.whole);
         waves.update(|mode, _| {
             let power = law.power(&mode);
             if power == 0.0 {

@@ -1,0 +1,159 @@
+//! One rough surface pressed and sheared by several ranks: the report, and a hash of the bits of pressure and traction,
+//! which are the same on any number of ranks.
+//!
+//! `cargo run --release --example distributed -- [cells] [--threads-as-ranks N]` (default 256 cells along a side, two
+//! ranks that are threads). Built with the feature `mpi` the ranks are processes:
+//! `mpirun -n 4 target/release/examples/distributed 1024`.
+
+#![allow(clippy::print_stdout, reason = "an example shows its numbers")]
+
+use std::error::Error;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use stickslip::ranks::{Ranks, Threads};
+use stickslip::surface::SelfAffine;
+use stickslip::{
+    Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl,
+    NormalProblem, Report, TangentialLoad, TangentialModel, TangentialProblem,
+};
+
+/// Side of the grid, in units of the longest wave.
+const SIDE: f64 = 1.0;
+/// Mean pressure over contact modulus and rms slope: about a tenth of the surface touches.
+const REDUCED_PRESSURE: f64 = 0.05;
+const FRICTION: f64 = 0.4;
+/// Part of what friction holds.
+const SHEAR: f64 = 0.6;
+/// How long a rank waits for another.
+const PATIENCE: Duration = Duration::from_secs(600);
+
+type Outcome<T> = Result<T, Box<dyn Error + Send + Sync>>;
+
+struct Arguments {
+    cells: usize,
+    /// How many threads, if ranks are threads.
+    threads: Option<usize>,
+}
+
+impl Arguments {
+    fn read() -> Outcome<Self> {
+        let mut read = Self {
+            cells: 256,
+            threads: None,
+        };
+        let mut words = std::env::args().skip(1);
+        while let Some(word) = words.next() {
+            if word == "--threads-as-ranks" {
+                let count = words.next().ok_or("--threads-as-ranks needs a number")?;
+                read.threads = Some(count.parse()?);
+            } else {
+                read.cells = word.parse()?;
+            }
+        }
+        Ok(read)
+    }
+}
+
+fn main() -> Outcome<()> {
+    let arguments = Arguments::read()?;
+    #[cfg(feature = "mpi")]
+    if arguments.threads.is_none() {
+        let work = |rank| solve(&arguments, Arc::new(rank));
+        return stickslip::ranks::Mpi::run(PATIENCE, work).ok_or("MPI is already in use")?;
+    }
+    let ranks = arguments.threads.unwrap_or(2);
+    let outcomes = Threads::run(ranks, PATIENCE, |rank| solve(&arguments, Arc::new(rank)));
+    outcomes.into_iter().collect()
+}
+
+/// What every rank does; the first tells of it.
+fn solve(arguments: &Arguments, ranks: Arc<dyn Ranks>) -> Outcome<()> {
+    let start = Instant::now();
+    let grid = Grid::square(arguments.cells, SIDE)?;
+    let pair = ElasticPair::new(Material::new(1.0, 0.3)?, Material::rigid())?;
+    let bodies = HalfSpace::distributed(grid, pair, Boundary::Periodic, Arc::clone(&ranks))?;
+    let rough = SelfAffine::with_rms_slope(0.1)
+        .cut_off_wavelength(8.0 * grid.dx())
+        .seed(1);
+    let heights = rough.generate_on(&bodies)?;
+    let pressure = REDUCED_PRESSURE * 0.1 * pair.contact_modulus();
+    let load = NormalControl::Force(pressure * grid.area());
+    let normal = NormalProblem::builder(&bodies, heights.map(|z| -z), load)
+        .build()?
+        .solve()?;
+    let force = SHEAR * FRICTION * normal.force();
+    let load = TangentialLoad::force([0.8 * force, 0.6 * force]);
+    let shear = TangentialProblem::builder(&bodies, &normal, Friction::coulomb(FRICTION)?, load)
+        .model(TangentialModel::Vector)
+        .build()?
+        .solve()?;
+    let fields = [normal.pressure(), shear.traction()[0], shear.traction()[1]];
+    let hash = hash_of_all(&*ranks, &fields)?;
+    if ranks.rank() == 0 {
+        let traffic = bodies.traffic();
+        println!(
+            "{} x {} cells on {} ranks, {:.1} s",
+            grid.nx(),
+            grid.ny(),
+            ranks.size(),
+            start.elapsed().as_secs_f64()
+        );
+        println!("  rows of rank 0    {:?}", bodies.grid().rows());
+        println!(
+            "  contact           {:.4} of the area",
+            normal.contact_area() / grid.area()
+        );
+        println!(
+            "  stick             {:.4} of the contact",
+            shear.stick_ratio()
+        );
+        print_report("pressure", normal.report());
+        print_report("traction", shear.report());
+        println!(
+            "  sent by rank 0    {} blocks, {:.1} MB; {} partial results gathered",
+            traffic.blocks,
+            traffic.bytes as f64 / 1e6,
+            traffic.gathers
+        );
+        println!("hash {hash:016x}");
+    }
+    Ok(())
+}
+
+fn print_report(what: &str, report: &Report) {
+    println!(
+        "  {what}          {:?}, {} iterations, {} + {} products, residual {:.1e}, error <= {:.1e}",
+        report.status,
+        report.iterations,
+        report.double_precision_products,
+        report.single_precision_products,
+        report.residual,
+        report.energy_error_bound()
+    );
+}
+
+/// A hash of the fields of all ranks that does not depend on how the rows are dealt out.
+fn hash_of_all(ranks: &dyn Ranks, fields: &[&Field]) -> Outcome<u64> {
+    let mut own = 0_u64;
+    for (field, number) in fields.iter().zip(1_u64..) {
+        let first = field.grid().rows().start * field.grid().nx();
+        for (cell, value) in (first as u64..).zip(field.as_slice()) {
+            own = own.wrapping_add(mixed(value.to_bits() ^ mixed(cell ^ (number << 56))));
+        }
+    }
+    let (rank, size) = (ranks.rank(), ranks.size());
+    let mut all = own;
+    for step in 1..size {
+        let others = ranks.swap(vec![own], (rank + step) % size, (rank + size - step) % size)?;
+        all = others.into_iter().fold(all, u64::wrapping_add);
+    }
+    Ok(all)
+}
+
+/// The finaliser of splitmix64 (Steele, Lea & Flood 2014).
+fn mixed(bits: u64) -> u64 {
+    let bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    let bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    bits ^ (bits >> 31)
+}

@@ -1,0 +1,120 @@
+//! The same bodies on cells of twice the sides, and the fields of both.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use crate::error::Result;
+use crate::fft::samples;
+use crate::grid::Grid;
+use crate::half_space::{HalfSpace, Shared};
+use crate::levels::{coarsened, halved, inherited, refined};
+use crate::parallel::get_or_make;
+use crate::ranks::Team;
+
+/// Coarser grids of no more cells than this every rank solves by itself: messages would take longer.
+const ALONE: usize = 1 << 16;
+
+impl HalfSpace {
+    /// The same bodies on cells of twice the sides, the grid as large or a fine cell larger; a grid that
+    /// repeats must be [even](Self::can_be_coarser).
+    pub(crate) fn coarser(&self) -> Result<&Self> {
+        let Shared {
+            grid,
+            pair,
+            kernels,
+            coarser,
+            ..
+        } = &*self.shared;
+        get_or_make(coarser, || {
+            let [nx, ny] = halved(self.size());
+            let grid = Grid::new(nx, ny, 2.0 * grid.dx(), 2.0 * grid.dy())?;
+            let (boundary, team) = (self.boundary(), self.team_of_coarser([nx, ny]));
+            let samples = match kernels.samples() {
+                _ if team.is_some() => None,
+                Some(samples) if self.keeps_kernels() && samples.have_no_scale() => {
+                    Some(Arc::clone(samples))
+                }
+                _ => samples(grid, boundary, grid.size(), None)?.map(Arc::new),
+            };
+            Ok(Self::with_samples(grid, *pair, boundary, samples, team))
+        })
+    }
+
+    /// Whether cells of twice the sides fit.
+    pub(crate) fn can_be_coarser(&self) -> bool {
+        let cells = self.size().into_iter().zip(self.boundary().repeats());
+        cells.into_iter().all(|(n, repeats)| !repeats || n % 2 == 0)
+    }
+
+    /// Those that share a coarser grid.
+    fn team_of_coarser(&self, [nx, ny]: [usize; 2]) -> Option<Arc<Team>> {
+        self.team().filter(|_| nx * ny > ALONE).cloned()
+    }
+
+    /// A field of `[nx, ny]` cells on the cells of [`Self::coarser`].
+    pub(crate) fn coarsened(
+        &self,
+        coarser: &Self,
+        [nx, ny]: [usize; 2],
+        field: &[f64],
+    ) -> Vec<f64> {
+        let Some(fine) = self.share([nx, ny]) else {
+            return coarsened([nx, ny], field);
+        };
+        let size = halved([nx, ny]);
+        let coarse = coarser.share(size);
+        let rows = |rank: usize| {
+            let all = 0..size[1];
+            let coarse = coarse.as_ref().map_or(all, |coarse| coarse.rows_of(rank));
+            (2 * coarse.start).min(ny)..(2 * coarse.end).min(ny)
+        };
+        let own = rows(fine.team().rank());
+        let found = fine.fetch(field, nx, |rank| [0..nx, rows(rank)]);
+        coarsened([nx, own.len()], &found)
+    }
+
+    /// A field of the cells of [`Self::coarser`] on `[nx, ny]` cells, interpolated.
+    pub(crate) fn refined(&self, coarser: &Self, size: [usize; 2], field: &[f64]) -> Vec<f64> {
+        self.on_finer(coarser, size, field, refined)
+    }
+
+    /// A field of the cells of [`Self::coarser`] on `[nx, ny]` cells, each with the value of the cell that it lies in.
+    pub(crate) fn inherited(&self, coarser: &Self, size: [usize; 2], field: &[f64]) -> Vec<f64> {
+        self.on_finer(coarser, size, field, inherited)
+    }
+
+    /// The rows held here that a function makes of those of the coarser cells, the first of which it is told.
+    fn on_finer(
+        &self,
+        coarser: &Self,
+        [nx, ny]: [usize; 2],
+        field: &[f64],
+        make: impl Fn([usize; 2], Range<usize>, &[f64], usize) -> Vec<f64>,
+    ) -> Vec<f64> {
+        let Some(fine) = self.share([nx, ny]) else {
+            return make([nx, ny], 0..ny, field, 0);
+        };
+        let [width, height] = halved([nx, ny]);
+        // The coarse cells next to those of the rows too.
+        let rows = |rank: usize| {
+            let fine = fine.rows_of(rank);
+            if fine.is_empty() {
+                return 0..0;
+            }
+            (fine.start / 2).saturating_sub(1)..(fine.end / 2 + 1).min(height)
+        };
+        let own = fine.own_rows();
+        match coarser.share([width, height]) {
+            Some(coarse) => {
+                let found = coarse.fetch(field, width, |rank| [0..width, rows(rank)]);
+                make(
+                    [nx, ny],
+                    own.clone(),
+                    &found,
+                    rows(fine.team().rank()).start,
+                )
+            }
+            None => make([nx, ny], own, field, 0),
+        }
+    }
+}
