@@ -13,7 +13,7 @@ FOUNDATION = {
     "clock", "error", "report", "boundary", "grid", "field", "material", "parallel", "per_cell", "pool", "kept", "serial",
     "ranks", "share", "layout",
 }
-ENGINE = FOUNDATION | {"operator", "influence", "fft", "half_space", "cgm", "window", "trend"}
+ENGINE = FOUNDATION | {"operator", "influence", "fft", "half_space", "cgm", "levels", "window", "trend"}
 LAYERS = [
     ("words every layer speaks", {
         "clock": set(),
@@ -37,6 +37,7 @@ LAYERS = [
         "operator": {"layout"},
         "contact_map": {"boundary", "grid"},
         "window": {"grid", "layout", "parallel", "ranks"},
+        "levels": {"parallel"},
         "trend": {"field"},
         "influence": FOUNDATION,
         "fft": FOUNDATION | {"operator", "influence"},
@@ -46,7 +47,7 @@ LAYERS = [
         "io": {"error", "grid", "field"},
     }),
     ("the engine, and what it works on", {
-        "half_space": FOUNDATION | {"contact_map", "operator", "influence", "fft", "surface", "window"},
+        "half_space": FOUNDATION | {"contact_map", "levels", "operator", "influence", "fft", "surface", "window"},
         "cgm": {"clock", "error", "layout", "report", "parallel", "operator", "ranks", "serial"},
         "elastic": ENGINE,
         "passes": {"clock", "error", "report", "cgm", "elastic"},
