@@ -4,8 +4,11 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 cargo build --release --examples
-for source in examples/*.rs; do
-    example=$(basename "$source" .rs)
+for source in examples/*.rs examples/*/main.rs; do
+    # A file, or the folder of a larger one.
+    example=${source#examples/}
+    example=${example%/main.rs}
+    example=${example%.rs}
     # A campaign over random scenes lasts as long as one likes.
     [[ $example == campaign ]] && continue
     printf '\n== %s\n' "$example"

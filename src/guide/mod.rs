@@ -7,6 +7,7 @@
 //! | [`growing_contacts`] | contacts that grow while they are sheared: the touch rule, steps of a given error |
 //! | [`dissimilar_bodies`] | bodies of different materials: when their coupling matters, and in which steps to load them |
 //! | [`from_tractions_to_stresses`] | stress below the surface, bulk stress, series for a fatigue criterion; what a half-space can say |
+//! | [`studies`] | thousands of surfaces on one machine or over a cluster: shards, restart, merge |
 //! | [`embedding`] | contacts in a simulator: ownership, threads, allocation, states, errors |
 //! | [`hard_cases`] | difficult scenes, each checked, and the results of random scenes |
 //! | [`errata`] | the formulas of Wang et al. (2021) that are misprinted, and how each correction was checked |
@@ -27,6 +28,9 @@ pub mod dissimilar_bodies {}
 
 #[doc = include_str!("from_tractions_to_stresses.md")]
 pub mod from_tractions_to_stresses {}
+
+#[doc = include_str!("studies.md")]
+pub mod studies {}
 
 #[doc = include_str!("embedding.md")]
 pub mod embedding {}

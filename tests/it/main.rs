@@ -13,6 +13,7 @@
 
 mod a_finer_grid_keeps_the_long_waves;
 mod a_grid_that_repeats;
+mod a_study_killed_goes_on;
 mod an_independent_method_agrees_on_dissimilar_bodies;
 mod another_code_agrees;
 mod another_code_agrees_in_the_plane;

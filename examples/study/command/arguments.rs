@@ -1,0 +1,155 @@
+//! The command line.
+
+use std::fmt;
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+use std::thread;
+
+use super::failure::Failure;
+use super::plan::{self, Plan};
+
+pub(super) const HELP: &str = "\
+Solves rough contacts, pressed and then sheared, for all combinations of the listed values; one row of CSV each.
+
+study [options]                    solves what the table does not have yet
+study --merge TABLE PART PART ...  joins the tables of all shards, ordered by case
+
+Cases                                                                                     [default]
+  --seeds LIST       surfaces, such as 1-50 or 1,2,7-9                                     [1-4]
+  --pressures LIST   mean pressure over contact modulus and rms slope                      [0.02,0.05,0.1]
+  --frictions LIST   coefficients of friction                                              [0.2,0.4]
+  --hursts LIST      Hurst exponents                                                       [0.8]
+What they share
+  --cells N          cells along either side of the periodic square                        [64]
+  --pull RATIO       tangential over normal force                                          [0.1]
+  --roll-off RATIO   wavelength where the spectrum begins to fall, over the side           [0.25]
+  --cut-off CELLS    shortest wavelength                                                   [8]
+  --tolerance X      of both solves                                                        [1e-6]
+  --iterations N     limit of either solve                                                 [10000]
+This run
+  --shard I/N        the I-th of N parts, I from 1 to N                                    [1/1]
+  --out FILE         the table, to which rows are appended              [standard output, no restart]
+  --threads N        solves at once, one thread each                                       [all cores]
+
+A table belongs to its cases and to what they share: a file of another study is refused. Exit status: 0 if every case
+has a row, converged or not; 1 if the study failed; 2 if the arguments are wrong.
+";
+
+/// What the command line asks for.
+#[derive(Debug)]
+pub(super) enum Task {
+    Help,
+    Study(Study),
+    Merge { out: PathBuf, parts: Vec<PathBuf> },
+}
+
+/// A shard of a study, and how it is run.
+#[derive(Debug)]
+pub(super) struct Study {
+    pub(super) plan: Plan,
+    pub(super) shard: Shard,
+    pub(super) threads: usize,
+    pub(super) out: Option<PathBuf>,
+}
+
+/// One of so many parts: every `parts`-th press, so that all parts have about as many cases of each pressure.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Shard {
+    /// From 1, as the tasks of batch systems are counted.
+    number: usize,
+    parts: usize,
+}
+
+impl Task {
+    pub(super) fn parse(words: &[String]) -> Result<Self, Failure> {
+        if words.iter().any(|word| word == "--help" || word == "-h") {
+            return Ok(Self::Help);
+        }
+        if let [first, files @ ..] = words {
+            if first == "--merge" {
+                return merge(files);
+            }
+        }
+        let mut study = Study {
+            plan: Plan::default(),
+            shard: Shard {
+                number: 1,
+                parts: 1,
+            },
+            threads: thread::available_parallelism().map_or(1, NonZeroUsize::get),
+            out: None,
+        };
+        for pair in words.chunks(2) {
+            let [option, value] = pair else {
+                let problem = format!("{} needs a value", pair[0]);
+                return Err(Failure::Arguments(problem));
+            };
+            if !study.plan.set(option, value)? {
+                study.set(option, value)?;
+            }
+        }
+        study.plan.check()?;
+        Ok(Self::Study(study))
+    }
+}
+
+fn merge(files: &[String]) -> Result<Task, Failure> {
+    match files {
+        [out, parts @ ..] if !parts.is_empty() => Ok(Task::Merge {
+            out: out.into(),
+            parts: parts.iter().map(PathBuf::from).collect(),
+        }),
+        _ => {
+            let problem = "--merge needs the table to write and the parts to read";
+            Err(Failure::Arguments(problem.to_owned()))
+        }
+    }
+}
+
+impl Study {
+    fn set(&mut self, option: &str, value: &str) -> Result<(), Failure> {
+        let problem = match option {
+            "--out" => {
+                self.out = Some(value.into());
+                return Ok(());
+            }
+            "--threads" => match plan::one::<NonZeroUsize>(value) {
+                Ok(threads) => {
+                    self.threads = threads.get();
+                    return Ok(());
+                }
+                Err(problem) => problem,
+            },
+            "--shard" => match Shard::parse(value) {
+                Some(shard) => {
+                    self.shard = shard;
+                    return Ok(());
+                }
+                None => "not I/N with I from 1 to N",
+            },
+            _ => "no such option",
+        };
+        Err(Failure::Arguments(format!("{option} {value}: {problem}")))
+    }
+}
+
+impl Shard {
+    fn parse(value: &str) -> Option<Self> {
+        let (number, parts) = value.split_once('/')?;
+        let (number, parts) = (number.parse().ok()?, parts.parse().ok()?);
+        (1..=parts)
+            .contains(&number)
+            .then_some(Self { number, parts })
+    }
+
+    /// Its share of so many presses.
+    pub(super) fn of(self, presses: usize) -> impl Iterator<Item = usize> {
+        (self.number - 1..presses).step_by(self.parts)
+    }
+}
+
+impl fmt::Display for Shard {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "{}/{}", self.number, self.parts)
+    }
+}

@@ -1,0 +1,64 @@
+//! Why a command fails.
+
+use std::fmt;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Why a command fails; a solve that does not converge is no failure, but a row.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum Failure {
+    #[error("{0}; `study --help` lists the options")]
+    Arguments(String),
+    #[error(transparent)]
+    Contact(#[from] stickslip::Error),
+    #[error("threads: {0}")]
+    Threads(#[from] rayon::ThreadPoolBuildError),
+    #[error("{}: {source}", path.display())]
+    File { path: PathBuf, source: io::Error },
+    /// The head of the file is another.
+    #[error(
+        "{} is not a table of this study\n  its head: {}\n  expected: {}",
+        path.display(), Start(found), Start(expected)
+    )]
+    OtherStudy {
+        path: PathBuf,
+        found: String,
+        expected: String,
+    },
+    #[error("{}, line {line}: {problem}", path.display())]
+    Damaged {
+        path: PathBuf,
+        line: usize,
+        problem: &'static str,
+    },
+    #[error("case {case} has other results in {} than in {}", paths[0].display(), paths[1].display())]
+    Disagreement { case: usize, paths: [PathBuf; 2] },
+    #[error("{missing} of {total} cases are missing, the first of them is case {first}")]
+    Missing {
+        missing: usize,
+        total: usize,
+        first: usize,
+    },
+}
+
+impl Failure {
+    /// For `map_err`: what happened to the file of this path.
+    pub(super) fn of_file(path: &Path) -> impl Fn(io::Error) -> Self {
+        move |source| Self::File {
+            path: path.to_owned(),
+            source,
+        }
+    }
+}
+
+/// As much of a text as fits on the screen.
+struct Start<'a>(&'a str);
+
+impl fmt::Display for Start<'_> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0.char_indices().nth(400) {
+            None => write!(formatter, "{}", self.0),
+            Some((end, _)) => write!(formatter, "{} ...", &self.0[..end]),
+        }
+    }
+}

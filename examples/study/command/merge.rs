@@ -1,0 +1,81 @@
+//! One table from the tables of all shards.
+
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use super::failure::Failure;
+use super::plan::Plan;
+use super::table;
+
+/// Writes the rows of all parts into one file, ordered by case, and returns their number.
+///
+/// The bytes of the file depend on the study alone, not on how it was cut. A row may be there twice if both are the
+/// same. Nothing is written if rows disagree or are missing.
+pub(super) fn merge(out: &Path, parts: &[PathBuf]) -> Result<usize, Failure> {
+    let read = |path: &PathBuf| fs::read_to_string(path).map_err(Failure::of_file(path));
+    let texts = parts.iter().map(read).collect::<Result<Vec<_>, _>>()?;
+    let (Some(path), Some(text)) = (parts.first(), texts.first()) else {
+        return Err(Failure::Arguments("--merge without parts".to_owned()));
+    };
+    let plan = Plan::of_head(text).ok_or_else(|| Failure::Damaged {
+        path: path.clone(),
+        line: 1,
+        problem: "not a table of this version of the program",
+    })?;
+
+    let mut found: BTreeMap<usize, (&str, &Path)> = BTreeMap::new();
+    for (path, text) in parts.iter().zip(&texts) {
+        for row in table::rows(&plan, text, path)? {
+            let (case, row) = row?;
+            match found.entry(case) {
+                Entry::Vacant(place) => {
+                    place.insert((row, path));
+                }
+                Entry::Occupied(other) if other.get().0 == row => {}
+                Entry::Occupied(other) => {
+                    return Err(Failure::Disagreement {
+                        case: case + 1,
+                        paths: [path.clone(), other.get().1.to_owned()],
+                    });
+                }
+            }
+        }
+    }
+    let total = plan.cases();
+    if let Some(first) = (0..total).find(|case| !found.contains_key(case)) {
+        return Err(Failure::Missing {
+            missing: total - found.len(),
+            total,
+            first: first + 1,
+        });
+    }
+
+    let mut merged = plan.head();
+    for (row, _) in found.values() {
+        merged.push_str(row);
+        merged.push('\n');
+    }
+    replace(out, merged.as_bytes()).map_err(Failure::of_file(out))?;
+    Ok(total)
+}
+
+/// The file has the old bytes or the new ones, whenever the program is killed.
+fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut name = std::ffi::OsString::from(".");
+    name.push(path.file_name().ok_or(io::ErrorKind::InvalidInput)?);
+    name.push(format!(".{}", std::process::id()));
+    let temporary = path.with_file_name(name);
+    let written = File::create(&temporary).and_then(|mut file| {
+        file.write_all(bytes)?;
+        file.sync_all()?;
+        fs::rename(&temporary, path)
+    });
+    if written.is_err() {
+        // That it could not be written is what is reported.
+        let _ = fs::remove_file(&temporary);
+    }
+    written
+}

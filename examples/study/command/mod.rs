@@ -1,0 +1,66 @@
+//! What the program does with its arguments; the tests of the crate call it too.
+
+#![allow(
+    clippy::print_stdout,
+    clippy::print_stderr,
+    reason = "a program prints its help, its progress and its errors"
+)]
+
+mod arguments;
+mod failure;
+mod merge;
+mod plan;
+mod progress;
+mod row;
+mod solve;
+mod table;
+mod workers;
+
+use arguments::{Study, Task};
+pub(crate) use failure::Failure;
+use progress::Progress;
+use table::Table;
+use workers::Job;
+
+/// Carries out what the words of the command line say.
+pub(crate) fn run(words: &[String]) -> Result<(), Failure> {
+    match Task::parse(words)? {
+        Task::Help => print!("{}", arguments::HELP),
+        Task::Study(study) => solve(&study)?,
+        Task::Merge { out, parts } => {
+            let cases = merge::merge(&out, &parts)?;
+            eprintln!("study: {cases} cases in {}", out.display());
+        }
+    }
+    Ok(())
+}
+
+/// Says on standard error why a command failed.
+pub(crate) fn complain(failure: &Failure) {
+    eprintln!("study: {failure}");
+}
+
+/// Solves the cases of a shard that its table does not have yet.
+fn solve(study: &Study) -> Result<(), Failure> {
+    let plan = &study.plan;
+    let mut table = Table::open(plan, study.out.as_deref())?;
+    let mut jobs = Vec::new();
+    let (mut total, mut missing) = (0, 0);
+    for press in study.shard.of(plan.presses()) {
+        let mut cases: Vec<usize> = plan.cases_of(press).collect();
+        total += cases.len();
+        cases.retain(|&case| !table.has(case));
+        missing += cases.len();
+        if !cases.is_empty() {
+            jobs.push(Job { press, cases });
+        }
+    }
+    let mut progress = Progress::new(study.shard.to_string(), total, missing);
+    workers::work(plan, &jobs, study.threads, |row| {
+        table.add(&row.text)?;
+        progress.count(row.is_solved);
+        Ok(())
+    })?;
+    progress.end();
+    Ok(())
+}

@@ -1,0 +1,262 @@
+//! The plan of a study: which cases it has, in which order, and which settings they share.
+
+use std::fmt;
+use std::ops::Range;
+use std::str::FromStr;
+
+use super::failure::Failure;
+use super::row;
+
+/// All combinations of the listed values, and what they share.
+///
+/// Cases that differ in friction alone have one pressure: together they are a *press*, the unit of work. The case
+/// number counts first frictions, then seeds, pressures and Hurst exponents. Neighbouring presses therefore differ in
+/// their seed and cost about the same.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Plan {
+    /// Cells along either side.
+    pub(super) cells: usize,
+    pub(super) hursts: Vec<f64>,
+    /// Mean pressures, over the contact modulus times the rms slope.
+    pub(super) pressures: Vec<f64>,
+    pub(super) seeds: Vec<u64>,
+    pub(super) frictions: Vec<f64>,
+    /// Tangential over normal force.
+    pub(super) pull: f64,
+    /// Wavelength over the side.
+    pub(super) roll_off: f64,
+    /// Wavelength in cells.
+    pub(super) cut_off: f64,
+    pub(super) tolerance: f64,
+    pub(super) iterations: usize,
+}
+
+impl Default for Plan {
+    fn default() -> Self {
+        Self {
+            cells: 64,
+            hursts: vec![0.8],
+            pressures: vec![0.02, 0.05, 0.1],
+            seeds: (1..=4).collect(),
+            frictions: vec![0.2, 0.4],
+            pull: 0.1,
+            roll_off: 0.25,
+            cut_off: 8.0,
+            tolerance: 1e-6,
+            iterations: 10_000,
+        }
+    }
+}
+
+/// What makes a pressure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Press {
+    pub(super) hurst: f64,
+    pub(super) pressure: f64,
+    pub(super) seed: u64,
+}
+
+/// What the first line of a table begins with: another version may find other digits.
+const TITLE: &str = concat!("# stickslip ", env!("CARGO_PKG_VERSION"), " study");
+/// More cases than this are a mistake in a range of seeds.
+const MOST_CASES: usize = 10_000_000;
+
+impl Plan {
+    /// Takes over the value of an option; false if the option is none of a plan.
+    pub(super) fn set(&mut self, option: &str, value: &str) -> Result<bool, Failure> {
+        let parsed = match option {
+            "--cells" => one(value).map(|cells| self.cells = cells),
+            "--hursts" => list(value).map(|hursts| self.hursts = hursts),
+            "--pressures" => list(value).map(|pressures| self.pressures = pressures),
+            "--seeds" => seeds(value).map(|seeds| self.seeds = seeds),
+            "--frictions" => list(value).map(|frictions| self.frictions = frictions),
+            "--pull" => one(value).map(|pull| self.pull = pull),
+            "--roll-off" => one(value).map(|roll_off| self.roll_off = roll_off),
+            "--cut-off" => one(value).map(|cut_off| self.cut_off = cut_off),
+            "--tolerance" => one(value).map(|tolerance| self.tolerance = tolerance),
+            "--iterations" => one(value).map(|iterations| self.iterations = iterations),
+            _ => return Ok(false),
+        };
+        let refuse = |problem| Failure::Arguments(format!("{option} {value}: {problem}"));
+        parsed.map(|()| true).map_err(refuse)
+    }
+
+    /// Refuses what no surface, load or solver could have, before anything is solved.
+    pub(super) fn check(&self) -> Result<(), Failure> {
+        let positive = |value: f64| value > 0.0 && value.is_finite();
+        let all = |values: &[f64], rule: fn(f64) -> bool| values.iter().all(|&value| rule(value));
+        let shortest = self.cut_off / self.cells as f64;
+        let lists = [&self.hursts, &self.pressures, &self.frictions];
+        let distinct = lists.into_iter().all(|values| {
+            let bits: Vec<u64> = values.iter().map(|value| value.to_bits()).collect();
+            is_distinct(bits)
+        });
+        let presses = [self.hursts.len(), self.pressures.len(), self.seeds.len()];
+        let lengths = presses.into_iter().chain([self.frictions.len()]);
+        let cases = lengths.fold(1, usize::saturating_mul);
+        let rules = [
+            (
+                all(&self.hursts, |hurst| (0.0..=1.0).contains(&hurst)),
+                "--hursts must lie between 0 and 1",
+            ),
+            (
+                all(&self.pressures, positive),
+                "--pressures must be positive",
+            ),
+            (
+                all(&self.frictions, positive),
+                "--frictions must be positive",
+            ),
+            (positive(self.pull), "--pull must be positive"),
+            (
+                self.cut_off >= 2.0 && shortest <= self.roll_off && self.roll_off <= 1.0,
+                "--cut-off must be at least two cells, --roll-off no shorter than it and no longer than the side",
+            ),
+            (
+                self.tolerance > 0.0 && self.tolerance < 1.0,
+                "--tolerance must lie between 0 and 1",
+            ),
+            (self.iterations > 0, "--iterations must be at least 1"),
+            (
+                distinct && is_distinct(self.seeds.clone()),
+                "a value is listed twice",
+            ),
+            (cases <= MOST_CASES, "these are more than ten million cases"),
+        ];
+        match rules.into_iter().find(|(holds, _)| !holds) {
+            Some((_, rule)) => Err(Failure::Arguments(rule.to_owned())),
+            None => Ok(()),
+        }
+    }
+
+    pub(super) fn presses(&self) -> usize {
+        self.hursts.len() * self.pressures.len() * self.seeds.len()
+    }
+
+    pub(super) fn cases(&self) -> usize {
+        self.presses() * self.frictions.len()
+    }
+
+    pub(super) fn press(&self, press: usize) -> Press {
+        let (rest, seed) = (press / self.seeds.len(), press % self.seeds.len());
+        let (hurst, pressure) = (rest / self.pressures.len(), rest % self.pressures.len());
+        Press {
+            hurst: self.hursts[hurst],
+            pressure: self.pressures[pressure],
+            seed: self.seeds[seed],
+        }
+    }
+
+    pub(super) fn cases_of(&self, press: usize) -> Range<usize> {
+        let frictions = self.frictions.len();
+        press * frictions..(press + 1) * frictions
+    }
+
+    pub(super) fn friction(&self, case: usize) -> f64 {
+        self.frictions[case % self.frictions.len()]
+    }
+
+    /// The first columns of a row, [`row::KEY`].
+    pub(super) fn key(&self, case: usize) -> String {
+        let press = self.press(case / self.frictions.len());
+        let Press {
+            hurst,
+            pressure,
+            seed,
+        } = press;
+        format!(
+            "{},{},{hurst:?},{pressure:?},{seed},{:?},{:?}",
+            case + 1,
+            self.cells,
+            self.friction(case),
+            self.pull,
+        )
+    }
+
+    /// The two lines above the rows of a table: the command that repeats the study, and the columns.
+    pub(super) fn head(&self) -> String {
+        format!("{TITLE}{self}\n{}\n", row::columns())
+    }
+
+    /// The plan whose [head](Self::head) a text begins with.
+    pub(super) fn of_head(text: &str) -> Option<Self> {
+        let command = text.lines().next()?.strip_prefix(TITLE)?;
+        let words: Vec<&str> = command.split_whitespace().collect();
+        let mut plan = Self::default();
+        for pair in words.chunks(2) {
+            let [option, value] = *pair else { return None };
+            plan.set(option, value).ok().filter(|&known| known)?;
+        }
+        plan.check().ok()?;
+        text.starts_with(&plan.head()).then_some(plan)
+    }
+}
+
+/// The options that make this plan.
+impl fmt::Display for Plan {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            formatter,
+            " --cells {} --hursts {} --pressures {} --seeds {} --frictions {} --pull {:?} --roll-off {:?} \
+             --cut-off {:?} --tolerance {:?} --iterations {}",
+            self.cells,
+            joined(&self.hursts),
+            joined(&self.pressures),
+            ranges(&self.seeds),
+            joined(&self.frictions),
+            self.pull,
+            self.roll_off,
+            self.cut_off,
+            self.tolerance,
+            self.iterations,
+        )
+    }
+}
+
+pub(super) fn one<T: FromStr>(value: &str) -> Result<T, &'static str> {
+    value.parse().map_err(|_| "not a number of this option")
+}
+
+fn list(value: &str) -> Result<Vec<f64>, &'static str> {
+    value.split(',').map(one).collect()
+}
+
+/// Numbers and ranges such as `1-20,25`.
+fn seeds(value: &str) -> Result<Vec<u64>, &'static str> {
+    let mut seeds = Vec::new();
+    for part in value.split(',') {
+        let (first, last) = part.split_once('-').unwrap_or((part, part));
+        let (first, last): (u64, u64) = (one(first)?, one(last)?);
+        match last.checked_sub(first) {
+            None => return Err("a range that ends before it begins"),
+            Some(more) if more >= MOST_CASES as u64 => return Err("more than ten million seeds"),
+            Some(_) => seeds.extend(first..=last),
+        }
+    }
+    Ok(seeds)
+}
+
+fn joined(values: &[f64]) -> String {
+    let words: Vec<String> = values.iter().map(|value| format!("{value:?}")).collect();
+    words.join(",")
+}
+
+/// Seeds as ranges: the text is the same however the option was written.
+fn ranges(seeds: &[u64]) -> String {
+    let runs = seeds.chunk_by(|&seed, &next| seed.checked_add(1) == Some(next));
+    let words: Vec<String> = runs
+        .map(|run| match *run {
+            [first, .., last] => format!("{first}-{last}"),
+            [seed] => seed.to_string(),
+            [] => String::new(),
+        })
+        .collect();
+    words.join(",")
+}
+
+fn is_distinct(mut values: Vec<u64>) -> bool {
+    let count = values.len();
+    values.sort_unstable();
+    values.dedup();
+    values.len() == count
+}

@@ -1,0 +1,285 @@
+//! A study that was killed goes on to the same table, however it is cut; what is not its table is refused.
+
+#[path = "../../examples/study/command/mod.rs"]
+mod command;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use command::{Failure, complain, run};
+use stickslip::surface::{self, SelfAffine};
+use stickslip::{
+    Boundary, ElasticPair, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
+    TangentialLoad, TangentialProblem,
+};
+
+/// Six presses, twelve cases.
+const SMALL: &str = "--cells 16 --cut-off 4 --seeds 1-3 --pressures 0.02,0.1";
+
+fn study(line: &str) -> Result<(), Failure> {
+    let words: Vec<String> = line.split_whitespace().map(str::to_owned).collect();
+    run(&words)
+}
+
+/// A new folder for the tables of a test.
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"))
+        .join("studies")
+        .join(name);
+    if folder.exists() {
+        fs::remove_dir_all(&folder).unwrap();
+    }
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+/// The paths of a folder, as words of a command line.
+fn paths<const N: usize>(folder: &Path, names: [&str; N]) -> [String; N] {
+    names.map(|name| folder.join(name).into_os_string().into_string().unwrap())
+}
+
+/// The table of the small study, solved and merged at once.
+fn whole_table(folder: &Path) -> Vec<u8> {
+    let [whole, merged] = paths(folder, ["whole.csv", "merged.csv"]);
+    study(&format!("{SMALL} --threads 1 --out {whole}")).unwrap();
+    study(&format!("--merge {merged} {whole}")).unwrap();
+    fs::read(merged).unwrap()
+}
+
+/// What a merged table has in a column for a case.
+fn value<'t>(table: &'t str, case: usize, name: &str) -> &'t str {
+    let mut lines = table.lines().skip(1);
+    let column = lines
+        .next()
+        .unwrap()
+        .split(',')
+        .position(|other| other == name);
+    let mut words = lines.nth(case - 1).unwrap().split(',');
+    words.nth(column.unwrap()).unwrap()
+}
+
+#[test]
+fn wherever_it_was_cut() {
+    let folder = folder("cut");
+    let expected = whole_table(&folder);
+    let [first, second, merged] = paths(&folder, ["first.csv", "second.csv", "merged.csv"]);
+    study(&format!("{SMALL} --shard 2/2 --threads 2 --out {second}")).unwrap();
+    study(&format!("{SMALL} --shard 1/2 --threads 2 --out {first}")).unwrap();
+    let table = fs::read(&first).unwrap();
+    let last_line = table[..table.len() - 1]
+        .iter()
+        .rposition(|&byte| byte == b'\n');
+    // Within the head, within the rows, and at both sides of the end of a line.
+    let ends = [
+        last_line.unwrap(),
+        last_line.unwrap() + 1,
+        table.len() - 1,
+        table.len(),
+    ];
+    for end in (0..table.len()).step_by(101).chain(ends) {
+        fs::write(&first, &table[..end]).unwrap();
+        study(&format!("{SMALL} --shard 1/2 --threads 3 --out {first}")).unwrap();
+        let _ = fs::remove_file(&merged);
+        study(&format!("--merge {merged} {second} {first}")).unwrap();
+        assert!(
+            fs::read(&merged).unwrap() == expected,
+            "cut after {end} bytes"
+        );
+    }
+}
+
+#[test]
+fn of_which_each_case_is_in_one_shard() {
+    let folder = folder("shards");
+    let expected = whole_table(&folder);
+    for parts in 1..=8 {
+        let [merged] = paths(&folder, ["parts.csv"]);
+        let mut words = vec![format!("--merge {merged}")];
+        let mut lines = 0;
+        for part in 1..=parts {
+            let [out] = paths(&folder, [&format!("part-{part}-of-{parts}.csv")]);
+            study(&format!("{SMALL} --shard {part}/{parts} --out {out}")).unwrap();
+            lines += fs::read_to_string(&out).unwrap().lines().count() - 2;
+            words.push(out);
+        }
+        assert_eq!(lines, 12);
+        study(&words.join(" ")).unwrap();
+        assert!(fs::read(merged).unwrap() == expected);
+    }
+}
+
+/// Numbers read back to the bits of the solutions.
+#[test]
+fn with_the_numbers_of_the_library() {
+    let folder = folder("numbers");
+    let table = String::from_utf8(whole_table(&folder)).unwrap();
+    // Pressure 0.1, seed 2, friction 0.4.
+    let number = |name: &str| value(&table, 10, name).parse::<f64>().unwrap();
+    let key = ["case", "pressure", "seed", "friction"].map(number);
+    assert_eq!(key, [10.0, 0.1, 2.0, 0.4]);
+
+    let grid = Grid::square(16, 1.0).unwrap();
+    let material = Material::new(1.0, 0.3).unwrap();
+    let pair = ElasticPair::new(material, material).unwrap();
+    let bodies = HalfSpace::with_boundary(grid, pair, Boundary::Periodic).unwrap();
+    let rough = SelfAffine::with_rms_slope(1.0).roll_off_wavelength(0.25);
+    let rough = rough
+        .cut_off_wavelength(0.25)
+        .seed(2)
+        .generate(grid)
+        .unwrap();
+    let gap = surface::gap_from_heights(rough.heights()).unwrap();
+    let force = 0.1 * pair.contact_modulus();
+    let normal = NormalProblem::builder(&bodies, &gap, NormalControl::Force(force)).tolerance(1e-6);
+    let normal = normal.build().unwrap().solve().unwrap();
+    let load = TangentialLoad::force([0.1 * force, 0.0]);
+    let friction = Friction::coulomb(0.4).unwrap();
+    let shear = TangentialProblem::builder(&bodies, &normal, friction, load).tolerance(1e-6);
+    let shear = shear.build().unwrap().solve().unwrap();
+    assert_eq!(number("contact_area"), normal.contact_area());
+    assert_eq!(
+        number("contact_area_corrected"),
+        normal.contact_area_corrected()
+    );
+    assert_eq!(
+        number("mean_gap"),
+        normal.gap().integral() / rough.rms_height()
+    );
+    assert_eq!(number("stick_ratio"), shear.stick_ratio());
+    assert_eq!(number("shift"), shear.shift()[0] / rough.rms_height());
+    for (solve, report) in [("normal", normal.report()), ("tangential", shear.report())] {
+        let status = value(&table, 10, &format!("{solve}_status"));
+        assert_eq!(status, "converged");
+        assert_eq!(number(&format!("{solve}_residual")), report.residual);
+        assert_eq!(
+            number(&format!("{solve}_energy_error")),
+            report.energy_error_bound()
+        );
+        let products = ["double", "single"].map(|kind| number(&format!("{solve}_{kind}_products")));
+        assert_eq!(products[0] + products[1], report.products() as f64);
+    }
+}
+
+#[test]
+fn with_a_row_for_what_has_no_solution() {
+    let folder = folder("unsolved");
+    let [table, merged] = paths(&folder, ["table.csv", "merged.csv"]);
+    for (options, expected) in [
+        (
+            "--iterations 1",
+            ["", "stopped at the iteration limit", "not solved"],
+        ),
+        (
+            "--pull 0.3 --frictions 0.2",
+            ["", "converged", "beyond the friction capacity"],
+        ),
+    ] {
+        let _ = fs::remove_file(&table);
+        study(&format!("{SMALL} {options} --out {table}")).unwrap();
+        study(&format!("--merge {merged} {table}")).unwrap();
+        let text = fs::read_to_string(&merged).unwrap();
+        for case in 1..=text.lines().count() - 2 {
+            let names = ["stick_ratio", "normal_status", "tangential_status"];
+            assert_eq!(names.map(|name| value(&text, case, name)), expected);
+            let is_empty = value(&text, case, "contact_area").is_empty();
+            assert_eq!(is_empty, expected[1] != "converged");
+        }
+    }
+}
+
+#[test]
+fn but_no_table_of_another_study() {
+    let folder = folder("refused");
+    let expected = whole_table(&folder);
+    let [whole, other, merged] = paths(&folder, ["whole.csv", "other.csv", "merged.csv"]);
+    let (command, table) = (format!("{SMALL} --out {whole}"), fs::read(&whole).unwrap());
+
+    // Another setting, in a study and in a merge, and a file of something else: none is touched.
+    let refused = study(&format!("{SMALL} --tolerance 1e-5 --out {whole}")).unwrap_err();
+    assert!(matches!(&refused, Failure::OtherStudy { .. }), "{refused}");
+    complain(&refused);
+    study(&format!("{SMALL} --tolerance 1e-5 --out {other}")).unwrap();
+    let refused = study(&format!("--merge {merged} {whole} {other}")).unwrap_err();
+    assert!(matches!(refused, Failure::OtherStudy { .. }), "{refused}");
+    fs::write(&other, "some notes").unwrap();
+    let refused = study(&format!("{SMALL} --out {other}")).unwrap_err();
+    assert!(matches!(refused, Failure::OtherStudy { .. }), "{refused}");
+    let refused = study(&format!("--merge {merged} {other}")).unwrap_err();
+    assert!(
+        matches!(refused, Failure::Damaged { line: 1, .. }),
+        "{refused}"
+    );
+    assert!(fs::read(&whole).unwrap() == table && fs::read(&other).unwrap() == b"some notes");
+
+    // A row that lacks its end, among others.
+    let text = String::from_utf8(table.clone()).unwrap();
+    let lines: Vec<_> = text.lines().collect();
+    let damaged = text.replace(lines[4], &lines[4][..40]);
+    fs::write(&whole, damaged).unwrap();
+    for line in [command, format!("--merge {merged} {whole}")] {
+        let refused = study(&line).unwrap_err();
+        assert!(
+            matches!(refused, Failure::Damaged { line: 5, .. }),
+            "{refused}"
+        );
+    }
+
+    // Rows that are missing, and rows that disagree; the merged table stays as it was.
+    fs::write(&whole, format!("{}\n", lines[..12].join("\n"))).unwrap();
+    let refused = study(&format!("--merge {merged} {whole}")).unwrap_err();
+    assert!(
+        matches!(
+            refused,
+            Failure::Missing {
+                missing: 2,
+                total: 12,
+                ..
+            }
+        ),
+        "{refused}"
+    );
+    let words: Vec<_> = lines[4].split(',').collect();
+    fs::write(&whole, text.replace(words[11], "1.5")).unwrap();
+    fs::write(&other, &table).unwrap();
+    let refused = study(&format!("--merge {merged} {whole} {other}")).unwrap_err();
+    assert!(matches!(refused, Failure::Disagreement { .. }), "{refused}");
+    assert!(fs::read(&merged).unwrap() == expected);
+    // Twice the same row is none too many.
+    study(&format!("--merge {merged} {other} {other} {merged}")).unwrap();
+    assert!(fs::read(&merged).unwrap() == expected);
+}
+
+#[test]
+fn and_no_arguments_that_make_no_sense() {
+    for line in [
+        "--case 3",
+        "--out",
+        "--cells 0",
+        "--cells many",
+        "--seeds 3-1",
+        "--seeds 1-2,2",
+        "--seeds 1-99999999999",
+        "--pressures 0.1,-0.1",
+        "--pressures 0.1,0.1",
+        "--frictions 0",
+        "--hursts 1.5",
+        "--pull nan",
+        "--cut-off 1",
+        "--cut-off 30",
+        "--roll-off 2",
+        "--tolerance 1",
+        "--iterations 0",
+        "--threads 0",
+        "--shard 0/2",
+        "--shard 3/2",
+        "--shard 1",
+        "--merge",
+        "--merge all.csv",
+    ] {
+        let refused = study(line).unwrap_err();
+        assert!(
+            matches!(refused, Failure::Arguments(_)),
+            "{line}: {refused}"
+        );
+    }
+}
