@@ -204,6 +204,7 @@ mod elastic;
 mod error;
 pub mod fft;
 mod field;
+mod gauss;
 mod grid;
 pub mod guide;
 mod half_space;
