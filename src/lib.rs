@@ -211,6 +211,7 @@ mod half_space;
 pub mod history;
 pub mod influence;
 pub mod io;
+mod jacobi;
 mod kept;
 mod material;
 pub mod normal;
