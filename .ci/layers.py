@@ -9,7 +9,7 @@ import sys
 
 # The modules of the crate by layer, lowest first, and the modules each may use: those named, of its own layer or of
 # a lower one.
-FOUNDATION = {"clock", "error", "report", "boundary", "grid", "field", "material", "parallel", "per_cell", "pool", "kept", "serial", "gauss", "jacobi"}
+FOUNDATION = {"clock", "error", "report", "boundary", "grid", "field", "material", "parallel", "per_cell", "pool", "left_behind", "serial", "gauss", "jacobi"}
 ENGINE = FOUNDATION | {"operator", "influence", "fft", "half_space", "cgm", "window", "trend"}
 LAYERS = [
     ("words every layer speaks", {
@@ -20,7 +20,7 @@ LAYERS = [
         "parallel": {"error"},
         "per_cell": set(),
         "pool": set(),
-        "kept": set(),
+        "left_behind": set(),
         "gauss": set(),
         "jacobi": set(),
         "boundary": set(),

@@ -212,7 +212,7 @@ pub mod history;
 pub mod influence;
 pub mod io;
 mod jacobi;
-mod kept;
+mod left_behind;
 mod material;
 pub mod normal;
 mod operator;

@@ -14,6 +14,7 @@ use crate::error::{Error, Result};
 use crate::fft::{CirculantInverse, Convolution, ConvolutionWorkspace};
 use crate::half_space::{Compliance, HalfSpace};
 use crate::influence::Direction;
+use crate::left_behind::OfSize;
 use crate::operator::Operator;
 use crate::passes::{with_counts_of, with_time_left};
 use crate::report::{Report, Status};
@@ -56,6 +57,7 @@ pub(super) struct Task<'a> {
 /// Pressure and tractions of a window, and what finds them.
 #[derive(Debug, Clone)]
 pub(super) struct Engine {
+    /// May become another of the same size.
     pub(super) window: Window,
     /// What it takes to see the rest of the grid, if there is a rest.
     whole: Option<Whole>,
@@ -101,6 +103,12 @@ impl Cone for Within<'_> {
     }
 }
 
+impl OfSize for Engine {
+    fn size(&self) -> [usize; 2] {
+        self.window.size
+    }
+}
+
 impl Engine {
     /// On a window, as [`HalfSpace::place`] has it.
     pub(super) fn new(bodies: &HalfSpace, window: Window) -> Result<Self> {
@@ -138,11 +146,6 @@ impl Engine {
             image: zeros(),
             limits: vec![0.0; cells],
         })
-    }
-
-    /// In another place of the same size.
-    pub(super) fn at(self, window: Window) -> Self {
-        Self { window, ..self }
     }
 
     /// Takes tractions of the whole grid as the start.

@@ -8,6 +8,7 @@ use crate::error::{Error, Result};
 use crate::fft::{Convolution, ConvolutionWorkspace};
 use crate::half_space::{Compliance, HalfSpace};
 use crate::influence::Direction;
+use crate::left_behind::OfSize;
 use crate::normal::hardness::Carried;
 use crate::operator::Operator;
 use crate::per_cell::PerCell;
@@ -101,6 +102,12 @@ impl Load {
     }
 }
 
+impl OfSize for Engine {
+    fn size(&self) -> [usize; 2] {
+        self.window.size
+    }
+}
+
 impl Engine {
     /// On a window, as [`HalfSpace::place`] has it.
     pub(super) fn new(bodies: &HalfSpace, window: Window) -> Result<Self> {
@@ -122,11 +129,10 @@ impl Engine {
         })
     }
 
-    /// In another place of the same size, without a trend.
-    pub(super) fn at(mut self, window: Window) -> Self {
+    /// Moves to another place of the same size, without a trend.
+    pub(super) fn move_to(&mut self, window: Window) {
         self.window = window;
         self.trend.forget();
-        self
     }
 
     /// Gives the buffers back; the displacement is then gone.
