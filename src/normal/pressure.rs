@@ -110,7 +110,7 @@ impl PressureSolver {
     }
 
     /// Forgets the last answer: the next solve starts as the first did.
-    pub(super) fn reset(&mut self) {
+    pub(crate) fn reset(&mut self) {
         self.engine = None;
     }
 
