@@ -136,7 +136,8 @@ impl History {
 
     /// Returns to a state, one of this history or of another on equal bodies: gap, friction and settings are those
     /// of the state too. It copies into the buffers that are there, and allocates only if the contact has had
-    /// another box since. [`last_step`](Self::last_step) still is the step taken last.
+    /// another box since, or where only one of the two states has a relative displacement.
+    /// [`last_step`](Self::last_step) still is the step taken last.
     ///
     /// # Errors
     /// As [`History::from_state`]; the history is then as it was.

@@ -10,6 +10,23 @@ use crate::subsurface::stress::Stress;
 use crate::subsurface::tractions::Tractions;
 
 /// Displacement and stress of a body at a point.
+///
+/// ```
+/// use std::f64::consts::PI;
+/// use stickslip::subsurface::{Body, Response, Tractions, at_points};
+/// use stickslip::*;
+/// let body = Material::from_shear_modulus(1.0, 0.25)?;
+/// let pair = ElasticPair::new(body, Material::rigid())?;
+/// let bodies = HalfSpace::new(Grid::square(2, 0.02)?, pair)?;
+/// let pressure = Field::constant(bodies.grid(), 1e4);
+/// // Far away it is Boussinesq's point force P: uz = (1 - nu) P/(2 pi G r) on the surface, which is free there.
+/// let far = at_points(&bodies, Body::One, Tractions::new(&pressure), &[[3.0, 4.0, 0.0]])?;
+/// let Response { displacement: [_, _, uz], stress } = far[0];
+/// let force = pressure.integral();
+/// assert!((uz / (0.75 * force / (2.0 * PI * 5.0)) - 1.0).abs() < 1e-5);
+/// assert!(stress.zz.abs() < 1e-12 && stress.xx.abs() > 1e-3);
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Response {

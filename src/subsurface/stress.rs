@@ -27,6 +27,16 @@ pub struct Stress {
 }
 
 /// Principal stresses and their directions.
+///
+/// ```
+/// use stickslip::subsurface::Stress;
+/// // Tension of 5 along [3, 4, 0]/5.
+/// let stress = Stress { xx: 1.8, yy: 3.2, xy: 2.4, ..Stress::default() };
+/// let principal = stress.principal();
+/// assert!((principal.values[0] - 5.0).abs() < 1e-14 && principal.values[2].abs() < 1e-14);
+/// let [x, y, z] = principal.directions[0];
+/// assert!((0.6 * x + 0.8 * y).abs() > 1.0 - 1e-15 && z.abs() < 1e-15);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Principal {
