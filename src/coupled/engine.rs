@@ -67,7 +67,7 @@ pub(super) struct Engine {
     plane: ElasticSolver<Disc, 2>,
     lower_bounds: [f64; 2],
     contraction: Contraction,
-    /// Whether the bounds of the halves may bound the whole: the norms know no mean of a grid that repeats along both axes.
+    /// Whether the bounds of the halves may bound the whole: the mean on a grid that repeats along both axes has no norm.
     is_bounded: bool,
     /// Pressure and tractions: the start, and the answer.
     x: [Vec<f64>; N],

@@ -48,7 +48,7 @@ pub struct Convolution<const N: usize = 1> {
     is_single_enough: bool,
 }
 
-/// Ratio of the eigenvalues below which the smallest drowns in the error of single precision: that of long cells,
+/// Ratio of the eigenvalues below which the smallest is lost in the error of single precision: that of long cells,
 /// and of squares of some 50 000 cells along a side.
 const SINGLE_RANGE: f64 = 2e-6;
 
