@@ -10,8 +10,8 @@ import sys
 # The modules of the crate by layer, lowest first, and the modules each may use: those named, of its own layer or of
 # a lower one.
 FOUNDATION = {
-    "clock", "error", "report", "boundary", "grid", "field", "material", "parallel", "per_cell", "pool", "kept", "serial",
-    "ranks", "share", "layout",
+    "clock", "error", "report", "boundary", "grid", "field", "material", "parallel", "per_cell", "pool", "left_behind", "serial",
+    "gauss", "jacobi", "ranks", "share", "layout",
 }
 ENGINE = FOUNDATION | {"operator", "influence", "fft", "half_space", "cgm", "levels", "window", "trend"}
 LAYERS = [
@@ -26,7 +26,9 @@ LAYERS = [
         "layout": {"error", "report", "parallel", "ranks", "share"},
         "per_cell": set(),
         "pool": set(),
-        "kept": set(),
+        "left_behind": set(),
+        "gauss": set(),
+        "jacobi": set(),
         "boundary": set(),
         "grid": {"error", "layout"},
         "field": {"error", "grid", "layout", "parallel", "serial"},

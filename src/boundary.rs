@@ -19,7 +19,7 @@ pub enum Boundary {
     /// pads. A [line of cells](crate::Grid::line) is a line contact in plane strain, and carries forces per length; a grid
     /// of more rows is the same with roughness or texture along y, and carries the forces of one period.
     ///
-    /// Under a load that goes on along y for ever, a body moves infinitely far from its own depth, so that displacements
+    /// Under a load that extends along y without end, a body moves infinitely far from its own depth, so that displacements
     /// are those relative to a datum: a point of the surface at the distance `datum` (a length) along x from a line load is
     /// not moved by it. Per unit length of a line load P, both bodies together,
     ///

@@ -86,7 +86,7 @@ pub enum Error {
     /// A sum over images that does not converge.
     #[error("{0} does not converge on a grid that repeats along both axes")]
     Repeats(&'static str),
-    /// The materials couple pressure and shear, and what was asked for knows no shear that changes the pressure.
+    /// The materials couple pressure and shear, and what was asked for does not model how shear changes the pressure.
     #[error(
         "the pair couples pressure and shear (Dundurs beta = {beta:e}): a CoupledProblem or a History finds both together; elsewhere choose Coupling::OneWay or Coupling::Neglected and its error"
     )]
@@ -149,7 +149,7 @@ pub enum Error {
     Method {
         /// The method asked for.
         method: &'static str,
-        /// What it does not know, in words.
+        /// What it does not solve, in words.
         quantity: &'static str,
     },
     /// No finite value lies between the bounds of an entry.

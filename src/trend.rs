@@ -57,7 +57,7 @@ impl Ahead {
 }
 
 impl<const N: usize> Trend<N> {
-    /// Knows of no change any more; keeps its memory.
+    /// Forgets the change; keeps the memory.
     pub(crate) fn forget(&mut self) {
         for change in &mut self.change {
             change.clear();

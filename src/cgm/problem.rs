@@ -130,7 +130,7 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
         set::check(&self.constraint, cells)
     }
 
-    /// The single loop knows intervals, and no springs.
+    /// The single loop solves problems of intervals without springs.
     fn check_single_loop(&self) -> Result<()> {
         let has_spring = self.totals.iter().any(|total| total.is_spring());
         if K::Set::HAS_SINGLE_LOOP && !has_spring {
@@ -173,7 +173,7 @@ pub struct Minimum<const N: usize = 1> {
 /// # Errors
 /// [`Error::Length`], [`Error::Sample`], [`Error::Bounds`], [`Error::Negative`], [`Error::Total`] or
 /// [`Error::BeyondFrictionCapacity`] for sums the sets cannot hold, [`Error::NotPositive`] or [`Error::NotFinite`] for
-/// a spring, [`Error::Method`] for a method that does not know the sets, [`Error::Tolerance`] or
+/// a spring, [`Error::Method`] for a method that does not work with the sets, [`Error::Tolerance`] or
 /// [`Error::IterationLimit`] before any work, with `x` as it was; [`Error::NotConverged`] with the last feasible
 /// iterate in `x`.
 pub fn minimise<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(

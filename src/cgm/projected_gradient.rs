@@ -67,7 +67,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     }
 
     /// The multipliers of springs, and the mean of the gradient for those of sums: it changes nothing, but beside it
-    /// the products would drown in round-off.
+    /// the products would be lost in round-off.
     fn set_multiplier_of_all(&mut self) {
         let totals = self.problem.totals;
         if totals == [Total::Free; N] {

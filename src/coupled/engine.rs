@@ -14,6 +14,7 @@ use crate::error::{Error, Result};
 use crate::fft::{CirculantInverse, Convolution, ConvolutionWorkspace};
 use crate::half_space::{Compliance, HalfSpace};
 use crate::influence::Direction;
+use crate::left_behind::OfSize;
 use crate::operator::Operator;
 use crate::passes::{with_counts_of, with_time_left};
 use crate::report::{Report, Status};
@@ -56,6 +57,7 @@ pub(super) struct Task<'a> {
 /// Pressure and tractions of a window, and what finds them.
 #[derive(Debug, Clone)]
 pub(super) struct Engine {
+    /// May become another of the same size.
     pub(super) window: Window,
     /// What it takes to see the rest of the grid, if there is a rest.
     whole: Option<Whole>,
@@ -65,7 +67,7 @@ pub(super) struct Engine {
     plane: ElasticSolver<Disc, 2>,
     lower_bounds: [f64; 2],
     contraction: Contraction,
-    /// Whether the bounds of the halves may bound the whole: the norms know no mean of a grid that repeats along both axes.
+    /// Whether the bounds of the halves may bound the whole: the mean on a grid that repeats along both axes has no norm.
     is_bounded: bool,
     /// Pressure and tractions: the start, and the answer.
     x: [Vec<f64>; N],
@@ -98,6 +100,12 @@ impl Cone for Within<'_> {
 
     fn slope(&self, cell: usize, pressure: f64) -> f64 {
         self.friction.slope(self.window.index(cell), pressure)
+    }
+}
+
+impl OfSize for Engine {
+    fn size(&self) -> [usize; 2] {
+        self.window.size
     }
 }
 
@@ -138,11 +146,6 @@ impl Engine {
             image: zeros(),
             limits: vec![0.0; cells],
         })
-    }
-
-    /// In another place of the same size.
-    pub(super) fn at(self, window: Window) -> Self {
-        Self { window, ..self }
     }
 
     /// Takes tractions of the whole grid as the start.

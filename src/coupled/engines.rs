@@ -3,27 +3,25 @@
 use crate::coupled::engine::Engine;
 use crate::error::Result;
 use crate::half_space::HalfSpace;
-use crate::kept::Kept;
+use crate::left_behind::LeftBehind;
 use crate::window::Window;
 
 #[derive(Debug, Clone, Default)]
 pub(super) struct Engines {
     /// `None` before the first contact.
     pub(super) present: Option<Engine>,
-    kept: Kept<Engine>,
+    left_behind: LeftBehind<Engine>,
 }
 
 impl Engines {
     /// Counts a solve.
     pub(super) fn age(&mut self) {
-        self.kept.age();
+        self.left_behind.age();
     }
 
     /// Goes on as after a step that ended with this window.
     pub(super) fn resume(&mut self, bodies: &HalfSpace, window: Option<Window>) -> Result<()> {
-        let present = self.present.as_ref().map(|engine| engine.window);
         match window {
-            Some(window) if present == Some(window) => {}
             Some(window) => self.work_on(bodies, window)?,
             None => self.present = None,
         }
@@ -33,13 +31,9 @@ impl Engines {
     /// Changes to a window.
     pub(super) fn work_on(&mut self, bodies: &HalfSpace, window: Window) -> Result<()> {
         let window = bodies.place(window);
-        let next = match self.kept.take(window.size) {
-            Some(engine) => engine.at(window),
-            None => Engine::new(bodies, window)?,
-        };
-        if let Some(left) = self.present.replace(next) {
-            self.kept.leave(left.window.size, left, window.size);
-        }
+        let (present, make) = (&mut self.present, || Engine::new(bodies, window));
+        let engine = self.left_behind.provide(present, window.size, make)?;
+        engine.window = window;
         Ok(())
     }
 }

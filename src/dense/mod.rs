@@ -2,8 +2,8 @@
 //!
 //! [`DenseOperator`] applies what [`Convolution`](crate::fft::Convolution) applies, in `n^2` steps
 //! and without a transform, and [`DenseOperator::minimise`] finds what [`crate::cgm`] finds, by
-//! Cholesky factorisation on active sets, up to round-off and without a tolerance. Both are there
-//! to check the fast paths, and to answer scenes of some hundred cells once and for all.
+//! Cholesky factorisation on active sets, up to round-off. Both are there
+//! to check the fast paths, and to answer scenes of some hundred cells without a tolerance.
 
 mod active_set;
 mod wave_sum;

@@ -1,4 +1,4 @@
-//! The half-space as an operator: convolution with influence coefficients, zero-padded or periodic.
+//! The half-space as an operator: convolution with influence coefficients, along each axis zero-padded or periodic.
 
 use std::sync::Arc;
 
@@ -20,12 +20,14 @@ use crate::share::Share;
 
 /// `u_i = sum_j C_ij * t_j` on a grid: N displacement components of every cell from N traction components
 /// of all cells, by fast transforms: one each way for each component. Without periodic images
-/// ([`Self::new`]) or on a grid that repeats ([`Self::periodic`]); those of several components are obtained
-/// from [`HalfSpace::tensor_operator`](crate::HalfSpace::tensor_operator).
+/// ([`Self::new`]) or on a grid that repeats along both axes ([`Self::periodic`]); those on a grid that repeats along y
+/// alone are obtained from [`HalfSpace::operator`](crate::HalfSpace::operator), those of several components from
+/// [`HalfSpace::tensor_operator`](crate::HalfSpace::tensor_operator).
 ///
 /// Tractions are pressures, displacements lengths. Equal to the direct sum up to round-off
 /// (1e-15 of the largest displacement, typically). Immutable and shared; memory 12 bytes per cell for each
-/// of the N (N + 1)/2 coefficients, and 16 N per cell in each workspace; on a periodic grid 3, and 8 N.
+/// of the N (N + 1)/2 coefficients, and 16 N per cell in each workspace; on a grid that repeats along y alone 6
+/// instead of 12, on one that repeats along both axes 3, and 8 N in each workspace.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Grid, Material, Operator, fft::Convolution, influence::Component};
@@ -52,7 +54,7 @@ pub struct Convolution<const N: usize = 1> {
     is_single_enough: bool,
 }
 
-/// Ratio of the eigenvalues below which the smallest drowns in the error of single precision: that of long cells,
+/// Ratio of the eigenvalues below which the smallest is lost in the error of single precision: that of long cells,
 /// and of squares of some 50 000 cells along a side.
 const SINGLE_RANGE: f64 = 2e-6;
 

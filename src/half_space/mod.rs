@@ -34,7 +34,8 @@ pub(crate) use region::Region;
 /// contacts on equal windows of the grid share what they need while any of them lives, and the buffers of their solves
 /// while they are not solved at once. The
 /// samples behind `XX`, `YY` and `ZZ` take 16 bytes per cell together, those of `XY`, `XZ` and `YZ` 8 each, and serve
-/// the coarser grids of nested starts too; on more than a million cells they are made anew for each operator instead of
+/// the coarser grids of nested starts too (not where the grid repeats along y alone, whose coarser grids have samples of
+/// their own); on more than a million cells they are made anew for each operator instead of
 /// kept. Each operator takes 12 and its preconditioner one, the coarser ones a third
 /// more. An operator of two directions takes three times that, one of all three six times. With a periodic boundary
 /// there are no samples, and an operator takes three bytes per cell. `Send + Sync`: many solvers may run over one

@@ -7,7 +7,7 @@ use crate::error::Result;
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::memory::Memory;
-use crate::history::{History, LoadStep, touch};
+use crate::history::{History, LoadStep, State, touch};
 use crate::normal::{NormalControl, Pressing};
 use crate::parallel;
 use crate::tangential::{Motion, Start};
@@ -15,26 +15,38 @@ use crate::window::Window;
 
 impl History {
     /// Solves both halves of a step; returns the motion of body 2 at its end. Of the state it changes the window of what
-    /// the cells remember, which may become wider.
+    /// the cells remember, which may become wider; where it fails or the observer panics, the history is as before.
     pub(super) fn attempt(&mut self, load: &LoadStep, observer: Observer<'_>) -> Result<Motion> {
+        let mut attempt = Attempt {
+            remembered: self.state.contact.as_ref().map(|memory| memory.window),
+            history: self,
+            is_over: false,
+        };
+        let outcome = attempt.history.find(load, observer);
+        attempt.is_over = true;
+        if outcome.is_err() {
+            attempt.forget();
+            attempt.history.take_back()?;
+        }
+        outcome
+    }
+
+    /// Solves both halves of a step.
+    fn find(&mut self, load: &LoadStep, observer: Observer<'_>) -> Result<Motion> {
         self.press.age();
-        let joint = self.joint.as_ref().map(|joint| joint.window());
-        if joint.unwrap_or_else(|| self.press.window()) != self.state.press_window {
+        let joint = self.joint.as_ref();
+        let window = joint.map_or_else(|| self.press.window(), |joint| joint.window());
+        if window != self.state.press_window || joint.is_some() != self.state.is_joint() {
             self.take_back()?;
         }
-        if let Some(mut joint) = self.joint.take() {
-            let motion = self.attempt_joint(&mut joint, load, observer);
-            self.joint = Some(joint);
-            return motion;
+        if let Some(motion) = self.find_jointly(load, &mut *observer)? {
+            return Ok(motion);
         }
         let control = load.normal_control();
         if control != NormalControl::Hold && !self.state.is_pressed_by(control) {
             self.find_pressure(control, &mut *observer)?;
         }
-        let mut memory = self.state.contact.take();
-        let motion = self.find_tractions(&mut memory, load, observer);
-        self.state.contact = memory;
-        motion
+        self.find_tractions(load, observer)
     }
 
     /// Finds the pressure of the step, as the candidate.
@@ -61,32 +73,28 @@ impl History {
     }
 
     /// Finds the tractions of the step under the pressure of the candidate, or that of the state if that is held.
-    fn find_tractions(
-        &mut self,
-        memory: &mut Option<Memory>,
-        load: &LoadStep,
-        observer: Observer<'_>,
-    ) -> Result<Motion> {
-        let (state, demand) = (&self.state, load.demand(self.state.motion.twist));
+    fn find_tractions(&mut self, load: &LoadStep, observer: Observer<'_>) -> Result<Motion> {
+        let (grid, demand) = (self.bodies.grid(), load.demand(self.state.motion.twist));
+        let State { axes, motion, .. } = self.state;
         let candidate = self.candidate.held();
-        let pressed = candidate.unwrap_or(&state.normal);
-        let grid = self.bodies.grid();
+        let pressed = candidate.unwrap_or(&self.state.normal);
+        let memory = &mut self.state.contact;
         let present = memory.as_ref().map(|memory| memory.window);
         let Some(window) = window_of(&self.bodies, pressed.pressure(), present) else {
-            return demand.without_contact(state.axes, state.motion);
+            return demand.without_contact(axes, motion);
         };
-        let kind = (state.axes, state.coupling);
+        let kind = (axes, self.state.coupling);
         let increment = self.increments.take(&self.bodies, kind, window)?;
         let increment = self.increment.insert(increment);
-        let first = || Memory::first(grid, state.axes, window, state.motion);
-        let memory = memory.get_or_insert_with(first);
+        let memory = memory.get_or_insert_with(|| Memory::first(grid, axes, window, motion));
         let is_widened = memory.window != window;
         if is_widened {
-            memory.widen(grid, increment, state);
+            memory.widen(grid, increment, self.state.traction.each_ref(), motion);
         }
+        increment.set_offset(&memory.offset);
+        let state = &self.state;
         let pressure = pressed.pressure().as_slice();
         increment.pressed.set(pressure, &state.friction);
-        increment.set_offset(&memory.offset);
         if let Some(change) = state.displaced_by(load) {
             increment.displace(change);
         }
@@ -100,16 +108,51 @@ impl History {
             start: Instant::now(),
             observer,
         };
-        let parts = memory.parts_ahead(state, &demand);
-        let start = match parts.filter(|_| !is_widened) {
-            Some(parts) => {
+        let memory = state.contact.as_ref().filter(|_| !is_widened);
+        let ahead = memory.and_then(|memory| Some((memory, memory.parts_ahead(state, &demand)?)));
+        let start = match ahead {
+            Some((memory, parts)) => {
                 increment.extrapolate(&memory.trend, parts);
                 Start::Near
             }
             None => Start::Present(state.shift()),
         };
-        increment.solve(&demand, state.motion, start, &mut conditions)?;
+        increment.solve(&demand, motion, start, &mut conditions)?;
         Ok(increment.motion())
+    }
+}
+
+/// A step under way.
+struct Attempt<'a> {
+    history: &'a mut History,
+    /// Where the cells remembered their slip before it; `None` before the first contact.
+    remembered: Option<Window>,
+    is_over: bool,
+}
+
+impl Attempt<'_> {
+    /// Makes the state that of before.
+    fn forget(&mut self) {
+        self.history.state.forget_beyond(self.remembered);
+    }
+}
+
+impl Drop for Attempt<'_> {
+    /// What a panic of the observer has interrupted may be in pieces: the next step makes it anew.
+    fn drop(&mut self) {
+        if !self.is_over {
+            self.forget();
+            let History {
+                press,
+                candidate,
+                increment,
+                joint,
+                ..
+            } = &mut *self.history;
+            press.reset();
+            *candidate = candidate.clone();
+            (*increment, *joint) = (None, None);
+        }
     }
 }
 

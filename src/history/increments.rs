@@ -4,10 +4,10 @@
 use std::sync::Arc;
 
 use crate::coupling::Coupling;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::half_space::{HalfSpace, Region};
 use crate::influence::Component;
-use crate::kept::Kept;
+use crate::left_behind::{LeftBehind, OfSize};
 use crate::pool::Pool;
 use crate::tangential::{Axis, Increment, Pressed};
 use crate::window::Window;
@@ -15,16 +15,23 @@ use crate::window::Window;
 /// Where a history has its increments from.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Increments {
+    /// What all of them are made for.
+    kind: Option<Kind>,
     source: Option<Source>,
     /// Those of other sizes.
-    kept: Kept<Source>,
+    left_behind: LeftBehind<Source>,
 }
 
 #[derive(Debug, Clone)]
 struct Source {
-    kind: Kind,
     size: [usize; 2],
     pool: Arc<Pool<Increment>>,
+}
+
+impl OfSize for Source {
+    fn size(&self) -> [usize; 2] {
+        self.size
+    }
 }
 
 /// What an increment is made for.
@@ -38,26 +45,19 @@ impl Increments {
         kind: Kind,
         window: Window,
     ) -> Result<Increment> {
-        self.kept.age();
-        let fits = |source: &Source| (source.kind, source.size) == (kind, window.size);
-        let source = match self.source.take() {
-            Some(source) if fits(&source) => source,
-            left => {
-                let source = match self.kept.take(window.size).filter(fits) {
-                    Some(source) => source,
-                    None => Source {
-                        kind,
-                        size: window.size,
-                        pool: bodies.pool(components(bodies, kind), window.size)?,
-                    },
-                };
-                if let Some(left) = left {
-                    self.kept.leave(left.size, left, window.size);
-                }
-                source
-            }
+        if self.kind != Some(kind) {
+            *self = Self {
+                kind: Some(kind),
+                ..Self::default()
+            };
+        }
+        self.left_behind.age();
+        let (size, source) = (window.size, &mut self.source);
+        let make = || {
+            let pool = bodies.pool(components(bodies, kind), size)?;
+            Ok::<_, Error>(Source { size, pool })
         };
-        let pool = &self.source.insert(source).pool;
+        let pool = &self.left_behind.provide(source, size, make)?.pool;
         match pool.take() {
             Some(mut increment) => {
                 increment.pressed.region = Region::new(bodies, window);

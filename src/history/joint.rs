@@ -15,14 +15,15 @@ use crate::tangential::Motion;
 
 impl History {
     /// Solves a step whose pressure and shear are coupled without a trace in the state; returns the motion of body 2 at
-    /// its end.
-    pub(super) fn attempt_joint(
+    /// its end, `None` if they are not.
+    pub(super) fn find_jointly(
         &mut self,
-        joint: &mut CoupledIncrement,
         load: &LoadStep,
         observer: Observer<'_>,
-    ) -> Result<Motion> {
-        let state = &self.state;
+    ) -> Result<Option<Motion>> {
+        let (state, Some(joint)) = (&self.state, &mut self.joint) else {
+            return Ok(None);
+        };
         let normal = match load.normal_control() {
             NormalControl::Hold => NormalControl::Force(state.normal.force()),
             control => control,
@@ -61,7 +62,7 @@ impl History {
             joint.solve_further(demand, state.motion, &mut conditions)?;
             joint.write(&state.gap, candidate);
         }
-        Ok(joint.answer().motion)
+        Ok(Some(joint.answer().motion))
     }
 }
 

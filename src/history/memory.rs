@@ -51,21 +51,28 @@ impl Memory {
     }
 
     /// Takes the window of an increment, which is wider; what it knew of its own cells stays, bit for bit.
-    pub(super) fn widen(&mut self, grid: Grid, increment: &mut Increment, state: &State) {
+    pub(super) fn widen(
+        &mut self,
+        grid: Grid,
+        increment: &mut Increment,
+        traction: [&Field; 2],
+        motion: Motion,
+    ) {
         let (window, old) = (increment.pressed.window(), self.window);
         for field in self.fields_mut() {
             window.spread(old, field);
         }
         self.window = window;
-        increment.set_traction(state.traction.each_ref().map(Field::as_slice));
+        increment.set_traction(traction.map(Field::as_slice));
+        let axes = increment.axes();
         let displacement = increment.fresh_displacement();
         let added = window
             .indices()
             .enumerate()
             .filter(|(_, i)| !old.contains(*i));
         for (k, i) in added {
-            let moved = state.motion.at(centre(grid, i));
-            for axis in state.axes.iter().map(|axis| axis.index()) {
+            let moved = motion.at(centre(grid, i));
+            for axis in axes.iter().map(|axis| axis.index()) {
                 self.displacement[axis][k] = displacement[axis][k];
                 self.offset[axis][k] = displacement[axis][k] - moved[axis];
             }

@@ -11,7 +11,7 @@ use crate::tangential::RelativeDisplacement;
 pub(super) struct Relative {
     pub(super) pattern: RelativeDisplacement,
     pub(super) amount: f64,
-    /// The displacement that the offsets know of: of another pattern, if it has been changed since.
+    /// The displacement that is in the offsets: of another pattern, if it has been changed since.
     pub(super) reached: RelativeDisplacement,
 }
 

@@ -137,13 +137,15 @@ impl History {
 
     /// Returns to a state, one of this history or of another on equal bodies: gap, friction and settings are those
     /// of the state too. It copies into the buffers that are there, and allocates only if the contact has had
-    /// another box since. [`last_step`](Self::last_step) still is the step taken last.
+    /// another box since, or where only one of the two states has a relative displacement.
+    /// [`last_step`](Self::last_step) still is the step taken last.
     ///
     /// # Errors
     /// As [`History::from_state`]; the history is then as it was.
     pub fn set_state(&mut self, state: &State) -> Result<()> {
         state.check_bodies(&self.bodies)?;
-        if let Err(error) = self.resume(state) {
+        let Self { press, joint, .. } = self;
+        if let Err(error) = resume(&self.bodies, state, press, joint) {
             self.take_back()?;
             return Err(error);
         }
@@ -151,25 +153,10 @@ impl History {
         Ok(())
     }
 
-    /// Makes what finds the pressure go on from another state, in the buffers there are if they are of its window.
-    fn resume(&mut self, state: &State) -> Result<()> {
-        state.resume(&self.bodies, &mut self.press)?;
-        match &mut self.joint {
-            Some(joint) if state.is_joint() => joint.resume(state.press_window),
-            joint => {
-                *joint = new_joint(&self.bodies, state)?;
-                Ok(())
-            }
-        }
-    }
-
-    /// Makes the solver of the pressure start from the state again.
+    /// Makes what finds the pressure start from the state again.
     pub(super) fn take_back(&mut self) -> Result<()> {
-        let state = &self.state;
-        if let Some(joint) = &mut self.joint {
-            return joint.resume(state.press_window);
-        }
-        state.resume(&self.bodies, &mut self.press)
+        let Self { press, joint, .. } = self;
+        resume(&self.bodies, &self.state, press, joint)
     }
 
     /// Takes a step, and returns what it did; also [`History::last_step`] afterwards.
@@ -185,7 +172,8 @@ impl History {
         self.step_observed(load, |_| ControlFlow::Continue(()))
     }
 
-    /// [`History::step`] with an observer that sees every iteration and may cancel.
+    /// [`History::step`] with an observer that sees every iteration and may cancel. Should it panic, the history is as it
+    /// was too, for a caller that catches that.
     ///
     /// # Errors
     /// As [`History::step`].
@@ -210,15 +198,7 @@ impl History {
 
     /// Takes a step that has been checked.
     fn take(&mut self, load: &LoadStep, observer: Observer<'_>) -> Result<()> {
-        let remembered = self.state.contact.as_ref().map(|memory| memory.window);
-        let motion = match self.attempt(load, &mut with_memory(observer)) {
-            Ok(motion) => motion,
-            Err(error) => {
-                self.state.forget_beyond(remembered);
-                self.take_back()?;
-                return Err(error);
-            }
-        };
+        let motion = self.attempt(load, &mut with_memory(observer))?;
         let Self { state, step, .. } = self;
         let (mut pressing, press_window) = (EnergyBalance::default(), state.press_window);
         let (control, is_pressed) = (load.normal_control(), self.candidate.held().is_some());
@@ -310,5 +290,22 @@ impl History {
         TangentialModel::of(self.state.axes).check(&settings)?;
         self.state.settings = settings;
         Ok(())
+    }
+}
+
+/// Makes what finds the pressure go on from a state, in the buffers there are if they are of its window.
+fn resume(
+    bodies: &HalfSpace,
+    state: &State,
+    press: &mut PressureSolver,
+    joint: &mut Option<Box<CoupledIncrement>>,
+) -> Result<()> {
+    state.resume(bodies, press)?;
+    match joint {
+        Some(joint) if state.is_joint() => joint.resume(state.press_window),
+        joint => {
+            *joint = new_joint(bodies, state)?;
+            Ok(())
+        }
     }
 }

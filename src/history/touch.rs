@@ -17,7 +17,7 @@ pub enum TouchRule {
     /// As far as it would if all that grows within the step stuck, where friction allows that.
     #[default]
     Growth,
-    /// All of it, also the part before it touched: the rule of codes that know the start of the step only, such as
+    /// All of it, also the part before it touched: the rule of codes that use the start of the step only, such as
     /// CONTACT. The error is of first order in the length of steps in which the contact grows.
     WholeStep,
 }

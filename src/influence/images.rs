@@ -1,6 +1,7 @@
 //! The integrals over a cell and all its images along y.
 
-use crate::influence::integrals::{Cell, GAUSS_4, Integral};
+use crate::gauss::GAUSS_4;
+use crate::influence::integrals::{Cell, Integral};
 
 /// A row of cells that repeats along y, in the unit of the [`Cell`].
 ///

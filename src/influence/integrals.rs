@@ -1,5 +1,7 @@
 //! Integrals of the Boussinesq and Cerruti kernels over a cell, accurate to the last digits.
 
+use crate::gauss::{GAUSS_2, GAUSS_3, GAUSS_4, GAUSS_6, GAUSS_8, Rule};
+
 /// A cell of half sides `a` and `b`, lengths in any unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Cell {
@@ -182,10 +184,10 @@ impl Cell {
 
     /// The cheapest rule whose relative error stays below 1e-15 at this distance, measured against 40
     /// digits, and the distance up to which it suffices; `None` near the cell.
-    fn rule(self, x: f64, y: f64) -> Option<(&'static [[f64; 2]], f64)> {
+    fn rule(self, x: f64, y: f64) -> Option<(Rule, f64)> {
         let side = 2.0 * self.a.max(self.b);
         let distance = x.hypot(y) / side;
-        let (rule, reach): (&[_], f64) = match distance {
+        let (rule, reach): (Rule, f64) = match distance {
             d if d < NEAR => return None,
             d if d < 6.0 => (&GAUSS_8, 6.0),
             d if d < 20.0 => (&GAUSS_6, 20.0),
@@ -257,35 +259,3 @@ fn radial_x_near(cell: Cell, x: f64, y: f64) -> f64 {
     };
     edge(y + cell.b) - edge(y - cell.b)
 }
-
-// Gauss-Legendre nodes and weights on [-1, 1].
-const GAUSS_2: [[f64; 2]; 2] = [[-0.5773502691896257, 1.0], [0.5773502691896257, 1.0]];
-const GAUSS_3: [[f64; 2]; 3] = [
-    [-0.7745966692414834, 0.5555555555555556],
-    [0.0, 0.8888888888888888],
-    [0.7745966692414834, 0.5555555555555556],
-];
-pub(super) const GAUSS_4: [[f64; 2]; 4] = [
-    [-0.8611363115940526, 0.34785484513745385],
-    [-0.33998104358485626, 0.6521451548625461],
-    [0.33998104358485626, 0.6521451548625461],
-    [0.8611363115940526, 0.34785484513745385],
-];
-const GAUSS_6: [[f64; 2]; 6] = [
-    [-0.932469514203152, 0.17132449237917036],
-    [-0.6612093864662645, 0.3607615730481386],
-    [-0.2386191860831969, 0.46791393457269104],
-    [0.2386191860831969, 0.46791393457269104],
-    [0.6612093864662645, 0.3607615730481386],
-    [0.932469514203152, 0.17132449237917036],
-];
-const GAUSS_8: [[f64; 2]; 8] = [
-    [-0.9602898564975363, 0.10122853629037626],
-    [-0.7966664774136267, 0.22238103445337448],
-    [-0.525532409916329, 0.31370664587788727],
-    [-0.1834346424956498, 0.362683783378362],
-    [0.1834346424956498, 0.362683783378362],
-    [0.525532409916329, 0.31370664587788727],
-    [0.7966664774136267, 0.22238103445337448],
-    [0.9602898564975363, 0.10122853629037626],
-];

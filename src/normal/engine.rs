@@ -8,6 +8,7 @@ use crate::error::{Error, Result};
 use crate::fft::{Convolution, ConvolutionWorkspace};
 use crate::half_space::{Compliance, HalfSpace, Region};
 use crate::influence::Direction;
+use crate::left_behind::OfSize;
 use crate::normal::hardness::Carried;
 use crate::operator::Operator;
 use crate::parallel::{self, Blocks};
@@ -102,6 +103,12 @@ impl Load {
     }
 }
 
+impl OfSize for Engine {
+    fn size(&self) -> [usize; 2] {
+        self.window().size
+    }
+}
+
 impl Engine {
     /// On a window, as [`HalfSpace::place`] has it.
     pub(super) fn new(bodies: &HalfSpace, window: Window) -> Result<Self> {
@@ -128,11 +135,10 @@ impl Engine {
         self.region.window()
     }
 
-    /// In another place of the same size, without a trend.
-    pub(super) fn at(mut self, bodies: &HalfSpace, window: Window) -> Self {
+    /// Moves to another place of the same size, without a trend.
+    pub(super) fn move_to(&mut self, bodies: &HalfSpace, window: Window) {
         self.region = Region::new(bodies, window);
         self.trend.forget();
-        self
     }
 
     /// Gives the buffers back; the displacement is then gone.

@@ -7,7 +7,7 @@ use crate::elastic::Observer;
 use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
-use crate::kept::Kept;
+use crate::left_behind::LeftBehind;
 use crate::normal::engine::{Engine, Load, Surfaces};
 use crate::normal::hardness::UNLIMITED;
 use crate::normal::nested::PressureScene;
@@ -54,7 +54,7 @@ pub(crate) struct PressureSolver {
     /// What the last solve worked with; `None` before the first.
     engine: Option<Engine>,
     /// Those of other windows.
-    kept: Kept<Engine>,
+    left_behind: LeftBehind<Engine>,
     /// Whether its answer is a start.
     is_start: bool,
     /// The approach that belongs to the pressure.
@@ -66,7 +66,7 @@ impl PressureSolver {
     pub(crate) fn new() -> Self {
         Self {
             engine: None,
-            kept: Kept::default(),
+            left_behind: LeftBehind::default(),
             is_start: false,
             approach: 0.0,
             report: Report::with_room(),
@@ -85,7 +85,7 @@ impl PressureSolver {
 
     /// Counts a step, whether or not it solves.
     pub(crate) fn age(&mut self) {
-        self.kept.age();
+        self.left_behind.age();
     }
 
     /// Goes on as after a solve that came to this approach, on the window it ended with; one that failed gives its buffers
@@ -98,39 +98,28 @@ impl PressureSolver {
         trend: &Trend<1>,
     ) -> Result<()> {
         self.approach = approach;
-        if self.window() != window {
-            let next = window.map(|window| self.engine_on(bodies, window));
-            let next = next.transpose()?;
-            if let Some((left, next)) = self.engine.take().zip(next.as_ref()) {
-                self.leave(left, next);
-            }
-            self.engine = next;
-        }
         if let Some(engine) = &mut self.engine {
             engine.rest();
+        }
+        if self.window() != window {
+            let present = &mut self.engine;
+            match window.map(|window| bodies.place(window)) {
+                Some(window) => {
+                    let make = || Engine::new(bodies, window);
+                    let engine = self.left_behind.provide(present, window.size, make)?;
+                    engine.move_to(bodies, window);
+                }
+                None => *present = None,
+            }
+        }
+        if let Some(engine) = &mut self.engine {
             engine.trend.clone_from(trend);
         }
         Ok(())
     }
 
-    /// An engine on a window.
-    fn engine_on(&mut self, bodies: &HalfSpace, window: Window) -> Result<Engine> {
-        let window = bodies.place(window);
-        match self.kept.take(window.size) {
-            Some(engine) => Ok(engine.at(bodies, window)),
-            None => Engine::new(bodies, window),
-        }
-    }
-
-    /// Keeps an engine that another takes the place of.
-    fn leave(&mut self, mut left: Engine, next: &Engine) {
-        left.rest();
-        let (size, next) = (left.window().size, next.window().size);
-        self.kept.leave(size, left, next);
-    }
-
     /// Forgets the last answer: the next solve starts as the first did.
-    pub(super) fn reset(&mut self) {
+    pub(crate) fn reset(&mut self) {
         self.engine = None;
     }
 
@@ -291,9 +280,11 @@ impl PressureSolver {
             check_iterations_left(settings, &mut self.report)?;
             if let Some(missed) = missed {
                 let wider = engine.window().union(missed).widened(bodies.grid());
-                let next = self.engine_on(bodies, wider)?;
-                let left = std::mem::replace(engine, next);
-                self.leave(left, engine);
+                let wider = bodies.place(wider);
+                engine.rest();
+                let make = || Engine::new(bodies, wider);
+                self.left_behind.replace(engine, wider.size, make)?;
+                engine.move_to(bodies, wider);
             } else if aim < 0.1 * settings.tolerance {
                 self.report.status = Status::Stalled;
                 return Err(Error::NotConverged(Box::new(self.report.clone())));

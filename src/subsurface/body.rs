@@ -10,6 +10,21 @@ use crate::subsurface::kernel::{Component, Load};
 /// `z = d` of body 1 and `z = -d` of body 2. Components are along the common axes x, y and z in both, with z into
 /// body 1. Body 1 receives the pressure along +z and the tractions along +x and +y, body 2 the opposites; so both have
 /// `szz = -p`, `sxz = -qx` and `syz = -qy` on their surface.
+///
+/// ```
+/// use stickslip::subsurface::{Body, Tractions, at_points};
+/// use stickslip::*;
+/// let body = |shear_modulus| Material::from_shear_modulus(shear_modulus, 0.3);
+/// let pair = ElasticPair::new(body(1.0)?, body(4.0)?)?;
+/// let bodies = HalfSpace::new(Grid::square(8, 1.0)?, pair)?;
+/// let pressure = Field::constant(bodies.grid(), 0.1);
+/// let at = |body| at_points(&bodies, body, Tractions::new(&pressure), &[[0.1, 0.2, 0.3]]);
+/// let (one, two) = (at(Body::One)?[0], at(Body::Two)?[0]);
+/// // Both are pressed away from the contact, the stiffer one less; under the same stress.
+/// assert!((one.displacement[2] / two.displacement[2] + 4.0).abs() < 1e-12);
+/// assert!((one.stress.zz / two.stress.zz - 1.0).abs() < 1e-12);
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Body {

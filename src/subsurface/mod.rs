@@ -50,7 +50,9 @@
 //! Johnson, Contact Mechanics (1985), sections 3.1 and 3.2.
 
 mod body;
+mod distances;
 mod kernel;
+mod loaded;
 mod plane;
 mod planes;
 mod points;

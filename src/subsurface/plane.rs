@@ -7,6 +7,23 @@ use crate::subsurface::kernel::Component;
 use crate::subsurface::stress::Stress;
 
 /// Stress, and displacement if it was asked for, at the cell centres of a plane in one body.
+///
+/// ```
+/// use stickslip::subsurface::{Body, Planes, Tractions};
+/// use stickslip::*;
+/// let grid = Grid::square(16, 1.0)?;
+/// let steel = Material::new(210e3, 0.3)?;
+/// let pair = ElasticPair::new(steel, steel)?;
+/// let bodies = HalfSpace::with_boundary(grid, pair, Boundary::Periodic)?;
+/// let pressure = Field::from_fn(grid, |x, y| 200.0 * (-10.0 * (x * x + y * y)).exp());
+/// let plane = Planes::new(&bodies, &[0.2])?.solve(0, Body::Two, Tractions::new(&pressure))?;
+/// assert_eq!((plane.depth(), plane.z()), (0.2, -0.2));
+/// // Every plane carries the load, and the further from the surface, the more evenly.
+/// let [_, _, zz] = plane.normal_stress();
+/// assert!((zz.integral() / pressure.integral() + 1.0).abs() < 1e-12);
+/// assert!(-zz.min() < 0.8 * pressure.max());
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Plane {

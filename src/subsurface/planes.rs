@@ -147,22 +147,11 @@ impl Planes {
         }
         self.bodies.grid().expect("plane", plane.grid())?;
         let fields = tractions.into().checked(&self.bodies)?;
-        let Self {
-            bodies,
-            depths,
-            kernels,
-            with_displacements,
-            torus,
-            transforms,
-        } = self;
-        let spectra = parallel::get_or_make(&kernels[index], || {
-            Spectra::new(bodies, torus, depths[index], *with_displacements)
-        })?;
-        plane.prepare(body, *with_displacements);
-        transforms.enter(|transforms| {
-            transforms.load(fields, Load::ALL.map(|load| constants.factor_in(load)));
-            fill(transforms, spectra, &constants, plane);
-        });
+        let kernels = Arc::clone(&self.kernels);
+        let spectra = parallel::get_or_make(&kernels[index], || self.spectra(index))?;
+        plane.prepare(body, self.with_displacements);
+        self.load(fields, &constants);
+        self.fill(plane, spectra, &constants);
         Ok(())
     }
 
@@ -181,26 +170,17 @@ impl Planes {
         let constants = body.constants(self.bodies.pair())?;
         let fields = tractions.into().checked(&self.bodies)?;
         let mut plane = self.plane(body);
-        let Self {
-            bodies,
-            depths,
-            kernels,
-            with_displacements,
-            torus,
-            transforms,
-        } = self;
-        transforms.enter(|transforms| {
-            transforms.load(fields, Load::ALL.map(|load| constants.factor_in(load)));
-        });
-        for (kept, &depth) in kernels.iter().zip(&**depths) {
+        let kernels = Arc::clone(&self.kernels);
+        self.load(fields, &constants);
+        for (index, kept) in kernels.iter().enumerate() {
             let made;
             let spectra = if let Some(spectra) = kept.get() {
                 spectra
             } else {
-                made = Spectra::new(bodies, torus, depth, *with_displacements)?;
+                made = self.spectra(index)?;
                 &made
             };
-            transforms.enter(|transforms| fill(transforms, spectra, &constants, &mut plane));
+            self.fill(&mut plane, spectra, &constants);
             visit(&plane)?;
         }
         Ok(())
@@ -217,32 +197,39 @@ impl Planes {
     fn plane(&self, body: Body) -> Plane {
         Plane::new(self.bodies.grid(), body, self.with_displacements)
     }
+
+    /// The kernels of a depth, made anew.
+    fn spectra(&self, index: usize) -> Result<Spectra> {
+        let depth = self.depths[index];
+        Spectra::new(&self.bodies, &self.torus, depth, self.with_displacements)
+    }
+
+    /// Hands the transforms the tractions of a body.
+    fn load(&mut self, fields: [Option<&[f64]>; 3], constants: &Constants) {
+        let factors = Load::ALL.map(|load| constants.factor_in(load));
+        self.transforms
+            .enter(|transforms| transforms.load(fields, factors));
+    }
+
+    /// Computes the fields of a plane from the tractions that the transforms hold.
+    fn fill(&mut self, plane: &mut Plane, spectra: &Spectra, constants: &Constants) {
+        plane.set_depth(spectra.depth());
+        self.transforms.enter(|transforms| {
+            let mut convolve = |components, fields: [&mut [f64]; 3]| {
+                let kernels = spectra.compose(components, constants.poisson_ratio);
+                let factors = components.map(|component| constants.factor_out(component));
+                transforms.convolve(&kernels, fields, factors);
+            };
+            let (normal, shear) = plane.stress_mut();
+            convolve(STRESSES[0], normal);
+            convolve(STRESSES[1], shear);
+            if let Some(displacement) = plane.displacement_mut() {
+                convolve(DISPLACEMENTS, displacement);
+            }
+        });
+    }
 }
 
 fn no_kernels(depths: &[f64]) -> Arc<[OnceLock<Spectra>]> {
     depths.iter().map(|_| OnceLock::new()).collect()
-}
-
-/// Computes the fields of a plane from the tractions that the transforms hold.
-fn fill(
-    transforms: &mut Superposition,
-    spectra: &Spectra,
-    constants: &Constants,
-    plane: &mut Plane,
-) {
-    plane.set_depth(spectra.depth());
-    let mut convolve = |components, fields: [&mut [f64]; 3]| {
-        let kernels = spectra.compose(components, constants.poisson_ratio);
-        transforms.convolve(
-            &kernels,
-            fields,
-            components.map(|c| constants.factor_out(c)),
-        );
-    };
-    let (normal, shear) = plane.stress_mut();
-    convolve(STRESSES[0], normal);
-    convolve(STRESSES[1], shear);
-    if let Some(displacement) = plane.displacement_mut() {
-        convolve(DISPLACEMENTS, displacement);
-    }
 }

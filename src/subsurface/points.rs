@@ -1,20 +1,32 @@
 //! Stress and displacement at scattered points, by direct sum over the loaded cells.
 
-use std::array::from_fn;
-use std::ops::Range;
-
 use crate::boundary::Boundary;
 use crate::error::{Error, Result};
-use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::parallel::{self, Blocks};
-use crate::subsurface::body::{Body, Constants};
-use crate::subsurface::kernel::{Component, Integral, Load, LoadedRectangle, Weights};
+use crate::subsurface::body::Body;
+use crate::subsurface::loaded::Loaded;
 use crate::subsurface::stress::Stress;
-use crate::subsurface::strip::Strips;
 use crate::subsurface::tractions::Tractions;
 
 /// Displacement and stress of a body at a point.
+///
+/// ```
+/// use std::f64::consts::PI;
+/// use stickslip::subsurface::{Body, Response, Tractions, at_points};
+/// use stickslip::*;
+/// let body = Material::from_shear_modulus(1.0, 0.25)?;
+/// let pair = ElasticPair::new(body, Material::rigid())?;
+/// let bodies = HalfSpace::new(Grid::square(2, 0.02)?, pair)?;
+/// let pressure = Field::constant(bodies.grid(), 1e4);
+/// // Far away it is Boussinesq's point force P: uz = (1 - nu) P/(2 pi G r) on the surface, which is free there.
+/// let far = at_points(&bodies, Body::One, Tractions::new(&pressure), &[[3.0, 4.0, 0.0]])?;
+/// let Response { displacement: [_, _, uz], stress } = far[0];
+/// let force = pressure.integral();
+/// assert!((uz / (0.75 * force / (2.0 * PI * 5.0)) - 1.0).abs() < 1e-5);
+/// assert!(stress.zz.abs() < 1e-12 && stress.xx.abs() > 1e-3);
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Response {
@@ -105,146 +117,4 @@ pub fn at_points<'a>(
     };
     parallel::sweep(0..points.len(), data, &work, &|(), ()| ());
     Ok(responses)
-}
-
-/// The cells that carry tractions.
-struct Loaded<'a> {
-    grid: Grid,
-    fields: [Option<&'a [f64]>; 3],
-    cell: LoadedRectangle,
-    /// Where the grid repeats along y.
-    strips: Option<Strips>,
-    /// The columns of each row between which they lie; rows without any are left out.
-    rows: Vec<(usize, Range<usize>)>,
-}
-
-impl<'a> Loaded<'a> {
-    fn new(bodies: &HalfSpace, fields: [Option<&'a [f64]>; 3]) -> Self {
-        let grid = bodies.grid();
-        let row = |iy: usize| {
-            let is_loaded = |ix: &usize| {
-                let mut carried = fields.iter().flatten();
-                carried.any(|field| field[iy * grid.nx() + ix] != 0.0)
-            };
-            let first = (0..grid.nx()).find(is_loaded)?;
-            let last = (0..grid.nx()).rfind(is_loaded)?;
-            Some((iy, first..last + 1))
-        };
-        Self {
-            grid,
-            fields,
-            cell: LoadedRectangle::new(0.5 * grid.dx(), 0.5 * grid.dy()),
-            strips: Strips::new(grid, bodies.boundary()),
-            rows: (0..grid.ny()).filter_map(row).collect(),
-        }
-    }
-
-    fn response(&self, point: [f64; 3], constants: &Constants) -> Response {
-        let sums = self.sums(point);
-        let weights = Weights::new(constants.poisson_ratio, point[2]);
-        let of = |component| {
-            let mut sum = 0.0;
-            for (load, sums) in Load::ALL.into_iter().zip(&sums) {
-                let mut part = 0.0;
-                for (weight, value) in weights.of(load, component).iter().zip(sums) {
-                    part += weight * value;
-                }
-                sum += constants.factor_in(load) * part;
-            }
-            constants.factor_out(component) * sum
-        };
-        Response {
-            displacement: [Component::Ux, Component::Uy, Component::Uz].map(of),
-            stress: Stress {
-                xx: of(Component::Sxx),
-                yy: of(Component::Syy),
-                zz: of(Component::Szz),
-                xy: of(Component::Sxy),
-                xz: of(Component::Sxz),
-                yz: of(Component::Syz),
-            },
-        }
-    }
-
-    /// The integrals of all cells times the tractions they carry, summed row by row.
-    fn sums(&self, [x, y, z]: [f64; 3]) -> [[f64; Integral::COUNT]; 3] {
-        let mut sums = [[0.0; Integral::COUNT]; 3];
-        let nx = self.grid.nx();
-        let along_x = Distances::new(x, nx, self.grid.dx(), false);
-        let is_round = self.strips.is_some();
-        let along_y = Distances::new(y, self.grid.ny(), self.grid.dy(), is_round);
-        let mut xs = Vec::with_capacity(nx);
-        let mut values = vec![0.0; Integral::COUNT * nx];
-        for (iy, columns) in &self.rows {
-            xs.clear();
-            xs.extend(columns.clone().map(|ix| along_x.to(ix)));
-            let mut lines = values.chunks_exact_mut(nx);
-            let mut out = from_fn(|_| lines.next().unwrap_or_default());
-            let y = along_y.to(*iy);
-            if let Some(strips) = &self.strips {
-                for (k, &x) in xs.iter().enumerate() {
-                    let integrals = strips.integrals(&self.cell, [x, y, z]);
-                    for (out, integral) in out.iter_mut().zip(integrals) {
-                        out[k] = integral;
-                    }
-                }
-            } else {
-                self.cell.integrals_along_row(&xs, y, z, &mut out);
-            }
-            let first = iy * nx;
-            for (sums, field) in sums.iter_mut().zip(self.fields) {
-                let Some(field) = field else { continue };
-                let tractions = &field[first + columns.start..first + columns.end];
-                for (sum, values) in sums.iter_mut().zip(&out) {
-                    for (value, traction) in values.iter().zip(tractions) {
-                        *sum += value * traction;
-                    }
-                }
-            }
-        }
-        sums
-    }
-}
-
-/// The distances of a point from the cells along one axis, from their nearest images if they repeat. A point on an
-/// edge is there for the cells on both sides: one that were beside it by a rounding would see logarithms that do not
-/// cancel.
-struct Distances {
-    at: f64,
-    cells: usize,
-    side: f64,
-    repeats: bool,
-    /// Half sides from the middle of the grid, if they are whole.
-    steps: Option<f64>,
-}
-
-impl Distances {
-    fn new(at: f64, cells: usize, side: f64, repeats: bool) -> Self {
-        let steps = 2.0 * (at / side);
-        let error = 8.0 * f64::EPSILON * (1.0 + steps.abs());
-        let steps = Some(steps.round()).filter(|whole| (steps - whole).abs() <= error);
-        Self {
-            at,
-            cells,
-            side,
-            repeats,
-            steps,
-        }
-    }
-
-    fn to(&self, cell: usize) -> f64 {
-        // The centre in half sides.
-        let centre = 2.0 * cell as f64 - (self.cells - 1) as f64;
-        let half = 0.5 * self.side;
-        let (distance, period, unit) = match self.steps {
-            Some(steps) => (steps - centre, 2.0 * self.cells as f64, half),
-            None => (self.at - centre * half, self.side * self.cells as f64, 1.0),
-        };
-        let periods = if self.repeats {
-            (distance / period).round()
-        } else {
-            0.0
-        };
-        (distance - period * periods) * unit
-    }
 }

@@ -1,5 +1,7 @@
 //! The stress at a point and what is read from it.
 
+use crate::jacobi::diagonalised;
+
 /// The symmetric stress tensor at a point (pressures), tensile positive, along the axes x, y and z, with z into body 1.
 ///
 /// ```
@@ -25,6 +27,16 @@ pub struct Stress {
 }
 
 /// Principal stresses and their directions.
+///
+/// ```
+/// use stickslip::subsurface::Stress;
+/// // Tension of 5 along [3, 4, 0]/5.
+/// let stress = Stress { xx: 1.8, yy: 3.2, xy: 2.4, ..Stress::default() };
+/// let principal = stress.principal();
+/// assert!((principal.values[0] - 5.0).abs() < 1e-14 && principal.values[2].abs() < 1e-14);
+/// let [x, y, z] = principal.directions[0];
+/// assert!((0.6 * x + 0.8 * y).abs() > 1.0 - 1e-15 && z.abs() < 1e-15);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Principal {
@@ -71,7 +83,7 @@ impl Stress {
         0.5 * (largest - smallest)
     }
 
-    /// Principal stresses and their directions, by Jacobi's rotations: errors are round-off of the largest stress.
+    /// Principal stresses and their directions: the errors are round-off, of the values that of the largest stress.
     #[must_use]
     pub fn principal(&self) -> Principal {
         let Self {
@@ -82,51 +94,31 @@ impl Stress {
             xz,
             yz,
         } = *self;
-        let mut matrix = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
-        let mut axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        // Convergence is quadratic: six sweeps leave nothing.
-        for _ in 0..8 {
-            for [p, q] in [[0, 1], [0, 2], [1, 2]] {
-                rotate(&mut matrix, &mut axes, [p, q]);
-            }
-        }
+        let (values, vectors) = diagonalised([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]);
         let mut order = [0, 1, 2];
-        order.sort_by(|&i, &j| matrix[j][j].total_cmp(&matrix[i][i]));
-        let [a, b, _] = order.map(|i| axes[i]);
+        order.sort_by(|&i, &j| values[j].total_cmp(&values[i]));
+        let [a, b, _] = order.map(|i| vectors.map(|row| row[i]));
+        // Each rotation has left its rounding in the axes.
+        let a = unit(a);
+        let along = dot(a, b);
+        let b = unit([0, 1, 2].map(|k| b[k] - along * a[k]));
         let c = [
             a[1] * b[2] - a[2] * b[1],
             a[2] * b[0] - a[0] * b[2],
             a[0] * b[1] - a[1] * b[0],
         ];
         Principal {
-            values: order.map(|i| matrix[i][i]),
+            values: order.map(|i| values[i]),
             directions: [a, b, c],
         }
     }
 }
 
-/// Turns two axes so that the entry between them vanishes; the rows of `axes` are the directions.
-fn rotate(matrix: &mut [[f64; 3]; 3], axes: &mut [[f64; 3]; 3], [p, q]: [usize; 2]) {
-    let entry = matrix[p][q];
-    if entry == 0.0 {
-        return;
-    }
-    // The smaller of the two angles; a ratio that overflows gives zero.
-    let ratio = (matrix[q][q] - matrix[p][p]) / (2.0 * entry);
-    let tangent = 1.0_f64.copysign(ratio) / (ratio.abs() + ratio.hypot(1.0));
-    let cosine = 1.0 / tangent.hypot(1.0);
-    let sine = tangent * cosine;
-    matrix[p][p] -= tangent * entry;
-    matrix[q][q] += tangent * entry;
-    (matrix[p][q], matrix[q][p]) = (0.0, 0.0);
-    let third = 3 - p - q;
-    let [at_p, at_q] = [matrix[p][third], matrix[q][third]];
-    let [at_p, at_q] = [cosine * at_p - sine * at_q, sine * at_p + cosine * at_q];
-    (matrix[p][third], matrix[third][p]) = (at_p, at_p);
-    (matrix[q][third], matrix[third][q]) = (at_q, at_q);
-    let [axis_p, axis_q] = [axes[p], axes[q]];
-    for k in 0..3 {
-        axes[p][k] = cosine * axis_p[k] - sine * axis_q[k];
-        axes[q][k] = sine * axis_p[k] + cosine * axis_q[k];
-    }
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn unit(v: [f64; 3]) -> [f64; 3] {
+    let length = dot(v, v).sqrt();
+    v.map(|component| component / length)
 }

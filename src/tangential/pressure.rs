@@ -9,7 +9,7 @@ use crate::window::Window;
 /// The pressure of a tangential contact: that of a solved normal contact, or one from elsewhere.
 ///
 /// A prescribed pressure (pressures, zero where nothing touches) comes from a closed form, a measurement, or a code
-/// that knows more of the normal contact than elasticity.
+/// that models more of the normal contact than elasticity.
 ///
 /// ```
 /// use stickslip::analytical::{CattaneoMindlin, HertzSphere};

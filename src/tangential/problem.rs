@@ -122,7 +122,7 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
 
     /// Whether the pressure moves the surfaces of bodies of different materials tangentially (default
     /// [`Coupling::OneWay`]: it does, and the tractions are those that belong to this pressure). With the pressure of a normal
-    /// problem, which knows no friction, that is Goodman's assumption; [`Coupling`] has its errors. [`Coupling::Full`] is
+    /// problem, which is frictionless, that is Goodman's assumption; [`Coupling`] has its errors. [`Coupling::Full`] is
     /// refused for such bodies: there the pressure is not given ([`CoupledProblem`](crate::CoupledProblem)).
     ///
     /// ```

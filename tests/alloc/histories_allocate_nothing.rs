@@ -169,3 +169,31 @@ fn while_contacts_shrink_and_grow_again() {
         assert_eq!(allocations(&mut cycle), 0);
     }
 }
+
+/// To a state whose contact is in another place, in a box of the same size: the buffers move there.
+#[test]
+fn while_contacts_are_found_elsewhere() {
+    let grid = Grid::square(96, 96.0).unwrap();
+    let (soft, hard) = (Material::new(1.0, 0.1).unwrap(), Material::rigid());
+    let unlike = HalfSpace::new(grid, ElasticPair::new(soft, hard).unwrap()).unwrap();
+    let alike = unit_bodies(grid, 0.3);
+    let press = LoadStep::hold().normal(NormalControl::Approach(0.1));
+    let drag = |part: f64| press.tangential(Axis::X, TangentialControl::Shift(0.1 * part));
+    for bodies in [&alike, &unlike] {
+        let mut histories = [-20.0, 20.0].map(|centre: f64| {
+            let gap = Field::from_fn(grid, |x, y| ((x - centre).powi(2) + y * y) / 2000.0);
+            let builder = History::builder(bodies, &gap, Friction::coulomb(0.4).unwrap());
+            let mut history = builder.tolerance(1e-6).build().unwrap();
+            for part in [0.0, 0.1, -0.1] {
+                history.step(&drag(part)).unwrap();
+            }
+            history
+        });
+        let [history, other] = &mut histories;
+        let elsewhere = || {
+            history.set_state(other.state()).unwrap();
+            history.step(&drag(0.1)).unwrap();
+        };
+        assert_eq!(allocations(elsewhere), 0);
+    }
+}

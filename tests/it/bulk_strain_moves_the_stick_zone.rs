@@ -6,9 +6,11 @@ use stickslip::analytical::{CattaneoMindlinLine, HertzLine};
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::{
     Axis, Boundary, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
-    LoadStep, Material, NormalControl, NormalProblem, TangentialControl, TangentialLoad,
-    TangentialModel, TangentialProblem, TangentialSolution, Zone, surface,
+    LoadStep, Material, NormalControl, NormalProblem, NormalSolution, TangentialControl,
+    TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution, Zone, surface,
 };
+#[cfg(feature = "dense")]
+use stickslip::{cgm::Magnitude, dense::DenseOperator, influence::Component};
 
 const FRICTION: f64 = 0.5;
 const LOAD: f64 = 100.0;
@@ -26,17 +28,23 @@ fn hertz() -> HertzLine {
     HertzLine::new(&ElasticPair::new(steel(), steel()).unwrap(), RADIUS, LOAD).unwrap()
 }
 
-/// A steel roller on a line of `n` cells, sheared and stretched.
-fn roller(n: usize, force: f64, bulk_stress: f64) -> TangentialSolution {
+/// A steel roller pressed on a line of `n` cells.
+fn pressed(n: usize) -> (HalfSpace, NormalSolution) {
     let grid = Grid::line(n, 2.4 * hertz().half_width() / n as f64).unwrap();
     let boundary = Boundary::PeriodicAlongY { datum: 50.0 };
     let bodies = HalfSpace::with_boundary(grid, *hertz().pair(), boundary).unwrap();
     let gap = surface::cylinder(grid, RADIUS).unwrap();
     let press = NormalProblem::builder(&bodies, &gap, NormalControl::Force(LOAD));
     let normal = press.tolerance(1e-11).build().unwrap().solve().unwrap();
+    (bodies, normal)
+}
+
+/// The same roller, sheared and stretched.
+fn roller(n: usize, force: f64, bulk_stress: f64) -> TangentialSolution {
+    let (bodies, normal) = pressed(n);
     let load = TangentialLoad::force([force, 0.0]);
     let strain = [[steel().plane_strain_under(bulk_stress), 0.0], [0.0; 2]];
-    let bulk = RelativeDisplacement::bulk_strain(grid, strain).unwrap();
+    let bulk = RelativeDisplacement::bulk_strain(bodies.grid(), strain).unwrap();
     let shear = TangentialProblem::builder(&bodies, &normal, friction(), load);
     let shear = shear.relative_displacement(bulk).tolerance(1e-11);
     shear.build().unwrap().solve().unwrap()
@@ -91,6 +99,45 @@ fn moderate_strain_moves_what_sticks() {
         .collect();
     assert!(signs.contains(&1.0) && signs.contains(&-1.0));
     assert!(signs.windows(2).filter(|pair| pair[0] != pair[1]).count() == 1);
+}
+
+/// Where bulk stress reverses the slip at one end, beyond Nowell and Hills, and where it does not, the traction is the
+/// exact minimum of the problem on active sets; the zones are its sets.
+#[cfg(feature = "dense")]
+#[test]
+fn any_strain_is_the_exact_minimum() {
+    let limit = FRICTION * LOAD;
+    for (force, bulk_stress) in [
+        (0.6, 600.0),
+        (-0.6, 600.0),
+        (0.9, -900.0),
+        (0.3, 5000.0),
+        (0.6, 150.0),
+    ] {
+        let (bodies, normal) = pressed(96);
+        let grid = bodies.grid();
+        let limits = normal.pressure().scaled(FRICTION);
+        let strain = steel().plane_strain_under(bulk_stress);
+        let along_x = Field::from_fn(grid, |x, _| strain * x);
+        let twin = DenseOperator::of_half_space(&bodies, Component::XX).unwrap();
+        let sum = force * limit / grid.cell_area();
+        let bounds = Magnitude(limits.as_slice());
+        let exact = twin.minimise(along_x.as_slice(), &bounds, Some(sum));
+        let exact = exact.unwrap().x;
+        let found = roller(96, force * limit, bulk_stress);
+        let error = max_difference(found.traction()[0].as_slice(), &exact) / limits.max();
+        assert!(error < 1e-9, "{force} {bulk_stress}: {error:e}");
+        let mut signs = Vec::new();
+        for ((q, limit), zone) in exact.iter().zip(limits.as_slice()).zip(found.zones()) {
+            assert_eq!(*zone == Zone::Slip, *limit > 0.0 && q.abs() == *limit);
+            if *zone == Zone::Slip {
+                signs.push(q.signum());
+            }
+        }
+        signs.dedup();
+        let is_reversed = bulk_stress.abs() > 500.0;
+        assert_eq!(signs.len(), if is_reversed { 2 } else { 1 });
+    }
 }
 
 /// `K(m)` less `E(m)`, by the arithmetic-geometric mean.

@@ -105,6 +105,28 @@ fn what_was_large_is_remembered_as_what_is_small() {
     }
 }
 
+/// Rows that repeat are cut along x alone: once small they remember less, and still three numbers of all cells of the columns
+/// in contact, which are whole.
+#[test]
+fn rows_that_repeat_are_remembered_from_end_to_end() {
+    let mut history = rows();
+    let grid = history.grid();
+    let numbers = |history: &History| history.to_bytes().len() / size_of::<f64>();
+    let empty = numbers(&history);
+    for load in [(36.0, 0.0), (8.0, 0.1)] {
+        history.step(&step(load)).unwrap();
+    }
+    let large = numbers(&history);
+    for part in [0.2, -0.1] {
+        history.step(&step((8.0, part))).unwrap();
+        let pressure = history.pressure().as_slice();
+        let touches = |ix: &usize| (0..grid.ny()).any(|iy| pressure[iy * grid.nx() + ix] > 0.0);
+        let columns = (0..grid.nx()).filter(touches).count();
+        let least = empty + 3 * columns * grid.ny();
+        assert!((least..large).contains(&numbers(&history)));
+    }
+}
+
 /// What slips in a step is the displacement by all changes of the tractions on the whole grid, less the shift: the
 /// windows, which come and go, do not show. Coupling of one way only moves surfaces that the tractions do not.
 #[test]

@@ -2,12 +2,13 @@
 //! next step starts from.
 
 use std::ops::ControlFlow;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 
-use kit::{rough, unit_bodies};
-use stickslip::cgm::Status;
+use kit::{rough, unit_bodies, unit_pair};
+use stickslip::cgm::{Iteration, Status};
 use stickslip::{
-    Axis, Error, Field, Friction, Grid, History, LoadStep, NormalControl, TangentialControl,
-    TangentialModel, surface,
+    Axis, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
+    NormalControl, TangentialControl, TangentialModel, surface,
 };
 
 fn grid() -> Grid {
@@ -152,6 +153,48 @@ fn cancelled_at_any_iteration() {
         }
     }
     assert_untouched(&mut history, &mut twin);
+}
+
+/// An observer that panics, of a history of either kind, that has done nothing or is under way: whoever catches that has
+/// the history as before the step.
+#[test]
+fn interrupted_by_a_panic() {
+    let soft = Material::new(1.0, 0.1).unwrap();
+    let unlike = ElasticPair::new(soft, Material::rigid()).unwrap();
+    for pair in [unit_pair(0.3), unlike] {
+        let bodies = HalfSpace::new(grid(), pair).unwrap();
+        let friction = Friction::coulomb(0.5).unwrap();
+        let gap = rough(grid(), 11);
+        let mut twin = History::builder(&bodies, &gap, friction).build().unwrap();
+        let mut history = twin.clone();
+        for force in [10.0, 60.0, 30.0] {
+            let step = load(force, Axis::X, TangentialControl::Force(0.3 * force));
+            let before = history.to_bytes();
+            for calls in [0, 3, 9, 20] {
+                let mut left = calls;
+                let outcome = catch_unwind(AssertUnwindSafe(|| {
+                    let observer = |_: &Iteration| {
+                        // Without the message of a panic.
+                        if left == 0 {
+                            resume_unwind(Box::new("observed"));
+                        }
+                        left -= 1;
+                        ControlFlow::Continue(())
+                    };
+                    history.step_observed(&step, observer).map(|_| ())
+                }));
+                if outcome.is_ok() {
+                    break;
+                }
+                assert_eq!(history.to_bytes(), before);
+            }
+            if history.steps() == twin.steps() {
+                history.step(&step).unwrap();
+            }
+            twin.step(&step).unwrap();
+            assert_eq!(history.to_bytes(), twin.to_bytes());
+        }
+    }
 }
 
 #[test]

@@ -316,7 +316,8 @@ fn press_tightly(bodies: &HalfSpace, gap: &Field, press: NormalControl) -> Norma
     problem.tolerance(1e-10).build().unwrap().solve().unwrap()
 }
 
-/// Spence's, and with full coupling those that an independent method of line elements finds, to 3e-5 in the coefficient.
+/// Spence's, and with full coupling those that an independent method of line elements finds, to 3e-5 in the coefficient:
+/// with the first power of the cell, of which half widths are whole multiples.
 #[test]
 fn punches_of_other_materials_stick_as_spence_has_it() {
     let cases = [
@@ -326,15 +327,18 @@ fn punches_of_other_materials_stick_as_spence_has_it() {
     ];
     for (beta, values) in cases {
         for (part, coefficient) in values {
-            for cells in [128, 512] {
+            for cells in [64, 256, 1024] {
                 let [one_way, coupled] = punch(cells, beta, coefficient);
                 let poisson_ratio = (1.0 - 2.0 * beta) / (2.0 - 2.0 * beta);
                 let body = Material::new(1.0, poisson_ratio).unwrap();
                 let pair = ElasticPair::new(body, Material::rigid()).unwrap();
                 let goodman = SpencePressing::plane(&pair, coefficient).unwrap();
                 let cell = 2.0 / cells as f64;
-                assert!((one_way - goodman.stick_radius()).abs() < cell);
-                assert!((coupled - part).abs() < cell, "{beta} {part}: {coupled}");
+                assert!((one_way - goodman.stick_radius()).abs() < 0.65 * cell);
+                assert!(
+                    (coupled - part).abs() < 0.65 * cell,
+                    "{beta} {part}: {coupled}"
+                );
             }
         }
     }

@@ -48,7 +48,7 @@ impl State {
         let mut writer = Writer::default();
         writer.0.extend(MAGIC);
         writer.0.extend(VERSION.to_le_bytes());
-        // The length, which only the end knows.
+        // The length, which is known at the end only.
         writer.0.extend([0; 8]);
         let Ok(()) = Host::of(&self).visit(&mut writer);
         let Ok(()) = self.visit(&mut writer);

@@ -1,9 +1,10 @@
 //! The integrals at points and along rows of points.
 
 use super::far;
-use super::gauss::{self, Rule};
 use super::integral::{Integral, Values, sign};
 use super::piece::{Interval, Piece};
+use super::quadrature;
+use crate::gauss::Rule;
 
 /// A cell of half sides `a` and `b`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -75,6 +76,6 @@ impl Cell {
     }
 
     fn rule(&self, point: [f64; 3]) -> Option<Rule> {
-        gauss::rule([self.a, self.b], point)
+        quadrature::rule([self.a, self.b], point)
     }
 }

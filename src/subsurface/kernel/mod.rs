@@ -113,10 +113,10 @@
 mod cell;
 mod edge;
 mod far;
-mod gauss;
 mod integral;
 mod near;
 mod piece;
+mod quadrature;
 mod rectangle;
 #[cfg(test)]
 mod tests;

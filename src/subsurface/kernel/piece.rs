@@ -1,8 +1,9 @@
 //! A rectangle near the point: closed form, after division if it is slender.
 
-use super::gauss::{self, Rule};
 use super::integral::{Integral, Values, sign};
+use super::quadrature;
 use super::{far, near};
+use crate::gauss::Rule;
 
 /// The extent of a rectangle along one axis, as seen from the point.
 #[derive(Debug, Clone, Copy)]
@@ -112,6 +113,6 @@ impl Piece {
     /// The rule of quadrature that suffices at this distance; `None` near the point.
     fn rule(&self) -> Option<Rule> {
         let Self { x, y, z, .. } = self;
-        gauss::rule([x.half, y.half], [x.middle, y.middle, *z])
+        quadrature::rule([x.half, y.half], [x.middle, y.middle, *z])
     }
 }

@@ -1,43 +1,24 @@
 //! Gauss-Legendre rules.
 
 /// Nodes and weights on [-1, 1].
-pub(super) type Rule = &'static [[f64; 2]];
+pub(crate) type Rule = &'static [[f64; 2]];
 
-/// Distances in longer sides, and the cheapest rule whose error stays below the rounding beyond them. Deep below the
-/// cell the shear stress under a traction along it is of the second order in the ratio of side and depth, and asks most
-/// of the rule. Nearer than the last, the closed form cancels no more than a digit.
-const RULES: [(f64, Rule); 7] = [
-    (3000.0, &GAUSS_3),
-    (150.0, &GAUSS_4),
-    (30.0, &GAUSS_5),
-    (13.0, &GAUSS_6),
-    (4.5, &GAUSS_8),
-    (2.0, &GAUSS_12),
-    (1.5, &GAUSS_16),
-];
+pub(crate) const GAUSS_2: [[f64; 2]; 2] = [[-0.5773502691896257, 1.0], [0.5773502691896257, 1.0]];
 
-/// The cheapest rule that suffices for a rectangle of half sides a and b at a point; none near it. What is not a number
-/// is left to the quadrature too, which passes it on.
-pub(super) fn rule([a, b]: [f64; 2], [x, y, z]: [f64; 3]) -> Option<Rule> {
-    let distance = ((x * x + y * y) + z * z).sqrt() / (2.0 * a.max(b));
-    let suffices = |&&(reach, _): &&(f64, Rule)| distance >= reach || distance.is_nan();
-    RULES.iter().find(suffices).map(|&(_, rule)| rule)
-}
-
-const GAUSS_3: [[f64; 2]; 3] = [
+pub(crate) const GAUSS_3: [[f64; 2]; 3] = [
     [-0.7745966692414834, 0.5555555555555556],
     [0.0, 0.8888888888888888],
     [0.7745966692414834, 0.5555555555555556],
 ];
 
-const GAUSS_4: [[f64; 2]; 4] = [
+pub(crate) const GAUSS_4: [[f64; 2]; 4] = [
     [-0.8611363115940526, 0.34785484513745385],
     [-0.33998104358485626, 0.6521451548625461],
     [0.33998104358485626, 0.6521451548625461],
     [0.8611363115940526, 0.34785484513745385],
 ];
 
-const GAUSS_5: [[f64; 2]; 5] = [
+pub(crate) const GAUSS_5: [[f64; 2]; 5] = [
     [-0.906179845938664, 0.23692688505618908],
     [-0.5384693101056831, 0.47862867049936647],
     [0.0, 0.5688888888888889],
@@ -45,7 +26,7 @@ const GAUSS_5: [[f64; 2]; 5] = [
     [0.906179845938664, 0.23692688505618908],
 ];
 
-const GAUSS_6: [[f64; 2]; 6] = [
+pub(crate) const GAUSS_6: [[f64; 2]; 6] = [
     [-0.932469514203152, 0.17132449237917036],
     [-0.6612093864662645, 0.3607615730481386],
     [-0.2386191860831969, 0.46791393457269104],
@@ -54,7 +35,7 @@ const GAUSS_6: [[f64; 2]; 6] = [
     [0.932469514203152, 0.17132449237917036],
 ];
 
-const GAUSS_8: [[f64; 2]; 8] = [
+pub(crate) const GAUSS_8: [[f64; 2]; 8] = [
     [-0.9602898564975363, 0.10122853629037626],
     [-0.7966664774136267, 0.22238103445337448],
     [-0.525532409916329, 0.31370664587788727],
@@ -65,7 +46,7 @@ const GAUSS_8: [[f64; 2]; 8] = [
     [0.9602898564975363, 0.10122853629037626],
 ];
 
-const GAUSS_12: [[f64; 2]; 12] = [
+pub(crate) const GAUSS_12: [[f64; 2]; 12] = [
     [-0.9815606342467192, 0.04717533638651183],
     [-0.9041172563704749, 0.10693932599531843],
     [-0.7699026741943047, 0.16007832854334622],
@@ -80,7 +61,7 @@ const GAUSS_12: [[f64; 2]; 12] = [
     [0.9815606342467192, 0.04717533638651183],
 ];
 
-const GAUSS_16: [[f64; 2]; 16] = [
+pub(crate) const GAUSS_16: [[f64; 2]; 16] = [
     [-0.9894009349916499, 0.027152459411754096],
     [-0.9445750230732326, 0.062253523938647894],
     [-0.8656312023878318, 0.09515851168249279],
@@ -98,3 +79,24 @@ const GAUSS_16: [[f64; 2]; 16] = [
     [0.9445750230732326, 0.062253523938647894],
     [0.9894009349916499, 0.027152459411754096],
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// With n nodes, to the degree 2 n - 1.
+    #[test]
+    fn polynomials_are_integrated_exactly() {
+        let rules: [Rule; 8] = [
+            &GAUSS_2, &GAUSS_3, &GAUSS_4, &GAUSS_5, &GAUSS_6, &GAUSS_8, &GAUSS_12, &GAUSS_16,
+        ];
+        for rule in rules {
+            let degrees = 0..2 * i32::try_from(rule.len()).unwrap();
+            for degree in degrees {
+                let powers = rule.iter().map(|[node, weight]| weight * node.powi(degree));
+                let exact = f64::from(1 + (degree + 1) % 2 - degree % 2) / f64::from(degree + 1);
+                assert!((powers.sum::<f64>() - exact).abs() < 1e-15, "{degree}");
+            }
+        }
+    }
+}
