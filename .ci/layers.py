@@ -45,7 +45,7 @@ LAYERS = [
         "fft": FOUNDATION | {"operator", "influence"},
         "guide": set(),
         "analytical": {"error", "material", "grid", "field"},
-        "surface": {"error", "grid", "field", "parallel", "ranks", "serial", "share"},
+        "surface": {"error", "grid", "field", "layout", "parallel", "ranks", "serial", "share"},
         "io": {"error", "grid", "field"},
     }),
     ("the engine, and what it works on", {

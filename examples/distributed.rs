@@ -59,20 +59,26 @@ fn main() -> Outcome<()> {
     let arguments = Arguments::read()?;
     #[cfg(feature = "mpi")]
     if arguments.threads.is_none() {
-        let work = |rank| solve(&arguments, Arc::new(rank));
+        let work = |rank| {
+            let rank: Arc<dyn Ranks> = Arc::new(rank);
+            solve(&arguments, &rank)
+        };
         return stickslip::ranks::Mpi::run(PATIENCE, work).ok_or("MPI is already in use")?;
     }
     let ranks = arguments.threads.unwrap_or(2);
-    let outcomes = Threads::run(ranks, PATIENCE, |rank| solve(&arguments, Arc::new(rank)));
+    let outcomes = Threads::run(ranks, PATIENCE, |rank| {
+        let rank: Arc<dyn Ranks> = Arc::new(rank);
+        solve(&arguments, &rank)
+    });
     outcomes.into_iter().collect()
 }
 
 /// What every rank does; the first tells of it.
-fn solve(arguments: &Arguments, ranks: Arc<dyn Ranks>) -> Outcome<()> {
+fn solve(arguments: &Arguments, ranks: &Arc<dyn Ranks>) -> Outcome<()> {
     let start = Instant::now();
     let grid = Grid::square(arguments.cells, SIDE)?;
     let pair = ElasticPair::new(Material::new(1.0, 0.3)?, Material::rigid())?;
-    let bodies = HalfSpace::distributed(grid, pair, Boundary::Periodic, Arc::clone(&ranks))?;
+    let bodies = HalfSpace::distributed(grid, pair, Boundary::Periodic, Arc::clone(ranks))?;
     let rough = SelfAffine::with_rms_slope(0.1)
         .cut_off_wavelength(8.0 * grid.dx())
         .seed(1);
@@ -89,7 +95,7 @@ fn solve(arguments: &Arguments, ranks: Arc<dyn Ranks>) -> Outcome<()> {
         .build()?
         .solve()?;
     let fields = [normal.pressure(), shear.traction()[0], shear.traction()[1]];
-    let hash = hash_of_all(&*ranks, &fields)?;
+    let hash = hash_of_all(&**ranks, &fields)?;
     if ranks.rank() == 0 {
         let traffic = bodies.traffic();
         println!(

@@ -31,17 +31,12 @@ pub struct Grid {
     ny: usize,
     dx: f64,
     dy: f64,
-    /// The rows of a larger grid that these are; what is saved of a slab is a grid of its own.
+    /// Where the rows lie in the grid that this one is a slab of, and the rows of that: from zero, and as many, if it is
+    /// whole. What is saved of a slab is a grid of its own.
     #[cfg_attr(feature = "serde", serde(skip))]
-    slab: Option<Slab>,
-}
-
-/// Some rows of a grid.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Slab {
-    first: usize,
-    /// Rows of the whole grid.
-    of: usize,
+    first_row: usize,
+    #[cfg_attr(feature = "serde", serde(skip))]
+    all_rows: usize,
 }
 
 /// The values read, before they are checked.
@@ -84,7 +79,8 @@ impl Grid {
             ny,
             dx: positive("cell side dx", dx)?,
             dy: positive("cell side dy", dy)?,
-            slab: None,
+            first_row: 0,
+            all_rows: ny,
         };
         positive("cell area", grid.cell_area())?;
         positive("grid area", grid.area())?;
@@ -114,12 +110,9 @@ impl Grid {
     /// Some rows of this grid, none of which may be held: cells and positions are then those of the slab, at their places in
     /// the whole grid. What ranks hold of a [distributed](crate::HalfSpace::distributed) contact lies on slabs.
     pub(crate) fn slab(self, rows: Range<usize>) -> Self {
-        let first = self.rows().start + rows.start;
-        let of = self.whole().ny;
-        let slab = Some(Slab { first, of });
         Self {
             ny: rows.len(),
-            slab: slab.filter(|_| rows.len() < of),
+            first_row: self.first_row + rows.start,
             ..self
         }
     }
@@ -129,7 +122,8 @@ impl Grid {
         Self {
             nx,
             ny,
-            slab: None,
+            first_row: 0,
+            all_rows: ny,
             ..self
         }
     }
@@ -137,10 +131,9 @@ impl Grid {
     /// The grid that this one is a slab of; itself if it is whole.
     #[must_use]
     pub fn whole(&self) -> Self {
-        let ny = self.slab.map_or(self.ny, |slab| slab.of);
         Self {
-            ny,
-            slab: None,
+            ny: self.all_rows,
+            first_row: 0,
             ..*self
         }
     }
@@ -149,8 +142,7 @@ impl Grid {
     /// [distributed](crate::HalfSpace::distributed) one.
     #[must_use]
     pub fn rows(&self) -> Range<usize> {
-        let first = self.slab.map_or(0, |slab| slab.first);
-        first..first + self.ny
+        self.first_row..self.first_row + self.ny
     }
 
     /// Cells along x.
@@ -213,7 +205,7 @@ impl Grid {
     pub(crate) fn agrees_with(&self, other: Self) -> bool {
         let is_near = |own: f64, other: f64| (own - other).abs() <= SAME_SIDE * own;
         self.size() == other.size()
-            && self.slab == other.slab
+            && self.rows() == other.rows()
             && is_near(self.dx, other.dx)
             && is_near(self.dy, other.dy)
     }
@@ -237,7 +229,7 @@ impl Grid {
     /// y of the centre of row `iy` (a length); `iy` may lie outside the grid.
     #[must_use]
     pub fn y(&self, iy: usize) -> f64 {
-        centre(self.rows().start + iy, self.whole().ny, self.dy)
+        centre(self.first_row + iy, self.all_rows, self.dy)
     }
 
     /// Centre of cell `(ix, iy)`, `[x, y]` (lengths).

@@ -70,7 +70,8 @@ pub(crate) fn inherited(
     let [width, _] = halved([nx, ny]);
     let mut fine = vec![0.0; nx * rows.len()];
     parallel::rows(&mut fine, nx, |j, row| {
-        let parents = &coarse[((rows.start + j) / 2 - first) * width..][..width];
+        let row_of_all = rows.start + j;
+        let parents = &coarse[(row_of_all / 2 - first) * width..][..width];
         for (i, value) in row.iter_mut().enumerate() {
             *value = parents[i / 2];
         }

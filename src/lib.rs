@@ -62,6 +62,7 @@
 //! | get stresses and displacements below the surface: at points, on planes, as a volume for ParaView | [`subsurface`]: [`at_points`](subsurface::at_points), [`Planes`](subsurface::Planes) |
 //! | keep the state of a history, return to it, save it | [`history::State`] |
 //! | apply cyclic loads, until steady or with wear | [`history::FrettingLoop`], [`history::LoadPath`], [`history::Cycle`], [`history::wear`] |
+//! | solve one large contact on several processes or machines | [`HalfSpace::distributed`], [`ranks`] |
 //! | solve the same contact for thousands of surfaces and loads | the page on [studies](guide::studies) |
 //! | embed contacts in a simulator | the page on [embedding](guide::embedding) |
 //! | assess the accuracy of a solution | its [`Report`] and its [`Warning`]s |
@@ -143,6 +144,7 @@
 //! | `dense` | yes | explicit matrices, the direct solution of small scenes and the removal of polynomials from surfaces, through faer |
 //! | `x3p` | no | surfaces in X3P files, through `miniz_oxide` and `quick-xml` |
 //! | `serde` | no | grids, materials, friction, loads, options, fields and solutions in any format of `serde` |
+//! | `mpi` | no | [ranks](ranks) that are processes of an MPI program, through `mpi`; needs libclang and an MPI where it is built |
 //!
 //! The table lists their cost to a program that embeds the crate, measured on the program of the page on
 //! [embedding](guide::embedding), compiled from scratch (seconds of one core, rustc 1.95):
@@ -152,7 +154,7 @@
 //! | none (`default-features = false`): transforms, solvers, histories, surfaces, plain files | 16 | 50 s | 33 s |
 //! | `parallel` | 22 | 71 s | 42 s |
 //! | `parallel`, `dense` (default) | 63 | 169 s | 120 s |
-//! | all | 71 | 182 s | 127 s |
+//! | all but `mpi` | 71 | 182 s | 127 s |
 //!
 //! With `serde`, values that a constructor would refuse are refused on reading, with the same message, and numbers keep
 //! their bits. In human-readable formats such as JSON, non-finite numbers are words: `"NaN"` (a missing height),

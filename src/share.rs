@@ -55,7 +55,7 @@ impl Share {
         let count = |rank: usize| {
             let mut count = 0;
             visit(0..share.all_chunks(), &share.chunks_of(rank), &mut |_| {
-                count += 1
+                count += 1;
             });
             count
         };

@@ -5,6 +5,7 @@ use std::ops::Range;
 use crate::fft::plan::Plan;
 use crate::fft::real::Real;
 use crate::fft::tiles::{TILE_WORDS, Tile};
+use crate::ranks::Words;
 use crate::share::Share;
 
 /// Tiles of a block, about: it is packed and unpacked beside the tiles themselves.
@@ -182,7 +183,7 @@ fn packed(occupied: &[bool]) -> impl Iterator<Item = u64> {
 
 fn unpack(words: &mut &[u64], occupied: &mut [bool]) {
     for bands in occupied.chunks_mut(64) {
-        let word = words.split_off_first().copied().unwrap_or_default();
+        let word = u64::read(words);
         for (bit, band) in bands.iter_mut().enumerate() {
             *band = word >> bit & 1 != 0;
         }

@@ -16,7 +16,7 @@ pub(crate) struct Region {
     window: Window,
     own: Window,
     layout: Layout,
-    dealt: Option<Dealt>,
+    dealt: Option<Box<Dealt>>,
 }
 
 /// How grid and window are dealt out to ranks.
@@ -44,11 +44,11 @@ impl Region {
             window,
             own: window.rows(inner.own_rows()),
             layout: Layout::shared(Arc::clone(&inner)),
-            dealt: Some(Dealt {
+            dealt: Some(Box::new(Dealt {
                 grid: bodies.grid(),
                 outer,
                 inner,
-            }),
+            })),
         }
     }
 
@@ -79,7 +79,7 @@ impl Region {
 
     /// Copies the region out of a field of the grid.
     pub(crate) fn gather(&self, whole: &[f64], part: &mut [f64]) {
-        let Some(Dealt { grid, outer, inner }) = &self.dealt else {
+        let Some(Dealt { grid, outer, inner }) = self.dealt.as_deref() else {
             return self.window.gather(whole, part);
         };
         let [columns, rows] = self.window.ranges();
@@ -95,7 +95,7 @@ impl Region {
 
     /// Copies the region into a field of the grid.
     pub(crate) fn scatter(&self, part: &[f64], whole: &mut [f64]) {
-        let Some(Dealt { grid, outer, inner }) = &self.dealt else {
+        let Some(Dealt { grid, outer, inner }) = self.dealt.as_deref() else {
             return self.window.scatter(part, whole);
         };
         let [columns, rows] = self.window.ranges();
@@ -124,7 +124,7 @@ impl Region {
         of: impl Fn(usize, usize) -> [f64; K],
         mut put: impl FnMut(usize, [f64; K]),
     ) {
-        let Some(Dealt { grid, .. }) = &self.dealt else {
+        let Some(Dealt { grid, .. }) = self.dealt.as_deref() else {
             for (cell, index) in self.own.indices().enumerate() {
                 put(index, of(cell, index));
             }

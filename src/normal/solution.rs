@@ -30,7 +30,7 @@ pub struct NormalSolution {
     report: Report,
     /// Of a slab, what all ranks together have found.
     #[cfg_attr(feature = "serde", serde(skip))]
-    pub(super) whole: Option<Whole>,
+    pub(super) whole: Option<Box<Whole>>,
 }
 
 clone_in_place!(NormalSolution {
@@ -57,7 +57,7 @@ struct Unchecked {
     yielded_cells: usize,
     report: Report,
     #[serde(skip)]
-    whole: Option<Whole>,
+    whole: Option<Box<Whole>>,
 }
 
 #[cfg(feature = "serde")]
@@ -197,9 +197,7 @@ impl NormalSolution {
     #[must_use]
     pub fn force(&self) -> f64 {
         match &self.whole {
-            Some(Whole {
-                sums: [sum, ..], ..
-            }) => sum * self.grid().cell_area(),
+            Some(whole) => whole.sums[0] * self.grid().cell_area(),
             None => self.pressure.integral(),
         }
     }
@@ -223,9 +221,7 @@ impl NormalSolution {
     fn first_moments(&self) -> [f64; 2] {
         let (grid, pressure) = (self.grid(), self.pressure.as_slice());
         let sums = match &self.whole {
-            Some(Whole {
-                sums: [_, x, y], ..
-            }) => [*x, *y],
+            Some(whole) => [whole.sums[1], whole.sums[2]],
             None => reduce::sum(&grid.layout(), |i| {
                 let (x, y) = (grid.x(i % grid.nx()), grid.y(i / grid.nx()));
                 [x * pressure[i], y * pressure[i]]

@@ -16,7 +16,7 @@ pub(super) struct Whole {
 
 impl Whole {
     /// Of the pressure of every rank; `None` of bodies that are not shared.
-    pub(super) fn of(bodies: &HalfSpace, pressure: &[f64]) -> Option<Self> {
+    pub(super) fn of(bodies: &HalfSpace, pressure: &[f64]) -> Option<Box<Self>> {
         let grid = bodies.grid();
         let columns = grid.nx();
         let contact = bodies.bits_of_all(|i| pressure[i] > 0.0)?;
@@ -27,10 +27,10 @@ impl Whole {
             [x * pressure[i], y * pressure[i]]
         });
         let hardness = bodies.pair().hardness();
-        Some(Self {
+        Some(Box::new(Self {
             contact,
             sums: [total, moments[0], moments[1]],
             overloaded: reduce::sum(&layout, |i| usize::from(pressure[i] > hardness)),
-        })
+        }))
     }
 }

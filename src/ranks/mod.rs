@@ -2,6 +2,48 @@
 //!
 //! A *rank* is one of them. Every rank runs the same program on its own part of the cells, and meets the others in
 //! [`Ranks::swap`] alone: all ranks make the same calls in the same order. Nothing else of this crate communicates.
+//!
+//! [`HalfSpace::distributed`](crate::HalfSpace::distributed) deals out the rows of a grid: each rank holds a *slab* of
+//! them, with fields, problems and solutions of its own. Builders are those of any bodies. Whatever ranks do together
+//! every rank must do: build, solve, displacements, energies. What a solution says of the whole contact (force, area,
+//! stick ratio, report, ...) every rank knows without asking; its fields are those of the slab.
+//!
+//! Normal and tangential problems, scalar and in the plane, can be shared, on all boundaries, with hardness, friction that differs from
+//! cell to cell and relative displacements; what cannot is refused ([`RankFailure::NotShared`]): histories, coupled
+//! contacts, stiffness, stresses below the surface, dense matrices.
+//!
+//! | ranks | are |
+//! |---|---|
+//! | [`Threads`] | threads of one process, to try and test distributed programs |
+//! | `Mpi` (feature `mpi`) | processes of an MPI program |
+//! | your own | anything that swaps blocks: implement [`Ranks`] |
+//!
+//! # The same bits
+//!
+//! An answer has the bits that one process finds, on any number of ranks. A transform of a row or a column is the same
+//! call on the same numbers wherever it is made; sums follow one tree of chunks of rows, slabs end where chunks end, and
+//! every rank finishes the tree from the nodes that others hold wholly. Observer and clock are asked on all ranks, and
+//! the first decides. Coarse grids of nested starts of at most 65 536 cells every rank solves by itself.
+//!
+//! # What is sent
+//!
+//! A product on $`n \times n`$ cells swaps the transforms of its rows for those of its columns and back. All ranks
+//! together send
+//!
+//! ```math
+//! 32\,n^2 \Bigl(1 - \frac1P\Bigr) \text{ bytes}
+//! ```
+//!
+//! on a free grid, half of it on a periodic one, and half of either in single precision; bands of 16 rows without
+//! traction are not sent on the way there. A window of the contact has its rows dealt out to all ranks anew. An
+//! iteration adds up a dozen partial results, of some hundred bytes in $`\lceil\log_2 P\rceil`$ messages each.
+//! [`HalfSpace::traffic`](crate::HalfSpace::traffic) counts both.
+//!
+//! # Failure
+//!
+//! Input that one rank refuses all refuse: its own error there, [`RankFailure::Refused`] on the others. If a rank ends
+//! or is silent for too long, the calls of the others return [`RankFailure::Lost`] or [`RankFailure::Silent`], and so do
+//! all that follow on the same bodies.
 
 #[cfg(feature = "mpi")]
 mod mpi;

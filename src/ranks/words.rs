@@ -15,9 +15,13 @@ pub(crate) trait Words: Copy + Send {
     fn read(words: &mut &[u64]) -> Self;
 }
 
-/// The next word; zero if there is none, which [`Words::COUNT`] rules out.
+/// The next word; zero if there is none, from a rank that is lost.
 fn next(words: &mut &[u64]) -> u64 {
-    words.split_off_first().copied().unwrap_or_default()
+    let Some((first, rest)) = words.split_first() else {
+        return 0;
+    };
+    *words = rest;
+    *first
 }
 
 impl Words for () {
@@ -27,6 +31,19 @@ impl Words for () {
     fn write(self, _: &mut Vec<u64>) {}
 
     fn read(_: &mut &[u64]) -> Self {}
+}
+
+impl Words for u64 {
+    const COUNT: usize = 1;
+    const ZERO: Self = 0;
+
+    fn write(self, words: &mut Vec<u64>) {
+        words.push(self);
+    }
+
+    fn read(words: &mut &[u64]) -> Self {
+        next(words)
+    }
 }
 
 impl Words for f64 {

@@ -114,7 +114,7 @@ impl Waves {
         let ny = self.grid.ny();
         let along_y = FftPlanner::new().plan_fft_inverse(ny);
         parallel::rows(&mut self.amplitudes, ny, |_, column| {
-            along_y.process(column)
+            along_y.process(column);
         });
         self.amplitudes
     }

@@ -295,7 +295,8 @@ impl Increment {
             }
             Start::Nested => {
                 let is_at_rest = self.motion == Motion::default();
-                let is_drawn = reduce::any(region.layout(), |i| at(&self.offset, i) != [0.0; 2]);
+                let is_drawn = |offset: [f64; 2]| offset.iter().any(|part| *part != 0.0);
+                let is_drawn = reduce::any(region.layout(), |i| is_drawn(at(&self.offset, i)));
                 let is_moved = !is_at_rest || is_drawn;
                 let is_idle = !is_moved && totals.iter().all(|total| total.is_idle());
                 self.traction = if is_idle || limits.sum <= 0.0 {

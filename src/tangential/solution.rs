@@ -32,7 +32,7 @@ pub struct TangentialSolution {
     report: Report,
     /// Of a slab, what all ranks together have found.
     #[cfg_attr(feature = "serde", serde(skip))]
-    whole: Option<Whole>,
+    whole: Option<Box<Whole>>,
 }
 
 /// What is read, before it is checked.
@@ -49,7 +49,7 @@ struct Unchecked {
     twist: f64,
     report: Report,
     #[serde(skip)]
-    whole: Option<Whole>,
+    whole: Option<Box<Whole>>,
 }
 
 #[cfg(feature = "serde")]

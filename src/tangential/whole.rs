@@ -65,9 +65,9 @@ impl Whole {
         traction: &[Field; 2],
         slip: &[Field; 2],
         zones: &[Zone],
-    ) -> Option<Self> {
+    ) -> Option<Box<Self>> {
         let contact = bodies.bits_of_all(|i| zones[i] != Zone::Separated)?;
         let sums = Sums::of(&bodies.grid_layout(), traction, slip, zones);
-        Some(Self { contact, sums })
+        Some(Box::new(Self { contact, sums }))
     }
 }

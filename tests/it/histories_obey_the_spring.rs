@@ -32,7 +32,7 @@ fn shear(history: &mut History, tangential: TangentialControl) {
 fn springs_of_all_stiffnesses() {
     // The stiffness of the contact itself is about four.
     for stiffness in [1e-3, 0.1, 4.0, 1e3, 1e7] {
-        let [mut by_spring, mut by_force, mut by_shift] = [pressed(), pressed(), pressed()];
+        let (mut by_spring, mut by_force, mut by_shift) = (pressed(), pressed(), pressed());
         let compliance = 0.25 + 1.0 / stiffness;
         for part in [0.5, 0.9, 0.2, -0.9, 0.4] {
             let position = part * LIMIT * compliance;

@@ -1,11 +1,13 @@
 //! Contacts shared by ranks have the bits of those of one process.
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Duration;
 
 use proptest::prelude::*;
 use stickslip::influence::Component;
-use stickslip::ranks::Threads;
+use stickslip::ranks::{RankFailure, Ranks, Threads};
+use stickslip::surface::SelfAffine;
 use stickslip::*;
 
 /// Longer than any step takes, even where many tests run at once.
@@ -235,17 +237,173 @@ fn sheared_contacts_have_the_same_bits() {
             ] {
                 let find = |bodies: &HalfSpace| {
                     let normal = press(bodies, &gap, NormalControl::Force(20.0));
-                    let problem = TangentialProblem::builder(
-                        bodies,
-                        &normal,
-                        slanting(bodies.grid()),
-                        load.clone(),
-                    );
+                    let problem =
+                        TangentialProblem::builder(bodies, &normal, slanting(bodies.grid()), load);
                     let shear = problem.model(model).build().unwrap().solve().unwrap();
                     Found::normal(&normal).with_shear(&shear)
                 };
                 assert_same(grid, Boundary::NonPeriodic, &format!("{model:?}"), find);
             }
+        }
+    }
+}
+
+#[test]
+fn rough_surfaces_have_the_same_bits() {
+    let rough = SelfAffine::with_rms_slope(0.2).seed(3).hurst(0.7);
+    for [nx, ny] in [[64, 96], [75, 130]] {
+        let grid = Grid::new(nx, ny, 0.5, 0.5).unwrap();
+        let heights = |bodies: &HalfSpace| rough.generate_on(bodies).unwrap().into_vec();
+        let alone = heights(&HalfSpace::new(grid, pair()).unwrap());
+        for size in RANKS {
+            same(&on_ranks(size, grid, Boundary::Periodic, heights), &alone).unwrap();
+        }
+    }
+}
+
+/// A rank of which the observer panics, or that comes with another load, or none at all, ends the solve of all.
+#[test]
+fn a_rank_that_is_lost_ends_all() {
+    let grid = Grid::square(128, 8.0).unwrap();
+    let solve = |bodies: &HalfSpace, steps: usize| {
+        let gap = Field::from_fn(bodies.grid(), |x, y| 0.05 * (x * x + y * y));
+        let problem = NormalProblem::builder(bodies, gap, NormalControl::Force(0.5)).build()?;
+        let mut solver = problem.into_solver()?;
+        let mut contact = solver.new_solution();
+        let mut left = steps;
+        let ended = solver.solve_observed(&mut contact, |_| {
+            left -= 1;
+            if left == 0 {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        });
+        ended.map(|()| contact)
+    };
+    let outcomes = Threads::run(3, PATIENCE, |rank| {
+        let is_last = rank.rank() == 2;
+        let bodies = HalfSpace::distributed(grid, pair(), Boundary::NonPeriodic, Arc::new(rank))?;
+        // The last rank leaves before the solve.
+        if is_last {
+            Err(Error::EmptyPath)
+        } else {
+            solve(&bodies, usize::MAX)
+        }
+    });
+    for outcome in &outcomes[..2] {
+        let lost = RankFailure::Lost { rank: 2 };
+        assert!(
+            matches!(outcome, Err(Error::Ranks(failure)) if *failure == lost),
+            "{outcome:?}"
+        );
+    }
+
+    // Observers of other ranks than the first have no say; that of the first ends the solve of all.
+    let limits = |first: usize, others: usize| {
+        Threads::run(3, PATIENCE, |rank| {
+            let steps = if rank.rank() == 0 { first } else { others };
+            let bodies =
+                HalfSpace::distributed(grid, pair(), Boundary::NonPeriodic, Arc::new(rank))?;
+            solve(&bodies, steps)
+        })
+    };
+    assert!(limits(usize::MAX, 3).iter().all(Result::is_ok));
+    for outcome in limits(3, usize::MAX) {
+        let Err(Error::NotConverged(report)) = outcome else {
+            panic!("{outcome:?}")
+        };
+        assert_eq!(report.status, Status::Cancelled);
+    }
+}
+
+#[test]
+fn what_one_rank_refuses_all_refuse() {
+    let grid = Grid::square(128, 8.0).unwrap();
+    let outcomes = Threads::run(3, PATIENCE, |rank| {
+        let is_broken = rank.rank() == 1;
+        let bodies =
+            HalfSpace::distributed(grid, pair(), Boundary::NonPeriodic, Arc::new(rank)).unwrap();
+        let gap = Field::from_fn(bodies.grid(), |x, y| {
+            if is_broken { f64::NAN } else { x * x + y * y }
+        });
+        NormalProblem::builder(&bodies, gap, NormalControl::Force(0.5))
+            .build()
+            .map(drop)
+    });
+    assert!(
+        matches!(outcomes[1], Err(Error::Sample { .. })),
+        "{outcomes:?}"
+    );
+    for rank in [0, 2] {
+        let refused = RankFailure::Refused { rank: 1 };
+        assert!(
+            matches!(outcomes[rank], Err(Error::Ranks(failure)) if failure == refused),
+            "{outcomes:?}"
+        );
+    }
+}
+
+/// Ranks that answer too late are given up.
+#[test]
+fn a_silent_rank_is_given_up() {
+    let outcomes = Threads::run(2, Duration::from_millis(50), |rank| {
+        if rank.rank() == 1 {
+            std::thread::sleep(Duration::from_millis(400));
+        }
+        rank.swap(vec![1], 1 - rank.rank(), 1 - rank.rank())
+    });
+    assert!(
+        matches!(outcomes[0], Err(RankFailure::Silent { rank: 1, .. })),
+        "{outcomes:?}"
+    );
+}
+
+/// What is sent is what the formula says, and the bits that tell which bands hold anything.
+#[test]
+fn bytes_are_those_of_the_formula() {
+    let n = 256_u64;
+    let grid = Grid::square(256, 8.0).unwrap();
+    for (boundary, per_cell) in [(Boundary::NonPeriodic, 32), (Boundary::Periodic, 16)] {
+        for (size, is_single, rows) in [
+            (2, false, 256),
+            (4, false, 256),
+            (4, true, 256),
+            (4, false, 64),
+        ] {
+            let sent = Threads::run(size, PATIENCE, |rank| {
+                let bodies =
+                    HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank)).unwrap();
+                let operator = bodies.operator(Component::ZZ).unwrap();
+                let slab = bodies.grid();
+                let traction = Field::from_indices(slab, |_, iy| {
+                    if slab.rows().start + iy < rows {
+                        1.0
+                    } else {
+                        0.0
+                    }
+                });
+                let mut out = Field::zeros(slab);
+                let before = bodies.traffic().bytes;
+                let (x, u) = ([traction.as_slice()], [out.as_mut_slice()]);
+                if is_single {
+                    operator.apply_f32(x, u, &mut operator.workspace());
+                } else {
+                    operator.apply(x, u, &mut operator.workspace());
+                }
+                bodies.traffic().bytes - before
+            });
+            let sent: u64 = sent.into_iter().sum();
+            let ranks = size as u64;
+            let all = per_cell * n * n * (ranks - 1) / ranks / if is_single { 2 } else { 1 };
+            // Half is sent on the way there, of the rows that hold anything.
+            let expected = all / 2 + all / 2 * rows as u64 / n;
+            // Columns come in sixteens, one more than half the padded cells, and each rank tells its bands in a word.
+            let whole = (sent as f64 / expected as f64 - 1.0).abs();
+            assert!(
+                whole < 0.13,
+                "{size} ranks, {boundary:?}: {sent} for {expected}"
+            );
         }
     }
 }

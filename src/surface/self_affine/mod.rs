@@ -9,16 +9,20 @@ mod phases;
 mod ranks;
 mod rough_surface;
 
+use std::sync::Arc;
+
 use num_complex::Complex;
 
 use crate::error::{Error, RankFailure, Result, all_finite, at_least, finite, memory, positive};
 use crate::field::Field;
 use crate::grid::Grid;
+use crate::layout::Layout;
 use crate::share::Share;
 use crate::surface::fourier::{Waves, shared_columns};
 
 use cut::Cut;
 use law::Law;
+use moments::mean_over;
 pub use rough_surface::RoughSurface;
 
 /// How the moduli of the waves are drawn.
@@ -353,7 +357,7 @@ impl SelfAffine {
     }
 
     /// The heights on the slab that a rank holds of a grid.
-    pub(crate) fn generate_slab(&self, grid: Grid, rows: &Share) -> Result<Field> {
+    pub(crate) fn generate_slab(&self, grid: Grid, rows: &Arc<Share>) -> Result<Field> {
         let quantity = match (self.moments()?, self.is_cropped) {
             (None, false) => None,
             (Some(_), _) => Some("a surface of given skewness or kurtosis"),
@@ -367,8 +371,10 @@ impl SelfAffine {
         let waves = Waves::none_of(grid, columns.own_rows());
         let waves = self.waves(&Cut::all(grid), waves)?;
         let mut heights = waves.into_slab(&columns, rows);
+        let layout = Layout::shared(Arc::clone(rows));
+        let mean = mean_over(&layout, heights.as_slice(), |z| z);
         for height in heights.as_mut_slice() {
-            *height *= target;
+            *height = (*height - mean) * target;
         }
         all_finite("height of the rough surface", heights.as_slice())?;
         Ok(heights)

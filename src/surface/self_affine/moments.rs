@@ -3,12 +3,18 @@
 use std::ops::Range;
 
 use crate::field::Field;
+use crate::layout::Layout;
 use crate::parallel;
 
 /// Mean of a function of the samples, the same on any number of threads.
-pub(super) fn mean_of(samples: &[f64], f: impl Fn(f64) -> f64 + Sync) -> f64 {
+pub(super) fn mean_of(field: &Field, f: impl Fn(f64) -> f64 + Sync) -> f64 {
+    mean_over(&field.grid().layout(), field.as_slice(), f)
+}
+
+/// The same of samples that lie so, some of them on other ranks.
+pub(super) fn mean_over(layout: &Layout, samples: &[f64], f: impl Fn(f64) -> f64 + Sync) -> f64 {
     let sum_over = |range: Range<usize>| samples[range].iter().map(|&z| f(z)).sum::<f64>();
-    parallel::fold(samples.len(), sum_over, |a, b| a + b) / samples.len() as f64
+    layout.fold(sum_over, |a, b| a + b) / layout.of_all_ranks() as f64
 }
 
 /// Heights of mean zero and mean square one, and the scale by which they were normalised.
@@ -23,16 +29,16 @@ pub(super) struct Standardised {
 
 impl Standardised {
     pub(super) fn new(mut heights: Field) -> Self {
-        let mean = mean_of(heights.as_slice(), |z| z);
-        let deviation = mean_of(heights.as_slice(), |z| (z - mean).powi(2)).sqrt();
+        let mean = mean_of(&heights, |z| z);
+        let deviation = mean_of(&heights, |z| (z - mean).powi(2)).sqrt();
         parallel::update(heights.as_mut_slice(), |_, chunk| {
             for height in chunk {
                 *height = (*height - mean) / deviation;
             }
         });
         Self {
-            skewness: mean_of(heights.as_slice(), |x| x.powi(3)),
-            kurtosis: mean_of(heights.as_slice(), |x| x.powi(4)),
+            skewness: mean_of(&heights, |x| x.powi(3)),
+            kurtosis: mean_of(&heights, |x| x.powi(4)),
             heights,
             deviation,
         }

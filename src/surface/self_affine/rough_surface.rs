@@ -22,16 +22,14 @@ impl RoughSurface {
     /// The part of the waves within a cut, minus its mean.
     pub(super) fn new(waves: &Waves, cut: &Cut, iterations: usize) -> Self {
         let mut heights = cut.of(&waves.clone().into_field());
-        let mean = mean_of(heights.as_slice(), |z| z);
+        let mean = mean_of(&heights, |z| z);
         for height in heights.as_mut_slice() {
             *height -= mean;
         }
         let square_slope = |axis: usize| {
             let mut slopes = waves.clone();
             slopes.update(|mode, wave| wave * Complex::i() * mode.wave_vector[axis]);
-            mean_of(cut.of(&slopes.into_field()).as_slice(), |slope| {
-                slope * slope
-            })
+            mean_of(&cut.of(&slopes.into_field()), |slope| slope * slope)
         };
         let surface = Standardised::new(heights.clone());
         Self {
