@@ -144,7 +144,7 @@
 //! | `dense` | yes | explicit matrices, the direct solution of small scenes and the removal of polynomials from surfaces, through faer |
 //! | `x3p` | no | surfaces in X3P files, through `miniz_oxide` and `quick-xml` |
 //! | `serde` | no | grids, materials, friction, loads, options, fields and solutions in any format of `serde` |
-//! | `mpi` | no | [ranks](ranks) that are processes of an MPI program, through `mpi`; needs libclang and an MPI where it is built |
+//! | `mpi` | no | [`ranks`] that are processes of an MPI program, through `mpi`; needs libclang and an MPI where it is built |
 //!
 //! The table lists their cost to a program that embeds the crate, measured on the program of the page on
 //! [embedding](guide::embedding), compiled from scratch (seconds of one core, rustc 1.95):

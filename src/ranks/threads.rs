@@ -13,7 +13,9 @@ use crate::ranks::{RankFailure, Ranks};
 /// use std::sync::Arc;
 /// use std::time::Duration;
 /// use stickslip::ranks::{Ranks, Threads};
-/// use stickslip::{ElasticPair, Grid, HalfSpace, Material, NormalControl, NormalProblem, surface};
+/// use stickslip::{
+///     Boundary, ElasticPair, Grid, HalfSpace, Material, NormalControl, NormalProblem, surface,
+/// };
 ///
 /// let pair = ElasticPair::new(Material::new(1.0, 0.3)?, Material::rigid())?;
 /// let grid = Grid::square(96, 8.0)?;
@@ -24,7 +26,7 @@ use crate::ranks::{RankFailure, Ranks};
 /// };
 /// // Three ranks press a third of the ball each.
 /// let approaches = Threads::run(3, Duration::from_secs(60), |rank| {
-///     press(&HalfSpace::distributed(grid, pair, Arc::new(rank))?)
+///     press(&HalfSpace::distributed(grid, pair, Boundary::NonPeriodic, Arc::new(rank))?)
 /// });
 /// let alone = press(&HalfSpace::new(grid, pair)?)?;
 /// for approach in approaches {
