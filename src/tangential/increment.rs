@@ -91,8 +91,7 @@ impl Increment {
 
     /// Takes the tractions of the whole grid as the present ones.
     pub(crate) fn set_traction(&mut self, traction: [&[f64]; 2]) {
-        for axis in self.axes {
-            let axis = axis.index();
+        for axis in self.axes.iter().map(|axis| axis.index()) {
             let part = &mut self.traction[axis];
             self.pressed.region.gather(traction[axis], part);
         }
@@ -150,8 +149,7 @@ impl Increment {
 
     /// Takes the offsets of a step from those of the whole grid.
     pub(crate) fn gather_offset(&mut self, offset: [&[f64]; 2]) {
-        for axis in self.axes {
-            let axis = axis.index();
+        for axis in self.axes.iter().map(|axis| axis.index()) {
             let part = &mut self.offset[axis];
             self.pressed.region.gather(offset[axis], part);
         }

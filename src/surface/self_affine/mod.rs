@@ -8,21 +8,16 @@ mod moments;
 mod phases;
 mod ranks;
 mod rough_surface;
-
-use std::sync::Arc;
+mod slab;
 
 use num_complex::Complex;
 
-use crate::error::{Error, RankFailure, Result, all_finite, at_least, finite, memory, positive};
-use crate::field::Field;
+use crate::error::{Result, all_finite, at_least, finite, memory, positive};
 use crate::grid::Grid;
-use crate::layout::Layout;
-use crate::share::Share;
-use crate::surface::fourier::{Waves, shared_columns};
+use crate::surface::fourier::Waves;
 
 use cut::Cut;
 use law::Law;
-use moments::mean_over;
 pub use rough_surface::RoughSurface;
 
 /// How the moduli of the waves are drawn.
@@ -354,30 +349,6 @@ impl SelfAffine {
         let least = skewness * skewness + 1.0;
         at_least("the squared skewness plus one", least, "kurtosis", kurtosis)?;
         Ok(Some([skewness, kurtosis]))
-    }
-
-    /// The heights on the slab that a rank holds of a grid.
-    pub(crate) fn generate_slab(&self, grid: Grid, rows: &Arc<Share>) -> Result<Field> {
-        let quantity = match (self.moments()?, self.is_cropped) {
-            (None, false) => None,
-            (Some(_), _) => Some("a surface of given skewness or kurtosis"),
-            (None, true) => Some("a cropped surface"),
-        };
-        if let Some(quantity) = quantity {
-            return Err(Error::Ranks(RankFailure::NotShared(quantity)));
-        }
-        let target = self.target.checked()?;
-        let columns = shared_columns(grid, rows.team());
-        let waves = Waves::none_of(grid, columns.own_rows());
-        let waves = self.waves(&Cut::all(grid), waves)?;
-        let mut heights = waves.into_slab(&columns, rows);
-        let layout = Layout::shared(Arc::clone(rows));
-        let mean = mean_over(&layout, heights.as_slice(), |z| z);
-        for height in heights.as_mut_slice() {
-            *height = (*height - mean) * target;
-        }
-        all_finite("height of the rough surface", heights.as_slice())?;
-        Ok(heights)
     }
 
     /// The waves of the periodic surface with a target of one, so that no square is out of range.
