@@ -298,17 +298,17 @@ impl SelfAffine {
     /// The surface on a grid.
     ///
     /// # Errors
-    /// - [`Error::NotPositive`] for the target or a wavelength,
-    ///   [`Error::Hurst`], [`Error::NotFinite`] for the
+    /// - [`Error::NotPositive`](crate::Error::NotPositive) for the target or a wavelength,
+    ///   [`Error::Hurst`](crate::Error::Hurst), [`Error::NotFinite`](crate::Error::NotFinite) for the
     ///   skewness or kurtosis.
-    /// - [`Error::Below`] if the cut-off is less than two cells, if a wavelength
+    /// - [`Error::Below`](crate::Error::Below) if the cut-off is less than two cells, if a wavelength
     ///   is less than the next shorter one, or if the kurtosis is less than the squared skewness plus
     ///   one.
-    /// - [`Error::EmptyBand`] if no wave of the surface lies within the band.
-    /// - [`Error::HeightsNotReached`] if no phases were found for
+    /// - [`Error::EmptyBand`](crate::Error::EmptyBand) if no wave of the surface lies within the band.
+    /// - [`Error::HeightsNotReached`](crate::Error::HeightsNotReached) if no phases were found for
     ///   skewness and kurtosis.
-    /// - [`Error::Sample`] for the first height that overflows.
-    /// - [`Error::Memory`] if the memory for the surface, of four times the cells if it is
+    /// - [`Error::Sample`](crate::Error::Sample) for the first height that overflows.
+    /// - [`Error::Memory`](crate::Error::Memory) if the memory for the surface, of four times the cells if it is
     ///   cropped, cannot be allocated.
     pub fn generate(&self, grid: Grid) -> Result<RoughSurface> {
         let wanted = self.moments()?;
