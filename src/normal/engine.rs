@@ -27,6 +27,8 @@ pub(super) struct Engine {
     pub(super) solver: ElasticSolver<Interval, 1>,
     /// How the pressure of the window changed with the load.
     pub(super) trend: Trend<1>,
+    /// Whether the trend holds what the pressure was, until it is noted what it has become.
+    is_extrapolated: bool,
     /// What it takes to work on a part of the grid and to see the rest, if there is a rest.
     part: Option<Part>,
 }
@@ -125,6 +127,7 @@ impl Engine {
         Ok(Self {
             solver: ElasticSolver::new(bodies, [Direction::Z], window.size)?,
             trend: Trend::default(),
+            is_extrapolated: false,
             region: Region::new(bodies, window),
             part,
         })
@@ -138,6 +141,7 @@ impl Engine {
     /// Moves to another place of the same size, without a trend.
     pub(super) fn move_to(&mut self, bodies: &HalfSpace, window: Window) {
         self.region = Region::new(bodies, window);
+        self.is_extrapolated = false;
         self.trend.forget();
     }
 
@@ -264,6 +268,7 @@ impl Engine {
         let [change] = &mut self.trend.change;
         change.resize(cells, 0.0);
         self.trend.by = [[0.0; 2]];
+        self.is_extrapolated = true;
         let Some(part) = &mut self.part else {
             return go_on(parts, pressure, change);
         };
@@ -278,7 +283,7 @@ impl Engine {
         let (region, cells) = (&self.region, self.region.cells());
         let [change] = &mut self.trend.change;
         // One that was widened since has no start to tell the change from.
-        if change.len() != cells {
+        if !std::mem::take(&mut self.is_extrapolated) {
             return;
         }
         match &mut self.part {

@@ -117,7 +117,8 @@ impl TangentialSolver {
         limits.check(demand.force(), self.bodies.grid().cell_area())?;
         if axes != self.increment.axes() {
             if let Some(relative) = &self.relative {
-                relative.check(self.bodies.grid(), axes)?;
+                self.bodies
+                    .agreed(relative.check(self.bodies.grid(), axes))?;
             }
             let pressed = self.increment.pressed.clone();
             self.increment = Increment::new(&self.bodies, axes, pressed, self.coupling)?;
@@ -134,7 +135,8 @@ impl TangentialSolver {
     /// [`Error::GridMismatch`], [`Error::NotFinite`] if the limits overflow, or [`Error::BeyondFrictionCapacity`] if
     /// the present load is more than the new friction holds; the friction is then as it was.
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
-        friction.check(self.bodies.grid())?;
+        let checked = friction.check(self.bodies.grid());
+        self.bodies.agreed(checked)?;
         let pressure = &self.increment.pressed.pressure;
         self.candidate.pressure.copy_from_slice(pressure);
         self.candidate.set_friction(friction);
@@ -153,7 +155,7 @@ impl TangentialSolver {
     /// [`HalfSpace::operator`](crate::HalfSpace::operator) where the contact has left its box; the pressure is then as
     /// it was.
     pub fn set_pressure<'a>(&mut self, pressure: impl Into<PressureSource<'a>>) -> Result<()> {
-        let samples = pressure.into().checked(&self.bodies)?;
+        let samples = self.bodies.agreed(pressure.into().checked(&self.bodies))?;
         let contact = contact_window(&self.bodies, samples)?;
         if self.increment.pressed.window().covers(contact) {
             self.candidate.set(samples, &self.friction);
@@ -181,7 +183,8 @@ impl TangentialSolver {
     /// [`Error::GridMismatch`]; [`Error::NotModelled`] for one along an axis of which the model finds no traction; the
     /// displacement is then as it was.
     pub fn set_relative_displacement(&mut self, relative: &RelativeDisplacement) -> Result<()> {
-        relative.check(self.bodies.grid(), self.increment.axes())?;
+        let checked = relative.check(self.bodies.grid(), self.increment.axes());
+        self.bodies.agreed(checked)?;
         match &mut self.relative {
             Some(own) => own.clone_from(relative),
             none => *none = Some(relative.clone()),
