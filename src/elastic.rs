@@ -11,6 +11,7 @@ use crate::error::{Error, Result};
 use crate::fft::{CirculantInverse, Convolution};
 use crate::half_space::{Compliance, HalfSpace};
 use crate::influence::Direction;
+use crate::layout::Layout;
 use crate::operator::Operator;
 use crate::pool::Lease;
 use crate::report::Report;
@@ -23,6 +24,7 @@ pub(crate) type Observer<'a> = &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()>
 #[derive(Debug, Clone)]
 pub(crate) struct ElasticSolver<S: Admissible<N>, const N: usize> {
     compliance: Compliance<N>,
+    layout: Layout,
     workspace: Lease<ElasticWorkspace<S, N>>,
     multiplier: [f64; N],
     report: Report,
@@ -49,8 +51,10 @@ impl<S: Admissible<N>, const N: usize> ElasticSolver<S, N> {
         directions: [Direction; N],
         size: [usize; 2],
     ) -> Result<Self> {
+        let compliance = bodies.compliance(directions, size)?;
         Ok(Self {
-            compliance: bodies.compliance(directions, size)?,
+            layout: compliance.operator.layout().alike(bodies.team()),
+            compliance,
             workspace: Lease::new(bodies.pool(&[], size)?),
             multiplier: [0.0; N],
             report: Report::with_room(),
@@ -68,6 +72,7 @@ impl<S: Admissible<N>, const N: usize> ElasticSolver<S, N> {
         let Compliance { operator, inverse } = &self.compliance;
         let problem = Problem::new(Arc::clone(operator), posed.linear, posed.constraint)
             .datum(posed.datum)
+            .layout(&self.layout)
             .preconditioner(Arc::clone(inverse))
             .totals(posed.totals);
         let workspace = self.workspace.take(|| problem.workspace());

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::error::Result;
 use crate::parallel::{self, Blocks, CHUNK, Split};
-use crate::ranks::Words;
+use crate::ranks::{Team, Words};
 use crate::report::Status;
 use crate::share::Share;
 
@@ -18,6 +18,8 @@ pub struct Layout {
     cells: usize,
     chunk: usize,
     share: Option<Arc<Share>>,
+    /// Those that share the cells, or that all do the same on cells of their own.
+    team: Option<Arc<Team>>,
 }
 
 impl Layout {
@@ -28,6 +30,7 @@ impl Layout {
             cells,
             chunk: CHUNK,
             share: None,
+            team: None,
         }
     }
 
@@ -37,6 +40,7 @@ impl Layout {
             cells: columns * rows,
             chunk: chunk_of([columns, rows]),
             share: None,
+            team: None,
         }
     }
 
@@ -45,8 +49,15 @@ impl Layout {
         Self {
             cells: share.cells(),
             chunk: share.chunk(),
+            team: Some(Arc::clone(share.team())),
             share: Some(share),
         }
+    }
+
+    /// The same cells, of a team, if there is one, that shares them or of which every rank has all and does the same.
+    pub(crate) fn alike(mut self, team: Option<&Arc<Team>>) -> Self {
+        self.team = team.cloned();
+        self
     }
 
     /// Cells held here.
@@ -80,22 +91,22 @@ impl Layout {
 
     /// The result of a step that every rank takes by itself; an error if it failed on any.
     pub(crate) fn agreed<T>(&self, result: Result<T>) -> Result<T> {
-        match &self.share {
-            Some(share) => share.team().agreed(result),
+        match &self.team {
+            Some(team) => team.agreed(result),
             None => result,
         }
     }
 
     /// What the first rank says of going on, for all. Ranks that have lost each other have stalled.
     pub(crate) fn decided(&self, own: ControlFlow<Status>) -> ControlFlow<Status> {
-        let Some(share) = &self.share else { return own };
+        let Some(team) = &self.team else { return own };
         let endings = [Status::Cancelled, Status::TimeLimit, Status::Stalled];
         let place = |status| endings.iter().position(|ending| *ending == status);
         let code = own
             .break_value()
             .and_then(place)
             .map_or(0, |place| 1 + place as u64);
-        match share.team().decided(code) {
+        match team.decided(code) {
             Some(0) => ControlFlow::Continue(()),
             Some(1) => ControlFlow::Break(Status::Cancelled),
             Some(2) => ControlFlow::Break(Status::TimeLimit),
@@ -105,9 +116,7 @@ impl Layout {
 
     /// `Ok` as long as the ranks have reached each other.
     pub(crate) fn check(&self) -> Result<()> {
-        self.share
-            .as_ref()
-            .map_or(Ok(()), |share| share.team().check())
+        self.team.as_ref().map_or(Ok(()), |team| team.check())
     }
 
     /// A slice with an entry for each cell, cut into chunks.

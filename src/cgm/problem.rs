@@ -58,6 +58,12 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
         self
     }
 
+    /// With the layout of the operator, also of ranks that all solve the same.
+    pub(crate) fn layout(mut self, layout: &Layout) -> Self {
+        self.layout.clone_from(layout);
+        self
+    }
+
     /// With an approximate inverse of `C`, symmetric and positive definite; only
     /// [`Method::ActiveSet`] uses it.
     #[must_use]

@@ -68,53 +68,10 @@ impl<T: Real> Plan<T> {
         occupied: &mut [bool],
         spare: &mut Vec<Tile>,
     ) {
-        let team = share.team();
-        let (me, ranks) = (team.rank(), team.size());
-        let (across, along) = (self.tiles_across(), self.tiles_along());
-        let (own_rows, own_columns) = (self.own_tile_rows(), self.own_tile_columns());
-        for column in own_columns.clone() {
-            for row in own_rows.clone() {
-                let tile = &mut by_rows[(row - own_rows.start) * across + column];
-                let place = (column - own_columns.start) * along + row;
-                std::mem::swap(tile, &mut by_columns[place]);
-            }
-        }
-        let pieces = self.pieces(share);
-        for step in 1..ranks {
-            let (to, from) = ((me + step) % ranks, (me + ranks - step) % ranks);
-            let (to_columns, from_rows) =
-                (self.tile_columns_of(to), self.tile_rows_of(share, from));
-            for piece in 0..pieces.count {
-                let mut block = Vec::new();
-                if piece == 0 && !to_columns.is_empty() {
-                    block.extend(packed(&occupied[own_rows.clone()]));
-                }
-                for column in pieces.of(piece, &to_columns) {
-                    for row in own_rows.clone() {
-                        let tile = &mut by_rows[(row - own_rows.start) * across + column];
-                        let tile = std::mem::take(tile);
-                        if occupied[row] {
-                            block.extend_from_slice(tile.words());
-                        }
-                        spare.push(tile);
-                    }
-                }
-                let block = team.swap(block, to, from);
-                let mut words = &block[..];
-                if piece == 0 && !own_columns.is_empty() {
-                    unpack(&mut words, &mut occupied[from_rows.clone()]);
-                }
-                for column in pieces.of(piece, &own_columns) {
-                    for row in from_rows.clone() {
-                        let mut tile = spare.pop().unwrap_or_else(Tile::zero);
-                        if occupied[row] {
-                            fill(&mut tile, &mut words);
-                        }
-                        by_columns[(column - own_columns.start) * along + row] = tile;
-                    }
-                }
-            }
-        }
+        let (from, to) = (self.in_rows(by_rows), self.in_columns(by_columns));
+        let sent = |rank| [self.tile_columns_of(rank), self.own_tile_rows()];
+        let received = |rank| [self.own_tile_columns(), self.tile_rows_of(share, rank)];
+        self.deal(share, [from, to], sent, received, Some(occupied), spare);
     }
 
     /// Hands the tiles back to who has their rows, and takes those of the rows here.
@@ -125,44 +82,108 @@ impl<T: Real> Plan<T> {
         by_rows: &mut [Tile],
         spare: &mut Vec<Tile>,
     ) {
+        let (from, to) = (self.in_columns(by_columns), self.in_rows(by_rows));
+        let sent = |rank| [self.own_tile_columns(), self.tile_rows_of(share, rank)];
+        let received = |rank| [self.tile_columns_of(rank), self.own_tile_rows()];
+        self.deal(share, [from, to], sent, received, None, spare);
+    }
+
+    /// Hands tiles from one order to the other: which columns and rows of them go to a rank, and which come from it. Of
+    /// bands some of which hold nothing, only those that hold something travel, after a bit for each.
+    fn deal(
+        &self,
+        share: &Share,
+        [mut from, mut to]: [Order<'_>; 2],
+        sent: impl Fn(usize) -> [Range<usize>; 2],
+        received: impl Fn(usize) -> [Range<usize>; 2],
+        mut occupied: Option<&mut [bool]>,
+        spare: &mut Vec<Tile>,
+    ) {
         let team = share.team();
         let (me, ranks) = (team.rank(), team.size());
-        let (across, along) = (self.tiles_across(), self.tiles_along());
-        let (own_rows, own_columns) = (self.own_tile_rows(), self.own_tile_columns());
-        for column in own_columns.clone() {
+        let [own_columns, own_rows] = sent(me);
+        for column in own_columns {
             for row in own_rows.clone() {
-                let tile = &mut by_columns[(column - own_columns.start) * along + row];
-                let place = (row - own_rows.start) * across + column;
-                std::mem::swap(tile, &mut by_rows[place]);
+                std::mem::swap(from.at(column, row), to.at(column, row));
             }
         }
         let pieces = self.pieces(share);
         for step in 1..ranks {
-            let (to, from) = ((me + step) % ranks, (me + ranks - step) % ranks);
-            let (to_rows, from_columns) =
-                (self.tile_rows_of(share, to), self.tile_columns_of(from));
+            let (to_rank, from_rank) = ((me + step) % ranks, (me + ranks - step) % ranks);
+            let ([sent_columns, sent_rows], [new_columns, new_rows]) =
+                (sent(to_rank), received(from_rank));
             for piece in 0..pieces.count {
                 let mut block = Vec::new();
-                for column in pieces.of(piece, &own_columns) {
-                    for row in to_rows.clone() {
-                        let tile = &mut by_columns[(column - own_columns.start) * along + row];
-                        let tile = std::mem::take(tile);
-                        block.extend_from_slice(tile.words());
+                if let Some(occupied) = &occupied {
+                    if piece == 0 && !sent_columns.is_empty() {
+                        block.extend(packed(&occupied[sent_rows.clone()]));
+                    }
+                }
+                for column in pieces.of(piece, &sent_columns) {
+                    for row in sent_rows.clone() {
+                        let tile = std::mem::take(from.at(column, row));
+                        if holds(occupied.as_deref(), row) {
+                            block.extend_from_slice(tile.words());
+                        }
                         spare.push(tile);
                     }
                 }
-                let block = team.swap(block, to, from);
+                let block = team.swap(block, to_rank, from_rank);
                 let mut words = &block[..];
-                for column in pieces.of(piece, &from_columns) {
-                    for row in own_rows.clone() {
+                if let Some(occupied) = &mut occupied {
+                    if piece == 0 && !new_columns.is_empty() {
+                        unpack(&mut words, &mut occupied[new_rows.clone()]);
+                    }
+                }
+                for column in pieces.of(piece, &new_columns) {
+                    for row in new_rows.clone() {
                         let mut tile = spare.pop().unwrap_or_else(Tile::zero);
-                        fill(&mut tile, &mut words);
-                        by_rows[(row - own_rows.start) * across + column] = tile;
+                        if holds(occupied.as_deref(), row) {
+                            fill(&mut tile, &mut words);
+                        }
+                        *to.at(column, row) = tile;
                     }
                 }
             }
         }
     }
+
+    /// Tiles of the rows held here, row after row.
+    fn in_rows<'a>(&self, tiles: &'a mut [Tile]) -> Order<'a> {
+        Order {
+            tiles,
+            first: [0, self.own_tile_rows().start],
+            strides: [1, self.tiles_across()],
+        }
+    }
+
+    /// Tiles of the columns multiplied here, column after column.
+    fn in_columns<'a>(&self, tiles: &'a mut [Tile]) -> Order<'a> {
+        Order {
+            tiles,
+            first: [self.own_tile_columns().start, 0],
+            strides: [self.tiles_along(), 1],
+        }
+    }
+}
+
+/// Tiles, and where those of a column and a row lie.
+struct Order<'a> {
+    tiles: &'a mut [Tile],
+    first: [usize; 2],
+    strides: [usize; 2],
+}
+
+impl Order<'_> {
+    fn at(&mut self, column: usize, row: usize) -> &mut Tile {
+        let across = (column - self.first[0]) * self.strides[0];
+        &mut self.tiles[across + (row - self.first[1]) * self.strides[1]]
+    }
+}
+
+/// Whether a band is known to hold something, or nothing is known of any.
+fn holds(occupied: Option<&[bool]>, band: usize) -> bool {
+    occupied.is_none_or(|occupied| occupied[band])
 }
 
 /// Takes a tile from the words received; it stays as it is where none came, from a rank that is lost.

@@ -9,7 +9,7 @@ use crate::grid::Grid;
 use crate::half_space::{HalfSpace, Shared};
 use crate::levels::{coarsened, halved, inherited, refined};
 use crate::parallel::get_or_make;
-use crate::ranks::Team;
+use crate::share::Share;
 
 /// Coarser grids of no more cells than this every rank solves by itself: messages would take longer.
 const ALONE: usize = 1 << 16;
@@ -28,15 +28,16 @@ impl HalfSpace {
         get_or_make(coarser, || {
             let [nx, ny] = halved(self.size());
             let grid = Grid::new(nx, ny, 2.0 * grid.dx(), 2.0 * grid.dy())?;
-            let (boundary, team) = (self.boundary(), self.team_of_coarser([nx, ny]));
+            let (boundary, share) = (self.boundary(), self.share_of_coarser([nx, ny]));
             let samples = match kernels.samples() {
-                _ if team.is_some() => None,
+                _ if share.is_some() => None,
                 Some(samples) if self.keeps_kernels() && samples.have_no_scale() => {
                     Some(Arc::clone(samples))
                 }
                 _ => samples(grid, boundary, grid.size(), None)?.map(Arc::new),
             };
-            Ok(Self::with_samples(grid, *pair, boundary, samples, team))
+            let dealt = (self.team().cloned(), share);
+            Ok(Self::with_samples(grid, *pair, boundary, samples, dealt))
         })
     }
 
@@ -46,9 +47,9 @@ impl HalfSpace {
         cells.into_iter().all(|(n, repeats)| !repeats || n % 2 == 0)
     }
 
-    /// Those that share a coarser grid.
-    fn team_of_coarser(&self, [nx, ny]: [usize; 2]) -> Option<Arc<Team>> {
-        self.team().filter(|_| nx * ny > ALONE).cloned()
+    /// How a coarser grid is dealt out, if it is.
+    fn share_of_coarser(&self, [nx, ny]: [usize; 2]) -> Option<Arc<Share>> {
+        self.share([nx, ny]).filter(|_| nx * ny > ALONE)
     }
 
     /// A field of `[nx, ny]` cells on the cells of [`Self::coarser`].

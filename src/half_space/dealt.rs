@@ -5,10 +5,10 @@ use std::sync::Arc;
 
 use crate::boundary::Boundary;
 use crate::contact_map::Bits;
-use crate::error::{Error, RankFailure, Result, memory};
+use crate::error::{Error, RankFailure, Result};
 use crate::field::Field;
 use crate::grid::Grid;
-use crate::half_space::{BYTES_PER_CELL, HalfSpace};
+use crate::half_space::{HalfSpace, check};
 use crate::layout::Layout;
 use crate::material::ElasticPair;
 use crate::ranks::{Ranks, Team, Traffic, Words};
@@ -33,17 +33,11 @@ impl HalfSpace {
             return Self::with_boundary(grid, pair, boundary);
         }
         let team = Arc::new(Team::new(ranks));
-        let own = Share::new(&team, grid.size());
-        let rows = [grid.nx(), own.own_rows().len()];
-        team.agreed(memory("contact of all cells", rows, BYTES_PER_CELL))?;
-        let samples = None;
-        Ok(Self::with_samples(
-            grid,
-            pair,
-            boundary,
-            samples,
-            Some(team),
-        ))
+        let share = Arc::new(Share::new(&team, grid.size()));
+        let own = [grid.nx(), share.own_rows().len()];
+        team.agreed(check(grid, boundary, own))?;
+        let dealt = (Some(team), Some(share));
+        Ok(Self::with_samples(grid, pair, boundary, None, dealt))
     }
 
     /// What this rank has sent to others, all solves together; nothing of bodies that are not
@@ -53,8 +47,13 @@ impl HalfSpace {
         self.team().map(|team| team.traffic()).unwrap_or_default()
     }
 
+    /// The ranks that share the grid, or that all have the whole of it and do the same.
+    pub(crate) fn team(&self) -> Option<&Arc<Team>> {
+        self.shared.team.as_ref()
+    }
+
     /// The ranks that share the grid, if any do.
-    pub(super) fn team(&self) -> Option<&Arc<Team>> {
+    pub(super) fn sharing(&self) -> Option<&Arc<Team>> {
         self.shared.share.as_ref().map(|share| share.team())
     }
 
@@ -103,7 +102,7 @@ impl HalfSpace {
     }
 
     fn over_ranks<T: Words>(&self, own: T, combine: impl Fn(T, T) -> T) -> T {
-        match self.team() {
+        match self.sharing() {
             Some(team) => team.combined(own, combine),
             None => own,
         }

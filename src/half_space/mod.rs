@@ -59,6 +59,8 @@ struct Shared {
     pair: ElasticPair,
     /// Those that are kept, of small grids.
     kernels: Kernels,
+    /// The ranks that share the grid, or that all have the whole of it and do the same.
+    team: Option<Arc<Team>>,
     /// How the grid is dealt out to ranks, if it is.
     share: Option<Arc<Share>>,
     /// Operators and preconditioners: those of the whole grid are kept, those of windows lent.
@@ -109,25 +111,10 @@ impl HalfSpace {
     /// # Errors
     /// As [`HalfSpace::new`]; [`Error::Below`] if the [datum](Boundary::PeriodicAlongY) is nearer than the grid is long.
     pub fn with_boundary(grid: Grid, pair: ElasticPair, boundary: Boundary) -> Result<Self> {
-        memory("contact of all cells", grid.size(), BYTES_PER_CELL)?;
-        if let Boundary::PeriodicAlongY { datum } = boundary {
-            let length = grid.dx() * grid.nx() as f64;
-            finite("distance of the datum", datum)?;
-            at_least(
-                "the length of the grid along x",
-                length,
-                "distance of the datum",
-                datum,
-            )?;
-        }
-        let samples = samples(grid, boundary, grid.size(), None)?;
-        Ok(Self::with_samples(
-            grid,
-            pair,
-            boundary,
-            samples.map(Arc::new),
-            None,
-        ))
+        check(grid, boundary, grid.size())?;
+        let samples = samples(grid, boundary, grid.size(), None)?.map(Arc::new);
+        let alone = (None, None);
+        Ok(Self::with_samples(grid, pair, boundary, samples, alone))
     }
 
     fn with_samples(
@@ -135,15 +122,15 @@ impl HalfSpace {
         pair: ElasticPair,
         boundary: Boundary,
         samples: Option<Arc<Samples>>,
-        team: Option<Arc<Team>>,
+        (team, share): (Option<Arc<Team>>, Option<Arc<Share>>),
     ) -> Self {
-        let share = team.map(|team| Arc::new(Share::new(&team, grid.size())));
         let slab = share
             .as_ref()
             .map_or(grid, |share| grid.slab(share.own_rows()));
         Self {
             shared: Arc::new(Shared {
                 grid: slab,
+                team,
                 share,
                 pair,
                 kernels: Kernels::new(grid, pair, boundary, samples),
@@ -253,7 +240,7 @@ impl HalfSpace {
     /// Whether kernels stay once they are made: those of a large grid would take more than all that is made of them
     /// once saves in time.
     fn keeps_kernels(&self) -> bool {
-        self.team().is_none() && self.grid().cells() <= KEPT_CELLS
+        self.shared.share.is_none() && self.grid().cells() <= KEPT_CELLS
     }
 
     /// Makes something of the kernels of these components, on `size` cells.
@@ -274,7 +261,8 @@ impl HalfSpace {
             return Ok(make(kernels.of(components)?));
         }
         let grid = grid.whole();
-        let samples = samples(grid, boundary, size, self.team())?.map(Arc::new);
+        let sharing = self.sharing();
+        let samples = samples(grid, boundary, size, sharing)?.map(Arc::new);
         Ok(make(
             Kernels::new(grid, *pair, boundary, samples).of(components)?,
         ))
@@ -310,6 +298,22 @@ impl HalfSpace {
     fn size(&self) -> [usize; 2] {
         self.shared.grid.whole().size()
     }
+}
+
+/// `Ok` if a grid may have this boundary, and what a contact takes of so many of its cells can be had.
+fn check(grid: Grid, boundary: Boundary, cells: [usize; 2]) -> Result<()> {
+    memory("contact of all cells", cells, BYTES_PER_CELL)?;
+    if let Boundary::PeriodicAlongY { datum } = boundary {
+        let length = grid.dx() * grid.nx() as f64;
+        finite("distance of the datum", datum)?;
+        at_least(
+            "the length of the grid along x",
+            length,
+            "distance of the datum",
+            datum,
+        )?;
+    }
+    Ok(())
 }
 
 /// `Ok` if no direction occurs twice.

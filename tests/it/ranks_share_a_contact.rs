@@ -5,6 +5,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use proptest::prelude::*;
+use stickslip::cgm::Settings;
 use stickslip::influence::Component;
 use stickslip::ranks::{RankFailure, Ranks, Threads};
 use stickslip::surface::SelfAffine;
@@ -291,34 +292,35 @@ fn rough_surfaces_have_the_same_bits() {
     }
 }
 
-/// A rank of which the observer panics, or that comes with another load, or none at all, ends the solve of all.
+/// Presses a ball, with an observer that ends the solve at this iteration.
+fn watched(bodies: &HalfSpace, settings: Settings, last: usize) -> Result<NormalSolution, Error> {
+    let gap = Field::from_fn(bodies.grid(), |x, y| 0.05 * (x * x + y * y));
+    let problem = NormalProblem::builder(bodies, gap, NormalControl::Force(0.5));
+    let mut solver = problem.settings(settings).build()?.into_solver()?;
+    let mut contact = solver.new_solution();
+    let mut left = last;
+    let ended = solver.solve_observed(&mut contact, |_| {
+        left -= 1;
+        if left == 0 {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    });
+    ended.map(|()| contact)
+}
+
+/// A rank that leaves before the solve ends the others.
 #[test]
 fn a_rank_that_is_lost_ends_all() {
     let grid = Grid::square(128, 8.0).unwrap();
-    let solve = |bodies: &HalfSpace, steps: usize| {
-        let gap = Field::from_fn(bodies.grid(), |x, y| 0.05 * (x * x + y * y));
-        let problem = NormalProblem::builder(bodies, gap, NormalControl::Force(0.5)).build()?;
-        let mut solver = problem.into_solver()?;
-        let mut contact = solver.new_solution();
-        let mut left = steps;
-        let ended = solver.solve_observed(&mut contact, |_| {
-            left -= 1;
-            if left == 0 {
-                ControlFlow::Break(())
-            } else {
-                ControlFlow::Continue(())
-            }
-        });
-        ended.map(|()| contact)
-    };
     let outcomes = Threads::run(3, PATIENCE, |rank| {
         let is_last = rank.rank() == 2;
         let bodies = HalfSpace::distributed(grid, pair(), Boundary::NonPeriodic, Arc::new(rank))?;
-        // The last rank leaves before the solve.
         if is_last {
             Err(Error::EmptyPath)
         } else {
-            solve(&bodies, usize::MAX)
+            watched(&bodies, Settings::default(), usize::MAX)
         }
     });
     for outcome in &outcomes[..2] {
@@ -328,22 +330,62 @@ fn a_rank_that_is_lost_ends_all() {
             "{outcome:?}"
         );
     }
+}
 
-    // Observers of other ranks than the first have no say; that of the first ends the solve of all.
-    let limits = |first: usize, others: usize| {
-        Threads::run(3, PATIENCE, |rank| {
-            let steps = if rank.rank() == 0 { first } else { others };
-            let bodies =
-                HalfSpace::distributed(grid, pair(), Boundary::NonPeriodic, Arc::new(rank))?;
-            solve(&bodies, steps)
-        })
-    };
-    assert!(limits(usize::MAX, 3).iter().all(Result::is_ok));
-    for outcome in limits(3, usize::MAX) {
-        let Err(Error::NotConverged(report)) = outcome else {
-            panic!("{outcome:?}")
+/// Observers and clocks of other ranks than the first have no say, on coarse grids that every rank solves by itself
+/// neither; those of the first end the solve of all.
+#[test]
+fn the_first_rank_decides_for_all() {
+    let in_time = Settings::default();
+    let late = in_time.time_limit(Duration::ZERO);
+    for cells in [128, 600] {
+        let grid = Grid::square(cells, 8.0).unwrap();
+        let alone = HalfSpace::new(grid, pair()).unwrap();
+        let expected = watched(&alone, in_time, usize::MAX).unwrap();
+        let on_three = |first: (Settings, usize), others: (Settings, usize)| {
+            Threads::run(3, PATIENCE, |rank| {
+                let (settings, last) = if rank.rank() == 0 { first } else { others };
+                let boundary = Boundary::NonPeriodic;
+                let bodies = HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank))?;
+                watched(&bodies, settings, last)
+            })
         };
-        assert_eq!(report.status, Status::Cancelled);
+        for others in [(in_time, 3), (late, usize::MAX)] {
+            let found = on_three((in_time, usize::MAX), others);
+            let found = found
+                .into_iter()
+                .map(|part| part.unwrap().pressure().as_slice().to_vec());
+            let found: Vec<f64> = found.flatten().collect();
+            same(&found, expected.pressure().as_slice()).unwrap();
+        }
+        for (first, status) in [
+            ((in_time, 3), Status::Cancelled),
+            ((late, usize::MAX), Status::TimeLimit),
+        ] {
+            for outcome in on_three(first, (in_time, usize::MAX)) {
+                let Err(Error::NotConverged(report)) = outcome else {
+                    panic!("{outcome:?}")
+                };
+                assert_eq!(report.status, status);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_datum_is_refused_as_on_one_process() {
+    let grid = Grid::square(64, 8.0).unwrap();
+    for datum in [f64::NAN, 1e-9] {
+        let boundary = Boundary::PeriodicAlongY { datum };
+        let alone = HalfSpace::with_boundary(grid, pair(), boundary)
+            .map(drop)
+            .unwrap_err();
+        let refused = Threads::run(2, PATIENCE, |rank| {
+            HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank)).map(drop)
+        });
+        for refused in refused {
+            assert_eq!(refused.unwrap_err().to_string(), alone.to_string());
+        }
     }
 }
 
@@ -389,19 +431,23 @@ fn a_silent_rank_is_given_up() {
     );
 }
 
-/// What is sent is what the formula says, and the bits that tell which bands hold anything.
+/// What is sent is what the formula says: 16 bytes a wave, of half the columns of the torus and one more, in whole tiles;
+/// there of the rows that hold anything, and a bit for each band of rows, and back of all. That comes to 32 bytes a cell
+/// of a free grid and 16 of a periodic one, less what stays where it is.
 #[test]
 fn bytes_are_those_of_the_formula() {
-    let n = 256_u64;
-    let grid = Grid::square(256, 8.0).unwrap();
-    for (boundary, per_cell) in [(Boundary::NonPeriodic, 32), (Boundary::Periodic, 16)] {
-        for (size, is_single, rows) in [
-            (2, false, 256),
-            (4, false, 256),
-            (4, true, 256),
+    let n = 256;
+    let grid = Grid::square(n, 8.0).unwrap();
+    for (boundary, torus) in [(Boundary::NonPeriodic, 2 * n), (Boundary::Periodic, n)] {
+        for (ranks, is_single, rows) in [
+            (2, false, n),
+            (3, false, n),
+            (4, false, n),
+            (4, true, n),
             (4, false, 64),
+            (4, true, 64),
         ] {
-            let sent = Threads::run(size, PATIENCE, |rank| {
+            let sent = Threads::run(ranks, PATIENCE, |rank| {
                 let bodies =
                     HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank)).unwrap();
                 let operator = bodies.operator(Component::ZZ).unwrap();
@@ -421,18 +467,28 @@ fn bytes_are_those_of_the_formula() {
                 } else {
                     operator.apply(x, u, &mut operator.workspace());
                 }
-                bodies.traffic().bytes - before
+                (slab.rows(), bodies.traffic().bytes - before)
             });
-            let sent: u64 = sent.into_iter().sum();
-            let ranks = size as u64;
-            let all = per_cell * n * n * (ranks - 1) / ranks / if is_single { 2 } else { 1 };
-            // Half is sent on the way there, of the rows that hold anything.
-            let expected = all / 2 + all / 2 * rows as u64 / n;
-            // Columns come in sixteens, one more than half the padded cells, and each rank tells its bands in a word.
-            let whole = (sent as f64 / expected as f64 - 1.0).abs();
-            assert!(
-                whole < 0.13,
-                "{size} ranks, {boundary:?}: {sent} for {expected}"
+            // Columns are dealt out in sixteens; a tile is eight of doubles, or sixteen of singles, by sixteen rows.
+            let (bytes, tile_columns) = if is_single { (8, 16) } else { (16, 8) };
+            let width = torus / 2 + 1;
+            let first = |rank: usize| (width.div_ceil(16) * rank / ranks * 16).min(width);
+            let columns =
+                |rank: usize| (first(rank + 1) - first(rank)).next_multiple_of(tile_columns);
+            let held = |rows: &std::ops::Range<usize>| rows.len().next_multiple_of(16);
+            let mut expected = 0;
+            for (rank, (own, _)) in sent.iter().enumerate() {
+                let full = own.start.min(rows)..own.end.min(rows);
+                let bands = (held(own) / 16).div_ceil(64);
+                for other in (0..ranks).filter(|other| *other != rank) {
+                    let waves = columns(other) * (held(&full) + held(own));
+                    expected += bytes * waves + 8 * bands;
+                }
+            }
+            let sent: u64 = sent.into_iter().map(|(_, bytes)| bytes).sum();
+            assert_eq!(
+                sent, expected as u64,
+                "{ranks} ranks, {boundary:?}, {is_single}"
             );
         }
     }
