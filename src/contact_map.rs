@@ -213,7 +213,7 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
     }
 
     fn neighbours(&self, i: usize) -> [Option<usize>; 4] {
-        neighbours(i, self.grid.size(), self.boundary)
+        neighbours(i, self.grid.size(), self.boundary.repeats())
     }
 
     /// Contact cells on the edge of a grid that has edges.
@@ -285,8 +285,7 @@ fn signed(place: usize) -> isize {
 
 /// The cells to the left, below, to the right and above one of `nx` by `ny`; beyond an edge none, or the periodic
 /// image.
-pub(crate) fn neighbours(i: usize, [nx, ny]: [usize; 2], boundary: Boundary) -> [Option<usize>; 4] {
-    let repeats = boundary.repeats();
+pub(crate) fn neighbours(i: usize, [nx, ny]: [usize; 2], repeats: [bool; 2]) -> [Option<usize>; 4] {
     let (ix, last_row) = (i % nx, nx * (ny - 1));
     let step = |axis: usize, is_inside: bool, next: usize, image: usize| {
         if is_inside {

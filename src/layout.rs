@@ -44,6 +44,14 @@ impl Layout {
         }
     }
 
+    /// A rectangle of cells in chunks of one row, all of them here.
+    pub(crate) fn of_rows([columns, rows]: [usize; 2]) -> Self {
+        Self {
+            chunk: columns,
+            ..Self::flat(columns * rows)
+        }
+    }
+
     /// The part of this rank.
     pub(crate) fn shared(share: Arc<Share>) -> Self {
         Self {

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use crate::layout::chunk_of;
 use crate::parallel::{self, Split};
 use crate::ranks::{Team, Words};
+use crate::window::Window;
 
 /// A rectangle of cells in slabs of rows, one slab a rank, in their order; a slab may be empty. A slab ends where a chunk
 /// of the tree of sums ends.
@@ -37,9 +38,22 @@ impl Share {
         // As few rows as are whole chunks.
         let step = chunk / greatest_common_divisor(chunk, columns);
         let steps = all_rows.div_ceil(step);
-        let rows: Vec<usize> = (0..=ranks)
-            .map(|rank| (steps * rank / ranks * step).min(all_rows))
-            .collect();
+        let first = |rank: usize| (steps * rank / ranks * step).min(all_rows);
+        Self::of(team, size, chunk, (0..=ranks).map(first).collect())
+    }
+
+    /// A window with its rows where they lie, in chunks of one row.
+    pub(crate) fn within(&self, window: Window) -> Self {
+        let [_, all] = window.ranges();
+        let first = |row: &usize| row.clamp(&all.start, &all.end) - all.start;
+        let rows = self.rows.iter().map(first).collect();
+        let [columns, _] = window.size;
+        Self::of(&self.team, window.size, columns, rows)
+    }
+
+    /// Rows that begin there, of each rank.
+    fn of(team: &Arc<Team>, size: [usize; 2], chunk: usize, rows: Vec<usize>) -> Self {
+        let (columns, ranks) = (size[0], team.size());
         let chunks: Vec<usize> = rows
             .iter()
             .map(|row| (row * columns).div_ceil(chunk))
@@ -142,6 +156,23 @@ impl Share {
         let [low, high] = children(node);
         let low = self.finish(low, words, combine);
         combine(low, self.finish(high, words, combine))
+    }
+
+    /// Hands what is known of the first row held here to who holds the row before, and of the last to who holds the row
+    /// after; returns what is known of the row before and of the row after. The last row of all is before the first. Of
+    /// ranks without rows none takes part.
+    pub(crate) fn edges(&self, first: Vec<u64>, last: Vec<u64>) -> [Vec<u64>; 2] {
+        let (me, ranks) = (self.team.rank(), self.team.size());
+        let is_there = |rank: &usize| !self.rows_of(*rank).is_empty();
+        let next = (1..=ranks).map(|step| (me + step) % ranks).find(is_there);
+        let mut before = (1..=ranks).map(|step| (me + ranks - step) % ranks);
+        match (next, before.find(is_there)) {
+            (Some(after), Some(before)) if after != me => [
+                self.team.swap(last, after, before),
+                self.team.swap(first, before, after),
+            ],
+            _ => [last, first],
+        }
     }
 
     /// The columns and rows that each rank wants of a field whose rows, of so many columns, are dealt out so: those for

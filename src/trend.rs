@@ -65,6 +65,11 @@ impl<const N: usize> Trend<N> {
         self.by = [[0.0; 2]; N];
     }
 
+    /// Whether something is known of what changed.
+    pub(crate) fn is_known(&self) -> bool {
+        self.by.as_flattened().iter().any(|by| *by != 0.0)
+    }
+
     /// How many times the last change the load lies ahead, negative if it goes back: the mean of the components, by the
     /// squares of the changes of their sums. `None` where the trend does not lead there, or too far.
     pub(crate) fn parts(&self, ahead: [Ahead; N]) -> Option<f64> {

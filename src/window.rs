@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::grid::Grid;
 use crate::layout::Layout;
-use crate::parallel::{self, Blocks, Split};
+use crate::parallel::{self, Blocks};
 use crate::ranks::Words;
 
 /// A rectangle of cells of a grid.
@@ -72,6 +72,19 @@ impl Window {
         Self {
             corner: [x, y + rows.start],
             size: [nx, rows.len()],
+            ..self
+        }
+    }
+
+    /// The part of it in the rows of a grid that are held here, as a window of these; it may have no rows.
+    pub(crate) fn held(self, grid: Grid) -> Self {
+        let (slab, [_, rows]) = (grid.rows(), self.ranges());
+        let start = rows.start.clamp(slab.start, slab.end);
+        let end = rows.end.clamp(start, slab.end);
+        let ([x, _], [nx, _]) = (self.corner, self.size);
+        Self {
+            corner: [x, start - slab.start],
+            size: [nx, end - start],
             ..self
         }
     }
@@ -180,56 +193,21 @@ impl Window {
         })
     }
 
-    /// Rows of the window in a task of [`Self::sweep`].
-    fn rows_per_task(&self) -> usize {
-        (parallel::CHUNK / self.size[0]).max(1)
-    }
-
-    /// A field of the window, cut into the bands of rows of [`Self::sweep`].
-    pub(crate) fn bands<'a, T>(&self, part: &'a mut [T]) -> Blocks<'a, T> {
+    /// A field of the window, row by row.
+    pub(crate) fn lines<'a, T>(&self, part: &'a mut [T]) -> Blocks<'a, T> {
         Blocks {
             items: part,
-            width: self.rows_per_task() * self.size[0],
+            width: self.size[0],
         }
     }
 
-    /// The rows of a field of the whole grid that hold the window, cut likewise.
-    pub(crate) fn bands_of<'a, T>(&self, whole: &'a mut [T]) -> Blocks<'a, T> {
+    /// The rows of a field of the whole grid that hold the window.
+    pub(crate) fn lines_of<'a, T>(&self, whole: &'a mut [T]) -> Blocks<'a, T> {
         let rows = self.corner[1]..self.corner[1] + self.size[1];
         Blocks {
             items: &mut whole[rows.start * self.columns..rows.end * self.columns],
-            width: self.rows_per_task() * self.columns,
+            width: self.columns,
         }
-    }
-
-    /// Runs `work(rows, their part of data)` on bands of rows of the window and combines the results in a fixed tree.
-    pub(crate) fn sweep<D: Split, T: Send>(
-        &self,
-        data: D,
-        work: &(impl Fn(Range<usize>, D) -> T + Sync),
-        combine: &(impl Fn(T, T) -> T + Sync),
-    ) -> T {
-        let (rows, per_task) = (self.size[1], self.rows_per_task());
-        let of = |task: usize| task * per_task..((task + 1) * per_task).min(rows);
-        let work = |task: usize, data: D| work(of(task), data);
-        parallel::sweep(0..rows.div_ceil(per_task), data, &work, combine)
-    }
-
-    /// The cells of a band of rows: in the window, in the band's part of a field of the window, and in that of a field
-    /// of the whole grid.
-    pub(crate) fn places(
-        &self,
-        rows: Range<usize>,
-    ) -> impl Iterator<Item = (usize, usize, usize)> + use<> {
-        let (window, first) = (*self, rows.start);
-        let [nx, _] = window.size;
-        rows.flat_map(move |row| {
-            (0..nx).map(move |column| {
-                let own = (row - first) * nx + column;
-                let place = (row - first) * window.columns + window.corner[0] + column;
-                (row * nx + column, own, place)
-            })
-        })
     }
 
     /// The window as one of a grid that is a window around it.
@@ -267,24 +245,18 @@ impl Window {
 
     /// Copies the window out of a field of the whole grid.
     pub(crate) fn gather(&self, whole: &[f64], part: &mut [f64]) {
-        let work = |rows: Range<usize>, part: Blocks<'_, f64>| {
-            for (row, part) in rows.zip(part.items.chunks_exact_mut(self.size[0])) {
-                part.copy_from_slice(&whole[self.row_start(row)..][..self.size[0]]);
-            }
-        };
-        self.sweep(self.bands(part), &work, &|(), ()| ());
+        let nx = self.size[0];
+        parallel::rows(part, nx, |row, part| {
+            part.copy_from_slice(&whole[self.row_start(row)..][..nx]);
+        });
     }
 
     /// Copies the window into a field of the whole grid.
     pub(crate) fn scatter(&self, part: &[f64], whole: &mut [f64]) {
         let [first, nx] = [self.corner[0], self.size[0]];
-        let work = |rows: Range<usize>, whole: Blocks<'_, f64>| {
-            let targets = whole.items.chunks_exact_mut(self.columns);
-            for (row, target) in rows.zip(targets) {
-                target[first..first + nx].copy_from_slice(&part[row * nx..(row + 1) * nx]);
-            }
-        };
-        self.sweep(self.bands_of(whole), &work, &|(), ()| ());
+        parallel::rows(self.lines_of(whole).items, self.columns, |row, target| {
+            target[first..first + nx].copy_from_slice(&part[row * nx..(row + 1) * nx]);
+        });
     }
 }
 

@@ -163,13 +163,9 @@ impl CoupledIncrement {
     /// What the last step has found.
     pub(crate) fn answer(&self) -> Answer<'_> {
         let [_, ux, uy] = self.displacement();
-        Answer {
-            pressed: &self.pressed,
-            traction: [&self.tractions[1], &self.tractions[2]],
-            displacement: [ux, uy],
-            offset: [&self.offset[0], &self.offset[1]],
-            motion: self.motion,
-        }
+        let traction: [&[f64]; 2] = [&self.tractions[1], &self.tractions[2]];
+        let found = [traction, [ux, uy], self.offset()];
+        Answer::new(&self.pressed, Axis::BOTH, found, self.motion)
     }
 
     /// Writes the normal half of the last step.

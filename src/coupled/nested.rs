@@ -63,8 +63,8 @@ impl CoupledIncrement {
         let answer = coarse.answer();
         self.set_known(coarse.approach(), answer.motion.shift);
         let [qx, qy] = answer.traction;
-        let fields = [&answer.pressed.pressure, qx, qy]
-            .map(|part| self.bodies.refined(&coarse.bodies, size, part));
+        let fields =
+            [answer.pressure, qx, qy].map(|part| self.bodies.refined(&coarse.bodies, size, part));
         let [p, x, y] = fields;
         let columns = size[0].div_ceil(2);
         for (cell, pressure) in p.iter().enumerate() {

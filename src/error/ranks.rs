@@ -21,6 +21,18 @@ pub enum RankFailure {
         /// The time that was waited (s).
         seconds: f64,
     },
+    /// Slabs that are put together leave out a row.
+    #[error("no slab has row {row}")]
+    NoSlab {
+        /// The first one that is missing, from the bottom of the grid.
+        row: usize,
+    },
+    /// Slabs that are put together are not of one state: of other steps, or of another history.
+    #[error("the slab that begins with row {row} is of another state than the others")]
+    OtherState {
+        /// Its first row, from the bottom of the grid.
+        row: usize,
+    },
     /// A rank has refused its part of the work; its own error says why.
     #[error("rank {rank} has refused its part of the work")]
     Refused {

@@ -1,6 +1,6 @@
 //! How what lies on the grid, or on windows of it, is dealt out to ranks; without ranks all of it is here.
 
-use std::ops::Range;
+use std::ops::{ControlFlow, Range};
 use std::sync::Arc;
 
 use crate::boundary::Boundary;
@@ -57,6 +57,11 @@ impl HalfSpace {
         self.shared.share.as_ref().map(|share| share.team())
     }
 
+    /// Whether ranks share the grid.
+    pub(crate) fn is_shared(&self) -> bool {
+        self.shared.share.is_some()
+    }
+
     /// How `[nx, ny]` cells are dealt out, if they are.
     pub(crate) fn share(&self, size: [usize; 2]) -> Option<Arc<Share>> {
         let whole = self.shared.share.as_ref()?;
@@ -86,6 +91,21 @@ impl HalfSpace {
             Some(team) => team.agreed(result),
             None => result,
         }
+    }
+
+    /// What the first rank says of going on, for all; an error if any has one.
+    pub(crate) fn decided(&self, own: Result<ControlFlow<()>>) -> Result<ControlFlow<()>> {
+        let own = self.agreed(own)?;
+        let Some(team) = self.team() else {
+            return Ok(own);
+        };
+        let is_over = team.decided(own.is_break().into());
+        team.check()?;
+        Ok(if is_over == Some(0) {
+            ControlFlow::Continue(())
+        } else {
+            ControlFlow::Break(())
+        })
     }
 
     /// The result of a step that all ranks take together: why they could not, if they have lost each other.

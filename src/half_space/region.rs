@@ -1,5 +1,6 @@
 //! A window of the grid, and what of it is held here.
 
+use std::borrow::Cow;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -9,13 +10,17 @@ use crate::layout::Layout;
 use crate::share::Share;
 use crate::window::Window;
 
-/// A window of the grid, and the rows of it that are held here: all, if no ranks share the grid. Fields of a region are
-/// those of its rows held here.
+/// A window of the grid, and the rows of it that are solved here: all, if no ranks share the grid. Fields of a region are
+/// those of its rows solved here.
+///
+/// Ranks share the rows of a window evenly. Those that lie in their slabs of the grid, where states and solutions are, are
+/// others: its rows [held](Self::held) here.
 #[derive(Debug, Clone)]
 pub(crate) struct Region {
     window: Window,
     own: Window,
     layout: Layout,
+    held: Window,
     dealt: Option<Box<Dealt>>,
 }
 
@@ -25,18 +30,22 @@ struct Dealt {
     grid: Grid,
     outer: Arc<Share>,
     inner: Arc<Share>,
+    /// The rows of the window as the slabs of the grid have them.
+    held: Arc<Share>,
 }
 
 impl Region {
     pub(crate) fn new(bodies: &HalfSpace, window: Window) -> Self {
+        let grid = bodies.grid();
         let shares = bodies
-            .share(bodies.grid().whole().size())
+            .share(grid.whole().size())
             .zip(bodies.share(window.size));
         let Some((outer, inner)) = shares else {
             return Self {
                 window,
                 own: window,
-                layout: window.layout(),
+                layout: bodies.layout(window.size),
+                held: window,
                 dealt: None,
             };
         };
@@ -44,8 +53,10 @@ impl Region {
             window,
             own: window.rows(inner.own_rows()),
             layout: Layout::shared(Arc::clone(&inner)),
+            held: window.held(grid),
             dealt: Some(Box::new(Dealt {
-                grid: bodies.grid(),
+                grid,
+                held: Arc::new(outer.within(window)),
                 outer,
                 inner,
             })),
@@ -57,12 +68,17 @@ impl Region {
         self.window
     }
 
-    /// Its rows that are held here.
+    /// Its rows that are solved here.
     pub(crate) fn own(&self) -> Window {
         self.own
     }
 
-    /// Cells held here.
+    /// Its rows that are held here, as a window of the slab.
+    pub(crate) fn held(&self) -> Window {
+        self.held
+    }
+
+    /// Cells solved here.
     pub(crate) fn cells(&self) -> usize {
         self.layout.cells()
     }
@@ -72,6 +88,14 @@ impl Region {
         &self.layout
     }
 
+    /// How the cells held here lie: sums over them add up row by row, wherever a slab ends.
+    pub(crate) fn held_layout(&self) -> Layout {
+        match &self.dealt {
+            Some(dealt) => Layout::shared(Arc::clone(&dealt.held)),
+            None => Layout::of_rows(self.window.size),
+        }
+    }
+
     /// Whether ranks share it.
     pub(crate) fn is_shared(&self) -> bool {
         self.dealt.is_some()
@@ -79,9 +103,12 @@ impl Region {
 
     /// Copies the region out of a field of the grid.
     pub(crate) fn gather(&self, whole: &[f64], part: &mut [f64]) {
-        let Some(Dealt { grid, outer, inner }) = self.dealt.as_deref() else {
+        let Some(dealt) = self.dealt.as_deref() else {
             return self.window.gather(whole, part);
         };
+        let Dealt {
+            grid, outer, inner, ..
+        } = dealt;
         let [columns, rows] = self.window.ranges();
         let wanted = |rank: usize| {
             let own = inner.rows_of(rank);
@@ -93,56 +120,78 @@ impl Region {
         part.copy_from_slice(&outer.fetch(whole, grid.nx(), wanted));
     }
 
-    /// Copies the region into a field of the grid.
-    pub(crate) fn scatter(&self, part: &[f64], whole: &mut [f64]) {
-        let Some(Dealt { grid, outer, inner }) = self.dealt.as_deref() else {
-            return self.window.scatter(part, whole);
-        };
-        let [columns, rows] = self.window.ranges();
-        let inside = |slab: Range<usize>| {
-            let (start, end) = (
-                slab.start.clamp(rows.start, rows.end),
-                slab.end.min(rows.end),
-            );
-            start - rows.start..end.max(start) - rows.start
-        };
-        let width = columns.len();
-        let found = inner.fetch(part, width, |rank| [0..width, inside(outer.rows_of(rank))]);
-        let (first, own) = (
-            rows.start + inside(outer.own_rows()).start,
-            outer.own_rows(),
-        );
-        for (row, found) in (first..).zip(found.chunks_exact(width)) {
-            whole[(row - own.start) * grid.nx()..][columns.clone()].copy_from_slice(found);
+    /// The same of the values of a function of the cells of the grid held here.
+    pub(crate) fn collect(&self, of: impl Fn(usize) -> f64, part: &mut [f64]) {
+        if self.is_shared() {
+            let held: Vec<f64> = self.held.indices().map(of).collect();
+            return self.take(&held, part);
+        }
+        for (part, index) in part.iter_mut().zip(self.window.indices()) {
+            *part = of(index);
         }
     }
 
-    /// Hands what is known of each cell held here, `of(cell, its index in the whole grid)`, to who holds the cell on the
-    /// grid: `put(its index there, what is known)`.
-    pub(crate) fn spread<const K: usize>(
-        &self,
-        of: impl Fn(usize, usize) -> [f64; K],
-        mut put: impl FnMut(usize, [f64; K]),
-    ) {
-        let Some(Dealt { grid, .. }) = self.dealt.as_deref() else {
-            for (cell, index) in self.own.indices().enumerate() {
-                put(index, of(cell, index));
-            }
-            return;
-        };
-        let known: Vec<[f64; K]> = (0..)
-            .zip(self.own.indices())
-            .map(|(cell, index)| of(cell, index))
-            .collect();
-        let fields: [Vec<f64>; K] = std::array::from_fn(|k| {
-            let part: Vec<f64> = known.iter().map(|known| known[k]).collect();
-            let mut field = vec![0.0; grid.cells()];
-            self.scatter(&part, &mut field);
-            field
-        });
-        let first = grid.rows().start * grid.nx();
-        for cell in (0..grid.cells()).filter(|cell| self.window.contains(first + cell)) {
-            put(cell, std::array::from_fn(|k| fields[k][cell]));
+    /// Copies the region into a field of the grid.
+    pub(crate) fn scatter(&self, part: &[f64], whole: &mut [f64]) {
+        self.held.scatter(&self.given(part), whole);
+    }
+
+    /// Copies a field of the rows held here into one of the region.
+    pub(crate) fn take(&self, held: &[f64], part: &mut [f64]) {
+        part.copy_from_slice(&self.taken(held));
+    }
+
+    /// A field of the rows held here, as one of the region.
+    pub(crate) fn taken<'a>(&self, held: &'a [f64]) -> Cow<'a, [f64]> {
+        match self.dealt.as_deref() {
+            Some(dealt) => Cow::Owned(self.moved(held, &dealt.held, &dealt.inner)),
+            None => Cow::Borrowed(held),
         }
+    }
+
+    /// A field of the region, as one of the rows held here.
+    pub(crate) fn given<'a>(&self, part: &'a [f64]) -> Cow<'a, [f64]> {
+        match self.dealt.as_deref() {
+            Some(dealt) => Cow::Owned(self.moved(part, &dealt.inner, &dealt.held)),
+            None => Cow::Borrowed(part),
+        }
+    }
+
+    /// A field of the window that lies as in one share, as in the other.
+    fn moved(&self, field: &[f64], from: &Share, to: &Share) -> Vec<f64> {
+        let [columns, _] = self.window.size;
+        from.fetch(field, columns, |rank| [0..columns, to.rows_of(rank)])
+    }
+
+    /// Whether something holds on any rank.
+    pub(crate) fn any(&self, own: bool) -> bool {
+        match self.dealt.as_deref() {
+            Some(dealt) => dealt.inner.team().combined(own, |a, b| a || b),
+            None => own,
+        }
+    }
+
+    /// What is known of the row before the first one solved here, and of the row after the last, from what is known of
+    /// these two. Nothing at the ends of the window, unless it repeats, and where it is not shared.
+    pub(crate) fn edges(
+        &self,
+        repeats: bool,
+        known: impl Fn(Range<usize>) -> Vec<f64>,
+    ) -> [Option<Vec<f64>>; 2] {
+        let ([columns, rows], [_, all]) = (self.own.size, self.window.size);
+        let Some(dealt) = self.dealt.as_deref().filter(|_| rows > 0) else {
+            return [None, None];
+        };
+        let words = |row: usize| {
+            let known = known(row * columns..(row + 1) * columns);
+            known.into_iter().map(f64::to_bits).collect()
+        };
+        let found = dealt.inner.edges(words(0), words(rows - 1));
+        let own = dealt.inner.own_rows();
+        let [before, after] = found.map(|row| row.into_iter().map(f64::from_bits).collect());
+        [
+            (own.start > 0 || repeats).then_some(before),
+            (own.end < all || repeats).then_some(after),
+        ]
     }
 }

@@ -140,7 +140,8 @@ impl AdaptiveSteps {
     }
 
     fn begin(&mut self, history: &History) -> Result<()> {
-        self.whole[0].check("buffers of adaptive steps", history.grid())?;
+        let checked = self.whole[0].check("buffers of adaptive steps", history.grid());
+        history.bodies.agreed(checked)?;
         self.beginning.clone_from(history.state());
         self.kept.clone_from(history.state());
         Ok(())
@@ -213,7 +214,7 @@ impl AdaptiveSteps {
     /// How far the tractions of the whole step are from those of the history, over the sum of its friction limits.
     fn distance(&self, history: &History) -> f64 {
         let ([x, y], [u, v]) = (self.whole.each_ref(), history.traction());
-        let sum = reduce::sum(&history.grid().layout(), |i| {
+        let sum = reduce::sum(&history.bodies.grid_layout(), |i| {
             (x.as_slice()[i] - u.as_slice()[i]).hypot(y.as_slice()[i] - v.as_slice()[i])
         });
         let capacity = history.friction_capacity();
@@ -234,10 +235,10 @@ impl AdaptiveSteps {
         self.kept.clone_from(history.state());
         history.set_state(state)?;
         std::mem::swap(&mut history.step, step);
-        let outcome = observer(history);
+        let outcome = history.bodies.agreed(observer(history));
         std::mem::swap(&mut history.step, step);
         history.set_state(&self.kept)?;
         outcome?;
-        observer(history)
+        history.bodies.agreed(observer(history))
     }
 }

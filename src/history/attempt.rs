@@ -59,7 +59,7 @@ impl History {
         let of = Pressing {
             bodies: &self.bodies,
             gap: &state.gap,
-            least_gap: state.gap.min(),
+            least_gap: self.bodies.least(&state.gap),
             hardness: state.hardness.as_ref(),
             control,
             settings: &state.settings,
@@ -100,7 +100,7 @@ impl History {
         }
         if candidate.is_some() {
             increment.draw_from(state.pressure().as_slice());
-            touch::follow_growth(increment, state, pressed, load, &demand);
+            touch::follow_growth(increment, &self.bodies, state, pressed, load, &demand);
         }
         increment.set_traction(state.traction.each_ref().map(Field::as_slice));
         let mut conditions = Conditions {
@@ -160,7 +160,7 @@ impl Drop for Attempt<'_> {
 /// contact that has left it, and a little wider, so that it may grow some more. `None` before the first contact.
 fn window_of(bodies: &HalfSpace, pressure: &Field, present: Option<Window>) -> Option<Window> {
     let (grid, samples) = (bodies.grid(), pressure.as_slice());
-    let Some(contact) = Window::around(grid, |i| samples[i] > 0.0) else {
+    let Some(contact) = bodies.around(|i| samples[i] > 0.0) else {
         return present;
     };
     let contact = bodies.confined(contact);

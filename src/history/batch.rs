@@ -45,6 +45,7 @@ impl History {
         if count == 0 {
             return Ok(Vec::new());
         }
+        let is_shared = histories.iter().any(|history| history.bodies.is_shared());
         let contacts = Blocks {
             items: histories,
             width: 1,
@@ -57,6 +58,11 @@ impl History {
             one.extend(other);
             one
         };
-        Ok(parallel::sweep(0..count, contacts, &step, &both))
+        // Ranks share one contact after the other, each in the same order.
+        Ok(if is_shared {
+            parallel::in_turn(0..count, contacts, &step, &both)
+        } else {
+            parallel::sweep(0..count, contacts, &step, &both)
+        })
     }
 }

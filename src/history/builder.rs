@@ -174,7 +174,19 @@ impl HistoryBuilder<'_> {
     /// [`Error::Method`] for a method that the model does not have,
     /// [`Error::Tolerance`], [`Error::IterationLimit`]; [`Error::Ranks`].
     pub fn build(self) -> Result<History> {
-        self.bodies.check_alone("a history")?;
+        let bodies = self.bodies;
+        let axes = bodies.agreed(self.checked())?;
+        let (gap, boundary) = (self.gap.clone(), bodies.boundary());
+        let (pair, settings) = (bodies.pair(), self.settings);
+        let rule = self.touch_rule;
+        let state = State::new(gap, boundary, pair, self.friction, axes, settings, rule);
+        let mut state = state.limited(self.hardness, self.is_set_permanent);
+        state.relative = self.relative.map(Relative::new);
+        History::from_state(bodies, state.coupled(self.coupling))
+    }
+
+    /// The axes of the tractions, if everything is right.
+    fn checked(&self) -> Result<&'static [Axis]> {
         self.settings.check()?;
         self.model.check(&self.settings)?;
         let axes = match self.model {
@@ -199,15 +211,8 @@ impl HistoryBuilder<'_> {
                 });
             }
         }
-        let bodies = self.bodies;
-        self.gap.check("gap", bodies.grid())?;
-        self.friction.check(bodies.grid())?;
-        let (gap, boundary) = (self.gap.clone(), bodies.boundary());
-        let (pair, settings) = (bodies.pair(), self.settings);
-        let rule = self.touch_rule;
-        let state = State::new(gap, boundary, pair, self.friction, axes, settings, rule);
-        let mut state = state.limited(self.hardness, self.is_set_permanent);
-        state.relative = self.relative.map(Relative::new);
-        History::from_state(bodies, state.coupled(self.coupling))
+        self.gap.check("gap", self.bodies.grid())?;
+        self.friction.check(self.bodies.grid())?;
+        Ok(axes)
     }
 }

@@ -1,7 +1,5 @@
 //! A solved step enters state and account.
 
-use std::ops::Range;
-
 use crate::cgm::reduce::Tally;
 use crate::cgm::vector::{dot, minus, slices};
 use crate::grid::Grid;
@@ -10,6 +8,7 @@ use crate::history::memory::Memory;
 use crate::history::state::State;
 use crate::history::step::StepResult;
 use crate::parallel::Blocks;
+use crate::ranks::Words;
 use crate::tangential::{Answer, Motion, Zone, at, centre};
 use crate::window::Window;
 
@@ -23,7 +22,7 @@ pub(super) fn commit(
     written: &mut Option<Window>,
 ) {
     // A state that was returned to may have another window than the last step.
-    let window = answer.map(|answer| answer.pressed.window());
+    let window = answer.map(|answer| answer.region.window());
     if *written != window {
         step.clear_fields();
         *written = window;
@@ -36,7 +35,7 @@ pub(super) fn commit(
     // Out of the state and back, so that both can be written.
     let mut contact = state.contact.take();
     if let Some((answer, memory)) = answer.zip(contact.as_mut()) {
-        enter(answer, before, memory, state, step);
+        answer.with_held(|answer| enter(answer, before, memory, state, step));
         let by = [0, 1].map(|axis| state.force[axis] - force[axis]);
         memory.trend.by = [0, 1].map(|axis| [by[axis], change.shift[axis]]);
     }
@@ -50,7 +49,7 @@ pub(super) fn commit(
     state.steps += 1;
 }
 
-/// Enters the cells of the window, whose step led from the motion `before` to that of the state.
+/// Enters the cells held here of the window, whose step led from the motion `before` to that of the state.
 fn enter(
     answer: &Answer<'_>,
     before: Motion,
@@ -58,10 +57,11 @@ fn enter(
     state: &mut State,
     step: &mut StepResult,
 ) {
-    let (grid, window) = (state.grid(), answer.pressed.window());
+    let (grid, held) = (state.grid(), answer.region.held());
     let taken = Taken {
         answer,
         grid,
+        held,
         motion: state.motion,
         change: state.motion.since(before),
         displacement: slices(&memory.displacement),
@@ -77,20 +77,21 @@ fn enter(
         &mut step.dissipated_energy,
         &mut step.mid_step_dissipated_energy,
     ];
-    let vectors = vectors.map(|parts| parts.map(|part| window.bands_of(part.as_mut_slice())));
-    let numbers = numbers.map(|field| window.bands_of(field.as_mut_slice()));
-    let zones = window.bands_of(&mut state.zones);
+    let vectors = vectors.map(|parts| parts.map(|part| held.lines_of(part.as_mut_slice())));
+    let numbers = numbers.map(|field| held.lines_of(field.as_mut_slice()));
+    let zones = held.lines_of(&mut state.zones);
     let own = [&mut memory.offset, &mut memory.trend.change];
-    let own = own.map(|parts| parts.each_mut().map(|part| window.bands(part)));
-    let work = |rows: Range<usize>, (vectors, numbers, (zones, own)): Bands<'_>| {
+    let own = own.map(|parts| parts.each_mut().map(|part| held.lines(part)));
+    let columns = held.ranges()[0].clone();
+    let work = |row: usize, (vectors, numbers, (zones, own)): Lines<'_>| {
         let [traction, accumulated, slip] = vectors;
         let [path, energy, distance, dissipated, mid_step] = numbers;
         let [mut offset, mut trend] = own;
         let mut account = Account::ZERO;
-        for (k, own, i) in window.places(rows) {
+        for (own, i) in columns.clone().enumerate() {
             let offsets = offset.each_ref().map(|part| &*part.items);
             let q = traction.each_ref().map(|part| part.items[i]);
-            let cell = taken.cell(k, q, at(&offsets, own));
+            let cell = taken.cell(row * columns.len() + own, q, at(&offsets, own));
             write(&mut offset, own, cell.offset);
             write(&mut trend, own, minus(cell.traction, q));
             for axis in 0..2 {
@@ -108,7 +109,8 @@ fn enter(
         }
         account
     };
-    let account = window.sweep((vectors, numbers, (zones, own)), &work, &|a, b| a.plus(&b));
+    let layout = answer.region.held_layout();
+    let account = layout.sweep((vectors, numbers, (zones, own)), work, |a, b| a.plus(&b));
     state.force = account.traction.map(|sum| grid.cell_area() * sum);
     state.moment = grid.cell_area() * account.moment;
     step.energy = account.energy;
@@ -127,9 +129,9 @@ fn write(parts: &mut [Blocks<'_, f64>; 2], cell: usize, values: [f64; 2]) {
     }
 }
 
-/// What is written of a band of rows: traction, accumulated slip and slip; accumulated and dissipated quantities; zones,
+/// What is written of a row: traction, accumulated slip and slip; accumulated and dissipated quantities; zones,
 /// offsets and trends.
-type Bands<'a> = (
+type Lines<'a> = (
     [[Blocks<'a, f64>; 2]; 3],
     [Blocks<'a, f64>; 5],
     (Blocks<'a, Zone>, [[Blocks<'a, f64>; 2]; 2]),
@@ -139,6 +141,7 @@ type Bands<'a> = (
 struct Taken<'a> {
     answer: &'a Answer<'a>,
     grid: Grid,
+    held: Window,
     /// Of body 2 at the end of the step, and in it.
     motion: Motion,
     change: Motion,
@@ -150,10 +153,10 @@ impl Taken<'_> {
     /// What the step did to a cell that had a traction and an offset before.
     fn cell(&self, k: usize, before: [f64; 2], offset_before: [f64; 2]) -> CellStep {
         let (answer, cell_area) = (self.answer, self.grid.cell_area());
-        let centre = centre(self.grid, answer.pressed.window().index(k));
+        let centre = centre(self.grid, self.held.index(k));
         let (traction, u) = (answer.traction(k), answer.displacement(k));
         let relative = minus(u, self.motion.at(centre));
-        let is_contact = answer.pressed.pressure[k] > 0.0;
+        let is_contact = answer.pressure[k] > 0.0;
         if !is_contact && before.iter().all(|q| *q == 0.0) {
             return CellStep::apart(centre, relative);
         }
@@ -174,11 +177,7 @@ impl Taken<'_> {
             traction,
             slip,
             offset: if is_loose { relative } else { offset },
-            zone: match (is_contact, answer.is_at_limit(k)) {
-                (false, _) => Zone::Separated,
-                (true, false) => Zone::Stick,
-                (true, true) => Zone::Slip,
-            },
+            zone: answer.zone(k),
             energy: EnergyBalance {
                 work: 0.0 - cell_area * dot(mean, lag),
                 elastic_before: 0.5 * cell_area * dot(before, u_before),
@@ -227,6 +226,7 @@ impl CellStep {
 }
 
 /// What cells add up to.
+#[derive(Debug, Clone, Copy)]
 struct Account {
     traction: [f64; 2],
     moment: f64,
@@ -235,7 +235,8 @@ struct Account {
     cells: [usize; 2],
 }
 
-impl Account {
+impl Words for Account {
+    const COUNT: usize = Parts::COUNT;
     const ZERO: Self = Self {
         traction: [0.0; 2],
         moment: 0.0,
@@ -243,6 +244,26 @@ impl Account {
         cells: [0; 2],
     };
 
+    fn write(self, words: &mut Vec<u64>) {
+        let parts: Parts = (self.traction, self.moment, self.energy, self.cells);
+        parts.write(words);
+    }
+
+    fn read(words: &mut &[u64]) -> Self {
+        let (traction, moment, energy, cells) = Parts::read(words);
+        Self {
+            traction,
+            moment,
+            energy,
+            cells,
+        }
+    }
+}
+
+/// What travels of an account.
+type Parts = ([f64; 2], f64, EnergyBalance, [usize; 2]);
+
+impl Account {
     fn plus(&self, other: &Self) -> Self {
         Self {
             traction: Tally::plus(self.traction, other.traction),

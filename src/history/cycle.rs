@@ -57,7 +57,7 @@ pub struct Cycle {
     energy: EnergyBalance,
     points: Vec<LoopPoint>,
     stick_ratios: [f64; 2],
-    slides: bool,
+    regime: Regime,
     pub(super) remarks: Remarks,
     /// The number of the last step in it, or of that it begins after.
     last_step: u64,
@@ -100,7 +100,7 @@ struct Unchecked {
     energy: EnergyBalance,
     points: Vec<LoopPoint>,
     stick_ratios: [f64; 2],
-    slides: bool,
+    regime: Regime,
     remarks: Remarks,
     last_step: u64,
 }
@@ -138,7 +138,7 @@ impl Cycle {
             energy: EnergyBalance::default(),
             points: Vec::new(),
             stick_ratios: [1.0, 0.0],
-            slides: false,
+            regime: Regime::FullStick,
             remarks: Remarks::default(),
             last_step: 0,
         };
@@ -174,7 +174,7 @@ impl Cycle {
         self.energy = EnergyBalance::default();
         self.points.clear();
         self.points.push(LoopPoint::of(history));
-        (self.stick_ratios, self.slides) = ([1.0, 0.0], false);
+        (self.stick_ratios, self.regime) = ([1.0, 0.0], Regime::FullStick);
         self.remarks = Remarks::default();
         self.last_step = history.steps();
         self.compare_traction(history);
@@ -216,7 +216,15 @@ impl Cycle {
         }
         let (ratio, [least, largest]) = (step.stick_ratio(), self.stick_ratios);
         self.stick_ratios = [least.min(ratio), largest.max(ratio)];
-        self.slides |= step.is_gross_slip();
+        let (slip, layout) = (
+            step.slip_distance().as_slice(),
+            history.bodies.grid_layout(),
+        );
+        if step.is_gross_slip() {
+            self.regime = Regime::GrossSlip;
+        } else if self.regime == Regime::FullStick && reduce::any(&layout, |i| slip[i] > 0.0) {
+            self.regime = Regime::PartialSlip;
+        }
         self.remarks = self.remarks.and(step.remarks);
         self.points.push(LoopPoint::of(history));
         Ok(())
@@ -248,7 +256,7 @@ impl Cycle {
     fn compare_traction(&mut self, history: &History) {
         let [x, y] = history.traction().map(Field::as_slice);
         let [first_x, first_y] = self.sums.first_traction.each_ref().map(Field::as_slice);
-        let layout = history.grid().layout();
+        let layout = history.bodies.grid_layout();
         let traction = reduce::max(&layout, |i| norm([x[i], y[i]]));
         let change = reduce::max(&layout, |i| norm([x[i] - first_x[i], y[i] - first_y[i]]));
         self.traction_change = change;
@@ -324,13 +332,7 @@ impl Cycle {
     /// Whether the contact stuck, slipped in part, or slid.
     #[must_use]
     pub fn regime(&self) -> Regime {
-        if self.slides {
-            Regime::GrossSlip
-        } else if self.sums.slip_distance.max() > 0.0 {
-            Regime::PartialSlip
-        } else {
-            Regime::FullStick
-        }
+        self.regime
     }
 
     /// Energy ratio $`E_d / (4\,Q^*\delta^*)`$ of the energy dissipated, by tractions at the end of each step,

@@ -3,6 +3,7 @@
 use crate::cgm::reduce;
 use crate::field::Field;
 use crate::normal::NormalSolution;
+use crate::ranks::Words;
 
 /// Where the work of the tangential load in a step went (energies: force times length), or in the steps of a
 /// [`Cycle`](crate::history::Cycle).
@@ -80,16 +81,6 @@ impl EnergyBalance {
         }
     }
 
-    pub(super) const ZERO: Self = Self {
-        work: 0.0,
-        elastic_before: 0.0,
-        elastic_after: 0.0,
-        dissipated_energy: 0.0,
-        mid_step_dissipated_energy: 0.0,
-        released: 0.0,
-        residual: 0.0,
-    };
-
     /// With that of other cells.
     pub(super) fn plus(&self, other: &Self) -> Self {
         Self {
@@ -119,5 +110,52 @@ impl EnergyBalance {
     pub fn imbalance(&self) -> f64 {
         let lost = self.mid_step_dissipated_energy + self.released + self.residual;
         self.work - (self.elastic_after - self.elastic_before) - lost
+    }
+}
+
+impl Words for EnergyBalance {
+    const COUNT: usize = <[f64; 7]>::COUNT;
+    const ZERO: Self = Self {
+        work: 0.0,
+        elastic_before: 0.0,
+        elastic_after: 0.0,
+        dissipated_energy: 0.0,
+        mid_step_dissipated_energy: 0.0,
+        released: 0.0,
+        residual: 0.0,
+    };
+
+    fn write(self, words: &mut Vec<u64>) {
+        let energies = [
+            self.work,
+            self.elastic_before,
+            self.elastic_after,
+            self.dissipated_energy,
+            self.mid_step_dissipated_energy,
+            self.released,
+            self.residual,
+        ];
+        energies.write(words);
+    }
+
+    fn read(words: &mut &[u64]) -> Self {
+        let [
+            work,
+            elastic_before,
+            elastic_after,
+            dissipated_energy,
+            mid_step_dissipated_energy,
+            released,
+            residual,
+        ] = Words::read(words);
+        Self {
+            work,
+            elastic_before,
+            elastic_after,
+            dissipated_energy,
+            mid_step_dissipated_energy,
+            released,
+            residual,
+        }
     }
 }

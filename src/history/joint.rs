@@ -8,10 +8,40 @@ use crate::elastic::Observer;
 use crate::error::Result;
 use crate::half_space::HalfSpace;
 use crate::history::increments::Increments;
+use crate::history::memory::Memory;
 use crate::history::state::State;
 use crate::history::{History, LoadStep, touch};
 use crate::normal::{NormalControl, NormalSolution};
-use crate::tangential::Motion;
+use crate::tangential::{Axis, Motion};
+use crate::trend::Trend;
+use crate::window::Window;
+
+impl State {
+    /// With this much coupling. Where pressure and shear are found together, that is on all of the grid and along both
+    /// axes.
+    pub(super) fn coupled(mut self, coupling: Coupling) -> Self {
+        self.coupling = coupling;
+        if self.is_joint() {
+            let (grid, axes) = (self.grid(), Axis::BOTH);
+            let mut memory = Memory::first(grid, axes, Window::whole(grid), self.motion);
+            memory.trend = Trend::default();
+            (self.axes, self.contact) = (axes, Some(memory));
+        }
+        self
+    }
+
+    /// Whether pressure and shear are found together.
+    pub(super) fn is_joint(&self) -> bool {
+        self.coupling.is_joint(self.pair())
+    }
+
+    /// Whether what a state of coupled bodies remembers is all there.
+    pub(super) fn is_whole(&self) -> bool {
+        let whole = Window::whole(self.grid());
+        let remembers = |memory: &Memory| memory.window == whole;
+        self.axes == Axis::BOTH && self.contact.as_ref().is_some_and(remembers)
+    }
+}
 
 impl History {
     /// Solves a step whose pressure and shear are coupled without a trace in the state; returns the motion of body 2 at
@@ -80,7 +110,7 @@ fn make_lag(
         return Ok(false);
     };
     let demand = load.demand(state.motion.twist);
-    if !touch::is_asked(state, pressed, &demand, joint.pressed.limits.sum) {
+    if !touch::is_asked(bodies, state, pressed, &demand, joint.pressed.limits.sum) {
         return Ok(false);
     }
     let kind = (state.axes, Coupling::Neglected);
@@ -88,7 +118,7 @@ fn make_lag(
     let pressures = pressed.pressure().as_slice();
     increment.pressed.set(pressures, &state.friction);
     increment.gather_offset(joint.answer().offset);
-    let lags = touch::follow_growth(&mut increment, state, pressed, load, &demand);
+    let lags = touch::follow_growth(&mut increment, bodies, state, pressed, load, &demand);
     joint.set_offset_within(window, increment.offset());
     increments.give_back(increment);
     Ok(lags)

@@ -8,7 +8,7 @@ use crate::tangential::{Axis, Demand, Increment, Motion, PlaneVector, centre, ze
 use crate::trend::Trend;
 use crate::window::Window;
 
-/// Displacement and offset of the cells of a window.
+/// Displacement and offset of the cells of a window that are held here.
 #[derive(Debug)]
 pub(super) struct Memory {
     pub(super) window: Window,
@@ -32,8 +32,9 @@ clone_in_place!(Memory {
 impl Memory {
     /// At the first touch, of bodies that have no displacement.
     pub(super) fn first(grid: Grid, axes: &[Axis], window: Window, motion: Motion) -> Self {
-        let mut offset = zeros(axes, window.cells());
-        for (k, i) in window.indices().enumerate() {
+        let held = window.held(grid);
+        let mut offset = zeros(axes, held.cells());
+        for (k, i) in held.indices().enumerate() {
             let moved = motion.at(centre(grid, i));
             for axis in axes.iter().map(|axis| axis.index()) {
                 offset[axis][k] = -moved[axis];
@@ -41,10 +42,10 @@ impl Memory {
         }
         Self {
             window,
-            displacement: zeros(axes, window.cells()),
+            displacement: zeros(axes, held.cells()),
             offset,
             trend: Trend {
-                change: zeros(axes, window.cells()),
+                change: zeros(axes, held.cells()),
                 ..Trend::default()
             },
         }
@@ -58,18 +59,18 @@ impl Memory {
         traction: [&Field; 2],
         motion: Motion,
     ) {
-        let (window, old) = (increment.pressed.window(), self.window);
-        for field in self.fields_mut() {
-            window.spread(old, field);
-        }
-        self.window = window;
-        increment.set_traction(traction.map(Field::as_slice));
+        let (held, old) = (increment.pressed.region.held(), self.window.held(grid));
         let axes = increment.axes();
+        for axis in axes.iter().map(|axis| axis.index()) {
+            for parts in self.fields_mut() {
+                held.spread(old, &mut parts[axis]);
+            }
+        }
+        self.window = increment.pressed.window();
+        increment.set_traction(traction.map(Field::as_slice));
         let displacement = increment.fresh_displacement();
-        let added = window
-            .indices()
-            .enumerate()
-            .filter(|(_, i)| !old.contains(*i));
+        let cells = held.indices().enumerate();
+        let added = cells.filter(|(_, i)| !old.contains(*i));
         for (k, i) in added {
             let moved = motion.at(centre(grid, i));
             for axis in axes.iter().map(|axis| axis.index()) {
@@ -81,25 +82,22 @@ impl Memory {
 
     /// Takes a smaller window around all contact. What a cell apart remembers is lost with it: [`Self::widen`] finds it
     /// again.
-    pub(super) fn narrow(&mut self, window: Window) {
-        let old = self.window;
-        for field in self.fields_mut() {
-            window.cut(old, field);
+    pub(super) fn narrow(&mut self, grid: Grid, window: Window) {
+        let (held, old) = (window.held(grid), self.window.held(grid));
+        let fields = self.fields_mut().into_iter().flatten();
+        for field in fields.filter(|field| !field.is_empty()) {
+            held.cut(old, field);
         }
         self.window = window;
     }
 
     /// All fields of the window.
-    fn fields_mut(&mut self) -> impl Iterator<Item = &mut Vec<f64>> {
-        let Self {
-            displacement,
-            offset,
-            trend,
-            ..
-        } = self;
-        let vectors = [displacement, offset, &mut trend.change];
-        let fields = vectors.into_iter().flatten();
-        fields.filter(|field| !field.is_empty())
+    fn fields_mut(&mut self) -> [&mut PlaneVector; 3] {
+        [
+            &mut self.displacement,
+            &mut self.offset,
+            &mut self.trend.change,
+        ]
     }
 
     /// How many times the last step the load continues in the same direction; `None` where it does not.

@@ -1,6 +1,7 @@
 //! A contact that has become small is worked on in smaller windows.
 
 use crate::field::Field;
+use crate::half_space::HalfSpace;
 use crate::history::state::State;
 use crate::window::Window;
 
@@ -15,11 +16,16 @@ const OVERSHOOT: f64 = 1.5;
 ///
 /// Nothing is lost: outside both contacts there is neither traction nor a memory of slip, and what a cell apart would
 /// touch at follows from the tractions. The solvers of the next step follow the state.
-pub(super) fn narrow(state: &mut State, before: Option<&Field>, press_window: Option<Window>) {
+pub(super) fn narrow(
+    bodies: &HalfSpace,
+    state: &mut State,
+    before: Option<&Field>,
+    press_window: Option<Window>,
+) {
     let (grid, is_joint) = (state.grid(), state.is_joint());
     let after = state.pressure().as_slice();
     let before = before.map_or(after, Field::as_slice);
-    let Some(contact) = Window::around(grid, |i| before[i] > 0.0 || after[i] > 0.0) else {
+    let Some(contact) = bodies.around(|i| before[i] > 0.0 || after[i] > 0.0) else {
         return;
     };
     // Along an axis that repeats a grid is never cut.
@@ -32,16 +38,17 @@ pub(super) fn narrow(state: &mut State, before: Option<&Field>, press_window: Op
     // Pressure and shear found together remember all of the grid.
     if let Some(memory) = state.contact.as_mut().filter(|_| !is_joint) {
         if let Some(window) = smaller(memory.window, WASTE) {
-            memory.narrow(window);
+            memory.narrow(grid, window);
         }
     }
     let is_widened = press_window.is_some() && press_window != state.press_window;
     let waste = if is_widened { OVERSHOOT } else { WASTE };
     let left = state.press_window;
     if let Some((left, window)) = left.and_then(|left| Some((left, smaller(left, waste)?))) {
+        let (held, held_before) = (window.held(grid), left.held(grid));
         for change in &mut state.trend.change {
-            if change.len() == left.cells() {
-                window.cut(left, change);
+            if change.len() == held_before.cells() {
+                held.cut(held_before, change);
             }
         }
         state.press_window = Some(window);

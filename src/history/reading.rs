@@ -143,10 +143,11 @@ impl History {
     }
 
     /// Largest tangential force friction holds at the present pressure (a force): the integral of the friction limit.
+    /// Of [distributed](crate::HalfSpace::distributed) bodies all ranks ask for it together.
     #[must_use]
     pub fn friction_capacity(&self) -> f64 {
         let pressure = self.pressure().as_slice();
-        let sum = reduce::sum(&self.grid().layout(), |i| {
+        let sum = reduce::sum(&self.bodies.grid_layout(), |i| {
             self.friction().limit(i, pressure[i])
         });
         sum * self.grid().cell_area()

@@ -83,7 +83,8 @@ impl State {
         relative.amount = relative.end(load);
         let reached = relative.reached.fields_mut();
         for (reached, pattern) in reached.into_iter().zip(relative.pattern.fields()) {
-            for (reached, pattern) in reached.iter_mut().zip(pattern.as_slice()) {
+            let cells = reached.as_mut_slice().iter_mut();
+            for (reached, pattern) in cells.zip(pattern.as_slice()) {
                 *reached = relative.amount * pattern;
             }
         }
@@ -97,10 +98,11 @@ impl History {
     /// history had none.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`]; [`Error::NotModelled`] for one along an axis of which the model finds no traction; the
+    /// [`Error::GridMismatch`]; [`Error::NotModelled`] for one along an axis of which the model finds no traction; [`Error::Ranks`]; the
     /// pattern is then as it was.
     pub fn set_relative_displacement(&mut self, pattern: &RelativeDisplacement) -> Result<()> {
-        pattern.check(self.grid(), self.state.axes)?;
+        let checked = pattern.check(self.grid(), self.state.axes);
+        self.bodies.agreed(checked)?;
         match &mut self.state.relative {
             Some(relative) => relative.pattern.clone_from(pattern),
             none => *none = Some(Relative::new(pattern.clone())),

@@ -174,24 +174,6 @@ impl State {
         self
     }
 
-    /// With this much coupling. Where pressure and shear are found together, that is on all of the grid and along both
-    /// axes.
-    pub(super) fn coupled(mut self, coupling: Coupling) -> Self {
-        self.coupling = coupling;
-        if self.is_joint() {
-            let (grid, axes) = (self.grid(), Axis::BOTH);
-            let mut memory = Memory::first(grid, axes, Window::whole(grid), self.motion);
-            memory.trend = Trend::default();
-            (self.axes, self.contact) = (axes, Some(memory));
-        }
-        self
-    }
-
-    /// Whether pressure and shear are found together.
-    pub(super) fn is_joint(&self) -> bool {
-        self.coupling.is_joint(self.pair())
-    }
-
     /// Whether the pressure is the answer under this load, as certain as is asked now.
     pub(super) fn is_pressed_by(&self, load: NormalControl) -> bool {
         let report = self.normal.report();
@@ -210,22 +192,38 @@ impl State {
 
     /// Makes what the cells remember that of this window again, which was widened since; `None` if there was none.
     pub(super) fn forget_beyond(&mut self, window: Option<Window>) {
+        let grid = self.grid();
         match (&mut self.contact, window) {
-            (Some(memory), Some(window)) => memory.narrow(window),
+            (Some(memory), Some(window)) => memory.narrow(grid, window),
             (contact, _) => *contact = None,
         }
     }
 
-    /// Whether what a state of coupled bodies remembers is all there.
-    pub(super) fn is_whole(&self) -> bool {
-        let whole = Window::whole(self.grid());
-        let remembers = |memory: &Memory| memory.window == whole;
-        self.axes == Axis::BOTH && self.contact.as_ref().is_some_and(remembers)
+    /// Takes note of what all ranks know together, which is not among the fields of a slab.
+    pub(super) fn gather_whole(&mut self, bodies: &HalfSpace) {
+        if !bodies.is_shared() {
+            return;
+        }
+        self.normal.gather_whole(bodies);
+        if let Some(hardness) = &self.hardness {
+            let yielded = hardness.reached_cells(bodies, self.pressure().as_slice());
+            self.normal.set_yielded_cells(yielded);
+        }
     }
 
-    /// `Ok` if the state is one of these bodies.
+    /// `Ok` if the state is one of the cells held here of these bodies.
     pub(super) fn check_bodies(&self, bodies: &HalfSpace) -> Result<()> {
-        bodies.check_host(QUANTITY, self.grid(), self.boundary())?;
+        bodies.grid().expect(QUANTITY, self.grid())?;
+        self.check_origin(bodies)
+    }
+
+    /// `Ok` if the state is one of these bodies, or of some rows of them.
+    pub(super) fn check_origin(&self, bodies: &HalfSpace) -> Result<()> {
+        let whole = bodies.grid().whole();
+        whole.expect(QUANTITY, self.grid().whole())?;
+        if self.boundary() != bodies.boundary() {
+            return Err(Error::BoundaryMismatch { quantity: QUANTITY });
+        }
         if self.pair() == bodies.pair() {
             Ok(())
         } else {

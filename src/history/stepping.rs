@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use crate::cgm::{Iteration, Settings};
+use crate::cgm::{Iteration, Settings, reduce};
 use crate::coupled::CoupledIncrement;
 use crate::elastic::Observer;
 use crate::error::Result;
@@ -111,9 +111,12 @@ impl History {
     /// [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) or
     /// [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) for other bodies;
     /// [`Error::Memory`](crate::Error::Memory); [`Error::Ranks`](crate::Error::Ranks).
-    pub fn from_state(bodies: &HalfSpace, state: State) -> Result<Self> {
-        bodies.check_alone("a history")?;
-        state.check_bodies(bodies)?;
+    pub fn from_state(bodies: &HalfSpace, mut state: State) -> Result<Self> {
+        bodies.agreed(state.check_bodies(bodies))?;
+        if state.is_joint() {
+            bodies.check_alone("a history with pressure and shear found together")?;
+        }
+        state.gather_whole(bodies);
         let mut press = PressureSolver::new();
         state.resume(bodies, &mut press)?;
         Ok(Self {
@@ -143,13 +146,14 @@ impl History {
     /// # Errors
     /// As [`History::from_state`]; the history is then as it was.
     pub fn set_state(&mut self, state: &State) -> Result<()> {
-        state.check_bodies(&self.bodies)?;
+        self.bodies.agreed(state.check_bodies(&self.bodies))?;
         let Self { press, joint, .. } = self;
         if let Err(error) = resume(&self.bodies, state, press, joint) {
             self.take_back()?;
             return Err(error);
         }
         self.state.clone_from(state);
+        self.state.gather_whole(&self.bodies);
         Ok(())
     }
 
@@ -183,16 +187,18 @@ impl History {
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<&StepResult> {
         let demand = load.demand(self.twist());
-        demand.check(self.state.axes, self.boundary())?;
-        self.state.check_relative(load)?;
-        parallel::enter_with(self.grid().cells(), || {
+        let checked = demand.check(self.state.axes, self.boundary());
+        let checked = checked.and_then(|()| self.state.check_relative(load));
+        self.bodies.agreed(checked)?;
+        let outcome = parallel::enter_with(self.grid().cells(), || {
             let outcome = self.take(load, &mut observer);
             if let Some(increment) = self.increment.take() {
                 self.increments.give_back(increment);
             }
             self.candidate.give_back();
             outcome
-        })?;
+        });
+        self.bodies.joint(outcome)?;
         Ok(&self.step)
     }
 
@@ -219,8 +225,8 @@ impl History {
                 state.pressed_by = control;
                 let alone = || self.press.window();
                 state.press_window = joint.map_or_else(alone, |joint| joint.window());
-                if let Some(trend) = self.press.trend().filter(|_| joint.is_none()) {
-                    state.trend.clone_from(trend);
+                if joint.is_none() {
+                    self.press.write_trend(&mut state.trend);
                 }
                 step.normal_report.clone_from(state.normal.report());
             }
@@ -246,7 +252,7 @@ impl History {
         }
         step.energy = step.energy.plus(&pressing);
         let before = self.candidate.held().map(NormalSolution::pressure);
-        narrow(state, before, press_window);
+        narrow(&self.bodies, state, before, press_window);
         Ok(())
     }
 
@@ -259,12 +265,13 @@ impl History {
     /// [`Error::GridMismatch`](crate::Error::GridMismatch) or [`Error::Sample`](crate::Error::Sample); the gap
     /// is then as it was.
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
-        gap.check("gap", self.grid())?;
+        self.bodies.agreed(gap.check("gap", self.grid()))?;
         let state = &mut self.state;
         let is_pressed = state.normal.report().status != Status::Unsolved;
         state.gap.as_mut_slice().copy_from_slice(gap.as_slice());
         add_yielded(state);
-        let differs = state.pressed_gap.as_slice() != state.gap.as_slice();
+        let [pressed, gap] = [&state.pressed_gap, &state.gap].map(Field::as_slice);
+        let differs = reduce::any(&self.bodies.grid_layout(), |i| pressed[i] != gap[i]);
         state.is_pressure_stale = is_pressed && differs;
         Ok(())
     }
@@ -274,7 +281,7 @@ impl History {
     /// # Errors
     /// [`Error::GridMismatch`](crate::Error::GridMismatch); the friction is then as it was.
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
-        friction.check(self.grid())?;
+        self.bodies.agreed(friction.check(self.grid()))?;
         self.state.friction.clone_from(friction);
         Ok(())
     }

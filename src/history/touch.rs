@@ -3,10 +3,11 @@
 use crate::cgm::reduce;
 use crate::cgm::vector::{minus, plus};
 use crate::field::Field;
+use crate::half_space::HalfSpace;
 use crate::history::LoadStep;
 use crate::history::state::State;
 use crate::normal::{NormalControl, NormalSolution};
-use crate::tangential::{Axis, Demand, Growth, Increment, TangentialControl, centre};
+use crate::tangential::{Axis, Demand, Growth, Increment, TangentialControl};
 
 /// How far a cell that comes into contact within a step follows the motion of the step.
 ///
@@ -35,40 +36,34 @@ const NO_SPREAD: f64 = 1e-12;
 /// growth, it follows all of the motion. Returns whether there are such cells and such a growth.
 pub(super) fn follow_growth(
     increment: &mut Increment,
+    bodies: &HalfSpace,
     state: &State,
     pressed: &NormalSolution,
     load: &LoadStep,
     demand: &Demand,
 ) -> bool {
-    if !is_asked(state, pressed, demand, increment.pressed.limits.sum) {
+    let limits = increment.pressed.limits.sum;
+    if !is_asked(bodies, state, pressed, demand, limits) {
         return false;
     }
-    let Some(press) = Press::new(state, pressed, load) else {
+    let Some(press) = Press::new(bodies, state, pressed, load) else {
         return false;
     };
+    increment.set_pressing(state.pressure().as_slice(), |i| press.displacement(i));
     let turn = demand.twist - state.motion.twist;
     let Some(stuck) = Stuck::new(&press, increment, demand, turn) else {
         return false;
     };
-    let before = state.pressure().as_slice();
-    let window = increment.pressed.window();
-    let contact = increment.pressed.pressure.iter().map(|p| *p > 0.0);
-    increment.growth.begin_excess(increment.axes(), contact);
-    for (k, i) in window.indices().enumerate() {
-        if increment.pressed.pressure[k] > 0.0 && before[i] > 0.0 {
-            let motion = stuck.motion(centre(state.grid(), i));
-            let excess = minus(stuck.displacement(increment, k), motion);
-            increment.growth.set_excess(k, excess);
-        }
-    }
-    let boundary = state.boundary();
-    increment.growth.carry_excess(window.size, boundary);
-    for (k, i) in window.indices().enumerate() {
+    let repeats = state.boundary().repeats();
+    increment.find_excess(repeats, |increment, k, point| {
+        let was_contact = increment.growth.before(k) > 0.0;
+        was_contact.then(|| minus(stuck.displacement(increment, k), stuck.motion(point)))
+    });
+    for (k, point) in increment.points() {
         let pressure = increment.pressed.pressure[k];
-        if pressure <= 0.0 || before[i] > 0.0 {
+        if pressure <= 0.0 || increment.growth.before(k) > 0.0 {
             continue;
         }
-        let point = centre(state.grid(), i);
         let [x, y] = stuck.traction(point);
         if x.hypot(y) * pressure < increment.pressed.limits.cells[k] {
             let excess = increment.growth.excess(k);
@@ -92,7 +87,12 @@ struct Press<'a> {
 
 impl<'a> Press<'a> {
     /// `None` if the bodies were not pressed further together.
-    fn new(state: &'a State, pressed: &'a NormalSolution, load: &LoadStep) -> Option<Self> {
+    fn new(
+        bodies: &HalfSpace,
+        state: &'a State,
+        pressed: &'a NormalSolution,
+        load: &LoadStep,
+    ) -> Option<Self> {
         let (before, after) = (state.normal.force(), pressed.force());
         let is_growth = !is_same(after, before, after);
         let mut press = Self {
@@ -101,9 +101,9 @@ impl<'a> Press<'a> {
             approach: 0.0,
             force: if is_growth { after - before } else { 0.0 },
         };
-        press.approach = press
-            .mean_displacement()
-            .unwrap_or_else(|| pressed.approach() - press.first_approach(load.normal_control()));
+        press.approach = press.mean_displacement(bodies).unwrap_or_else(|| {
+            pressed.approach() - press.first_approach(bodies, load.normal_control())
+        });
         (press.approach > 0.0 && press.force >= 0.0).then_some(press)
     }
 
@@ -117,12 +117,12 @@ impl<'a> Press<'a> {
     }
 
     /// Mean growth of the normal displacement where there was contact before, and is; `None` if that is nowhere.
-    fn mean_displacement(&self) -> Option<f64> {
+    fn mean_displacement(&self, bodies: &HalfSpace) -> Option<f64> {
         let (before, after) = (
             self.state.pressure().as_slice(),
             self.pressed.pressure().as_slice(),
         );
-        let [sum, weights] = reduce::sum(&self.state.grid().layout(), |i| {
+        let [sum, weights] = reduce::sum(&bodies.grid_layout(), |i| {
             let weight = before[i].min(after[i]);
             if weight > 0.0 {
                 [weight * self.displacement(i), weight]
@@ -134,24 +134,21 @@ impl<'a> Press<'a> {
     }
 
     /// Approach at the beginning of a step without contact before: that of first touch, if the load is a force.
-    fn first_approach(&self, control: NormalControl) -> f64 {
+    fn first_approach(&self, bodies: &HalfSpace, control: NormalControl) -> f64 {
         let state = self.state;
         match control {
-            NormalControl::Force(_) => state.gap.min(),
+            NormalControl::Force(_) => bodies.least(&state.gap),
             _ => state.approach(),
         }
     }
 
     /// The centre of the growth of the pressure; the origin if that has none.
     fn centre(&self, increment: &Increment) -> [f64; 2] {
-        let (before, grid) = (self.state.pressure().as_slice(), self.state.grid());
         let pressed = &increment.pressed;
-        let (mut sum, mut first) = (0.0, [0.0; 2]);
-        for (k, i) in pressed.window().indices().enumerate() {
-            let grown = pressed.pressure[k] - before[i];
-            sum += grown;
-            first = plus(first, grown, centre(grid, i));
-        }
+        let (sum, first) = reduce::sum(pressed.region.layout(), |k| {
+            let grown = pressed.pressure[k] - increment.growth.before(k);
+            (grown, increment.point(k).map(|part| grown * part))
+        });
         if self.force > 0.0 {
             first.map(|first| first / sum)
         } else {
@@ -181,13 +178,12 @@ impl Stuck {
         demand: &Demand,
         turn: f64,
     ) -> Option<Self> {
-        let before = press.state.pressure().as_slice();
         for &axis in increment.axes() {
             let (growth, direction) = match axis {
                 Axis::X => (Growth::AlongX, [1.0, 0.0]),
                 Axis::Y => (Growth::AlongY, [0.0, 1.0]),
             };
-            increment.find_growth(growth, before, |_| direction);
+            increment.find_growth(growth, |_| direction);
         }
         let mut stuck = Self {
             centre: press.centre(increment),
@@ -197,10 +193,10 @@ impl Stuck {
             turn,
         };
         if turn != 0.0 {
-            increment.find_growth(Growth::About, before, |point| stuck.around(point));
+            increment.find_growth(Growth::About, |point| stuck.around(point));
             stuck.turning = turn / stuck.rotation(press, increment)?;
         }
-        let compliance = mean_compliance(press, increment);
+        let compliance = mean_compliance(increment);
         let [x, y] = stuck.centre;
         let turned = [-turn * y, turn * x];
         stuck.slope = slope(press, demand, &compliance, turned, increment)?;
@@ -240,27 +236,23 @@ impl Stuck {
     /// a sphere the rotation is linear in it.
     fn rotation(&self, press: &Press<'_>, increment: &Increment) -> Option<f64> {
         let pressed = &increment.pressed;
-        let [
-            mut ones,
-            mut parts,
-            mut squares,
-            mut rotations,
-            mut products,
-        ] = [0.0; 5];
-        for (k, i) in pressed.window().indices().enumerate() {
-            let [x, y] = self.around(centre(press.state.grid(), i));
+        let sums = reduce::sum(pressed.region.layout(), |k| {
+            let [x, y] = self.around(increment.point(k));
             let [u, v] = increment.growth.displacement(Growth::About, k);
-            let part = 1.0 - press.displacement(i) / press.approach;
+            let part = 1.0 - increment.growth.normal(k) / press.approach;
             let (weight, moment) = (
                 pressed.pressure[k] * (x * x + y * y),
                 pressed.pressure[k] * (x * u + y * v),
             );
-            ones += weight;
-            parts += weight * part;
-            squares += weight * part * part;
-            rotations += moment;
-            products += moment * part;
-        }
+            [
+                weight,
+                weight * part,
+                weight * part * part,
+                moment,
+                moment * part,
+            ]
+        });
+        let [ones, parts, squares, rotations, products] = sums;
         let determinant = ones * squares - parts * parts;
         let at_start = if determinant > NO_SPREAD * ones * ones {
             (squares * rotations - parts * products) / determinant
@@ -273,19 +265,17 @@ impl Stuck {
 
 /// K: the mean tangential displacement over the contact by the growth of the pressure as a traction, for each normal
 /// displacement. Rows are components of the displacement, columns those of the traction.
-fn mean_compliance(press: &Press<'_>, increment: &Increment) -> [[f64; 2]; 2] {
+fn mean_compliance(increment: &Increment) -> [[f64; 2]; 2] {
     let pressed = &increment.pressed;
-    let (mut square, mut sums) = (0.0, [[0.0; 2]; 2]);
-    for (k, i) in pressed.window().indices().enumerate() {
-        let normal = press.displacement(i);
+    let (square, sums) = reduce::sum(pressed.region.layout(), |k| {
+        let normal = increment.growth.normal(k);
         let weight = pressed.pressure[k] * normal;
-        square += weight * normal;
-        for (column, growth) in [Growth::AlongX, Growth::AlongY].into_iter().enumerate() {
+        let [[xx, yx], [xy, yy]] = [Growth::AlongX, Growth::AlongY].map(|growth| {
             let displacement = increment.growth.displacement(growth, k);
-            sums[0][column] += weight * displacement[0];
-            sums[1][column] += weight * displacement[1];
-        }
-    }
+            displacement.map(|part| weight * part)
+        });
+        (weight * normal, [[xx, xy], [yx, yy]])
+    });
     sums.map(|row| row.map(|sum| sum / square))
 }
 
@@ -331,6 +321,7 @@ fn slope(
 
 /// Whether the rule has something to do in a step to this pressure, whose friction limits have this sum.
 pub(super) fn is_asked(
+    bodies: &HalfSpace,
     state: &State,
     pressed: &NormalSolution,
     demand: &Demand,
@@ -341,7 +332,7 @@ pub(super) fn is_asked(
     let touches = |i: usize| after[i] > 0.0 && before[i] <= 0.0;
     state.touch_rule == TouchRule::Growth
         && is_driven(state, demand, limit)
-        && reduce::any(&state.grid().layout(), touches)
+        && reduce::any(&bodies.grid_layout(), touches)
 }
 
 /// Whether the step asks for shear that the state does not have, as part of what friction holds.

@@ -255,7 +255,7 @@ fn write_bytes(path: &Path, bytes: &[u8]) -> Result<()> {
     std::fs::write(path, bytes).map_err(|error| refused(path, &error))
 }
 
-fn refused(path: &Path, error: &std::io::Error) -> Error {
+pub(crate) fn refused(path: &Path, error: &std::io::Error) -> Error {
     Error::File {
         path: path.display().to_string(),
         problem: error.to_string(),

@@ -1,5 +1,6 @@
 //! The engine of a normal contact: around the contact, with a look at the rest of the grid.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use crate::cgm::{self, Interval, Iterate, Known, Total};
@@ -26,7 +27,7 @@ pub(super) struct Engine {
     region: Region,
     pub(super) solver: ElasticSolver<Interval, 1>,
     /// How the pressure of the window changed with the load.
-    pub(super) trend: Trend<1>,
+    trend: Trend<1>,
     /// Whether the trend holds what the pressure was, until it is noted what it has become.
     is_extrapolated: bool,
     /// What it takes to work on a part of the grid and to see the rest, if there is a rest.
@@ -143,6 +144,33 @@ impl Engine {
         self.region = Region::new(bodies, window);
         self.is_extrapolated = false;
         self.trend.forget();
+    }
+
+    /// Takes a trend of the cells held here.
+    pub(super) fn set_trend(&mut self, trend: &Trend<1>) {
+        if self.region.is_shared() && !trend.is_known() {
+            return self.trend.forget();
+        }
+        self.trend.clone_from(trend);
+        if let Cow::Owned(change) = self.region.taken(&trend.change[0]) {
+            self.trend.change = [change];
+        }
+    }
+
+    /// Writes the trend of the cells held here.
+    pub(super) fn write_trend(&self, trend: &mut Trend<1>) {
+        trend.clone_from(&self.trend);
+        if self.region.is_shared() && !trend.is_known() {
+            return trend.forget();
+        }
+        if let Cow::Owned(change) = self.region.given(&self.trend.change[0]) {
+            trend.change = [change];
+        }
+    }
+
+    /// How many times the last change the load lies ahead.
+    pub(super) fn parts(&self, ahead: Ahead) -> Option<f64> {
+        self.trend.parts([ahead])
     }
 
     /// Gives the buffers back; the displacement is then gone.

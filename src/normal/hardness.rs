@@ -1,6 +1,6 @@
 //! The largest pressure that cells carry.
 
-use crate::cgm::{Constraint, Interval};
+use crate::cgm::{Constraint, Interval, reduce};
 use crate::error::{Error, Result, all_non_negative, positive};
 use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
@@ -132,6 +132,13 @@ impl Hardness {
     /// The limit, to be read from what was saved. A change must keep the rules of the constructors.
     pub(crate) fn limit_mut(&mut self) -> &mut PerCell<Field> {
         &mut self.limit
+    }
+
+    /// Cells of the whole grid that are at it.
+    pub(crate) fn reached_cells(&self, bodies: &HalfSpace, pressure: &[f64]) -> usize {
+        let limits = self.limits();
+        let is_reached = |i: usize| limits.are_reached(i, pressure[i]);
+        reduce::sum(&bodies.grid_layout(), |i| usize::from(is_reached(i)))
     }
 
     pub(crate) fn limits(&self) -> PerCell<&[f64]> {

@@ -33,11 +33,8 @@ pub(crate) struct Pressing<'a> {
 impl<'a> Pressing<'a> {
     /// Cells at their hardness.
     fn yielded(&self, pressure: &[f64]) -> usize {
-        let limits = self.hardness.map(Hardness::limits);
-        limits.map_or(0, |limits| {
-            let is_reached = |i: usize| limits.are_reached(i, pressure[i]);
-            reduce::sum(&self.bodies.grid_layout(), |i| usize::from(is_reached(i)))
-        })
+        self.hardness
+            .map_or(0, |hardness| hardness.reached_cells(self.bodies, pressure))
     }
 
     fn surfaces(&self) -> Surfaces<'a> {
@@ -78,9 +75,11 @@ impl PressureSolver {
         self.engine.as_ref().map(Engine::window)
     }
 
-    /// How the pressure changed with the load on that window, as far as it is known.
-    pub(crate) fn trend(&self) -> Option<&Trend<1>> {
-        self.engine.as_ref().map(|engine| &engine.trend)
+    /// Writes how the pressure changed with the load on that window, in the cells held here.
+    pub(crate) fn write_trend(&self, trend: &mut Trend<1>) {
+        if let Some(engine) = &self.engine {
+            engine.write_trend(trend);
+        }
     }
 
     /// Counts a step, whether or not it solves.
@@ -113,7 +112,7 @@ impl PressureSolver {
             }
         }
         if let Some(engine) = &mut self.engine {
-            engine.trend.clone_from(trend);
+            engine.set_trend(trend);
         }
         Ok(())
     }
@@ -222,7 +221,7 @@ impl PressureSolver {
         match load.ahead(from) {
             Ahead::Nothing => Known::Answer([load.of(self.approach - load.datum)]),
             ahead => {
-                let parts = engine.trend.parts([ahead]).unwrap_or(0.0);
+                let parts = engine.parts(ahead).unwrap_or(0.0);
                 engine.extrapolate(parts, pressure);
                 Known::Extrapolated
             }

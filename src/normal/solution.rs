@@ -118,6 +118,11 @@ impl NormalSolution {
         })
     }
 
+    /// With what all ranks have found, which is not among the fields of a slab.
+    pub(crate) fn gather_whole(&mut self, bodies: &HalfSpace) {
+        self.whole = Whole::of(bodies, self.pressure.as_slice());
+    }
+
     /// With so many cells at their hardness.
     pub(crate) fn set_yielded_cells(&mut self, cells: usize) {
         self.yielded_cells = cells;
@@ -137,7 +142,7 @@ impl NormalSolution {
         report: &Report,
     ) {
         self.pair = *bodies.pair();
-        self.whole = Whole::of(bodies, self.pressure.as_slice());
+        self.gather_whole(bodies);
         let initial = initial.as_slice();
         parallel::update(self.gap.as_mut_slice(), |first, chunk| {
             let samples = initial[first..].iter().zip(&displacement[first..]);

@@ -1,16 +1,19 @@
 //! What a step has found in the cells of a window, however it was found.
 
-use crate::cgm::vector::{dot, minus};
+use crate::cgm::vector::{dot, minus, slices};
+use crate::half_space::Region;
 use crate::tangential::engine::at;
 use crate::tangential::limits::is_at_limit;
-use crate::tangential::{Motion, Pressed};
+use crate::tangential::{Axis, Motion, Pressed, Zone};
 
-/// Tractions and displacements at the end of a step, on the window of a contact. A component that the model leaves out
-/// has no cells.
+/// Pressure, limits, tractions and displacements at the end of a step, on the window of a contact. A component that the
+/// model leaves out has no cells.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Answer<'a> {
-    /// The window, with pressure and limits.
-    pub(crate) pressed: &'a Pressed,
+    pub(crate) region: &'a Region,
+    pub(crate) axes: &'static [Axis],
+    pub(crate) pressure: &'a [f64],
+    pub(crate) limits: &'a [f64],
     pub(crate) traction: [&'a [f64]; 2],
     pub(crate) displacement: [&'a [f64]; 2],
     /// What displacement less motion is in a cell while it sticks.
@@ -19,7 +22,52 @@ pub(crate) struct Answer<'a> {
     pub(crate) motion: Motion,
 }
 
-impl Answer<'_> {
+impl<'a> Answer<'a> {
+    /// Of traction, displacement and offset of the cells under this pressure.
+    pub(crate) fn new(
+        pressed: &'a Pressed,
+        axes: &'static [Axis],
+        [traction, displacement, offset]: [[&'a [f64]; 2]; 3],
+        motion: Motion,
+    ) -> Self {
+        Self {
+            region: &pressed.region,
+            axes,
+            pressure: &pressed.pressure,
+            limits: &pressed.limits.cells,
+            traction,
+            displacement,
+            offset,
+            motion,
+        }
+    }
+
+    /// Works with the answer of the cells held here.
+    pub(crate) fn with_held<T>(&self, work: impl FnOnce(&Answer<'_>) -> T) -> T {
+        let region = self.region;
+        let give = |parts: [&[f64]; 2]| {
+            let mut held = [Vec::new(), Vec::new()];
+            for axis in self.axes.iter().map(|axis| axis.index()) {
+                held[axis] = region.given(parts[axis]).into_owned();
+            }
+            held
+        };
+        if !region.is_shared() {
+            return work(self);
+        }
+        let (pressure, limits) = (region.given(self.pressure), region.given(self.limits));
+        let [traction, displacement, offset] =
+            [self.traction, self.displacement, self.offset].map(give);
+        work(&Answer {
+            pressure: &pressure,
+            limits: &limits,
+            traction: slices(&traction),
+            displacement: slices(&displacement),
+            offset: slices(&offset),
+            ..*self
+        })
+    }
+
     /// The traction of a cell.
     pub(crate) fn traction(&self, cell: usize) -> [f64; 2] {
         at(&self.traction, cell)
@@ -44,9 +92,18 @@ impl Answer<'_> {
         slips.then_some(moved)
     }
 
+    /// What a cell does.
+    pub(crate) fn zone(&self, cell: usize) -> Zone {
+        match (self.pressure[cell] > 0.0, self.is_at_limit(cell)) {
+            (false, _) => Zone::Separated,
+            (true, false) => Zone::Stick,
+            (true, true) => Zone::Slip,
+        }
+    }
+
     /// Whether a cell carries all that friction holds there.
     pub(crate) fn is_at_limit(&self, cell: usize) -> bool {
         let [x, y] = self.traction(cell);
-        is_at_limit(x.hypot(y), self.pressed.limits.cells[cell])
+        is_at_limit(x.hypot(y), self.limits[cell])
     }
 }

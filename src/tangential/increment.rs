@@ -1,5 +1,7 @@
 //! One step of a tangential contact, of a problem from rest or of a history.
 
+use std::borrow::Cow;
+
 use crate::cascade::Conditions;
 use crate::cgm::vector::slices;
 use crate::cgm::{Total, reduce};
@@ -13,9 +15,9 @@ use crate::tangential::answer::Answer;
 use crate::tangential::control::Demand;
 use crate::tangential::drawing::Drawing;
 use crate::tangential::engine::{PlaneVector, ShearEngine, Task, at, engine_along, zeros};
-use crate::tangential::growth::{Growth, GrowthFields};
+use crate::tangential::growth::GrowthFields;
 use crate::tangential::motion::{Motion, centre};
-use crate::tangential::{Axis, Pressed, RelativeDisplacement, TangentialControl};
+use crate::tangential::{Axis, Pressed, TangentialControl};
 use crate::trend::Trend;
 
 /// The tangential contact on a window: pressure, limits and tractions of its cells, and the engine that solves a step.
@@ -24,18 +26,19 @@ use crate::trend::Trend;
 /// step. The offset $`S`$ is what $`u - \delta`$ is in a cell while it sticks, zero from rest. A history sets it.
 #[derive(Debug, Clone)]
 pub(crate) struct Increment {
-    bodies: HalfSpace,
-    axes: &'static [Axis],
+    pub(super) bodies: HalfSpace,
+    pub(super) axes: &'static [Axis],
     pub(crate) pressed: Pressed,
-    engine: Box<dyn ShearEngine>,
+    pub(super) engine: Box<dyn ShearEngine>,
     /// The start of the next step, and the answer of the last.
-    traction: PlaneVector,
+    pub(super) traction: PlaneVector,
     /// Offset of every cell in this step.
-    offset: PlaneVector,
-    linear: PlaneVector,
+    pub(super) offset: PlaneVector,
+    /// What a solve asks of each cell; it is written first, and serves before as a buffer.
+    pub(super) linear: PlaneVector,
     pub(crate) growth: GrowthFields,
     /// How pressure moves the surfaces, if it is to.
-    drawing: Option<Drawing>,
+    pub(super) drawing: Option<Drawing>,
     /// Motion of body 2 at the end of the last step.
     motion: Motion,
 }
@@ -108,10 +111,11 @@ impl Increment {
         }
     }
 
-    /// Moves the present tractions on by so many times a trend.
+    /// Moves the present tractions on by so many times a trend of the cells held here.
     pub(crate) fn extrapolate(&mut self, trend: &Trend<2>, parts: f64) {
-        for (traction, change) in self.traction.iter_mut().zip(&trend.change) {
-            parallel::update(traction, |first, chunk| {
+        for axis in self.axes.iter().map(|axis| axis.index()) {
+            let change = self.pressed.region.taken(&trend.change[axis]);
+            parallel::update(&mut self.traction[axis], |first, chunk| {
                 for (traction, change) in chunk.iter_mut().zip(&change[first..]) {
                     *traction += parts * change;
                 }
@@ -121,13 +125,9 @@ impl Increment {
 
     /// What the last step has found.
     pub(crate) fn answer(&self) -> Answer<'_> {
-        Answer {
-            pressed: &self.pressed,
-            traction: slices(&self.traction),
-            displacement: self.engine.product(),
-            offset: slices(&self.offset),
-            motion: self.motion,
-        }
+        let (traction, offset) = (slices(&self.traction), slices(&self.offset));
+        let found = [traction, self.engine.product(), offset];
+        Answer::new(&self.pressed, self.axes, found, self.motion)
     }
 
     /// Gives the buffers of the solve back: the displacements of the answer are gone.
@@ -135,104 +135,15 @@ impl Increment {
         self.engine.rest();
     }
 
-    /// The displacement that the present tractions cause, computed anew.
-    pub(crate) fn fresh_displacement(&mut self) -> [&[f64]; 2] {
+    /// The displacement of the cells held here that the present tractions cause, computed anew.
+    pub(crate) fn fresh_displacement(&mut self) -> [Cow<'_, [f64]>; 2] {
         // A solve writes its linear term first.
         self.engine.apply(&self.traction, &mut self.linear);
-        slices(&self.linear)
-    }
-
-    /// The offsets of the step, of the cells of the window.
-    pub(crate) fn offset(&self) -> [&[f64]; 2] {
-        slices(&self.offset)
-    }
-
-    /// Takes the offsets of a step from those of the whole grid.
-    pub(crate) fn gather_offset(&mut self, offset: [&[f64]; 2]) {
+        let mut held = [Cow::Borrowed(&[][..]), Cow::Borrowed(&[][..])];
         for axis in self.axes.iter().map(|axis| axis.index()) {
-            let part = &mut self.offset[axis];
-            self.pressed.region.gather(offset[axis], part);
+            held[axis] = self.pressed.region.given(&self.linear[axis]);
         }
-    }
-
-    /// Takes the offsets of a step.
-    pub(crate) fn set_offset(&mut self, offset: &PlaneVector) {
-        for (target, offset) in self.offset.iter_mut().zip(offset) {
-            target.copy_from_slice(offset);
-        }
-    }
-
-    /// Moves the offset of a cell back, as if body 2 had moved so much less there.
-    pub(crate) fn lag(&mut self, cell: usize, lag: [f64; 2]) {
-        for axis in self.axes.iter().map(|axis| axis.index()) {
-            self.offset[axis][cell] -= lag[axis];
-        }
-    }
-
-    /// Moves the offsets back by what the growth of the pressure displaces the surfaces, where pressure moves them: a cell
-    /// that sticks resists it by traction. `before` is the pressure of the whole grid.
-    pub(crate) fn draw_from(&mut self, before: &[f64]) {
-        if let Some(drawing) = &mut self.drawing {
-            let cells = self
-                .pressed
-                .pressure
-                .iter()
-                .zip(self.pressed.region.own().indices());
-            let grown = cells.map(|(pressure, index)| pressure - before[index]);
-            drawing.subtract(grown, &mut self.offset);
-        }
-    }
-
-    /// Sets the offsets to those of bodies that were apart, and are displaced by this.
-    pub(crate) fn draw(&mut self, relative: Option<&RelativeDisplacement>) {
-        for offset in self.offset.iter_mut().flatten() {
-            *offset = 0.0;
-        }
-        if let Some(drawing) = &mut self.drawing {
-            drawing.subtract(self.pressed.pressure.iter().copied(), &mut self.offset);
-        }
-        if let Some(relative) = relative {
-            for axis in self.axes.iter().map(|axis| axis.index()) {
-                // A solve writes its linear term first.
-                let own = &mut self.linear[axis];
-                let field = relative.fields()[axis];
-                self.pressed.region.gather(field.as_slice(), own);
-                for (offset, relative) in self.offset[axis].iter_mut().zip(own) {
-                    *offset -= *relative;
-                }
-            }
-        }
-    }
-
-    /// Moves the offsets back by the change of a relative displacement along each axis, in the cells of the grid.
-    pub(crate) fn displace(&mut self, change: impl Fn(usize, usize) -> f64) {
-        for axis in self.axes.iter().map(|axis| axis.index()) {
-            let cells = self.offset[axis].iter_mut();
-            for (offset, index) in cells.zip(self.pressed.region.own().indices()) {
-                *offset -= change(axis, index);
-            }
-        }
-    }
-
-    /// Finds the displacements that the growth of the pressure would cause as a traction of this direction and size in
-    /// each point. The present tractions are lost.
-    pub(crate) fn find_growth(
-        &mut self,
-        growth: Growth,
-        before: &[f64],
-        direction: impl Fn([f64; 2]) -> [f64; 2],
-    ) {
-        let (grid, window) = (self.bodies.grid(), self.pressed.window());
-        for (k, i) in window.indices().enumerate() {
-            let grown = self.pressed.pressure[k] - before[i];
-            let direction = direction(centre(grid, i));
-            for axis in self.axes.iter().map(|axis| axis.index()) {
-                self.traction[axis][k] = grown * direction[axis];
-            }
-        }
-        let cells = window.cells();
-        let displacement = self.growth.displacement_mut(growth, self.axes, cells);
-        self.engine.apply(&self.traction, displacement);
+        held
     }
 
     /// Finds the tractions at the end of a step, and the motion of body 2 there, which was `before` at its beginning.

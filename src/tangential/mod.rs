@@ -41,6 +41,7 @@ mod increment;
 mod limits;
 mod motion;
 mod nested;
+mod offset;
 mod pressure;
 mod problem;
 mod relative;

@@ -80,8 +80,8 @@ impl RelativeDisplacement {
     }
 
     /// To be read into; numbers must stay finite.
-    pub(crate) fn fields_mut(&mut self) -> [&mut [f64]; 2] {
-        self.fields.each_mut().map(Field::as_mut_slice)
+    pub(crate) fn fields_mut(&mut self) -> [&mut Field; 2] {
+        self.fields.each_mut()
     }
 
     /// `Ok` if it is on the grid, and zero along an axis of which tractions are not found.

@@ -99,37 +99,25 @@ impl TangentialSolution {
         self.axis = axis;
         (self.shift, self.twist) = (answer.motion.shift, answer.motion.twist);
         self.report.clone_from(report);
-        let (grid, pressed) = (self.grid().whole(), answer.pressed);
-        // In contact, at the limit; traction; slip.
-        let known = |k: usize, i: usize| {
-            if pressed.pressure[k] <= 0.0 {
-                return [0.0; 6];
-            }
-            let slips = f64::from(u8::from(answer.is_at_limit(k)));
-            let [q, r] = answer.traction(k);
-            let [s, t] = answer.slip(k, centre(grid, i)).unwrap_or([0.0; 2]);
-            [1.0, slips, q, r, s, t]
-        };
-        let Self {
-            traction,
-            slip,
-            zones,
-            ..
-        } = self;
-        let [traction_x, traction_y] = traction.each_mut().map(Field::as_mut_slice);
-        let [slip_x, slip_y] = slip.each_mut().map(Field::as_mut_slice);
-        pressed
-            .region
-            .spread(known, |i, [touches, slips, q, r, s, t]| {
-                zones[i] = match (touches > 0.0, slips > 0.0) {
-                    (false, _) => Zone::Separated,
-                    (true, false) => Zone::Stick,
-                    (true, true) => Zone::Slip,
-                };
-                (traction_x[i], traction_y[i]) = (q, r);
-                (slip_x[i], slip_y[i]) = (s, t);
-            });
+        answer.with_held(|answer| self.enter(answer));
         self.whole = Whole::of(bodies, &self.traction, &self.slip, &self.zones);
+    }
+
+    /// Takes what was found in the contact cells held here.
+    fn enter(&mut self, answer: &Answer<'_>) {
+        let grid = self.grid();
+        for (k, i) in answer.region.held().indices().enumerate() {
+            if answer.pressure[k] <= 0.0 {
+                continue;
+            }
+            let slip = answer.slip(k, centre(grid, i)).unwrap_or([0.0; 2]);
+            let traction = answer.traction(k);
+            for axis in 0..2 {
+                self.traction[axis].as_mut_slice()[i] = traction[axis];
+                self.slip[axis].as_mut_slice()[i] = slip[axis];
+            }
+            self.zones[i] = answer.zone(k);
+        }
     }
 
     /// The grid of all its fields.

@@ -78,6 +78,7 @@ mod problems_take_every_load;
 #[cfg(feature = "dense")]
 mod random_scenes_are_right;
 mod ranks_share_a_contact;
+mod ranks_share_a_history;
 mod repeated_solves_start_near_the_answer;
 mod rough_contacts_follow_theory;
 mod rough_surfaces_follow_their_law;

@@ -12,12 +12,12 @@ use stickslip::surface::SelfAffine;
 use stickslip::*;
 
 /// Longer than any step takes, even where many tests run at once.
-const PATIENCE: Duration = Duration::from_secs(120);
+pub(crate) const PATIENCE: Duration = Duration::from_secs(120);
 
 /// Ranks of which some have little or nothing to do.
-const RANKS: [usize; 4] = [2, 3, 4, 7];
+pub(crate) const RANKS: [usize; 4] = [2, 3, 4, 7];
 
-fn pair() -> ElasticPair {
+pub(crate) fn pair() -> ElasticPair {
     ElasticPair::new(Material::new(1.0, 0.3).unwrap(), Material::rigid()).unwrap()
 }
 
@@ -36,7 +36,7 @@ fn on_ranks(
 }
 
 /// `Ok` if both have the same bits.
-fn same(found: &[f64], expected: &[f64]) -> Result<(), TestCaseError> {
+pub(crate) fn same(found: &[f64], expected: &[f64]) -> Result<(), TestCaseError> {
     prop_assert_eq!(found.len(), expected.len());
     for (i, (a, b)) in found.iter().zip(expected).enumerate() {
         prop_assert!(
@@ -50,7 +50,7 @@ fn same(found: &[f64], expected: &[f64]) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-fn boundaries(grid: Grid) -> [Boundary; 3] {
+pub(crate) fn boundaries(grid: Grid) -> [Boundary; 3] {
     let datum = 4.0 * grid.dx() * grid.nx() as f64;
     [
         Boundary::NonPeriodic,
@@ -117,9 +117,9 @@ fn press(bodies: &HalfSpace, gap: Gap<'_>, load: NormalControl) -> NormalSolutio
 }
 
 /// Samples of the fields in every cell, and numbers that every rank knows.
-struct Found {
-    cells: Vec<[f64; 7]>,
-    known: Vec<f64>,
+pub(crate) struct Found {
+    pub(crate) cells: Vec<[f64; 7]>,
+    pub(crate) known: Vec<f64>,
 }
 
 impl Found {
@@ -184,7 +184,7 @@ impl Found {
 }
 
 /// Asserts that ranks find what one process finds.
-fn assert_same(
+pub(crate) fn assert_same(
     grid: Grid,
     boundary: Boundary,
     what: &str,

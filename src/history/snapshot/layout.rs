@@ -1,5 +1,6 @@
 //! The order of the parts of a saved state, written down once for both directions.
 
+use std::ops::Range;
 use std::time::Duration;
 
 use super::FORMAT;
@@ -35,7 +36,10 @@ pub(super) const LEAST_PER_CELL: usize = 7 * 8 + 1;
 /// What tells the bodies of a state from others.
 #[derive(Default)]
 pub(super) struct Host {
+    /// Of the whole grid.
     cells: [usize; 2],
+    /// First of the rows held, and their number.
+    rows: [usize; 2],
     sides: [f64; 2],
     boundary: Boundary,
     /// Young's modulus, Poisson's ratio and hardness of each body.
@@ -48,7 +52,8 @@ impl Host {
         let constants =
             |body: Material| [body.youngs_modulus(), body.poisson_ratio(), body.hardness()];
         Self {
-            cells: grid.size(),
+            cells: grid.whole().size(),
+            rows: [grid.rows().start, grid.ny()],
             sides: [grid.dx(), grid.dy()],
             boundary: state.boundary(),
             materials: state.pair().bodies().map(constants),
@@ -59,6 +64,9 @@ impl Host {
         for cells in &mut self.cells {
             codec.count("number of cells along an axis", cells, 1..)?;
         }
+        let ([_, all], [first, rows]) = (self.cells, &mut self.rows);
+        codec.count("first row", first, ..=all as u64)?;
+        codec.count("number of rows", rows, ..=(all - *first) as u64)?;
         for side in &mut self.sides {
             codec.number("cell side", side, POSITIVE)?;
         }
@@ -99,7 +107,14 @@ impl Host {
     pub(super) fn grid(&self) -> Result<Grid> {
         let ([nx, ny], [dx, dy]) = (self.cells, self.sides);
         let grid = Grid::new(nx, ny, dx, dy);
-        grid.map_err(|error| FORMAT.at_byte(super::HEADER, error.to_string()))
+        let grid = grid.map_err(|error| FORMAT.at_byte(super::HEADER, error.to_string()))?;
+        Ok(grid.slab(self.rows()))
+    }
+
+    /// The rows held.
+    pub(super) fn rows(&self) -> Range<usize> {
+        let [first, rows] = self.rows;
+        first..first + rows
     }
 }
 
@@ -194,7 +209,7 @@ impl State {
             )?;
             for fields in [&mut relative.pattern, &mut relative.reached] {
                 for field in fields.fields_mut() {
-                    codec.numbers(what, field, FINITE)?;
+                    codec.numbers(what, field.as_mut_slice(), FINITE)?;
                 }
             }
         }
@@ -202,19 +217,20 @@ impl State {
     }
 
     fn visit_trend<C: Codec>(&mut self, codec: &mut C) -> Result<(), C::Error> {
+        let mut is_known = self.trend.is_known();
+        codec.kind("mark of a trend", &mut is_known, &[false, true])?;
+        let (window, grid) = (self.press_window, self.grid());
+        let Some(window) = window.filter(|_| is_known) else {
+            self.trend.forget();
+            return Ok(());
+        };
         let Trend {
             change: [change],
             by: [by],
         } = &mut self.trend;
-        let mut is_known = !change.is_empty();
-        codec.kind("mark of a trend", &mut is_known, &[false, true])?;
-        if is_known {
-            let cells = self.press_window.map_or(0, |window| window.cells());
-            change.resize(cells, 0.0);
-            codec.numbers("change of the pressure", change, FINITE)?;
-            codec.numbers("change of the normal load", by, FINITE)?;
-        }
-        Ok(())
+        change.resize(window.held(grid).cells(), 0.0);
+        codec.numbers("change of the pressure", change, FINITE)?;
+        codec.numbers("change of the normal load", by, FINITE)
     }
 
     fn visit_contact<C: Codec>(&mut self, codec: &mut C) -> Result<(), C::Error> {
@@ -370,7 +386,7 @@ fn visit_control<C: Codec>(codec: &mut C, control: &mut NormalControl) -> Result
 
 fn visit_window<C: Codec>(codec: &mut C, window: &mut Window, grid: Grid) -> Result<(), C::Error> {
     let (mut corner, mut size) = (window.corner(), window.size);
-    for (axis, cells) in grid.size().into_iter().enumerate() {
+    for (axis, cells) in grid.whole().size().into_iter().enumerate() {
         let cells = cells as u64;
         codec.count("first cell of a window", &mut corner[axis], ..cells)?;
         let left = cells - corner[axis] as u64;

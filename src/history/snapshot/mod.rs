@@ -3,7 +3,7 @@
 //! | bytes | holds |
 //! |---|---|
 //! | 8 | `\x93STKSLIP` |
-//! | 4 | version of the format, 4 |
+//! | 4 | version of the format |
 //! | 8 | number of all bytes |
 //! | | bodies, then the parts of the state in the order of its `visit` |
 //! | 8 | FNV-1a sum of all bytes before |
@@ -12,6 +12,7 @@
 
 mod codec;
 mod layout;
+mod slabs;
 
 use std::path::Path;
 
@@ -26,7 +27,7 @@ use layout::{Host, LEAST_PER_CELL};
 
 const FORMAT: Format = Format("saved history");
 const MAGIC: &[u8; 8] = b"\x93STKSLIP";
-const VERSION: u32 = 10;
+const VERSION: u32 = 11;
 /// Magic, version and length; and the sum at the end.
 const HEADER: usize = 20;
 const SUM: usize = 8;
@@ -37,7 +38,8 @@ impl State {
     ///
     /// All numbers keep their bits. Of the report of the pressure, the wall time and the course of the iteration
     /// ([`Report::time`](crate::Report::time) and [`Report::history`](crate::Report::history)) are left out. While
-    /// it is written, as much memory again holds a copy of the state.
+    /// it is written, as much memory again holds a copy of the state. Of a slab they are those of its rows; from the bytes of
+    /// all slabs [`State::of_slabs`] makes the state again, on any number of ranks.
     #[must_use]
     pub fn to_bytes(&self) -> Vec<u8> {
         self.clone().into_bytes()
@@ -133,7 +135,8 @@ impl History {
     }
 
     /// Saves the [state](History::state) in a file, which is replaced as a whole or not at all: if the program is
-    /// interrupted while it saves, the previous file is kept. The bytes are on the disk when it returns.
+    /// interrupted while it saves, the previous file is kept. The bytes are on the disk when it returns. Each of the ranks
+    /// that share a contact saves its slab, in a file of its own, for [`History::load_slabs`].
     ///
     /// # Errors
     /// [`Error::File`](crate::Error::File).

@@ -53,7 +53,7 @@ impl Coefficient<'_> {
     pub(super) fn largest(self) -> f64 {
         match self {
             Self::Uniform(coefficient) => coefficient,
-            Self::PerCell(field) => field.max(),
+            Self::PerCell(field) => greatest(field),
         }
     }
 
@@ -64,4 +64,9 @@ impl Coefficient<'_> {
             Self::PerCell(field) => field.as_slice()[index],
         }
     }
+}
+
+/// The largest sample of a quantity that is not negative; zero where a rank holds no cells.
+pub(super) fn greatest(field: &Field) -> f64 {
+    field.max().max(0.0)
 }

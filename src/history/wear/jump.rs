@@ -44,12 +44,11 @@ pub fn max_stable_cycles<'a>(
     coefficient: impl Into<Coefficient<'a>>,
     slip_distance: &Field,
 ) -> Result<f64> {
-    bodies.check_alone("a number of cycles")?;
     let coefficient = coefficient.into();
-    coefficient.check(bodies.grid())?;
-    check("slip length", slip_distance, bodies.grid())?;
+    let checked = coefficient.check(bodies.grid());
+    bodies.agreed(checked.and_then(|()| check("slip length", slip_distance, bodies.grid())))?;
     let slip = slip_distance.as_slice();
-    let rate = reduce::max(&bodies.grid().layout(), |i| coefficient.at(i) * slip[i]);
+    let rate = reduce::max(&bodies.grid_layout(), |i| coefficient.at(i) * slip[i]);
     Ok(2.0 * cycles_without_overshoot(bodies, rate)?)
 }
 
@@ -114,15 +113,12 @@ impl CycleJump {
     /// [`Error::GridMismatch`], [`Error::Sample`] for a
     /// depth that is negative or not finite; as [`HalfSpace::operator`].
     pub fn new(bodies: &HalfSpace, cycle: &Cycle, depth: &Field) -> Result<Self> {
-        bodies.check_alone("a jump over cycles")?;
-        check(
-            "pressure of the cycle",
-            cycle.slip_pressure(),
-            bodies.grid(),
-        )?;
-        check("depth of the cycle", depth, bodies.grid())?;
-        let (pressure, removed) = (cycle.slip_pressure().as_slice(), depth.as_slice());
-        let rate = reduce::max(&bodies.grid().layout(), |i| {
+        let (grid, slip_pressure) = (bodies.grid(), cycle.slip_pressure());
+        let checked = check("pressure of the cycle", slip_pressure, grid);
+        bodies.agreed(checked.and_then(|()| check("depth of the cycle", depth, grid)))?;
+        let (pressure, removed) = (slip_pressure.as_slice(), depth.as_slice());
+        let layout = bodies.grid_layout();
+        let rate = reduce::max(&layout, |i| {
             if pressure[i] > 0.0 {
                 removed[i] / pressure[i]
             } else {
@@ -131,7 +127,7 @@ impl CycleJump {
         });
         Ok(Self {
             without_overshoot: cycles_without_overshoot(bodies, rate)?,
-            depth_per_cycle: depth.max(),
+            depth_per_cycle: reduce::max(&layout, |i| removed[i]),
             residual: cycle.cyclic_residual(),
             closed_within: CLOSED,
             largest_depth: None,

@@ -2,6 +2,7 @@
 
 use crate::error::{Result, finite, non_negative};
 use crate::field::Field;
+use crate::history::wear::coefficient::greatest;
 use crate::history::wear::{Coefficient, check};
 use crate::parallel;
 
@@ -29,7 +30,7 @@ pub fn archard<'a>(
     coefficient.check(grid)?;
     check("pressure", pressure, grid)?;
     check("slip length", slip_distance, grid)?;
-    let deepest = coefficient.largest() * pressure.max() * slip_distance.max();
+    let deepest = coefficient.largest() * greatest(pressure) * greatest(slip_distance);
     finite("greatest depth of wear", deepest)?;
     let (pressure, slip) = (pressure.as_slice(), slip_distance.as_slice());
     remove(depth, |i| coefficient.at(i) * pressure[i] * slip[i]);
@@ -61,7 +62,7 @@ pub fn energy<'a>(
     let area = grid.cell_area();
     finite(
         "greatest depth of wear",
-        coefficient.largest() / area * energy.max(),
+        coefficient.largest() / area * greatest(energy),
     )?;
     let energy = energy.as_slice();
     remove(depth, |i| coefficient.at(i) / area * energy[i]);
@@ -113,7 +114,7 @@ pub fn threshold_energy<'a>(
     let area = grid.cell_area();
     finite(
         "greatest depth of wear",
-        coefficient.largest() / area * energy.max(),
+        coefficient.largest() / area * greatest(energy),
     )?;
     let (total, energy) = (accumulated.as_slice(), energy.as_slice());
     remove(depth, |i| {

@@ -1,0 +1,266 @@
+//! The state of a contact that ranks share, put together from the slabs that others had.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use crate::error::{Error, RankFailure, Result};
+use crate::field::Field;
+use crate::grid::Grid;
+use crate::half_space::HalfSpace;
+use crate::history::History;
+use crate::history::memory::Memory;
+use crate::history::snapshot::codec::Reader;
+use crate::history::snapshot::layout::Host;
+use crate::history::snapshot::{FORMAT, HEADER};
+use crate::history::state::State;
+use crate::io::{Cursor, parse_file, refused};
+use crate::per_cell::PerCell;
+use crate::window::Window;
+
+/// Bytes at the beginning of a file that tell which rows it has.
+const BEGINNING: u64 = 256;
+
+impl State {
+    /// The state of the cells held here of these bodies, put together from slabs: from the states that any number of ranks
+    /// had, in any order, or from that of the whole grid. Slabs without rows held here may be left out. All ranks call it.
+    ///
+    /// # Errors
+    /// The first error among the slabs; [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or
+    /// [`Error::MaterialMismatch`] for other bodies; [`Error::Ranks`] with [`RankFailure::NoSlab`] if a row is missing, with
+    /// [`RankFailure::OtherState`] for slabs that were not saved together.
+    ///
+    /// ```
+    /// use std::{sync::Arc, time::Duration};
+    /// use stickslip::{*, history::State, ranks::Threads};
+    /// let grid = Grid::square(32, 8.0)?;
+    /// let pair = ElasticPair::new(Material::new(1.0, 0.5)?, Material::rigid())?;
+    /// let boundary = Boundary::NonPeriodic;
+    /// let press = LoadStep::hold().normal(NormalControl::Force(0.5));
+    /// let slide = LoadStep::force([0.1, 0.0]);
+    /// let patience = Duration::from_secs(60);
+    ///
+    /// // Three ranks begin, and save their slabs.
+    /// let slabs = Threads::run(3, patience, |rank| {
+    ///     let bodies = HalfSpace::distributed(grid, pair, boundary, Arc::new(rank))?;
+    ///     let ball = surface::sphere(bodies.grid(), 10.0)?;
+    ///     let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.3)?).build()?;
+    ///     history.step(&press)?;
+    ///     Ok::<_, Error>(history.to_bytes())
+    /// });
+    /// let slabs = slabs.into_iter().collect::<Result<Vec<_>, _>>()?;
+    ///
+    /// // Two go on, and so does one process, to the same bits.
+    /// let states = || slabs.iter().map(|bytes| State::from_bytes(bytes));
+    /// let shifts = Threads::run(2, patience, |rank| {
+    ///     let bodies = HalfSpace::distributed(grid, pair, boundary, Arc::new(rank))?;
+    ///     let mut history = History::from_state(&bodies, State::of_slabs(&bodies, states())?)?;
+    ///     Ok::<_, Error>(history.step(&slide)?.shift())
+    /// });
+    /// let bodies = HalfSpace::new(grid, pair)?;
+    /// let mut history = History::from_state(&bodies, State::of_slabs(&bodies, states())?)?;
+    /// let alone = history.step(&slide)?.shift();
+    /// for shift in shifts {
+    ///     assert_eq!(shift?, alone);
+    /// }
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn of_slabs(
+        bodies: &HalfSpace,
+        slabs: impl IntoIterator<Item = Result<Self>>,
+    ) -> Result<Self> {
+        bodies.agreed(put_together(bodies, slabs))
+    }
+
+    /// The same, with all cells of another slab at zero.
+    fn blank_on(mut self, grid: Grid) -> Self {
+        self.zones = vec![crate::tangential::Zone::Separated; grid.cells()];
+        for (window, part) in self.parts_mut() {
+            *part = vec![0.0; window.held(grid).cells()];
+        }
+        for field in self.fields_mut() {
+            *field = Field::zeros(grid);
+        }
+        self
+    }
+
+    /// Takes over the rows of a slab that are held here.
+    fn take_rows(&mut self, slab: &mut Self) {
+        let (grid, from) = (self.grid(), slab.grid());
+        let parts = self.parts_mut().into_iter().zip(slab.parts_mut());
+        for ((window, part), (_, found)) in parts {
+            copy_rows(window, (grid, part), (from, found));
+        }
+        let whole = Window::whole(grid);
+        for (field, found) in self.fields_mut().into_iter().zip(slab.fields_mut()) {
+            let (field, found) = (field.as_mut_slice(), found.as_slice());
+            copy_rows(whole, (grid, field), (from, found));
+        }
+        copy_rows(whole, (grid, &mut self.zones), (from, &slab.zones));
+    }
+
+    /// Whether a slab was saved with another.
+    fn goes_with(&self, other: &Self) -> bool {
+        let windows = |state: &Self| {
+            let remembered = state.contact.as_ref().map(|memory| memory.window);
+            (state.press_window, remembered, state.trend.is_known())
+        };
+        let numbers = |state: &Self| {
+            let ([fx, fy], [dx, dy]) = (state.force, state.motion.shift);
+            let twist = state.motion.twist;
+            [fx, fy, dx, dy, twist, state.moment, state.approach()].map(f64::to_bits)
+        };
+        let kinds = |state: &Self| {
+            let (hardness, relative) = (state.hardness.is_some(), state.relative.is_some());
+            (state.axes, hardness, relative, state.yielded.is_some())
+        };
+        self.steps == other.steps
+            && self.settings == other.settings
+            && windows(self) == windows(other)
+            && numbers(self) == numbers(other)
+            && kinds(self) == kinds(other)
+    }
+
+    /// All fields of the grid.
+    fn fields_mut(&mut self) -> Vec<&mut Field> {
+        let (pressure, under_load, ..) = self.normal.parts_mut();
+        let mut fields = vec![
+            &mut self.gap,
+            &mut self.pressed_gap,
+            pressure,
+            under_load,
+            &mut self.accumulated_slip,
+            &mut self.dissipated_energy,
+        ];
+        fields.extend(self.traction.iter_mut().chain(&mut self.slip));
+        fields.extend(&mut self.yielded);
+        let (coefficient, _) = self.friction.parts_mut();
+        let limits = self.hardness.as_mut().map(|hardness| hardness.limit_mut());
+        for quantity in [Some(coefficient), limits].into_iter().flatten() {
+            if let PerCell::Cells(field) = quantity {
+                fields.push(field);
+            }
+        }
+        if let Some(relative) = &mut self.relative {
+            fields.extend(relative.pattern.fields_mut());
+            fields.extend(relative.reached.fields_mut());
+        }
+        fields
+    }
+
+    /// All fields of windows, in the cells held here.
+    fn parts_mut(&mut self) -> Vec<(Window, &mut Vec<f64>)> {
+        let is_joint = self.is_joint();
+        let mut parts = Vec::new();
+        if let Some(window) = self.press_window.filter(|_| self.trend.is_known()) {
+            parts.extend(self.trend.change.iter_mut().map(|change| (window, change)));
+        }
+        if let Some(memory) = &mut self.contact {
+            let Memory {
+                window,
+                displacement,
+                offset,
+                trend,
+            } = memory;
+            let vectors = [Some(displacement), Some(offset), Some(&mut trend.change)];
+            let known = vectors.into_iter().take(if is_joint { 2 } else { 3 });
+            for vector in known.flatten() {
+                let found = vector.iter_mut().enumerate();
+                let of_model =
+                    found.filter(|(part, _)| self.axes.iter().any(|axis| axis.index() == *part));
+                parts.extend(of_model.map(|(_, part)| (*window, part)));
+            }
+        }
+        parts
+    }
+}
+
+fn put_together(
+    bodies: &HalfSpace,
+    slabs: impl IntoIterator<Item = Result<State>>,
+) -> Result<State> {
+    let grid = bodies.grid();
+    let mut found: Option<State> = None;
+    let mut is_missing = vec![true; grid.ny()];
+    for slab in slabs {
+        let mut slab = slab?;
+        slab.check_origin(bodies)?;
+        let rows = slab.grid().rows();
+        let state = match &mut found {
+            Some(state) if !state.goes_with(&slab) => {
+                return Err(Error::Ranks(RankFailure::OtherState { row: rows.start }));
+            }
+            Some(state) => state,
+            none => none.insert(slab.clone().blank_on(grid)),
+        };
+        state.take_rows(&mut slab);
+        for (row, is_missing) in grid.rows().zip(&mut is_missing) {
+            *is_missing &= !rows.contains(&row);
+        }
+    }
+    let first = grid.rows().start;
+    let missing = is_missing.iter().position(|is_missing| *is_missing);
+    let missing = missing.map(|row| RankFailure::NoSlab { row: first + row });
+    match (found, missing) {
+        (Some(state), None) => Ok(state),
+        (_, missing) => Err(Error::Ranks(
+            missing.unwrap_or(RankFailure::NoSlab { row: first }),
+        )),
+    }
+}
+
+/// Copies the rows of a window that both slabs have.
+fn copy_rows<T: Copy>(window: Window, to: (Grid, &mut [T]), from: (Grid, &[T])) {
+    let rows = |grid: Grid| {
+        let [columns, rows] = window.held(grid).ranges();
+        let first = grid.rows().start;
+        (columns.len(), first + rows.start..first + rows.end)
+    };
+    let ((columns, own), (_, others)) = (rows(to.0), rows(from.0));
+    let (start, end) = (own.start.max(others.start), own.end.min(others.end));
+    if start < end {
+        let place = |row: usize, first: usize| (row - first) * columns;
+        let source = &from.1[place(start, others.start)..place(end, others.start)];
+        to.1[place(start, own.start)..place(end, own.start)].copy_from_slice(source);
+    }
+}
+
+impl History {
+    /// A history from the files in which ranks have [saved](History::save) their slabs, on these bodies, which as many
+    /// ranks share or others, or none: see [`State::of_slabs`]. Of the files only those are read through that have rows
+    /// held here. All ranks call it.
+    ///
+    /// # Errors
+    /// [`Error::File`] if a file cannot be read; as [`State::from_bytes`], [`State::of_slabs`] and
+    /// [`History::from_state`].
+    pub fn load_slabs<P: AsRef<Path>>(
+        bodies: &HalfSpace,
+        paths: impl IntoIterator<Item = P>,
+    ) -> Result<Self> {
+        let held = bodies.grid().rows();
+        let mut is_first = true;
+        let slabs = paths.into_iter().filter_map(|path| {
+            let path = path.as_ref();
+            let is_of_use = std::mem::take(&mut is_first)
+                || match rows_of(path) {
+                    Ok(rows) => rows.start < held.end && held.start < rows.end,
+                    Err(error) => return Some(Err(error)),
+                };
+            is_of_use.then(|| parse_file(path, State::from_bytes))
+        });
+        Self::from_state(bodies, State::of_slabs(bodies, slabs)?)
+    }
+}
+
+/// The rows that a saved state has.
+fn rows_of(path: &Path) -> Result<std::ops::Range<usize>> {
+    let mut beginning = Vec::new();
+    File::open(path)
+        .and_then(|file| file.take(BEGINNING).read_to_end(&mut beginning))
+        .map_err(|error| refused(path, &error))?;
+    let mut reader = Reader(Cursor::new(FORMAT, &beginning));
+    reader.0.take("the header", HEADER)?;
+    let mut host = Host::default();
+    host.visit(&mut reader)?;
+    Ok(host.rows())
+}
