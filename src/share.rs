@@ -6,7 +6,6 @@ use std::sync::Arc;
 use crate::layout::chunk_of;
 use crate::parallel::{self, Split};
 use crate::ranks::{Team, Words};
-use crate::window::Window;
 
 /// A rectangle of cells in slabs of rows, one slab a rank, in their order; a slab may be empty. A slab ends where a chunk
 /// of the tree of sums ends.
@@ -42,13 +41,11 @@ impl Share {
         Self::of(team, size, chunk, (0..=ranks).map(first).collect())
     }
 
-    /// A window with its rows where they lie, in chunks of one row.
-    pub(crate) fn within(&self, window: Window) -> Self {
-        let [_, all] = window.ranges();
+    /// So many columns of some rows, which stay where they lie, in chunks of one row.
+    pub(crate) fn within(&self, columns: usize, all: Range<usize>) -> Self {
         let first = |row: &usize| row.clamp(&all.start, &all.end) - all.start;
         let rows = self.rows.iter().map(first).collect();
-        let [columns, _] = window.size;
-        Self::of(&self.team, window.size, columns, rows)
+        Self::of(&self.team, [columns, all.len()], columns, rows)
     }
 
     /// Rows that begin there, of each rank.

@@ -49,6 +49,7 @@ impl Region {
                 dealt: None,
             };
         };
+        let [columns, rows] = window.ranges();
         Self {
             window,
             own: window.rows(inner.own_rows()),
@@ -56,7 +57,7 @@ impl Region {
             held: window.held(grid),
             dealt: Some(Box::new(Dealt {
                 grid,
-                held: Arc::new(outer.within(window)),
+                held: Arc::new(outer.within(columns.len(), rows)),
                 outer,
                 inner,
             })),

@@ -10,8 +10,8 @@ impl History {
     ///
     /// Each contact comes to the bits that it has alone. Those that fail are as they were, and the others go on. Contacts
     /// of at most 4096 cells are solved on one thread each, larger ones share; the time limit of a larger one may then run
-    /// while its thread works on another. A call allocates what the steps do, and the
-    /// list of failures if there are any.
+    /// while its thread works on another; contacts that ranks share are solved one after the other. A call allocates what
+    /// the steps do, and the list of failures if there are any.
     ///
     /// # Errors
     /// [`Error::Length`] if there are not as many loads as contacts, before any step.

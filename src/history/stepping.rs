@@ -271,7 +271,11 @@ impl History {
         state.gap.as_mut_slice().copy_from_slice(gap.as_slice());
         add_yielded(state);
         let [pressed, gap] = [&state.pressed_gap, &state.gap].map(Field::as_slice);
-        let differs = reduce::any(&self.bodies.grid_layout(), |i| pressed[i] != gap[i]);
+        let differs = reduce::fold(
+            &self.bodies.grid_layout(),
+            |cells| pressed[cells.clone()] != gap[cells],
+            |one, other| one || other,
+        );
         state.is_pressure_stale = is_pressed && differs;
         Ok(())
     }

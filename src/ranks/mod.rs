@@ -8,9 +8,9 @@
 //! every rank must do: build, solve, displacements, energies. What a solution says of the whole contact (force, area,
 //! stick ratio, report, ...) every rank knows without asking; its fields are those of the slab.
 //!
-//! Normal and tangential problems, scalar and in the plane, can be shared, on all boundaries, with hardness, friction that differs from
-//! cell to cell and relative displacements; what cannot is refused ([`RankFailure::NotShared`]): histories, coupled
-//! contacts, stiffness, stresses below the surface, dense matrices.
+//! Normal and tangential problems and histories, scalar and in the plane, can be shared, on all boundaries, with hardness,
+//! friction that differs from cell to cell, relative displacements and wear; what cannot is refused
+//! ([`RankFailure::NotShared`]): pressure and shear found together, stiffness, stresses below the surface, dense matrices.
 //!
 //! | ranks | are |
 //! |---|---|
@@ -23,7 +23,17 @@
 //! An answer has the bits that one process finds, on any number of ranks. A transform of a row or a column is the same
 //! call on the same numbers wherever it is made; sums follow one tree of chunks of rows, slabs end where chunks end, and
 //! every rank finishes the tree from the nodes that others hold wholly. Observer and clock are asked on all ranks, and
-//! the first decides. Coarse grids of nested starts of at most 65 536 cells every rank solves by itself.
+//! the first decides, on every level. Coarse grids of nested starts of at most 65 536 cells every rank solves by itself.
+//!
+//! # Histories
+//!
+//! The state of a history is that of the rows of the slab. Each rank saves its own
+//! ([`History::save`](crate::History::save)), and any number of ranks goes on from the files of all, to the same bits
+//! ([`History::load_slabs`](crate::History::load_slabs), [`State::of_slabs`](crate::history::State::of_slabs)). A step
+//! brings tractions and offsets of the contact's window to the ranks that share its rows, and the answer back: about ten
+//! numbers per cell of the window and component. Gap, friction and settings are changed by all ranks alike; energies and
+//! sums of cycles are those of the whole contact, slip and wear those of the slab. An observer of a
+//! [`FrettingLoop`](crate::history::FrettingLoop) is asked on all ranks, and the first decides.
 //!
 //! # What is sent
 //!

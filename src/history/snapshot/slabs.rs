@@ -15,7 +15,9 @@ use crate::history::snapshot::layout::Host;
 use crate::history::snapshot::{FORMAT, HEADER};
 use crate::history::state::State;
 use crate::io::{Cursor, parse_file, refused};
+use crate::normal::Hardness;
 use crate::per_cell::PerCell;
+use crate::tangential::Zone;
 use crate::window::Window;
 
 /// Bytes at the beginning of a file that tell which rows it has.
@@ -74,7 +76,7 @@ impl State {
 
     /// The same, with all cells of another slab at zero.
     fn blank_on(mut self, grid: Grid) -> Self {
-        self.zones = vec![crate::tangential::Zone::Separated; grid.cells()];
+        self.zones = vec![Zone::Separated; grid.cells()];
         for (window, part) in self.parts_mut() {
             *part = vec![0.0; window.held(grid).cells()];
         }
@@ -135,7 +137,7 @@ impl State {
         fields.extend(self.traction.iter_mut().chain(&mut self.slip));
         fields.extend(&mut self.yielded);
         let (coefficient, _) = self.friction.parts_mut();
-        let limits = self.hardness.as_mut().map(|hardness| hardness.limit_mut());
+        let limits = self.hardness.as_mut().map(Hardness::limit_mut);
         for quantity in [Some(coefficient), limits].into_iter().flatten() {
             if let PerCell::Cells(field) = quantity {
                 fields.push(field);
@@ -210,18 +212,22 @@ fn put_together(
 }
 
 /// Copies the rows of a window that both slabs have.
-fn copy_rows<T: Copy>(window: Window, to: (Grid, &mut [T]), from: (Grid, &[T])) {
+fn copy_rows<T: Copy>(
+    window: Window,
+    (to_grid, to): (Grid, &mut [T]),
+    (from_grid, from): (Grid, &[T]),
+) {
     let rows = |grid: Grid| {
         let [columns, rows] = window.held(grid).ranges();
         let first = grid.rows().start;
         (columns.len(), first + rows.start..first + rows.end)
     };
-    let ((columns, own), (_, others)) = (rows(to.0), rows(from.0));
+    let ((columns, own), (_, others)) = (rows(to_grid), rows(from_grid));
     let (start, end) = (own.start.max(others.start), own.end.min(others.end));
     if start < end {
         let place = |row: usize, first: usize| (row - first) * columns;
-        let source = &from.1[place(start, others.start)..place(end, others.start)];
-        to.1[place(start, own.start)..place(end, own.start)].copy_from_slice(source);
+        let source = &from[place(start, others.start)..place(end, others.start)];
+        to[place(start, own.start)..place(end, own.start)].copy_from_slice(source);
     }
 }
 
