@@ -3,7 +3,7 @@
 //!
 //! `cargo run --release --example distributed -- [cells] [--press] [--threads-as-ranks N]` (default 256 cells along a
 //! side, pressed and sheared, two ranks that are threads). Built with the feature `mpi` the ranks are processes:
-//! `mpirun -n 4 target/release/examples/distributed 1024`. What is pressed alone takes half the memory.
+//! `mpirun -n 4 target/release/examples/distributed 1024`. Pressing alone takes a quarter of the memory.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
