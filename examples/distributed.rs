@@ -1,9 +1,9 @@
 //! One rough surface pressed and sheared by several ranks: the report, and a hash of the bits of pressure and traction,
 //! which are the same on any number of ranks.
 //!
-//! `cargo run --release --example distributed -- [cells] [--threads-as-ranks N]` (default 256 cells along a side, two
-//! ranks that are threads). Built with the feature `mpi` the ranks are processes:
-//! `mpirun -n 4 target/release/examples/distributed 1024`.
+//! `cargo run --release --example distributed -- [cells] [--press] [--threads-as-ranks N]` (default 256 cells along a
+//! side, pressed and sheared, two ranks that are threads). Built with the feature `mpi` the ranks are processes:
+//! `mpirun -n 4 target/release/examples/distributed 1024`. Pressing alone takes a quarter of the memory.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -15,7 +15,8 @@ use stickslip::ranks::{Ranks, Threads};
 use stickslip::surface::SelfAffine;
 use stickslip::{
     Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl,
-    NormalProblem, Report, TangentialLoad, TangentialModel, TangentialProblem,
+    NormalProblem, NormalSolution, Report, TangentialLoad, TangentialModel, TangentialProblem,
+    TangentialSolution,
 };
 
 /// Side of the grid, in units of the longest wave.
@@ -32,6 +33,8 @@ type Outcome<T> = Result<T, Box<dyn Error + Send + Sync>>;
 
 struct Arguments {
     cells: usize,
+    /// Whether that is all.
+    is_pressed_alone: bool,
     /// How many threads, if ranks are threads.
     threads: Option<usize>,
 }
@@ -40,6 +43,7 @@ impl Arguments {
     fn read() -> Outcome<Self> {
         let mut read = Self {
             cells: 256,
+            is_pressed_alone: false,
             threads: None,
         };
         let mut words = std::env::args().skip(1);
@@ -47,6 +51,8 @@ impl Arguments {
             if word == "--threads-as-ranks" {
                 let count = words.next().ok_or("--threads-as-ranks needs a number")?;
                 read.threads = Some(count.parse()?);
+            } else if word == "--press" {
+                read.is_pressed_alone = true;
             } else {
                 read.cells = word.parse()?;
             }
@@ -88,13 +94,13 @@ fn solve(arguments: &Arguments, ranks: &Arc<dyn Ranks>) -> Outcome<()> {
     let normal = NormalProblem::builder(&bodies, heights.map(|z| -z), load)
         .build()?
         .solve()?;
-    let force = SHEAR * FRICTION * normal.force();
-    let load = TangentialLoad::force([0.8 * force, 0.6 * force]);
-    let shear = TangentialProblem::builder(&bodies, &normal, Friction::coulomb(FRICTION)?, load)
-        .model(TangentialModel::Vector)
-        .build()?
-        .solve()?;
-    let fields = [normal.pressure(), shear.traction()[0], shear.traction()[1]];
+    let shear = if arguments.is_pressed_alone {
+        None
+    } else {
+        Some(sheared(&bodies, &normal)?)
+    };
+    let mut fields = vec![normal.pressure()];
+    fields.extend(shear.iter().flat_map(TangentialSolution::traction));
     let hash = hash_of_all(&**ranks, &fields)?;
     if ranks.rank() == 0 {
         let traffic = bodies.traffic();
@@ -110,12 +116,12 @@ fn solve(arguments: &Arguments, ranks: &Arc<dyn Ranks>) -> Outcome<()> {
             "  contact           {:.4} of the area",
             normal.contact_area() / grid.area()
         );
-        println!(
-            "  stick             {:.4} of the contact",
-            shear.stick_ratio()
-        );
         print_report("pressure", normal.report());
-        print_report("traction", shear.report());
+        if let Some(shear) = &shear {
+            let stick = shear.stick_ratio();
+            println!("  stick             {stick:.4} of the contact");
+            print_report("traction", shear.report());
+        }
         println!(
             "  sent by rank 0    {} blocks, {:.1} MB; {} partial results gathered",
             traffic.blocks,
@@ -125,6 +131,16 @@ fn solve(arguments: &Arguments, ranks: &Arc<dyn Ranks>) -> Outcome<()> {
         println!("hash {hash:016x}");
     }
     Ok(())
+}
+
+/// The shear traction under a pressure.
+fn sheared(bodies: &HalfSpace, normal: &NormalSolution) -> Outcome<TangentialSolution> {
+    let force = SHEAR * FRICTION * normal.force();
+    let load = TangentialLoad::force([0.8 * force, 0.6 * force]);
+    let problem = TangentialProblem::builder(bodies, normal, Friction::coulomb(FRICTION)?, load)
+        .model(TangentialModel::Vector)
+        .build()?;
+    Ok(problem.solve()?)
 }
 
 fn print_report(what: &str, report: &Report) {

@@ -198,9 +198,10 @@ impl Share {
                     .zip(sent)
                     .for_each(|(place, x)| *place = *x);
             } else {
-                let block = self
-                    .team
-                    .swap(sent.map(|x| x.to_bits()).collect(), to, from);
+                // Its length is known to no iterator, and a guess takes up to twice as much.
+                let mut block = Vec::with_capacity(common(&own, &rows).len() * sent_columns.len());
+                block.extend(sent.map(|x| x.to_bits()));
+                let block = self.team.swap(block, to, from);
                 for (place, word) in place.iter_mut().zip(block) {
                     *place = f64::from_bits(word);
                 }

@@ -108,12 +108,19 @@ impl<T: Real> Plan<T> {
             }
         }
         let pieces = self.pieces(share);
+        // The memory of a block that has come is that of the next to go.
+        let mut block = Vec::new();
         for step in 1..ranks {
             let (to_rank, from_rank) = ((me + step) % ranks, (me + ranks - step) % ranks);
             let ([sent_columns, sent_rows], [new_columns, new_rows]) =
                 (sent(to_rank), received(from_rank));
             for piece in 0..pieces.count {
-                let mut block = Vec::new();
+                let tiles_down = sent_rows
+                    .clone()
+                    .filter(|&row| holds(occupied.as_deref(), row));
+                let tiles = tiles_down.count() * pieces.of(piece, &sent_columns).len();
+                block.clear();
+                block.reserve_exact(tiles * TILE_WORDS + sent_rows.len().div_ceil(64));
                 if let Some(occupied) = &occupied {
                     if piece == 0 && !sent_columns.is_empty() {
                         block.extend(packed(&occupied[sent_rows.clone()]));
@@ -128,7 +135,7 @@ impl<T: Real> Plan<T> {
                         spare.push(tile);
                     }
                 }
-                let block = team.swap(block, to_rank, from_rank);
+                block = team.swap(block, to_rank, from_rank);
                 let mut words = &block[..];
                 if let Some(occupied) = &mut occupied {
                     if piece == 0 && !new_columns.is_empty() {

@@ -64,9 +64,7 @@ impl<const N: usize> SingleProduct<N> {
         scratch: &Scratch<f32, N>,
     ) {
         let layout = self.layout();
-        let largest = x
-            .iter()
-            .fold(0.0, |a, x| larger(a, largest_magnitude(&layout, x)));
+        let largest = largest_magnitude(&layout, x);
         if largest.is_normal() {
             let scales = [1.0 / largest, largest * self.scale];
             self.plan
@@ -87,21 +85,27 @@ impl<const N: usize> SingleProduct<N> {
     }
 }
 
-/// `max |x|` of the entries that are numbers; in lanes, so that many compare at a time.
-fn largest_magnitude(layout: &Layout, x: &[f64]) -> f64 {
+/// `max |x|` of the entries that are numbers, of all components at once: ranks then ask each other once.
+fn largest_magnitude<const N: usize>(layout: &Layout, x: [&[f64]; N]) -> f64 {
     let leaf = |range: Range<usize>| {
-        let mut lanes = [0.0; 8];
-        let groups = x[range].chunks_exact(8);
-        let rest = groups.remainder().iter().map(|x| x.abs());
-        let rest = rest.fold(0.0, larger);
-        for group in groups {
-            for (lane, x) in lanes.iter_mut().zip(group) {
-                *lane = larger(*lane, x.abs());
-            }
-        }
-        lanes.into_iter().fold(rest, larger)
+        let of = |x: &[f64]| largest_of(&x[range.clone()]);
+        x.map(of).into_iter().fold(0.0, larger)
     };
     layout.fold(leaf, larger)
+}
+
+/// The same of one part; in lanes, so that many compare at a time.
+fn largest_of(x: &[f64]) -> f64 {
+    let mut lanes = [0.0; 8];
+    let groups = x.chunks_exact(8);
+    let rest = groups.remainder().iter().map(|x| x.abs());
+    let rest = rest.fold(0.0, larger);
+    for group in groups {
+        for (lane, x) in lanes.iter_mut().zip(group) {
+            *lane = larger(*lane, x.abs());
+        }
+    }
+    lanes.into_iter().fold(rest, larger)
 }
 
 /// The larger number; the first if the second is NaN.
