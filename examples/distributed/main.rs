@@ -3,9 +3,13 @@
 //!
 //! `cargo run --release --example distributed -- [cells] [--press] [--threads-as-ranks N]` (default 256 cells along a
 //! side, pressed and sheared, two ranks that are threads). Built with the feature `mpi` the ranks are processes:
-//! `mpirun -n 4 target/release/examples/distributed 1024`. Pressing alone takes a quarter of the memory.
+//! `mpirun -n 4 target/release/examples/distributed 1024`. Pressing alone takes a quarter of the memory. With
+//! `--history FOLDER` twenty steps with wear follow instead, and the slabs of the ranks are saved in the folder, which must
+//! be there, after ten; `--from FOLDER` goes on from these on any number of ranks, to the same hash.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
+
+mod history;
 
 use std::error::Error;
 use std::sync::Arc;
@@ -18,6 +22,8 @@ use stickslip::{
     NormalProblem, NormalSolution, Report, TangentialLoad, TangentialModel, TangentialProblem,
     TangentialSolution,
 };
+
+use history::{Slabs, fret};
 
 /// Side of the grid, in units of the longest wave.
 const SIDE: f64 = 1.0;
@@ -35,6 +41,8 @@ struct Arguments {
     cells: usize,
     /// Whether that is all.
     is_pressed_alone: bool,
+    /// Of a history instead, if there is to be one.
+    slabs: Option<Slabs>,
     /// How many threads, if ranks are threads.
     threads: Option<usize>,
 }
@@ -44,6 +52,7 @@ impl Arguments {
         let mut read = Self {
             cells: 256,
             is_pressed_alone: false,
+            slabs: None,
             threads: None,
         };
         let mut words = std::env::args().skip(1);
@@ -53,6 +62,17 @@ impl Arguments {
                 read.threads = Some(count.parse()?);
             } else if word == "--press" {
                 read.is_pressed_alone = true;
+            } else if word == "--history" || word == "--from" {
+                let folder = words
+                    .next()
+                    .ok_or("--history and --from need a folder")?
+                    .into();
+                let slabs = if word == "--from" {
+                    Slabs::GoOnFrom
+                } else {
+                    Slabs::Save
+                };
+                read.slabs = Some(slabs(folder));
             } else {
                 read.cells = word.parse()?;
             }
@@ -90,7 +110,15 @@ fn solve(arguments: &Arguments, ranks: &Arc<dyn Ranks>) -> Outcome<()> {
         .seed(1);
     let heights = rough.generate_on(&bodies)?;
     let pressure = REDUCED_PRESSURE * 0.1 * pair.contact_modulus();
-    let load = NormalControl::Force(pressure * grid.area());
+    let force = pressure * grid.area();
+    if let Some(slabs) = &arguments.slabs {
+        let hash = fret(&bodies, &heights.map(|z| -z), force, slabs, &**ranks)?;
+        if ranks.rank() == 0 {
+            println!("hash {hash:016x}");
+        }
+        return Ok(());
+    }
+    let load = NormalControl::Force(force);
     let normal = NormalProblem::builder(&bodies, heights.map(|z| -z), load)
         .build()?
         .solve()?;

@@ -1,0 +1,84 @@
+//! Twenty steps of a contact that wears, saved in slabs after ten.
+
+use std::path::{Path, PathBuf};
+
+use stickslip::history::{TouchRule, wear};
+use stickslip::ranks::Ranks;
+use stickslip::{
+    Axis, Field, Friction, HalfSpace, History, LoadStep, NormalControl, TangentialControl,
+};
+
+use crate::{FRICTION, Outcome, hash_of_all};
+
+/// Steps, and after how many of them the slabs are saved.
+const STEPS: u64 = 20;
+const SAVED: u64 = 10;
+/// Depth worn over pressure and slip (one over a pressure).
+const WEAR: f64 = 0.05;
+
+/// What is done with the slabs in a folder.
+pub(crate) enum Slabs {
+    /// They are saved on the way.
+    Save(PathBuf),
+    /// The history begins from them, whatever number of ranks saved them.
+    GoOnFrom(PathBuf),
+}
+
+/// Presses surfaces to and fro and slides them under a force that grows to this, and shifts across it; returns a hash
+/// of the bits of the end.
+pub(crate) fn fret(
+    bodies: &HalfSpace,
+    gap: &Field,
+    force: f64,
+    slabs: &Slabs,
+    ranks: &dyn Ranks,
+) -> Outcome<u64> {
+    let mut history = match slabs {
+        Slabs::Save(_) => begun(bodies, gap)?,
+        Slabs::GoOnFrom(folder) => History::load_slabs(bodies, saved(folder)?)?,
+    };
+    for step in history.steps()..STEPS {
+        let k = step as f64;
+        let normal = force * (0.6 + 0.4 * (0.9 * k).sin());
+        let part = 0.5 * FRICTION * (1.3 * k).cos();
+        let load = LoadStep::hold()
+            .normal(NormalControl::Force(normal))
+            .tangential(Axis::X, TangentialControl::Force(part * normal));
+        history.step(&load)?;
+        let mut worn = history.gap().clone();
+        let slip = history.last_step().slip_distance();
+        wear::archard(WEAR, history.pressure(), slip, &mut worn)?;
+        history.set_gap(&worn)?;
+        if let (Slabs::Save(folder), SAVED) = (slabs, history.steps()) {
+            let name = format!("slab-{}-of-{}.state", ranks.rank(), ranks.size());
+            history.save(folder.join(name))?;
+        }
+    }
+    let [x, y] = history.traction();
+    let fields = [
+        history.pressure(),
+        x,
+        y,
+        history.accumulated_slip(),
+        history.gap(),
+    ];
+    hash_of_all(ranks, &fields)
+}
+
+fn begun(bodies: &HalfSpace, gap: &Field) -> Outcome<History> {
+    let builder = History::builder(bodies, gap, Friction::coulomb(FRICTION)?);
+    let builder = builder.coupling(stickslip::Coupling::OneWay);
+    Ok(builder.touch_rule(TouchRule::Growth).build()?)
+}
+
+/// The slabs in a folder, in the order of their names.
+fn saved(folder: &Path) -> Outcome<Vec<PathBuf>> {
+    let files = std::fs::read_dir(folder)?.map(|entry| entry.map(|entry| entry.path()));
+    let mut files = files.collect::<Result<Vec<_>, _>>()?;
+    files.retain(|file| {
+        file.extension()
+            .is_some_and(|extension| extension == "state")
+    });
+    files.sort();
+    Ok(files)
+}
