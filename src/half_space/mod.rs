@@ -5,6 +5,7 @@ mod coarser;
 mod compliance;
 mod dealt;
 mod elastic;
+mod files;
 mod kernels;
 mod region;
 mod rough;
