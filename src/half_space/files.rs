@@ -76,6 +76,11 @@ impl HalfSpace {
         fields: &[(&str, impl Into<Array<'a>> + Copy)],
     ) -> Result<()> {
         let share = self.share(self.size());
-        pvti::write(path.as_ref(), self.grid(), &vti::named(fields), share.as_deref())
+        pvti::write(
+            path.as_ref(),
+            self.grid(),
+            &vti::named(fields),
+            share.as_deref(),
+        )
     }
 }

@@ -9,6 +9,7 @@ mod files;
 mod kernels;
 mod region;
 mod rough;
+mod whole;
 
 use std::sync::{Arc, OnceLock};
 

@@ -203,7 +203,8 @@ impl Array {
             length.saturating_sub(array.start as u64),
         );
         if found != expected {
-            let problem = format!("shape ({ny}, {nx}) takes {expected} bytes, the file has {found}");
+            let problem =
+                format!("shape ({ny}, {nx}) takes {expected} bytes, the file has {found}");
             return Err(FORMAT.at_byte(array.start, problem));
         }
         Ok(array)
@@ -212,7 +213,11 @@ impl Array {
     /// The grid of the array.
     fn grid(&self, sides: Sides) -> Result<Grid> {
         let [ny, nx] = self.shape;
-        FORMAT.grid(Place::Byte(self.header as u64), [nx, ny], sides.of_cell([nx, ny]))
+        FORMAT.grid(
+            Place::Byte(self.header as u64),
+            [nx, ny],
+            sides.of_cell([nx, ny]),
+        )
     }
 
     /// The bytes of some rows: one behind the other, or those of each column behind those of the last.

@@ -42,6 +42,7 @@ mod engine_finds_the_exact_minimum;
 mod engine_serves_any_operator;
 mod extremes_are_met;
 mod files_of_other_programs_are_read;
+mod files_of_slabs_are_those_of_the_whole;
 mod files_survive_a_round_trip;
 mod fretting_loops_become_steady;
 mod frozen_scenes;
