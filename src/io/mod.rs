@@ -11,9 +11,12 @@
 //! | X3P of ISO 25178-72 | `x3p`, behind the feature of that name | yes | | yes | metre |
 //! | VTI, the image data of VTK and ParaView | [`vti`], volumes by [`Planes::write_vti`](crate::subsurface::Planes::write_vti) | | yes | yes | the field's |
 //! | PVD, a series of VTI files in time | [`pvd`] | | yes | | |
+//! | PVTI, VTI files of slabs that ranks hold | [`HalfSpace::write_pvti`](crate::HalfSpace::write_pvti) | | yes | yes | the field's |
 //!
 //! `read` takes a path, `parse` the bytes of a file; `write` and `to_bytes` are their inverses.
-//! [`read`](fn@read) of this module identifies the format of a file among those with cell sides.
+//! [`read`](fn@read) of this module identifies the format of a file among those with cell sides. Ranks that share a grid
+//! read and write one NPY file, each its own rows of it: [`HalfSpace::read_npy`](crate::HalfSpace::read_npy),
+//! [`HalfSpace::write_npy`](crate::HalfSpace::write_npy).
 //!
 //! # Conventions
 //! - A height is returned as stored in the file: a surface that points up has large values at its

@@ -2,8 +2,10 @@
 //! surface are the same to the last bit. If a rank is lost nothing is written half.
 
 use std::fs;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::time::{Duration, Instant};
 
 use proptest::prelude::*;
@@ -279,7 +281,7 @@ fn what_one_rank_refuses_is_not_written() {
 #[derive(Debug)]
 struct Leaving {
     rank: Threads,
-    calls_left: std::sync::atomic::AtomicUsize,
+    calls_left: AtomicUsize,
 }
 
 impl Ranks for Leaving {
@@ -294,7 +296,6 @@ impl Ranks for Leaving {
     fn swap(&self, block: Vec<u64>, to: usize, from: usize) -> Result<Vec<u64>, RankFailure> {
         let left = &self.calls_left;
         let one_less = |left: usize| left.checked_sub(1);
-        use std::sync::atomic::Ordering::Relaxed;
         // What a killed process does next: nothing.
         assert!(
             left.fetch_update(Relaxed, Relaxed, one_less).is_ok(),
@@ -304,31 +305,36 @@ impl Ranks for Leaving {
     }
 }
 
-/// Whatever the moment at which a rank is lost, the files are the old ones or the new ones.
-#[test]
-fn a_rank_killed_in_the_middle_leaves_nothing_half() {
-    let folder = folder("killed");
+/// Loses each rank in turn before each of its calls, and asks what is left in the folder.
+fn assert_nothing_half(
+    folder: &Path,
+    write: impl Fn(&HalfSpace) -> Result<()> + Sync,
+    is_old_or_new: impl Fn(&Path) -> bool,
+) {
     let grid = Grid::new(40, 300, 0.3, 0.2).unwrap();
-    let path = folder.join("field.npy");
-    let new = npy::to_bytes(&Field::from_fn(grid, height));
     for lost in 0..3 {
         let mut calls = 0;
         loop {
-            fs::write(&path, "old").unwrap();
-            let start = Instant::now();
-            let outcomes = Threads::run(3, Duration::from_secs(5), |rank| {
-                let number = rank.rank();
-                let calls_left = if number == lost { calls } else { usize::MAX };
-                let rank = Leaving {
+            drop(fs::remove_dir_all(folder));
+            fs::create_dir_all(folder).unwrap();
+            let write_on = |rank: Threads| {
+                let calls_left = if rank.rank() == lost {
+                    calls
+                } else {
+                    usize::MAX
+                };
+                let ranks = Arc::new(Leaving {
                     rank,
                     calls_left: calls_left.into(),
-                };
-                let work = std::panic::AssertUnwindSafe(|| {
-                    let ranks = Arc::new(rank);
-                    let bodies = HalfSpace::distributed(grid, pair(), Boundary::Periodic, ranks)?;
-                    bodies.write_npy(&path, &Field::from_fn(bodies.grid(), height))
                 });
-                std::panic::catch_unwind(work)
+                let bodies = HalfSpace::distributed(grid, pair(), Boundary::Periodic, ranks)?;
+                write(&bodies)
+            };
+            let old = HalfSpace::with_boundary(grid, pair(), Boundary::Periodic).unwrap();
+            write(&old).unwrap();
+            let start = Instant::now();
+            let outcomes = Threads::run(3, Duration::from_secs(5), |rank| {
+                catch_unwind(AssertUnwindSafe(|| write_on(rank)))
             });
             assert!(start.elapsed() < Duration::from_secs(4));
             let is_over = outcomes.iter().all(|outcome| matches!(outcome, Ok(Ok(()))));
@@ -337,27 +343,74 @@ fn a_rank_killed_in_the_middle_leaves_nothing_half() {
                     Err(_) => assert_eq!(rank, lost),
                     Ok(Ok(())) => {}
                     Ok(Err(error)) => assert!(
-                        matches!(error, Error::Ranks(RankFailure::Lost { .. }))
-                            || matches!(error, Error::File { .. }),
+                        // The lost rank has taken the new file with it.
+                        matches!(
+                            error,
+                            Error::Ranks(RankFailure::Lost { .. }) | Error::File { .. }
+                        ),
                         "{error:?}"
                     ),
                 }
             }
-            let found = fs::read(&path).unwrap();
-            assert!(found == b"old" || found == new, "rank {lost}, call {calls}");
-            assert_eq!(
-                names_in(&folder),
-                ["field.npy"],
-                "rank {lost}, call {calls}"
-            );
+            assert!(is_old_or_new(folder), "rank {lost}, call {calls}");
+            let is_part = |name: &String| name.ends_with(".part");
+            assert!(!names_in(folder).iter().any(is_part));
             if is_over {
-                assert!(found == new);
                 break;
             }
             calls += 1;
         }
         assert!(calls >= 5, "{calls} calls");
     }
+}
+
+/// Whatever the moment at which a rank is lost, the file is the old one or the new one.
+#[test]
+fn a_rank_killed_in_the_middle_leaves_nothing_half() {
+    let folder = folder("killed");
+    let path = folder.join("field.npy");
+    let grid = Grid::new(40, 300, 0.3, 0.2).unwrap();
+    let [old, new] =
+        [1.0, 2.0].map(|factor| npy::to_bytes(&Field::from_fn(grid, height).scaled(factor)));
+    let write = |bodies: &HalfSpace| {
+        let factor = if bodies.grid() == grid { 1.0 } else { 2.0 };
+        bodies.write_npy(&path, &Field::from_fn(bodies.grid(), height).scaled(factor))
+    };
+    assert_nothing_half(&folder, write, |_| {
+        let found = fs::read(&path).unwrap();
+        found == old || found == new
+    });
+}
+
+/// And a list is that of the old images or of the new ones, if there is any.
+#[test]
+fn a_rank_killed_in_the_middle_leaves_no_mixture() {
+    let folder = folder("killed_images");
+    let path = folder.join("field.pvti");
+    let write = |bodies: &HalfSpace| {
+        let name = if bodies.grid().rows() == (0..300) {
+            "old"
+        } else {
+            "new"
+        };
+        bodies.write_pvti(&path, &[(name, &Field::from_fn(bodies.grid(), height))])
+    };
+    assert_nothing_half(&folder, write, |_| {
+        let Ok(list) = fs::read_to_string(&path) else {
+            return true;
+        };
+        let name = between(&list, "Name=\"", "\"").0;
+        let mut pieces = 0;
+        let mut rest = &list[..];
+        while rest.contains("Source=") {
+            let (file, after) = between(rest, "Source=\"", "\"");
+            let piece = fs::read_to_string(folder.join(file)).unwrap();
+            assert!(piece.contains(&format!("Name=\"{name}\"")) && piece.ends_with("</VTKFile>\n"));
+            pieces += 1;
+            rest = after;
+        }
+        pieces == if name == "old" { 1 } else { 3 }
+    });
 }
 
 /// The text between two marks, and what follows.
