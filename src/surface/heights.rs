@@ -22,7 +22,7 @@ pub(super) fn finite_or_missing(heights: &Field) -> Result<()> {
 /// distant datum costs no digits.
 pub(super) fn about_mean(heights: &Field, slab: &Slab) -> (Field, f64) {
     let z = heights.as_slice();
-    let first = slab.combined(z.first().copied(), |a, b| a.or(b));
+    let first = slab.combined(z.first().copied(), Option::or);
     let datum = first.unwrap_or_default();
     let [sum] = slab.sums(|i| [z[i] - datum]);
     let shift = sum / slab.whole().cells() as f64;
