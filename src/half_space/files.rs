@@ -15,8 +15,8 @@ impl HalfSpace {
     ///
     /// # Errors
     /// [`Error::File`](crate::Error::File) if the file cannot be read; [`Error::Format`](crate::Error::Format) as
-    /// [`io::npy::parse`](npy::parse), and for an array of another shape; [`Error::Ranks`](crate::Error::Ranks) if another rank
-    /// has failed.
+    /// [`io::npy::parse`](npy::parse), and for an array of another shape; [`Error::Ranks`](crate::Error::Ranks) if
+    /// another rank has failed.
     pub fn read_npy(&self, path: impl AsRef<Path>) -> Result<Field> {
         self.agreed(npy::read_slab(path.as_ref(), self.grid()))
     }
@@ -50,8 +50,8 @@ impl HalfSpace {
     /// ```
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch); [`Error::File`](crate::Error::File) if the file cannot be written;
-    /// [`Error::Ranks`](crate::Error::Ranks) if another rank has failed.
+    /// [`Error::GridMismatch`](crate::Error::GridMismatch); [`Error::File`](crate::Error::File) if the file cannot be
+    /// written; [`Error::Ranks`](crate::Error::Ranks) if another rank has failed.
     pub fn write_npy(&self, path: impl AsRef<Path>, field: &Field) -> Result<()> {
         self.agreed(self.grid().expect("the field to be written", field.grid()))?;
         npy::write_slab(path.as_ref(), field, self.team().map(|team| &**team))
@@ -61,9 +61,17 @@ impl HalfSpace {
     /// the first the list of these images, which shows the whole grid.
     ///
     /// The list has the path given, `run.pvti`, and the images lie beside it, `run_0.vti`, `run_1.vti`, ..., as
-    /// [`io::vti::write`](vti::write) writes them; a rank without rows has none. Without ranks there is one image. The images
-    /// take their names when all of them are on the disk, and the list when they have: before that a failure leaves everything
-    /// as it was, and from then on there is no list of a mixture of old and new.
+    /// [`io::vti::write`](vti::write) writes them; a rank without rows has none. Without ranks there is one image.
+    ///
+    /// As long as not all images are on the disk a failure leaves everything as it was. Then an earlier list is removed,
+    /// the images take their names, and at last the new list its own: there is never one of old and new images.
+    ///
+    /// ```no_run
+    /// # fn show(bodies: &stickslip::HalfSpace, contact: &stickslip::NormalSolution) -> stickslip::Result<()> {
+    /// bodies.write_pvti("run.pvti", &[("pressure", contact.pressure()), ("gap", contact.gap())])?;
+    /// # Ok(())
+    /// # }
+    /// ```
     ///
     /// # Errors
     /// As [`io::vti::to_bytes`](vti::to_bytes); [`Error::GridMismatch`](crate::Error::GridMismatch);

@@ -82,8 +82,8 @@ impl HalfSpace {
     /// The power spectrum of a surface on the whole grid. See [`PowerSpectrum::of`].
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch); as [`PowerSpectrum::of`], where an index is one of the slab;
-    /// [`Error::Ranks`](crate::Error::Ranks).
+    /// [`Error::GridMismatch`](crate::Error::GridMismatch); as [`PowerSpectrum::of`], where an index is one of the
+    /// slab; [`Error::Ranks`](crate::Error::Ranks).
     pub fn power_spectrum(&self, heights: &Field) -> Result<PowerSpectrum> {
         self.checked(heights)?;
         PowerSpectrum::of_slab(heights, &self.slab())
@@ -93,8 +93,8 @@ impl HalfSpace {
     /// [`surface::level`](crate::surface::level()).
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch); as [`surface::level`](crate::surface::level()), where an index is
-    /// one of the slab; [`Error::Ranks`](crate::Error::Ranks), also for a polynomial on bodies that ranks share.
+    /// [`Error::GridMismatch`](crate::Error::GridMismatch); as [`surface::level`](crate::surface::level()), where an
+    /// index is one of the slab; [`Error::Ranks`](crate::Error::Ranks), also for a polynomial on bodies that ranks share.
     pub fn level(&self, heights: &Field, form: Form) -> Result<Levelled> {
         self.checked(heights)?;
         level_slab(heights, &self.slab(), form)

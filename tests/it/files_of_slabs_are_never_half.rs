@@ -193,3 +193,26 @@ fn a_rank_killed_in_the_middle_leaves_no_mixture() {
         pieces == if name == "old" { 1 } else { 3 }
     });
 }
+
+/// One that stops in the middle is waited for only so long.
+#[test]
+fn a_silent_rank_is_not_waited_for() {
+    let folder = folder("silent");
+    let path = folder.join("field.npy");
+    fs::write(&path, "old").unwrap();
+    let grid = Grid::new(40, 300, 0.3, 0.2).unwrap();
+    let outcomes = Threads::run(2, Duration::from_millis(100), |rank| {
+        let is_silent = rank.rank() == 1;
+        let ranks = Arc::new(rank);
+        let bodies = HalfSpace::distributed(grid, pair(), Boundary::Periodic, ranks)?;
+        if is_silent {
+            std::thread::sleep(Duration::from_millis(800));
+        }
+        bodies.write_npy(&path, &Field::zeros(bodies.grid()))
+    });
+    let silent = |failure| matches!(failure, RankFailure::Silent { rank: 1, .. });
+    assert!(matches!(&outcomes[0], Err(Error::Ranks(failure)) if silent(*failure)));
+    assert!(outcomes[1].is_err(), "{outcomes:?}");
+    assert_eq!(fs::read(&path).unwrap(), b"old");
+    assert_eq!(names_in(&folder), ["field.npy"]);
+}
