@@ -54,7 +54,7 @@ impl HalfSpace {
     /// written; [`Error::Ranks`](crate::Error::Ranks) if another rank has failed.
     pub fn write_npy(&self, path: impl AsRef<Path>, field: &Field) -> Result<()> {
         self.agreed(self.grid().expect("the field to be written", field.grid()))?;
-        npy::write_slab(path.as_ref(), field, self.team().map(|team| &**team))
+        npy::write_slab(path.as_ref(), field, self.sharing().map(|team| &**team))
     }
 
     /// Writes named fields and vectors for ParaView: all ranks call this alike, each writes the image of its own rows, and
