@@ -46,10 +46,10 @@ LAYERS = [
         "guide": set(),
         "analytical": {"error", "material", "grid", "field"},
         "surface": {"error", "grid", "field", "layout", "parallel", "ranks", "serial", "share"},
-        "io": {"error", "grid", "field"},
+        "io": {"error", "grid", "field", "ranks", "share"},
     }),
     ("the engine, and what it works on", {
-        "half_space": FOUNDATION | {"contact_map", "levels", "operator", "influence", "fft", "surface", "window"},
+        "half_space": FOUNDATION | {"contact_map", "levels", "operator", "influence", "fft", "io", "surface", "window"},
         "cgm": {"clock", "error", "layout", "report", "parallel", "operator", "ranks", "serial"},
         "elastic": ENGINE,
         "passes": {"clock", "error", "report", "cgm", "elastic"},

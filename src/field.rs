@@ -6,6 +6,7 @@ use std::ops::Range;
 
 use crate::error::{Result, all_finite, finite, length};
 use crate::grid::Grid;
+use crate::layout::Layout;
 use crate::parallel;
 
 /// One number per cell of a [`Grid`], row-major with x fastest.
@@ -253,7 +254,12 @@ impl Field {
     /// Integral over the grid, cell area times the sum of the samples.
     #[must_use]
     pub fn integral(&self) -> f64 {
+        self.integral_over(&self.grid.layout())
+    }
+
+    /// Integral over the grid of all ranks, whose cells lie so.
+    pub(crate) fn integral_over(&self, layout: &Layout) -> f64 {
         let leaf = |range: Range<usize>| self.samples[range].iter().fold(0.0, |sum, x| sum + x);
-        self.grid.cell_area() * self.grid.layout().fold(leaf, |a, b| a + b)
+        self.grid.cell_area() * layout.fold(leaf, |a, b| a + b)
     }
 }

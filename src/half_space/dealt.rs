@@ -1,6 +1,6 @@
 //! How what lies on the grid, or on windows of it, is dealt out to ranks; without ranks all of it is here.
 
-use std::ops::{ControlFlow, Range};
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::boundary::Boundary;
@@ -121,7 +121,7 @@ impl HalfSpace {
         self.over_ranks(field.min(), f64::min)
     }
 
-    fn over_ranks<T: Words>(&self, own: T, combine: impl Fn(T, T) -> T) -> T {
+    pub(super) fn over_ranks<T: Words>(&self, own: T, combine: impl Fn(T, T) -> T) -> T {
         match self.sharing() {
             Some(team) => team.combined(own, combine),
             None => own,
@@ -157,9 +157,7 @@ impl HalfSpace {
 
     /// The integral of a field over the whole grid.
     pub(crate) fn integral(&self, field: &Field) -> f64 {
-        let samples = field.as_slice();
-        let leaf = |range: Range<usize>| samples[range].iter().fold(0.0, |sum, x| sum + x);
-        self.grid().cell_area() * self.grid_layout().fold(leaf, |a, b| a + b)
+        field.integral_over(&self.grid_layout())
     }
 
     /// `Ok` for bodies that are not shared, of what ranks cannot do together.

@@ -5,9 +5,11 @@ mod coarser;
 mod compliance;
 mod dealt;
 mod elastic;
+mod files;
 mod kernels;
 mod region;
 mod rough;
+mod whole;
 
 use std::sync::{Arc, OnceLock};
 

@@ -11,9 +11,12 @@
 //! | X3P of ISO 25178-72 | `x3p`, behind the feature of that name | yes | | yes | metre |
 //! | VTI, the image data of VTK and ParaView | [`vti`], volumes by [`Planes::write_vti`](crate::subsurface::Planes::write_vti) | | yes | yes | the field's |
 //! | PVD, a series of VTI files in time | [`pvd`] | | yes | | |
+//! | PVTI, VTI files of slabs that ranks hold | [`HalfSpace::write_pvti`](crate::HalfSpace::write_pvti) | | yes | yes | the field's |
 //!
 //! `read` takes a path, `parse` the bytes of a file; `write` and `to_bytes` are their inverses.
-//! [`read`](fn@read) of this module identifies the format of a file among those with cell sides.
+//! [`read`](fn@read) of this module identifies the format of a file among those with cell sides. Ranks that share a grid
+//! read and write one NPY file, each its own rows of it: [`HalfSpace::read_npy`](crate::HalfSpace::read_npy),
+//! [`HalfSpace::write_npy`](crate::HalfSpace::write_npy).
 //!
 //! # Conventions
 //! - A height is returned as stored in the file: a surface that points up has large values at its
@@ -35,7 +38,9 @@ pub mod asc;
 mod bytes;
 pub mod csv;
 pub mod npy;
+mod part;
 pub mod pvd;
+pub(crate) mod pvti;
 pub mod sdf;
 pub mod sur;
 mod text;
@@ -46,16 +51,14 @@ pub mod vti;
 pub mod x3p;
 pub mod xyz;
 
-use std::fs::File;
-use std::io::{ErrorKind, Write};
-use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::path::Path;
 
 pub use crate::error::Place;
 use crate::error::{Error, Result, positive};
 use crate::field::Field;
 use crate::grid::Grid;
 pub(crate) use bytes::Cursor;
+pub(crate) use part::replace_bytes;
 
 /// A surface from a file that carries its cell sides: SDF, SUR, ASC or X3P recognised by the first bytes, XYZ
 /// by the extension `.xyz`.
@@ -204,50 +207,15 @@ impl Sides {
 /// What the bytes of a file say; an error in them names the file.
 pub(crate) fn parse_file<T>(path: &Path, parse: impl FnOnce(&[u8]) -> Result<T>) -> Result<T> {
     let bytes = std::fs::read(path).map_err(|error| refused(path, &error))?;
-    parse(&bytes).map_err(|mut error| {
-        if let Error::Format { file, .. } = &mut error {
-            *file = Some(path.display().to_string());
-        }
-        error
-    })
+    parse(&bytes).map_err(|error| in_file(path, error))
 }
 
-/// Replaces a file as a whole, or not at all: a file beside it takes its name when it is on the disk. A process that is
-/// killed meanwhile leaves that one, `NAME.PID.NUMBER.part`.
-pub(crate) fn replace_bytes(path: &Path, bytes: &[u8]) -> Result<()> {
-    let (part, mut file) = part_beside(path).map_err(|error| refused(path, &error))?;
-    let written = file
-        .write_all(bytes)
-        .and_then(|()| file.sync_all())
-        .and_then(|()| std::fs::rename(&part, path));
-    if let Err(error) = written {
-        // What is left of it has no use; the first error is the one to tell.
-        drop(std::fs::remove_file(&part));
-        return Err(refused(path, &error));
+/// An error in what a file says, with its name.
+fn in_file(path: &Path, mut error: Error) -> Error {
+    if let Error::Format { file, .. } = &mut error {
+        *file = Some(path.display().to_string());
     }
-    // The name is on the disk too; some systems cannot open a folder.
-    let folder = path
-        .parent()
-        .filter(|folder| !folder.as_os_str().is_empty());
-    if let Ok(folder) = File::open(folder.unwrap_or(Path::new("."))) {
-        drop(folder.sync_all());
-    }
-    Ok(())
-}
-
-/// A new file beside another, of a name that no other thread or process has.
-fn part_beside(path: &Path) -> std::io::Result<(PathBuf, File)> {
-    static NUMBER: AtomicU64 = AtomicU64::new(0);
-    loop {
-        let number = NUMBER.fetch_add(1, Ordering::Relaxed);
-        let mut name = path.file_name().unwrap_or_default().to_owned();
-        name.push(format!(".{}.{number}.part", std::process::id()));
-        let part = path.with_file_name(name);
-        match File::create_new(&part) {
-            Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
-            outcome => return outcome.map(|file| (part, file)),
-        }
-    }
+    error
 }
 
 /// Creates or replaces a file.

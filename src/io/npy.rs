@@ -5,18 +5,26 @@
 //!
 //! Layout: <https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html>.
 
+use std::fs::File;
+use std::io::{BufWriter, Read, Result as IoResult, Seek, SeekFrom, Write};
+use std::ops::Range;
 use std::path::Path;
 
 use super::bytes::{Cursor, Number, Order};
+use super::part::replace;
 use super::text::excerpt;
-use super::{Format, Place, Sides, parse_file, write_bytes};
+use super::{Format, Place, Sides, in_file, parse_file, refused, write_bytes};
 use crate::error::Result;
 use crate::field::Field;
+use crate::grid::Grid;
+use crate::ranks::Team;
 
 const FORMAT: Format = Format("NPY");
 const MAGIC: &[u8; 6] = b"\x93NUMPY";
 /// Enough for two integers; samples then begin at byte 128, since the format requires a multiple of 64.
 const HEADER_LENGTH: u16 = 118;
+/// Where the samples begin in a file written here.
+const FIRST_SAMPLE: u64 = 128;
 
 /// The field in a file, on cells of [sides](Sides) `[dx, dy]`, or of a grid of given sides (lengths). See [`parse`].
 ///
@@ -45,32 +53,70 @@ pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
 /// ```
 pub fn parse(bytes: &[u8], sides: impl Into<Sides>) -> Result<Field> {
     let sides = sides.into().checked()?;
-    let mut bytes = Cursor::new(FORMAT, bytes);
-    if bytes.take("the magic string", MAGIC.len())? != MAGIC {
-        return Err(FORMAT.at_byte(0, "the file does not begin with \\x93NUMPY"));
-    }
-    let [major, minor] = bytes.array("the version")?;
-    let length = match major {
-        1 => usize::from(bytes.u16("the length of the header")?),
-        2 | 3 => bytes.u32("the length of the header")? as usize,
-        _ => return Err(FORMAT.at_byte(6, format!("version {major}.{minor} is unknown"))),
-    };
-    let start = bytes.position();
-    let header = Header::parse(start, bytes.take("the header", length)?)?;
+    let array = Array::parse(bytes, bytes.len() as u64)?;
+    let samples = array.samples(array.shape[0], &bytes[array.start..]);
+    Field::from_vec(array.grid(sides)?, samples)
+}
 
-    let [ny, nx] = header.shape;
-    let grid = FORMAT.grid(Place::Byte(start as u64), [nx, ny], sides.of_cell([nx, ny]))?;
-    let (expected, found) = (grid.cells() * header.number.size(), bytes.rest().len());
-    if found != expected {
-        let problem = format!("shape ({ny}, {nx}) takes {expected} bytes, the file has {found}");
-        return Err(FORMAT.at_byte(bytes.position(), problem));
+/// The grid of the array in a file, of which the samples are not read, on cells of [sides](Sides) `[dx, dy]`, or of
+/// given sides (lengths).
+///
+/// # Errors
+/// As [`read`].
+///
+/// ```
+/// use stickslip::{Field, Grid, io::npy};
+/// # let path = std::env::temp_dir().join(format!("stickslip_grid_{}.npy", std::process::id()));
+/// let grid = Grid::new(3, 2, 0.5, 0.25)?;
+/// npy::write(&path, &Field::zeros(grid))?;
+/// assert_eq!(npy::grid(&path, [0.5, 0.25])?, grid);
+/// # std::fs::remove_file(path).ok();
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+pub fn grid(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Grid> {
+    let sides = sides.into().checked()?;
+    let path = path.as_ref();
+    let (_, array) = open(path)?;
+    array.grid(sides).map_err(|error| in_file(path, error))
+}
+
+/// The rows of the array in a file that a slab holds, the only ones that are read.
+pub(crate) fn read_slab(path: &Path, slab: Grid) -> Result<Field> {
+    let (mut file, array) = open(path)?;
+    let ([ny, nx], whole) = (array.shape, slab.whole());
+    if [nx, ny] != whole.size() {
+        let [columns, rows] = whole.size();
+        let problem = format!("shape ({ny}, {nx}) is not that of the grid, ({rows}, {columns})");
+        return Err(in_file(path, FORMAT.at_byte(array.start, problem)));
     }
-    let samples = header.number.decode(header.order, bytes.rest());
-    if header.is_fortran {
-        let transposed = |cell: usize| samples[cell % nx * ny + cell / nx];
-        return Field::from_vec(grid, (0..samples.len()).map(transposed).collect());
-    }
-    Field::from_vec(grid, samples)
+    let bytes = array.rows(&mut file, slab.rows());
+    let bytes = bytes.map_err(|error| refused(path, &error))?;
+    Field::from_vec(slab, array.samples(slab.ny(), &bytes))
+}
+
+/// A file, and where its samples are.
+fn open(path: &Path) -> Result<(File, Array)> {
+    let refuse = |error: std::io::Error| refused(path, &error);
+    let file = File::open(path).map_err(refuse)?;
+    let length = file.metadata().map_err(refuse)?.len();
+    let head = head(&file).map_err(refuse)?;
+    let array = Array::parse(&head, length).map_err(|error| in_file(path, error))?;
+    Ok((file, array))
+}
+
+/// The bytes of a file before the samples, if it has so many.
+fn head(file: &File) -> IoResult<Vec<u8>> {
+    let mut head = Vec::new();
+    file.take(12).read_to_end(&mut head)?;
+    let left = match *head {
+        [_, _, _, _, _, _, 1, _, low, high, _, _] => {
+            u64::from(u16::from_le_bytes([low, high])).saturating_sub(2)
+        }
+        [_, _, _, _, _, _, 2 | 3, _, a, b, c, d] => u64::from(u32::from_le_bytes([a, b, c, d])),
+        _ => 0,
+    };
+    file.take(left).read_to_end(&mut head)?;
+    Ok(head)
 }
 
 /// Writes a field to a file, as [`to_bytes`].
@@ -81,35 +127,130 @@ pub fn write(path: impl AsRef<Path>, field: &Field) -> Result<()> {
     write_bytes(path.as_ref(), &to_bytes(field))
 }
 
+/// Writes a field of which every rank holds a slab to one file, as [`to_bytes`] of the whole: all of it, or nothing.
+pub(crate) fn write_slab(path: &Path, field: &Field, team: Option<&Team>) -> Result<()> {
+    let grid = field.grid();
+    let is_first = team.is_none_or(|team| team.rank() == 0);
+    let first_cell = grid.rows().start * grid.nx();
+    replace(path, team, |file| {
+        if is_first {
+            file.write_all(&header(grid.whole()))?;
+        }
+        file.seek(SeekFrom::Start(FIRST_SAMPLE + 8 * first_cell as u64))?;
+        let mut file = BufWriter::new(file);
+        let mut samples = field.as_slice().iter();
+        samples.try_for_each(|z| file.write_all(&z.to_le_bytes()))?;
+        file.flush()
+    })
+}
+
 /// A field as a file: version 1.0, little-endian doubles in C order, shape `(ny, nx)`. Every bit of
 /// every sample is kept; the cell sides are not stored.
 #[must_use]
 pub fn to_bytes(field: &Field) -> Vec<u8> {
-    let (nx, ny) = (field.grid().nx(), field.grid().ny());
-    let header = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({ny}, {nx}), }}");
-    let mut bytes = Vec::with_capacity(128 + 8 * field.as_slice().len());
-    bytes.extend_from_slice(MAGIC);
-    bytes.extend_from_slice(&[1, 0]);
-    bytes.extend_from_slice(&HEADER_LENGTH.to_le_bytes());
-    let width = usize::from(HEADER_LENGTH) - 1;
-    bytes.extend_from_slice(format!("{header:<width$}\n").as_bytes());
+    let mut bytes = header(field.grid());
+    bytes.reserve_exact(8 * field.as_slice().len());
     bytes.extend(field.as_slice().iter().flat_map(|z| z.to_le_bytes()));
     bytes
 }
 
-/// The contents of the header.
+/// What stands before the samples of a field.
+fn header(grid: Grid) -> Vec<u8> {
+    let (nx, ny) = (grid.nx(), grid.ny());
+    let header = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({ny}, {nx}), }}");
+    let mut bytes = MAGIC.to_vec();
+    bytes.extend_from_slice(&[1, 0]);
+    bytes.extend_from_slice(&HEADER_LENGTH.to_le_bytes());
+    let width = usize::from(HEADER_LENGTH) - 1;
+    bytes.extend_from_slice(format!("{header:<width$}\n").as_bytes());
+    bytes
+}
+
+/// How the array of a file is stored, and where.
 #[derive(Debug)]
-struct Header {
+struct Array {
     number: Number,
     order: Order,
     is_fortran: bool,
+    /// Rows and columns.
     shape: [usize; 2],
+    /// Where the header begins, and the samples.
+    header: usize,
+    start: usize,
 }
 
-impl Header {
+impl Array {
+    /// From the bytes of a file of so many, at least those before its samples.
+    fn parse(bytes: &[u8], length: u64) -> Result<Self> {
+        let mut bytes = Cursor::new(FORMAT, bytes);
+        if bytes.take("the magic string", MAGIC.len())? != MAGIC {
+            return Err(FORMAT.at_byte(0, "the file does not begin with \\x93NUMPY"));
+        }
+        let [major, minor] = bytes.array("the version")?;
+        let header = match major {
+            1 => usize::from(bytes.u16("the length of the header")?),
+            2 | 3 => bytes.u32("the length of the header")? as usize,
+            _ => return Err(FORMAT.at_byte(6, format!("version {major}.{minor} is unknown"))),
+        };
+        let start = bytes.position();
+        let array = Self::described(start, bytes.take("the header", header)?)?;
+
+        let [ny, nx] = array.shape;
+        let place = Place::Byte(start as u64);
+        let cells = FORMAT.grid(place, [nx, ny], [1.0; 2])?.cells();
+        let (expected, found) = (
+            (cells * array.number.size()) as u64,
+            length.saturating_sub(array.start as u64),
+        );
+        if found != expected {
+            let problem =
+                format!("shape ({ny}, {nx}) takes {expected} bytes, the file has {found}");
+            return Err(FORMAT.at_byte(array.start, problem));
+        }
+        Ok(array)
+    }
+
+    /// The grid of the array.
+    fn grid(&self, sides: Sides) -> Result<Grid> {
+        let [ny, nx] = self.shape;
+        FORMAT.grid(
+            Place::Byte(self.header as u64),
+            [nx, ny],
+            sides.of_cell([nx, ny]),
+        )
+    }
+
+    /// The bytes of some rows: one behind the other, or those of each column behind those of the last.
+    fn rows(&self, file: &mut File, rows: Range<usize>) -> IoResult<Vec<u8>> {
+        let ([ny, nx], size) = (self.shape, self.number.size());
+        let (run, first, step) = if self.is_fortran {
+            (rows.len(), rows.start, ny)
+        } else {
+            (rows.len() * nx, rows.start * nx, 0)
+        };
+        let mut bytes = vec![0; rows.len() * nx * size];
+        for (index, run) in bytes.chunks_mut((run * size).max(1)).enumerate() {
+            let place = self.start + (first + index * step) * size;
+            file.seek(SeekFrom::Start(place as u64))?;
+            file.read_exact(run)?;
+        }
+        Ok(bytes)
+    }
+
+    /// The samples of so many rows, from their bytes.
+    fn samples(&self, rows: usize, bytes: &[u8]) -> Vec<f64> {
+        let samples = self.number.decode(self.order, bytes);
+        if !self.is_fortran {
+            return samples;
+        }
+        let columns = self.shape[1];
+        let transposed = |cell: usize| samples[cell % columns * rows + cell / columns];
+        (0..samples.len()).map(transposed).collect()
+    }
+
     /// The header is a Python dictionary of three entries; `start` is where it begins.
-    fn parse(start: usize, header: &[u8]) -> Result<Self> {
-        let header = String::from_utf8_lossy(header);
+    fn described(start: usize, text: &[u8]) -> Result<Self> {
+        let header = String::from_utf8_lossy(text);
         let value = |key: &str| {
             let after = header.split_once(key).map(|(_, after)| after.trim_start());
             let value = after.and_then(|after| after.strip_prefix(':'));
@@ -132,6 +273,8 @@ impl Header {
             order,
             is_fortran,
             shape: pair(shape).ok_or_else(|| refused("'shape'", shape))?,
+            header: start,
+            start: start + text.len(),
         })
     }
 }

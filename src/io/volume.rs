@@ -9,7 +9,8 @@ use std::fs::File;
 use std::io::{BufWriter, Seek, SeekFrom, Write};
 use std::path::Path;
 
-use super::{part_beside, refused};
+use super::part::Part;
+use super::refused;
 use crate::error::Result;
 use crate::grid::Grid;
 
@@ -62,27 +63,21 @@ pub(crate) fn write(
     arrays: &[Array],
     fill: impl FnOnce(&mut Planes<'_>) -> Result<()>,
 ) -> Result<()> {
-    let (part, file) = part_beside(path).map_err(|error| refused(path, &error))?;
+    let part = Part::beside(path)?;
     let mut volume = Planes {
-        file: BufWriter::new(file),
+        file: BufWriter::new(part.open()?),
         path,
         places: Vec::new(),
     };
-    let filled = volume.begin(shape, arrays).and_then(|end| {
-        fill(&mut volume)?;
-        let Planes { mut file, .. } = volume;
-        let closed = file.seek(SeekFrom::Start(end)).and_then(|_| {
-            file.write_all(b"\n  </AppendedData>\n</VTKFile>\n")?;
-            file.into_inner()?.sync_all()?;
-            std::fs::rename(&part, path)
-        });
-        closed.map_err(|error| refused(path, &error))
+    let end = volume.begin(shape, arrays)?;
+    fill(&mut volume)?;
+    let Planes { mut file, .. } = volume;
+    let closed = file.seek(SeekFrom::Start(end)).and_then(|_| {
+        file.write_all(b"\n  </AppendedData>\n</VTKFile>\n")?;
+        file.into_inner()?.sync_all()
     });
-    if filled.is_err() {
-        // What is left of it has no use; the first error is the one to tell.
-        drop(std::fs::remove_file(&part));
-    }
-    filled
+    closed.map_err(|error| refused(path, &error))?;
+    part.take_name()
 }
 
 impl Planes<'_> {

@@ -4,11 +4,13 @@
 //! <https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html>.
 
 use std::fmt::Write;
+use std::ops::Range;
 use std::path::Path;
 
 use super::{Format, write_bytes};
 use crate::error::Result;
 use crate::field::Field;
+use crate::grid::Grid;
 
 const FORMAT: Format = Format("VTI");
 
@@ -44,7 +46,7 @@ impl<'a> Array<'a> {
     }
 
     /// What the file says of its components.
-    fn attribute(&self) -> &'static str {
+    pub(super) fn attribute(&self) -> &'static str {
         match self {
             Self::Scalar(_) => "",
             Self::Vector(_) => r#" NumberOfComponents="3""#,
@@ -77,7 +79,8 @@ pub fn write<'a>(
 }
 
 /// Named fields and vectors on one grid as a file: one array of cell data each, in doubles that keep every bit,
-/// on a flat image in the plane `z = 0` whose origin is the corner of least x and y.
+/// on a flat image in the plane `z = 0` whose origin is the corner of least x and y. Fields on a slab are rows of the
+/// image of the whole grid.
 ///
 /// # Errors
 /// [`Error::Format`](crate::Error::Format) if there is no field, or if a field is on another grid than the
@@ -93,10 +96,21 @@ pub fn write<'a>(
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 pub fn to_bytes<'a>(fields: &[(&str, impl Into<Array<'a>> + Copy)]) -> Result<Vec<u8>> {
-    let arrays: Vec<(&str, Array<'_>)> = fields
-        .iter()
-        .map(|&(name, array)| (name, array.into()))
-        .collect();
+    let arrays = named(fields);
+    let grid = check(&arrays)?;
+    Ok(piece(&arrays, grid))
+}
+
+/// Fields and vectors with their names.
+pub(crate) fn named<'n, 'a>(
+    fields: &[(&'n str, impl Into<Array<'a>> + Copy)],
+) -> Vec<(&'n str, Array<'a>)> {
+    let arrays = fields.iter().map(|&(name, array)| (name, array.into()));
+    arrays.collect()
+}
+
+/// The grid of all arrays, if they can be written.
+pub(super) fn check(arrays: &[(&str, Array<'_>)]) -> Result<Grid> {
     let Some((_, first)) = arrays.first() else {
         return Err(FORMAT.in_entry("CellData", "there is no field to write"));
     };
@@ -114,19 +128,36 @@ pub fn to_bytes<'a>(fields: &[(&str, impl Into<Array<'a>> + Copy)]) -> Result<Ve
         };
         return Err(FORMAT.in_entry(name, problem));
     }
+    Ok(grid)
+}
 
-    let (nx, ny, dx, dy) = (grid.nx(), grid.ny(), grid.dx(), grid.dy());
+/// Some rows of an image, as cells between points.
+pub(super) fn extent(nx: usize, rows: &Range<usize>) -> String {
+    format!("0 {nx} {} {} 0 0", rows.start, rows.end)
+}
+
+/// Where an image lies, and the sides of its cells.
+pub(super) fn place(grid: Grid) -> String {
+    let (nx, ny, dx, dy) = (grid.nx(), grid.whole().ny(), grid.dx(), grid.dy());
     let corner = [-0.5 * nx as f64 * dx, -0.5 * ny as f64 * dy];
+    format!(
+        r#"Origin="{} {} 0" Spacing="{dx} {dy} 1""#,
+        corner[0], corner[1]
+    )
+}
+
+/// The file of arrays on a grid, or on a slab of one, at its place there.
+pub(super) fn piece(arrays: &[(&str, Array<'_>)], grid: Grid) -> Vec<u8> {
+    let (extent, place) = (extent(grid.nx(), &grid.rows()), place(grid));
     let mut text = format!(
         r#"<?xml version="1.0"?>
 <VTKFile type="ImageData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
-  <ImageData WholeExtent="0 {nx} 0 {ny} 0 0" Origin="{} {} 0" Spacing="{dx} {dy} 1">
-    <Piece Extent="0 {nx} 0 {ny} 0 0">
+  <ImageData WholeExtent="{extent}" {place}>
+    <Piece Extent="{extent}">
       <CellData>
-"#,
-        corner[0], corner[1]
+"#
     );
-    for (name, array) in &arrays {
+    for (name, array) in arrays {
         let (name, components) = (escape(name), array.attribute());
         write!(
             text,
@@ -137,7 +168,7 @@ pub fn to_bytes<'a>(fields: &[(&str, impl Into<Array<'a>> + Copy)]) -> Result<Ve
         text.push_str("</DataArray>\n");
     }
     text.push_str("      </CellData>\n    </Piece>\n  </ImageData>\n</VTKFile>\n");
-    Ok(text.into_bytes())
+    text.into_bytes()
 }
 
 /// A text as the value of an attribute.

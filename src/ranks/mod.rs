@@ -12,6 +12,11 @@
 //! friction that differs from cell to cell, relative displacements and wear; what cannot is refused
 //! ([`RankFailure::NotShared`]): pressure and shear found together, stiffness, stresses below the surface, dense matrices.
 //!
+//! Surfaces are made ([`SelfAffine::generate_on`](crate::surface::SelfAffine::generate_on)), characterised
+//! ([`HalfSpace::statistics`](crate::HalfSpace::statistics)) and levelled slab by slab, and fields are read from and written
+//! to files of the whole grid ([`HalfSpace::write_npy`](crate::HalfSpace::write_npy),
+//! [`HalfSpace::write_pvti`](crate::HalfSpace::write_pvti)).
+//!
 //! | ranks | are |
 //! |---|---|
 //! | [`Threads`] | threads of one process, to try and test distributed programs |
@@ -53,7 +58,8 @@
 //!
 //! Input that one rank refuses all refuse: its own error there, [`RankFailure::Refused`] on the others. If a rank ends
 //! or is silent for too long, the calls of the others return [`RankFailure::Lost`] or [`RankFailure::Silent`], and so do
-//! all that follow on the same bodies.
+//! all that follow on the same bodies. A file that they were writing together is then the old one, or the new one if all
+//! of it was there.
 
 #[cfg(feature = "mpi")]
 mod mpi;

@@ -1,15 +1,14 @@
 //! Slopes and area of a surface from the differences of neighbouring heights.
 
-use crate::field::Field;
-use crate::parallel;
+use super::slab::Slab;
 
 /// Root mean square of the slopes between neighbours along x and along y, each over the existing pairs;
-/// zero along an axis of one cell.
-pub(super) fn rms_slopes(heights: &Field) -> [f64; 2] {
-    let grid = heights.grid();
-    let (nx, ny, z) = (grid.nx(), grid.ny(), heights.as_slice());
+/// zero along an axis of one cell. `z` are the heights of the rows held here and of the next one.
+pub(super) fn rms_slopes(z: &[f64], slab: &Slab) -> [f64; 2] {
+    let grid = slab.whole();
+    let (nx, ny) = (grid.nx(), grid.ny());
     let squared = |i: usize, j: usize, side: f64| ((z[j] - z[i]) / side).powi(2);
-    let [along_x, along_y] = parallel::sums(z.len(), |i| {
+    let [along_x, along_y] = slab.sums(|i| {
         let has_right = i % nx + 1 < nx;
         let has_above = i + nx < z.len();
         [
@@ -33,22 +32,27 @@ pub(super) fn rms_slopes(heights: &Field) -> [f64; 2] {
     ]
 }
 
-/// Excess of the area of a surface over its projection, relative to the projection.
+/// Excess of the area of a surface over its projection, relative to the projection. `z` are the heights of the rows held
+/// here and of the next one.
 ///
 /// Each rectangle of four neighbouring heights is cut into two triangles along either diagonal, and the
 /// two results are averaged. This is the mean of `sqrt(1 + s_x^2 + s_y^2) - 1` over the four corners,
 /// where `s` are the slopes of the two sides that meet there. An axis of one cell has no slope.
-pub(super) fn developed_area_ratio(heights: &Field) -> f64 {
-    let grid = heights.grid();
-    let (nx, ny, z) = (grid.nx(), grid.ny(), heights.as_slice());
+pub(super) fn developed_area_ratio(z: &[f64], slab: &Slab) -> f64 {
+    let grid = slab.whole();
+    let (nx, ny) = (grid.nx(), grid.ny());
     let (columns, rows) = ((nx - 1).max(1), (ny - 1).max(1));
     let excess = |sx: f64, sy: f64| {
         let squared = sx * sx + sy * sy;
         squared / (1.0 + (1.0 + squared).sqrt())
     };
-    let [sum] = parallel::sums(columns * rows, |i| {
-        let (left, bottom) = (i % columns, i / columns);
-        let (right, top) = ((left + 1).min(nx - 1), (bottom + 1).min(ny - 1));
+    let [sum] = slab.sums(|i| {
+        let (left, bottom) = (i % nx, i / nx);
+        if left >= columns || slab.first_row() + bottom >= rows {
+            return [0.0];
+        }
+        let right = (left + 1).min(nx - 1);
+        let top = if ny > 1 { bottom + 1 } else { bottom };
         let height = |ix: usize, iy: usize| z[iy * nx + ix];
         let along_x = |iy| (height(right, iy) - height(left, iy)) / grid.dx();
         let along_y = |ix| (height(ix, top) - height(ix, bottom)) / grid.dy();

@@ -1,7 +1,6 @@
 //! A surface as a sum of waves: the plain two-dimensional real transform.
 
 use std::f64::consts::TAU;
-use std::ops::Range;
 use std::sync::Arc;
 
 use bytemuck::cast_slice;
@@ -9,8 +8,10 @@ use num_complex::Complex;
 use realfft::RealFftPlanner;
 use rustfft::FftPlanner;
 
+use super::slab::{Slab, sums};
 use crate::field::Field;
 use crate::grid::Grid;
+use crate::layout::Layout;
 use crate::parallel;
 use crate::ranks::Team;
 use crate::share::Share;
@@ -27,6 +28,8 @@ pub(super) struct Waves {
     grid: Grid,
     /// The first column held here.
     first: usize,
+    /// How the amplitudes lie, column by column.
+    layout: Layout,
     /// `ny` rows for each column `0..=nx/2` that is held here.
     amplitudes: Vec<Complex<f64>>,
 }
@@ -48,40 +51,68 @@ pub(super) struct Mode {
 impl Waves {
     /// No wave at all.
     pub(super) fn none(grid: Grid) -> Self {
-        Self::none_of(grid, 0..columns(grid))
+        Self::none_on(grid, None)
     }
 
-    /// The same of some columns alone.
-    pub(super) fn none_of(grid: Grid, columns: Range<usize>) -> Self {
+    /// The same of columns that are dealt out to ranks, if they are.
+    pub(super) fn none_on(grid: Grid, columns: Option<&Arc<Share>>) -> Self {
+        let (first, layout) = match columns {
+            Some(columns) => (
+                columns.own_rows().start,
+                Layout::shared(Arc::clone(columns)),
+            ),
+            None => (0, Layout::of(size_of_waves(grid))),
+        };
         Self {
             grid,
-            first: columns.start,
-            amplitudes: vec![Complex::default(); columns.len() * grid.ny()],
+            first,
+            amplitudes: vec![Complex::default(); layout.cells()],
+            layout,
         }
     }
 
     /// The waves of a field, continued periodically.
     pub(super) fn of(field: &Field) -> Self {
-        let grid = field.grid();
+        Self::of_slab(field, &Slab::new(field.grid(), None))
+    }
+
+    /// The waves of a field of which ranks may hold a slab each, who then hold some columns each.
+    pub(super) fn of_slab(field: &Field, slab: &Slab) -> Self {
+        let grid = slab.whole();
         let (nx, ny, width) = (grid.nx(), grid.ny(), columns(grid));
         let along_x = RealFftPlanner::new().plan_fft_forward(nx);
-        let mut rows = vec![Complex::default(); width * ny];
+        let mut rows = vec![Complex::default(); width * field.grid().ny()];
         parallel::rows(&mut rows, width, |row, out| {
             let mut samples = field.as_slice()[row * nx..][..nx].to_vec();
             along_x
                 .process(&mut samples, out)
                 .expect("a row and its transform have the lengths planned");
         });
+        let Some([dealt, columns]) = slab.shares() else {
+            return Self::none(grid).filled_along_y(&rows);
+        };
+        // A row of complex numbers is one of twice as many reals.
+        let wanted = |rank: usize| {
+            let columns = columns.rows_of(rank);
+            [2 * columns.start..2 * columns.end, 0..ny]
+        };
+        let rows = dealt.fetch(cast_slice(&rows), 2 * width, wanted);
+        Self::none_on(grid, Some(&columns)).filled_along_y(cast_slice(&rows))
+    }
+
+    /// The waves held here, from the transforms of all rows along x in the columns held here.
+    fn filled_along_y(mut self, rows: &[Complex<f64>]) -> Self {
+        let (grid, ny) = (self.grid, self.grid.ny());
+        let width = self.layout.cells() / ny;
         let along_y = FftPlanner::new().plan_fft_forward(ny);
         let scale = 1.0 / grid.cells() as f64;
-        let mut waves = Self::none(grid);
-        parallel::rows(&mut waves.amplitudes, ny, |column, out| {
+        parallel::rows(&mut self.amplitudes, ny, |column, out| {
             for (row, value) in out.iter_mut().enumerate() {
                 *value = rows[row * width + column] * scale;
             }
             along_y.process(out);
         });
-        waves
+        self
     }
 
     /// The field the waves add up to. In a column that is its own mirror image the amplitudes of
@@ -129,6 +160,18 @@ impl Waves {
         })
     }
 
+    /// Sums over the amplitudes of all ranks.
+    pub(super) fn sums<const K: usize>(
+        &self,
+        f: impl Fn(Mode, Complex<f64>) -> [f64; K] + Sync,
+    ) -> [f64; K] {
+        let ny = self.grid.ny();
+        sums(&self.layout, |i| {
+            let mode = Mode::new(self.grid, self.first + i / ny, i % ny);
+            f(mode, self.amplitudes[i])
+        })
+    }
+
     /// Replaces every amplitude by a function of its mode and itself.
     pub(super) fn update(&mut self, f: impl Fn(Mode, Complex<f64>) -> Complex<f64> + Sync) {
         self.update_with([], |mode, value, []| f(mode, value));
@@ -154,7 +197,7 @@ impl Waves {
 
 /// How the columns of waves of a grid are dealt out to the ranks that share it.
 pub(super) fn shared_columns(grid: Grid, team: &Arc<Team>) -> Share {
-    Share::new(team, [2 * grid.ny(), columns(grid)])
+    Share::new(team, size_of_waves(grid))
 }
 
 /// The rows of a field, from the amplitudes of their waves along x, by column and row.
@@ -210,6 +253,11 @@ impl Mode {
     pub(super) fn wave_number(&self) -> f64 {
         self.wave_vector[0].hypot(self.wave_vector[1])
     }
+}
+
+/// How many amplitudes a column has, and how many columns there are.
+fn size_of_waves(grid: Grid) -> [usize; 2] {
+    [grid.ny(), columns(grid)]
 }
 
 /// Columns kept of the transform of a field.

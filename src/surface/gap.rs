@@ -31,7 +31,8 @@ pub fn mirror_x(heights: &Field) -> Field {
 
 /// The gap between a rough body and a plane that touches its highest peak, `h = max z - z`.
 ///
-/// `heights` point out of the body; the gap is a length with minimum zero.
+/// `heights` point out of the body; the gap is a length with minimum zero. The highest peak is that of the heights given:
+/// for a slab of what ranks share take [`HalfSpace::max_of`](crate::HalfSpace::max_of).
 ///
 /// # Errors
 /// [`Error::Sample`](crate::Error::Sample) for the first height that is missing or infinite;

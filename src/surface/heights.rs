@@ -1,8 +1,8 @@
 //! Requirements on measured heights before they are processed.
 
+use super::slab::Slab;
 use crate::error::{Result, samples_obey};
 use crate::field::Field;
-use crate::parallel;
 
 /// `Ok` if no height is missing or infinite.
 pub(super) fn complete(quantity: &'static str, heights: &Field) -> Result<()> {
@@ -16,15 +16,16 @@ pub(super) fn finite_or_missing(heights: &Field) -> Result<()> {
     samples_obey("heights", heights.as_slice(), rule, |z| !z.is_infinite())
 }
 
-/// Heights about their mean, and the mean.
+/// Heights about the mean of all ranks, and the mean.
 ///
 /// The sum is formed relative to the first height: a flat surface has exactly zero deviation, and a
 /// distant datum costs no digits.
-pub(super) fn about_mean(heights: &Field) -> (Field, f64) {
+pub(super) fn about_mean(heights: &Field, slab: &Slab) -> (Field, f64) {
     let z = heights.as_slice();
-    let datum = z[0];
-    let [sum] = parallel::sums(z.len(), |i| [z[i] - datum]);
-    let shift = sum / z.len() as f64;
+    let first = slab.combined(z.first().copied(), Option::or);
+    let datum = first.unwrap_or_default();
+    let [sum] = slab.sums(|i| [z[i] - datum]);
+    let shift = sum / slab.whole().cells() as f64;
     let mut deviations = heights.clone();
     for value in deviations.as_mut_slice() {
         *value = (*value - datum) - shift;

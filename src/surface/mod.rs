@@ -27,12 +27,14 @@ mod power_spectrum;
 mod resample;
 mod self_affine;
 mod shape;
+mod slab;
 mod statistics;
 mod sum;
 
 pub use crop::crop;
 pub use fill::{Filled, fill_missing};
 pub use gap::{gap_between, gap_from_heights, inverted, mirror_x};
+pub(crate) use level::level_slab;
 pub use level::{Form, Levelled, level};
 pub use power_spectrum::PowerSpectrum;
 pub use resample::resample;
@@ -40,5 +42,6 @@ pub use self_affine::{Amplitudes, RoughSurface, SelfAffine};
 pub use shape::{
     bisinusoidal, cone, cylinder, ellipsoid, flat_punch, paraboloid, sinusoidal, sphere,
 };
+pub(crate) use slab::Slab;
 pub use statistics::Statistics;
 pub use sum::sum;

@@ -5,11 +5,13 @@ use std::f64::consts::TAU;
 
 use super::fourier::Waves;
 use super::heights::{about_mean, complete};
+use super::slab::Slab;
 #[cfg(feature = "serde")]
 use crate::error::length;
 use crate::error::{Result, all_finite};
 use crate::field::Field;
 use crate::grid::Grid;
+use crate::ranks::Words;
 #[cfg(feature = "serde")]
 use crate::serial::checked;
 
@@ -99,20 +101,27 @@ impl<'de> serde::Deserialize<'de> for PowerSpectrum {
 }
 
 impl PowerSpectrum {
-    /// The spectrum of a surface that continues periodically beyond its grid.
+    /// The spectrum of a surface that continues periodically beyond its grid; of one that ranks share
+    /// [`HalfSpace::power_spectrum`](crate::HalfSpace::power_spectrum).
     ///
     /// # Errors
     /// [`Error::Sample`](crate::Error::Sample) for the first height that is missing or infinite, or for the first value
     /// or moment that overflows.
     pub fn of(heights: &Field) -> Result<Self> {
-        complete("heights", heights)?;
-        let (deviations, _) = about_mean(heights);
-        let waves = Waves::of(&deviations);
-        let grid = heights.grid();
-        let rings = rings(&waves, grid);
+        Self::of_slab(heights, &Slab::alone(heights)?)
+    }
+
+    /// The spectrum of a surface of which ranks may hold a slab each.
+    pub(crate) fn of_slab(heights: &Field, slab: &Slab) -> Result<Self> {
+        slab.agreed(complete("heights", heights))?;
+        let (deviations, _) = about_mean(heights, slab);
+        let waves = Waves::of_slab(&deviations, slab);
+        let grid = slab.whole();
+        let rings = rings(&waves, slab);
         let density = grid.area() / (TAU * TAU);
         let values: Vec<f64> = rings.iter().map(|ring| density * ring.power()).collect();
         let moments = moments(&waves);
+        slab.layout().check()?;
         all_finite("power spectrum", &values)?;
         all_finite("moment of the spectrum", &moments)?;
         Ok(Self {
@@ -166,15 +175,12 @@ impl PowerSpectrum {
 
 /// `[m_0, m_2, m_4]` of a surface.
 pub(super) fn moments(waves: &Waves) -> [f64; 3] {
-    let mut sums = [0.0; 3];
-    for (mode, amplitude) in waves.iter() {
+    let [zeroth, second, fourth] = waves.sums(|mode, amplitude| {
         let power = mode.copies * amplitude.norm_sqr();
         let q2 = mode.wave_number().powi(2);
-        sums[0] += power;
-        sums[1] += power * q2;
-        sums[2] += power * q2 * q2;
-    }
-    [sums[0], 0.5 * sums[1], 0.375 * sums[2]]
+        [power, power * q2, power * q2 * q2]
+    });
+    [zeroth, 0.5 * second, 0.375 * fourth]
 }
 
 /// Waves of nearly the same length.
@@ -195,27 +201,52 @@ impl Ring {
     }
 }
 
-/// The rings that hold a wave, from the longest waves to the shortest; the mean is excluded.
-fn rings(waves: &Waves, grid: Grid) -> Vec<Ring> {
-    let width = ring_width(grid);
-    let mut rings = BTreeMap::<u64, Ring>::new();
-    for (mode, amplitude) in waves.iter() {
-        if mode.numbers == [0, 0] {
-            continue;
+/// The rings that hold a wave, from the longest waves to the shortest; the mean is excluded. Ranks add their waves in
+/// turn, in the order in which one process does.
+fn rings(waves: &Waves, slab: &Slab) -> Vec<Ring> {
+    let width = ring_width(slab.whole());
+    let words = slab.in_turn(|words| {
+        let mut rings = read_rings(words);
+        for (mode, amplitude) in waves.iter() {
+            if mode.numbers == [0, 0] {
+                continue;
+            }
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "a rounded positive number"
+            )]
+            let ring = rings
+                .entry((mode.wave_number() / width).round() as u64)
+                .or_default();
+            ring.modes += if mode.copies > 1.0 { 2 } else { 1 };
+            ring.sum_of_wave_numbers += mode.copies * mode.wave_number();
+            ring.sum_of_powers += mode.copies * amplitude.norm_sqr();
         }
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a rounded positive number"
-        )]
-        let ring = rings
-            .entry((mode.wave_number() / width).round() as u64)
-            .or_default();
-        ring.modes += if mode.copies > 1.0 { 2 } else { 1 };
-        ring.sum_of_wave_numbers += mode.copies * mode.wave_number();
-        ring.sum_of_powers += mode.copies * amplitude.norm_sqr();
+        let mut words = Vec::new();
+        for (number, ring) in rings {
+            let sums = (ring.sum_of_wave_numbers, ring.sum_of_powers);
+            (number, ring.modes, sums).write(&mut words);
+        }
+        words
+    });
+    read_rings(&words).into_values().collect()
+}
+
+/// Rings by their numbers, as they travel between ranks.
+fn read_rings(mut words: &[u64]) -> BTreeMap<u64, Ring> {
+    let mut rings = BTreeMap::new();
+    while !words.is_empty() {
+        let (number, modes, sums) = <(u64, usize, (f64, f64))>::read(&mut words);
+        let (sum_of_wave_numbers, sum_of_powers) = sums;
+        let ring = Ring {
+            modes,
+            sum_of_wave_numbers,
+            sum_of_powers,
+        };
+        rings.insert(number, ring);
     }
-    rings.into_values().collect()
+    rings
 }
 
 /// `2 pi` over the longest wave a grid holds.

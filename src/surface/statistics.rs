@@ -6,9 +6,9 @@ use super::differences::{developed_area_ratio, rms_slopes};
 use super::fourier::Waves;
 use super::heights::{about_mean, complete};
 use super::power_spectrum::moments;
+use super::slab::Slab;
 use crate::error::{Result, finite};
 use crate::field::Field;
-use crate::parallel;
 
 /// The S-parameters of a surface (ISO 25178-2:2021), computed from its heights about their mean.
 ///
@@ -62,28 +62,36 @@ pub struct Statistics {
 }
 
 impl Statistics {
-    /// The statistics of a surface.
+    /// The statistics of a surface; of one that ranks share [`HalfSpace::statistics`](crate::HalfSpace::statistics).
     ///
     /// # Errors
     /// [`Error::Sample`](crate::Error::Sample) for the first height that is missing or infinite;
     /// [`Error::NotFinite`](crate::Error::NotFinite) if their range or the square of their slopes overflows.
     pub fn of(heights: &Field) -> Result<Self> {
-        complete("heights", heights)?;
-        let (deviations, mean_height) = about_mean(heights);
-        let highest_peak = deviations.max();
-        let deepest_valley = -deviations.min();
+        Self::of_slab(heights, &Slab::alone(heights)?)
+    }
+
+    /// The statistics of a surface of which ranks may hold a slab each.
+    pub(crate) fn of_slab(heights: &Field, slab: &Slab) -> Result<Self> {
+        slab.agreed(complete("heights", heights))?;
+        let (deviations, mean_height) = about_mean(heights, slab);
+        let highest_peak = slab.combined(deviations.max(), f64::max);
+        let deepest_valley = -slab.combined(deviations.min(), f64::min);
         let z = deviations.as_slice();
         // In units of the largest deviation the powers neither overflow nor underflow.
         let largest = highest_peak.max(deepest_valley);
         let unit = if largest > 0.0 { largest } else { 1.0 };
-        let [first, second, third, fourth] = parallel::sums(z.len(), |i| {
-            let z = z[i] / unit;
-            [z.abs(), z * z, z * z * z, (z * z) * (z * z)]
-        })
-        .map(|sum| sum / z.len() as f64);
-        let [_, m2, _] = moments(&Waves::of(&deviations));
-        let profile_rms_slope = rms_slopes(&deviations);
-        let developed_area_ratio = developed_area_ratio(&deviations);
+        let [first, second, third, fourth] = slab
+            .sums(|i| {
+                let z = z[i] / unit;
+                [z.abs(), z * z, z * z * z, (z * z) * (z * z)]
+            })
+            .map(|sum| sum / slab.whole().cells() as f64);
+        let [_, m2, _] = moments(&Waves::of_slab(&deviations, slab));
+        let z = slab.with_next_row(&deviations);
+        let profile_rms_slope = rms_slopes(&z, slab);
+        let developed_area_ratio = developed_area_ratio(&z, slab);
+        slab.layout().check()?;
         for (quantity, value) in [
             ("range of the heights", highest_peak + deepest_valley),
             ("second moment of the spectrum", m2),

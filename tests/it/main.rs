@@ -42,6 +42,8 @@ mod engine_finds_the_exact_minimum;
 mod engine_serves_any_operator;
 mod extremes_are_met;
 mod files_of_other_programs_are_read;
+mod files_of_slabs_are_never_half;
+mod files_of_slabs_are_those_of_the_whole;
 mod files_survive_a_round_trip;
 mod fretting_loops_become_steady;
 mod frozen_scenes;
@@ -96,6 +98,7 @@ mod statistics_obey_their_laws;
 mod stiffness_is_the_slope_of_solves;
 mod stresses_below_the_surface;
 mod superposition_is_exact;
+mod surfaces_of_slabs_are_those_of_the_whole;
 mod the_certificate_is_its_formula;
 #[cfg(feature = "dense")]
 mod the_hardness_bounds_the_pressure;

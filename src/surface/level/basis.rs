@@ -1,16 +1,22 @@
 //! The polynomials of which a form consists.
 
+use std::ops::Range;
+
 #[cfg(feature = "dense")]
 use faer::Mat;
 
 #[cfg(feature = "dense")]
 use super::triangle::Triangle;
 use crate::field::Field;
-use crate::grid::Grid;
 use crate::parallel;
+use crate::surface::slab::{Slab, added};
+
+/// Sums that are formed together in the tree that ranks share: enough for the products of the terms of a plane.
+const TOGETHER: usize = 9;
 
 /// Products of Legendre polynomials up to a total degree.
-pub(super) struct Basis {
+pub(super) struct Basis<'a> {
+    slab: &'a Slab,
     nx: usize,
     degree: usize,
     /// Degrees along x and along y of each product.
@@ -20,16 +26,17 @@ pub(super) struct Basis {
     along_y: Vec<f64>,
 }
 
-impl Basis {
-    pub(super) fn new(heights: &Field, degree: usize) -> Self {
-        let grid = heights.grid();
+impl<'a> Basis<'a> {
+    pub(super) fn new(heights: &Field, slab: &'a Slab, degree: usize) -> Self {
+        let grid = slab.whole();
         let (nx, ny) = (grid.nx(), grid.ny());
         let terms = (0..=degree)
             .flat_map(|total| (0..=total).map(move |j| [total - j, j]))
             .filter(|&[i, j]| (nx > 1 || i == 0) && (ny > 1 || j == 0))
             .collect();
-        let [columns, rows] = known_extent(grid, heights.as_slice());
+        let [columns, rows] = known_extent(slab, heights.as_slice());
         Self {
+            slab,
             nx,
             degree,
             terms,
@@ -47,7 +54,8 @@ impl Basis {
     fn at(&self, cell: usize, term: usize) -> f64 {
         let [i, j] = self.terms[term];
         let width = self.degree + 1;
-        self.along_x[cell % self.nx * width + i] * self.along_y[cell / self.nx * width + j]
+        let row = self.slab.first_row() + cell / self.nx;
+        self.along_x[cell % self.nx * width + i] * self.along_y[row * width + j]
     }
 
     /// The sum of all terms in a cell.
@@ -59,21 +67,41 @@ impl Basis {
     /// `A'A`, row by row, where `A` has a row for each known height and a column for each term.
     pub(super) fn products(&self, z: &[f64]) -> Vec<f64> {
         let count = self.terms();
-        parallel::fold(
-            z.len(),
-            |range| {
-                let mut sums = vec![0.0; count * count];
-                for cell in range.filter(|&cell| !z[cell].is_nan()) {
-                    for (first, row) in sums.chunks_exact_mut(count).enumerate() {
-                        for (second, sum) in row.iter_mut().enumerate() {
-                            *sum += self.at(cell, first) * self.at(cell, second);
-                        }
-                    }
+        self.sums(z, count * count, |cell, sums| {
+            for (first, row) in sums.chunks_exact_mut(count).enumerate() {
+                for (second, sum) in row.iter_mut().enumerate() {
+                    *sum += self.at(cell, first) * self.at(cell, second);
+                }
+            }
+        })
+    }
+
+    /// So many sums over all known heights, to which `add` adds those of one.
+    fn sums(&self, z: &[f64], count: usize, add: impl Fn(usize, &mut [f64]) + Sync) -> Vec<f64> {
+        let sum_up = |range: Range<usize>, sums: &mut [f64]| {
+            for cell in range.filter(|&cell| !z[cell].is_nan()) {
+                add(cell, sums);
+            }
+        };
+        if count > TOGETHER {
+            let leaf = |range| {
+                let mut sums = vec![0.0; count];
+                sum_up(range, &mut sums);
+                sums
+            };
+            return parallel::fold(z.len(), leaf, |mut sums, others| {
+                for (sum, other) in sums.iter_mut().zip(others) {
+                    *sum += other;
                 }
                 sums
-            },
-            added,
-        )
+            });
+        }
+        let leaf = |range| {
+            let mut sums = [0.0; TOGETHER];
+            sum_up(range, &mut sums[..count]);
+            sums
+        };
+        self.slab.layout().fold(leaf, added)[..count].to_vec()
     }
 
     /// `R` of `A = QR`, by reduction of blocks of rows.
@@ -111,44 +139,24 @@ impl Basis {
 
     /// `A' (z - A c)`: the projection of the residual of the known heights onto the terms.
     pub(super) fn projection_of_rest(&self, z: &[f64], coefficients: &[f64]) -> Vec<f64> {
-        parallel::fold(
-            z.len(),
-            |range| {
-                let mut sums = vec![0.0; coefficients.len()];
-                for cell in range.filter(|&cell| !z[cell].is_nan()) {
-                    let rest = z[cell] - self.value(coefficients, cell);
-                    for (term, sum) in sums.iter_mut().enumerate() {
-                        *sum += rest * self.at(cell, term);
-                    }
-                }
-                sums
-            },
-            added,
-        )
-    }
-}
-
-/// The sums of two parts, added.
-fn added(mut sums: Vec<f64>, others: Vec<f64>) -> Vec<f64> {
-    for (sum, other) in sums.iter_mut().zip(others) {
-        *sum += other;
-    }
-    sums
-}
-
-/// First and last column, and first and last row, of the rectangle that encloses every known height.
-fn known_extent(grid: Grid, z: &[f64]) -> [[usize; 2]; 2] {
-    let known = |cell: &usize| !z[*cell].is_nan();
-    let extent = |places: &mut dyn Iterator<Item = usize>| {
-        places.fold([usize::MAX, 0], |[first, last], place| {
-            [first.min(place), last.max(place)]
+        self.sums(z, coefficients.len(), |cell, sums| {
+            let rest = z[cell] - self.value(coefficients, cell);
+            for (term, sum) in sums.iter_mut().enumerate() {
+                *sum += rest * self.at(cell, term);
+            }
         })
-    };
-    let cells = || (0..grid.cells()).filter(known);
-    [
-        extent(&mut cells().map(|cell| cell % grid.nx())),
-        extent(&mut cells().map(|cell| cell / grid.nx())),
-    ]
+    }
+}
+
+/// First and last column, and first and last row, of the rectangle that encloses every known height of all ranks.
+fn known_extent(slab: &Slab, z: &[f64]) -> [[usize; 2]; 2] {
+    let nx = slab.whole().nx();
+    let around =
+        |[first, last]: [usize; 2], place: [usize; 2]| [first.min(place[0]), last.max(place[1])];
+    let both = |[a, b]: [[usize; 2]; 2], [c, d]: [[usize; 2]; 2]| [around(a, c), around(b, d)];
+    let known = (0..z.len()).filter(|&cell| !z[cell].is_nan());
+    let places = known.map(|cell| [cell % nx, slab.first_row() + cell / nx].map(|at| [at; 2]));
+    slab.combined(places.fold([[usize::MAX, 0]; 2], both), both)
 }
 
 /// Legendre polynomials of degrees `0..=degree` at the places `0..count`, on the interval from the

@@ -4,6 +4,7 @@ mod basis;
 mod triangle;
 
 use super::heights::finite_or_missing;
+use super::slab::Slab;
 use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::parallel;
@@ -42,7 +43,7 @@ impl Form {
     }
 
     /// `R` of `A = QR`, with a row of `A` for each known height and a column for each term.
-    fn triangle(self, basis: &Basis, z: &[f64]) -> Triangle {
+    fn triangle(self, basis: &Basis<'_>, z: &[f64]) -> Triangle {
         match self {
             Self::Mean | Self::Plane => Triangle::of_products(basis.terms(), &basis.products(z)),
             #[cfg(feature = "dense")]
@@ -78,7 +79,8 @@ impl Levelled {
     }
 }
 
-/// Removes a form from a measured surface, by least squares over the heights that are not NaN.
+/// Removes a form from a measured surface, by least squares over the heights that are not NaN; from one that ranks share
+/// [`HalfSpace::level`](crate::HalfSpace::level).
 ///
 /// The remainder is orthogonal to every polynomial of the form, to round-off. On a profile, a grid of
 /// one row or one column, the form varies along the profile only. Missing heights stay missing:
@@ -115,23 +117,36 @@ impl Levelled {
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 pub fn level(heights: &Field, form: Form) -> Result<Levelled> {
-    finite_or_missing(heights)?;
+    level_slab(heights, &Slab::alone(heights)?, form)
+}
+
+/// The same of a surface of which ranks may hold a slab each.
+pub(crate) fn level_slab(heights: &Field, slab: &Slab, form: Form) -> Result<Levelled> {
+    #[cfg(feature = "dense")]
+    if let Form::Polynomial(_) = form {
+        slab.check_alone("the removal of a polynomial")?;
+    }
+    slab.agreed(finite_or_missing(heights))?;
     let (degree, limit) = (form.degree(), HIGHEST_DEGREE);
     if degree > limit {
         return Err(Error::Degree { degree, limit });
     }
     let z = heights.as_slice();
-    let basis = Basis::new(heights, degree);
-    let (unknowns, known) = (basis.terms(), z.iter().filter(|z| !z.is_nan()).count());
+    let basis = Basis::new(heights, slab, degree);
+    let known = z.iter().filter(|z| !z.is_nan()).count();
+    let known = slab.combined(known, |a, b| a + b);
+    let unknowns = basis.terms();
     let undetermined = Error::Undetermined {
         quantity: "form",
         unknowns,
         known,
     };
+    slab.layout().check()?;
     if known < unknowns {
         return Err(undetermined);
     }
     let triangle = form.triangle(&basis, z);
+    slab.layout().check()?;
     if !triangle.is_independent() {
         return Err(undetermined);
     }
@@ -143,6 +158,7 @@ pub fn level(heights: &Field, form: Form) -> Result<Levelled> {
             *coefficient += change;
         }
     }
+    slab.layout().check()?;
     let mut form = Field::zeros(heights.grid());
     parallel::update(form.as_mut_slice(), |first, chunk| {
         for (cell, value) in (first..).zip(chunk) {

@@ -24,8 +24,8 @@ impl SelfAffine {
             return Err(Error::Ranks(RankFailure::NotShared(quantity)));
         }
         let target = self.target.checked()?;
-        let columns = shared_columns(grid, rows.team());
-        let waves = Waves::none_of(grid, columns.own_rows());
+        let columns = Arc::new(shared_columns(grid, rows.team()));
+        let waves = Waves::none_on(grid, Some(&columns));
         let waves = self.waves(&Cut::all(grid), waves)?;
         let mut heights = waves.into_slab(&columns, rows);
         let layout = Layout::shared(Arc::clone(rows));

@@ -1,0 +1,114 @@
+//! PVTI: an image of VTK in pieces, of which every rank writes its own.
+//!
+//! Source: the file formats of VTK,
+//! <https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html>.
+
+use std::fmt::Write as _;
+use std::io::{ErrorKind, Write as _};
+use std::ops::Range;
+use std::path::Path;
+
+use super::part::{Part, agreed, replace_bytes};
+use super::vti::{Array, check, escape, extent, piece, place};
+use super::{Format, refused};
+use crate::error::Result;
+use crate::grid::Grid;
+use crate::ranks::Team;
+use crate::share::Share;
+
+const FORMAT: Format = Format("PVTI");
+
+/// Writes named arrays of which every rank holds a slab: its piece, and the list of all by the first rank. Ranks without
+/// rows have no piece.
+pub(crate) fn write(
+    path: &Path,
+    slab: Grid,
+    arrays: &[(&str, Array<'_>)],
+    share: Option<&Share>,
+) -> Result<()> {
+    let team = share.map(|share| &**share.team());
+    let rank = team.map_or(0, Team::rank);
+    let of_first = |work: &dyn Fn() -> Result<()>| if rank == 0 { work() } else { Ok(()) };
+    let name = name(path).and_then(|name| {
+        slab.expect("an array to be written", check(arrays)?)?;
+        Ok(name)
+    });
+    let name = agreed(team, name)?;
+
+    let own = path.with_file_name(piece_of(name, rank));
+    let part = if slab.ny() > 0 {
+        written(&own, &piece(arrays, slab)).map(Some)
+    } else {
+        Ok(None)
+    };
+    let part = agreed(team, part)?;
+    // Until all pieces have their names an earlier list would be that of a mixture.
+    agreed(team, of_first(&|| removed(path)))?;
+    agreed(team, part.map_or(Ok(()), |part| part.take_name()))?;
+
+    let rows = match share {
+        Some(share) => (0..share.team().size())
+            .map(|rank| share.rows_of(rank))
+            .collect(),
+        None => vec![slab.rows()],
+    };
+    let list = list(slab.whole(), arrays, name, &rows);
+    agreed(team, of_first(&|| replace_bytes(path, list.as_bytes())))
+}
+
+/// The name of a list without its ending.
+fn name(path: &Path) -> Result<&str> {
+    let name = path.file_stem().and_then(|name| name.to_str());
+    name.ok_or_else(|| {
+        let problem = "the path has no name that the list could hold";
+        FORMAT.in_entry(&path.display().to_string(), problem)
+    })
+}
+
+/// The file of the piece of a rank.
+fn piece_of(name: &str, rank: usize) -> String {
+    format!("{name}_{rank}.vti")
+}
+
+/// A file that has yet to take its name.
+fn written<'a>(path: &'a Path, bytes: &[u8]) -> Result<Part<'a>> {
+    let part = Part::beside(path)?;
+    part.write(|file| file.write_all(bytes))?;
+    Ok(part)
+}
+
+/// Removes a file if there is one.
+fn removed(path: &Path) -> Result<()> {
+    match std::fs::remove_file(path) {
+        Err(error) if error.kind() != ErrorKind::NotFound => Err(refused(path, &error)),
+        _ => Ok(()),
+    }
+}
+
+/// The list of the pieces of a grid whose rows are dealt out so.
+fn list(grid: Grid, arrays: &[(&str, Array<'_>)], name: &str, rows: &[Range<usize>]) -> String {
+    let (whole, place) = (extent(grid.nx(), &grid.rows()), place(grid));
+    let mut text = format!(
+        r#"<?xml version="1.0"?>
+<VTKFile type="PImageData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
+  <PImageData WholeExtent="{whole}" GhostLevel="0" {place}>
+    <PCellData>
+"#
+    );
+    for (name, array) in arrays {
+        let (name, components) = (escape(name), array.attribute());
+        writeln!(
+            text,
+            r#"      <PDataArray type="Float64" Name="{name}"{components}/>"#
+        )
+        .expect("writing to a string cannot fail");
+    }
+    text.push_str("    </PCellData>\n");
+    for (rank, rows) in rows.iter().enumerate().filter(|(_, rows)| !rows.is_empty()) {
+        let (extent, file) = (extent(grid.nx(), rows), escape(&piece_of(name, rank)));
+        writeln!(text, r#"    <Piece Extent="{extent}" Source="{file}"/>"#)
+            .expect("writing to a string cannot fail");
+    }
+    text.push_str("  </PImageData>\n</VTKFile>\n");
+    text
+}

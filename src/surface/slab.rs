@@ -1,0 +1,145 @@
+//! Which rows of a surface are held here, and how those of all ranks add up.
+
+use std::sync::Arc;
+
+use super::fourier::shared_columns;
+#[cfg(feature = "dense")]
+use crate::error::RankFailure;
+use crate::error::{Error, Result};
+use crate::field::Field;
+use crate::grid::Grid;
+use crate::layout::Layout;
+use crate::ranks::Words;
+use crate::share::Share;
+
+/// The rows of a surface that are held here: all, or a slab of what ranks share.
+#[derive(Debug)]
+pub(crate) struct Slab {
+    whole: Grid,
+    first_row: usize,
+    share: Option<Arc<Share>>,
+    layout: Layout,
+}
+
+impl Slab {
+    /// Of a grid whose rows are dealt out so, if they are.
+    pub(crate) fn new(whole: Grid, share: Option<Arc<Share>>) -> Self {
+        let (first_row, layout) = match &share {
+            Some(share) => (share.own_rows().start, Layout::shared(Arc::clone(share))),
+            None => (0, whole.layout()),
+        };
+        Self {
+            whole,
+            first_row,
+            share,
+            layout,
+        }
+    }
+
+    /// A surface by itself, whatever it may be a slab of; an error if it has no cells.
+    pub(super) fn alone(heights: &Field) -> Result<Self> {
+        let grid = heights.grid();
+        let [nx, ny] = grid.size();
+        if grid.cells() == 0 {
+            return Err(Error::GridSize { nx, ny });
+        }
+        Ok(Self::new(grid.of_size([nx, ny]), None))
+    }
+
+    /// The grid of all rows.
+    pub(super) fn whole(&self) -> Grid {
+        self.whole
+    }
+
+    /// The first row held here.
+    pub(super) fn first_row(&self) -> usize {
+        self.first_row
+    }
+
+    pub(super) fn layout(&self) -> &Layout {
+        &self.layout
+    }
+
+    /// `Ok` if no ranks share it.
+    #[cfg(feature = "dense")]
+    pub(super) fn check_alone(&self, quantity: &'static str) -> Result<()> {
+        match &self.share {
+            Some(_) => Err(Error::Ranks(RankFailure::NotShared(quantity))),
+            None => Ok(()),
+        }
+    }
+
+    /// The result of a step that every rank takes by itself; an error if it failed on any.
+    pub(super) fn agreed<T>(&self, result: Result<T>) -> Result<T> {
+        self.layout.agreed(result)
+    }
+
+    /// What the values of all ranks come to.
+    pub(super) fn combined<T: Words>(&self, own: T, combine: impl Fn(T, T) -> T) -> T {
+        match &self.share {
+            Some(share) => share.team().combined(own, combine),
+            None => own,
+        }
+    }
+
+    /// Sums over all cells, of a function of those held here.
+    pub(super) fn sums<const K: usize>(&self, f: impl Fn(usize) -> [f64; K] + Sync) -> [f64; K] {
+        sums(&self.layout, f)
+    }
+
+    /// The rows held here and the next one, if there is any.
+    pub(super) fn with_next_row(&self, heights: &Field) -> Vec<f64> {
+        let mut z = heights.as_slice().to_vec();
+        if let Some(share) = &self.share {
+            let [nx, ny] = self.whole.size();
+            let next = |rank: usize| {
+                let rows = share.rows_of(rank);
+                let count = usize::from(!rows.is_empty() && rows.end < ny);
+                [0..nx, rows.end..rows.end + count]
+            };
+            z.extend(share.fetch(heights.as_slice(), nx, next));
+        }
+        z
+    }
+
+    /// Whose waves are held where, and how rows travel there: none without ranks.
+    pub(super) fn shares(&self) -> Option<[Arc<Share>; 2]> {
+        let rows = self.share.as_ref()?;
+        let columns = shared_columns(self.whole, rows.team());
+        Some([Arc::clone(rows), Arc::new(columns)])
+    }
+
+    /// Words on which every rank works in its turn, in the order of the ranks; none before the first.
+    pub(super) fn in_turn(&self, work: impl FnOnce(&[u64]) -> Vec<u64>) -> Vec<u64> {
+        let Some(share) = &self.share else {
+            return work(&[]);
+        };
+        let (team, mut work) = (share.team(), Some(work));
+        let (ranks, mut words) = (team.size(), Vec::new());
+        for rank in 0..ranks {
+            let own = work.take_if(|_| rank == team.rank());
+            let own = own.map_or_else(Vec::new, |work| work(&words));
+            let mut counts = vec![0; ranks];
+            counts[rank] = team.combined(own.len(), usize::max);
+            // Of ranks that have lost each other nothing is asked any more.
+            words = team.gather(&own, &counts).unwrap_or_default();
+        }
+        words
+    }
+}
+
+/// Sums over all cells that lie so, of a function of those held here.
+pub(super) fn sums<const K: usize>(
+    layout: &Layout,
+    f: impl Fn(usize) -> [f64; K] + Sync,
+) -> [f64; K] {
+    layout.fold(|range| range.map(&f).fold([0.0; K], added), added)
+}
+
+/// Two results, number by number.
+pub(super) fn added<const K: usize>(mut a: [f64; K], b: [f64; K]) -> [f64; K] {
+    for (a, b) in a.iter_mut().zip(b) {
+        *a += b;
+    }
+    a
+}
