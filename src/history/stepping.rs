@@ -22,7 +22,7 @@ use crate::parallel;
 use crate::passes::with_memory;
 use crate::pool::Lease;
 use crate::report::{Report, Status};
-use crate::tangential::{Friction, Increment, TangentialModel};
+use crate::tangential::{Friction, Increment, Motion, TangentialModel};
 use crate::window::Window;
 
 /// Two bodies in contact that remember their load: pressure, traction, slip and energy, step by step.
@@ -171,7 +171,8 @@ impl History {
     /// [`Error::ApproachBeyondMeanGap`](crate::Error::ApproachBeyondMeanGap) or
     /// [`Error::NotModelled`](crate::Error::NotModelled) for the load;
     /// [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if friction does not hold the force;
-    /// [`Error::NotConverged`](crate::Error::NotConverged). The history is then as it was, bit for bit.
+    /// [`Error::NotConverged`](crate::Error::NotConverged); [`Error::Ranks`](crate::Error::Ranks). The history is then as
+    /// it was, bit for bit.
     pub fn step(&mut self, load: &LoadStep) -> Result<&StepResult> {
         self.step_observed(load, |_| ControlFlow::Continue(()))
     }
@@ -204,7 +205,21 @@ impl History {
 
     /// Takes a step that has been checked.
     fn take(&mut self, load: &LoadStep, observer: Observer<'_>) -> Result<()> {
+        let remembered = self.state.contact.as_ref().map(|memory| memory.window);
         let motion = self.attempt(load, &mut with_memory(observer))?;
+        // Ranks that lose each other on the way into the state go back.
+        let kept = self.bodies.is_shared().then(|| self.state.clone());
+        self.enter(load, motion);
+        let entered = self.bodies.joint(Ok(()));
+        if let (Err(_), Some(kept)) = (&entered, kept) {
+            self.state = kept;
+            self.state.forget_beyond(remembered);
+        }
+        entered
+    }
+
+    /// Makes a step that was solved part of the state.
+    fn enter(&mut self, load: &LoadStep, motion: Motion) {
         let Self { state, step, .. } = self;
         let (mut pressing, press_window) = (EnergyBalance::default(), state.press_window);
         let (control, is_pressed) = (load.normal_control(), self.candidate.held().is_some());
@@ -253,7 +268,6 @@ impl History {
         step.energy = step.energy.plus(&pressing);
         let before = self.candidate.held().map(NormalSolution::pressure);
         narrow(&self.bodies, state, before, press_window);
-        Ok(())
     }
 
     /// Changes the gap before loading, as wear does; all else stays, the pressure too until a step that does not

@@ -60,9 +60,9 @@ fn what_one_rank_refuses_is_not_written() {
 
 /// A rank that leaves after so many calls of the others.
 #[derive(Debug)]
-struct Leaving {
-    rank: Threads,
-    calls_left: AtomicUsize,
+pub(crate) struct Leaving {
+    pub(crate) rank: Threads,
+    pub(crate) calls_left: AtomicUsize,
 }
 
 impl Ranks for Leaving {

@@ -1,7 +1,9 @@
 //! Histories shared by ranks have the bits of those of one process.
 
 use std::ops::ControlFlow;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
+use std::sync::atomic::Ordering::Relaxed;
 
 use stickslip::history::{AdaptiveSteps, FrettingLoop, LoadPath, State, wear};
 use stickslip::normal::Hardness;
@@ -9,6 +11,7 @@ use stickslip::ranks::{RankFailure, Ranks, Threads};
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::*;
 
+use crate::files_of_slabs_are_never_half::Leaving;
 use crate::ranks_share_a_contact::{Found, PATIENCE, assert_same, pair, same};
 
 /// A ball beside the middle: it touches few rows, and ever more of them.
@@ -261,7 +264,7 @@ fn slabs_are_put_together_on_other_numbers_of_ranks() {
             let bodies = HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank)).unwrap();
             let mut history = History::load_slabs(&bodies, (0..from).map(name)).unwrap();
             if to == 1 {
-                assert_eq!(history.to_bytes(), saved_alone);
+                assert!(history.to_bytes() == saved_alone);
             }
             run(&mut history, 6..10);
             found(&history, Vec::new())
@@ -334,12 +337,12 @@ fn failed_steps_leave_no_trace_on_ranks() {
             matches!(refused, Err(Error::BeyondFrictionCapacity { .. })),
             "{refused:?}"
         );
-        assert_eq!(history.to_bytes(), before);
+        assert!(history.to_bytes() == before);
 
         // The second rank leaves in the middle of the next step.
         let larger = LoadStep::force([1.0, 0.0]).normal(NormalControl::Force(12.0));
         let mut calls = 0;
-        let outcome = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
+        let outcome = catch_unwind(AssertUnwindSafe(|| {
             history
                 .step_observed(&larger, |_| {
                     calls += 1;
@@ -348,7 +351,7 @@ fn failed_steps_leave_no_trace_on_ranks() {
                 })
                 .map(drop)
         }));
-        assert_eq!(history.to_bytes(), before);
+        assert!(history.to_bytes() == before);
         outcome
     });
     assert!(lost[1].is_err());
@@ -356,4 +359,56 @@ fn failed_steps_leave_no_trace_on_ranks() {
         let outcome = lost[rank].as_ref().unwrap();
         assert!(matches!(outcome, Err(Error::Ranks(_))), "{outcome:?}");
     }
+}
+
+/// A rank may be lost at any moment of a step: the others have taken it wholly, or not at all.
+#[test]
+fn a_step_is_taken_wholly_or_not_at_all() {
+    let grid = Grid::new(96, 180, 0.1, 0.08).unwrap();
+    let last = usize::MAX;
+    // What a rank has before and after the step, its outcome, and the calls it has made.
+    let step_until = |calls: usize| {
+        Threads::run(3, PATIENCE, |rank| {
+            let is_lost = rank.rank() == 1;
+            let ranks = Arc::new(Leaving {
+                rank,
+                calls_left: last.into(),
+            });
+            let shared: Arc<dyn Ranks> = Arc::clone(&ranks) as _;
+            let boundary = Boundary::NonPeriodic;
+            let bodies = HalfSpace::distributed(grid, pair(), boundary, shared).unwrap();
+            let gap = ball(&bodies);
+            let builder = History::builder(&bodies, &gap, friction(&bodies));
+            let mut history = builder.coupling(Coupling::OneWay).build().unwrap();
+            let press = LoadStep::force([0.2, 0.0]).normal(NormalControl::Force(2.0));
+            history.step(&press).unwrap();
+            let before = history.to_bytes();
+            let calls = if is_lost { calls } else { last };
+            ranks.calls_left.store(calls, Relaxed);
+            let larger = LoadStep::force([0.5, 0.0]).normal(NormalControl::Force(4.0));
+            let step = || history.step(&larger).map(drop);
+            let outcome = catch_unwind(AssertUnwindSafe(step));
+            let used = calls - ranks.calls_left.load(Relaxed);
+            (before, history.to_bytes(), outcome.ok(), used)
+        })
+    };
+    let whole = step_until(last);
+    let (all, mut refused) = (whole[1].3, 0);
+    // The last calls are those on the way into the state.
+    let moments = (0..all).step_by(all / 12).chain(all - 24..all);
+    for calls in moments {
+        let parts = step_until(calls);
+        for rank in [0, 2] {
+            let (before, after, outcome, _) = &parts[rank];
+            match outcome {
+                Some(Ok(())) => assert!(after == &whole[rank].1, "taken, {calls} of {all}"),
+                Some(Err(Error::Ranks(_))) => {
+                    assert!(after == before, "refused, {calls} of {all}");
+                    refused += 1;
+                }
+                other => panic!("{other:?}"),
+            }
+        }
+    }
+    assert!(refused > 40, "{refused}");
 }
