@@ -78,6 +78,11 @@ impl Share {
         &self.team
     }
 
+    /// Whether every rank has the rows that it has in another share.
+    pub(crate) fn has_rows_of(&self, other: &Self) -> bool {
+        self.rows == other.rows
+    }
+
     /// Cells of this rank.
     pub(crate) fn cells(&self) -> usize {
         self.own_rows().len() * self.size[0]

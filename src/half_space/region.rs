@@ -32,6 +32,8 @@ struct Dealt {
     inner: Arc<Share>,
     /// The rows of the window as the slabs of the grid have them.
     held: Arc<Share>,
+    /// Whether these are not the rows solved here.
+    moves: bool,
 }
 
 impl Region {
@@ -50,6 +52,7 @@ impl Region {
             };
         };
         let [columns, rows] = window.ranges();
+        let lying = outer.within(columns.len(), rows);
         Self {
             window,
             own: window.rows(inner.own_rows()),
@@ -57,7 +60,8 @@ impl Region {
             held: window.held(grid),
             dealt: Some(Box::new(Dealt {
                 grid,
-                held: Arc::new(outer.within(columns.len(), rows)),
+                moves: !lying.has_rows_of(&inner),
+                held: Arc::new(lying),
                 outer,
                 inner,
             })),
@@ -102,10 +106,20 @@ impl Region {
         self.dealt.is_some()
     }
 
+    /// Whether cells are held and solved by different ranks. A window of the whole grid has them where they are: nothing
+    /// need be copied then.
+    pub(crate) fn is_moved(&self) -> bool {
+        self.moving().is_some()
+    }
+
+    fn moving(&self) -> Option<&Dealt> {
+        self.dealt.as_deref().filter(|dealt| dealt.moves)
+    }
+
     /// Copies the region out of a field of the grid.
     pub(crate) fn gather(&self, whole: &[f64], part: &mut [f64]) {
-        let Some(dealt) = self.dealt.as_deref() else {
-            return self.window.gather(whole, part);
+        let Some(dealt) = self.moving() else {
+            return self.held.gather(whole, part);
         };
         let Dealt {
             grid, outer, inner, ..
@@ -123,11 +137,11 @@ impl Region {
 
     /// The same of the values of a function of the cells of the grid held here.
     pub(crate) fn collect(&self, of: impl Fn(usize) -> f64, part: &mut [f64]) {
-        if self.is_shared() {
+        if self.is_moved() {
             let held: Vec<f64> = self.held.indices().map(of).collect();
             return self.take(&held, part);
         }
-        for (part, index) in part.iter_mut().zip(self.window.indices()) {
+        for (part, index) in part.iter_mut().zip(self.held.indices()) {
             *part = of(index);
         }
     }
@@ -144,7 +158,7 @@ impl Region {
 
     /// A field of the rows held here, as one of the region.
     pub(crate) fn taken<'a>(&self, held: &'a [f64]) -> Cow<'a, [f64]> {
-        match self.dealt.as_deref() {
+        match self.moving() {
             Some(dealt) => Cow::Owned(self.moved(held, &dealt.held, &dealt.inner)),
             None => Cow::Borrowed(held),
         }
@@ -152,7 +166,7 @@ impl Region {
 
     /// A field of the region, as one of the rows held here.
     pub(crate) fn given<'a>(&self, part: &'a [f64]) -> Cow<'a, [f64]> {
-        match self.dealt.as_deref() {
+        match self.moving() {
             Some(dealt) => Cow::Owned(self.moved(part, &dealt.inner, &dealt.held)),
             None => Cow::Borrowed(part),
         }

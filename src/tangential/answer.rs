@@ -52,7 +52,7 @@ impl<'a> Answer<'a> {
             }
             held
         };
-        if !region.is_shared() {
+        if !region.is_moved() {
             return work(self);
         }
         let (pressure, limits) = (region.given(self.pressure), region.given(self.limits));
