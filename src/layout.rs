@@ -13,6 +13,16 @@ use crate::share::Share;
 ///
 /// Sums over cells follow a tree of chunks, which depends on the rows and columns of the cells alone: neither the
 /// threads nor the ranks that share the cells change a bit of them.
+///
+/// ```
+/// use stickslip::{ElasticPair, Grid, HalfSpace, Layout, Material, Operator, influence::Component};
+/// // Fields of bodies lie in rows; those of an operator of one's own, unless it tells otherwise, in one piece.
+/// let pair = ElasticPair::new(Material::new(1.0, 0.3)?, Material::rigid())?;
+/// let bodies = HalfSpace::new(Grid::new(40, 30, 1.0, 1.0)?, pair)?;
+/// let rows = bodies.operator(Component::ZZ)?.layout();
+/// assert_eq!(rows.cells(), Layout::flat(1200).cells());
+/// # Ok::<(), stickslip::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Layout {
     cells: usize,

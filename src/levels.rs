@@ -46,18 +46,15 @@ pub(crate) fn refined(
         };
         [near, far]
     };
-    let mut fine = vec![0.0; nx * rows.len()];
-    parallel::rows(&mut fine, nx, |j, row| {
-        let neighbours_along_y = neighbours(rows.start + j, height);
+    by_rows(nx, rows, |j, row| {
         let [near, beyond] =
-            neighbours_along_y.map(|row| &coarse[(row - first) * width..][..width]);
+            neighbours(j, height).map(|row| &coarse[(row - first) * width..][..width]);
         for (i, value) in row.iter_mut().enumerate() {
             let [x, beyond_x] = neighbours(i, width);
             let corners = [near[x], near[beyond_x] + beyond[x], beyond[beyond_x]];
             *value = (9.0 * corners[0] + 3.0 * corners[1] + corners[2]) / 16.0;
         }
-    });
-    fine
+    })
 }
 
 /// The value of the coarse cell that each fine one of some rows lies in. The coarse field begins with the row `first`.
@@ -68,13 +65,21 @@ pub(crate) fn inherited(
     first: usize,
 ) -> Vec<f64> {
     let [width, _] = halved([nx, ny]);
-    let mut fine = vec![0.0; nx * rows.len()];
-    parallel::rows(&mut fine, nx, |j, row| {
-        let row_of_all = rows.start + j;
-        let parents = &coarse[(row_of_all / 2 - first) * width..][..width];
+    by_rows(nx, rows, |j, row| {
+        let parents = &coarse[(j / 2 - first) * width..][..width];
         for (i, value) in row.iter_mut().enumerate() {
             *value = parents[i / 2];
         }
-    });
-    fine
+    })
+}
+
+/// Some rows of a field of so many columns, each written by `write(row, its samples)`.
+fn by_rows(
+    columns: usize,
+    rows: Range<usize>,
+    write: impl Fn(usize, &mut [f64]) + Sync,
+) -> Vec<f64> {
+    let mut field = vec![0.0; columns * rows.len()];
+    parallel::rows(&mut field, columns, |j, row| write(rows.start + j, row));
+    field
 }

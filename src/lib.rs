@@ -62,7 +62,7 @@
 //! | get stresses and displacements below the surface: at points, on planes, as a volume for ParaView | [`subsurface`]: [`at_points`](subsurface::at_points), [`Planes`](subsurface::Planes) |
 //! | keep the state of a history, return to it, save it | [`history::State`] |
 //! | apply cyclic loads, until steady or with wear | [`history::FrettingLoop`], [`history::LoadPath`], [`history::Cycle`], [`history::wear`] |
-//! | solve one large contact on several processes or machines | [`HalfSpace::distributed`], [`ranks`] |
+//! | solve one large contact on several processes or machines | [`HalfSpace::distributed`], [`ranks`], the page on [more than one machine](guide::past_one_machine) |
 //! | solve the same contact for thousands of surfaces and loads | the page on [studies](guide::studies) |
 //! | embed contacts in a simulator | the page on [embedding](guide::embedding) |
 //! | assess the accuracy of a solution | its [`Report`] and its [`Warning`]s |

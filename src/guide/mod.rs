@@ -8,6 +8,7 @@
 //! | [`dissimilar_bodies`] | bodies of different materials: when their coupling matters, and in which steps to load them |
 //! | [`from_tractions_to_stresses`] | stress below the surface, bulk stress, series for a fatigue criterion; what a half-space can say |
 //! | [`studies`] | thousands of surfaces on one machine or over a cluster: shards, restart, merge |
+//! | [`past_one_machine`] | one surface on several processes or machines: memory, bytes and times measured, and what they come to on a cluster, calculated |
 //! | [`embedding`] | contacts in a simulator: ownership, threads, allocation, states, errors |
 //! | [`hard_cases`] | difficult scenes, each checked, and the results of random scenes |
 //! | [`errata`] | the formulas of Wang et al. (2021) that are misprinted, and how each correction was checked |
@@ -31,6 +32,9 @@ pub mod from_tractions_to_stresses {}
 
 #[doc = include_str!("studies.md")]
 pub mod studies {}
+
+#[doc = include_str!("past_one_machine.md")]
+pub mod past_one_machine {}
 
 #[doc = include_str!("embedding.md")]
 pub mod embedding {}

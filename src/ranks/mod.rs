@@ -51,7 +51,7 @@
 //!
 //! on a free grid, half of it on a periodic one, and half of either in single precision; bands of 16 rows without
 //! traction are not sent on the way there. A window of the contact has its rows dealt out to all ranks anew. An
-//! iteration adds up a dozen partial results, of some hundred bytes in $`\lceil\log_2 P\rceil`$ messages each.
+//! iteration adds up seven partial results, of some hundred bytes in $`\lceil\log_2 P\rceil`$ messages each.
 //! [`HalfSpace::traffic`](crate::HalfSpace::traffic) counts both.
 //!
 //! # Failure
