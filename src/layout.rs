@@ -109,10 +109,7 @@ impl Layout {
 
     /// The result of a step that every rank takes by itself; an error if it failed on any.
     pub(crate) fn agreed<T>(&self, result: Result<T>) -> Result<T> {
-        match &self.team {
-            Some(team) => team.agreed(result),
-            None => result,
-        }
+        Team::agreed_of(self.team.as_deref(), result)
     }
 
     /// What the first rank says of going on, for all. Ranks that have lost each other have stalled.
@@ -157,6 +154,10 @@ impl Layout {
             Some(share) if T::COUNT > 0 => share.sweep(data, &work, &combine),
             // A rank without cells has nothing to do.
             _ if self.tasks() == 0 => T::ZERO,
+            // Work too short to share is not worth the way into a pool.
+            _ if parallel::is_short(self.cells) => {
+                parallel::in_turn(0..self.tasks(), data, &work, &combine)
+            }
             _ => parallel::sweep(0..self.tasks(), data, &work, &combine),
         }
     }

@@ -33,6 +33,15 @@ pub enum RankFailure {
         /// Its first row, from the bottom of the grid.
         row: usize,
     },
+    /// Ranks make different calls.
+    #[error("rank {rank} makes other calls than this one")]
+    OutOfStep {
+        /// One whose block was of another length than expected.
+        rank: usize,
+    },
+    /// Ranks come with different values of what must be the same on all.
+    #[error("the ranks do not have the same {0}")]
+    Different(&'static str),
     /// A rank has refused its part of the work; its own error says why.
     #[error("rank {rank} has refused its part of the work")]
     Refused {

@@ -34,7 +34,10 @@ impl HalfSpace {
                 Some(samples) if self.keeps_kernels() && samples.have_no_scale() => {
                     Some(Arc::clone(samples))
                 }
-                _ => samples(grid, boundary, grid.size(), None)?.map(Arc::new),
+                _ => {
+                    let samples = samples(grid, boundary, grid.size(), None);
+                    self.agreed(samples)?.map(Arc::new)
+                }
             };
             let dealt = (self.team().cloned(), share);
             Ok(Self::with_samples(grid, *pair, boundary, samples, dealt))

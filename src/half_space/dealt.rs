@@ -87,15 +87,33 @@ impl HalfSpace {
 
     /// The result of a step that every rank takes by itself; an error if it failed on any.
     pub(crate) fn agreed<T>(&self, result: Result<T>) -> Result<T> {
+        Team::agreed_of(self.team().map(|team| &**team), result)
+    }
+
+    /// The same of work that may agree on the way.
+    pub(crate) fn agreed_on<T>(&self, work: impl FnOnce() -> Result<T>) -> Result<T> {
         match self.team() {
-            Some(team) => team.agreed(result),
-            None => result,
+            Some(team) => team.agreed_on(work),
+            None => work(),
         }
     }
 
+    /// `Ok` if all ranks that share the grid come with the same value.
+    pub(crate) fn alike<T: Words + Ord>(&self, quantity: &'static str, own: T) -> Result<()> {
+        let both = |one: [T; 2], other: [T; 2]| [one[0].min(other[0]), one[1].max(other[1])];
+        let [least, most] = self.over_ranks([own; 2], both);
+        if least == most {
+            return Ok(());
+        }
+        Err(Error::Ranks(RankFailure::Different(quantity)))
+    }
+
     /// What the first rank says of going on, for all; an error if any has one.
-    pub(crate) fn decided(&self, own: Result<ControlFlow<()>>) -> Result<ControlFlow<()>> {
-        let own = self.agreed(own)?;
+    pub(crate) fn decided(
+        &self,
+        ask: impl FnOnce() -> Result<ControlFlow<()>>,
+    ) -> Result<ControlFlow<()>> {
+        let own = self.agreed_on(ask)?;
         let Some(team) = self.team() else {
             return Ok(own);
         };

@@ -264,7 +264,9 @@ impl HalfSpace {
         }
         let grid = grid.whole();
         let sharing = self.sharing();
-        let samples = samples(grid, boundary, size, sharing)?.map(Arc::new);
+        let samples = self
+            .agreed(samples(grid, boundary, size, sharing))?
+            .map(Arc::new);
         Ok(make(
             Kernels::new(grid, *pair, boundary, samples).of(components)?,
         ))

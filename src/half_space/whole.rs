@@ -6,7 +6,8 @@ use crate::half_space::HalfSpace;
 use crate::surface::{Form, Levelled, PowerSpectrum, Slab, Statistics, level_slab};
 
 /// All ranks call these alike, each with its slab, and all get the same answer, with the bits of one process. Without
-/// ranks they are the functions of the same name on a field.
+/// ranks they are [`Field::max`] and the like, [`Statistics::of`], [`PowerSpectrum::of`] and
+/// [`surface::level`](crate::surface::level()).
 impl HalfSpace {
     /// Largest sample of a field of the whole grid, in its units; NaN samples are ignored. See [`Field::max`].
     ///

@@ -106,7 +106,7 @@ impl AdaptiveSteps {
     pub fn error(&mut self, history: &mut History, load: &LoadStep) -> Result<StepError> {
         self.begin(history)?;
         let outcome = self.compare(history, load, [0.0, 1.0]);
-        history.set_state(&self.beginning)?;
+        history.go_back(&self.beginning)?;
         outcome
     }
 
@@ -134,7 +134,7 @@ impl AdaptiveSteps {
         self.begin(history)?;
         let outcome = self.advance(history, load, &mut observer);
         if outcome.is_err() {
-            history.set_state(&self.beginning)?;
+            history.go_back(&self.beginning)?;
         }
         outcome
     }
@@ -235,10 +235,10 @@ impl AdaptiveSteps {
         self.kept.clone_from(history.state());
         history.set_state(state)?;
         std::mem::swap(&mut history.step, step);
-        let outcome = history.bodies.agreed(observer(history));
+        let outcome = history.bodies.agreed_on(|| observer(history));
         std::mem::swap(&mut history.step, step);
         history.set_state(&self.kept)?;
         outcome?;
-        history.bodies.agreed(observer(history))
+        history.bodies.agreed_on(|| observer(history))
     }
 }

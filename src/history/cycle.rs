@@ -153,7 +153,7 @@ impl Cycle {
     pub fn begin(&mut self, history: &History) -> Result<()> {
         self.check(history)?;
         self.restart(history);
-        Ok(())
+        history.bodies.joint(Ok(()))
     }
 
     fn restart(&mut self, history: &History) {
@@ -227,12 +227,13 @@ impl Cycle {
         }
         self.remarks = self.remarks.and(step.remarks);
         self.points.push(LoopPoint::of(history));
-        Ok(())
+        history.bodies.joint(Ok(()))
     }
 
     fn check(&self, history: &History) -> Result<()> {
         let grid = self.sums.slip_distance.grid();
-        grid.expect("history of the cycle", history.grid())
+        let bodies = &history.bodies;
+        bodies.agreed(grid.expect("history of the cycle", history.grid()))
     }
 
     /// Takes the step into the mean of the pressure, which weighs by the length of slip.

@@ -131,8 +131,8 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
         for &value in self.path.steps() {
             history.step(&(self.load)(value))?;
             cycle.add(history)?;
-            let asked = observer(history, cycle);
-            if history.bodies.decided(asked)?.is_break() {
+            let bodies = history.bodies.clone();
+            if bodies.decided(|| observer(history, cycle))?.is_break() {
                 return Ok(ControlFlow::Break(()));
             }
         }

@@ -56,6 +56,9 @@
 //! that the next step starts from: its [`State`]. A step that succeeded is taken back by [`History::set_state`].
 //! [`State::to_bytes`] saves a state, and a history that is made from it continues to the same bits.
 //!
+//! A history that ranks share ([`ranks`](crate::ranks)) keeps a copy of its state while a step enters it, and allocates in
+//! every step.
+//!
 //! # Cycles
 //! A [`FrettingLoop`] takes a [`LoadPath`] again and again, until the loop is steady or as often as asked, and
 //! lets an observer wear the gap on the way. A [`Cycle`] is what its steps add up to: slip, energy, loop of force

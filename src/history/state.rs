@@ -201,9 +201,6 @@ impl State {
 
     /// Takes note of what all ranks know together, which is not among the fields of a slab.
     pub(super) fn gather_whole(&mut self, bodies: &HalfSpace) {
-        if !bodies.is_shared() {
-            return;
-        }
         self.normal.gather_whole(bodies);
         if let Some(hardness) = &self.hardness {
             let yielded = hardness.reached_cells(bodies, self.pressure().as_slice());

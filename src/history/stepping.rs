@@ -113,12 +113,14 @@ impl History {
     /// [`Error::Memory`](crate::Error::Memory); [`Error::Ranks`](crate::Error::Ranks).
     pub fn from_state(bodies: &HalfSpace, mut state: State) -> Result<Self> {
         bodies.agreed(state.check_bodies(bodies))?;
+        bodies.alike("state but for its fields", state.digest_on(bodies))?;
         if state.is_joint() {
             bodies.check_alone("a history with pressure and shear found together")?;
         }
         state.gather_whole(bodies);
         let mut press = PressureSolver::new();
         state.resume(bodies, &mut press)?;
+        bodies.joint(Ok(()))?;
         Ok(Self {
             bodies: bodies.clone(),
             candidate: Lease::new(bodies.pool(&[], bodies.grid().size())?),
@@ -154,7 +156,14 @@ impl History {
         }
         self.state.clone_from(state);
         self.state.gather_whole(&self.bodies);
-        Ok(())
+        self.bodies.joint(Ok(()))
+    }
+
+    /// Returns to a state that this history had, also where ranks have lost each other.
+    pub(super) fn go_back(&mut self, state: &State) -> Result<()> {
+        self.state.clone_from(state);
+        self.bodies.joint(Ok(()))?;
+        self.take_back()
     }
 
     /// Makes what finds the pressure start from the state again.
@@ -208,11 +217,12 @@ impl History {
         let remembered = self.state.contact.as_ref().map(|memory| memory.window);
         let motion = self.attempt(load, &mut with_memory(observer))?;
         // Ranks that lose each other on the way into the state go back.
-        let kept = self.bodies.is_shared().then(|| self.state.clone());
+        let is_shared = self.bodies.is_shared();
+        let kept = is_shared.then(|| (self.state.clone(), self.step.clone()));
         self.enter(load, motion);
         let entered = self.bodies.joint(Ok(()));
         if let (Err(_), Some(kept)) = (&entered, kept) {
-            self.state = kept;
+            (self.state, self.step) = kept;
             self.state.forget_beyond(remembered);
         }
         entered
@@ -276,20 +286,21 @@ impl History {
     /// [`Warning::StalePressure`](crate::Warning::StalePressure). Copies without allocating.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch) or [`Error::Sample`](crate::Error::Sample); the gap
-    /// is then as it was.
+    /// [`Error::GridMismatch`](crate::Error::GridMismatch) or [`Error::Sample`](crate::Error::Sample);
+    /// [`Error::Ranks`](crate::Error::Ranks); the gap is then as it was.
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
         self.bodies.agreed(gap.check("gap", self.grid()))?;
         let state = &mut self.state;
         let is_pressed = state.normal.report().status != Status::Unsolved;
-        state.gap.as_mut_slice().copy_from_slice(gap.as_slice());
+        let (pressed, new) = (state.pressed_gap.as_slice(), gap.as_slice());
+        let yielded = state.yielded.as_ref().map(Field::as_slice);
+        let differs = reduce::any(&self.bodies.grid_layout(), |i| {
+            let set = yielded.map_or(0.0, |yielded| yielded[i]);
+            pressed[i] - (new[i] + set) != 0.0
+        });
+        self.bodies.joint(Ok(()))?;
+        state.gap.as_mut_slice().copy_from_slice(new);
         add_yielded(state);
-        let [pressed, gap] = [&state.pressed_gap, &state.gap].map(Field::as_slice);
-        let differs = reduce::fold(
-            &self.bodies.grid_layout(),
-            |cells| pressed[cells.clone()] != gap[cells],
-            |one, other| one || other,
-        );
         state.is_pressure_stale = is_pressed && differs;
         Ok(())
     }
@@ -297,9 +308,10 @@ impl History {
     /// Changes the friction from the next step on; all else stays.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch); the friction is then as it was.
+    /// [`Error::GridMismatch`](crate::Error::GridMismatch); [`Error::Ranks`](crate::Error::Ranks); the friction is then as
+    /// it was.
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
-        self.bodies.agreed(friction.check(self.grid()))?;
+        friction.check_on(&self.bodies)?;
         self.state.friction.clone_from(friction);
         Ok(())
     }
@@ -311,8 +323,9 @@ impl History {
     /// As [`Settings::check`], and [`Error::Method`](crate::Error::Method) for a method that the tangential model does
     /// not have; the settings are then as they were.
     pub fn set_settings(&mut self, settings: Settings) -> Result<()> {
-        settings.check()?;
-        TangentialModel::of(self.state.axes).check(&settings)?;
+        let model = TangentialModel::of(self.state.axes);
+        let checked = settings.check().and_then(|()| model.check(&settings));
+        self.bodies.agreed(checked)?;
         self.state.settings = settings;
         Ok(())
     }

@@ -211,7 +211,7 @@ pub(crate) fn parse_file<T>(path: &Path, parse: impl FnOnce(&[u8]) -> Result<T>)
 }
 
 /// An error in what a file says, with its name.
-fn in_file(path: &Path, mut error: Error) -> Error {
+pub(crate) fn in_file(path: &Path, mut error: Error) -> Error {
     if let Error::Format { file, .. } = &mut error {
         *file = Some(path.display().to_string());
     }

@@ -94,9 +94,9 @@ pub(super) fn replace(
 ) -> Result<()> {
     let is_first = team.is_none_or(|team| team.rank() == 0);
     let part = shared_part(path, team)?;
-    agreed(team, part.write(write))?;
+    Team::agreed_of(team, part.write(write))?;
     let named = if is_first { part.take_name() } else { Ok(()) };
-    agreed(team, named)
+    Team::agreed_of(team, named)
 }
 
 /// A file beside another, which the first rank makes for all.
@@ -110,12 +110,4 @@ fn shared_part<'a>(path: &'a Path, team: Option<&Team>) -> Result<Part<'a>> {
     team.check()?;
     // A number that did not arrive is that of no file.
     Ok(made.unwrap_or_else(|| Part::of_another(path, id.unwrap_or_default())))
-}
-
-/// The result of what every rank does; an error if it failed on any.
-pub(super) fn agreed<T>(team: Option<&Team>, result: Result<T>) -> Result<T> {
-    match team {
-        Some(team) => team.agreed(result),
-        None => result,
-    }
 }

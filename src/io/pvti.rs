@@ -8,7 +8,7 @@ use std::io::{ErrorKind, Write as _};
 use std::ops::Range;
 use std::path::Path;
 
-use super::part::{Part, agreed, replace_bytes};
+use super::part::{Part, replace_bytes};
 use super::vti::{Array, check, escape, extent, piece, place};
 use super::{Format, refused};
 use crate::error::Result;
@@ -33,7 +33,7 @@ pub(crate) fn write(
         slab.expect("an array to be written", check(arrays)?)?;
         Ok(name)
     });
-    let name = agreed(team, name)?;
+    let name = Team::agreed_of(team, name)?;
 
     let own = path.with_file_name(piece_of(name, rank));
     let part = if slab.ny() > 0 {
@@ -41,10 +41,10 @@ pub(crate) fn write(
     } else {
         Ok(None)
     };
-    let part = agreed(team, part)?;
+    let part = Team::agreed_of(team, part)?;
     // Until all pieces have their names an earlier list would be that of a mixture.
-    agreed(team, of_first(&|| removed(path)))?;
-    agreed(team, part.map_or(Ok(()), |part| part.take_name()))?;
+    Team::agreed_of(team, of_first(&|| removed(path)))?;
+    Team::agreed_of(team, part.map_or(Ok(()), |part| part.take_name()))?;
 
     let rows = match share {
         Some(share) => (0..share.team().size())
@@ -53,7 +53,7 @@ pub(crate) fn write(
         None => vec![slab.rows()],
     };
     let list = list(slab.whole(), arrays, name, &rows);
-    agreed(team, of_first(&|| replace_bytes(path, list.as_bytes())))
+    Team::agreed_of(team, of_first(&|| replace_bytes(path, list.as_bytes())))
 }
 
 /// The name of a list without its ending.

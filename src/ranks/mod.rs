@@ -5,7 +5,9 @@
 //!
 //! [`HalfSpace::distributed`](crate::HalfSpace::distributed) deals out the rows of a grid: each rank holds a *slab* of
 //! them, with fields, problems and solutions of its own. Builders are those of any bodies. Whatever ranks do together
-//! every rank must do: build, solve, displacements, energies. What a solution says of the whole contact (force, area,
+//! every rank must do: build, solve and step, change what is solved, displacements, energies, friction capacities, cycles and
+//! jumps over them, statistics, files. What must be the same on all (settings, a friction that is uniform, ...) is
+//! compared. What a solution says of the whole contact (force, area,
 //! stick ratio, report, ...) every rank knows without asking; its fields are those of the slab.
 //!
 //! Normal and tangential problems and histories, scalar and in the plane, can be shared, on all boundaries, with hardness,

@@ -16,6 +16,8 @@ pub(crate) struct Team {
     blocks: AtomicU64,
     words: AtomicU64,
     gathers: AtomicU64,
+    /// Agreements that some rank has refused.
+    refusals: AtomicU64,
 }
 
 /// What one rank has sent since its bodies were made.
@@ -38,6 +40,7 @@ impl Team {
             blocks: AtomicU64::new(0),
             words: AtomicU64::new(0),
             gathers: AtomicU64::new(0),
+            refusals: AtomicU64::new(0),
         }
     }
 
@@ -91,7 +94,8 @@ impl Team {
                 (me + of) % ranks,
             ))?;
             if received.len() != words_of(me + of..me + of + new) {
-                return None;
+                let rank = (me + of) % ranks;
+                return self.kept(Err(RankFailure::OutOfStep { rank }));
             }
             known.extend(received);
             of += new;
@@ -128,10 +132,29 @@ impl Team {
             self.check()?;
             return result;
         };
-        match all.iter().position(|&failed| failed != 0) {
-            Some(rank) if result.is_ok() => Err(Error::Ranks(RankFailure::Refused { rank })),
-            _ => result,
+        let Some(rank) = all.iter().position(|&failed| failed != 0) else {
+            return result;
+        };
+        self.refusals.fetch_add(1, Ordering::Relaxed);
+        result.and(Err(Error::Ranks(RankFailure::Refused { rank })))
+    }
+
+    /// The same of a team, if there is one.
+    pub(crate) fn agreed_of<T>(team: Option<&Self>, result: Result<T>) -> Result<T> {
+        match team {
+            Some(team) => team.agreed(result),
+            None => result,
         }
+    }
+
+    /// The same of steps that may agree on the way: what they have refused there all ranks know.
+    pub(crate) fn agreed_on<T>(&self, work: impl FnOnce() -> Result<T>) -> Result<T> {
+        let before = self.refusals.load(Ordering::Relaxed);
+        let result = work();
+        if result.is_err() && self.refusals.load(Ordering::Relaxed) > before {
+            return result;
+        }
+        self.agreed(result)
     }
 
     /// `Ok` as long as every call has succeeded.

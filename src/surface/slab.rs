@@ -1,5 +1,6 @@
 //! Which rows of a surface are held here, and how those of all ranks add up.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use super::fourier::shared_columns;
@@ -88,18 +89,18 @@ impl Slab {
     }
 
     /// The rows held here and the next one, if there is any.
-    pub(super) fn with_next_row(&self, heights: &Field) -> Vec<f64> {
-        let mut z = heights.as_slice().to_vec();
-        if let Some(share) = &self.share {
-            let [nx, ny] = self.whole.size();
-            let next = |rank: usize| {
-                let rows = share.rows_of(rank);
-                let count = usize::from(!rows.is_empty() && rows.end < ny);
-                [0..nx, rows.end..rows.end + count]
-            };
-            z.extend(share.fetch(heights.as_slice(), nx, next));
-        }
-        z
+    pub(super) fn with_next_row<'a>(&self, heights: &'a Field) -> Cow<'a, [f64]> {
+        let own = heights.as_slice();
+        let Some(share) = &self.share else {
+            return Cow::Borrowed(own);
+        };
+        let [nx, ny] = self.whole.size();
+        let next = |rank: usize| {
+            let rows = share.rows_of(rank);
+            let count = usize::from(!rows.is_empty() && rows.end < ny);
+            [0..nx, rows.end..rows.end + count]
+        };
+        Cow::Owned([own, &share.fetch(own, nx, next)].concat())
     }
 
     /// Whose waves are held where, and how rows travel there: none without ranks.

@@ -3,7 +3,7 @@
 use crate::error::{Result, all_non_negative, non_negative, positive};
 use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
-use crate::half_space::Region;
+use crate::half_space::{HalfSpace, Region};
 use crate::levels::coarsened;
 use crate::per_cell::PerCell;
 
@@ -162,6 +162,21 @@ impl Friction {
     /// constructors.
     pub(crate) fn parts_mut(&mut self) -> (&mut PerCell<Field>, &mut Option<f64>) {
         (&mut self.coefficient, &mut self.max_shear_stress)
+    }
+
+    /// `Ok` if the coefficients fit the cells held here, on all ranks, which must have the same but for these.
+    pub(crate) fn check_on(&self, bodies: &HalfSpace) -> Result<()> {
+        bodies.agreed(self.check(bodies.grid()))?;
+        self.check_alike(bodies)
+    }
+
+    /// `Ok` if all ranks have the same friction, but for the coefficients of cells.
+    pub(crate) fn check_alike(&self, bodies: &HalfSpace) -> Result<()> {
+        let uniform = match self.coefficient {
+            PerCell::Uniform(coefficient) => (0_u64, coefficient.to_bits()),
+            PerCell::Cells(_) => (1, 0),
+        };
+        bodies.alike("friction", (uniform, self.cap().to_bits()))
     }
 
     /// `Ok` if the coefficients fit the grid.

@@ -167,6 +167,7 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
         let grid = self.bodies.grid();
         let demand = self.load.demand();
         let samples = self.bodies.agreed(self.check())?;
+        self.friction.check_alike(self.bodies)?;
         let mut pressed = Pressed::new(self.bodies, contact_window(self.bodies, samples)?);
         pressed.set(samples, &self.friction);
         pressed.limits.check(demand.force(), grid.cell_area())?;

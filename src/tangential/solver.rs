@@ -135,8 +135,7 @@ impl TangentialSolver {
     /// [`Error::GridMismatch`], [`Error::NotFinite`] if the limits overflow, or [`Error::BeyondFrictionCapacity`] if
     /// the present load is more than the new friction holds; the friction is then as it was.
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
-        let checked = friction.check(self.bodies.grid());
-        self.bodies.agreed(checked)?;
+        friction.check_on(&self.bodies)?;
         let pressure = &self.increment.pressed.pressure;
         self.candidate.pressure.copy_from_slice(pressure);
         self.candidate.set_friction(friction);

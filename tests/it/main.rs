@@ -79,6 +79,7 @@ mod pressing_in_steps_meets_closed_forms;
 mod problems_take_every_load;
 #[cfg(feature = "dense")]
 mod random_scenes_are_right;
+mod ranks_fail_together;
 mod ranks_share_a_contact;
 mod ranks_share_a_history;
 mod repeated_solves_start_near_the_answer;

@@ -1,32 +1,29 @@
 //! Histories shared by ranks have the bits of those of one process.
 
 use std::ops::ControlFlow;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
-use std::sync::atomic::Ordering::Relaxed;
 
 use stickslip::history::{AdaptiveSteps, FrettingLoop, LoadPath, State, wear};
 use stickslip::normal::Hardness;
-use stickslip::ranks::{RankFailure, Ranks, Threads};
+use stickslip::ranks::{Ranks, Threads};
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::*;
 
-use crate::files_of_slabs_are_never_half::Leaving;
 use crate::ranks_share_a_contact::{Found, PATIENCE, assert_same, pair, same};
 
 /// A ball beside the middle: it touches few rows, and ever more of them.
-fn ball(bodies: &HalfSpace) -> Field {
+pub(crate) fn ball(bodies: &HalfSpace) -> Field {
     Field::from_fn(bodies.grid(), |x, y| {
         0.05 * ((x - 0.3).powi(2) + (y + 2.0).powi(2))
     })
 }
 
 /// Many chunks, as the windows of contacts on it have them: all ranks have work.
-fn fine() -> Grid {
+pub(crate) fn fine() -> Grid {
     Grid::new(128, 250, 0.08, 0.06).unwrap()
 }
 
-fn friction(bodies: &HalfSpace) -> Friction {
+pub(crate) fn friction(bodies: &HalfSpace) -> Friction {
     let coefficient = Field::from_fn(bodies.grid(), |x, y| 0.3 + 0.01 * (x + y).sin());
     Friction::per_cell(coefficient).unwrap()
 }
@@ -232,183 +229,93 @@ fn yielding_and_strained_contacts_have_the_same_bits() {
     }
 }
 
+/// A history with all that a state may hold, or with what is the same everywhere.
+pub(crate) fn begun(bodies: &HalfSpace, is_rich: bool) -> History {
+    let gap = ball(bodies);
+    let coulomb = Friction::coulomb(0.3).unwrap();
+    let builder = History::builder(
+        bodies,
+        &gap,
+        if is_rich { friction(bodies) } else { coulomb },
+    );
+    let builder = builder
+        .coupling(Coupling::Neglected)
+        .model(TangentialModel::Vector);
+    let mut history = if is_rich {
+        let hard = Field::from_fn(bodies.grid(), |x, _| 0.25 + 0.001 * x);
+        let strain = [[1e-3, 0.0], [0.0, 2e-3]];
+        let bulk = RelativeDisplacement::bulk_strain(bodies.grid(), strain).unwrap();
+        let builder = builder
+            .hardness(Hardness::per_cell(hard).unwrap())
+            .permanent_set(true);
+        builder.relative_displacement(bulk).build().unwrap()
+    } else {
+        builder.build().unwrap()
+    };
+    run(&mut history, 0..5);
+    let worn = history.gap().map(|gap| gap + 1e-4);
+    history.set_gap(&worn).unwrap();
+    history
+}
+
 /// Slabs saved by some ranks go on with others, or with none.
 #[test]
 fn slabs_are_put_together_on_other_numbers_of_ranks() {
     let grid = fine();
-    let boundary = Boundary::NonPeriodic;
-    let begin = |bodies: &HalfSpace| {
-        let gap = ball(bodies);
-        let builder = History::builder(bodies, &gap, friction(bodies));
-        let builder = builder
-            .coupling(Coupling::Neglected)
-            .hardness(Hardness::uniform(2.0).unwrap());
-        let mut history = builder.model(TangentialModel::Vector).build().unwrap();
-        run(&mut history, 0..6);
-        history
-    };
-    let alone = HalfSpace::with_boundary(grid, pair(), boundary).unwrap();
-    let mut whole = begin(&alone);
-    let saved_alone = whole.to_bytes();
-    run(&mut whole, 6..10);
     let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("slabs");
     std::fs::create_dir_all(&folder).unwrap();
-    for (from, to) in [(1, 3), (3, 1), (3, 2), (2, 7), (7, 4)] {
-        let name = |rank: usize| folder.join(format!("{from}-{to}-{rank}.state"));
-        Threads::run(from, PATIENCE, |rank| {
-            let number = rank.rank();
-            let bodies = HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank)).unwrap();
-            begin(&bodies).save(name(number)).unwrap();
-        });
-        let parts = Threads::run(to, PATIENCE, |rank| {
-            let bodies = HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank)).unwrap();
-            let mut history = History::load_slabs(&bodies, (0..from).map(name)).unwrap();
-            if to == 1 {
-                assert!(history.to_bytes() == saved_alone);
-            }
-            run(&mut history, 6..10);
-            found(&history, Vec::new())
-        });
+    for (boundary, is_rich) in [(Boundary::NonPeriodic, true), (Boundary::Periodic, false)] {
+        let alone = HalfSpace::with_boundary(grid, pair(), boundary).unwrap();
+        let mut whole = begun(&alone, is_rich);
+        let saved_alone = whole.to_bytes();
+        let spots = whole.normal().spots();
+        let yielded = whole.normal().yielded_cells();
+        assert_eq!(yielded > 0, is_rich);
+        run(&mut whole, 5..8);
         let expected = found(&whole, Vec::new());
-        for part in &parts {
-            same(&part.known, &expected.known).unwrap();
+        for (from, to) in [(1, 3), (3, 1), (2, 7), (7, 4)] {
+            let name = |rank: usize| folder.join(format!("{from}-{to}-{rank}.state"));
+            let states = Threads::run(from, PATIENCE, |rank| {
+                let number = rank.rank();
+                let bodies = HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank));
+                let history = begun(&bodies.unwrap(), is_rich);
+                history.save(name(number)).unwrap();
+                history.state().clone()
+            });
+            let parts = Threads::run(to, PATIENCE, |rank| {
+                let bodies =
+                    HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank)).unwrap();
+                // From files, or from what is in memory.
+                let mut history = if from == 7 {
+                    let slabs = states.iter().map(|state| Ok(state.clone()));
+                    let state = State::of_slabs(&bodies, slabs).unwrap();
+                    History::from_state(&bodies, state).unwrap()
+                } else {
+                    History::load_slabs(&bodies, (0..from).map(name)).unwrap()
+                };
+                assert_eq!(history.normal().yielded_cells(), yielded);
+                if to == 1 {
+                    assert!(history.to_bytes() == saved_alone);
+                    assert_eq!(history.normal().spots(), spots);
+                }
+                run(&mut history, 5..8);
+                found(&history, Vec::new())
+            });
+            for part in &parts {
+                same(&part.known, &expected.known).unwrap();
+            }
+            let cells: Vec<[f64; 7]> = parts.into_iter().flat_map(|part| part.cells).collect();
+            same(cells.as_flattened(), expected.cells.as_flattened()).unwrap();
         }
-        let cells: Vec<[f64; 7]> = parts.into_iter().flat_map(|part| part.cells).collect();
-        same(cells.as_flattened(), expected.cells.as_flattened()).unwrap();
     }
-
-    // A slab that is missing, or of another step, is told.
-    let slabs: Vec<Vec<u8>> = Threads::run(3, PATIENCE, |rank| {
-        let number = rank.rank();
-        let bodies = HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank)).unwrap();
-        let mut history = begin(&bodies);
-        let bytes = history.to_bytes();
-        run(&mut history, 6..7);
-        if number == 2 {
-            history.to_bytes()
-        } else {
-            bytes
-        }
-    });
-    let refused = |slabs: &[Vec<u8>]| {
-        let slabs = slabs.iter().map(|bytes| State::from_bytes(bytes));
-        State::of_slabs(&alone, slabs).map(drop).unwrap_err()
-    };
-    assert!(
-        matches!(refused(&slabs), Error::Ranks(RankFailure::OtherState { row }) if row > 40),
-        "{:?}",
-        refused(&slabs)
-    );
-    assert!(
-        matches!(refused(&slabs[..2]), Error::Ranks(RankFailure::NoSlab { row }) if row > 40),
-        "{:?}",
-        refused(&slabs[..2])
-    );
 }
 
 /// Some steps of a load that grows and turns.
-fn run(history: &mut History, steps: std::ops::Range<u32>) {
+pub(crate) fn run(history: &mut History, steps: std::ops::Range<u32>) {
     for k in steps.map(f64::from) {
         let load = LoadStep::force([0.2 * (1.0 + k) * k.sin(), 0.1 * k]).normal(
             NormalControl::Force(2.0 + (1.0 + k) * (2.0 + (1.7 * k).cos())),
         );
         history.step(&load).unwrap();
     }
-}
-
-/// What all ranks refuse, or what one of them is lost in, leaves the history as it was.
-#[test]
-fn failed_steps_leave_no_trace_on_ranks() {
-    let grid = fine();
-    let lost = Threads::run(3, PATIENCE, |rank| {
-        let number = rank.rank();
-        let boundary = Boundary::NonPeriodic;
-        let bodies = HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank)).unwrap();
-        let gap = ball(&bodies);
-        let builder = History::builder(&bodies, &gap, Friction::coulomb(0.3).unwrap());
-        let mut history = builder.coupling(Coupling::OneWay).build().unwrap();
-        history
-            .step(&LoadStep::force([0.2, 0.0]).normal(NormalControl::Force(2.0)))
-            .unwrap();
-        let before = history.to_bytes();
-        let too_much = LoadStep::force([9.0, 0.0]).normal(NormalControl::Force(12.0));
-        let refused = history.step(&too_much).map(drop);
-        assert!(
-            matches!(refused, Err(Error::BeyondFrictionCapacity { .. })),
-            "{refused:?}"
-        );
-        assert!(history.to_bytes() == before);
-
-        // The second rank leaves in the middle of the next step.
-        let larger = LoadStep::force([1.0, 0.0]).normal(NormalControl::Force(12.0));
-        let mut calls = 0;
-        let outcome = catch_unwind(AssertUnwindSafe(|| {
-            history
-                .step_observed(&larger, |_| {
-                    calls += 1;
-                    assert!(number != 1 || calls < 8, "a rank is lost");
-                    ControlFlow::Continue(())
-                })
-                .map(drop)
-        }));
-        assert!(history.to_bytes() == before);
-        outcome
-    });
-    assert!(lost[1].is_err());
-    for rank in [0, 2] {
-        let outcome = lost[rank].as_ref().unwrap();
-        assert!(matches!(outcome, Err(Error::Ranks(_))), "{outcome:?}");
-    }
-}
-
-/// A rank may be lost at any moment of a step: the others have taken it wholly, or not at all.
-#[test]
-fn a_step_is_taken_wholly_or_not_at_all() {
-    let grid = Grid::new(96, 180, 0.1, 0.08).unwrap();
-    let last = usize::MAX;
-    // What a rank has before and after the step, its outcome, and the calls it has made.
-    let step_until = |calls: usize| {
-        Threads::run(3, PATIENCE, |rank| {
-            let is_lost = rank.rank() == 1;
-            let ranks = Arc::new(Leaving {
-                rank,
-                calls_left: last.into(),
-            });
-            let shared: Arc<dyn Ranks> = Arc::clone(&ranks) as _;
-            let boundary = Boundary::NonPeriodic;
-            let bodies = HalfSpace::distributed(grid, pair(), boundary, shared).unwrap();
-            let gap = ball(&bodies);
-            let builder = History::builder(&bodies, &gap, friction(&bodies));
-            let mut history = builder.coupling(Coupling::OneWay).build().unwrap();
-            let press = LoadStep::force([0.2, 0.0]).normal(NormalControl::Force(2.0));
-            history.step(&press).unwrap();
-            let before = history.to_bytes();
-            let calls = if is_lost { calls } else { last };
-            ranks.calls_left.store(calls, Relaxed);
-            let larger = LoadStep::force([0.5, 0.0]).normal(NormalControl::Force(4.0));
-            let step = || history.step(&larger).map(drop);
-            let outcome = catch_unwind(AssertUnwindSafe(step));
-            let used = calls - ranks.calls_left.load(Relaxed);
-            (before, history.to_bytes(), outcome.ok(), used)
-        })
-    };
-    let whole = step_until(last);
-    let (all, mut refused) = (whole[1].3, 0);
-    // The last calls are those on the way into the state.
-    let moments = (0..all).step_by(all / 12).chain(all - 24..all);
-    for calls in moments {
-        let parts = step_until(calls);
-        for rank in [0, 2] {
-            let (before, after, outcome, _) = &parts[rank];
-            match outcome {
-                Some(Ok(())) => assert!(after == &whole[rank].1, "taken, {calls} of {all}"),
-                Some(Err(Error::Ranks(_))) => {
-                    assert!(after == before, "refused, {calls} of {all}");
-                    refused += 1;
-                }
-                other => panic!("{other:?}"),
-            }
-        }
-    }
-    assert!(refused > 40, "{refused}");
 }

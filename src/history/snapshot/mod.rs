@@ -131,7 +131,7 @@ impl History {
     /// # Ok::<(), Error>(())
     /// ```
     pub fn from_bytes(bodies: &HalfSpace, bytes: &[u8]) -> Result<Self> {
-        Self::from_state(bodies, State::from_bytes(bytes)?)
+        Self::from_state(bodies, bodies.agreed(State::from_bytes(bytes))?)
     }
 
     /// Saves the [state](History::state) in a file, which is replaced as a whole or not at all: if the program is
@@ -150,13 +150,13 @@ impl History {
     /// # Errors
     /// [`Error::File`](crate::Error::File) if the file cannot be read; as [`History::from_bytes`].
     pub fn load(bodies: &HalfSpace, path: impl AsRef<Path>) -> Result<Self> {
-        Self::from_state(bodies, parse_file(path.as_ref(), State::from_bytes)?)
+        let state = parse_file(path.as_ref(), State::from_bytes);
+        Self::from_state(bodies, bodies.agreed(state)?)
     }
 }
 
-/// The contents of the bytes, whose magic, version, length and sum are right.
-fn opened(bytes: &[u8]) -> Result<Cursor<'_>> {
-    let mut start = Cursor::new(FORMAT, bytes);
+/// Passes the magic and the version, which must be those of this format.
+fn check_kind(start: &mut Cursor<'_>) -> Result<()> {
     if start.take("the magic string", MAGIC.len())? != MAGIC {
         return Err(FORMAT.at_byte(0, "the bytes do not begin with \\x93STKSLIP"));
     }
@@ -165,6 +165,13 @@ fn opened(bytes: &[u8]) -> Result<Cursor<'_>> {
         let problem = format!("version {version} is unknown; this is version {VERSION}");
         return Err(FORMAT.at_byte(MAGIC.len(), problem));
     }
+    Ok(())
+}
+
+/// The contents of the bytes, whose magic, version, length and sum are right.
+fn opened(bytes: &[u8]) -> Result<Cursor<'_>> {
+    let mut start = Cursor::new(FORMAT, bytes);
+    check_kind(&mut start)?;
     let (length, found) = (start.u64("the length")?, bytes.len());
     if length != found as u64 || found < HEADER + SUM {
         let problem = format!("{length} bytes were saved, {found} are here");

@@ -10,11 +10,11 @@ use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::history::History;
 use crate::history::memory::Memory;
-use crate::history::snapshot::codec::Reader;
+use crate::history::snapshot::codec::{Reader, Writer};
 use crate::history::snapshot::layout::Host;
-use crate::history::snapshot::{FORMAT, HEADER};
+use crate::history::snapshot::{FORMAT, HEADER, check_kind, checksum};
 use crate::history::state::State;
-use crate::io::{Cursor, parse_file, refused};
+use crate::io::{Cursor, in_file, parse_file, refused};
 use crate::normal::Hardness;
 use crate::per_cell::PerCell;
 use crate::tangential::Zone;
@@ -71,7 +71,9 @@ impl State {
         bodies: &HalfSpace,
         slabs: impl IntoIterator<Item = Result<Self>>,
     ) -> Result<Self> {
-        bodies.agreed(put_together(bodies, slabs))
+        let mut state = bodies.agreed(put_together(bodies, slabs))?;
+        state.gather_whole(bodies);
+        bodies.joint(Ok(state))
     }
 
     /// The same, with all cells of another slab at zero.
@@ -101,26 +103,17 @@ impl State {
         copy_rows(whole, (grid, &mut self.zones), (from, &slab.zones));
     }
 
-    /// Whether a slab was saved with another.
-    fn goes_with(&self, other: &Self) -> bool {
-        let windows = |state: &Self| {
-            let remembered = state.contact.as_ref().map(|memory| memory.window);
-            (state.press_window, remembered, state.trend.is_known())
-        };
-        let numbers = |state: &Self| {
-            let ([fx, fy], [dx, dy]) = (state.force, state.motion.shift);
-            let twist = state.motion.twist;
-            [fx, fy, dx, dy, twist, state.moment, state.approach()].map(f64::to_bits)
-        };
-        let kinds = |state: &Self| {
-            let (hardness, relative) = (state.hardness.is_some(), state.relative.is_some());
-            (state.axes, hardness, relative, state.yielded.is_some())
-        };
-        self.steps == other.steps
-            && self.settings == other.settings
-            && windows(self) == windows(other)
-            && numbers(self) == numbers(other)
-            && kinds(self) == kinds(other)
+    /// A sum of all that is not in cells, which slabs of one state have in common; zero where nothing is to be compared.
+    pub(in crate::history) fn digest_on(&self, bodies: &HalfSpace) -> u64 {
+        if bodies.is_shared() { self.digest() } else { 0 }
+    }
+
+    fn digest(&self) -> u64 {
+        let nothing = self.grid().whole().slab(0..0);
+        let mut writer = Writer::default();
+        let mut rest = self.clone().blank_on(nothing);
+        let Ok(()) = rest.visit(&mut writer);
+        checksum(&writer.0)
     }
 
     /// All fields of the grid.
@@ -182,18 +175,21 @@ fn put_together(
     slabs: impl IntoIterator<Item = Result<State>>,
 ) -> Result<State> {
     let grid = bodies.grid();
-    let mut found: Option<State> = None;
+    let mut found: Option<(State, u64)> = None;
     let mut is_missing = vec![true; grid.ny()];
     for slab in slabs {
         let mut slab = slab?;
         slab.check_origin(bodies)?;
         let rows = slab.grid().rows();
         let state = match &mut found {
-            Some(state) if !state.goes_with(&slab) => {
+            Some((_, digest)) if *digest != slab.digest() => {
                 return Err(Error::Ranks(RankFailure::OtherState { row: rows.start }));
             }
-            Some(state) => state,
-            none => none.insert(slab.clone().blank_on(grid)),
+            Some((state, _)) => state,
+            none => {
+                let digest = slab.digest();
+                &mut none.insert((slab.clone().blank_on(grid), digest)).0
+            }
         };
         state.take_rows(&mut slab);
         for (row, is_missing) in grid.rows().zip(&mut is_missing) {
@@ -204,7 +200,7 @@ fn put_together(
     let missing = is_missing.iter().position(|is_missing| *is_missing);
     let missing = missing.map(|row| RankFailure::NoSlab { row: first + row });
     match (found, missing) {
-        (Some(state), None) => Ok(state),
+        (Some((state, _)), None) => Ok(state),
         (_, missing) => Err(Error::Ranks(
             missing.unwrap_or(RankFailure::NoSlab { row: first }),
         )),
@@ -264,9 +260,13 @@ fn rows_of(path: &Path) -> Result<std::ops::Range<usize>> {
     File::open(path)
         .and_then(|file| file.take(BEGINNING).read_to_end(&mut beginning))
         .map_err(|error| refused(path, &error))?;
-    let mut reader = Reader(Cursor::new(FORMAT, &beginning));
-    reader.0.take("the header", HEADER)?;
-    let mut host = Host::default();
-    host.visit(&mut reader)?;
-    Ok(host.rows())
+    let rows = || {
+        let mut start = Cursor::new(FORMAT, &beginning);
+        check_kind(&mut start)?;
+        start.take("the length", HEADER - start.position())?;
+        let mut host = Host::default();
+        host.visit(&mut Reader(start))?;
+        Ok(host.rows())
+    };
+    rows().map_err(|error| in_file(path, error))
 }
