@@ -49,19 +49,19 @@ pub(super) fn follow_growth(
     let Some(press) = Press::new(bodies, state, pressed, load) else {
         return false;
     };
-    increment.set_pressing(state.pressure().as_slice(), |i| press.displacement(i));
+    let (before, repeats) = (state.pressure().as_slice(), state.boundary().repeats());
+    increment.set_pressing(repeats, before, |i| press.displacement(i));
     let turn = demand.twist - state.motion.twist;
     let Some(stuck) = Stuck::new(&press, increment, demand, turn) else {
         return false;
     };
-    let repeats = state.boundary().repeats();
-    increment.find_excess(repeats, |increment, k, point| {
-        let was_contact = increment.growth.before(k) > 0.0;
+    increment.find_excess(|increment, k, point| {
+        let was_contact = increment.before(k) > 0.0;
         was_contact.then(|| minus(stuck.displacement(increment, k), stuck.motion(point)))
     });
     for (k, point) in increment.points() {
         let pressure = increment.pressed.pressure[k];
-        if pressure <= 0.0 || increment.growth.before(k) > 0.0 {
+        if pressure <= 0.0 || increment.before(k) > 0.0 {
             continue;
         }
         let [x, y] = stuck.traction(point);
@@ -146,7 +146,7 @@ impl<'a> Press<'a> {
     fn centre(&self, increment: &Increment) -> [f64; 2] {
         let pressed = &increment.pressed;
         let (sum, first) = reduce::sum(pressed.region.layout(), |k| {
-            let grown = pressed.pressure[k] - increment.growth.before(k);
+            let grown = pressed.pressure[k] - increment.before(k);
             (grown, increment.point(k).map(|part| grown * part))
         });
         if self.force > 0.0 {

@@ -4,7 +4,7 @@ use crate::cgm::vector::plus;
 use crate::contact_map::neighbours;
 use crate::half_space::Region;
 use crate::tangential::engine::{PlaneVector, at, zeros};
-use crate::tangential::{Axis, Increment, centre};
+use crate::tangential::{Axis, Increment, Pressed, centre};
 
 /// A growth of traction in proportion to that of the pressure: along an axis, or about a point.
 #[derive(Debug, Clone, Copy)]
@@ -14,14 +14,9 @@ pub(crate) enum Growth {
     About,
 }
 
-/// What pressing did to the cells of a region, displacements by growths, and how far they are from the motion of the
-/// cells. All of no cells until they are asked for.
+/// Displacements by growths, and how far they are from the motion of the cells. All of no cells until they are asked for.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct GrowthFields {
-    /// Pressure at the beginning of the step.
-    before: Vec<f64>,
-    /// Growth of the normal displacement in the step.
-    normal: Vec<f64>,
     displacement: [PlaneVector; 3],
     excess: Excess,
 }
@@ -36,7 +31,9 @@ const OUTSIDE: u32 = u32::MAX;
 #[derive(Debug, Clone, Default)]
 struct Excess {
     size: [usize; 2],
+    /// Of what lies here, and of the whole window along y.
     repeats: [bool; 2],
+    is_closed: bool,
     /// Where the first cell of the region lies.
     first: usize,
     cells: usize,
@@ -48,14 +45,11 @@ struct Excess {
 }
 
 impl GrowthFields {
-    /// Pressure of a cell at the beginning of the step.
-    pub(crate) fn before(&self, cell: usize) -> f64 {
-        self.before[cell]
-    }
-
-    /// Growth of the normal displacement of a cell in the step.
+    /// Growth of the normal displacement of a cell in the step; until the excess is found, in whose memory it is.
     pub(crate) fn normal(&self, cell: usize) -> f64 {
-        self.normal[cell]
+        let Excess { values, first, .. } = &self.excess;
+        let [x, y] = values;
+        (if x.is_empty() { y } else { x })[first + cell]
     }
 
     /// The displacement of a cell by a growth; zero for one that was never asked for.
@@ -72,19 +66,30 @@ impl GrowthFields {
 impl Increment {
     /// Takes what pressing did to a cell of the grid held here: its pressure before, and the growth of its normal
     /// displacement.
-    pub(crate) fn set_pressing(&mut self, before: &[f64], normal: impl Fn(usize) -> f64) {
-        let (region, growth) = (&self.pressed.region, &mut self.growth);
-        growth.before.resize(region.cells(), 0.0);
-        growth.normal.resize(region.cells(), 0.0);
-        region.gather(before, &mut growth.before);
-        region.collect(normal, &mut growth.normal);
+    pub(crate) fn set_pressing(
+        &mut self,
+        repeats: [bool; 2],
+        before: &[f64],
+        normal: impl Fn(usize) -> f64,
+    ) {
+        let (Pressed { region, .. }, excess) = (&self.pressed, &mut self.growth.excess);
+        let axis = self.axes[0].index();
+        region.gather(before, &mut self.linear[axis]);
+        excess.begin(region, self.axes, &self.pressed.pressure, repeats);
+        let own = excess.first..excess.first + excess.cells;
+        region.collect(normal, &mut excess.values[axis][own]);
+    }
+
+    /// Pressure of a cell at the beginning of the step; until that is solved, in the memory of its linear term.
+    pub(crate) fn before(&self, cell: usize) -> f64 {
+        self.linear[self.axes[0].index()][cell]
     }
 
     /// Finds the displacements that the growth of the pressure would cause as a traction of this direction and size in
     /// each point. The present tractions are lost.
     pub(crate) fn find_growth(&mut self, growth: Growth, direction: impl Fn([f64; 2]) -> [f64; 2]) {
         for (k, point) in self.points() {
-            let grown = self.pressed.pressure[k] - self.growth.before[k];
+            let grown = self.pressed.pressure[k] - self.before(k);
             let direction = direction(point);
             for axis in self.axes.iter().map(|axis| axis.index()) {
                 self.traction[axis][k] = grown * direction[axis];
@@ -100,15 +105,9 @@ impl Increment {
     /// Finds by how much a growth displaces the cells of the contact beyond their motion. Those where `own` tells it, of a
     /// cell and its centre, hand it on to the rest of the contact, ring by ring: each cell takes the mean of its neighbours
     /// that are nearer.
-    pub(crate) fn find_excess(
-        &mut self,
-        repeats: [bool; 2],
-        own: impl Fn(&Self, usize, [f64; 2]) -> Option<[f64; 2]>,
-    ) {
+    pub(crate) fn find_excess(&mut self, own: impl Fn(&Self, usize, [f64; 2]) -> Option<[f64; 2]>) {
         // Out of the increment and back, so that the rest of it can be read.
         let mut excess = std::mem::take(&mut self.growth.excess);
-        let Self { pressed, axes, .. } = self;
-        excess.begin(&pressed.region, axes, &pressed.pressure, repeats);
         for (k, point) in self.points() {
             if self.pressed.pressure[k] > 0.0 {
                 if let Some(value) = own(self, k, point) {
@@ -116,7 +115,7 @@ impl Increment {
                 }
             }
         }
-        excess.carry(&self.pressed.region, repeats[1]);
+        excess.carry(&self.pressed.region);
         self.growth.excess = excess;
     }
 
@@ -139,7 +138,7 @@ impl Excess {
     fn begin(&mut self, region: &Region, axes: &[Axis], pressure: &[f64], repeats: [bool; 2]) {
         let [nx, ny] = region.own().size;
         let is_shared = region.is_shared();
-        self.cells = pressure.len();
+        (self.cells, self.is_closed) = (pressure.len(), repeats[1]);
         (self.size, self.repeats, self.first) = if is_shared {
             ([nx, ny + 2], [repeats[0], false], nx)
         } else {
@@ -181,13 +180,13 @@ impl Excess {
         (self.first..self.first + self.cells).contains(&place)
     }
 
-    fn carry(&mut self, region: &Region, repeats: bool) {
+    fn carry(&mut self, region: &Region) {
         self.order.clear();
         self.order.reserve(self.cells);
         // Each ring is what the one before has reached.
         let (mut first, mut ring) = (0, 0);
         loop {
-            self.swap_edges(region, repeats);
+            self.swap_edges(region);
             let last = self.order.len();
             if ring == 0 {
                 self.reach_from(0..self.rings.len(), 0);
@@ -245,9 +244,9 @@ impl Excess {
     }
 
     /// Takes over the row before the region and the row after it, from the ranks that have them.
-    fn swap_edges(&mut self, region: &Region, repeats: bool) {
+    fn swap_edges(&mut self, region: &Region) {
         let [nx, _] = self.size;
-        let edges = region.edges(repeats, |cells| {
+        let edges = region.edges(self.is_closed, |cells| {
             let places = cells.map(|cell| self.first + cell);
             let known = |place| {
                 let [x, y] = at(&self.values, place);
