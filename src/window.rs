@@ -3,7 +3,6 @@
 use std::ops::Range;
 
 use crate::grid::Grid;
-use crate::layout::Layout;
 use crate::parallel::{self, Blocks};
 use crate::ranks::Words;
 
@@ -167,11 +166,6 @@ impl Window {
 
     pub(crate) fn cells(&self) -> usize {
         self.size[0] * self.size[1]
-    }
-
-    /// How the cells of a field of the window lie.
-    pub(crate) fn layout(&self) -> Layout {
-        Layout::of(self.size)
     }
 
     /// Index in the whole grid of the first cell of a row of the window.

@@ -12,13 +12,14 @@ use crate::coupled::contraction::Contraction;
 use crate::elastic::{ElasticSolver, Observer, Posed};
 use crate::error::{Error, Result};
 use crate::fft::{CirculantInverse, Convolution, ConvolutionWorkspace};
-use crate::half_space::{Compliance, HalfSpace};
+use crate::half_space::{Compliance, HalfSpace, Region};
 use crate::influence::Direction;
+use crate::layout::Layout;
 use crate::left_behind::OfSize;
 use crate::operator::Operator;
 use crate::passes::{with_counts_of, with_time_left};
 use crate::report::{Report, Status};
-use crate::tangential::Friction;
+use crate::tangential::{Friction, FrictionWithin};
 use crate::window::Window;
 
 /// Components of a vector: along z, x and y.
@@ -52,13 +53,16 @@ pub(super) struct Task<'a> {
     /// Approach and shift beyond what is prescribed, as far as they are known before.
     pub(super) multiplier: [f64; N],
     pub(super) friction: &'a Friction,
+    /// The largest coefficient of the whole grid.
+    pub(super) largest_coefficient: f64,
 }
 
 /// Pressure and tractions of a window, and what finds them.
 #[derive(Debug, Clone)]
 pub(super) struct Engine {
-    /// May become another of the same size.
-    pub(super) window: Window,
+    /// Where it works.
+    region: Region,
+    layout: Layout,
     /// What it takes to see the rest of the grid, if there is a rest.
     whole: Option<Whole>,
     compliance: Compliance<N>,
@@ -86,26 +90,9 @@ struct Whole {
     workspace: ConvolutionWorkspace<N>,
 }
 
-/// The friction of the cells of a window.
-#[derive(Debug, Clone, Copy)]
-struct Within<'a> {
-    friction: &'a Friction,
-    window: Window,
-}
-
-impl Cone for Within<'_> {
-    fn limit(&self, cell: usize, pressure: f64) -> f64 {
-        self.friction.limit(self.window.index(cell), pressure)
-    }
-
-    fn slope(&self, cell: usize, pressure: f64) -> f64 {
-        self.friction.slope(self.window.index(cell), pressure)
-    }
-}
-
 impl OfSize for Engine {
     fn size(&self) -> [usize; 2] {
-        self.window.size
+        self.window().size
     }
 }
 
@@ -113,7 +100,7 @@ impl Engine {
     /// On a window, as [`HalfSpace::place`] has it.
     pub(super) fn new(bodies: &HalfSpace, window: Window) -> Result<Self> {
         let (window, whole) = (bodies.place(window), Window::whole(bodies.grid()));
-        let size = window.size;
+        let (size, region) = (window.size, Region::new(bodies, window));
         let [x, y, z] = [Direction::X, Direction::Y, Direction::Z];
         let compliance = bodies.compliance([z, x, y], size)?;
         // What is certified of the window is to hold for the grid.
@@ -121,7 +108,7 @@ impl Engine {
         let normal = bodies.compliance([z], whole.size)?.operator;
         let plane = bodies.compliance([x, y], whole.size)?.operator;
         let lower_bounds = [normal.lower_bound(), plane.lower_bound()];
-        let cells = window.cells();
+        let cells = region.cells();
         let zeros = || std::array::from_fn(|_| vec![0.0; cells]);
         Ok(Self {
             workspace: ConeWorkspace::new(&compliance.operator, &compliance.inverse),
@@ -137,7 +124,8 @@ impl Engine {
                 workspace: tensor.workspace(),
                 operator: tensor,
             }),
-            window,
+            layout: region.layout().clone().alike(bodies.team()),
+            region,
             compliance,
             lower_bounds,
             x: zeros(),
@@ -148,10 +136,20 @@ impl Engine {
         })
     }
 
+    /// Where it works.
+    pub(super) fn window(&self) -> Window {
+        self.region.window()
+    }
+
+    /// Moves to another place of the same size.
+    pub(super) fn move_to(&mut self, bodies: &HalfSpace, window: Window) {
+        self.region = Region::new(bodies, window);
+    }
+
     /// Takes tractions of the whole grid as the start.
     pub(super) fn take(&mut self, tractions: &[Vec<f64>; N]) {
         for (x, whole) in self.x.iter_mut().zip(tractions) {
-            self.window.gather(whole, x);
+            self.region.gather(whole, x);
         }
     }
 
@@ -163,7 +161,7 @@ impl Engine {
     ) {
         for (x, whole) in self.x.iter().zip(&mut *tractions) {
             whole.fill(0.0);
-            self.window.scatter(x, whole);
+            self.region.scatter(x, whole);
         }
         match &mut self.whole {
             Some(Whole {
@@ -193,8 +191,9 @@ impl Engine {
     ) -> Result<()> {
         self.workspace.set_multiplier(task.multiplier);
         for (asked, whole) in self.asked.iter_mut().zip(task.linear) {
-            self.window.gather(whole, asked);
+            self.region.gather(whole, asked);
         }
+        let friction = &task.friction.within(&self.region);
         let (mut sweeps, mut opening) = match start {
             Start::Halves => (1, Opening::Sound),
             Start::Coarse => (0, Opening::Coarse),
@@ -203,16 +202,16 @@ impl Engine {
         let mut tolerance = START;
         for _ in 0..ROUNDS {
             for _ in 0..sweeps {
-                if let Some(status) = self.sweep(task, tolerance, conditions, report)? {
+                if let Some(status) = self.sweep(task, friction, tolerance, conditions, report)? {
                     return report.end(status);
                 }
             }
-            let (status, findings) = self.newton(task, opening, conditions, report);
+            let (status, findings) = self.newton(task, friction, opening, conditions, report);
             report.take(&findings);
-            let friction = task.friction.largest_coefficient();
-            report.error_estimate = self.contraction.estimate(friction, &findings);
+            let (contraction, coefficient) = (self.contraction, task.largest_coefficient);
+            report.error_estimate = contraction.estimate(coefficient, &findings);
             if self.is_bounded && is_driven_by_shift(&task.totals) {
-                report.error_bounds = self.contraction.bounds(friction, &findings);
+                report.error_bounds = contraction.bounds(coefficient, &findings);
             }
             if let Some(status) = status {
                 return report.end(status);
@@ -227,6 +226,7 @@ impl Engine {
     fn newton(
         &mut self,
         task: Task<'_>,
+        friction: &FrictionWithin<'_>,
         opening: Opening,
         conditions: &mut Conditions<'_, '_>,
         report: &mut CoupledReport,
@@ -234,12 +234,9 @@ impl Engine {
         let problem = ConeProblem {
             operator: Arc::clone(&self.compliance.operator),
             preconditioner: Arc::clone(&self.compliance.inverse),
-            layout: &self.window.layout(),
+            layout: &self.layout,
             linear: slices(&self.asked),
-            friction: Within {
-                friction: task.friction,
-                window: self.window,
-            },
+            friction,
             totals: task.totals,
             lower_bounds: self.lower_bounds,
             coupling: self.contraction.beta,
@@ -265,6 +262,7 @@ impl Engine {
     fn sweep(
         &mut self,
         task: Task<'_>,
+        friction: &FrictionWithin<'_>,
         tolerance: f64,
         conditions: &mut Conditions<'_, '_>,
         report: &mut CoupledReport,
@@ -275,7 +273,7 @@ impl Engine {
         if ended.is_some() {
             return Ok(ended);
         }
-        let ended = self.shear(task, tolerance, conditions, report)?;
+        let ended = self.shear(task, friction, tolerance, conditions, report)?;
         [multiplier[1], multiplier[2]] = self.plane.multiplier();
         self.workspace.set_multiplier(multiplier);
         Ok(ended)
@@ -309,15 +307,16 @@ impl Engine {
     fn shear(
         &mut self,
         task: Task<'_>,
+        friction: &FrictionWithin<'_>,
         tolerance: f64,
         conditions: &mut Conditions<'_, '_>,
         report: &mut CoupledReport,
     ) -> Result<Option<Status>> {
         self.add_displacements_of(&[0]);
         for (i, limit) in self.limits.iter_mut().enumerate() {
-            *limit = task.friction.limit(self.window.index(i), self.x[0][i]);
+            *limit = friction.limit(i, self.x[0][i]);
         }
-        let capacity = reduce::total(&self.window.layout(), &self.limits);
+        let capacity = reduce::total(&self.layout, &self.limits);
         let [_, along_x, along_y] = task.totals;
         let [x, y] = [along_x, along_y].map(|total| total.sum().unwrap_or(0.0));
         let part = (HELD * capacity / x.hypot(y)).min(1.0);

@@ -33,7 +33,7 @@ impl Engines {
         let window = bodies.place(window);
         let (present, make) = (&mut self.present, || Engine::new(bodies, window));
         let engine = self.left_behind.provide(present, window.size, make)?;
-        engine.window = window;
+        engine.move_to(bodies, window);
         Ok(())
     }
 }

@@ -35,7 +35,7 @@ pub(crate) struct CoupledIncrement {
     tractions: [Vec<f64>; N],
     displacement: [Vec<f64>; N],
     pub(crate) pressed: Pressed,
-    offset: PlaneVector,
+    pub(super) offset: PlaneVector,
     linear: [Vec<f64>; N],
     motion: Motion,
     /// Shift of the state that the start is from.
@@ -58,9 +58,9 @@ pub(crate) struct CoupledDemand<'a> {
 impl CoupledIncrement {
     /// Without traction.
     pub(crate) fn new(bodies: &HalfSpace) -> Result<Self> {
-        let grid = bodies.grid();
+        let (grid, size) = (bodies.grid(), bodies.grid().whole().size());
         // Coefficients that cannot be computed are better known now.
-        bodies.compliance([Direction::Z, Direction::X, Direction::Y], grid.size())?;
+        bodies.compliance([Direction::Z, Direction::X, Direction::Y], size)?;
         let zeros_of_all = || std::array::from_fn(|_| vec![0.0; grid.cells()]);
         Ok(Self {
             engines: Engines::default(),
@@ -98,7 +98,7 @@ impl CoupledIncrement {
 
     /// Where the engine works; `None` before the first contact.
     pub(crate) fn window(&self) -> Option<Window> {
-        self.engines.present.as_ref().map(|engine| engine.window)
+        self.engines.present.as_ref().map(Engine::window)
     }
 
     /// Goes on as after a step that ended with this window.
@@ -130,33 +130,6 @@ impl CoupledIncrement {
     pub(super) fn set_cell(&mut self, cell: usize, tractions: [f64; N]) {
         for (x, value) in self.tractions.iter_mut().zip(tractions) {
             x[cell] = value;
-        }
-    }
-
-    pub(super) fn offset(&self) -> [&[f64]; 2] {
-        [&self.offset[0], &self.offset[1]]
-    }
-
-    /// Takes the offsets of the cells of a window.
-    pub(crate) fn set_offset_within(&mut self, window: Window, offset: [&[f64]; 2]) {
-        for (target, offset) in self.offset.iter_mut().zip(offset) {
-            window.scatter(offset, target);
-        }
-    }
-
-    /// Moves the offsets back by the change of a relative displacement along each axis.
-    pub(crate) fn displace(&mut self, change: impl Fn(usize, usize) -> f64) {
-        for (axis, offset) in self.offset.iter_mut().enumerate() {
-            for (cell, offset) in offset.iter_mut().enumerate() {
-                *offset -= change(axis, cell);
-            }
-        }
-    }
-
-    /// Takes the offsets of a step.
-    pub(crate) fn set_offset(&mut self, offset: &PlaneVector) {
-        for (target, offset) in self.offset.iter_mut().zip(offset) {
-            target.copy_from_slice(offset);
         }
     }
 
@@ -226,7 +199,7 @@ impl CoupledIncrement {
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<()> {
         // Without a datum far from the contact the sums keep their last digits.
-        let least = demand.gap.min();
+        let least = self.bodies.least(demand.gap);
         let (datum, is_apart) = match demand.normal {
             NormalControl::Approach(approach) => (approach, approach <= least),
             NormalControl::Force(force) => (least, force <= 0.0),
@@ -246,7 +219,8 @@ impl CoupledIncrement {
             twist: demand.tangential.twist,
             ..before
         };
-        let totals = self.prescribe(&demand)?;
+        let largest_coefficient = demand.friction.largest_coefficient(&self.bodies);
+        let totals = self.prescribe(&demand, largest_coefficient)?;
         let start = if self.contact().is_some() {
             Start::Present
         } else if self.start_from_coarser(demand, before, conditions)? {
@@ -256,7 +230,8 @@ impl CoupledIncrement {
         };
         self.set_linear(demand.gap, datum);
         let expected = self.expected(&totals, datum);
-        let outcome = self.solve_on_window(totals, expected, start, demand.friction, conditions);
+        let friction = (demand.friction, largest_coefficient);
+        let outcome = self.solve_on_window(totals, expected, start, friction, conditions);
         self.report.work.time = conditions.start.elapsed();
         let [approach, x, y] = self
             .engines
@@ -288,7 +263,7 @@ impl CoupledIncrement {
 
     /// The window of the pressure.
     fn contact(&self) -> Option<Window> {
-        Window::around(self.bodies.grid(), |i| self.tractions[0][i] > 0.0)
+        self.bodies.around(|i| self.tractions[0][i] > 0.0)
     }
 
     /// Solves on the window of the contact and looks at the whole grid; where bodies overlap beyond the window it was
@@ -298,7 +273,7 @@ impl CoupledIncrement {
         totals: [Total; N],
         mut multiplier: [f64; N],
         mut start: Start,
-        friction: &Friction,
+        (friction, largest_coefficient): (&Friction, f64),
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<()> {
         let grid = self.bodies.grid();
@@ -319,15 +294,17 @@ impl CoupledIncrement {
                 totals,
                 multiplier,
                 friction,
+                largest_coefficient,
             };
             let outcome = engine.solve(task, start, conditions, &mut self.report);
             engine.write(&mut self.tractions, &mut self.displacement);
             multiplier = engine.multiplier();
-            let (window, [delta, ..]) = (engine.window, multiplier);
+            let (window, [delta, ..]) = (engine.window(), multiplier);
             let ([displacement, ..], [gap, ..]) = (&self.displacement, &self.linear);
-            let round_off = ROUND_OFF * reduce::max(&grid.layout(), |i| displacement[i].abs());
-            let missed = Window::around(grid, |i| {
-                displacement[i] + gap[i] - delta < -round_off && !window.contains(i)
+            let largest = reduce::max(&self.bodies.grid_layout(), |i| displacement[i].abs());
+            let (first, round_off) = (self.bodies.first_cell(), ROUND_OFF * largest);
+            let missed = self.bodies.around(|i| {
+                displacement[i] + gap[i] - delta < -round_off && !window.contains(first + i)
             });
             match missed {
                 Some(missed) if outcome.is_ok() => {
@@ -341,12 +318,16 @@ impl CoupledIncrement {
     }
 
     /// What is prescribed of the sums; the motion becomes the one they are measured from.
-    fn prescribe(&mut self, demand: &CoupledDemand<'_>) -> Result<[Total; N]> {
+    fn prescribe(
+        &mut self,
+        demand: &CoupledDemand<'_>,
+        largest_coefficient: f64,
+    ) -> Result<[Total; N]> {
         let cell_area = self.bodies.grid().cell_area();
         let mut totals = [Total::Free; N];
         if let NormalControl::Force(force) = demand.normal {
             totals[0] = Total::Sum(force / cell_area);
-            check_force(demand, force)?;
+            check_force(demand, largest_coefficient * force)?;
         }
         for &axis in Axis::BOTH {
             let (shift, total) = (
@@ -386,9 +367,9 @@ impl CoupledIncrement {
 }
 
 /// Refuses a force that friction cannot hold whatever the pressure becomes.
-fn check_force(demand: &CoupledDemand<'_>, pressed: f64) -> Result<()> {
+fn check_force(demand: &CoupledDemand<'_>, limit: f64) -> Result<()> {
     let [x, y] = demand.tangential.force();
-    let (force, limit) = (x.hypot(y), demand.friction.largest_coefficient() * pressed);
+    let force = x.hypot(y);
     if force >= limit && force > 0.0 {
         return Err(Error::BeyondFrictionCapacity { force, limit });
     }

@@ -43,6 +43,7 @@ mod engine;
 mod engines;
 mod increment;
 mod nested;
+mod offset;
 mod problem;
 mod report;
 mod solution;

@@ -5,7 +5,6 @@ use crate::cgm::{Admissible, Disc};
 use crate::coupled::increment::{CoupledDemand, CoupledIncrement};
 use crate::error::{Error, Result};
 use crate::field::Field;
-use crate::levels::coarsened;
 use crate::passes::with_time_left;
 use crate::report::Status;
 use crate::tangential::Motion;
@@ -23,16 +22,16 @@ impl CoupledIncrement {
         before: Motion,
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<bool> {
-        let size = self.bodies.grid().size();
+        let size = self.bodies.grid().whole().size();
         if !is_worth_coarsening(&self.bodies, size) {
             return Ok(false);
         }
         let bodies = self.bodies.coarser()?.clone();
-        let grid = bodies.grid();
-        let gap = Field::from_vec(grid, coarsened(size, demand.gap.as_slice()))?;
-        let friction = demand.friction.coarsened(size, grid)?;
+        let coarsened = |field: &[f64]| self.bodies.coarsened(&bodies, size, field);
+        let gap = Field::from_vec(bodies.grid(), coarsened(demand.gap.as_slice()))?;
+        let friction = demand.friction.coarsened(&self.bodies, &bodies)?;
         let mut coarse = Self::new(&bodies)?;
-        coarse.set_offset(&self.offset().map(|offset| coarsened(size, offset)));
+        coarse.set_offset(&self.offset().map(coarsened));
         let settings = with_time_left(conditions.settings, conditions.start)
             .tolerance(conditions.settings.tolerance.max(COARSE_TOLERANCE))
             .max_iterations(conditions.settings.max_iterations.min(COARSE_STEPS));
@@ -63,18 +62,17 @@ impl CoupledIncrement {
         let answer = coarse.answer();
         self.set_known(coarse.approach(), answer.motion.shift);
         let [qx, qy] = answer.traction;
-        let fields =
+        let [p, x, y] =
             [answer.pressure, qx, qy].map(|part| self.bodies.refined(&coarse.bodies, size, part));
-        let [p, x, y] = fields;
-        let columns = size[0].div_ceil(2);
+        let is_at_limit = |cell: usize| f64::from(u8::from(answer.is_at_limit(cell)));
+        let at_limit: Vec<f64> = (0..answer.limits.len()).map(is_at_limit).collect();
+        let slips = self.bodies.inherited(&coarse.bodies, size, &at_limit);
         for (cell, pressure) in p.iter().enumerate() {
-            let parent = (cell / size[0] / 2) * columns + cell % size[0] / 2;
             let disc = Disc {
                 radius: demand.friction.limit(cell, *pressure),
             };
             let q = [x[cell], y[cell]];
-            let slips = answer.is_at_limit(parent) && q[0].hypot(q[1]) > 0.0;
-            let q = if slips {
+            let q = if slips[cell] > 0.0 && q[0].hypot(q[1]) > 0.0 {
                 disc.rim_along(q)
             } else {
                 disc.project(q)

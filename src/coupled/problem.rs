@@ -114,17 +114,9 @@ impl CoupledProblemBuilder<'_> {
     /// [`NotModelled`](crate::Error::NotModelled) for the loads; [`ApproachBeyondMeanGap`](crate::Error::ApproachBeyondMeanGap) on a periodic grid; [`Method`](crate::Error::Method) for
     /// [`Method::PolonskyKeer`](crate::cgm::Method::PolonskyKeer); [`Tolerance`](crate::Error::Tolerance), [`IterationLimit`](crate::Error::IterationLimit); [`Ranks`](crate::Error::Ranks).
     pub fn build(self) -> Result<CoupledProblem> {
-        self.bodies.check_alone("a coupled contact")?;
-        self.gap.check("gap", self.bodies.grid())?;
+        self.bodies.agreed(self.check())?;
         self.normal.check(self.bodies, self.gap)?;
-        self.friction.check(self.bodies.grid())?;
-        let demand = self.load.demand();
-        demand.check(Axis::BOTH, self.bodies.boundary())?;
-        if let Some(relative) = &self.relative {
-            relative.check(self.bodies.grid(), Axis::BOTH)?;
-        }
-        self.settings.check()?;
-        TangentialModel::Vector.check(&self.settings)?;
+        self.friction.check_alike(self.bodies)?;
         Ok(CoupledProblem {
             bodies: self.bodies.clone(),
             gap: self.gap.clone(),
@@ -134,5 +126,20 @@ impl CoupledProblemBuilder<'_> {
             relative: self.relative,
             settings: self.settings,
         })
+    }
+
+    /// `Ok` if everything is right that a rank sees by itself.
+    fn check(&self) -> Result<()> {
+        let grid = self.bodies.grid();
+        self.gap.check("gap", grid)?;
+        self.friction.check(grid)?;
+        self.load
+            .demand()
+            .check(Axis::BOTH, self.bodies.boundary())?;
+        if let Some(relative) = &self.relative {
+            relative.check(grid, Axis::BOTH)?;
+        }
+        self.settings.check()?;
+        TangentialModel::Vector.check(&self.settings)
     }
 }

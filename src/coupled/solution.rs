@@ -7,6 +7,7 @@ use crate::coupled::engine::N;
 use crate::coupled::increment::CoupledIncrement;
 use crate::field::Field;
 use crate::half_space::HalfSpace;
+use crate::layout::Layout;
 use crate::normal::NormalSolution;
 #[cfg(feature = "serde")]
 use crate::serial::checked;
@@ -20,6 +21,9 @@ pub struct CoupledSolution {
     shear: TangentialSolution,
     displacement: [Field; N],
     report: CoupledReport,
+    /// Of a slab, the elastic energy of the whole grid.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    whole_energy: Option<f64>,
 }
 
 /// What is read, before it is checked.
@@ -31,6 +35,8 @@ struct Unchecked {
     shear: TangentialSolution,
     displacement: [Field; N],
     report: CoupledReport,
+    #[serde(skip)]
+    whole_energy: Option<f64>,
 }
 
 #[cfg(feature = "serde")]
@@ -54,6 +60,7 @@ impl CoupledSolution {
             shear: TangentialSolution::empty(grid, boundary),
             displacement: std::array::from_fn(|_| Field::zeros(grid)),
             report: CoupledReport::unsolved(),
+            whole_energy: None,
         }
     }
 
@@ -65,6 +72,8 @@ impl CoupledSolution {
             field.as_mut_slice().copy_from_slice(values);
         }
         self.report.clone_from(increment.full_report());
+        let layout = bodies.grid_layout();
+        self.whole_energy = bodies.is_shared().then(|| self.energy_over(&layout));
     }
 
     /// The normal half: pressure, gap under load, approach, contact area. Its report is that of the whole.
@@ -90,12 +99,16 @@ impl CoupledSolution {
     /// Elastic energy of both bodies, $`\tfrac A2 \sum (p\,u_z + q \cdot u_t)`$ (force times length).
     #[must_use]
     pub fn elastic_energy(&self) -> f64 {
+        let of_own = || self.energy_over(&self.normal.grid().layout());
+        self.whole_energy.unwrap_or_else(of_own)
+    }
+
+    /// Of cells that lie so.
+    fn energy_over(&self, layout: &Layout) -> f64 {
         let [z, x, y] = self.displacement.each_ref().map(Field::as_slice);
         let [qx, qy] = self.shear.traction().map(Field::as_slice);
         let p = self.normal.pressure().as_slice();
-        let sum = reduce::sum(&self.normal.grid().layout(), |i| {
-            p[i] * z[i] + qx[i] * x[i] + qy[i] * y[i]
-        });
+        let sum = reduce::sum(layout, |i| p[i] * z[i] + qx[i] * x[i] + qy[i] * y[i]);
         0.5 * self.normal.grid().cell_area() * sum
     }
 

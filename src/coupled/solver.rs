@@ -7,6 +7,7 @@ use crate::cgm::{Iteration, solver_settings};
 use crate::clock::Instant;
 use crate::coupled::increment::{CoupledDemand, CoupledIncrement};
 use crate::coupled::{CoupledProblem, CoupledSolution};
+use crate::elastic::Observer;
 use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::normal::NormalControl;
@@ -79,7 +80,7 @@ impl CoupledSolver {
     /// much for it; the gap is then as it was.
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
         let bodies = &self.problem.bodies;
-        gap.check("gap", bodies.grid())?;
+        bodies.agreed(gap.check("gap", bodies.grid()))?;
         self.problem.normal.check(bodies, gap)?;
         self.problem.gap.clone_from(gap);
         Ok(())
@@ -90,7 +91,7 @@ impl CoupledSolver {
     /// # Errors
     /// [`Error::GridMismatch`]; the friction is then as it was.
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
-        friction.check(self.problem.bodies.grid())?;
+        friction.check_on(&self.problem.bodies)?;
         self.problem.friction.clone_from(friction);
         Ok(())
     }
@@ -129,10 +130,19 @@ impl CoupledSolver {
         solution: &mut CoupledSolution,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<()> {
-        let problem = &self.problem;
+        let bodies = self.problem.bodies.clone();
         let (grid, boundary) = (solution.normal().grid(), solution.normal().boundary());
-        problem.bodies.check_host("solution", grid, boundary)?;
-        let mut observer = with_memory(&mut observer);
+        bodies.agreed(bodies.check_host("solution", grid, boundary))?;
+        bodies.joint(self.solve_checked(solution, &mut observer))
+    }
+
+    fn solve_checked(
+        &mut self,
+        solution: &mut CoupledSolution,
+        observer: Observer<'_>,
+    ) -> Result<()> {
+        let problem = &self.problem;
+        let mut observer = with_memory(observer);
         let mut conditions = Conditions {
             settings: &problem.settings,
             start: Instant::now(),

@@ -139,6 +139,11 @@ impl HalfSpace {
         self.over_ranks(field.min(), f64::min)
     }
 
+    /// The largest.
+    pub(crate) fn largest(&self, field: &Field) -> f64 {
+        self.over_ranks(field.max(), f64::max)
+    }
+
     pub(super) fn over_ranks<T: Words>(&self, own: T, combine: impl Fn(T, T) -> T) -> T {
         match self.sharing() {
             Some(team) => team.combined(own, combine),

@@ -38,7 +38,8 @@ impl HalfSpace {
     /// [`Error::GridMismatch`](crate::Error::GridMismatch); [`Error::Ranks`](crate::Error::Ranks).
     pub fn max_of(&self, field: &Field) -> Result<f64> {
         self.checked(field)?;
-        self.joint(Ok(self.over_ranks(field.max(), f64::max)))
+        let largest = self.largest(field);
+        self.joint(Ok(largest))
     }
 
     /// Smallest sample of a field of the whole grid, in its units; NaN samples are ignored. See [`Field::min`].

@@ -2,6 +2,7 @@
 
 use crate::cgm::reduce;
 use crate::field::Field;
+use crate::layout::Layout;
 use crate::normal::NormalSolution;
 use crate::ranks::Words;
 
@@ -53,8 +54,9 @@ pub struct EnergyBalance {
 }
 
 impl EnergyBalance {
-    /// What the pressure does in a step, from before to after, each with its gap before loading.
+    /// What the pressure does in a step, from before to after, each with its gap before loading; of cells that lie so.
     pub(super) fn of_pressing(
+        layout: &Layout,
         before: (&NormalSolution, &Field),
         after: (&NormalSolution, &Field),
     ) -> Self {
@@ -63,8 +65,7 @@ impl EnergyBalance {
                 contact.gap().as_slice()[i] + (contact.approach() - gap.as_slice()[i]);
             (contact.pressure().as_slice()[i], displacement)
         };
-        let layout = before.1.grid().layout();
-        let [work, elastic_before, elastic_after] = reduce::sum(&layout, |i| {
+        let [work, elastic_before, elastic_after] = reduce::sum(layout, |i| {
             let ((p, u), (p_next, u_next)) = (at(before, i), at(after, i));
             [
                 0.5 * (p + p_next) * (u_next - u),

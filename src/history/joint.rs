@@ -119,7 +119,7 @@ fn make_lag(
     increment.pressed.set(pressures, &state.friction);
     increment.gather_offset(joint.answer().offset);
     let lags = touch::follow_growth(&mut increment, bodies, state, pressed, load, &demand);
-    joint.set_offset_within(window, increment.offset());
+    joint.set_offset_within(&increment.pressed.region, increment.offset());
     increments.give_back(increment);
     Ok(lags)
 }

@@ -114,9 +114,6 @@ impl History {
     pub fn from_state(bodies: &HalfSpace, mut state: State) -> Result<Self> {
         bodies.agreed(state.check_bodies(bodies))?;
         bodies.alike("state but for its fields", state.digest_on(bodies))?;
-        if state.is_joint() {
-            bodies.check_alone("a history with pressure and shear found together")?;
-        }
         state.gather_whole(bodies);
         let mut press = PressureSolver::new();
         state.resume(bodies, &mut press)?;
@@ -242,7 +239,8 @@ impl History {
                 let joint = self.joint.as_ref();
                 if joint.is_some() {
                     let before = (&state.normal, &state.pressed_gap);
-                    pressing = EnergyBalance::of_pressing(before, (candidate, &state.gap));
+                    let (layout, after) = (self.bodies.grid_layout(), (&*candidate, &state.gap));
+                    pressing = EnergyBalance::of_pressing(&layout, before, after);
                 }
                 std::mem::swap(&mut state.normal, candidate);
                 state.pressed_gap.clone_from(&state.gap);

@@ -1,11 +1,14 @@
 //! How much shear a cell in contact can carry.
 
+use std::borrow::Cow;
+
+use crate::cgm::cone::Cone;
 use crate::error::{Result, all_non_negative, non_negative, positive};
 use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
 use crate::half_space::{HalfSpace, Region};
-use crate::levels::coarsened;
 use crate::per_cell::PerCell;
+use crate::window::Window;
 
 /// Coulomb friction, uniform or one coefficient per cell, optionally capped.
 ///
@@ -102,28 +105,33 @@ impl Friction {
         if limit > cap { cap } else { limit }
     }
 
-    /// That of the cells of a region that ranks share, in its own order; `None` if none do, or if it is the same
-    /// everywhere.
-    pub(crate) fn on(&self, region: &Region) -> Option<Self> {
+    /// That of the cells of a region.
+    pub(crate) fn within(&self, region: &Region) -> FrictionWithin<'_> {
         let PerCell::Cells(field) = &self.coefficient else {
-            return None;
+            return FrictionWithin::of(self, region);
         };
-        region.is_shared().then(|| {
-            let mut cells = Field::zeros(field.grid().of_size(region.own().size));
-            region.gather(field.as_slice(), cells.as_mut_slice());
-            Self {
+        if !region.is_shared() {
+            return FrictionWithin::of(self, region);
+        }
+        let mut cells = Field::zeros(field.grid().of_size(region.own().size));
+        region.gather(field.as_slice(), cells.as_mut_slice());
+        FrictionWithin {
+            friction: Cow::Owned(Self {
                 coefficient: PerCell::Cells(cells),
                 max_shear_stress: self.max_shear_stress,
-            }
-        })
+            }),
+            window: None,
+        }
     }
 
-    /// The friction of cells twice as large.
-    pub(crate) fn coarsened(&self, size: [usize; 2], grid: Grid) -> Result<Self> {
+    /// The friction of the cells of `coarser`, twice as large as those of the bodies that this is on.
+    pub(crate) fn coarsened(&self, bodies: &HalfSpace, coarser: &HalfSpace) -> Result<Self> {
         let coefficient = match &self.coefficient {
             PerCell::Uniform(coefficient) => PerCell::Uniform(*coefficient),
             PerCell::Cells(field) => {
-                PerCell::Cells(Field::from_vec(grid, coarsened(size, field.as_slice()))?)
+                let size = bodies.grid().whole().size();
+                let coarse = bodies.coarsened(coarser, size, field.as_slice());
+                PerCell::Cells(Field::from_vec(coarser.grid(), coarse)?)
             }
         };
         Ok(Self {
@@ -132,11 +140,11 @@ impl Friction {
         })
     }
 
-    /// The largest coefficient of all cells.
-    pub(crate) fn largest_coefficient(&self) -> f64 {
+    /// The largest coefficient of all cells of the grid.
+    pub(crate) fn largest_coefficient(&self, bodies: &HalfSpace) -> f64 {
         match &self.coefficient {
             PerCell::Uniform(coefficient) => *coefficient,
-            PerCell::Cells(field) => field.max(),
+            PerCell::Cells(field) => bodies.largest(field),
         }
     }
 
@@ -185,5 +193,37 @@ impl Friction {
             PerCell::Cells(field) => grid.expect("coefficient of friction", field.grid()),
             PerCell::Uniform(_) => Ok(()),
         }
+    }
+}
+
+/// The friction of the cells of a region, in its own order.
+#[derive(Debug)]
+pub(crate) struct FrictionWithin<'a> {
+    friction: Cow<'a, Friction>,
+    /// The cells of the friction that are those of the region; `None` if they all are.
+    window: Option<Window>,
+}
+
+impl<'a> FrictionWithin<'a> {
+    /// Of a friction that is uniform, or has the coefficients of all cells.
+    fn of(friction: &'a Friction, region: &Region) -> Self {
+        Self {
+            friction: Cow::Borrowed(friction),
+            window: Some(region.own()),
+        }
+    }
+
+    fn place(&self, cell: usize) -> usize {
+        self.window.map_or(cell, |window| window.index(cell))
+    }
+}
+
+impl Cone for &FrictionWithin<'_> {
+    fn limit(&self, cell: usize, pressure: f64) -> f64 {
+        self.friction.limit(self.place(cell), pressure)
+    }
+
+    fn slope(&self, cell: usize, pressure: f64) -> f64 {
+        self.friction.slope(self.place(cell), pressure)
     }
 }

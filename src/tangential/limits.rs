@@ -2,6 +2,7 @@
 
 use std::ops::RangeInclusive;
 
+use crate::cgm::cone::Cone;
 use crate::cgm::reduce;
 use crate::error::{Error, Result, finite};
 use crate::half_space::{HalfSpace, Region};
@@ -74,16 +75,11 @@ pub(crate) fn is_at_limit(size: f64, limit: f64) -> bool {
 
 impl Limits {
     fn set(&mut self, friction: &Friction, region: &Region, pressure: &[f64]) {
-        let (own, gathered) = (region.own(), friction.on(region));
-        let friction = gathered.as_ref().unwrap_or(friction);
-        let place = |cell: usize| match gathered {
-            Some(_) => cell,
-            None => own.index(cell),
-        };
+        let friction = &friction.within(region);
         parallel::update(&mut self.cells, |first, chunk| {
             for (k, limit) in (first..).zip(chunk) {
                 *limit = if pressure[k] > 0.0 {
-                    friction.limit(place(k), pressure[k])
+                    friction.limit(k, pressure[k])
                 } else {
                     0.0
                 };

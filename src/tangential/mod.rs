@@ -56,6 +56,7 @@ pub(crate) use control::Demand;
 pub use control::{TangentialControl, TangentialLoad};
 pub(crate) use engine::{PlaneVector, at, displacement, zeros};
 pub use friction::Friction;
+pub(crate) use friction::FrictionWithin;
 pub(crate) use growth::Growth;
 pub(crate) use increment::{Increment, Start};
 pub(crate) use limits::Pressed;

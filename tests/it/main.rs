@@ -81,6 +81,7 @@ mod problems_take_every_load;
 mod random_scenes_are_right;
 mod ranks_fail_together;
 mod ranks_share_a_contact;
+mod ranks_share_a_coupled_contact;
 mod ranks_share_a_history;
 mod repeated_solves_start_near_the_answer;
 mod rough_contacts_follow_theory;

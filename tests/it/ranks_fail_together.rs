@@ -172,7 +172,7 @@ fn a_step_is_taken_wholly_or_not_at_all() {
     let grid = Grid::new(96, 180, 0.1, 0.08).unwrap();
     let last = usize::MAX;
     // What a rank has before and after the step, its outcome, and the calls it has made.
-    let step_until = |calls: usize, is_adaptive: bool| {
+    let step_until = |calls: usize, coupling: Coupling, is_adaptive: bool| {
         Threads::run(3, PATIENCE, |rank| {
             let is_lost = rank.rank() == 1;
             let ranks = Arc::new(Leaving {
@@ -184,7 +184,7 @@ fn a_step_is_taken_wholly_or_not_at_all() {
             let bodies = HalfSpace::distributed(grid, pair(), boundary, shared).unwrap();
             let gap = ball(&bodies);
             let builder = History::builder(&bodies, &gap, friction(&bodies));
-            let mut history = builder.coupling(Coupling::OneWay).build().unwrap();
+            let mut history = builder.coupling(coupling).build().unwrap();
             let press = LoadStep::force([0.2, 0.0]).normal(NormalControl::Force(2.0));
             history.step(&press).unwrap();
             let before = history.to_bytes();
@@ -201,13 +201,17 @@ fn a_step_is_taken_wholly_or_not_at_all() {
             (before, history.to_bytes(), outcome.ok(), used)
         })
     };
-    for is_adaptive in [false, true] {
-        let whole = step_until(last, is_adaptive);
+    for (coupling, is_adaptive) in [
+        (Coupling::OneWay, false),
+        (Coupling::OneWay, true),
+        (Coupling::Full, false),
+    ] {
+        let whole = step_until(last, coupling, is_adaptive);
         let (all, mut refused) = (whole[1].3, 0);
         // The last calls of a step are those on the way into the state.
         let moments = (0..all).step_by(all / 12).chain(all - 24..all);
         for calls in moments {
-            let parts = step_until(calls, is_adaptive);
+            let parts = step_until(calls, coupling, is_adaptive);
             for rank in [0, 2] {
                 let (before, after, outcome, _) = &parts[rank];
                 match outcome {

@@ -29,7 +29,7 @@ pub(crate) fn friction(bodies: &HalfSpace) -> Friction {
 }
 
 /// What a history has come to, in every cell and as every rank knows it.
-fn found(history: &History, mut known: Vec<f64>) -> Found {
+pub(crate) fn found(history: &History, mut known: Vec<f64>) -> Found {
     let fields = [
         history.pressure(),
         history.normal().gap(),
@@ -62,7 +62,7 @@ fn found(history: &History, mut known: Vec<f64>) -> Found {
 }
 
 /// Steps a history, and notes what each step did.
-fn step(history: &mut History, load: &LoadStep, known: &mut Vec<f64>) {
+pub(crate) fn step(history: &mut History, load: &LoadStep, known: &mut Vec<f64>) {
     let step = history.step(load).unwrap();
     let energy = step.energy();
     known.extend([
