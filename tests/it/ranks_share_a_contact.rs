@@ -183,77 +183,122 @@ impl Found {
     }
 }
 
-/// Asserts that ranks find what one process finds.
-pub(crate) fn assert_same(
-    grid: Grid,
-    boundary: Boundary,
-    what: &str,
-    find: impl Fn(&HalfSpace) -> Found + Sync,
-) {
-    let alone = find(&HalfSpace::with_boundary(grid, pair(), boundary).unwrap());
-    for size in RANKS {
-        let parts = Threads::run(size, PATIENCE, |rank| {
-            find(&HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank)).unwrap())
-        });
-        let what = format!(
-            "{what}, {:?}, {boundary:?}, {size} ranks",
-            [grid.nx(), grid.ny()]
-        );
-        for part in &parts {
-            same(&part.known, &alone.known).unwrap_or_else(|error| panic!("{what}: known {error}"));
+/// What is found on bodies, alone or shared by ranks.
+pub(crate) struct Scene {
+    pub(crate) what: String,
+    pub(crate) grid: Grid,
+    pub(crate) boundary: Boundary,
+    pub(crate) find: Box<dyn Fn(&HalfSpace) -> Found + Sync>,
+}
+
+impl Scene {
+    pub(crate) fn new(
+        what: impl Into<String>,
+        grid: Grid,
+        boundary: Boundary,
+        find: impl Fn(&HalfSpace) -> Found + Sync + 'static,
+    ) -> Self {
+        Self {
+            what: what.into(),
+            grid,
+            boundary,
+            find: Box::new(find),
         }
-        let cells: Vec<[f64; 7]> = parts.into_iter().flat_map(|part| part.cells).collect();
-        let (cells, alone) = (cells.as_flattened(), alone.cells.as_flattened());
-        same(cells, alone).unwrap_or_else(|error| panic!("{what}: {error}"));
     }
+
+    /// What one process finds.
+    pub(crate) fn alone(&self) -> Found {
+        (self.find)(&HalfSpace::with_boundary(self.grid, pair(), self.boundary).unwrap())
+    }
+
+    /// What a rank finds.
+    pub(crate) fn on(&self, rank: Arc<dyn Ranks>) -> Found {
+        (self.find)(&HalfSpace::distributed(self.grid, pair(), self.boundary, rank).unwrap())
+    }
+}
+
+/// Asserts that ranks find what one process finds.
+pub(crate) fn assert_same(scenes: Vec<Scene>) {
+    for scene in scenes {
+        let alone = scene.alone();
+        for size in RANKS {
+            let parts = Threads::run(size, PATIENCE, |rank| scene.on(Arc::new(rank)));
+            let Scene {
+                what,
+                grid,
+                boundary,
+                ..
+            } = &scene;
+            let cells = [grid.nx(), grid.ny()];
+            let what = format!("{what}, {cells:?}, {boundary:?}, {size} ranks");
+            for part in &parts {
+                let same = same(&part.known, &alone.known);
+                same.unwrap_or_else(|error| panic!("{what}: known {error}"));
+            }
+            let cells: Vec<[f64; 7]> = parts.into_iter().flat_map(|part| part.cells).collect();
+            let (cells, alone) = (cells.as_flattened(), alone.cells.as_flattened());
+            same(cells, alone).unwrap_or_else(|error| panic!("{what}: {error}"));
+        }
+    }
+}
+
+pub(crate) fn normal_contacts() -> Vec<Scene> {
+    let mut scenes = Vec::new();
+    for [nx, ny] in [[96, 130], [33, 320]] {
+        let grid = Grid::new(nx, ny, 0.3, 0.2).unwrap();
+        for boundary in boundaries(grid) {
+            scenes.extend(GAPS.map(|gap| {
+                Scene::new("a force", grid, boundary, move |bodies| {
+                    Found::normal(&press(bodies, &gap, NormalControl::Force(20.0)))
+                })
+            }));
+        }
+        let free = Boundary::NonPeriodic;
+        scenes.push(Scene::new("an approach", grid, free, |bodies| {
+            Found::normal(&press(bodies, &GAPS[0], NormalControl::Approach(0.3)))
+        }));
+    }
+    scenes
 }
 
 #[test]
 fn normal_contacts_have_the_same_bits() {
-    for [nx, ny] in [[96, 130], [33, 320]] {
-        let grid = Grid::new(nx, ny, 0.3, 0.2).unwrap();
-        for boundary in boundaries(grid) {
-            for gap in GAPS {
-                assert_same(grid, boundary, "a force", |bodies| {
-                    Found::normal(&press(bodies, &gap, NormalControl::Force(20.0)))
-                });
-            }
+    assert_same(normal_contacts());
+}
+
+pub(crate) fn sheared_contacts() -> Vec<Scene> {
+    let slanting =
+        |grid| Friction::per_cell(Field::from_fn(grid, |x, y| 0.3 + 0.01 * (x + y).sin())).unwrap();
+    let grid = Grid::new(96, 130, 0.3, 0.2).unwrap();
+    let mut scenes = Vec::new();
+    for gap in GAPS {
+        for (model, load) in [
+            (TangentialModel::Scalar, TangentialLoad::force([3.0, 0.0])),
+            (TangentialModel::Vector, TangentialLoad::force([2.0, 2.5])),
+        ] {
+            let find = move |bodies: &HalfSpace| {
+                let normal = press(bodies, &gap, NormalControl::Force(20.0));
+                let problem =
+                    TangentialProblem::builder(bodies, &normal, slanting(bodies.grid()), load);
+                let shear = problem.model(model).build().unwrap().solve().unwrap();
+                Found::normal(&normal).with_shear(&shear)
+            };
+            let what = format!("{model:?}");
+            scenes.push(Scene::new(what, grid, Boundary::NonPeriodic, find));
         }
-        assert_same(grid, Boundary::NonPeriodic, "an approach", |bodies| {
-            Found::normal(&press(bodies, &GAPS[0], NormalControl::Approach(0.3)))
-        });
     }
+    scenes
 }
 
 #[test]
 fn sheared_contacts_have_the_same_bits() {
-    let slanting =
-        |grid| Friction::per_cell(Field::from_fn(grid, |x, y| 0.3 + 0.01 * (x + y).sin())).unwrap();
-    for [nx, ny] in [[96, 130]] {
-        let grid = Grid::new(nx, ny, 0.3, 0.2).unwrap();
-        for gap in GAPS {
-            for (model, load) in [
-                (TangentialModel::Scalar, TangentialLoad::force([3.0, 0.0])),
-                (TangentialModel::Vector, TangentialLoad::force([2.0, 2.5])),
-            ] {
-                let find = |bodies: &HalfSpace| {
-                    let normal = press(bodies, &gap, NormalControl::Force(20.0));
-                    let problem =
-                        TangentialProblem::builder(bodies, &normal, slanting(bodies.grid()), load);
-                    let shear = problem.model(model).build().unwrap().solve().unwrap();
-                    Found::normal(&normal).with_shear(&shear)
-                };
-                assert_same(grid, Boundary::NonPeriodic, &format!("{model:?}"), find);
-            }
-        }
-    }
+    assert_same(sheared_contacts());
 }
 
 /// From the last answer, along its trend, in boxes that are left for wider ones; on small boxes some ranks have no cells.
-#[test]
-fn solvers_go_on_with_the_same_bits() {
+pub(crate) fn sequences() -> Vec<Scene> {
     let grid = Grid::new(96, 130, 0.3, 0.2).unwrap();
-    assert_same(grid, Boundary::NonPeriodic, "a sequence", |bodies| {
+    let sequence = Scene::new("a sequence", grid, Boundary::NonPeriodic, |bodies| {
         let gap = Field::from_fn(bodies.grid(), GAPS[1]);
         let force = NormalControl::Force(0.5);
         let problem = NormalProblem::builder(bodies, gap, force).build().unwrap();
@@ -277,6 +322,12 @@ fn solvers_go_on_with_the_same_bits() {
         }
         Found::normal(&normal).with_shear(&shear)
     });
+    vec![sequence]
+}
+
+#[test]
+fn solvers_continue_with_the_same_bits() {
+    assert_same(sequences());
 }
 
 #[test]

@@ -9,7 +9,7 @@ use stickslip::ranks::{RankFailure, Ranks, Threads};
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::*;
 
-use crate::ranks_share_a_contact::{Found, PATIENCE, assert_same, boundaries, pair, same};
+use crate::ranks_share_a_contact::{Found, PATIENCE, Scene, assert_same, boundaries, pair, same};
 use crate::ranks_share_a_history::{ball, fine, found, friction, step};
 
 /// A ball, one beside the middle that touches few rows, and waves that touch everywhere.
@@ -71,33 +71,37 @@ fn answer(contact: &CoupledSolution) -> Found {
     }
 }
 
-#[test]
-fn contacts_from_rest_have_the_same_bits() {
+pub(crate) fn contacts_from_rest() -> Vec<Scene> {
     let grid = Grid::new(80, 130, 0.3, 0.2).unwrap();
-    let from_rest = |boundary, gap, press, force| {
-        assert_same(grid, boundary, "from rest", |bodies| {
+    let from_rest = |boundary, gap: usize, press, force| {
+        Scene::new("from rest", grid, boundary, move |bodies| {
             let load = TangentialLoad::force(force);
-            let mut solver = solver(bodies, gap, friction(bodies), press, load);
+            let mut solver = solver(bodies, GAPS[gap], friction(bodies), press, load);
             let mut contact = solver.new_solution();
             solver.solve_into(&mut contact).unwrap();
             answer(&contact)
-        });
+        })
     };
     let [free, periodic, along_y] = boundaries(grid);
     let press = NormalControl::Force(8.0);
-    for (boundary, gap) in [(free, 0), (free, 1), (free, 2), (periodic, 2), (along_y, 1)] {
-        from_rest(boundary, GAPS[gap], press, [0.8, 0.6]);
-    }
+    let pressed = [(free, 0), (free, 1), (free, 2), (periodic, 2), (along_y, 1)];
+    let pressed = pressed.map(|(boundary, gap)| from_rest(boundary, gap, press, [0.8, 0.6]));
+    let mut scenes = Vec::from(pressed);
     let approach = NormalControl::Approach(0.3);
-    from_rest(free, GAPS[0], approach, [0.08, 0.06]);
+    scenes.push(from_rest(free, 0, approach, [0.08, 0.06]));
+    scenes
+}
+
+#[test]
+fn contacts_from_rest_have_the_same_bits() {
+    assert_same(contacts_from_rest());
 }
 
 /// From the last answer, in boxes that are left for wider ones; on small boxes some ranks have no cells. A prescribed
 /// shift under weak friction has bounds of the whole.
-#[test]
-fn solvers_continue_with_the_same_bits() {
+pub(crate) fn sequences() -> Vec<Scene> {
     let grid = Grid::new(80, 130, 0.3, 0.2).unwrap();
-    assert_same(grid, Boundary::NonPeriodic, "a sequence", |bodies| {
+    let sequence = Scene::new("a sequence", grid, Boundary::NonPeriodic, |bodies| {
         let (press, weak) = (NormalControl::Force(0.5), Friction::coulomb(0.01).unwrap());
         let still = TangentialLoad::shift([0.0, 0.0]);
         let mut solver = solver(bodies, GAPS[1], weak, press, still);
@@ -115,6 +119,12 @@ fn solvers_continue_with_the_same_bits() {
         assert_eq!(bounds, 4);
         answer(&contact)
     });
+    vec![sequence]
+}
+
+#[test]
+fn solvers_continue_with_the_same_bits() {
+    assert_same(sequences());
 }
 
 /// Steps in which the contact grows, is worn, shrinks and turns.
@@ -148,18 +158,24 @@ fn worn(bodies: &HalfSpace, steps: usize) -> (History, Vec<f64>) {
     (history, known)
 }
 
-#[test]
-fn histories_have_the_same_bits() {
+pub(crate) fn histories() -> Vec<Scene> {
     let repeating = Grid::new(65, 130, 0.3, 0.2).unwrap();
-    for (grid, boundary) in [
+    let scenes = [
         (fine(), Boundary::NonPeriodic),
         (repeating, Boundary::Periodic),
-    ] {
-        assert_same(grid, boundary, "a history", |bodies| {
+    ];
+    let scenes = scenes.map(|(grid, boundary)| {
+        Scene::new("a history", grid, boundary, |bodies| {
             let (history, known) = worn(bodies, 6);
             found(&history, known)
-        });
-    }
+        })
+    });
+    scenes.into()
+}
+
+#[test]
+fn histories_have_the_same_bits() {
+    assert_same(histories());
 }
 
 /// Slabs of some ranks continue on others, or on none.

@@ -9,7 +9,7 @@ use stickslip::ranks::{Ranks, Threads};
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::*;
 
-use crate::ranks_share_a_contact::{Found, PATIENCE, assert_same, pair, same};
+use crate::ranks_share_a_contact::{Found, PATIENCE, Scene, assert_same, pair, same};
 
 /// A ball beside the middle: it touches few rows, and ever more of them.
 pub(crate) fn ball(bodies: &HalfSpace) -> Field {
@@ -123,21 +123,24 @@ fn worn(bodies: &HalfSpace, model: TangentialModel) -> Found {
     found(&history, known)
 }
 
+pub(crate) fn worn_contacts() -> Vec<Scene> {
+    let (free, vector) = (Boundary::NonPeriodic, TangentialModel::Vector);
+    let repeating = Grid::new(65, 250, 0.3, 0.1).unwrap();
+    let scenes = [
+        (fine(), free, TangentialModel::Scalar),
+        (fine(), free, vector),
+        (repeating, Boundary::Periodic, vector),
+    ];
+    let scenes = scenes.map(|(grid, boundary, model)| {
+        let what = format!("wear, {model:?}");
+        Scene::new(what, grid, boundary, move |bodies| worn(bodies, model))
+    });
+    scenes.into()
+}
+
 #[test]
 fn worn_contacts_that_grow_and_shrink_have_the_same_bits() {
-    for model in [TangentialModel::Scalar, TangentialModel::Vector] {
-        let what = format!("wear, {model:?}");
-        assert_same(fine(), Boundary::NonPeriodic, &what, |bodies| {
-            worn(bodies, model)
-        });
-    }
-    let grid = Grid::new(65, 250, 0.3, 0.1).unwrap();
-    assert_same(
-        grid,
-        Boundary::Periodic,
-        "wear on a grid that repeats",
-        |bodies| worn(bodies, TangentialModel::Vector),
-    );
+    assert_same(worn_contacts());
 }
 
 /// Loads that turn, with adaptive steps, cycles and what they add up to.
@@ -181,15 +184,18 @@ fn fretted(bodies: &HalfSpace) -> Found {
     found(&both[1], known)
 }
 
+pub(crate) fn cycles() -> Vec<Scene> {
+    vec![Scene::new("cycles", fine(), Boundary::NonPeriodic, fretted)]
+}
+
 #[test]
 fn cycles_and_adaptive_steps_have_the_same_bits() {
-    assert_same(fine(), Boundary::NonPeriodic, "cycles", fretted);
+    assert_same(cycles());
 }
 
 /// What yields and stays, and a strained body under a contact.
-#[test]
-fn yielding_and_strained_contacts_have_the_same_bits() {
-    assert_same(fine(), Boundary::NonPeriodic, "yielding", |bodies| {
+pub(crate) fn yielding_and_strained_contacts() -> Vec<Scene> {
+    let yielding = Scene::new("yielding", fine(), Boundary::NonPeriodic, |bodies| {
         let gap = ball(bodies);
         let builder = History::builder(bodies, &gap, friction(bodies));
         let builder = builder.coupling(Coupling::Neglected);
@@ -205,13 +211,14 @@ fn yielding_and_strained_contacts_have_the_same_bits() {
     });
     let along_y = Boundary::PeriodicAlongY { datum: 50.0 };
     let grid = Grid::new(128, 250, 0.125, 0.25).unwrap();
+    let mut scenes = vec![yielding];
     for (grid, boundary) in [
         (grid, Boundary::NonPeriodic),
         (grid, along_y),
         // All of a line is on one rank.
         (Grid::line(64, 0.25).unwrap(), along_y),
     ] {
-        assert_same(grid, boundary, "strain", |bodies| {
+        scenes.push(Scene::new("strain", grid, boundary, |bodies| {
             let roller = Field::from_fn(bodies.grid(), |x, _| 0.05 * x * x);
             let strain = [[1e-2, 0.0], [0.0, 0.0]];
             let bulk = RelativeDisplacement::bulk_strain(bodies.grid(), strain).unwrap();
@@ -225,8 +232,14 @@ fn yielding_and_strained_contacts_have_the_same_bits() {
                 step(&mut history, &load, &mut known);
             }
             found(&history, known)
-        });
+        }));
     }
+    scenes
+}
+
+#[test]
+fn yielding_and_strained_contacts_have_the_same_bits() {
+    assert_same(yielding_and_strained_contacts());
 }
 
 /// A history with all that a state may hold, or with what is the same everywhere.

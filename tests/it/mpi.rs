@@ -1,0 +1,80 @@
+//! The scenes that ranks share, on ranks that are processes of MPI: each holds the bits that one process finds.
+//!
+//! Run by `mpirun`. Every rank solves each scene with the others, and by itself.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::float_cmp,
+    clippy::print_stdout,
+    dead_code,
+    unused_imports,
+    reason = "a test fails loudly and says what it has done; what threads alone are tested for lies beside the scenes"
+)]
+
+mod ranks_share_a_contact;
+mod ranks_share_a_coupled_contact;
+mod ranks_share_a_history;
+
+use std::process::ExitCode;
+use std::sync::Arc;
+use std::time::Duration;
+
+use stickslip::ranks::{Mpi, Ranks};
+
+use ranks_share_a_contact::{Scene, pair, same};
+
+/// Longer than a rank solves a scene by itself.
+const PATIENCE: Duration = Duration::from_secs(300);
+
+fn main() -> ExitCode {
+    let failed = Mpi::run(PATIENCE, |rank| {
+        let ranks: Arc<dyn Ranks> = Arc::new(rank);
+        let groups = [
+            ranks_share_a_contact::normal_contacts(),
+            ranks_share_a_contact::sheared_contacts(),
+            ranks_share_a_contact::sequences(),
+            ranks_share_a_history::worn_contacts(),
+            ranks_share_a_history::cycles(),
+            ranks_share_a_history::yielding_and_strained_contacts(),
+            ranks_share_a_coupled_contact::contacts_from_rest(),
+            ranks_share_a_coupled_contact::sequences(),
+            ranks_share_a_coupled_contact::histories(),
+        ];
+        let scenes: Vec<Scene> = groups.into_iter().flatten().collect();
+        let failures = scenes.iter().map(|scene| compare(scene, &ranks)).collect();
+        (scenes.len(), failures)
+    });
+    let Some((scenes, failures)): Option<(usize, Vec<Option<String>>)> = failed else {
+        println!("MPI is already in use");
+        return ExitCode::FAILURE;
+    };
+    let failures: Vec<String> = failures.into_iter().flatten().collect();
+    for failure in &failures {
+        println!("{failure}");
+    }
+    println!(
+        "{} of {scenes} scenes have the bits of one process",
+        scenes - failures.len()
+    );
+    if failures.is_empty() {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
+    }
+}
+
+/// What differs between the slab of this rank and what it finds by itself, if anything does.
+fn compare(scene: &Scene, ranks: &Arc<dyn Ranks>) -> Option<String> {
+    let (own, alone) = (scene.on(Arc::clone(ranks)), scene.alone());
+    let bodies =
+        stickslip::HalfSpace::distributed(scene.grid, pair(), scene.boundary, Arc::clone(ranks));
+    let slab = bodies.unwrap().grid();
+    let first = slab.rows().start * slab.nx();
+    let cells = &alone.cells[first..first + own.cells.len()];
+    let known = same(&own.known, &alone.known);
+    let differs = known.and_then(|()| same(own.cells.as_flattened(), cells.as_flattened()));
+    let number = ranks.rank();
+    differs
+        .err()
+        .map(|error| format!("rank {number}: {}: {error}", scene.what))
+}
