@@ -17,7 +17,9 @@ use crate::serial::checked;
 ///
 /// It begins where the history is, and [takes](Self::add) each step once, after it was done; a
 /// [`FrettingLoop`](crate::history::FrettingLoop) does so by itself. It holds nine numbers per cell, and
-/// allocates nothing in a cycle of no more steps than one before.
+/// allocates nothing in a cycle of no more steps than one before. Of [distributed](crate::HalfSpace::distributed) bodies
+/// all ranks [begin](Self::begin) and [add](Self::add) together; what the cycle then tells each knows by itself, in its
+/// fields of the cells held here.
 ///
 /// ```
 /// use stickslip::history::{Cycle, LoadPath, Regime};
@@ -149,7 +151,7 @@ impl Cycle {
     /// Forgets all steps and begins anew where the history is.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`]; the cycle is then as it was.
+    /// [`Error::GridMismatch`]; [`Error::Ranks`]; the cycle is then as it was.
     pub fn begin(&mut self, history: &History) -> Result<()> {
         self.check(history)?;
         self.restart(history);
@@ -185,7 +187,7 @@ impl Cycle {
     /// # Errors
     /// [`Error::GridMismatch`]; [`Error::StepNotNew`] if the history has taken no step since the last one added, or
     /// since the beginning. That is known by [`History::steps`] alone: a step of another history that has taken more
-    /// passes. The cycle is then as it was.
+    /// passes. [`Error::Ranks`]. The cycle is then as it was.
     pub fn add(&mut self, history: &History) -> Result<()> {
         self.check(history)?;
         let (step, last) = (history.steps(), self.last_step);

@@ -90,7 +90,7 @@ impl History {
     /// [`Coupling::Full`] that by the pressure is part of it.
     ///
     /// # Errors
-    /// As [`HalfSpace::operator`](crate::HalfSpace::operator).
+    /// As [`HalfSpace::operator`](crate::HalfSpace::operator); [`Error::Ranks`].
     pub fn displacement(&self) -> Result<[Field; 2]> {
         let joint = self.state.contact.as_ref();
         if let Some(memory) = joint.filter(|_| self.state.is_joint()) {

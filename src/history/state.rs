@@ -184,7 +184,7 @@ impl State {
             && report.is_within(self.settings.tolerance)
     }
 
-    /// Makes what finds a pressure alone go on from here.
+    /// Makes what finds a pressure alone continue from here.
     pub(super) fn resume(&self, bodies: &HalfSpace, press: &mut PressureSolver) -> Result<()> {
         let window = self.press_window.filter(|_| !self.is_joint());
         press.resume(bodies, self.approach(), window, &self.trend)

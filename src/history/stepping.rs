@@ -321,7 +321,7 @@ impl History {
     ///
     /// # Errors
     /// As [`Settings::check`], and [`Error::Method`](crate::Error::Method) for a method that the tangential model does
-    /// not have; the settings are then as they were.
+    /// not have; [`Error::Ranks`](crate::Error::Ranks); the settings are then as they were.
     pub fn set_settings(&mut self, settings: Settings) -> Result<()> {
         let model = TangentialModel::of(self.state.axes);
         let checked = settings.check().and_then(|()| model.check(&settings));
@@ -331,7 +331,7 @@ impl History {
     }
 }
 
-/// Makes what finds the pressure go on from a state, in the buffers there are if they are of its window.
+/// Makes what finds the pressure continue from a state, in the buffers there are if they are of its window.
 fn resume(
     bodies: &HalfSpace,
     state: &State,

@@ -52,7 +52,7 @@ impl State {
     /// });
     /// let slabs = slabs.into_iter().collect::<Result<Vec<_>, _>>()?;
     ///
-    /// // Two go on, and so does one process, to the same bits.
+    /// // Two continue, and so does one process, to the same bits.
     /// let states = || slabs.iter().map(|bytes| State::from_bytes(bytes));
     /// let shifts = Threads::run(2, patience, |rank| {
     ///     let bodies = HalfSpace::distributed(grid, pair, boundary, Arc::new(rank))?;
@@ -229,8 +229,8 @@ fn copy_rows<T: Copy>(
 
 impl History {
     /// A history from the files in which ranks have [saved](History::save) their slabs, on these bodies, which as many
-    /// ranks share or others, or none: see [`State::of_slabs`]. Of the files only those are read through that have rows
-    /// held here. All ranks call it.
+    /// ranks share or others, or none: see [`State::of_slabs`]. Of the files the first is read through, and those others that
+    /// have rows held here. All ranks call it.
     ///
     /// # Errors
     /// [`Error::File`] if a file cannot be read; as [`State::from_bytes`], [`State::of_slabs`] and
