@@ -203,6 +203,21 @@ pub(crate) fn in_turn<D: Split, T>(
     combine(low, in_turn(second, high, work, combine))
 }
 
+/// [`sweep`] of work on so many cells, on the calling thread alone where it is too short to be worth the way into a pool.
+pub(crate) fn sweep_cells<D: Split, T: Send>(
+    cells: usize,
+    tasks: Range<usize>,
+    data: D,
+    work: &(impl Fn(usize, D) -> T + Sync),
+    combine: &(impl Fn(T, T) -> T + Sync),
+) -> T {
+    if is_short(cells) {
+        in_turn(tasks, data, work, combine)
+    } else {
+        sweep(tasks, data, work, combine)
+    }
+}
+
 fn halves<D: Split>(tasks: Range<usize>, data: D) -> [(Range<usize>, D); 2] {
     let half = tasks.len() / 2;
     let middle = tasks.start + half;
@@ -243,17 +258,6 @@ pub(crate) fn fold_rows<T: Send>(
     let rows_of = |task: usize| task * per_task..((task + 1) * per_task).min(rows);
     let leaf = |task: usize, ()| leaf(rows_of(task));
     sweep(0..rows.div_ceil(per_task), (), &leaf, &combine)
-}
-
-/// `sum [f(i)]` of several quantities at once.
-pub(crate) fn sums<const K: usize>(len: usize, f: impl Fn(usize) -> [f64; K] + Sync) -> [f64; K] {
-    let add = |mut a: [f64; K], b: [f64; K]| {
-        for (a, b) in a.iter_mut().zip(b) {
-            *a += b;
-        }
-        a
-    };
-    fold(len, |range| range.map(&f).fold([0.0; K], add), add)
 }
 
 /// Runs `update(first index, chunk)` on chunks of one slice.

@@ -163,7 +163,7 @@ impl HalfSpace {
     /// The operator of one component on the whole grid, made at the first call.
     ///
     /// # Errors
-    /// As [`Table::sample`](crate::influence::Table::sample).
+    /// As [`Table::sample`](crate::influence::Table::sample); of [distributed](Self::distributed) bodies [`Error::Ranks`].
     pub fn operator(&self, component: Component) -> Result<ElasticOperator> {
         self.convolution([[component]], self.size())
             .map(ElasticOperator)

@@ -1,7 +1,7 @@
 //! What a history tells of its state.
 
 use crate::boundary::Boundary;
-use crate::cgm::{Settings, reduce};
+use crate::cgm::Settings;
 use crate::coupling::Coupling;
 use crate::error::{Error, Result};
 use crate::field::Field;
@@ -90,7 +90,7 @@ impl History {
     /// [`Coupling::Full`] that by the pressure is part of it.
     ///
     /// # Errors
-    /// As [`HalfSpace::operator`](crate::HalfSpace::operator).
+    /// As [`HalfSpace::operator`](crate::HalfSpace::operator); [`Error::Ranks`].
     pub fn displacement(&self) -> Result<[Field; 2]> {
         let joint = self.state.contact.as_ref();
         if let Some(memory) = joint.filter(|_| self.state.is_joint()) {
@@ -143,14 +143,10 @@ impl History {
     }
 
     /// Largest tangential force friction holds at the present pressure (a force): the integral of the friction limit.
-    /// Of [distributed](crate::HalfSpace::distributed) bodies all ranks ask for it together.
     #[must_use]
     pub fn friction_capacity(&self) -> f64 {
-        let pressure = self.pressure().as_slice();
-        let sum = reduce::sum(&self.bodies.grid_layout(), |i| {
-            self.friction().limit(i, pressure[i])
-        });
-        sum * self.grid().cell_area()
+        let alone = || self.state.capacity_with(&self.bodies, self.friction());
+        self.state.capacity.unwrap_or_else(alone)
     }
 
     /// The stiffness of the contact: normal, tangential on loading and at reversal, and of the tangential load by the

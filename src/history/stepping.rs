@@ -146,14 +146,25 @@ impl History {
     /// As [`History::from_state`]; the history is then as it was.
     pub fn set_state(&mut self, state: &State) -> Result<()> {
         self.bodies.agreed(state.check_bodies(&self.bodies))?;
+        self.bodies
+            .alike("state but for its fields", state.numbers_on(&self.bodies))?;
+        // Ranks that lose each other on the way keep what they have.
+        let whole = self.bodies.is_shared().then(|| {
+            let mut whole = state.clone();
+            whole.gather_whole(&self.bodies);
+            whole
+        });
         let Self { press, joint, .. } = self;
-        if let Err(error) = resume(&self.bodies, state, press, joint) {
+        let resumed = resume(&self.bodies, state, press, joint);
+        if let Err(error) = self.bodies.joint(resumed) {
             self.take_back()?;
             return Err(error);
         }
-        self.state.clone_from(state);
-        self.state.gather_whole(&self.bodies);
-        self.bodies.joint(Ok(()))
+        match whole {
+            Some(whole) => self.state = whole,
+            None => self.state.clone_from(state),
+        }
+        Ok(())
     }
 
     /// Returns to a state that this history had, also where ranks have lost each other.
@@ -272,6 +283,7 @@ impl History {
         state.reach(load);
         if is_pressed {
             settle(state);
+            state.gather_capacity(&self.bodies);
         }
         step.energy = step.energy.plus(&pressing);
         let before = self.candidate.held().map(NormalSolution::pressure);
@@ -310,7 +322,10 @@ impl History {
     /// it was.
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
         friction.check_on(&self.bodies)?;
+        let capacity = self.state.capacity_on_ranks(&self.bodies, friction);
+        self.bodies.joint(Ok(()))?;
         self.state.friction.clone_from(friction);
+        self.state.capacity = capacity;
         Ok(())
     }
 
@@ -319,7 +334,7 @@ impl History {
     ///
     /// # Errors
     /// As [`Settings::check`], and [`Error::Method`](crate::Error::Method) for a method that the tangential model does
-    /// not have; the settings are then as they were.
+    /// not have; [`Error::Ranks`](crate::Error::Ranks); the settings are then as they were.
     pub fn set_settings(&mut self, settings: Settings) -> Result<()> {
         let model = TangentialModel::of(self.state.axes);
         let checked = settings.check().and_then(|()| model.check(&settings));
@@ -329,7 +344,7 @@ impl History {
     }
 }
 
-/// Makes what finds the pressure go on from a state, in the buffers there are if they are of its window.
+/// Makes what finds the pressure continue from a state, in the buffers there are if they are of its window.
 fn resume(
     bodies: &HalfSpace,
     state: &State,

@@ -79,8 +79,10 @@ pub fn write<'a>(
 }
 
 /// Named fields and vectors on one grid as a file: one array of cell data each, in doubles that keep every bit,
-/// on a flat image in the plane `z = 0` whose origin is the corner of least x and y. Fields on a slab are rows of the
-/// image of the whole grid.
+/// on a flat image in the plane `z = 0` whose origin is the corner of least x and y.
+///
+/// Fields on a slab make an image of its rows alone, at their place: its origin is the corner of the whole grid, and its
+/// extent along y counts the rows of the whole grid ([`Grid::rows`]), as pieces of one image have it.
 ///
 /// # Errors
 /// [`Error::Format`](crate::Error::Format) if there is no field, or if a field is on another grid than the

@@ -152,7 +152,7 @@ impl NormalProblemBuilder<'_> {
     /// [`Error::GridMismatch`] if the gap lives on another grid, [`Error::Sample`] if it is not
     /// finite, [`Error::Negative`] or [`Error::NotFinite`] for the load, [`Error::Tolerance`],
     /// [`Error::IterationLimit`]; [`Error::ApproachBeyondMeanGap`] on a periodic grid;
-    /// [`Error::BeyondHardness`].
+    /// [`Error::BeyondHardness`]; [`Error::Ranks`].
     pub fn build(self) -> Result<NormalProblem> {
         self.bodies.agreed(check_gap(self.bodies, &self.gap))?;
         self.load.check(self.bodies, &self.gap)?;

@@ -60,7 +60,7 @@ impl NormalSolver {
     ///
     /// # Errors
     /// [`Error::Negative`], [`Error::NotFinite`], [`Error::BeyondHardness`] or, on a periodic grid,
-    /// [`Error::ApproachBeyondMeanGap`]; the load is then as it was.
+    /// [`Error::ApproachBeyondMeanGap`]; with a hardness [`Error::Ranks`]; the load is then as it was.
     pub fn set_load(&mut self, load: NormalControl) -> Result<()> {
         let NormalProblem {
             bodies,
@@ -80,7 +80,7 @@ impl NormalSolver {
     ///
     /// # Errors
     /// [`Error::GridMismatch`], [`Error::Sample`] or, on a periodic grid,
-    /// [`Error::ApproachBeyondMeanGap`]; the gap is then as it was.
+    /// [`Error::ApproachBeyondMeanGap`]; [`Error::Ranks`]; the gap is then as it was.
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
         let bodies = &self.problem.bodies;
         bodies.agreed(check_gap(bodies, gap))?;
@@ -110,7 +110,8 @@ impl NormalSolver {
     ///
     /// # Errors
     /// [`Error::GridMismatch`] or [`Error::BoundaryMismatch`] if the solution is of another grid or boundary, nothing
-    /// changed; as [`HalfSpace::operator`](crate::HalfSpace::operator); [`Error::NotConverged`] with the last feasible iterate in `solution`.
+    /// changed; as [`HalfSpace::operator`](crate::HalfSpace::operator); [`Error::NotConverged`] with the last feasible
+    /// iterate in `solution`; [`Error::Ranks`].
     pub fn solve_into(&mut self, solution: &mut NormalSolution) -> Result<()> {
         self.solve_observed(solution, |_| ControlFlow::Continue(()))
     }

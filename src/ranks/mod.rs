@@ -5,14 +5,16 @@
 //!
 //! [`HalfSpace::distributed`](crate::HalfSpace::distributed) deals out the rows of a grid: each rank holds a *slab* of
 //! them, with fields, problems and solutions of its own. Builders are those of any bodies. Whatever ranks do together
-//! every rank must do: build, solve and step, change what is solved, displacements, energies, friction capacities, cycles and
-//! jumps over them, statistics, files. What must be the same on all (settings, a friction that is uniform, ...) is
-//! compared. What a solution says of the whole contact (force, area,
-//! stick ratio, report, ...) every rank knows without asking; its fields are those of the slab.
+//! every rank must do: build, solve and step, change what is solved, return to a state, displacements, energies, cycles
+//! (begin, add) and jumps over them ([`CycleJump::new`](crate::history::wear::CycleJump::new),
+//! [`max_stable_cycles`](crate::history::wear::max_stable_cycles)), statistics, files. A friction or hardness that is
+//! uniform, the state that a history starts from, its settings included, and the numbers of one that it returns to are
+//! compared; loads and later changes of the settings are not, and must be the same. What a solution says of the whole
+//! contact (force, area, stick ratio, report, ...) every rank knows without asking; its fields are those of the slab.
 //!
-//! Normal and tangential problems and histories, scalar and in the plane, can be shared, on all boundaries, with hardness,
-//! friction that differs from cell to cell, relative displacements and wear; what cannot is refused
-//! ([`RankFailure::NotShared`]): pressure and shear found together, stiffness, stresses below the surface, dense matrices.
+//! Normal, tangential and coupled problems and histories of them can be shared, on all boundaries, with hardness, friction
+//! that differs from cell to cell, relative displacements and wear; what cannot is refused ([`RankFailure::NotShared`]):
+//! stiffness, stresses below the surface, dense matrices.
 //!
 //! Surfaces are made ([`SelfAffine::generate_on`](crate::surface::SelfAffine::generate_on)), characterised
 //! ([`HalfSpace::statistics`](crate::HalfSpace::statistics)) and levelled slab by slab, and fields are read from and written
@@ -35,7 +37,7 @@
 //! # Histories
 //!
 //! The state of a history is that of the rows of the slab. Each rank saves its own
-//! ([`History::save`](crate::History::save)), and any number of ranks goes on from the files of all, to the same bits
+//! ([`History::save`](crate::History::save)), and any number of ranks continues from the files of all, to the same bits
 //! ([`History::load_slabs`](crate::History::load_slabs), [`State::of_slabs`](crate::history::State::of_slabs)). A step
 //! brings tractions and offsets of the contact's window to the ranks that share its rows, and the answer back: about ten
 //! numbers per cell of the window and component. Gap, friction and settings are changed by all ranks alike; energies and

@@ -162,7 +162,7 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
     /// pressure that is negative or not finite; [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or
     /// [`Error::MaterialMismatch`] for one of other bodies; [`Error::CoupledMaterials`], [`Error::ObliqueLoad`],
     /// [`Error::NotModelled`], [`Error::NotFinite`], [`Error::EmptyContact`], [`Error::BeyondFrictionCapacity`],
-    /// [`Error::Tolerance`], [`Error::IterationLimit`].
+    /// [`Error::Tolerance`], [`Error::IterationLimit`]; [`Error::Ranks`].
     pub fn build(self) -> Result<TangentialProblem> {
         let grid = self.bodies.grid();
         let demand = self.load.demand();

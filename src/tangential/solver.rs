@@ -133,7 +133,7 @@ impl TangentialSolver {
     ///
     /// # Errors
     /// [`Error::GridMismatch`], [`Error::NotFinite`] if the limits overflow, or [`Error::BeyondFrictionCapacity`] if
-    /// the present load is more than the new friction holds; the friction is then as it was.
+    /// the present load is more than the new friction holds; [`Error::Ranks`]; the friction is then as it was.
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
         friction.check_on(&self.bodies)?;
         let pressure = &self.increment.pressed.pressure;
@@ -151,8 +151,8 @@ impl TangentialSolver {
     /// [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::MaterialMismatch`],
     /// [`Error::NotConverged`], [`Error::Sample`], [`Error::EmptyContact`], [`Error::NotFinite`] if the limits
     /// overflow, or [`Error::BeyondFrictionCapacity`] if the present load is more than friction now holds; as
-    /// [`HalfSpace::operator`](crate::HalfSpace::operator) where the contact has left its box; the pressure is then as
-    /// it was.
+    /// [`HalfSpace::operator`](crate::HalfSpace::operator) where the contact has left its box; [`Error::Ranks`]; the
+    /// pressure is then as it was.
     pub fn set_pressure<'a>(&mut self, pressure: impl Into<PressureSource<'a>>) -> Result<()> {
         let samples = self.bodies.agreed(pressure.into().checked(&self.bodies))?;
         let contact = contact_window(&self.bodies, samples)?;
@@ -179,8 +179,8 @@ impl TangentialSolver {
     /// only if there was none.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`]; [`Error::NotModelled`] for one along an axis of which the model finds no traction; the
-    /// displacement is then as it was.
+    /// [`Error::GridMismatch`]; [`Error::NotModelled`] for one along an axis of which the model finds no traction;
+    /// [`Error::Ranks`]; the displacement is then as it was.
     pub fn set_relative_displacement(&mut self, relative: &RelativeDisplacement) -> Result<()> {
         let checked = relative.check(self.bodies.grid(), self.increment.axes());
         self.bodies.agreed(checked)?;
@@ -228,7 +228,7 @@ impl TangentialSolver {
     /// # Errors
     /// [`Error::GridMismatch`] or [`Error::BoundaryMismatch`] if the solution is of another grid or boundary, nothing
     /// changed; as [`HalfSpace::operator`](crate::HalfSpace::operator); [`Error::NotConverged`] with the last feasible
-    /// iterate in `solution`.
+    /// iterate in `solution`; [`Error::Ranks`].
     pub fn solve_into(&mut self, solution: &mut TangentialSolution) -> Result<()> {
         self.solve_observed(solution, |_| ControlFlow::Continue(()))
     }

@@ -358,7 +358,7 @@ fn loads_in_the_plane() {
     assert_eq!(solution.traction(), expected.traction());
 }
 
-/// A pressure that does not fit the load is refused, and the solver goes on with the one it had.
+/// A pressure that does not fit the load is refused, and the solver keeps the one it had.
 #[test]
 fn a_refused_pressure_changes_nothing() {
     let bodies = bodies();

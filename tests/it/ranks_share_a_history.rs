@@ -271,7 +271,7 @@ pub(crate) fn begun(bodies: &HalfSpace, is_rich: bool) -> History {
     history
 }
 
-/// Slabs saved by some ranks go on with others, or with none.
+/// Histories that some ranks have saved are continued by others, or by none.
 #[test]
 fn slabs_are_put_together_on_other_numbers_of_ranks() {
     let grid = fine();

@@ -255,7 +255,7 @@ fn normal_contacts_stop_on_every_grid_of_a_nested_start() {
         assert_eq!(solution.report(), &report);
         assert!(solution.pressure().min() >= 0.0);
         assert!((solution.force() / 60.0 - 1.0).abs() < 1e-12);
-        // The solver goes on from there.
+        // The solver continues from there.
         if !end.by_clock {
             solver.solve_into(&mut solution).unwrap();
         }
@@ -314,7 +314,7 @@ impl Passes {
         Self { report, seen }
     }
 
-    /// The counts go on from pass to pass, and what the history ends with is what was done.
+    /// The counts continue from pass to pass, and what the history ends with is what was done.
     fn assert_counted_once(&self) {
         let Self { report, seen } = self;
         for steps in [seen, &report.history] {

@@ -336,7 +336,7 @@ fn limits_and_cancellation_leave_a_feasible_labelled_iterate() {
             );
         }
         assert_eq!(seen, 5);
-        // Left alone, the same solver goes on from where it was stopped.
+        // Left alone, the same solver continues from where it was stopped.
         cancelled.solve_into(&mut solution).unwrap();
         assert!(solution.report().is_converged());
     }

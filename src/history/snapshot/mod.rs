@@ -65,6 +65,9 @@ impl State {
 
     /// A state saved by [`State::to_bytes`].
     ///
+    /// Of a slab, force, contact area and the like of the [normal contact](State::normal) are those of its rows until
+    /// [`State::of_slabs`] or a history takes it, on the bodies that ranks share: then they are those of the whole grid.
+    ///
     /// # Errors
     /// [`Error::Format`](crate::Error::Format), with the byte, if the bytes are no such state, of another version,
     /// truncated or changed. It takes no more than twice the memory of the bytes.

@@ -17,6 +17,7 @@ use crate::history::state::State;
 use crate::io::{Cursor, in_file, parse_file, refused};
 use crate::normal::Hardness;
 use crate::per_cell::PerCell;
+use crate::ranks::Words;
 use crate::tangential::Zone;
 use crate::window::Window;
 
@@ -52,7 +53,7 @@ impl State {
     /// });
     /// let slabs = slabs.into_iter().collect::<Result<Vec<_>, _>>()?;
     ///
-    /// // Two go on, and so does one process, to the same bits.
+    /// // Two continue, and so does one process, to the same bits.
     /// let states = || slabs.iter().map(|bytes| State::from_bytes(bytes));
     /// let shifts = Threads::run(2, patience, |rank| {
     ///     let bodies = HalfSpace::distributed(grid, pair, boundary, Arc::new(rank))?;
@@ -106,6 +107,21 @@ impl State {
     /// A sum of all that is not in cells, which slabs of one state have in common; zero where nothing is to be compared.
     pub(in crate::history) fn digest_on(&self, bodies: &HalfSpace) -> u64 {
         if bodies.is_shared() { self.digest() } else { 0 }
+    }
+
+    /// The same of those numbers alone that tell the states of one history from each other.
+    pub(in crate::history) fn numbers_on(&self, bodies: &HalfSpace) -> u64 {
+        if !bodies.is_shared() {
+            return 0;
+        }
+        let mut words = vec![self.steps];
+        (self.force, self.moment).write(&mut words);
+        (self.motion.shift, self.motion.twist).write(&mut words);
+        (self.approach(), self.settings.tolerance).write(&mut words);
+        let window = self.contact.as_ref().map(|memory| memory.window);
+        (self.press_window, window).write(&mut words);
+        let bytes = words.into_iter().flat_map(u64::to_le_bytes);
+        checksum(&bytes.collect::<Vec<_>>())
     }
 
     fn digest(&self) -> u64 {
@@ -229,8 +245,8 @@ fn copy_rows<T: Copy>(
 
 impl History {
     /// A history from the files in which ranks have [saved](History::save) their slabs, on these bodies, which as many
-    /// ranks share or others, or none: see [`State::of_slabs`]. Of the files only those are read through that have rows
-    /// held here. All ranks call it.
+    /// ranks share or others, or none: see [`State::of_slabs`]. Of the files the first is read through, and those others that
+    /// have rows held here. All ranks call it.
     ///
     /// # Errors
     /// [`Error::File`] if a file cannot be read; as [`State::from_bytes`], [`State::of_slabs`] and

@@ -21,12 +21,12 @@ use crate::operator::Operator;
 ///
 /// and none changes sign below half of that, where a [`CycleJump`] stays. `coefficient` is the sum of both
 /// bodies, `slip_distance` that of one cycle. For the energy law, pass its coefficient times that of
-/// friction.
+/// friction. Of [distributed](HalfSpace::distributed) bodies all ranks ask for it together.
 ///
 /// # Errors
 /// [`Error::Negative`] for the coefficient,
 /// [`Error::GridMismatch`] or [`Error::Sample`] for
-/// coefficients and slip length; as [`HalfSpace::operator`].
+/// coefficients and slip length; as [`HalfSpace::operator`]; [`Error::Ranks`].
 ///
 /// ```
 /// use stickslip::history::wear;
@@ -111,7 +111,7 @@ impl CycleJump {
     ///
     /// # Errors
     /// [`Error::GridMismatch`], [`Error::Sample`] for a
-    /// depth that is negative or not finite; as [`HalfSpace::operator`].
+    /// depth that is negative or not finite; as [`HalfSpace::operator`]; [`Error::Ranks`].
     pub fn new(bodies: &HalfSpace, cycle: &Cycle, depth: &Field) -> Result<Self> {
         let (grid, slip_pressure) = (bodies.grid(), cycle.slip_pressure());
         let checked = check("pressure of the cycle", slip_pressure, grid);
@@ -125,9 +125,10 @@ impl CycleJump {
                 0.0
             }
         });
+        let depth_per_cycle = reduce::max(&layout, |i| removed[i]);
         Ok(Self {
             without_overshoot: cycles_without_overshoot(bodies, rate)?,
-            depth_per_cycle: reduce::max(&layout, |i| removed[i]),
+            depth_per_cycle,
             residual: cycle.cyclic_residual(),
             closed_within: CLOSED,
             largest_depth: None,
@@ -186,9 +187,9 @@ impl CycleJump {
 /// $`\lambda_{min}`$ over the depth per pressure that a cycle removes at most.
 fn cycles_without_overshoot(bodies: &HalfSpace, rate: f64) -> Result<f64> {
     let least_compliance = bodies.operator(Component::ZZ)?.lower_bound();
-    Ok(if rate > 0.0 {
+    bodies.joint(Ok(if rate > 0.0 {
         least_compliance / rate
     } else {
         f64::INFINITY
-    })
+    }))
 }

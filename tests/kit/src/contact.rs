@@ -38,7 +38,7 @@ pub enum Tangential {
 /// One step: what is prescribed, and what CONTACT found at its end.
 #[derive(Debug)]
 pub struct Step {
-    /// Whether it goes on from the step before, or from bodies not loaded before.
+    /// Whether it continues from the step before, or from bodies not loaded before.
     pub continues: bool,
     /// Factors of x^2, x y, y^2, x, y, 1 in the gap; zero where the pressure is prescribed.
     gap: [f64; 6],
