@@ -77,7 +77,7 @@ impl CoupledSolver {
     ///
     /// # Errors
     /// [`Error::GridMismatch`] or [`Error::Sample`]; [`Error::ApproachBeyondMeanGap`] where a prescribed approach is too
-    /// much for it; the gap is then as it was.
+    /// much for it; [`Error::Ranks`]; the gap is then as it was.
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
         let bodies = &self.problem.bodies;
         bodies.agreed(gap.check("gap", bodies.grid()))?;
@@ -89,7 +89,7 @@ impl CoupledSolver {
     /// Changes the friction of the next solve.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`]; the friction is then as it was.
+    /// [`Error::GridMismatch`]; [`Error::Ranks`]; the friction is then as it was.
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
         friction.check_on(&self.problem.bodies)?;
         self.problem.friction.clone_from(friction);
@@ -116,7 +116,7 @@ impl CoupledSolver {
     /// # Errors
     /// [`Error::GridMismatch`] or [`Error::BoundaryMismatch`] for a solution of others, nothing changed;
     /// [`Error::NotConverged`] with the last iterate in `solution`; [`Error::BeyondFrictionCapacity`] for a force that
-    /// slides the contact; as [`HalfSpace::operator`](crate::HalfSpace::operator).
+    /// slides the contact; as [`HalfSpace::operator`](crate::HalfSpace::operator); [`Error::Ranks`].
     pub fn solve_into(&mut self, solution: &mut CoupledSolution) -> Result<()> {
         self.solve_observed(solution, |_| ControlFlow::Continue(()))
     }
