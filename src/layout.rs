@@ -154,11 +154,7 @@ impl Layout {
             Some(share) if T::COUNT > 0 => share.sweep(data, &work, &combine),
             // A rank without cells has nothing to do.
             _ if self.tasks() == 0 => T::ZERO,
-            // Work too short to share is not worth the way into a pool.
-            _ if parallel::is_short(self.cells) => {
-                parallel::in_turn(0..self.tasks(), data, &work, &combine)
-            }
-            _ => parallel::sweep(0..self.tasks(), data, &work, &combine),
+            _ => parallel::sweep_cells(self.cells, 0..self.tasks(), data, &work, &combine),
         }
     }
 

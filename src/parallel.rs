@@ -203,6 +203,21 @@ pub(crate) fn in_turn<D: Split, T>(
     combine(low, in_turn(second, high, work, combine))
 }
 
+/// [`sweep`] of work on so many cells, on the calling thread alone where it is too short to be worth the way into a pool.
+pub(crate) fn sweep_cells<D: Split, T: Send>(
+    cells: usize,
+    tasks: Range<usize>,
+    data: D,
+    work: &(impl Fn(usize, D) -> T + Sync),
+    combine: &(impl Fn(T, T) -> T + Sync),
+) -> T {
+    if is_short(cells) {
+        in_turn(tasks, data, work, combine)
+    } else {
+        sweep(tasks, data, work, combine)
+    }
+}
+
 fn halves<D: Split>(tasks: Range<usize>, data: D) -> [(Range<usize>, D); 2] {
     let half = tasks.len() / 2;
     let middle = tasks.start + half;

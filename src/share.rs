@@ -132,7 +132,7 @@ impl Share {
             let (data, rest) = data.split(node.len());
             left = Some(rest);
             let local = node.start - own.start..node.end - own.start;
-            parallel::sweep(local, data, work, combine).write(&mut words);
+            parallel::sweep_cells(self.cells(), local, data, work, combine).write(&mut words);
         });
         let counts: Vec<usize> = self.nodes.iter().map(|nodes| nodes * T::COUNT).collect();
         let all = self.team.gather(&words, &counts);
