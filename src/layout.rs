@@ -112,6 +112,18 @@ impl Layout {
         Team::agreed_of(self.team.as_deref(), result)
     }
 
+    /// What the values of all ranks that share the cells come to.
+    pub(crate) fn combined<T: Words>(&self, own: T, combine: impl Fn(T, T) -> T) -> T {
+        let team = self.share.as_ref().map(|share| &**share.team());
+        Team::combined_of(team, own, combine)
+    }
+
+    /// `Ok` without ranks, of what they cannot do together.
+    #[cfg(feature = "dense")]
+    pub(crate) fn check_alone(&self, quantity: &'static str) -> Result<()> {
+        Team::check_alone(self.team.as_deref(), quantity)
+    }
+
     /// What the first rank says of going on, for all. Ranks that have lost each other have stalled.
     pub(crate) fn decided(&self, own: ControlFlow<Status>) -> ControlFlow<Status> {
         let Some(team) = &self.team else { return own };

@@ -226,6 +226,7 @@ mod passes;
 mod per_cell;
 mod pool;
 pub mod ranks;
+mod reduce;
 mod report;
 #[cfg(feature = "serde")]
 mod serial;

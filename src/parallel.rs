@@ -260,17 +260,6 @@ pub(crate) fn fold_rows<T: Send>(
     sweep(0..rows.div_ceil(per_task), (), &leaf, &combine)
 }
 
-/// `sum [f(i)]` of several quantities at once.
-pub(crate) fn sums<const K: usize>(len: usize, f: impl Fn(usize) -> [f64; K] + Sync) -> [f64; K] {
-    let add = |mut a: [f64; K], b: [f64; K]| {
-        for (a, b) in a.iter_mut().zip(b) {
-            *a += b;
-        }
-        a
-    };
-    fold(len, |range| range.map(&f).fold([0.0; K], add), add)
-}
-
 /// Runs `update(first index, chunk)` on chunks of one slice.
 pub(crate) fn update<T: Send>(items: &mut [T], update: impl Fn(usize, &mut [T]) + Sync) {
     let tasks = items.len().div_ceil(CHUNK);

@@ -109,7 +109,6 @@ mod problem;
 mod progress;
 mod projected_gradient;
 mod proximal;
-pub(crate) mod reduce;
 mod run;
 mod set;
 mod settings;
@@ -119,6 +118,7 @@ mod turn;
 pub(crate) mod vector;
 mod workspace;
 
+pub(crate) use crate::reduce;
 pub(crate) use certificate::{Certificate, Iterate, examine};
 pub use disc::Disc;
 pub use interval::Interval;

@@ -140,10 +140,7 @@ impl HalfSpace {
     }
 
     pub(super) fn over_ranks<T: Words>(&self, own: T, combine: impl Fn(T, T) -> T) -> T {
-        match self.sharing() {
-            Some(team) => team.combined(own, combine),
-            None => own,
-        }
+        Team::combined_of(self.sharing().map(|team| &**team), own, combine)
     }
 
     /// Around all cells of the grid that are in a set, of the cells held here; `None` if none is.
@@ -180,10 +177,7 @@ impl HalfSpace {
 
     /// `Ok` for bodies that are not shared, of what ranks cannot do together.
     pub(crate) fn check_alone(&self, quantity: &'static str) -> Result<()> {
-        match self.team() {
-            Some(_) => Err(Error::Ranks(RankFailure::NotShared(quantity))),
-            None => Ok(()),
-        }
+        Team::check_alone(self.team().map(|team| &**team), quantity)
     }
 
     /// Index in the whole grid of the first cell held here.

@@ -180,10 +180,7 @@ impl Region {
 
     /// Whether something holds on any rank.
     pub(crate) fn any(&self, own: bool) -> bool {
-        match self.dealt.as_deref() {
-            Some(dealt) => dealt.inner.team().combined(own, |a, b| a || b),
-            None => own,
-        }
+        self.layout.combined(own, |a, b| a || b)
     }
 
     /// What is known of the row before the first one solved here, and of the row after the last, from what is known of

@@ -157,6 +157,26 @@ impl Team {
         self.agreed(result)
     }
 
+    /// [`Team::combined`] of a team, if there is one.
+    pub(crate) fn combined_of<T: Words>(
+        team: Option<&Self>,
+        own: T,
+        combine: impl Fn(T, T) -> T,
+    ) -> T {
+        match team {
+            Some(team) => team.combined(own, combine),
+            None => own,
+        }
+    }
+
+    /// `Ok` without a team, of what ranks cannot do together.
+    pub(crate) fn check_alone(team: Option<&Self>, quantity: &'static str) -> Result<()> {
+        match team {
+            Some(_) => Err(Error::Ranks(RankFailure::NotShared(quantity))),
+            None => Ok(()),
+        }
+    }
+
     /// `Ok` as long as every call has succeeded.
     pub(crate) fn check(&self) -> Result<()> {
         match self.failure.get() {

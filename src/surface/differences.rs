@@ -1,6 +1,7 @@
 //! Slopes and area of a surface from the differences of neighbouring heights.
 
 use super::slab::Slab;
+use crate::reduce;
 
 /// Root mean square of the slopes between neighbours along x and along y, each over the existing pairs;
 /// zero along an axis of one cell. `z` are the heights of the rows held here and of the next one.
@@ -8,7 +9,7 @@ pub(super) fn rms_slopes(z: &[f64], slab: &Slab) -> [f64; 2] {
     let grid = slab.whole();
     let (nx, ny) = (grid.nx(), grid.ny());
     let squared = |i: usize, j: usize, side: f64| ((z[j] - z[i]) / side).powi(2);
-    let [along_x, along_y] = slab.sums(|i| {
+    let [along_x, along_y] = reduce::sum(slab.layout(), |i| {
         let has_right = i % nx + 1 < nx;
         let has_above = i + nx < z.len();
         [
@@ -46,7 +47,7 @@ pub(super) fn developed_area_ratio(z: &[f64], slab: &Slab) -> f64 {
         let squared = sx * sx + sy * sy;
         squared / (1.0 + (1.0 + squared).sqrt())
     };
-    let [sum] = slab.sums(|i| {
+    let [sum] = reduce::sum(slab.layout(), |i| {
         let (left, bottom) = (i % nx, i / nx);
         if left >= columns || slab.first_row() + bottom >= rows {
             return [0.0];

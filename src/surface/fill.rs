@@ -4,7 +4,8 @@ use super::heights::finite_or_missing;
 use crate::error::{Error, Result, not_converged};
 use crate::field::Field;
 use crate::grid::Grid;
-use crate::parallel;
+use crate::layout::Layout;
+use crate::reduce;
 
 /// The iteration ends when the error in the energy norm has fallen by this factor.
 const TOLERANCE: f64 = 1e-15;
@@ -273,8 +274,7 @@ fn neighbours(grid: Grid, cell: usize) -> [[Option<usize>; 2]; 2] {
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let [sum] = parallel::sums(a.len(), |k| [a[k] * b[k]]);
-    sum
+    reduce::sum(&Layout::flat(a.len()), |k| a[k] * b[k])
 }
 
 /// `y += a x`.

@@ -8,12 +8,13 @@ use num_complex::Complex;
 use realfft::RealFftPlanner;
 use rustfft::FftPlanner;
 
-use super::slab::{Slab, sums};
+use super::slab::Slab;
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::layout::Layout;
 use crate::parallel;
 use crate::ranks::Team;
+use crate::reduce;
 use crate::share::Share;
 
 /// Complex amplitudes `a(i, j)` of a periodic field,
@@ -166,7 +167,7 @@ impl Waves {
         f: impl Fn(Mode, Complex<f64>) -> [f64; K] + Sync,
     ) -> [f64; K] {
         let ny = self.grid.ny();
-        sums(&self.layout, |i| {
+        reduce::sum(&self.layout, |i| {
             let mode = Mode::new(self.grid, self.first + i / ny, i % ny);
             f(mode, self.amplitudes[i])
         })

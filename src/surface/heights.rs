@@ -3,6 +3,7 @@
 use super::slab::Slab;
 use crate::error::{Result, samples_obey};
 use crate::field::Field;
+use crate::reduce;
 
 /// `Ok` if no height is missing or infinite.
 pub(super) fn complete(quantity: &'static str, heights: &Field) -> Result<()> {
@@ -22,9 +23,9 @@ pub(super) fn finite_or_missing(heights: &Field) -> Result<()> {
 /// distant datum costs no digits.
 pub(super) fn about_mean(heights: &Field, slab: &Slab) -> (Field, f64) {
     let z = heights.as_slice();
-    let first = slab.combined(z.first().copied(), Option::or);
+    let first = slab.layout().combined(z.first().copied(), Option::or);
     let datum = first.unwrap_or_default();
-    let [sum] = slab.sums(|i| [z[i] - datum]);
+    let [sum] = reduce::sum(slab.layout(), |i| [z[i] - datum]);
     let shift = sum / slab.whole().cells() as f64;
     let mut deviations = heights.clone();
     for value in deviations.as_mut_slice() {

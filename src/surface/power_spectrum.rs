@@ -113,7 +113,7 @@ impl PowerSpectrum {
 
     /// The spectrum of a surface of which ranks may hold a slab each.
     pub(crate) fn of_slab(heights: &Field, slab: &Slab) -> Result<Self> {
-        slab.agreed(complete("heights", heights))?;
+        slab.layout().agreed(complete("heights", heights))?;
         let (deviations, _) = about_mean(heights, slab);
         let waves = Waves::of_slab(&deviations, slab);
         let grid = slab.whole();

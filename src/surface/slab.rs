@@ -4,13 +4,10 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use super::fourier::shared_columns;
-#[cfg(feature = "dense")]
-use crate::error::RankFailure;
 use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::layout::Layout;
-use crate::ranks::Words;
 use crate::share::Share;
 
 /// The rows of a surface that are held here: all, or a slab of what ranks share.
@@ -61,33 +58,6 @@ impl Slab {
         &self.layout
     }
 
-    /// `Ok` if no ranks share it.
-    #[cfg(feature = "dense")]
-    pub(super) fn check_alone(&self, quantity: &'static str) -> Result<()> {
-        match &self.share {
-            Some(_) => Err(Error::Ranks(RankFailure::NotShared(quantity))),
-            None => Ok(()),
-        }
-    }
-
-    /// The result of a step that every rank takes by itself; an error if it failed on any.
-    pub(super) fn agreed<T>(&self, result: Result<T>) -> Result<T> {
-        self.layout.agreed(result)
-    }
-
-    /// What the values of all ranks come to.
-    pub(super) fn combined<T: Words>(&self, own: T, combine: impl Fn(T, T) -> T) -> T {
-        match &self.share {
-            Some(share) => share.team().combined(own, combine),
-            None => own,
-        }
-    }
-
-    /// Sums over all cells, of a function of those held here.
-    pub(super) fn sums<const K: usize>(&self, f: impl Fn(usize) -> [f64; K] + Sync) -> [f64; K] {
-        sums(&self.layout, f)
-    }
-
     /// The rows held here and the next one, if there is any.
     pub(super) fn with_next_row<'a>(&self, heights: &'a Field) -> Cow<'a, [f64]> {
         let own = heights.as_slice();
@@ -127,20 +97,4 @@ impl Slab {
         }
         words
     }
-}
-
-/// Sums over all cells that lie so, of a function of those held here.
-pub(super) fn sums<const K: usize>(
-    layout: &Layout,
-    f: impl Fn(usize) -> [f64; K] + Sync,
-) -> [f64; K] {
-    layout.fold(|range| range.map(&f).fold([0.0; K], added), added)
-}
-
-/// Two results, number by number.
-pub(super) fn added<const K: usize>(mut a: [f64; K], b: [f64; K]) -> [f64; K] {
-    for (a, b) in a.iter_mut().zip(b) {
-        *a += b;
-    }
-    a
 }

@@ -9,6 +9,7 @@ use super::power_spectrum::moments;
 use super::slab::Slab;
 use crate::error::{Result, finite};
 use crate::field::Field;
+use crate::reduce;
 
 /// The S-parameters of a surface (ISO 25178-2:2021), computed from its heights about their mean.
 ///
@@ -73,20 +74,19 @@ impl Statistics {
 
     /// The statistics of a surface of which ranks may hold a slab each.
     pub(crate) fn of_slab(heights: &Field, slab: &Slab) -> Result<Self> {
-        slab.agreed(complete("heights", heights))?;
+        slab.layout().agreed(complete("heights", heights))?;
         let (deviations, mean_height) = about_mean(heights, slab);
-        let highest_peak = slab.combined(deviations.max(), f64::max);
-        let deepest_valley = -slab.combined(deviations.min(), f64::min);
+        let highest_peak = slab.layout().combined(deviations.max(), f64::max);
+        let deepest_valley = -slab.layout().combined(deviations.min(), f64::min);
         let z = deviations.as_slice();
         // In units of the largest deviation the powers neither overflow nor underflow.
         let largest = highest_peak.max(deepest_valley);
         let unit = if largest > 0.0 { largest } else { 1.0 };
-        let [first, second, third, fourth] = slab
-            .sums(|i| {
-                let z = z[i] / unit;
-                [z.abs(), z * z, z * z * z, (z * z) * (z * z)]
-            })
-            .map(|sum| sum / slab.whole().cells() as f64);
+        let [first, second, third, fourth] = reduce::sum(slab.layout(), |i| {
+            let z = z[i] / unit;
+            [z.abs(), z * z, z * z * z, (z * z) * (z * z)]
+        })
+        .map(|sum| sum / slab.whole().cells() as f64);
         let [_, m2, _] = moments(&Waves::of_slab(&deviations, slab));
         let z = slab.with_next_row(&deviations);
         let profile_rms_slope = rms_slopes(&z, slab);

@@ -8,15 +8,25 @@ use faer::Mat;
 #[cfg(feature = "dense")]
 use super::triangle::Triangle;
 use crate::field::Field;
+use crate::layout::Layout;
+#[cfg(feature = "dense")]
 use crate::parallel;
-use crate::surface::slab::{Slab, added};
+use crate::reduce::Tally;
+use crate::surface::level::HIGHEST_DEGREE;
+use crate::surface::slab::Slab;
 
-/// Sums that are formed together in the tree that ranks share: enough for the products of the terms of a plane.
-const TOGETHER: usize = 9;
+/// Sums that are formed together: as many as the form of highest degree has terms.
+const MOST: usize = (HIGHEST_DEGREE + 1) * (HIGHEST_DEGREE + 2) / 2;
+
+/// Terms whose sums follow the rows, as ranks share them; ranks have no more than the three of a plane. Sums over more
+/// terms follow equal chunks of cells.
+const IN_ROWS: usize = 9;
 
 /// Products of Legendre polynomials up to a total degree.
 pub(super) struct Basis<'a> {
     slab: &'a Slab,
+    /// How sums add up.
+    layout: Layout,
     nx: usize,
     degree: usize,
     /// Degrees along x and along y of each product.
@@ -30,13 +40,19 @@ impl<'a> Basis<'a> {
     pub(super) fn new(heights: &Field, slab: &'a Slab, degree: usize) -> Self {
         let grid = slab.whole();
         let (nx, ny) = (grid.nx(), grid.ny());
-        let terms = (0..=degree)
+        let terms: Vec<_> = (0..=degree)
             .flat_map(|total| (0..=total).map(move |j| [total - j, j]))
             .filter(|&[i, j]| (nx > 1 || i == 0) && (ny > 1 || j == 0))
             .collect();
         let [columns, rows] = known_extent(slab, heights.as_slice());
+        let layout = if terms.len() > IN_ROWS {
+            Layout::flat(heights.grid().cells())
+        } else {
+            slab.layout().clone()
+        };
         Self {
             slab,
+            layout,
             nx,
             degree,
             terms,
@@ -78,30 +94,14 @@ impl<'a> Basis<'a> {
 
     /// So many sums over all known heights, to which `add` adds those of one.
     fn sums(&self, z: &[f64], count: usize, add: impl Fn(usize, &mut [f64]) + Sync) -> Vec<f64> {
-        let sum_up = |range: Range<usize>, sums: &mut [f64]| {
+        let leaf = |range: Range<usize>| {
+            let mut sums = [0.0; MOST];
             for cell in range.filter(|&cell| !z[cell].is_nan()) {
-                add(cell, sums);
+                add(cell, &mut sums[..count]);
             }
-        };
-        if count > TOGETHER {
-            let leaf = |range| {
-                let mut sums = vec![0.0; count];
-                sum_up(range, &mut sums);
-                sums
-            };
-            return parallel::fold(z.len(), leaf, |mut sums, others| {
-                for (sum, other) in sums.iter_mut().zip(others) {
-                    *sum += other;
-                }
-                sums
-            });
-        }
-        let leaf = |range| {
-            let mut sums = [0.0; TOGETHER];
-            sum_up(range, &mut sums[..count]);
             sums
         };
-        self.slab.layout().fold(leaf, added)[..count].to_vec()
+        self.layout.fold(leaf, Tally::plus)[..count].to_vec()
     }
 
     /// `R` of `A = QR`, by reduction of blocks of rows.
@@ -156,7 +156,8 @@ fn known_extent(slab: &Slab, z: &[f64]) -> [[usize; 2]; 2] {
     let both = |[a, b]: [[usize; 2]; 2], [c, d]: [[usize; 2]; 2]| [around(a, c), around(b, d)];
     let known = (0..z.len()).filter(|&cell| !z[cell].is_nan());
     let places = known.map(|cell| [cell % nx, slab.first_row() + cell / nx].map(|at| [at; 2]));
-    slab.combined(places.fold([[usize::MAX, 0]; 2], both), both)
+    slab.layout()
+        .combined(places.fold([[usize::MAX, 0]; 2], both), both)
 }
 
 /// Legendre polynomials of degrees `0..=degree` at the places `0..count`, on the interval from the

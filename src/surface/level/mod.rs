@@ -124,9 +124,9 @@ pub fn level(heights: &Field, form: Form) -> Result<Levelled> {
 pub(crate) fn level_slab(heights: &Field, slab: &Slab, form: Form) -> Result<Levelled> {
     #[cfg(feature = "dense")]
     if let Form::Polynomial(_) = form {
-        slab.check_alone("the removal of a polynomial")?;
+        slab.layout().check_alone("the removal of a polynomial")?;
     }
-    slab.agreed(finite_or_missing(heights))?;
+    slab.layout().agreed(finite_or_missing(heights))?;
     let (degree, limit) = (form.degree(), HIGHEST_DEGREE);
     if degree > limit {
         return Err(Error::Degree { degree, limit });
@@ -134,7 +134,7 @@ pub(crate) fn level_slab(heights: &Field, slab: &Slab, form: Form) -> Result<Lev
     let z = heights.as_slice();
     let basis = Basis::new(heights, slab, degree);
     let known = z.iter().filter(|z| !z.is_nan()).count();
-    let known = slab.combined(known, |a, b| a + b);
+    let known = slab.layout().combined(known, |a, b| a + b);
     let unknowns = basis.terms();
     let undetermined = Error::Undetermined {
         quantity: "form",
