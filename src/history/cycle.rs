@@ -6,7 +6,7 @@ use crate::cgm::vector::norm;
 use crate::error::positive;
 use crate::error::{Error, Result};
 use crate::field::Field;
-use crate::history::hysteresis::{LoopPoint, half_range, total_energy};
+use crate::history::hysteresis::{LoopPoint, half_range, part_of};
 use crate::history::remarks::Remarks;
 use crate::history::{EnergyBalance, History, Regime};
 use crate::parallel::{self, Blocks, CHUNK, blocks};
@@ -153,9 +153,9 @@ impl Cycle {
     /// # Errors
     /// [`Error::GridMismatch`]; [`Error::Ranks`]; the cycle is then as it was.
     pub fn begin(&mut self, history: &History) -> Result<()> {
-        self.check(history)?;
+        history.bodies.agreed(self.check(history))?;
         self.restart(history);
-        history.bodies.joint(Ok(()))
+        Ok(())
     }
 
     fn restart(&mut self, history: &History) {
@@ -179,7 +179,6 @@ impl Cycle {
         (self.stick_ratios, self.regime) = ([1.0, 0.0], Regime::FullStick);
         self.remarks = Remarks::default();
         self.last_step = history.steps();
-        self.compare_traction(history);
     }
 
     /// Adds the last step of the history: to be called once after each. Steps that are never added are left out.
@@ -189,13 +188,21 @@ impl Cycle {
     /// since the beginning. That is known by [`History::steps`] alone: a step of another history that has taken more
     /// passes. [`Error::Ranks`]. The cycle is then as it was.
     pub fn add(&mut self, history: &History) -> Result<()> {
-        self.check(history)?;
-        let (step, last) = (history.steps(), self.last_step);
-        if step <= last {
-            return Err(Error::StepNotNew { step, last });
-        }
-        self.last_step = step;
-        let step = history.last_step();
+        let (bodies, step) = (&history.bodies, history.last_step());
+        let (number, last) = (history.steps(), self.last_step);
+        let is_new = if number > last {
+            Ok(())
+        } else {
+            Err(Error::StepNotNew { step: number, last })
+        };
+        bodies.agreed(self.check(history).and(is_new))?;
+        // What ranks find together comes first: where they lose each other the cycle is as it was.
+        let [largest_traction, traction_change] = self.compare_traction(history);
+        let regime = self.regime_with(history);
+        bodies.joint(Ok(()))?;
+        self.largest_traction = self.largest_traction.max(largest_traction);
+        (self.traction_change, self.regime) = (traction_change, regime);
+        self.last_step = number;
         self.sums
             .slip_distance
             .add_scaled(1.0, step.slip_distance())?;
@@ -210,7 +217,6 @@ impl Cycle {
                 slip,
             );
         }
-        self.compare_traction(history);
         if self.steps() == 0 {
             self.energy = *step.energy();
         } else {
@@ -218,24 +224,27 @@ impl Cycle {
         }
         let (ratio, [least, largest]) = (step.stick_ratio(), self.stick_ratios);
         self.stick_ratios = [least.min(ratio), largest.max(ratio)];
-        let (slip, layout) = (
-            step.slip_distance().as_slice(),
-            history.bodies.grid_layout(),
-        );
-        if step.is_gross_slip() {
-            self.regime = Regime::GrossSlip;
-        } else if self.regime == Regime::FullStick && reduce::any(&layout, |i| slip[i] > 0.0) {
-            self.regime = Regime::PartialSlip;
-        }
         self.remarks = self.remarks.and(step.remarks);
         self.points.push(LoopPoint::of(history));
-        history.bodies.joint(Ok(()))
+        Ok(())
     }
 
     fn check(&self, history: &History) -> Result<()> {
         let grid = self.sums.slip_distance.grid();
-        let bodies = &history.bodies;
-        bodies.agreed(grid.expect("history of the cycle", history.grid()))
+        grid.expect("history of the cycle", history.grid())
+    }
+
+    /// The regime of the cycle with the last step.
+    fn regime_with(&self, history: &History) -> Regime {
+        let (step, layout) = (history.last_step(), history.bodies.grid_layout());
+        let slip = step.slip_distance().as_slice();
+        if step.is_gross_slip() {
+            Regime::GrossSlip
+        } else if self.regime == Regime::FullStick && reduce::any(&layout, |i| slip[i] > 0.0) {
+            Regime::PartialSlip
+        } else {
+            self.regime
+        }
     }
 
     /// Takes the step into the mean of the pressure, which weighs by the length of slip.
@@ -255,15 +264,17 @@ impl Cycle {
         });
     }
 
-    /// Sees how far the tractions are from those at the beginning.
-    fn compare_traction(&mut self, history: &History) {
+    /// The largest traction, at the beginning too if this is the first step, and the largest change since.
+    fn compare_traction(&self, history: &History) -> [f64; 2] {
         let [x, y] = history.traction().map(Field::as_slice);
         let [first_x, first_y] = self.sums.first_traction.each_ref().map(Field::as_slice);
-        let layout = history.bodies.grid_layout();
-        let traction = reduce::max(&layout, |i| norm([x[i], y[i]]));
+        let (layout, is_first) = (history.bodies.grid_layout(), self.steps() == 0);
+        let traction = reduce::max(&layout, |i| {
+            let before = is_first.then(|| norm([first_x[i], first_y[i]]));
+            reduce::larger(norm([x[i], y[i]]), before.unwrap_or(0.0))
+        });
         let change = reduce::max(&layout, |i| norm([x[i] - first_x[i], y[i] - first_y[i]]));
-        self.traction_change = change;
-        self.largest_traction = self.largest_traction.max(traction);
+        [traction, change]
     }
 
     /// Steps added.
@@ -338,21 +349,6 @@ impl Cycle {
         self.regime
     }
 
-    /// Energy ratio $`E_d / (4\,Q^*\delta^*)`$ of the energy dissipated, by tractions at the end of each step,
-    /// to that of a rectangle around the loop; zero where nothing was dissipated, infinite where force or shift
-    /// stood still meanwhile.
-    ///
-    /// $`Q^*`$ is half the longest chord of the path of force in the plane, and $`\delta^*`$ half the range
-    /// of the shift along it; where body 2 turns, the product of the half ranges of moment and twist comes to
-    /// theirs. On a sphere pressed by a constant force the ratio grows to 1/5 at the limit of sliding
-    /// (Mindlin & Deresiewicz), and by sliding to one: Fouvry, Kapsa & Vincent, Wear 185 (1995) 35,
-    /// <https://doi.org/10.1016/0043-1648(94)06582-9>, take 1/5 for the transition from partial to gross
-    /// slip. Loops round an ellipse may exceed one.
-    #[must_use]
-    pub fn energy_ratio(&self) -> f64 {
-        part_of(self.energy.dissipated_energy, total_energy(&self.points))
-    }
-
     /// How far the cycle is from closing: the largest change of a traction from beginning to end over the
     /// largest traction in between, or that of the shift over its half range, whichever is more.
     ///
@@ -391,9 +387,4 @@ fn widen(least: &mut Field, amplitude: &mut Field, slip: &Field) {
         blocks(amplitude.as_mut_slice()),
     );
     parallel::sweep(0..slip.len().div_ceil(CHUNK), data, &work, &|(), ()| ());
-}
-
-/// A part over the whole; no part is zero, and a part of nothing infinite.
-fn part_of(part: f64, whole: f64) -> f64 {
-    if part > 0.0 { part / whole } else { 0.0 }
 }

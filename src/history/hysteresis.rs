@@ -32,6 +32,21 @@ impl LoopPoint {
 }
 
 impl Cycle {
+    /// Energy ratio $`E_d / (4\,Q^*\delta^*)`$ of the energy dissipated, by tractions at the end of each step,
+    /// to that of a rectangle around the loop; zero where nothing was dissipated, infinite where force or shift
+    /// stood still meanwhile.
+    ///
+    /// $`Q^*`$ is half the longest chord of the path of force in the plane, and $`\delta^*`$ half the range
+    /// of the shift along it; where body 2 turns, the product of the half ranges of moment and twist comes to
+    /// theirs. On a sphere pressed by a constant force the ratio grows to 1/5 at the limit of sliding
+    /// (Mindlin & Deresiewicz), and by sliding to one: Fouvry, Kapsa & Vincent, Wear 185 (1995) 35,
+    /// <https://doi.org/10.1016/0043-1648(94)06582-9>, take 1/5 for the transition from partial to gross
+    /// slip. Loops round an ellipse may exceed one.
+    #[must_use]
+    pub fn energy_ratio(&self) -> f64 {
+        part_of(self.energy().dissipated_energy, total_energy(self.points()))
+    }
+
     /// The [loop](Cycle::points) of force and shift as CSV: one line for each point, behind a line of names.
     ///
     /// ```
@@ -116,7 +131,7 @@ pub(super) fn half_range(points: &[LoopPoint], value: impl Fn(&LoopPoint) -> f64
 /// $`4 (Q^* \delta^* + M^* \varphi^*)`$: what the loop would dissipate if it filled the rectangles around it.
 ///
 /// Force and shift are taken along the longest chord of the path of force.
-pub(super) fn total_energy(points: &[LoopPoint]) -> f64 {
+fn total_energy(points: &[LoopPoint]) -> f64 {
     let chord = longest_chord(points);
     let length = chord[0].hypot(chord[1]);
     let along = chord.map(|component| component / length.max(f64::MIN_POSITIVE));
@@ -140,4 +155,9 @@ fn longest_chord(points: &[LoopPoint]) -> [f64; 2] {
         }
     }
     longest
+}
+
+/// A part over the whole; no part is zero, and a part of nothing infinite.
+pub(super) fn part_of(part: f64, whole: f64) -> f64 {
+    if part > 0.0 { part / whole } else { 0.0 }
 }

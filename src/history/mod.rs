@@ -94,6 +94,7 @@ mod step;
 mod stepping;
 mod touch;
 pub mod wear;
+mod whole;
 mod yielding;
 
 pub use adaptive::{AdaptiveSteps, StepError};

@@ -1,7 +1,7 @@
 //! What a history tells of its state.
 
 use crate::boundary::Boundary;
-use crate::cgm::{Settings, reduce};
+use crate::cgm::Settings;
 use crate::coupling::Coupling;
 use crate::error::{Error, Result};
 use crate::field::Field;
@@ -143,14 +143,10 @@ impl History {
     }
 
     /// Largest tangential force friction holds at the present pressure (a force): the integral of the friction limit.
-    /// Of [distributed](crate::HalfSpace::distributed) bodies all ranks ask for it together.
     #[must_use]
     pub fn friction_capacity(&self) -> f64 {
-        let pressure = self.pressure().as_slice();
-        let sum = reduce::sum(&self.bodies.grid_layout(), |i| {
-            self.friction().limit(i, pressure[i])
-        });
-        sum * self.grid().cell_area()
+        let alone = || self.state.capacity_with(&self.bodies, self.friction());
+        self.state.capacity.unwrap_or_else(alone)
     }
 
     /// The stiffness of the contact: normal, tangential on loading and at reversal, and of the tangential load by the

@@ -93,6 +93,8 @@ pub struct State {
     pub(super) steps: u64,
     pub(super) touch_rule: TouchRule,
     pub(super) coupling: Coupling,
+    /// What friction holds in all, where ranks share the contact.
+    pub(super) capacity: Option<f64>,
 }
 
 clone_in_place!(State {
@@ -121,6 +123,7 @@ clone_in_place!(State {
     steps,
     touch_rule,
     coupling,
+    capacity,
 });
 
 const QUANTITY: &str = "state of a history";
@@ -164,6 +167,7 @@ impl State {
             steps: 0,
             touch_rule,
             coupling: Coupling::default(),
+            capacity: None,
         }
     }
 
@@ -196,15 +200,6 @@ impl State {
         match (&mut self.contact, window) {
             (Some(memory), Some(window)) => memory.narrow(grid, window),
             (contact, _) => *contact = None,
-        }
-    }
-
-    /// Takes note of what all ranks know together, which is not among the fields of a slab.
-    pub(super) fn gather_whole(&mut self, bodies: &HalfSpace) {
-        self.normal.gather_whole(bodies);
-        if let Some(hardness) = &self.hardness {
-            let yielded = hardness.reached_cells(bodies, self.pressure().as_slice());
-            self.normal.set_yielded_cells(yielded);
         }
     }
 

@@ -274,6 +274,7 @@ impl History {
         state.reach(load);
         if is_pressed {
             settle(state);
+            state.gather_capacity(&self.bodies);
         }
         step.energy = step.energy.plus(&pressing);
         let before = self.candidate.held().map(NormalSolution::pressure);
@@ -312,7 +313,10 @@ impl History {
     /// it was.
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
         friction.check_on(&self.bodies)?;
+        let capacity = self.state.capacity_on_ranks(&self.bodies, friction);
+        self.bodies.joint(Ok(()))?;
         self.state.friction.clone_from(friction);
+        self.state.capacity = capacity;
         Ok(())
     }
 
