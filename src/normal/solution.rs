@@ -242,7 +242,7 @@ impl NormalSolution {
     /// [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or [`Error::MaterialMismatch`] for bodies that the solution is
     /// not of; as [`HalfSpace::operator`].
     pub fn displacement(&self, bodies: &HalfSpace) -> Result<Field> {
-        self.check_bodies(bodies)?;
+        bodies.agreed(self.check_bodies(bodies))?;
         let operator = bodies.operator(Component::ZZ)?;
         let mut displacement = Field::zeros(self.grid());
         operator.apply(
@@ -250,7 +250,7 @@ impl NormalSolution {
             [displacement.as_mut_slice()],
             &mut operator.workspace(),
         );
-        Ok(displacement)
+        bodies.joint(Ok(displacement))
     }
 
     /// Elastic energy of the normal contact, $`\tfrac A2 \sum p\,u_z`$ (force times length).
@@ -261,7 +261,7 @@ impl NormalSolution {
         let displacement = self.displacement(bodies)?;
         let (p, u) = (self.pressure.as_slice(), displacement.as_slice());
         let [sum] = reduce::sum(&bodies.grid_layout(), |i| [p[i] * u[i]]);
-        Ok(0.5 * self.grid().cell_area() * sum)
+        bodies.joint(Ok(0.5 * self.grid().cell_area() * sum))
     }
 
     /// `Ok` if the solution is one of these bodies.

@@ -126,7 +126,7 @@ pub(crate) fn displacement(
             &mut operator.workspace(),
         );
     }
-    Ok(displacement)
+    bodies.joint(Ok(displacement))
 }
 
 /// The engine for `N` tractions.

@@ -200,7 +200,7 @@ impl TangentialSolution {
     /// [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) for bodies that the solution is not of; as
     /// [`HalfSpace::operator`].
     pub fn displacement(&self, bodies: &HalfSpace) -> Result<[Field; 2]> {
-        bodies.check_host("tangential contact", self.grid(), self.boundary)?;
+        bodies.agreed(bodies.check_host("tangential contact", self.grid(), self.boundary))?;
         let axes = self.axis.map_or(Axis::BOTH, Axis::alone);
         displacement(bodies, axes, self.traction())
     }
@@ -216,7 +216,7 @@ impl TangentialSolution {
             let (q, u) = (q.as_slice(), u.as_slice());
             sum + reduce::sum(&bodies.grid_layout(), |i| q[i] * u[i])
         });
-        Ok(0.5 * self.grid().cell_area() * energy)
+        bodies.joint(Ok(0.5 * self.grid().cell_area() * energy))
     }
 
     /// Whether the whole contact slips.

@@ -125,9 +125,10 @@ impl CycleJump {
                 0.0
             }
         });
+        let depth_per_cycle = reduce::max(&layout, |i| removed[i]);
         Ok(Self {
             without_overshoot: cycles_without_overshoot(bodies, rate)?,
-            depth_per_cycle: reduce::max(&layout, |i| removed[i]),
+            depth_per_cycle,
             residual: cycle.cyclic_residual(),
             closed_within: CLOSED,
             largest_depth: None,
@@ -186,9 +187,9 @@ impl CycleJump {
 /// $`\lambda_{min}`$ over the depth per pressure that a cycle removes at most.
 fn cycles_without_overshoot(bodies: &HalfSpace, rate: f64) -> Result<f64> {
     let least_compliance = bodies.operator(Component::ZZ)?.lower_bound();
-    Ok(if rate > 0.0 {
+    bodies.joint(Ok(if rate > 0.0 {
         least_compliance / rate
     } else {
         f64::INFINITY
-    })
+    }))
 }
