@@ -149,14 +149,25 @@ impl History {
     /// As [`History::from_state`]; the history is then as it was.
     pub fn set_state(&mut self, state: &State) -> Result<()> {
         self.bodies.agreed(state.check_bodies(&self.bodies))?;
+        self.bodies
+            .alike("state but for its fields", state.numbers_on(&self.bodies))?;
+        // Ranks that lose each other on the way keep what they have.
+        let whole = self.bodies.is_shared().then(|| {
+            let mut whole = state.clone();
+            whole.gather_whole(&self.bodies);
+            whole
+        });
         let Self { press, joint, .. } = self;
-        if let Err(error) = resume(&self.bodies, state, press, joint) {
+        let resumed = resume(&self.bodies, state, press, joint);
+        if let Err(error) = self.bodies.joint(resumed) {
             self.take_back()?;
             return Err(error);
         }
-        self.state.clone_from(state);
-        self.state.gather_whole(&self.bodies);
-        self.bodies.joint(Ok(()))
+        match whole {
+            Some(whole) => self.state = whole,
+            None => self.state.clone_from(state),
+        }
+        Ok(())
     }
 
     /// Returns to a state that this history had, also where ranks have lost each other.

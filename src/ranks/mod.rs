@@ -5,13 +5,12 @@
 //!
 //! [`HalfSpace::distributed`](crate::HalfSpace::distributed) deals out the rows of a grid: each rank holds a *slab* of
 //! them, with fields, problems and solutions of its own. Builders are those of any bodies. Whatever ranks do together
-//! every rank must do: build, solve and step, change what is solved, return to a state, displacements, energies, friction
-//! capacities of histories, cycles (begin, add) and jumps over them
-//! ([`CycleJump::new`](crate::history::wear::CycleJump::new),
+//! every rank must do: build, solve and step, change what is solved, return to a state, displacements, energies, cycles
+//! (begin, add) and jumps over them ([`CycleJump::new`](crate::history::wear::CycleJump::new),
 //! [`max_stable_cycles`](crate::history::wear::max_stable_cycles)), statistics, files. A friction or hardness that is
-//! uniform and the state that a history starts from, its settings included, are compared; loads and later changes of the
-//! settings are not, and must be the same. What a solution says of the whole contact (force, area, stick ratio, report,
-//! ...) every rank knows without asking; its fields are those of the slab.
+//! uniform, the state that a history starts from, its settings included, and the numbers of one that it returns to are
+//! compared; loads and later changes of the settings are not, and must be the same. What a solution says of the whole
+//! contact (force, area, stick ratio, report, ...) every rank knows without asking; its fields are those of the slab.
 //!
 //! Normal and tangential problems and histories, scalar and in the plane, can be shared, on all boundaries, with hardness,
 //! friction that differs from cell to cell, relative displacements and wear; what cannot is refused

@@ -17,6 +17,7 @@ use crate::history::state::State;
 use crate::io::{Cursor, in_file, parse_file, refused};
 use crate::normal::Hardness;
 use crate::per_cell::PerCell;
+use crate::ranks::Words;
 use crate::tangential::Zone;
 use crate::window::Window;
 
@@ -106,6 +107,21 @@ impl State {
     /// A sum of all that is not in cells, which slabs of one state have in common; zero where nothing is to be compared.
     pub(in crate::history) fn digest_on(&self, bodies: &HalfSpace) -> u64 {
         if bodies.is_shared() { self.digest() } else { 0 }
+    }
+
+    /// The same of those numbers alone that tell the states of one history from each other.
+    pub(in crate::history) fn numbers_on(&self, bodies: &HalfSpace) -> u64 {
+        if !bodies.is_shared() {
+            return 0;
+        }
+        let mut words = vec![self.steps];
+        (self.force, self.moment).write(&mut words);
+        (self.motion.shift, self.motion.twist).write(&mut words);
+        (self.approach(), self.settings.tolerance).write(&mut words);
+        let window = self.contact.as_ref().map(|memory| memory.window);
+        (self.press_window, window).write(&mut words);
+        let bytes = words.into_iter().flat_map(u64::to_le_bytes);
+        checksum(&bytes.collect::<Vec<_>>())
     }
 
     fn digest(&self) -> u64 {
