@@ -5,7 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::sync::atomic::Ordering::Relaxed;
 
-use stickslip::history::{AdaptiveSteps, FrettingLoop, LoadPath, State};
+use stickslip::history::{AdaptiveSteps, Cycle, FrettingLoop, LoadPath, State};
 use stickslip::ranks::{RankFailure, Ranks, Threads};
 use stickslip::*;
 
@@ -35,16 +35,12 @@ fn slabs_that_do_not_belong_together_are_refused() {
         let slabs = slabs.iter().map(|bytes| State::from_bytes(bytes));
         State::of_slabs(&alone, slabs).map(drop).unwrap_err()
     };
-    assert!(
-        matches!(refused(&slabs), Error::Ranks(RankFailure::OtherState { row }) if row > 40),
-        "{:?}",
-        refused(&slabs)
-    );
-    assert!(
-        matches!(refused(&slabs[..2]), Error::Ranks(RankFailure::NoSlab { row }) if row > 40),
-        "{:?}",
-        refused(&slabs[..2])
-    );
+    // 250 rows of 128 cells are eight chunks, of which the third rank has those from the sixth on.
+    let row = 160;
+    let other = Error::Ranks(RankFailure::OtherState { row });
+    assert_eq!(refused(&slabs), other);
+    let missing = Error::Ranks(RankFailure::NoSlab { row });
+    assert_eq!(refused(&slabs[..2]), missing);
     // Slabs of two steps on the ranks that hold them, and bytes that are damaged on one.
     for (rank, byte) in [(2, None), (1, Some(40))] {
         let outcomes = Threads::run(3, PATIENCE, |own| {
@@ -119,6 +115,28 @@ fn ranks_that_differ_are_told() {
             assert!(outcome.is_err());
         }
     }
+}
+
+/// Ranks that return to different steps of one history are told at once, and stay where they are.
+#[test]
+fn ranks_that_return_to_different_steps_are_told() {
+    Threads::run(3, PATIENCE, |rank| {
+        let is_first = rank.rank() == 0;
+        let boundary = Boundary::NonPeriodic;
+        let bodies = HalfSpace::distributed(fine(), pair(), boundary, Arc::new(rank)).unwrap();
+        let mut history = begun(&bodies, false);
+        let early = history.state().clone();
+        run(&mut history, 5..7);
+        let late = history.state().clone();
+        run(&mut history, 7..8);
+        let before = history.to_bytes();
+        let different = Error::Ranks(RankFailure::Different("state but for its fields"));
+        let outcome = history.set_state(if is_first { &early } else { &late });
+        assert_eq!(outcome, Err(different));
+        assert!(history.to_bytes() == before);
+        history.set_state(&early).unwrap();
+        assert!(history.to_bytes() == early.to_bytes());
+    });
 }
 
 /// What all ranks refuse, or what one of them is lost in, leaves the history as it was.
@@ -221,5 +239,82 @@ fn a_step_is_taken_wholly_or_not_at_all() {
             }
         }
         assert!(refused > 40, "{refused}");
+    }
+}
+
+/// What a rank has of a history and of a cycle over it, and what it knows of the whole contact.
+fn seen(history: &History, cycle: &Cycle) -> (Vec<u8>, [Cycle; 2], u64) {
+    let cycles = [cycle.clone(), Cycle::new(history)];
+    let capacity = history.friction_capacity().to_bits();
+    (history.to_bytes(), cycles, capacity)
+}
+
+type Change = fn(&mut History, &mut Cycle, &State) -> Result<()>;
+
+/// A rank may be lost at any moment of a change too, or while a cycle is added up.
+#[test]
+fn changes_are_made_wholly_or_not_at_all() {
+    let grid = Grid::new(96, 180, 0.1, 0.08).unwrap();
+    let last = usize::MAX;
+    // What a rank sees before and after the change, its outcome, and the calls it has made.
+    let change_until = |change: Change, calls: usize| {
+        Threads::run(3, PATIENCE, |rank| {
+            let is_lost = rank.rank() == 1;
+            let ranks = Arc::new(Leaving {
+                rank,
+                calls_left: last.into(),
+            });
+            let shared: Arc<dyn Ranks> = Arc::clone(&ranks) as _;
+            let boundary = Boundary::NonPeriodic;
+            let bodies = HalfSpace::distributed(grid, pair(), boundary, shared).unwrap();
+            let gap = ball(&bodies);
+            let builder = History::builder(&bodies, &gap, friction(&bodies));
+            let mut history = builder.coupling(Coupling::Neglected).build().unwrap();
+            let load =
+                |force| LoadStep::force([0.1 * force, 0.0]).normal(NormalControl::Force(force));
+            history.step(&load(2.0)).unwrap();
+            let early = history.state().clone();
+            let mut cycle = Cycle::new(&history);
+            history.step(&load(3.0)).unwrap();
+            let before = seen(&history, &cycle);
+            let calls = if is_lost { calls } else { last };
+            ranks.calls_left.store(calls, Relaxed);
+            let change = || change(&mut history, &mut cycle, &early);
+            let outcome = catch_unwind(AssertUnwindSafe(change));
+            let used = calls - ranks.calls_left.load(Relaxed);
+            (before, seen(&history, &cycle), outcome.ok(), used)
+        })
+    };
+    let changes: [Change; 5] = [
+        |history, cycle, _| cycle.begin(history),
+        |history, cycle, _| cycle.add(history),
+        |history, _, early| history.set_state(early),
+        |history, _, _| {
+            let worn = history.gap().map(|gap| gap + 1e-4);
+            history.set_gap(&worn)
+        },
+        |history, _, _| history.set_friction(&Friction::coulomb(0.2)?),
+    ];
+    for (number, change) in changes.into_iter().enumerate() {
+        let whole = change_until(change, last);
+        let all = whole[1].3;
+        assert!(all > 0 && whole[0].0 != whole[0].1, "change {number}");
+        for calls in 0..all {
+            let parts = change_until(change, calls);
+            let mut refused = 0;
+            for rank in [0, 2] {
+                let (before, after, outcome, _) = &parts[rank];
+                let what = format!("change {number}, {calls} of {all} calls, rank {rank}");
+                match outcome {
+                    Some(Ok(())) => assert!(*after == whole[rank].1, "made, {what}"),
+                    Some(Err(Error::Ranks(_))) => {
+                        assert!(after == before, "refused, {what}");
+                        refused += 1;
+                    }
+                    other => panic!("{other:?}, {what}"),
+                }
+            }
+            assert!(refused > 0, "change {number}, {calls} of {all} calls");
+        }
     }
 }
