@@ -67,7 +67,7 @@ fn warm_steps_of_few_cells_do_not_enter_the_pool() {
     let mut history = begun(&bodies, TangentialModel::Scalar);
     let own = thread::current().id();
     let mut is_elsewhere = false;
-    let see = |_: &cgm::Iteration| {
+    let see = |_: &Iteration| {
         is_elsewhere |= thread::current().id() != own;
         std::ops::ControlFlow::Continue(())
     };
