@@ -602,3 +602,26 @@ fn bad_loads_are_refused_and_hard_ones_end() {
     assert!(report.status == Status::IterationLimit && report.duality_gap == f64::INFINITY);
     assert!(report.residual > 1e-8);
 }
+
+/// Also where the last answer is a poor start, from which the halves begin anew.
+#[test]
+fn tolerances_are_met_however_coarse() {
+    let grid = Grid::square(24, 3.0).unwrap();
+    let bodies = HalfSpace::new(grid, on_rigid(0.5)).unwrap();
+    let gap = surface::sphere(grid, 10.0).unwrap();
+    let friction = Friction::coulomb(0.3).unwrap();
+    for tolerance in [0.9, 0.1, 1e-2, 1e-6] {
+        let press = NormalControl::Force(0.01);
+        let load = TangentialLoad::force([0.001, 0.0]);
+        let problem = CoupledProblem::builder(&bodies, &gap, friction.clone(), press, load);
+        let problem = problem.tolerance(tolerance).build().unwrap();
+        let mut solver = problem.into_solver().unwrap();
+        let mut contact = solver.new_solution();
+        for force in [0.01, 0.2, 0.02, 0.3] {
+            solver.set_normal(NormalControl::Force(force)).unwrap();
+            solver.solve_into(&mut contact).unwrap();
+            let report = contact.report();
+            assert!(report.work.residual <= tolerance && report.work.load_error <= tolerance);
+        }
+    }
+}
