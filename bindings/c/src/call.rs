@@ -1,0 +1,42 @@
+//! The border: what every exported function runs in.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use crate::error::{Failure, remember};
+use crate::status::{STICKSLIP_OK, STICKSLIP_PANIC, stickslip_status};
+
+/// What the inside of a function comes to.
+pub(crate) type Outcome<T = ()> = Result<T, Failure>;
+
+/// Runs the inside of a function: a failure is remembered for this thread and becomes its code. Nothing unwinds into C.
+pub(crate) fn call(work: impl FnOnce() -> Outcome) -> stickslip_status {
+    match caught(work) {
+        Ok(()) => STICKSLIP_OK,
+        Err(failure) => {
+            let code = failure.code;
+            remember(failure);
+            code
+        }
+    }
+}
+
+/// The same for a function that returns a pointer, NULL if it fails.
+pub(crate) fn call_for<T>(work: impl FnOnce() -> Outcome<*const T>) -> *const T {
+    caught(work).unwrap_or_else(|failure| {
+        remember(failure);
+        std::ptr::null()
+    })
+}
+
+/// A panic is a failure of its own. What was being changed is not trusted to be whole, but safe to be freed.
+pub(crate) fn caught<T>(work: impl FnOnce() -> Outcome<T>) -> Outcome<T> {
+    catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|payload| {
+        let text = payload.downcast_ref::<&str>().copied();
+        let text = text.or_else(|| payload.downcast_ref::<String>().map(String::as_str));
+        let text = text.unwrap_or("no message");
+        Err(Failure::new(
+            STICKSLIP_PANIC,
+            format!("a defect of the library: {text}"),
+        ))
+    })
+}
