@@ -9,7 +9,7 @@ use crate::call::call;
 use crate::error::Failure;
 use crate::status::{STICKSLIP_NO_THREADS, stickslip_status};
 
-/// The pool that was asked for, with the process that made it.
+/// The pool that was asked for, with the process that made it; `None` for rayon's own.
 static POOL: RwLock<Option<(u32, Arc<ThreadPool>)>> = RwLock::new(None);
 
 /// Cells of a contact that the crate solves on the thread that calls: to hand it to a pool would only take time.
@@ -23,7 +23,7 @@ pub(crate) fn enter<T: Send>(cells: usize, work: impl FnOnce() -> T + Send) -> T
     enter_always(work)
 }
 
-/// Runs work on the threads asked for, else on those that rayon makes by default.
+/// Runs work on the threads asked for.
 pub(crate) fn enter_always<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     let pool = POOL.read().unwrap_or_else(PoisonError::into_inner).clone();
     match pool {
@@ -41,26 +41,25 @@ pub(crate) fn enter_always<T: Send>(work: impl FnOnce() -> T + Send) -> T {
 pub extern "C" fn stickslip_set_num_threads(count: usize) -> stickslip_status {
     call(|| {
         let none = |problem: &dyn std::fmt::Display| {
-            Failure::new(
-                STICKSLIP_NO_THREADS,
-                format!("cannot make {count} threads: {problem}"),
-            )
+            let message = format!("cannot make {count} threads: {problem}");
+            Failure::new(STICKSLIP_NO_THREADS, message)
         };
         if count > rayon::max_num_threads() {
             return Err(none(&"too many"));
         }
-        let pool = match count {
-            0 => None,
-            count => {
-                let built = ThreadPoolBuilder::new().num_threads(count).build();
-                Some((id(), Arc::new(built.map_err(|error| none(&error))?)))
-            }
+        let threads = || ThreadPoolBuilder::new().num_threads(count);
+        // Rayon's own pool can be made once, and is there at the latest when the crate asks how many threads it has.
+        let pool = if threads().build_global().is_ok() {
+            None
+        } else {
+            let built = threads().build();
+            Some((id(), Arc::new(built.map_err(|error| none(&error))?)))
         };
         let mut place = POOL.write().unwrap_or_else(PoisonError::into_inner);
         let old = std::mem::replace(&mut *place, pool);
         drop(place);
-        // The threads of a parent are not here to be told to end.
         match old {
+            // The threads of a parent are not here to be told to end.
             Some((made_by, old)) if made_by != id() => std::mem::forget(old),
             old => drop(old),
         }
