@@ -200,7 +200,7 @@ impl Engine {
             Start::Coarse => (0, Opening::Coarse),
             Start::Present => (0, Opening::Doubtful(POOR)),
         };
-        let mut tolerance = START;
+        let (least, mut tolerance) = (conditions.settings.tolerance.min(START), START);
         for _ in 0..ROUNDS {
             for _ in 0..sweeps {
                 if let Some(status) = self.sweep(task, tolerance, conditions, report)? {
@@ -218,7 +218,7 @@ impl Engine {
                 return report.end(status);
             }
             (sweeps, opening) = (sweeps + 1, Opening::Sound);
-            tolerance = (0.1 * findings.merit()).clamp(conditions.settings.tolerance, START);
+            tolerance = (0.1 * findings.merit()).clamp(least, START);
         }
         report.end(Status::Stalled)
     }
