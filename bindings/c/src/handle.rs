@@ -24,14 +24,15 @@ impl<T> Handle<T> {
         let outcome = self
             .users
             .fetch_update(Ordering::Acquire, Ordering::Relaxed, enter);
-        outcome.is_ok().then_some(Reading(self))
+        // Not made where it may not be: to drop it gives the value back.
+        outcome.is_ok().then(|| Reading(self))
     }
 
     fn change(&self) -> Option<Changing<'_, T>> {
         let outcome =
             self.users
                 .compare_exchange(0, CHANGING, Ordering::Acquire, Ordering::Relaxed);
-        outcome.is_ok().then_some(Changing(self))
+        outcome.is_ok().then(|| Changing(self))
     }
 }
 
