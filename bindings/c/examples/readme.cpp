@@ -1,7 +1,7 @@
 // The example of the README.
 #include <cmath>
-#include <cstdio>
 // begin
+#include <cstdio>
 #include <stickslip.hpp>
 
 int main() {

@@ -34,7 +34,7 @@ pub(crate) struct Failure {
     pub(crate) code: stickslip_status,
     message: String,
     numbers: stickslip_error,
-    report: Option<stickslip_report>,
+    report: Option<Box<stickslip_report>>,
 }
 
 impl Failure {
@@ -114,7 +114,7 @@ impl From<Error> for Failure {
         let code = code_of(&error);
         let message = error.to_string();
         let report = match &error {
-            Error::NotConverged(report) => Some(stickslip_report::from(&**report)),
+            Error::NotConverged(report) => Some(Box::new(stickslip_report::from(&**report))),
             _ => None,
         };
         let failure = Self::new(code, message);
@@ -230,7 +230,7 @@ pub(crate) fn remember(failure: Failure) {
         last.replace(Last {
             message,
             numbers: failure.numbers,
-            report: failure.report,
+            report: failure.report.map(|report| *report),
         })
     });
 }

@@ -139,7 +139,7 @@ impl From<&Warning> for stickslip_warning {
             .iter_mut()
             .zip(ascii)
         {
-            *to = from.cast_signed() as c_char;
+            *to = c_char::from_ne_bytes([from]);
         }
         Self {
             kind,
