@@ -2,13 +2,12 @@
 
 use stickslip_rs::history::AdaptiveSteps;
 
-use crate::call::call;
+use crate::call::{call, call_on};
 use crate::handle::{Handle, changing, free, give, opaque, reading};
 use crate::history::stickslip_history;
 use crate::loads::stickslip_load_step;
 use crate::pointer::{input, put, put_if_asked, room};
 use crate::status::stickslip_status;
-use crate::threads::enter;
 
 /// Takes loads in steps short enough for a tolerance of the tractions: a step is compared with the same in two halves. For
 /// histories on one grid.
@@ -38,10 +37,11 @@ pub unsafe extern "C" fn stickslip_adaptive_steps_new(
     steps: *mut *mut stickslip_adaptive_steps,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(history, || unsafe {
         room("steps", steps)?;
-        let made = AdaptiveSteps::new(&*reading(history)?, tolerance)?;
-        give(steps, made)
+        let history = reading(history)?;
+        let made = AdaptiveSteps::new(&history, tolerance)?;
+        give(steps, made, history.grid().cells())
     })
 }
 
@@ -64,12 +64,11 @@ pub unsafe extern "C" fn stickslip_adaptive_steps_step(
     taken: *mut usize,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(steps, || unsafe {
         let load = input("load", load)?.checked()?;
         let (mut steps, mut history) = (changing(steps)?, changing(history)?);
         let (steps, history) = (&mut *steps, &mut *history);
-        let cells = history.grid().cells();
-        let count = enter(cells, || steps.step(history, &load))?;
+        let count = steps.step(history, &load)?;
         put_if_asked("taken", taken, count)
     })
 }
@@ -84,13 +83,12 @@ pub unsafe extern "C" fn stickslip_adaptive_steps_error(
     error: *mut stickslip_step_error,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(steps, || unsafe {
         room("error", error)?;
         let load = input("load", load)?.checked()?;
         let (mut steps, mut history) = (changing(steps)?, changing(history)?);
         let (steps, history) = (&mut *steps, &mut *history);
-        let cells = history.grid().cells();
-        let found = enter(cells, || steps.error(history, &load))?;
+        let found = steps.error(history, &load)?;
         let found = stickslip_step_error {
             traction: found.traction,
             force: found.force,

@@ -3,7 +3,9 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use crate::error::{Failure, remember};
+use crate::handle::{Opaque, cells_of};
 use crate::status::{STICKSLIP_OK, STICKSLIP_PANIC, stickslip_status};
+use crate::threads::enter;
 
 /// What the inside of a function comes to.
 pub(crate) type Outcome<T = ()> = Result<T, Failure>;
@@ -18,6 +20,29 @@ pub(crate) fn call(work: impl FnOnce() -> Outcome) -> stickslip_status {
             code
         }
     }
+}
+
+/// What is carried to another thread, while this one waits.
+struct Carried<F>(F);
+
+// SAFETY: the pointers of a call obey the rule until it ends, whichever thread does its work.
+unsafe impl<F> Send for Carried<F> {}
+
+impl<F: FnOnce() -> Outcome> Carried<F> {
+    fn run(self) -> Outcome {
+        (self.0)()
+    }
+}
+
+/// The same on the threads for an object of so many cells, which is an argument of the function.
+pub(crate) fn call_on<T: Opaque>(
+    object: *const T,
+    work: impl FnOnce() -> Outcome,
+) -> stickslip_status {
+    // SAFETY: an argument of a function that asks for the rule for pointers.
+    let cells = unsafe { cells_of(object) };
+    let work = Carried(work);
+    call(move || enter(cells, move || work.run()))
 }
 
 /// The same for a function that returns a pointer, NULL if it fails.

@@ -2,7 +2,7 @@
 
 use stickslip_rs::{CoupledProblem, CoupledSolution, CoupledSolver, Grid};
 
-use crate::call::{Outcome, call, call_for};
+use crate::call::{Outcome, call, call_for, call_on};
 use crate::fields::*;
 use crate::half_space::stickslip_half_space;
 use crate::handle::{Handle, changing, free, give, opaque, reading};
@@ -15,7 +15,6 @@ use crate::results::{
     stickslip_warning,
 };
 use crate::status::stickslip_status;
-use crate::threads::enter;
 
 /// Solves coupled contacts again and again, each from rest in one step, beginning with the last answer.
 pub struct stickslip_coupled_solver(Handle<Solver>);
@@ -65,7 +64,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_new(
     settings: *const stickslip_settings,
     solver: *mut *mut stickslip_coupled_solver,
 ) -> stickslip_status {
-    call(|| {
+    call_on(half_space, || {
         room("solver", solver)?;
         // SAFETY: the rule for pointers.
         let (bodies, gap, friction) = unsafe {
@@ -89,9 +88,9 @@ pub unsafe extern "C" fn stickslip_coupled_solver_new(
             }
         }
         let problem = problem.build()?;
-        let own = enter(grid.cells(), || problem.into_solver())?;
+        let own = problem.into_solver()?;
         // SAFETY: the rule for pointers.
-        unsafe { give(solver, Solver { own, grid }) }
+        unsafe { give(solver, Solver { own, grid }, grid.cells()) }
     })
 }
 
@@ -111,7 +110,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_set_normal(
     normal: *const stickslip_normal_load,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(solver, || unsafe {
         let normal = input("normal", normal)?.checked()?;
         Ok(changing(solver)?.own.set_normal(normal)?)
     })
@@ -124,7 +123,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_set_load(
     load: *const stickslip_tangential_load,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(solver, || unsafe {
         let load = input("load", load)?.checked()?;
         Ok(changing(solver)?.own.set_load(load)?)
     })
@@ -138,7 +137,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_set_gap(
     count: usize,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(solver, || unsafe {
         let mut solver = changing(solver)?;
         let gap = field("gap", solver.grid, gap, count)?;
         Ok(solver.own.set_gap(&gap)?)
@@ -152,7 +151,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_set_friction(
     friction: *const stickslip_friction,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(solver, || unsafe {
         let mut solver = changing(solver)?;
         let friction = input("friction", friction)?.checked(solver.grid)?;
         Ok(solver.own.set_friction(&friction)?)
@@ -166,7 +165,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_set_settings(
     settings: *const stickslip_settings,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(solver, || unsafe {
         let settings = input("settings", settings)?.checked()?;
         Ok(changing(solver)?.own.set_settings(settings)?)
     })
@@ -178,7 +177,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_reset(
     solver: *mut stickslip_coupled_solver,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(solver, || unsafe {
         changing(solver)?.own.reset();
         Ok(())
     })
@@ -192,15 +191,13 @@ pub unsafe extern "C" fn stickslip_coupled_solver_solve(
     solution: *mut stickslip_coupled_solution,
     observer: *const stickslip_observer,
 ) -> stickslip_status {
-    call(|| {
+    call_on(solver, || {
         // SAFETY: the rule for pointers.
         let (mut solver, mut solution, observer) = unsafe {
             let observer = optional("observer", observer)?;
             (changing(solver)?, changing(solution)?, observer)
         };
-        let (solver, solution, observer) = (&mut *solver, &mut *solution, watch(observer));
-        let solve = || solver.own.solve_observed(solution, observer);
-        Ok(enter(solver.grid.cells(), solve)?)
+        Ok(solver.own.solve_observed(&mut solution, watch(observer))?)
     })
 }
 
@@ -211,9 +208,10 @@ pub unsafe extern "C" fn stickslip_coupled_solution_new(
     solution: *mut *mut stickslip_coupled_solution,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(solver, || unsafe {
         room("solution", solution)?;
-        give(solution, reading(solver)?.own.new_solution())
+        let solver = reading(solver)?;
+        give(solution, solver.own.new_solution(), solver.grid.cells())
     })
 }
 
@@ -268,7 +266,7 @@ pub unsafe extern "C" fn stickslip_coupled_solution_results(
     tangential: *mut stickslip_tangential_result,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(solution, || unsafe {
         let solution = reading(solution)?;
         crate::pointer::put_if_asked("normal", normal, solution.normal().into())?;
         crate::pointer::put_if_asked("tangential", tangential, solution.shear().into())
@@ -282,7 +280,7 @@ pub unsafe extern "C" fn stickslip_coupled_solution_report(
     report: *mut stickslip_coupled_report,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(solution, || unsafe {
         let solution = reading(solution)?;
         let own = solution.report();
         let estimate = own.error_estimate.as_ref();
@@ -306,5 +304,7 @@ pub unsafe extern "C" fn stickslip_coupled_solution_warnings(
     count: *mut usize,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe { put_warnings(&reading(solution)?.warnings(), buffer, capacity, count) })
+    call_on(solution, || unsafe {
+        put_warnings(&reading(solution)?.warnings(), buffer, capacity, count)
+    })
 }

@@ -3,7 +3,7 @@
 use stickslip_rs::Field;
 use stickslip_rs::history::{Cycle, Regime};
 
-use crate::call::{Outcome, call, call_for};
+use crate::call::{Outcome, call, call_for, call_on};
 use crate::fields::*;
 use crate::handle::{Handle, changing, free, give, opaque, reading};
 use crate::history::stickslip_history;
@@ -71,10 +71,10 @@ pub unsafe extern "C" fn stickslip_cycle_new(
     cycle: *mut *mut stickslip_cycle,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(history, || unsafe {
         room("cycle", cycle)?;
-        let made = Cycle::new(&*reading(history)?);
-        give(cycle, made)
+        let history = reading(history)?;
+        give(cycle, Cycle::new(&history), history.grid().cells())
     })
 }
 
@@ -92,7 +92,7 @@ pub unsafe extern "C" fn stickslip_cycle_begin(
     history: *const stickslip_history,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(cycle, || unsafe {
         let (mut cycle, history) = (changing(cycle)?, reading(history)?);
         Ok(cycle.begin(&history)?)
     })
@@ -105,7 +105,7 @@ pub unsafe extern "C" fn stickslip_cycle_add(
     history: *const stickslip_history,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(cycle, || unsafe {
         let (mut cycle, history) = (changing(cycle)?, reading(history)?);
         Ok(cycle.add(&history)?)
     })
@@ -118,7 +118,9 @@ pub unsafe extern "C" fn stickslip_cycle_result_of(
     result: *mut stickslip_cycle_result,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe { put("result", result, (&*reading(cycle)?).into()) })
+    call_on(cycle, || unsafe {
+        put("result", result, (&*reading(cycle)?).into())
+    })
 }
 
 /// A field of the cycle: STICKSLIP_SLIP_DISTANCE, STICKSLIP_DISSIPATED_ENERGY, STICKSLIP_SLIP_PRESSURE,

@@ -7,6 +7,7 @@ use crate::handle::{Handle, free, give, opaque, reading};
 use crate::inputs::{stickslip_boundary, stickslip_grid, stickslip_material};
 use crate::pointer::{input, optional, put, room};
 use crate::status::stickslip_status;
+use crate::threads::enter;
 
 /// Two elastic half-spaces on a grid, with the operators that all contacts on them share. Solvers and histories keep what
 /// they need of it: it may be freed before them. Many threads may use one at once.
@@ -50,9 +51,11 @@ pub unsafe extern "C" fn stickslip_half_space_new(
         };
         let boundary = boundary.map_or(Ok(Boundary::NonPeriodic), stickslip_boundary::checked)?;
         let pair = ElasticPair::new(bodies[0].checked()?, bodies[1].checked()?)?;
-        let bodies = HalfSpace::with_boundary(grid.checked()?, pair, boundary)?;
+        let grid = grid.checked()?;
+        let make = || HalfSpace::with_boundary(grid, pair, boundary);
+        let bodies = enter(grid.cells(), make)?;
         // SAFETY: the rule for pointers.
-        unsafe { give(half_space, bodies) }
+        unsafe { give(half_space, bodies, grid.cells()) }
     })
 }
 

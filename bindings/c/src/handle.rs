@@ -13,6 +13,8 @@ use crate::pointer::{input, put};
 pub(crate) struct Handle<T> {
     /// Those who read it now; -1 while one changes it.
     users: AtomicIsize,
+    /// Cells of its grid.
+    cells: usize,
     value: UnsafeCell<T>,
 }
 
@@ -116,13 +118,14 @@ macro_rules! opaque {
 
 pub(crate) use opaque;
 
-/// Hands a new object over to C.
+/// Hands a new object over to C, with the number of cells of its grid.
 ///
 /// # Safety
 /// The rule for pointers.
-pub(crate) unsafe fn give<T: Opaque>(out: *mut *mut T, value: T::Value) -> Outcome {
+pub(crate) unsafe fn give<T: Opaque>(out: *mut *mut T, value: T::Value, cells: usize) -> Outcome {
     let object = Box::new(T::from(Handle {
         users: AtomicIsize::new(0),
+        cells,
         value: UnsafeCell::new(value),
     }));
     let pointer = Box::into_raw(object);
@@ -131,6 +134,16 @@ pub(crate) unsafe fn give<T: Opaque>(out: *mut *mut T, value: T::Value) -> Outco
         put("the place for the new handle", out, pointer)
             .inspect_err(|_| drop(Box::from_raw(pointer)))
     }
+}
+
+/// Cells of the grid of an object, whoever uses it; none without one.
+///
+/// # Safety
+/// The rule for pointers.
+pub(crate) unsafe fn cells_of<T: Opaque>(pointer: *const T) -> usize {
+    // SAFETY: as of this function; the number of cells never changes.
+    let object = unsafe { input(T::NAME, pointer) };
+    object.map_or(0, |object| object.handle().cells)
 }
 
 /// An object to be read.

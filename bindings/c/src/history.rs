@@ -3,7 +3,7 @@
 use stickslip_rs::history::TouchRule;
 use stickslip_rs::{Axis, History};
 
-use crate::call::{Outcome, call};
+use crate::call::{Outcome, call, call_on};
 use crate::error::Failure;
 use crate::half_space::stickslip_half_space;
 use crate::handle::{Changing, Handle, changing, free, give, opaque, reading};
@@ -17,7 +17,6 @@ use crate::pointer::{field, input, optional, put, room};
 use crate::status::stickslip_status;
 use crate::stiffness::stickslip_stiffness;
 use crate::tangential::{STICKSLIP_FULL, STICKSLIP_SCALAR, coupling, model};
-use crate::threads::enter;
 
 /// A contact that is loaded step by step, with memory of slip. A step that fails leaves it bit for bit as it was. Its
 /// fields are read without a copy, and are valid until the next call that changes it.
@@ -83,7 +82,7 @@ pub unsafe extern "C" fn stickslip_history_new(
     options: *const stickslip_history_options,
     history: *mut *mut stickslip_history,
 ) -> stickslip_status {
-    call(|| {
+    call_on(half_space, || {
         room("history", history)?;
         // SAFETY: the rule for pointers.
         let (bodies, friction, options) = unsafe {
@@ -114,9 +113,9 @@ pub unsafe extern "C" fn stickslip_history_new(
                 }
             }
         }
-        let made = enter(grid.cells(), || builder.build())?;
+        let made = builder.build()?;
         // SAFETY: the rule for pointers.
-        unsafe { give(history, made) }
+        unsafe { give(history, made, grid.cells()) }
     })
 }
 
@@ -143,9 +142,10 @@ pub unsafe extern "C" fn stickslip_history_clone(
     copy: *mut *mut stickslip_history,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(history, || unsafe {
         room("copy", copy)?;
-        give(copy, History::clone(&*reading(history)?))
+        let history = reading(history)?;
+        give(copy, History::clone(&history), history.grid().cells())
     })
 }
 
@@ -166,15 +166,13 @@ pub unsafe extern "C" fn stickslip_history_step(
     load: *const stickslip_load_step,
     observer: *const stickslip_observer,
 ) -> stickslip_status {
-    call(|| {
+    call_on(history, || {
         // SAFETY: the rule for pointers.
         let (mut history, load, observer) = unsafe {
             let (load, observer) = (input("load", load)?, optional("observer", observer)?);
             (changing(history)?, load.checked()?, watch(observer))
         };
-        let history = &mut *history;
-        let cells = history.grid().cells();
-        enter(cells, || history.step_observed(&load, observer).map(|_| ()))?;
+        history.step_observed(&load, observer)?;
         Ok(())
     })
 }
@@ -188,7 +186,7 @@ pub unsafe extern "C" fn stickslip_history_set_gap(
     count: usize,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(history, || unsafe {
         let mut history: Changing<'_, History> = changing(history)?;
         let gap = field("gap", history.grid(), gap, count)?;
         Ok(history.set_gap(&gap)?)
@@ -202,7 +200,7 @@ pub unsafe extern "C" fn stickslip_history_set_friction(
     friction: *const stickslip_friction,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(history, || unsafe {
         let mut history = changing(history)?;
         let friction = input("friction", friction)?.checked(history.grid())?;
         Ok(history.set_friction(&friction)?)
@@ -216,7 +214,7 @@ pub unsafe extern "C" fn stickslip_history_set_settings(
     settings: *const stickslip_settings,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(history, || unsafe {
         let settings = input("settings", settings)?.checked()?;
         Ok(changing(history)?.set_settings(settings)?)
     })
@@ -229,7 +227,7 @@ pub unsafe extern "C" fn stickslip_history_set_relative_displacement(
     pattern: *const stickslip_relative_displacement,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(history, || unsafe {
         let mut history = changing(history)?;
         let pattern = input("pattern", pattern)?.checked(history.grid())?;
         Ok(history.set_relative_displacement(&pattern)?)
@@ -242,12 +240,12 @@ pub unsafe extern "C" fn stickslip_history_stiffness(
     history: *const stickslip_history,
     stiffness: *mut stickslip_stiffness,
 ) -> stickslip_status {
-    call(|| {
+    call_on(history, || {
         room("stiffness", stiffness)?;
         // SAFETY: the rule for pointers.
         let history = unsafe { reading(history)? };
         let history = &*history;
-        let found = enter(history.grid().cells(), || history.stiffness())?;
+        let found = history.stiffness()?;
         // SAFETY: the rule for pointers.
         unsafe { put("stiffness", stiffness, found.into()) }
     })

@@ -3,7 +3,7 @@
 use stickslip_rs::history::EnergyBalance;
 use stickslip_rs::{Field, History};
 
-use crate::call::{Outcome, call, call_for};
+use crate::call::{Outcome, call_for, call_on};
 use crate::fields::*;
 use crate::handle::reading;
 use crate::history::stickslip_history;
@@ -103,7 +103,9 @@ pub unsafe extern "C" fn stickslip_history_result(
     result: *mut stickslip_step_result,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe { put("result", result, (&*reading(history)?).into()) })
+    call_on(history, || unsafe {
+        put("result", result, (&*reading(history)?).into())
+    })
 }
 
 /// The numbers of the normal contact.
@@ -113,7 +115,9 @@ pub unsafe extern "C" fn stickslip_history_normal_result(
     result: *mut stickslip_normal_result,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe { put("result", result, reading(history)?.normal().into()) })
+    call_on(history, || unsafe {
+        put("result", result, reading(history)?.normal().into())
+    })
 }
 
 /// The grid of all fields.
@@ -123,7 +127,9 @@ pub unsafe extern "C" fn stickslip_history_grid(
     grid: *mut stickslip_grid,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe { put("grid", grid, reading(history)?.grid().into()) })
+    call_on(history, || unsafe {
+        put("grid", grid, reading(history)?.grid().into())
+    })
 }
 
 /// The largest tangential force that friction holds at the present pressure.
@@ -133,7 +139,9 @@ pub unsafe extern "C" fn stickslip_history_friction_capacity(
     capacity: *mut f64,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe { put("capacity", capacity, reading(history)?.friction_capacity()) })
+    call_on(history, || unsafe {
+        put("capacity", capacity, reading(history)?.friction_capacity())
+    })
 }
 
 /// How pressure and traction of the last step were solved; STICKSLIP_UNSOLVED if the pressure was held, or before anything
@@ -145,7 +153,7 @@ pub unsafe extern "C" fn stickslip_history_reports(
     tangential: *mut stickslip_report,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(history, || unsafe {
         let history = reading(history)?;
         let step = history.last_step();
         let report = |own: Option<_>| own.map_or_else(unsolved, stickslip_report::from);
@@ -163,7 +171,7 @@ pub unsafe extern "C" fn stickslip_history_warnings(
     count: *mut usize,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(history, || unsafe {
         let warnings = reading(history)?.last_step().warnings();
         put_warnings(&warnings, buffer, capacity, count)
     })

@@ -1,8 +1,8 @@
 //! Normal contact.
 
-use stickslip_rs::{NormalProblem, NormalSolution, NormalSolver};
+use stickslip_rs::{Grid, NormalProblem, NormalSolution, NormalSolver};
 
-use crate::call::{call, call_for};
+use crate::call::{call, call_for, call_on};
 use crate::fields::of_normal;
 use crate::half_space::stickslip_half_space;
 use crate::handle::{Handle, changing, free, give, opaque, reading};
@@ -13,12 +13,18 @@ use crate::pointer::{field, input, optional, put, room, samples};
 use crate::results::{put_warnings, stickslip_normal_result, stickslip_report, stickslip_warning};
 use crate::status::stickslip_status;
 use crate::stiffness::stickslip_normal_stiffness;
-use crate::threads::enter;
 
 /// Solves normal contacts of two bodies again and again, each solve beginning with the last answer.
-pub struct stickslip_normal_solver(Handle<NormalSolver>);
+pub struct stickslip_normal_solver(Handle<Solver>);
 
-opaque!(stickslip_normal_solver holds NormalSolver, named "normal solver");
+opaque!(stickslip_normal_solver holds Solver, named "normal solver");
+
+/// A solver with what it does not tell of itself.
+#[derive(Debug)]
+pub struct Solver {
+    own: NormalSolver,
+    grid: Grid,
+}
 
 /// Pressure, gap and approach of a normal contact. Its fields are read without a copy, and are valid until the next solve
 /// into it, or until it is freed.
@@ -39,7 +45,7 @@ pub unsafe extern "C" fn stickslip_normal_solver_new(
     settings: *const stickslip_settings,
     solver: *mut *mut stickslip_normal_solver,
 ) -> stickslip_status {
-    call(|| {
+    call_on(half_space, || {
         room("solver", solver)?;
         // SAFETY: the rule for pointers.
         let (bodies, load, hardness, settings) = unsafe {
@@ -64,9 +70,9 @@ pub unsafe extern "C" fn stickslip_normal_solver_new(
             problem = problem.hardness(unsafe { limit.hardness(grid)? });
         }
         let problem = problem.build()?;
-        let made = enter(grid.cells(), || problem.into_solver())?;
+        let own = problem.into_solver()?;
         // SAFETY: the rule for pointers.
-        unsafe { give(solver, made) }
+        unsafe { give(solver, Solver { own, grid }, grid.cells()) }
     })
 }
 
@@ -86,9 +92,9 @@ pub unsafe extern "C" fn stickslip_normal_solver_set_load(
     load: *const stickslip_normal_load,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(solver, || unsafe {
         let load = input("load", load)?.checked()?;
-        Ok(changing(solver)?.set_load(load)?)
+        Ok(changing(solver)?.own.set_load(load)?)
     })
 }
 
@@ -100,10 +106,10 @@ pub unsafe extern "C" fn stickslip_normal_solver_set_gap(
     count: usize,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(solver, || unsafe {
         let mut solver = changing(solver)?;
-        let gap = field("gap", solver.new_solution().grid(), gap, count)?;
-        Ok(solver.set_gap(&gap)?)
+        let gap = field("gap", solver.grid, gap, count)?;
+        Ok(solver.own.set_gap(&gap)?)
     })
 }
 
@@ -114,9 +120,9 @@ pub unsafe extern "C" fn stickslip_normal_solver_set_settings(
     settings: *const stickslip_settings,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(solver, || unsafe {
         let settings = input("settings", settings)?.checked()?;
-        Ok(changing(solver)?.set_settings(settings)?)
+        Ok(changing(solver)?.own.set_settings(settings)?)
     })
 }
 
@@ -126,8 +132,8 @@ pub unsafe extern "C" fn stickslip_normal_solver_reset(
     solver: *mut stickslip_normal_solver,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
-        changing(solver)?.reset();
+    call_on(solver, || unsafe {
+        changing(solver)?.own.reset();
         Ok(())
     })
 }
@@ -142,15 +148,13 @@ pub unsafe extern "C" fn stickslip_normal_solver_solve(
     solution: *mut stickslip_normal_solution,
     observer: *const stickslip_observer,
 ) -> stickslip_status {
-    call(|| {
+    call_on(solver, || {
         // SAFETY: the rule for pointers.
         let (mut solver, mut solution, observer) = unsafe {
             let observer = optional("observer", observer)?;
             (changing(solver)?, changing(solution)?, observer)
         };
-        let (solver, solution, observer) = (&mut *solver, &mut *solution, watch(observer));
-        let cells = solution.grid().cells();
-        Ok(enter(cells, || solver.solve_observed(solution, observer))?)
+        Ok(solver.own.solve_observed(&mut solution, watch(observer))?)
     })
 }
 
@@ -161,9 +165,10 @@ pub unsafe extern "C" fn stickslip_normal_solution_new(
     solution: *mut *mut stickslip_normal_solution,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(solver, || unsafe {
         room("solution", solution)?;
-        give(solution, reading(solver)?.new_solution())
+        let solver = reading(solver)?;
+        give(solution, solver.own.new_solution(), solver.grid.cells())
     })
 }
 
@@ -197,7 +202,9 @@ pub unsafe extern "C" fn stickslip_normal_solution_result(
     result: *mut stickslip_normal_result,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe { put("result", result, (&*reading(solution)?).into()) })
+    call_on(solution, || unsafe {
+        put("result", result, (&*reading(solution)?).into())
+    })
 }
 
 /// How it was solved.
@@ -207,7 +214,9 @@ pub unsafe extern "C" fn stickslip_normal_solution_report(
     report: *mut stickslip_report,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe { put("report", report, reading(solution)?.report().into()) })
+    call_on(solution, || unsafe {
+        put("report", report, reading(solution)?.report().into())
+    })
 }
 
 /// Diagnostics that may mislead: writes them to a buffer of capacity entries, and how many there are to count. With
@@ -220,7 +229,9 @@ pub unsafe extern "C" fn stickslip_normal_solution_warnings(
     count: *mut usize,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe { put_warnings(&reading(solution)?.warnings(), buffer, capacity, count) })
+    call_on(solution, || unsafe {
+        put_warnings(&reading(solution)?.warnings(), buffer, capacity, count)
+    })
 }
 
 /// The stiffness of a normal contact on the bodies it was solved for.
@@ -230,12 +241,12 @@ pub unsafe extern "C" fn stickslip_normal_solution_stiffness(
     half_space: *const stickslip_half_space,
     stiffness: *mut stickslip_normal_stiffness,
 ) -> stickslip_status {
-    call(|| {
+    call_on(solution, || {
         room("stiffness", stiffness)?;
         // SAFETY: the rule for pointers.
         let (solution, bodies) = unsafe { (reading(solution)?, reading(half_space)?) };
         let (solution, bodies) = (&*solution, &*bodies);
-        let found = enter(bodies.grid().cells(), || solution.stiffness(bodies))?;
+        let found = solution.stiffness(bodies)?;
         // SAFETY: the rule for pointers.
         unsafe { put("stiffness", stiffness, found.into()) }
     })

@@ -3,14 +3,13 @@
 use stickslip_rs::History;
 use stickslip_rs::history::State;
 
-use crate::call::call;
+use crate::call::{call, call_on};
 use crate::error::Failure;
 use crate::half_space::stickslip_half_space;
 use crate::handle::{Handle, changing, free, give, opaque, reading};
 use crate::history::stickslip_history;
 use crate::pointer::{entries, entries_mut, room};
 use crate::status::{STICKSLIP_BUFFER_TOO_SMALL, stickslip_status};
-use crate::threads::enter;
 
 /// A state of a history, to which it may return: gap, friction and settings are part of it.
 pub struct stickslip_state(Handle<State>);
@@ -24,9 +23,10 @@ pub unsafe extern "C" fn stickslip_state_new(
     state: *mut *mut stickslip_state,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(history, || unsafe {
         room("state", state)?;
-        give(state, reading(history)?.state().clone())
+        let history = reading(history)?;
+        give(state, history.state().clone(), history.grid().cells())
     })
 }
 
@@ -44,7 +44,7 @@ pub unsafe extern "C" fn stickslip_state_keep(
     history: *const stickslip_history,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(state, || unsafe {
         let (mut state, history) = (changing(state)?, reading(history)?);
         state.clone_from(history.state());
         Ok(())
@@ -58,11 +58,9 @@ pub unsafe extern "C" fn stickslip_history_set_state(
     state: *const stickslip_state,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(history, || unsafe {
         let (mut history, state) = (changing(history)?, reading(state)?);
-        let (history, state) = (&mut *history, &*state);
-        let cells = history.grid().cells();
-        Ok(enter(cells, || history.set_state(state))?)
+        Ok(history.set_state(&state)?)
     })
 }
 
@@ -78,7 +76,7 @@ pub unsafe extern "C" fn stickslip_history_to_bytes(
     capacity: usize,
     length: *mut usize,
 ) -> stickslip_status {
-    call(|| {
+    call_on(history, || {
         room("length", length)?;
         // SAFETY: the rule for pointers.
         let (history, buffer) =
@@ -110,13 +108,13 @@ pub unsafe extern "C" fn stickslip_history_from_bytes(
     length: usize,
     history: *mut *mut stickslip_history,
 ) -> stickslip_status {
-    call(|| {
+    call_on(half_space, || {
         room("history", history)?;
         // SAFETY: the rule for pointers.
         let (bodies, bytes) = unsafe { (reading(half_space)?, entries("bytes", bytes, length)?) };
         let bodies = &*bodies;
-        let made = enter(bodies.grid().cells(), || History::from_bytes(bodies, bytes))?;
+        let made = History::from_bytes(bodies, bytes)?;
         // SAFETY: the rule for pointers.
-        unsafe { give(history, made) }
+        unsafe { give(history, made, bodies.grid().cells()) }
     })
 }

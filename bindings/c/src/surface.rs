@@ -6,6 +6,7 @@ use crate::call::{Outcome, call};
 use crate::inputs::stickslip_grid;
 use crate::pointer::{entries_mut, expect_cells, input};
 use crate::status::stickslip_status;
+use crate::threads::enter;
 
 /// Writes a shape into an array of the caller.
 ///
@@ -13,7 +14,7 @@ use crate::status::stickslip_status;
 /// The rule for pointers.
 unsafe fn shape(
     grid: *const stickslip_grid,
-    make: impl FnOnce(Grid) -> Result<Field>,
+    make: impl FnOnce(Grid) -> Result<Field> + Send,
     gap: *mut f64,
     count: usize,
 ) -> Outcome {
@@ -22,7 +23,7 @@ unsafe fn shape(
     expect_cells("gap", grid, count)?;
     // SAFETY: as of this function.
     let gap = unsafe { entries_mut("gap", gap, count)? };
-    gap.copy_from_slice(make(grid)?.as_slice());
+    gap.copy_from_slice(enter(grid.cells(), || make(grid))?.as_slice());
     Ok(())
 }
 

@@ -5,7 +5,7 @@ use stickslip_rs::{
     TangentialSolver, Zone,
 };
 
-use crate::call::{Outcome, call, call_for};
+use crate::call::{Outcome, call, call_for, call_on};
 use crate::error::Failure;
 use crate::fields::of_tangential;
 use crate::half_space::stickslip_half_space;
@@ -20,7 +20,6 @@ use crate::results::{
 };
 use crate::status::stickslip_status;
 use crate::stiffness::stickslip_tangential_stiffness;
-use crate::threads::enter;
 
 /// The traction along the load alone (default).
 pub const STICKSLIP_SCALAR: i32 = 0;
@@ -105,7 +104,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_new(
     solver: *mut *mut stickslip_tangential_solver,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(half_space, || unsafe {
         let normal = reading(normal)?;
         let source = PressureSource::Solved(&normal);
         new(half_space, source, (friction, load, options), solver)
@@ -125,7 +124,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_new_under(
     solver: *mut *mut stickslip_tangential_solver,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(half_space, || unsafe {
         let grid = reading(half_space)?.grid();
         let pressure = field("pressure", grid, pressure, count)?;
         let source = PressureSource::Prescribed(&pressure);
@@ -170,9 +169,9 @@ unsafe fn new(
         }
     }
     let problem = problem.build()?;
-    let own = enter(grid.cells(), || problem.into_solver())?;
+    let own = problem.into_solver()?;
     // SAFETY: as of this function.
-    unsafe { give(solver, Solver { own, grid }) }
+    unsafe { give(solver, Solver { own, grid }, grid.cells()) }
 }
 
 /// Frees a solver; nothing for NULL.
@@ -191,11 +190,10 @@ pub unsafe extern "C" fn stickslip_tangential_solver_set_load(
     load: *const stickslip_tangential_load,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(solver, || unsafe {
         let load = input("load", load)?.checked()?;
         let mut solver = changing(solver)?;
-        let solver = &mut *solver;
-        Ok(enter(solver.grid.cells(), || solver.own.set_load(load))?)
+        Ok(solver.own.set_load(load)?)
     })
 }
 
@@ -206,7 +204,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_set_friction(
     friction: *const stickslip_friction,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(solver, || unsafe {
         let mut solver = changing(solver)?;
         let friction = input("friction", friction)?.checked(solver.grid)?;
         Ok(solver.own.set_friction(&friction)?)
@@ -220,12 +218,9 @@ pub unsafe extern "C" fn stickslip_tangential_solver_set_normal(
     normal: *const stickslip_normal_solution,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(solver, || unsafe {
         let (mut solver, normal) = (changing(solver)?, reading(normal)?);
-        let (solver, normal) = (&mut *solver, &*normal);
-        Ok(enter(solver.grid.cells(), || {
-            solver.own.set_pressure(normal)
-        })?)
+        Ok(solver.own.set_pressure(&*normal)?)
     })
 }
 
@@ -237,12 +232,10 @@ pub unsafe extern "C" fn stickslip_tangential_solver_set_pressure(
     count: usize,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(solver, || unsafe {
         let mut solver = changing(solver)?;
         let pressure = field("pressure", solver.grid, pressure, count)?;
-        let solver = &mut *solver;
-        let set = || solver.own.set_pressure(&pressure);
-        Ok(enter(pressure.as_slice().len(), set)?)
+        Ok(solver.own.set_pressure(&pressure)?)
     })
 }
 
@@ -253,7 +246,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_set_relative_displacement(
     relative: *const stickslip_relative_displacement,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(solver, || unsafe {
         let mut solver = changing(solver)?;
         let relative = input("relative", relative)?.checked(solver.grid)?;
         Ok(solver.own.set_relative_displacement(&relative)?)
@@ -267,7 +260,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_set_settings(
     settings: *const stickslip_settings,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(solver, || unsafe {
         let settings = input("settings", settings)?.checked()?;
         Ok(changing(solver)?.own.set_settings(settings)?)
     })
@@ -279,7 +272,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_reset(
     solver: *mut stickslip_tangential_solver,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(solver, || unsafe {
         changing(solver)?.own.reset();
         Ok(())
     })
@@ -292,7 +285,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_friction_capacity(
     capacity: *mut f64,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(solver, || unsafe {
         put(
             "capacity",
             capacity,
@@ -311,15 +304,13 @@ pub unsafe extern "C" fn stickslip_tangential_solver_solve(
     solution: *mut stickslip_tangential_solution,
     observer: *const stickslip_observer,
 ) -> stickslip_status {
-    call(|| {
+    call_on(solver, || {
         // SAFETY: the rule for pointers.
         let (mut solver, mut solution, observer) = unsafe {
             let observer = optional("observer", observer)?;
             (changing(solver)?, changing(solution)?, observer)
         };
-        let (solver, solution, observer) = (&mut *solver, &mut *solution, watch(observer));
-        let solve = || solver.own.solve_observed(solution, observer);
-        Ok(enter(solver.grid.cells(), solve)?)
+        Ok(solver.own.solve_observed(&mut solution, watch(observer))?)
     })
 }
 
@@ -330,9 +321,10 @@ pub unsafe extern "C" fn stickslip_tangential_solution_new(
     solution: *mut *mut stickslip_tangential_solution,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
+    call_on(solver, || unsafe {
         room("solution", solution)?;
-        give(solution, reading(solver)?.own.new_solution())
+        let solver = reading(solver)?;
+        give(solution, solver.own.new_solution(), solver.grid.cells())
     })
 }
 
@@ -379,7 +371,9 @@ pub unsafe extern "C" fn stickslip_tangential_solution_result(
     result: *mut stickslip_tangential_result,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe { put("result", result, (&*reading(solution)?).into()) })
+    call_on(solution, || unsafe {
+        put("result", result, (&*reading(solution)?).into())
+    })
 }
 
 /// How it was solved.
@@ -389,7 +383,9 @@ pub unsafe extern "C" fn stickslip_tangential_solution_report(
     report: *mut stickslip_report,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe { put("report", report, reading(solution)?.report().into()) })
+    call_on(solution, || unsafe {
+        put("report", report, reading(solution)?.report().into())
+    })
 }
 
 /// Diagnostics that may mislead: as stickslip_normal_solution_warnings.
@@ -401,7 +397,9 @@ pub unsafe extern "C" fn stickslip_tangential_solution_warnings(
     count: *mut usize,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe { put_warnings(&reading(solution)?.warnings(), buffer, capacity, count) })
+    call_on(solution, || unsafe {
+        put_warnings(&reading(solution)?.warnings(), buffer, capacity, count)
+    })
 }
 
 /// The stiffness of a tangential contact on the bodies it was solved for.
@@ -411,12 +409,12 @@ pub unsafe extern "C" fn stickslip_tangential_solution_stiffness(
     half_space: *const stickslip_half_space,
     stiffness: *mut stickslip_tangential_stiffness,
 ) -> stickslip_status {
-    call(|| {
+    call_on(solution, || {
         room("stiffness", stiffness)?;
         // SAFETY: the rule for pointers.
         let (solution, bodies) = unsafe { (reading(solution)?, reading(half_space)?) };
         let (solution, bodies) = (&*solution, &*bodies);
-        let found = enter(bodies.grid().cells(), || solution.stiffness(bodies))?;
+        let found = solution.stiffness(bodies)?;
         // SAFETY: the rule for pointers.
         unsafe { put("stiffness", stiffness, found.into()) }
     })

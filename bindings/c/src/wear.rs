@@ -3,7 +3,7 @@
 use stickslip_rs::history::wear::{self, Coefficient};
 use stickslip_rs::{Field, History, Result};
 
-use crate::call::{Outcome, call};
+use crate::call::{Outcome, call_on};
 use crate::handle::reading;
 use crate::history::stickslip_history;
 use crate::inputs::stickslip_per_cell;
@@ -53,7 +53,9 @@ pub unsafe extern "C" fn stickslip_wear_archard(
         wear::archard(coefficient, history.pressure(), slip, depth)
     };
     // SAFETY: the rule for pointers.
-    call(|| unsafe { wear(history, coefficient, (depth, count), law) })
+    call_on(history, || unsafe {
+        wear(history, coefficient, (depth, count), law)
+    })
 }
 
 /// Adds to depth what the energy law removes in the last step: coefficient (one over a pressure) times the energy dissipated
@@ -69,7 +71,9 @@ pub unsafe extern "C" fn stickslip_wear_energy(
         wear::energy(coefficient, history.last_step().dissipated_energy(), depth)
     };
     // SAFETY: the rule for pointers.
-    call(|| unsafe { wear(history, coefficient, (depth, count), law) })
+    call_on(history, || unsafe {
+        wear(history, coefficient, (depth, count), law)
+    })
 }
 
 /// The same beyond a threshold, an energy per area that wears nothing, of the energy dissipated since the start.
@@ -89,5 +93,7 @@ pub unsafe extern "C" fn stickslip_wear_threshold_energy(
         wear::threshold_energy(coefficient, threshold, total, step, depth)
     };
     // SAFETY: the rule for pointers.
-    call(|| unsafe { wear(history, coefficient, (depth, count), law) })
+    call_on(history, || unsafe {
+        wear(history, coefficient, (depth, count), law)
+    })
 }
