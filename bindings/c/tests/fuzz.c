@@ -188,7 +188,7 @@ static void make_bodies(struct run *run) {
         grid.nx = below(run, 2) == 0 ? 0 : SIZE_MAX >> below(run, 16);
     } else if (below(run, 2) == 0) {
         grid = (stickslip_grid){8, 8, 0.5, 0.5};
-    } else if (below(run, 200) == 0) {
+    } else if (below(run, 60) == 0) {
         grid.nx = grid.ny = 66; /* so many that other threads solve it */
     }
     stickslip_material one = {number(run, 1.0), 0.5 * unit(run), below(run, 4) == 0 ? number(run, 0.1) : 0.0};
