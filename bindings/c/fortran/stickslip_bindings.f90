@@ -193,6 +193,16 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_SHIFT = 3
     ! A spring that drags body 2: the force is stiffness * (value - shift).
     integer(c_int32_t), parameter, public :: STICKSLIP_SPRING = 4
+    ! The traction along the load alone (default).
+    integer(c_int32_t), parameter, public :: STICKSLIP_SCALAR = 0
+    ! Both tractions, under loads of any direction.
+    integer(c_int32_t), parameter, public :: STICKSLIP_VECTOR = 1
+    ! Pressure and shear are found together: coupled solvers and histories only.
+    integer(c_int32_t), parameter, public :: STICKSLIP_FULL = 0
+    ! Shear does not change the pressure, but pressure moves the surfaces tangentially.
+    integer(c_int32_t), parameter, public :: STICKSLIP_ONE_WAY = 1
+    ! Neither moves the other.
+    integer(c_int32_t), parameter, public :: STICKSLIP_NEGLECTED = 2
     ! Nothing has been solved yet.
     integer(c_int32_t), parameter, public :: STICKSLIP_UNSOLVED = 0
     ! A fresh product shows residual and certified error at or below the tolerance.
@@ -302,16 +312,6 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_FORMAT = 82
     ! Any other refusal: the message says which.
     integer(c_int32_t), parameter, public :: STICKSLIP_REFUSED = 127
-    ! The traction along the load alone (default).
-    integer(c_int32_t), parameter, public :: STICKSLIP_SCALAR = 0
-    ! Both tractions, under loads of any direction.
-    integer(c_int32_t), parameter, public :: STICKSLIP_VECTOR = 1
-    ! Pressure and shear are found together: coupled solvers and histories only.
-    integer(c_int32_t), parameter, public :: STICKSLIP_FULL = 0
-    ! Shear does not change the pressure, but pressure moves the surfaces tangentially.
-    integer(c_int32_t), parameter, public :: STICKSLIP_ONE_WAY = 1
-    ! Neither moves the other.
-    integer(c_int32_t), parameter, public :: STICKSLIP_NEGLECTED = 2
     ! Major version of the library.
     integer(c_int32_t), parameter, public :: STICKSLIP_VERSION_MAJOR = 0
     ! Minor version of the library.

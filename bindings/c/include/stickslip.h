@@ -151,6 +151,21 @@
 // A spring that drags body 2: the force is stiffness * (value - shift).
 #define STICKSLIP_SPRING 4
 
+// The traction along the load alone (default).
+#define STICKSLIP_SCALAR 0
+
+// Both tractions, under loads of any direction.
+#define STICKSLIP_VECTOR 1
+
+// Pressure and shear are found together: coupled solvers and histories only.
+#define STICKSLIP_FULL 0
+
+// Shear does not change the pressure, but pressure moves the surfaces tangentially.
+#define STICKSLIP_ONE_WAY 1
+
+// Neither moves the other.
+#define STICKSLIP_NEGLECTED 2
+
 // Nothing has been solved yet.
 #define STICKSLIP_UNSOLVED 0
 
@@ -313,21 +328,6 @@
 
 // Any other refusal: the message says which.
 #define STICKSLIP_REFUSED 127
-
-// The traction along the load alone (default).
-#define STICKSLIP_SCALAR 0
-
-// Both tractions, under loads of any direction.
-#define STICKSLIP_VECTOR 1
-
-// Pressure and shear are found together: coupled solvers and histories only.
-#define STICKSLIP_FULL 0
-
-// Shear does not change the pressure, but pressure moves the surfaces tangentially.
-#define STICKSLIP_ONE_WAY 1
-
-// Neither moves the other.
-#define STICKSLIP_NEGLECTED 2
 
 // Major version of the library.
 #define STICKSLIP_VERSION_MAJOR 0

@@ -12,11 +12,11 @@ use crate::inputs::{
     stickslip_settings_default,
 };
 use crate::loads::stickslip_load_step;
+use crate::model::{STICKSLIP_FULL, STICKSLIP_SCALAR, coupling, model};
 use crate::observer::{stickslip_observer, watch};
 use crate::pointer::{field, input, optional, put, room};
 use crate::status::stickslip_status;
 use crate::stiffness::stickslip_stiffness;
-use crate::tangential::{STICKSLIP_FULL, STICKSLIP_SCALAR, coupling, model};
 
 /// A contact that is loaded step by step, with memory of slip. A step that fails leaves it bit for bit as it was. Its
 /// fields are read without a copy, and are valid until the next call that changes it.

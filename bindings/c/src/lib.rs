@@ -19,6 +19,7 @@ pub mod history;
 pub mod history_reading;
 pub mod inputs;
 pub mod loads;
+pub mod model;
 pub mod normal;
 pub mod observer;
 mod pointer;

@@ -1,17 +1,19 @@
 //! Tangential contact under a pressure that is given.
 
 use stickslip_rs::{
-    Coupling, Grid, PressureSource, TangentialModel, TangentialProblem, TangentialSolution,
-    TangentialSolver, Zone,
+    Grid, PressureSource, TangentialProblem, TangentialSolution, TangentialSolver, Zone,
 };
 
 use crate::call::{Outcome, call, call_for, call_on};
-use crate::error::Failure;
 use crate::fields::of_tangential;
 use crate::half_space::stickslip_half_space;
 use crate::handle::{Handle, changing, free, give, opaque, reading};
-use crate::inputs::{stickslip_friction, stickslip_relative_displacement, stickslip_settings};
+use crate::inputs::{
+    stickslip_friction, stickslip_relative_displacement, stickslip_settings,
+    stickslip_settings_default,
+};
 use crate::loads::stickslip_tangential_load;
+use crate::model::{STICKSLIP_ONE_WAY, STICKSLIP_SCALAR, coupling, model};
 use crate::normal::stickslip_normal_solution;
 use crate::observer::{stickslip_observer, watch};
 use crate::pointer::{field, input, optional, put, room, samples};
@@ -20,35 +22,6 @@ use crate::results::{
 };
 use crate::status::stickslip_status;
 use crate::stiffness::stickslip_tangential_stiffness;
-
-/// The traction along the load alone (default).
-pub const STICKSLIP_SCALAR: i32 = 0;
-/// Both tractions, under loads of any direction.
-pub const STICKSLIP_VECTOR: i32 = 1;
-
-/// Pressure and shear are found together: coupled solvers and histories only.
-pub const STICKSLIP_FULL: i32 = 0;
-/// Shear does not change the pressure, but pressure moves the surfaces tangentially.
-pub const STICKSLIP_ONE_WAY: i32 = 1;
-/// Neither moves the other.
-pub const STICKSLIP_NEGLECTED: i32 = 2;
-
-pub(crate) fn model(value: i32) -> Outcome<TangentialModel> {
-    match value {
-        STICKSLIP_SCALAR => Ok(TangentialModel::Scalar),
-        STICKSLIP_VECTOR => Ok(TangentialModel::Vector),
-        other => Err(Failure::option("tangential model", other)),
-    }
-}
-
-pub(crate) fn coupling(value: i32) -> Outcome<Coupling> {
-    match value {
-        STICKSLIP_FULL => Ok(Coupling::Full),
-        STICKSLIP_ONE_WAY => Ok(Coupling::OneWay),
-        STICKSLIP_NEGLECTED => Ok(Coupling::Neglected),
-        other => Err(Failure::option("coupling", other)),
-    }
-}
 
 /// Options of a tangential solver; stickslip_tangential_options_default() has the defaults.
 #[repr(C)]
@@ -71,7 +44,7 @@ pub extern "C" fn stickslip_tangential_options_default() -> stickslip_tangential
         model: STICKSLIP_SCALAR,
         coupling: STICKSLIP_ONE_WAY,
         relative_displacement: std::ptr::null(),
-        settings: crate::inputs::stickslip_settings_default(),
+        settings: stickslip_settings_default(),
     }
 }
 
