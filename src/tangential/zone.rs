@@ -2,9 +2,10 @@
 
 /// The state of a cell under a tangential load.
 ///
-/// As a number for a file (`zone as u8`): 0 separated, 1 stick, 2 slip.
+/// As a number for a file (`zone as u8`), and as a byte in memory: 0 separated, 1 stick, 2 slip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[repr(u8)]
 pub enum Zone {
     /// No pressure: out of contact.
     Separated,

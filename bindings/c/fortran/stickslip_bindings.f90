@@ -1,0 +1,1649 @@
+! The interface of stickslip.h for Fortran, made from it by make_bindings.py: do not edit. The rules at the head of
+! stickslip.h hold here too. Objects are of type(c_ptr); an optional argument that is left out is NULL; a matrix has
+! its column first. The module stickslip has types that free themselves.
+module stickslip_bindings
+    use, intrinsic :: iso_c_binding
+    implicit none
+    private
+
+    public :: stickslip_adaptive_steps_new
+    public :: stickslip_adaptive_steps_free
+    public :: stickslip_adaptive_steps_step
+    public :: stickslip_adaptive_steps_error
+    public :: stickslip_history_step_all
+    public :: stickslip_coupled_solver_new
+    public :: stickslip_coupled_solver_free
+    public :: stickslip_coupled_solver_set_normal
+    public :: stickslip_coupled_solver_set_load
+    public :: stickslip_coupled_solver_set_gap
+    public :: stickslip_coupled_solver_set_friction
+    public :: stickslip_coupled_solver_set_settings
+    public :: stickslip_coupled_solver_reset
+    public :: stickslip_coupled_solver_solve
+    public :: stickslip_coupled_solution_new
+    public :: stickslip_coupled_solution_free
+    public :: stickslip_coupled_solution_field
+    public :: stickslip_coupled_solution_zones
+    public :: stickslip_coupled_solution_results
+    public :: stickslip_coupled_solution_report
+    public :: stickslip_coupled_solution_warnings
+    public :: stickslip_cycle_new
+    public :: stickslip_cycle_free
+    public :: stickslip_cycle_begin
+    public :: stickslip_cycle_add
+    public :: stickslip_cycle_result_of
+    public :: stickslip_cycle_field
+    public :: stickslip_last_error_message
+    public :: stickslip_last_error
+    public :: stickslip_last_error_report
+    public :: stickslip_half_space_new
+    public :: stickslip_half_space_free
+    public :: stickslip_half_space_grid
+    public :: stickslip_half_space_pair
+    public :: stickslip_history_options_default
+    public :: stickslip_history_new
+    public :: stickslip_history_clone
+    public :: stickslip_history_free
+    public :: stickslip_history_step
+    public :: stickslip_history_set_gap
+    public :: stickslip_history_set_friction
+    public :: stickslip_history_set_settings
+    public :: stickslip_history_set_relative_displacement
+    public :: stickslip_history_stiffness
+    public :: stickslip_history_result
+    public :: stickslip_history_normal_result
+    public :: stickslip_history_grid
+    public :: stickslip_history_friction_capacity
+    public :: stickslip_history_reports
+    public :: stickslip_history_warnings
+    public :: stickslip_history_field
+    public :: stickslip_history_zones
+    public :: stickslip_settings_default
+    public :: stickslip_coulomb
+    public :: stickslip_normal_solver_new
+    public :: stickslip_normal_solver_free
+    public :: stickslip_normal_solver_set_load
+    public :: stickslip_normal_solver_set_gap
+    public :: stickslip_normal_solver_set_settings
+    public :: stickslip_normal_solver_reset
+    public :: stickslip_normal_solver_solve
+    public :: stickslip_normal_solution_new
+    public :: stickslip_normal_solution_free
+    public :: stickslip_normal_solution_field
+    public :: stickslip_normal_solution_result
+    public :: stickslip_normal_solution_report
+    public :: stickslip_normal_solution_warnings
+    public :: stickslip_normal_solution_stiffness
+    public :: stickslip_state_new
+    public :: stickslip_state_free
+    public :: stickslip_state_keep
+    public :: stickslip_history_set_state
+    public :: stickslip_history_to_bytes
+    public :: stickslip_history_from_bytes
+    public :: stickslip_surface_sphere
+    public :: stickslip_surface_ellipsoid
+    public :: stickslip_surface_cylinder
+    public :: stickslip_tangential_options_default
+    public :: stickslip_tangential_solver_new
+    public :: stickslip_tangential_solver_new_under
+    public :: stickslip_tangential_solver_free
+    public :: stickslip_tangential_solver_set_load
+    public :: stickslip_tangential_solver_set_friction
+    public :: stickslip_tangential_solver_set_normal
+    public :: stickslip_tangential_solver_set_pressure
+    public :: stickslip_tangential_solver_set_relative_displacement
+    public :: stickslip_tangential_solver_set_settings
+    public :: stickslip_tangential_solver_reset
+    public :: stickslip_tangential_solver_friction_capacity
+    public :: stickslip_tangential_solver_solve
+    public :: stickslip_tangential_solution_new
+    public :: stickslip_tangential_solution_free
+    public :: stickslip_tangential_solution_field
+    public :: stickslip_tangential_solution_zones
+    public :: stickslip_tangential_solution_result
+    public :: stickslip_tangential_solution_report
+    public :: stickslip_tangential_solution_warnings
+    public :: stickslip_tangential_solution_stiffness
+    public :: stickslip_set_num_threads
+    public :: stickslip_version
+    public :: stickslip_abi_version
+    public :: stickslip_wear_archard
+    public :: stickslip_wear_energy
+    public :: stickslip_wear_threshold_energy
+
+    ! No cell slipped.
+    integer(c_int32_t), parameter, public :: STICKSLIP_FULL_STICK = 0
+    ! Some cells slipped, but some stuck at the end of each step.
+    integer(c_int32_t), parameter, public :: STICKSLIP_PARTIAL_SLIP = 1
+    ! The whole contact was at its friction limit at the end of a step.
+    integer(c_int32_t), parameter, public :: STICKSLIP_GROSS_SLIP = 2
+    ! Pressure, zero outside the contact.
+    integer(c_int32_t), parameter, public :: STICKSLIP_PRESSURE = 0
+    ! Gap under load (lengths).
+    integer(c_int32_t), parameter, public :: STICKSLIP_GAP = 1
+    ! Shear traction along x that body 2 exerts on body 1 (pressures).
+    integer(c_int32_t), parameter, public :: STICKSLIP_TRACTION_X = 2
+    ! Shear traction along y.
+    integer(c_int32_t), parameter, public :: STICKSLIP_TRACTION_Y = 3
+    ! Slip along x (lengths), the motion of the surface of body 1 over that of body 2; of a history the sum of all steps.
+    integer(c_int32_t), parameter, public :: STICKSLIP_SLIP_X = 4
+    ! Slip along y.
+    integer(c_int32_t), parameter, public :: STICKSLIP_SLIP_Y = 5
+    ! Displacement by pressure and tractions together along x (lengths); coupled solutions only.
+    integer(c_int32_t), parameter, public :: STICKSLIP_DISPLACEMENT_X = 6
+    ! The same along y.
+    integer(c_int32_t), parameter, public :: STICKSLIP_DISPLACEMENT_Y = 7
+    ! The same along z, the sum of both bodies.
+    integer(c_int32_t), parameter, public :: STICKSLIP_DISPLACEMENT_Z = 8
+    ! Length of the path slipped, in all steps of a history or in those of a cycle (lengths).
+    integer(c_int32_t), parameter, public :: STICKSLIP_SLIP_DISTANCE = 9
+    ! Energy that each cell has dissipated, in all steps of a history or in those of a cycle.
+    integer(c_int32_t), parameter, public :: STICKSLIP_DISSIPATED_ENERGY = 10
+    ! Gap of a history before loading, as last set (lengths).
+    integer(c_int32_t), parameter, public :: STICKSLIP_INITIAL_GAP = 11
+    ! Slip along x of the last step of a history (lengths).
+    integer(c_int32_t), parameter, public :: STICKSLIP_STEP_SLIP_X = 12
+    ! Slip along y of the last step.
+    integer(c_int32_t), parameter, public :: STICKSLIP_STEP_SLIP_Y = 13
+    ! Length of the slip of the last step.
+    integer(c_int32_t), parameter, public :: STICKSLIP_STEP_SLIP_DISTANCE = 14
+    ! Energy that each cell dissipated in the last step, by its traction at the end.
+    integer(c_int32_t), parameter, public :: STICKSLIP_STEP_DISSIPATED_ENERGY = 15
+    ! Energy that each cell dissipated in the last step, by the mean of its tractions: the measure that closes the balance.
+    integer(c_int32_t), parameter, public :: STICKSLIP_STEP_MID_DISSIPATED_ENERGY = 16
+    ! What has yielded for good, added to the gap (lengths); histories with a permanent set only.
+    integer(c_int32_t), parameter, public :: STICKSLIP_YIELDED_DEPTH = 17
+    ! Mean pressure while slipping, weighted by the slip; cycles only.
+    integer(c_int32_t), parameter, public :: STICKSLIP_SLIP_PRESSURE = 18
+    ! Amplitude of the slip along x; cycles only (lengths).
+    integer(c_int32_t), parameter, public :: STICKSLIP_SLIP_AMPLITUDE_X = 19
+    ! Amplitude of the slip along y; cycles only.
+    integer(c_int32_t), parameter, public :: STICKSLIP_SLIP_AMPLITUDE_Y = 20
+    ! Zone of a cell out of contact.
+    integer(c_int8_t), parameter, public :: STICKSLIP_SEPARATED = 0
+    ! Zone of a cell in contact, below the friction limit.
+    integer(c_int8_t), parameter, public :: STICKSLIP_STICK = 1
+    ! Zone of a cell in contact, at the friction limit.
+    integer(c_int8_t), parameter, public :: STICKSLIP_SLIP = 2
+    ! Along x.
+    integer(c_int32_t), parameter, public :: STICKSLIP_X = 0
+    ! Along y.
+    integer(c_int32_t), parameter, public :: STICKSLIP_Y = 1
+    ! A cell that touches within a step follows its motion as far as it would if all that grows stuck (default).
+    integer(c_int32_t), parameter, public :: STICKSLIP_GROWTH = 0
+    ! It follows all of the motion of the step.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WHOLE_STEP = 1
+    ! The grid is a patch on infinite bodies.
+    integer(c_int32_t), parameter, public :: STICKSLIP_NON_PERIODIC = 0
+    ! The grid repeats along x and y.
+    integer(c_int32_t), parameter, public :: STICKSLIP_PERIODIC = 1
+    ! The grid repeats along y alone.
+    integer(c_int32_t), parameter, public :: STICKSLIP_PERIODIC_ALONG_Y = 2
+    ! Active sets, the default.
+    integer(c_int32_t), parameter, public :: STICKSLIP_ACTIVE_SET = 0
+    ! The loop of Polonsky and Keer, for pressure or for one traction.
+    integer(c_int32_t), parameter, public :: STICKSLIP_POLONSKY_KEER = 1
+    ! Hold: the pressure, the shift as it is.
+    integer(c_int32_t), parameter, public :: STICKSLIP_HOLD = 0
+    ! A force.
+    integer(c_int32_t), parameter, public :: STICKSLIP_FORCE = 1
+    ! The approach of the bodies (a length), from the datum of the gap.
+    integer(c_int32_t), parameter, public :: STICKSLIP_APPROACH = 2
+    ! The shift, the rigid motion of body 2 relative to body 1 (a length), since the unloaded state.
+    integer(c_int32_t), parameter, public :: STICKSLIP_SHIFT = 3
+    ! A spring that drags body 2: the force is stiffness * (value - shift).
+    integer(c_int32_t), parameter, public :: STICKSLIP_SPRING = 4
+    ! The traction along the load alone (default).
+    integer(c_int32_t), parameter, public :: STICKSLIP_SCALAR = 0
+    ! Both tractions, under loads of any direction.
+    integer(c_int32_t), parameter, public :: STICKSLIP_VECTOR = 1
+    ! Pressure and shear are found together: coupled solvers and histories only.
+    integer(c_int32_t), parameter, public :: STICKSLIP_FULL = 0
+    ! Shear does not change the pressure, but pressure moves the surfaces tangentially.
+    integer(c_int32_t), parameter, public :: STICKSLIP_ONE_WAY = 1
+    ! Neither moves the other.
+    integer(c_int32_t), parameter, public :: STICKSLIP_NEGLECTED = 2
+    ! Nothing has been solved yet.
+    integer(c_int32_t), parameter, public :: STICKSLIP_UNSOLVED = 0
+    ! A fresh product shows residual and certified error at or below the tolerance.
+    integer(c_int32_t), parameter, public :: STICKSLIP_CONVERGED = 1
+    ! The iteration limit was reached first.
+    integer(c_int32_t), parameter, public :: STICKSLIP_AT_ITERATION_LIMIT = 2
+    ! The time limit was reached first.
+    integer(c_int32_t), parameter, public :: STICKSLIP_AT_TIME_LIMIT = 3
+    ! The residual no longer falls: the tolerance is below round-off.
+    integer(c_int32_t), parameter, public :: STICKSLIP_STALLED = 4
+    ! The observer asked to stop.
+    integer(c_int32_t), parameter, public :: STICKSLIP_CANCELLED = 5
+    ! There is no contact.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_NO_CONTACT = 1
+    ! Contact cells (cells) lie on the edge of the grid.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_CONTACT_AT_EDGE = 2
+    ! Contact spots (cells) of all (of) are smaller than five cells.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_UNRESOLVED_SPOTS = 3
+    ! The grid is a line of cells that does not repeat.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_LINE_OF_CELLS = 4
+    ! A contact spot runs across the whole grid.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_CONTACT_ACROSS = 5
+    ! Cells (cells) are pressed beyond the hardness that a material states.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_BEYOND_HARDNESS = 6
+    ! The pressure was held although the gap had changed.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_STALE_PRESSURE = 7
+    ! Any other: the message says which.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_OTHER = 127
+    ! Bytes of the message of a warning.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_LENGTH = 384
+    ! Done.
+    integer(c_int32_t), parameter, public :: STICKSLIP_OK = 0
+    ! The tolerance was not reached, or the observer or a limit ended the solve. The solution holds the last feasible iterate
+    ! and its report; a history is as it was, and stickslip_last_error_report has the report.
+    integer(c_int32_t), parameter, public :: STICKSLIP_NOT_CONVERGED = 1
+    ! The tangential force (value) exceeds what friction can carry (limit): no equilibrium exists.
+    integer(c_int32_t), parameter, public :: STICKSLIP_BEYOND_FRICTION_CAPACITY = 2
+    ! The normal force (value) exceeds what the hardness lets the cells carry (limit).
+    integer(c_int32_t), parameter, public :: STICKSLIP_BEYOND_HARDNESS = 3
+    ! The bodies do not touch: there is nothing to load tangentially.
+    integer(c_int32_t), parameter, public :: STICKSLIP_EMPTY_CONTACT = 4
+    ! The approach (value) is not below the mean gap (limit) of a periodic contact.
+    integer(c_int32_t), parameter, public :: STICKSLIP_APPROACH_BEYOND_MEAN_GAP = 5
+    ! The materials couple pressure and shear (value: Dundurs' beta), and what was asked for does not model that.
+    integer(c_int32_t), parameter, public :: STICKSLIP_COUPLED_MATERIALS = 6
+    ! The model does not include this load (value).
+    integer(c_int32_t), parameter, public :: STICKSLIP_NOT_MODELLED = 7
+    ! The load has components along both axes, which the scalar model does not allow (value: along x, limit: along y).
+    integer(c_int32_t), parameter, public :: STICKSLIP_OBLIQUE_LOAD = 8
+    ! A load was cut into the shortest steps allowed, and the error of one (value) is still beyond its tolerance (limit).
+    integer(c_int32_t), parameter, public :: STICKSLIP_STEP_TOO_LONG = 9
+    ! Cells (index: how many) are at their hardness, where only elastic contacts have what was asked for.
+    integer(c_int32_t), parameter, public :: STICKSLIP_YIELDED = 10
+    ! A history that a cycle already counts, or of another step.
+    integer(c_int32_t), parameter, public :: STICKSLIP_STEP_NOT_NEW = 11
+    ! A handle or another pointer that is needed is NULL, or misaligned.
+    integer(c_int32_t), parameter, public :: STICKSLIP_BAD_POINTER = 32
+    ! The handle is in use by another thread; nothing was done.
+    integer(c_int32_t), parameter, public :: STICKSLIP_BUSY = 33
+    ! The number (value) is no constant of the kind that is needed there.
+    integer(c_int32_t), parameter, public :: STICKSLIP_NO_SUCH_OPTION = 34
+    ! The buffer has room for fewer entries (found) than there are (expected).
+    integer(c_int32_t), parameter, public :: STICKSLIP_BUFFER_TOO_SMALL = 35
+    ! Some contacts of a batch failed: the codes of each say why, the last error is that of the first (index).
+    integer(c_int32_t), parameter, public :: STICKSLIP_SOME_FAILED = 36
+    ! The threads cannot be made.
+    integer(c_int32_t), parameter, public :: STICKSLIP_NO_THREADS = 37
+    ! A defect of the library. The objects of the call can be freed, and should not be used otherwise.
+    integer(c_int32_t), parameter, public :: STICKSLIP_PANIC = 38
+    ! A grid needs at least one cell along each axis.
+    integer(c_int32_t), parameter, public :: STICKSLIP_GRID_SIZE = 64
+    ! Memory cannot be allocated, and none was.
+    integer(c_int32_t), parameter, public :: STICKSLIP_MEMORY = 65
+    ! A quantity (value) that must be positive and finite is not.
+    integer(c_int32_t), parameter, public :: STICKSLIP_NOT_POSITIVE = 66
+    ! A quantity (value) that must be zero or positive, and finite, is not.
+    integer(c_int32_t), parameter, public :: STICKSLIP_NEGATIVE = 67
+    ! A quantity (value) that must be finite is not.
+    integer(c_int32_t), parameter, public :: STICKSLIP_NOT_FINITE = 68
+    ! A sample (value, at index) of a field violates a rule for that field.
+    integer(c_int32_t), parameter, public :: STICKSLIP_SAMPLE = 69
+    ! Poisson's ratio (value) lies outside (-1, 1/2].
+    integer(c_int32_t), parameter, public :: STICKSLIP_POISSON_RATIO = 70
+    ! Both bodies are rigid: nothing deforms.
+    integer(c_int32_t), parameter, public :: STICKSLIP_BOTH_RIGID = 71
+    ! The cells are too long: double precision does not resolve the compliance of their short waves.
+    integer(c_int32_t), parameter, public :: STICKSLIP_CELLS_TOO_LONG = 72
+    ! An array has the wrong number of entries (found for expected).
+    integer(c_int32_t), parameter, public :: STICKSLIP_LENGTH = 73
+    ! Two objects live on different grids.
+    integer(c_int32_t), parameter, public :: STICKSLIP_GRID_MISMATCH = 74
+    ! Two objects belong to bodies with different boundaries.
+    integer(c_int32_t), parameter, public :: STICKSLIP_BOUNDARY_MISMATCH = 75
+    ! Two objects belong to bodies of different materials.
+    integer(c_int32_t), parameter, public :: STICKSLIP_MATERIAL_MISMATCH = 76
+    ! The tolerance (value) lies outside (0, 1).
+    integer(c_int32_t), parameter, public :: STICKSLIP_TOLERANCE = 77
+    ! The iteration limit is zero.
+    integer(c_int32_t), parameter, public :: STICKSLIP_ITERATION_LIMIT = 78
+    ! A solver that is to hold its pressure has none yet: give it a force or an approach.
+    integer(c_int32_t), parameter, public :: STICKSLIP_NOTHING_TO_HOLD = 79
+    ! The method does not solve this kind of problem.
+    integer(c_int32_t), parameter, public :: STICKSLIP_METHOD = 80
+    ! A quantity (value) is below its lower limit (limit).
+    integer(c_int32_t), parameter, public :: STICKSLIP_BELOW = 81
+    ! The bytes are no saved history, of another version, or damaged.
+    integer(c_int32_t), parameter, public :: STICKSLIP_FORMAT = 82
+    ! Any other refusal: the message says which.
+    integer(c_int32_t), parameter, public :: STICKSLIP_REFUSED = 127
+    ! Major version of the library.
+    integer(c_int32_t), parameter, public :: STICKSLIP_VERSION_MAJOR = 0
+    ! Minor version of the library.
+    integer(c_int32_t), parameter, public :: STICKSLIP_VERSION_MINOR = 1
+    ! Patch version of the library.
+    integer(c_int32_t), parameter, public :: STICKSLIP_VERSION_PATCH = 0
+    ! Version of the binary interface: of functions, layouts of structs and meanings of constants.
+    !
+    ! It goes up whenever a program compiled with an older header could go wrong, and is part of the SONAME. A patch never
+    ! changes it, a minor version may before 1.0; functions and constants may be added without. A host that loads the
+    ! library at run time compares it with stickslip_abi_version() first.
+    integer(c_int32_t), parameter, public :: STICKSLIP_ABI_VERSION_COMPILED = 1
+
+    ! A normal load.
+    type, bind(c), public :: stickslip_normal_load
+        ! STICKSLIP_HOLD, STICKSLIP_FORCE or STICKSLIP_APPROACH.
+        integer(c_int32_t) :: kind
+        ! The force (zero or positive) or the approach (a length, positive when the bodies come together).
+        real(c_double) :: value
+    end type stickslip_normal_load
+
+    ! What is prescribed along one axis.
+    type, bind(c), public :: stickslip_control
+        ! STICKSLIP_HOLD, STICKSLIP_FORCE, STICKSLIP_SHIFT or STICKSLIP_SPRING.
+        integer(c_int32_t) :: kind
+        ! The force that body 2 exerts on body 1, the shift, or the position of the far end of the spring.
+        real(c_double) :: value
+        ! Stiffness of the spring (a force over a length).
+        real(c_double) :: stiffness
+    end type stickslip_control
+
+    ! A step of a history: what it prescribes at its end. All zero holds everything.
+    type, bind(c), public :: stickslip_load_step
+        ! Normal load.
+        type(stickslip_normal_load) :: normal
+        ! Tangential load along x.
+        type(stickslip_control) :: x
+        ! Tangential load along y.
+        type(stickslip_control) :: y
+        ! Not zero: to this twist; else the twist is held.
+        integer(c_int32_t) :: has_twist
+        ! Rotation of body 2 relative to body 1 since the start (radians, from x to y).
+        real(c_double) :: twist
+        ! Not zero: to this amount of the relative displacement; else it is held.
+        integer(c_int32_t) :: has_relative_displacement
+        ! Amount of the relative displacement, as a multiple of the pattern of the history.
+        real(c_double) :: relative_displacement
+    end type stickslip_load_step
+
+    ! The error that one step makes with a load: its difference from the same in two halves.
+    type, bind(c), public :: stickslip_step_error
+        ! That of the traction, relative; what the tolerance is for.
+        real(c_double) :: traction
+        ! That of the tangential force.
+        real(c_double) :: force(2)
+        ! That of the shift (lengths).
+        real(c_double) :: shift(2)
+        ! That of the energy dissipated.
+        real(c_double) :: dissipated_energy
+    end type stickslip_step_error
+
+    ! A quantity of all cells: one value, or one for each.
+    type, bind(c), public :: stickslip_per_cell
+        ! The value of all cells, if cells is NULL.
+        real(c_double) :: value
+        ! A value for each cell, copied by the call; or NULL.
+        type(c_ptr) :: cells
+        ! Number of cells, if cells is not NULL.
+        integer(c_size_t) :: count
+    end type stickslip_per_cell
+
+    ! Coulomb friction.
+    type, bind(c), public :: stickslip_friction
+        ! Coefficient of friction, zero or positive.
+        type(stickslip_per_cell) :: coefficient
+        ! Largest shear traction (a pressure); 0 or infinite: no limit but that of the coefficient.
+        real(c_double) :: max_shear_stress
+    end type stickslip_friction
+
+    ! A tangential load from rest.
+    type, bind(c), public :: stickslip_tangential_load
+        ! Along x.
+        type(stickslip_control) :: x
+        ! Along y.
+        type(stickslip_control) :: y
+        ! Rotation of body 2 relative to body 1 about the origin of the grid (radians, from x to y); the vector model only.
+        real(c_double) :: twist
+    end type stickslip_tangential_load
+
+    ! A tangential displacement of body 1 relative to body 2 in each cell that the contact does not cause, such as that of
+    ! bulk strain; copied by the call.
+    type, bind(c), public :: stickslip_relative_displacement
+        ! That along x (lengths), for each cell.
+        type(c_ptr) :: x
+        ! That along y (lengths), for each cell.
+        type(c_ptr) :: y
+        ! Number of cells.
+        integer(c_size_t) :: count
+    end type stickslip_relative_displacement
+
+    ! Method, tolerance and limits of a solve; stickslip_settings_default() has the defaults.
+    type, bind(c), public :: stickslip_settings
+        ! STICKSLIP_ACTIVE_SET (default) or STICKSLIP_POLONSKY_KEER.
+        integer(c_int32_t) :: method
+        ! The error accepted, in (0, 1) (default 1e-8): certified in the energy norm, and as a residual relative to the largest
+        ! displacement.
+        real(c_double) :: tolerance
+        ! Conjugate-gradient steps allowed (default 10000).
+        integer(c_size_t) :: max_iterations
+        ! Wall time allowed for a solve (seconds); infinite (default): any. A step of a history has two solves, pressure and
+        ! traction.
+        real(c_double) :: time_limit
+    end type stickslip_settings
+
+    ! One step of an iteration.
+    type, bind(c), public :: stickslip_iteration
+        ! Conjugate-gradient steps so far.
+        integer(c_size_t) :: iteration
+        ! Products in double precision so far.
+        integer(c_size_t) :: double_precision_products
+        ! Products in single precision so far.
+        integer(c_size_t) :: single_precision_products
+        ! Largest complementarity residual, relative to the largest displacement, as last measured.
+        real(c_double) :: residual
+        ! Contact cells of a normal problem, sticking cells of a tangential one.
+        integer(c_size_t) :: free
+    end type stickslip_iteration
+
+    ! A function that watches a solve, with data of yours.
+    type, bind(c), public :: stickslip_observer
+        ! The function; NULL watches nothing.
+        type(c_funptr) :: observe
+        ! Passed to the function as it is.
+        type(c_ptr) :: user
+    end type stickslip_observer
+
+    ! Numbers of a normal contact.
+    type, bind(c), public :: stickslip_normal_result
+        ! Approach of the bodies from the datum of the gap (a length).
+        real(c_double) :: approach
+        ! Normal force.
+        real(c_double) :: force
+        ! Area of the cells in contact.
+        real(c_double) :: contact_area
+        ! The same, corrected for the steps of its perimeter.
+        real(c_double) :: contact_area_corrected
+        ! Force over contact area; zero without contact.
+        real(c_double) :: mean_pressure
+        ! Moments of the pressure about x and y at the origin of the grid (forces times lengths).
+        real(c_double) :: moments(2)
+        ! Centre of pressure (lengths); NaN without contact.
+        real(c_double) :: centre_of_pressure(2)
+        ! Cells in contact.
+        integer(c_size_t) :: contact_cells
+        ! Cells at their hardness.
+        integer(c_size_t) :: yielded_cells
+    end type stickslip_normal_result
+
+    ! Numbers of a tangential contact.
+    type, bind(c), public :: stickslip_tangential_result
+        ! Shift of body 2 relative to body 1 (lengths).
+        real(c_double) :: shift(2)
+        ! Tangential force that body 2 exerts on body 1.
+        real(c_double) :: force(2)
+        ! Rotation of body 2 relative to body 1 (radians).
+        real(c_double) :: twist
+        ! Moment about z that the tractions exert on body 1 (a force times a length).
+        real(c_double) :: moment
+        ! Stick cells over contact cells.
+        real(c_double) :: stick_ratio
+        ! Area that sticks.
+        real(c_double) :: stick_area
+        ! Area that slips.
+        real(c_double) :: slip_area
+        ! Energy dissipated by slip.
+        real(c_double) :: dissipated_energy
+        ! Not zero if the whole contact is at its friction limit.
+        integer(c_int32_t) :: is_gross_slip
+    end type stickslip_tangential_result
+
+    ! How a solve ended, what it cost and how large its error can be.
+    type, bind(c), public :: stickslip_report
+        ! STICKSLIP_CONVERGED or why not, or STICKSLIP_UNSOLVED.
+        integer(c_int32_t) :: status
+        ! Conjugate-gradient steps.
+        integer(c_size_t) :: iterations
+        ! Products with the operator in double precision.
+        integer(c_size_t) :: double_precision_products
+        ! Products in single precision.
+        integer(c_size_t) :: single_precision_products
+        ! Largest complementarity residual, relative to the largest displacement.
+        real(c_double) :: residual
+        ! Certified bound on the squared relative error in the energy norm.
+        real(c_double) :: duality_gap
+        ! Certified bound on the relative error in the energy norm, the root of the above.
+        real(c_double) :: energy_error_bound
+        ! Relative error of the prescribed total force.
+        real(c_double) :: load_error
+        ! Wall time of the solve (seconds).
+        real(c_double) :: seconds
+    end type stickslip_report
+
+    ! How a coupled solve ended. The whole error is bounded where friction is weak; else its halves are certified.
+    type, bind(c), public :: stickslip_coupled_report
+        ! The work; its duality gap is infinite.
+        type(stickslip_report) :: work
+        ! Bound of the error of the pressure in the energy norm, at tractions as they are.
+        real(c_double) :: pressure_error_bound
+        ! Bound of the error of the tractions, at the pressure as it is.
+        real(c_double) :: traction_error_bound
+        ! Bounds of the errors of pressure and traction as a whole; NaN where there are none.
+        real(c_double) :: error_bounds(2)
+        ! What the errors of pressure and traction as a whole are likely to be; NaN where that is not known.
+        real(c_double) :: error_estimate(2)
+    end type stickslip_coupled_report
+
+    ! A diagnostic on a converged solution that may mislead.
+    type, bind(c), public :: stickslip_warning
+        ! One of STICKSLIP_WARNING_NO_CONTACT and the others.
+        integer(c_int32_t) :: kind
+        ! Cells or spots that it is about; else zero.
+        integer(c_size_t) :: cells
+        ! Spots in all; else zero.
+        integer(c_size_t) :: of
+        ! What it means and what to do, in English; ends with a zero byte.
+        character(kind=c_char) :: message(STICKSLIP_WARNING_LENGTH)
+    end type stickslip_warning
+
+    ! Work, elastic energy and dissipation of a step or a cycle.
+    type, bind(c), public :: stickslip_energy
+        ! Work of the tangential load.
+        real(c_double) :: work
+        ! Elastic energy of shear before.
+        real(c_double) :: elastic_before
+        ! Elastic energy of shear after.
+        real(c_double) :: elastic_after
+        ! Energy dissipated, by the tractions at the ends of steps.
+        real(c_double) :: dissipated_energy
+        ! Energy dissipated, by the mean tractions of steps, which closes the balance.
+        real(c_double) :: mid_step_dissipated_energy
+        ! Energy that cells let go as they leave the contact.
+        real(c_double) :: released
+        ! Work on the motion that the tolerance leaves in stick cells.
+        real(c_double) :: residual
+        ! What is missing in the balance: round-off.
+        real(c_double) :: imbalance
+    end type stickslip_energy
+
+    ! Numbers of a cycle.
+    type, bind(c), public :: stickslip_cycle_result
+        ! Steps since it began.
+        integer(c_size_t) :: steps
+        ! STICKSLIP_FULL_STICK, STICKSLIP_PARTIAL_SLIP or STICKSLIP_GROSS_SLIP.
+        integer(c_int32_t) :: regime
+        ! Energy dissipated over the area of the rectangle around the loop of force and shift.
+        real(c_double) :: energy_ratio
+        ! How far the traction at the end is from that at the beginning, relative to the largest: zero if the loop repeats.
+        real(c_double) :: cyclic_residual
+        ! Amplitude of the tangential force.
+        real(c_double) :: force_amplitude(2)
+        ! Amplitude of the shift (lengths).
+        real(c_double) :: shift_amplitude(2)
+        ! Least and largest stick ratio at the end of a step.
+        real(c_double) :: stick_ratios(2)
+        ! Energies of all its steps.
+        type(stickslip_energy) :: energy
+    end type stickslip_cycle_result
+
+    ! The numbers of the last failure on this thread; zero where they have no meaning.
+    type, bind(c), public :: stickslip_error
+        ! What the function returned, STICKSLIP_OK before any failure.
+        integer(c_int32_t) :: code
+        ! The offending value.
+        real(c_double) :: value
+        ! The limit that it violates.
+        real(c_double) :: limit
+        ! The index of the offending sample, or the place in a batch.
+        integer(c_size_t) :: index
+        ! Entries needed.
+        integer(c_size_t) :: expected
+        ! Entries given.
+        integer(c_size_t) :: found
+    end type stickslip_error
+
+    ! A grid of nx by ny rectangular cells of sides dx and dy (lengths), centred on the origin. An array of samples has
+    ! nx * ny entries, row by row with x fastest: that of cell (ix, iy) is at iy * nx + ix.
+    type, bind(c), public :: stickslip_grid
+        ! Cells along x.
+        integer(c_size_t) :: nx
+        ! Cells along y.
+        integer(c_size_t) :: ny
+        ! Side of a cell along x (a length).
+        real(c_double) :: dx
+        ! Side of a cell along y (a length).
+        real(c_double) :: dy
+    end type stickslip_grid
+
+    ! The material of a body.
+    type, bind(c), public :: stickslip_material
+        ! Young's modulus (a pressure); infinite for a rigid body.
+        real(c_double) :: youngs_modulus
+        ! Poisson's ratio, in (-1, 1/2]; of no meaning for a rigid body.
+        real(c_double) :: poisson_ratio
+        ! Indentation hardness (a pressure), for warnings only; 0 or infinite: not known.
+        real(c_double) :: hardness
+    end type stickslip_material
+
+    ! What lies beyond the edge of the grid.
+    type, bind(c), public :: stickslip_boundary
+        ! STICKSLIP_NON_PERIODIC, STICKSLIP_PERIODIC or STICKSLIP_PERIODIC_ALONG_Y.
+        integer(c_int32_t) :: kind
+        ! With STICKSLIP_PERIODIC_ALONG_Y: distance along x at which a line load moves nothing (a length).
+        real(c_double) :: datum
+    end type stickslip_boundary
+
+    ! Constants of a pair of materials.
+    type, bind(c), public :: stickslip_pair
+        ! E* (a pressure): 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2.
+        real(c_double) :: contact_modulus
+        ! G* of Mindlin (a pressure): 1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2; a circle of radius a that sticks has 8 G* a.
+        real(c_double) :: tangential_modulus
+        ! Dundurs' second parameter; zero where pressure and shear are not coupled.
+        real(c_double) :: dundurs_beta
+        ! Not zero if pressure and shear are coupled.
+        integer(c_int32_t) :: is_coupled
+    end type stickslip_pair
+
+    ! Options of a history; stickslip_history_options_default() has the defaults.
+    type, bind(c), public :: stickslip_history_options
+        ! Axis of load and traction in the scalar model: STICKSLIP_X (default) or STICKSLIP_Y.
+        integer(c_int32_t) :: axis
+        ! STICKSLIP_SCALAR (default) or STICKSLIP_VECTOR.
+        integer(c_int32_t) :: model
+        ! STICKSLIP_FULL (default), STICKSLIP_ONE_WAY or STICKSLIP_NEGLECTED; of meaning for dissimilar bodies only.
+        integer(c_int32_t) :: coupling
+        ! STICKSLIP_GROWTH (default) or STICKSLIP_WHOLE_STEP.
+        integer(c_int32_t) :: touch_rule
+        ! Largest pressure that the cells carry, or NULL (default).
+        type(c_ptr) :: hardness
+        ! Not zero if what yields stays (default 0).
+        integer(c_int32_t) :: permanent_set
+        ! Pattern of a displacement that the contact does not cause, or NULL (default); steps reach an amount of it.
+        type(c_ptr) :: relative_displacement
+        ! Method, tolerance and limits.
+        type(stickslip_settings) :: settings
+    end type stickslip_history_options
+
+    ! Normal force by approach.
+    type, bind(c), public :: stickslip_normal_stiffness
+        ! A force over a length; zero without contact.
+        real(c_double) :: value
+        ! Bound of its relative error.
+        real(c_double) :: bound
+    end type stickslip_normal_stiffness
+
+    ! Forces along x and y and the moment, by shifts along x and y and the twist: rows are loads, columns motions. In C
+    ! loading[row, column].
+    type, bind(c), public :: stickslip_tangential_stiffness
+        ! If the motion continues in its direction.
+        real(c_double) :: loading(3, 3)
+        ! If the motion reverses: all cells of the contact stick.
+        real(c_double) :: reversal(3, 3)
+        ! Bound of the errors: none is larger than this times the root of the product of the two entries on the diagonal.
+        real(c_double) :: bound
+    end type stickslip_tangential_stiffness
+
+    ! The stiffness of a contact.
+    type, bind(c), public :: stickslip_stiffness
+        ! Normal force by approach.
+        type(stickslip_normal_stiffness) :: normal
+        ! Tangential forces and moment by shift and twist.
+        type(stickslip_tangential_stiffness) :: tangential
+        ! Tangential forces and moment by the approach while slip continues.
+        real(c_double) :: by_approach(3)
+    end type stickslip_stiffness
+
+    ! Numbers of a history after its last step.
+    type, bind(c), public :: stickslip_step_result
+        ! Normal force.
+        real(c_double) :: normal_force
+        ! Approach of the bodies (a length).
+        real(c_double) :: approach
+        ! Tangential force that body 2 exerts on body 1.
+        real(c_double) :: force(2)
+        ! Shift of body 2 relative to body 1 since the start (lengths).
+        real(c_double) :: shift(2)
+        ! Moment about z that the tractions exert on body 1.
+        real(c_double) :: moment
+        ! Rotation of body 2 relative to body 1 since the start (radians).
+        real(c_double) :: twist
+        ! Stick cells over contact cells after the last step; zero without contact.
+        real(c_double) :: stick_ratio
+        ! Not zero if the whole contact is at its friction limit after the last step.
+        integer(c_int32_t) :: is_gross_slip
+        ! Steps taken since the start.
+        integer(c_int64_t) :: steps
+        ! Energies of the last step.
+        type(stickslip_energy) :: energy
+    end type stickslip_step_result
+
+    ! Options of a tangential solver; stickslip_tangential_options_default() has the defaults.
+    type, bind(c), public :: stickslip_tangential_options
+        ! STICKSLIP_SCALAR (default) or STICKSLIP_VECTOR.
+        integer(c_int32_t) :: model
+        ! STICKSLIP_ONE_WAY (default) or STICKSLIP_NEGLECTED; of meaning for dissimilar bodies only.
+        integer(c_int32_t) :: coupling
+        ! A displacement of body 1 relative to body 2 that the contact does not cause, or NULL (default).
+        type(c_ptr) :: relative_displacement
+        ! Method, tolerance and limits.
+        type(stickslip_settings) :: settings
+    end type stickslip_tangential_options
+
+    interface
+        ! Makes the buffers for histories on the grid of this one, with a tolerance in (0, 1) for a whole load.
+        function stickslip_adaptive_steps_new(history, tolerance, steps) result(answer) bind(c)
+            import
+            type(c_ptr), value :: history
+            real(c_double), value :: tolerance
+            type(c_ptr), intent(out) :: steps
+            integer(c_int32_t) :: answer
+        end function stickslip_adaptive_steps_new
+
+        ! Frees the buffers; nothing for NULL.
+        function stickslip_adaptive_steps_free(steps) result(answer) bind(c)
+            import
+            type(c_ptr), value :: steps
+            integer(c_int32_t) :: answer
+        end function stickslip_adaptive_steps_free
+
+        ! Takes a load in as many steps as it needs, and writes how many to taken (may be NULL). After a failure, which may be
+        ! STICKSLIP_STEP_TOO_LONG, the state of the history is as it was; its last step is that of the last attempt.
+        function stickslip_adaptive_steps_step(steps, history, load, taken) result(answer) bind(c)
+            import
+            type(c_ptr), value :: steps
+            type(c_ptr), value :: history
+            type(stickslip_load_step), intent(in), optional :: load
+            integer(c_size_t), intent(out), optional :: taken
+            integer(c_int32_t) :: answer
+        end function stickslip_adaptive_steps_step
+
+        ! The error that stickslip_history_step would make with a load. The state of the history is as it was; its last step is
+        ! the second half of this one.
+        function stickslip_adaptive_steps_error(steps, history, load, error) result(answer) bind(c)
+            import
+            type(c_ptr), value :: steps
+            type(c_ptr), value :: history
+            type(stickslip_load_step), intent(in), optional :: load
+            type(stickslip_step_error), intent(out), optional :: error
+            integer(c_int32_t) :: answer
+        end function stickslip_adaptive_steps_error
+
+        ! Takes a step of each of count histories, the i-th load for the i-th history, on the threads of stickslip_set_num_threads.
+        ! Contacts of at most 4096 cells are solved on one thread each. Each comes to the bits that it has alone.
+        !
+        ! codes (may be NULL) gets what stickslip_history_step would return for each. STICKSLIP_SOME_FAILED if any failed: these
+        ! are as they were, and the last error is that of the first of them; the others have taken their step. A history that
+        ! occurs twice is STICKSLIP_BUSY the second time.
+        function stickslip_history_step_all(histories, loads, count, codes) result(answer) bind(c)
+            import
+            type(c_ptr), intent(in) :: histories(*)
+            type(stickslip_load_step), intent(in), optional :: loads(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t), intent(out), optional :: codes(*)
+            integer(c_int32_t) :: answer
+        end function stickslip_history_step_all
+
+        ! Makes a solver of a gap before loading (lengths, count entries, copied). relative (none) and settings (the defaults) may
+        ! be NULL.
+        function stickslip_coupled_solver_new(half_space, gap, count, friction, normal, load, relative, settings, &
+            solver) result(answer) bind(c)
+            import
+            type(c_ptr), value :: half_space
+            real(c_double), intent(in) :: gap(*)
+            integer(c_size_t), value :: count
+            type(stickslip_friction), intent(in), optional :: friction
+            type(stickslip_normal_load), intent(in), optional :: normal
+            type(stickslip_tangential_load), intent(in), optional :: load
+            type(stickslip_relative_displacement), intent(in), optional :: relative
+            type(stickslip_settings), intent(in), optional :: settings
+            type(c_ptr), intent(out) :: solver
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_solver_new
+
+        ! Frees a solver; nothing for NULL.
+        function stickslip_coupled_solver_free(solver) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solver
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_solver_free
+
+        ! Changes the normal load of the next solve.
+        function stickslip_coupled_solver_set_normal(solver, normal) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solver
+            type(stickslip_normal_load), intent(in), optional :: normal
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_solver_set_normal
+
+        ! Changes the tangential load of the next solve.
+        function stickslip_coupled_solver_set_load(solver, load) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solver
+            type(stickslip_tangential_load), intent(in), optional :: load
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_solver_set_load
+
+        ! Changes the gap before loading of the next solve (lengths, count entries, copied).
+        function stickslip_coupled_solver_set_gap(solver, gap, count) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solver
+            real(c_double), intent(in) :: gap(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_solver_set_gap
+
+        ! Changes the friction of the next solve.
+        function stickslip_coupled_solver_set_friction(solver, friction) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solver
+            type(stickslip_friction), intent(in), optional :: friction
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_solver_set_friction
+
+        ! Changes method, tolerance and limits of the next solve.
+        function stickslip_coupled_solver_set_settings(solver, settings) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solver
+            type(stickslip_settings), intent(in), optional :: settings
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_solver_set_settings
+
+        ! Forgets the last answer: the next solve starts as the first did.
+        function stickslip_coupled_solver_reset(solver) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solver
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_solver_reset
+
+        ! Solves into a solution of stickslip_coupled_solution_new for the same bodies. observer may be NULL. With
+        ! STICKSLIP_NOT_CONVERGED the solution holds the last iterate and its report; after any other failure it is as it was.
+        function stickslip_coupled_solver_solve(solver, solution, observer) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solver
+            type(c_ptr), value :: solution
+            type(stickslip_observer), intent(in), optional :: observer
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_solver_solve
+
+        ! Makes an empty solution of the right size for a solver.
+        function stickslip_coupled_solution_new(solver, solution) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solver
+            type(c_ptr), intent(out) :: solution
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_solution_new
+
+        ! Frees a solution; nothing for NULL.
+        function stickslip_coupled_solution_free(solution) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_solution_free
+
+        ! A field, STICKSLIP_PRESSURE to STICKSLIP_DISPLACEMENT_Z, and how many cells it has (count may be NULL); NULL on failure.
+        function stickslip_coupled_solution_field(solution, which, count) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: which
+            integer(c_size_t), intent(out), optional :: count
+            type(c_ptr) :: answer
+        end function stickslip_coupled_solution_field
+
+        ! The zone of every cell; NULL on failure.
+        function stickslip_coupled_solution_zones(solution, count) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solution
+            integer(c_size_t), intent(out), optional :: count
+            type(c_ptr) :: answer
+        end function stickslip_coupled_solution_zones
+
+        ! The numbers of both halves; either may be NULL.
+        function stickslip_coupled_solution_results(solution, normal, tangential) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solution
+            type(stickslip_normal_result), intent(out), optional :: normal
+            type(stickslip_tangential_result), intent(out), optional :: tangential
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_solution_results
+
+        ! How it was solved.
+        function stickslip_coupled_solution_report(solution, report) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solution
+            type(stickslip_coupled_report), intent(out), optional :: report
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_solution_report
+
+        ! Diagnostics that may mislead: as stickslip_normal_solution_warnings.
+        function stickslip_coupled_solution_warnings(solution, buffer, capacity, count) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solution
+            type(stickslip_warning), intent(out), optional :: buffer(*)
+            integer(c_size_t), value :: capacity
+            integer(c_size_t), intent(out), optional :: count
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_solution_warnings
+
+        ! Begins a cycle at the present state of a history.
+        function stickslip_cycle_new(history, cycle) result(answer) bind(c)
+            import
+            type(c_ptr), value :: history
+            type(c_ptr), intent(out) :: cycle
+            integer(c_int32_t) :: answer
+        end function stickslip_cycle_new
+
+        ! Frees a cycle; nothing for NULL.
+        function stickslip_cycle_free(cycle) result(answer) bind(c)
+            import
+            type(c_ptr), value :: cycle
+            integer(c_int32_t) :: answer
+        end function stickslip_cycle_free
+
+        ! Begins the cycle anew, at the present state of a history.
+        function stickslip_cycle_begin(cycle, history) result(answer) bind(c)
+            import
+            type(c_ptr), value :: cycle
+            type(c_ptr), value :: history
+            integer(c_int32_t) :: answer
+        end function stickslip_cycle_begin
+
+        ! Adds the last step of the history, which must be new (else STICKSLIP_STEP_NOT_NEW).
+        function stickslip_cycle_add(cycle, history) result(answer) bind(c)
+            import
+            type(c_ptr), value :: cycle
+            type(c_ptr), value :: history
+            integer(c_int32_t) :: answer
+        end function stickslip_cycle_add
+
+        ! The numbers of the cycle.
+        function stickslip_cycle_result_of(cycle, result) result(answer) bind(c)
+            import
+            type(c_ptr), value :: cycle
+            type(stickslip_cycle_result), intent(out), optional :: result
+            integer(c_int32_t) :: answer
+        end function stickslip_cycle_result_of
+
+        ! A field of the cycle: STICKSLIP_SLIP_DISTANCE, STICKSLIP_DISSIPATED_ENERGY, STICKSLIP_SLIP_PRESSURE,
+        ! STICKSLIP_SLIP_AMPLITUDE_X or _Y; NULL on failure. It is valid until the next call that changes the cycle.
+        function stickslip_cycle_field(cycle, which, count) result(answer) bind(c)
+            import
+            type(c_ptr), value :: cycle
+            integer(c_int32_t), value :: which
+            integer(c_size_t), intent(out), optional :: count
+            type(c_ptr) :: answer
+        end function stickslip_cycle_field
+
+        ! The message of the last failure on this thread, in English, UTF-8; empty before any. It is valid until the next failure
+        ! on this thread, or its end.
+        function stickslip_last_error_message() result(answer) bind(c)
+            import
+            type(c_ptr) :: answer
+        end function stickslip_last_error_message
+
+        ! The numbers of the last failure on this thread.
+        function stickslip_last_error(error) result(answer) bind(c)
+            import
+            type(stickslip_error), intent(out), optional :: error
+            integer(c_int32_t) :: answer
+        end function stickslip_last_error
+
+        ! The report of the last failure on this thread, if that was STICKSLIP_NOT_CONVERGED; else STICKSLIP_REFUSED.
+        function stickslip_last_error_report(report) result(answer) bind(c)
+            import
+            type(stickslip_report), intent(out), optional :: report
+            integer(c_int32_t) :: answer
+        end function stickslip_last_error_report
+
+        ! Makes the bodies: nothing is computed yet. A NULL boundary is STICKSLIP_NON_PERIODIC.
+        function stickslip_half_space_new(grid, body_1, body_2, boundary, half_space) result(answer) bind(c)
+            import
+            type(stickslip_grid), intent(in), optional :: grid
+            type(stickslip_material), intent(in), optional :: body_1
+            type(stickslip_material), intent(in), optional :: body_2
+            type(stickslip_boundary), intent(in), optional :: boundary
+            type(c_ptr), intent(out) :: half_space
+            integer(c_int32_t) :: answer
+        end function stickslip_half_space_new
+
+        ! Frees the bodies; nothing for NULL.
+        function stickslip_half_space_free(half_space) result(answer) bind(c)
+            import
+            type(c_ptr), value :: half_space
+            integer(c_int32_t) :: answer
+        end function stickslip_half_space_free
+
+        ! The grid.
+        function stickslip_half_space_grid(half_space, grid) result(answer) bind(c)
+            import
+            type(c_ptr), value :: half_space
+            type(stickslip_grid), intent(out), optional :: grid
+            integer(c_int32_t) :: answer
+        end function stickslip_half_space_grid
+
+        ! The constants of the pair.
+        function stickslip_half_space_pair(half_space, pair) result(answer) bind(c)
+            import
+            type(c_ptr), value :: half_space
+            type(stickslip_pair), intent(out), optional :: pair
+            integer(c_int32_t) :: answer
+        end function stickslip_half_space_pair
+
+        ! The options that histories have by default.
+        function stickslip_history_options_default() result(answer) bind(c)
+            import
+            type(stickslip_history_options) :: answer
+        end function stickslip_history_options_default
+
+        ! Makes a history of a gap before loading (lengths, count entries, copied); nothing touches before the first step. options
+        ! may be NULL (the defaults).
+        function stickslip_history_new(half_space, gap, count, friction, options, history) result(answer) bind(c)
+            import
+            type(c_ptr), value :: half_space
+            real(c_double), intent(in) :: gap(*)
+            integer(c_size_t), value :: count
+            type(stickslip_friction), intent(in), optional :: friction
+            type(stickslip_history_options), intent(in), optional :: options
+            type(c_ptr), intent(out) :: history
+            integer(c_int32_t) :: answer
+        end function stickslip_history_new
+
+        ! Makes a copy of a history, which goes on by itself.
+        function stickslip_history_clone(history, copy) result(answer) bind(c)
+            import
+            type(c_ptr), value :: history
+            type(c_ptr), intent(out) :: copy
+            integer(c_int32_t) :: answer
+        end function stickslip_history_clone
+
+        ! Frees a history; nothing for NULL.
+        function stickslip_history_free(history) result(answer) bind(c)
+            import
+            type(c_ptr), value :: history
+            integer(c_int32_t) :: answer
+        end function stickslip_history_free
+
+        ! Takes a step. observer may be NULL. After a failure the history is as it was; after STICKSLIP_NOT_CONVERGED
+        ! stickslip_last_error_report has the report.
+        function stickslip_history_step(history, load, observer) result(answer) bind(c)
+            import
+            type(c_ptr), value :: history
+            type(stickslip_load_step), intent(in), optional :: load
+            type(stickslip_observer), intent(in), optional :: observer
+            integer(c_int32_t) :: answer
+        end function stickslip_history_step
+
+        ! Changes the gap before loading (lengths, count entries, copied), as wear does. The pressure stays until a step that
+        ! gives a normal load again.
+        function stickslip_history_set_gap(history, gap, count) result(answer) bind(c)
+            import
+            type(c_ptr), value :: history
+            real(c_double), intent(in) :: gap(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: answer
+        end function stickslip_history_set_gap
+
+        ! Changes the friction from the next step on.
+        function stickslip_history_set_friction(history, friction) result(answer) bind(c)
+            import
+            type(c_ptr), value :: history
+            type(stickslip_friction), intent(in), optional :: friction
+            integer(c_int32_t) :: answer
+        end function stickslip_history_set_friction
+
+        ! Changes method, tolerance and limits from the next step on.
+        function stickslip_history_set_settings(history, settings) result(answer) bind(c)
+            import
+            type(c_ptr), value :: history
+            type(stickslip_settings), intent(in), optional :: settings
+            integer(c_int32_t) :: answer
+        end function stickslip_history_set_settings
+
+        ! Changes the pattern of the relative displacement from the next step on.
+        function stickslip_history_set_relative_displacement(history, pattern) result(answer) bind(c)
+            import
+            type(c_ptr), value :: history
+            type(stickslip_relative_displacement), intent(in), optional :: pattern
+            integer(c_int32_t) :: answer
+        end function stickslip_history_set_relative_displacement
+
+        ! The stiffness of the contact after the last step: normal, tangential on loading and at reversal.
+        function stickslip_history_stiffness(history, stiffness) result(answer) bind(c)
+            import
+            type(c_ptr), value :: history
+            type(stickslip_stiffness), intent(out), optional :: stiffness
+            integer(c_int32_t) :: answer
+        end function stickslip_history_stiffness
+
+        ! The numbers of the state. Stick ratio, gross slip and energies are those of the last step taken, zero before any and
+        ! after the history was made from bytes.
+        function stickslip_history_result(history, result) result(answer) bind(c)
+            import
+            type(c_ptr), value :: history
+            type(stickslip_step_result), intent(out), optional :: result
+            integer(c_int32_t) :: answer
+        end function stickslip_history_result
+
+        ! The numbers of the normal contact.
+        function stickslip_history_normal_result(history, result) result(answer) bind(c)
+            import
+            type(c_ptr), value :: history
+            type(stickslip_normal_result), intent(out), optional :: result
+            integer(c_int32_t) :: answer
+        end function stickslip_history_normal_result
+
+        ! The grid of all fields.
+        function stickslip_history_grid(history, grid) result(answer) bind(c)
+            import
+            type(c_ptr), value :: history
+            type(stickslip_grid), intent(out), optional :: grid
+            integer(c_int32_t) :: answer
+        end function stickslip_history_grid
+
+        ! The largest tangential force that friction holds at the present pressure.
+        function stickslip_history_friction_capacity(history, capacity) result(answer) bind(c)
+            import
+            type(c_ptr), value :: history
+            real(c_double), intent(out), optional :: capacity
+            integer(c_int32_t) :: answer
+        end function stickslip_history_friction_capacity
+
+        ! How pressure and traction of the last step were solved; STICKSLIP_UNSOLVED if the pressure was held, or before anything
+        ! has touched.
+        function stickslip_history_reports(history, normal, tangential) result(answer) bind(c)
+            import
+            type(c_ptr), value :: history
+            type(stickslip_report), intent(out), optional :: normal
+            type(stickslip_report), intent(out), optional :: tangential
+            integer(c_int32_t) :: answer
+        end function stickslip_history_reports
+
+        ! Diagnostics on the last step: as stickslip_normal_solution_warnings.
+        function stickslip_history_warnings(history, buffer, capacity, count) result(answer) bind(c)
+            import
+            type(c_ptr), value :: history
+            type(stickslip_warning), intent(out), optional :: buffer(*)
+            integer(c_size_t), value :: capacity
+            integer(c_size_t), intent(out), optional :: count
+            integer(c_int32_t) :: answer
+        end function stickslip_history_warnings
+
+        ! A field by its number, STICKSLIP_PRESSURE to STICKSLIP_YIELDED_DEPTH but displacements, and how many cells it has (count
+        ! may be NULL); NULL on failure.
+        function stickslip_history_field(history, which, count) result(answer) bind(c)
+            import
+            type(c_ptr), value :: history
+            integer(c_int32_t), value :: which
+            integer(c_size_t), intent(out), optional :: count
+            type(c_ptr) :: answer
+        end function stickslip_history_field
+
+        ! The zone of every cell after the last step; NULL on failure.
+        function stickslip_history_zones(history, count) result(answer) bind(c)
+            import
+            type(c_ptr), value :: history
+            integer(c_size_t), intent(out), optional :: count
+            type(c_ptr) :: answer
+        end function stickslip_history_zones
+
+        ! The settings that solvers and histories have by default.
+        function stickslip_settings_default() result(answer) bind(c)
+            import
+            type(stickslip_settings) :: answer
+        end function stickslip_settings_default
+
+        ! Friction with one coefficient for all cells.
+        function stickslip_coulomb(coefficient) result(answer) bind(c)
+            import
+            real(c_double), value :: coefficient
+            type(stickslip_friction) :: answer
+        end function stickslip_coulomb
+
+        ! Makes a solver of a gap before loading (lengths, count entries, copied) under a load.
+        !
+        ! settings may be NULL (the defaults), as may hardness, the largest pressure that the cells carry (no limit).
+        function stickslip_normal_solver_new(half_space, gap, count, load, hardness, settings, &
+            solver) result(answer) bind(c)
+            import
+            type(c_ptr), value :: half_space
+            real(c_double), intent(in) :: gap(*)
+            integer(c_size_t), value :: count
+            type(stickslip_normal_load), intent(in), optional :: load
+            type(stickslip_per_cell), intent(in), optional :: hardness
+            type(stickslip_settings), intent(in), optional :: settings
+            type(c_ptr), intent(out) :: solver
+            integer(c_int32_t) :: answer
+        end function stickslip_normal_solver_new
+
+        ! Frees a solver; nothing for NULL.
+        function stickslip_normal_solver_free(solver) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solver
+            integer(c_int32_t) :: answer
+        end function stickslip_normal_solver_free
+
+        ! Changes the load of the next solve.
+        function stickslip_normal_solver_set_load(solver, load) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solver
+            type(stickslip_normal_load), intent(in), optional :: load
+            integer(c_int32_t) :: answer
+        end function stickslip_normal_solver_set_load
+
+        ! Changes the gap before loading of the next solve (lengths, count entries, copied).
+        function stickslip_normal_solver_set_gap(solver, gap, count) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solver
+            real(c_double), intent(in) :: gap(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: answer
+        end function stickslip_normal_solver_set_gap
+
+        ! Changes method, tolerance and limits of the next solve.
+        function stickslip_normal_solver_set_settings(solver, settings) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solver
+            type(stickslip_settings), intent(in), optional :: settings
+            integer(c_int32_t) :: answer
+        end function stickslip_normal_solver_set_settings
+
+        ! Forgets the last answer: the next solve starts as the first did.
+        function stickslip_normal_solver_reset(solver) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solver
+            integer(c_int32_t) :: answer
+        end function stickslip_normal_solver_reset
+
+        ! Solves into a solution of stickslip_normal_solution_new for the same bodies. observer may be NULL.
+        !
+        ! With STICKSLIP_NOT_CONVERGED the solution holds the last feasible iterate and its report; after any other failure it is
+        ! as it was.
+        function stickslip_normal_solver_solve(solver, solution, observer) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solver
+            type(c_ptr), value :: solution
+            type(stickslip_observer), intent(in), optional :: observer
+            integer(c_int32_t) :: answer
+        end function stickslip_normal_solver_solve
+
+        ! Makes an empty solution of the right size for a solver.
+        function stickslip_normal_solution_new(solver, solution) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solver
+            type(c_ptr), intent(out) :: solution
+            integer(c_int32_t) :: answer
+        end function stickslip_normal_solution_new
+
+        ! Frees a solution; nothing for NULL.
+        function stickslip_normal_solution_free(solution) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t) :: answer
+        end function stickslip_normal_solution_free
+
+        ! STICKSLIP_PRESSURE or STICKSLIP_GAP, and how many cells it has (count may be NULL); NULL on failure.
+        function stickslip_normal_solution_field(solution, which, count) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: which
+            integer(c_size_t), intent(out), optional :: count
+            type(c_ptr) :: answer
+        end function stickslip_normal_solution_field
+
+        ! The numbers of the contact.
+        function stickslip_normal_solution_result(solution, result) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solution
+            type(stickslip_normal_result), intent(out), optional :: result
+            integer(c_int32_t) :: answer
+        end function stickslip_normal_solution_result
+
+        ! How it was solved.
+        function stickslip_normal_solution_report(solution, report) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solution
+            type(stickslip_report), intent(out), optional :: report
+            integer(c_int32_t) :: answer
+        end function stickslip_normal_solution_report
+
+        ! Diagnostics that may mislead: writes them to a buffer of capacity entries, and how many there are to count. With
+        ! capacity 0 only the number.
+        function stickslip_normal_solution_warnings(solution, buffer, capacity, count) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solution
+            type(stickslip_warning), intent(out), optional :: buffer(*)
+            integer(c_size_t), value :: capacity
+            integer(c_size_t), intent(out), optional :: count
+            integer(c_int32_t) :: answer
+        end function stickslip_normal_solution_warnings
+
+        ! The stiffness of a normal contact on the bodies it was solved for.
+        function stickslip_normal_solution_stiffness(solution, half_space, stiffness) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solution
+            type(c_ptr), value :: half_space
+            type(stickslip_normal_stiffness), intent(out), optional :: stiffness
+            integer(c_int32_t) :: answer
+        end function stickslip_normal_solution_stiffness
+
+        ! Keeps a copy of the state of a history.
+        function stickslip_state_new(history, state) result(answer) bind(c)
+            import
+            type(c_ptr), value :: history
+            type(c_ptr), intent(out) :: state
+            integer(c_int32_t) :: answer
+        end function stickslip_state_new
+
+        ! Frees a state; nothing for NULL.
+        function stickslip_state_free(state) result(answer) bind(c)
+            import
+            type(c_ptr), value :: state
+            integer(c_int32_t) :: answer
+        end function stickslip_state_free
+
+        ! Keeps the present state of a history in the place of an older one, whose memory it uses.
+        function stickslip_state_keep(state, history) result(answer) bind(c)
+            import
+            type(c_ptr), value :: state
+            type(c_ptr), value :: history
+            integer(c_int32_t) :: answer
+        end function stickslip_state_keep
+
+        ! Returns a history to a state, one of its own or of another on equal bodies.
+        function stickslip_history_set_state(history, state) result(answer) bind(c)
+            import
+            type(c_ptr), value :: history
+            type(c_ptr), value :: state
+            integer(c_int32_t) :: answer
+        end function stickslip_history_set_state
+
+        ! The state of a history as bytes, some 60 to 130 for each cell, from which stickslip_history_from_bytes goes on to the
+        ! same bits.
+        !
+        ! length gets how many there are. With a NULL buffer and capacity 0 only that; a buffer that is too small is
+        ! STICKSLIP_BUFFER_TOO_SMALL, and nothing is written to it. Each call takes about as long as a warm step.
+        function stickslip_history_to_bytes(history, buffer, capacity, length) result(answer) bind(c)
+            import
+            type(c_ptr), value :: history
+            integer(c_int8_t), intent(out), optional :: buffer(*)
+            integer(c_size_t), value :: capacity
+            integer(c_size_t), intent(out), optional :: length
+            integer(c_int32_t) :: answer
+        end function stickslip_history_to_bytes
+
+        ! Makes a history from bytes of stickslip_history_to_bytes, on the bodies it had. Damaged bytes are STICKSLIP_FORMAT.
+        function stickslip_history_from_bytes(half_space, bytes, length, history) result(answer) bind(c)
+            import
+            type(c_ptr), value :: half_space
+            integer(c_int8_t), intent(in), optional :: bytes(*)
+            integer(c_size_t), value :: length
+            type(c_ptr), intent(out) :: history
+            integer(c_int32_t) :: answer
+        end function stickslip_history_from_bytes
+
+        ! The gap between a sphere and a plane that touch at the origin (lengths), written to gap, which has count entries.
+        function stickslip_surface_sphere(grid, radius, gap, count) result(answer) bind(c)
+            import
+            type(stickslip_grid), intent(in), optional :: grid
+            real(c_double), value :: radius
+            real(c_double), intent(inout) :: gap(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: answer
+        end function stickslip_surface_sphere
+
+        ! The gap between an ellipsoid, of the radii of curvature radius_x and radius_y at the origin, and a plane.
+        function stickslip_surface_ellipsoid(grid, radius_x, radius_y, gap, count) result(answer) bind(c)
+            import
+            type(stickslip_grid), intent(in), optional :: grid
+            real(c_double), value :: radius_x
+            real(c_double), value :: radius_y
+            real(c_double), intent(inout) :: gap(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: answer
+        end function stickslip_surface_ellipsoid
+
+        ! The gap between a cylinder along y and a plane.
+        function stickslip_surface_cylinder(grid, radius, gap, count) result(answer) bind(c)
+            import
+            type(stickslip_grid), intent(in), optional :: grid
+            real(c_double), value :: radius
+            real(c_double), intent(inout) :: gap(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: answer
+        end function stickslip_surface_cylinder
+
+        ! The options that tangential solvers have by default.
+        function stickslip_tangential_options_default() result(answer) bind(c)
+            import
+            type(stickslip_tangential_options) :: answer
+        end function stickslip_tangential_options_default
+
+        ! Makes a solver under the pressure of a solved normal contact on the same bodies. options may be NULL (the defaults).
+        function stickslip_tangential_solver_new(half_space, normal, friction, load, options, &
+            solver) result(answer) bind(c)
+            import
+            type(c_ptr), value :: half_space
+            type(c_ptr), value :: normal
+            type(stickslip_friction), intent(in), optional :: friction
+            type(stickslip_tangential_load), intent(in), optional :: load
+            type(stickslip_tangential_options), intent(in), optional :: options
+            type(c_ptr), intent(out) :: solver
+            integer(c_int32_t) :: answer
+        end function stickslip_tangential_solver_new
+
+        ! Makes a solver under a pressure from elsewhere (count entries, zero or positive, copied). options may be NULL (the
+        ! defaults).
+        function stickslip_tangential_solver_new_under(half_space, pressure, count, friction, load, options, &
+            solver) result(answer) bind(c)
+            import
+            type(c_ptr), value :: half_space
+            real(c_double), intent(in) :: pressure(*)
+            integer(c_size_t), value :: count
+            type(stickslip_friction), intent(in), optional :: friction
+            type(stickslip_tangential_load), intent(in), optional :: load
+            type(stickslip_tangential_options), intent(in), optional :: options
+            type(c_ptr), intent(out) :: solver
+            integer(c_int32_t) :: answer
+        end function stickslip_tangential_solver_new_under
+
+        ! Frees a solver; nothing for NULL.
+        function stickslip_tangential_solver_free(solver) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solver
+            integer(c_int32_t) :: answer
+        end function stickslip_tangential_solver_free
+
+        ! Changes the load of the next solve.
+        function stickslip_tangential_solver_set_load(solver, load) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solver
+            type(stickslip_tangential_load), intent(in), optional :: load
+            integer(c_int32_t) :: answer
+        end function stickslip_tangential_solver_set_load
+
+        ! Changes the friction of the next solve.
+        function stickslip_tangential_solver_set_friction(solver, friction) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solver
+            type(stickslip_friction), intent(in), optional :: friction
+            integer(c_int32_t) :: answer
+        end function stickslip_tangential_solver_set_friction
+
+        ! Changes the pressure of the next solve to that of a solved normal contact.
+        function stickslip_tangential_solver_set_normal(solver, normal) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solver
+            type(c_ptr), value :: normal
+            integer(c_int32_t) :: answer
+        end function stickslip_tangential_solver_set_normal
+
+        ! Changes the pressure of the next solve to one from elsewhere (count entries, copied).
+        function stickslip_tangential_solver_set_pressure(solver, pressure, count) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solver
+            real(c_double), intent(in) :: pressure(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: answer
+        end function stickslip_tangential_solver_set_pressure
+
+        ! Changes the relative displacement of the next solve.
+        function stickslip_tangential_solver_set_relative_displacement(solver, relative) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solver
+            type(stickslip_relative_displacement), intent(in), optional :: relative
+            integer(c_int32_t) :: answer
+        end function stickslip_tangential_solver_set_relative_displacement
+
+        ! Changes method, tolerance and limits of the next solve.
+        function stickslip_tangential_solver_set_settings(solver, settings) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solver
+            type(stickslip_settings), intent(in), optional :: settings
+            integer(c_int32_t) :: answer
+        end function stickslip_tangential_solver_set_settings
+
+        ! Forgets the last answer: the next solve starts as the first did.
+        function stickslip_tangential_solver_reset(solver) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solver
+            integer(c_int32_t) :: answer
+        end function stickslip_tangential_solver_reset
+
+        ! The largest tangential force that friction holds.
+        function stickslip_tangential_solver_friction_capacity(solver, capacity) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solver
+            real(c_double), intent(out), optional :: capacity
+            integer(c_int32_t) :: answer
+        end function stickslip_tangential_solver_friction_capacity
+
+        ! Solves into a solution of stickslip_tangential_solution_new for the same bodies. observer may be NULL.
+        !
+        ! With STICKSLIP_NOT_CONVERGED the solution holds the last feasible iterate and its report; after any other failure it is
+        ! as it was.
+        function stickslip_tangential_solver_solve(solver, solution, observer) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solver
+            type(c_ptr), value :: solution
+            type(stickslip_observer), intent(in), optional :: observer
+            integer(c_int32_t) :: answer
+        end function stickslip_tangential_solver_solve
+
+        ! Makes an empty solution of the right size for a solver.
+        function stickslip_tangential_solution_new(solver, solution) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solver
+            type(c_ptr), intent(out) :: solution
+            integer(c_int32_t) :: answer
+        end function stickslip_tangential_solution_new
+
+        ! Frees a solution; nothing for NULL.
+        function stickslip_tangential_solution_free(solution) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t) :: answer
+        end function stickslip_tangential_solution_free
+
+        ! STICKSLIP_TRACTION_X, STICKSLIP_SLIP_X or those along y, and how many cells it has (count may be NULL); NULL on failure.
+        function stickslip_tangential_solution_field(solution, which, count) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: which
+            integer(c_size_t), intent(out), optional :: count
+            type(c_ptr) :: answer
+        end function stickslip_tangential_solution_field
+
+        ! The zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; NULL on failure.
+        function stickslip_tangential_solution_zones(solution, count) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solution
+            integer(c_size_t), intent(out), optional :: count
+            type(c_ptr) :: answer
+        end function stickslip_tangential_solution_zones
+
+        ! The numbers of the contact.
+        function stickslip_tangential_solution_result(solution, result) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solution
+            type(stickslip_tangential_result), intent(out), optional :: result
+            integer(c_int32_t) :: answer
+        end function stickslip_tangential_solution_result
+
+        ! How it was solved.
+        function stickslip_tangential_solution_report(solution, report) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solution
+            type(stickslip_report), intent(out), optional :: report
+            integer(c_int32_t) :: answer
+        end function stickslip_tangential_solution_report
+
+        ! Diagnostics that may mislead: as stickslip_normal_solution_warnings.
+        function stickslip_tangential_solution_warnings(solution, buffer, capacity, count) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solution
+            type(stickslip_warning), intent(out), optional :: buffer(*)
+            integer(c_size_t), value :: capacity
+            integer(c_size_t), intent(out), optional :: count
+            integer(c_int32_t) :: answer
+        end function stickslip_tangential_solution_warnings
+
+        ! The stiffness of a tangential contact on the bodies it was solved for.
+        function stickslip_tangential_solution_stiffness(solution, half_space, stiffness) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solution
+            type(c_ptr), value :: half_space
+            type(stickslip_tangential_stiffness), intent(out), optional :: stiffness
+            integer(c_int32_t) :: answer
+        end function stickslip_tangential_solution_stiffness
+
+        ! Sets how many threads solve contacts of more than 4096 cells and batches, from the next call on; 0 for the default, one
+        ! for each processor (or RAYON_NUM_THREADS). Calls under way keep the threads they have. Results have the same bits on
+        ! any number of threads.
+        !
+        ! Threads do not survive a fork: a child process calls this before its first such solve (also with the number it had).
+        function stickslip_set_num_threads(count) result(answer) bind(c)
+            import
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: answer
+        end function stickslip_set_num_threads
+
+        ! The version of the library that is running, as "major.minor.patch"; it lives as long as the program.
+        function stickslip_version() result(answer) bind(c)
+            import
+            type(c_ptr) :: answer
+        end function stickslip_version
+
+        ! STICKSLIP_ABI_VERSION of the library that is running.
+        function stickslip_abi_version() result(answer) bind(c)
+            import
+            integer(c_int32_t) :: answer
+        end function stickslip_abi_version
+
+        ! Adds to depth (lengths, count entries) what Archard's law removes in the last step: coefficient (one over a pressure)
+        ! times pressure times slip. After a failure depth is as it was.
+        function stickslip_wear_archard(history, coefficient, depth, count) result(answer) bind(c)
+            import
+            type(c_ptr), value :: history
+            type(stickslip_per_cell), intent(in), optional :: coefficient
+            real(c_double), intent(inout) :: depth(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: answer
+        end function stickslip_wear_archard
+
+        ! Adds to depth what the energy law removes in the last step: coefficient (one over a pressure) times the energy dissipated
+        ! per area.
+        function stickslip_wear_energy(history, coefficient, depth, count) result(answer) bind(c)
+            import
+            type(c_ptr), value :: history
+            type(stickslip_per_cell), intent(in), optional :: coefficient
+            real(c_double), intent(inout) :: depth(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: answer
+        end function stickslip_wear_energy
+
+        ! The same beyond a threshold, an energy per area that wears nothing, of the energy dissipated since the start.
+        function stickslip_wear_threshold_energy(history, coefficient, threshold, depth, count) result(answer) bind(c)
+            import
+            type(c_ptr), value :: history
+            type(stickslip_per_cell), intent(in), optional :: coefficient
+            real(c_double), value :: threshold
+            real(c_double), intent(inout) :: depth(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: answer
+        end function stickslip_wear_threshold_energy
+    end interface
+end module stickslip_bindings

@@ -1,0 +1,1271 @@
+/* Normal and stick-slip contact of elastic half-spaces: the crate stickslip for C. Made by cbindgen from the source: do not
+ * edit. The same interface with destructors and exceptions is in stickslip.hpp, and for Fortran in stickslip.f90.
+ *
+ * Status. A function returns STICKSLIP_OK (0) or the kind of failure; those that return a pointer return NULL on failure. What
+ * failed is told by stickslip_last_error_message() and stickslip_last_error(), for each thread on its own. Arguments are
+ * checked before any work, and a call that fails leaves its objects as they were, unless its page says otherwise. Nothing
+ * unwinds out of a function, and nothing is printed.
+ *
+ * Pointers. A pointer is NULL, or points to what its type says for as long as the call lasts. Where NULL is allowed the
+ * function says so; elsewhere it is STICKSLIP_BAD_POINTER. Arrays have as many entries as the number beside them says, and
+ * what the library keeps of them is copied. Places for answers need not be initialised.
+ *
+ * Objects. An object is made by ..._new, and freed once by ..._free, in any order: nothing refers to another object. Fields
+ * are read by pointer, without a copy: such a pointer is valid until the next call that changes or frees its object.
+ *
+ * Threads. Any thread may use any object. Several may read one at once (parameters that are const); a call that changes an
+ * object needs it alone, else one of the two returns STICKSLIP_BUSY and does nothing. To free an object or read through a
+ * pointer to a field while another thread uses or changes it is an error that nobody notices.
+ *
+ * Units are any consistent set. Pressure and approach are positive when bodies are pressed; the shift is the motion of body
+ * 2 relative to body 1, traction and tangential force are those that body 2 exerts on body 1.
+ */
+
+
+#ifndef STICKSLIP_H
+#define STICKSLIP_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+// No cell slipped.
+#define STICKSLIP_FULL_STICK 0
+
+// Some cells slipped, but some stuck at the end of each step.
+#define STICKSLIP_PARTIAL_SLIP 1
+
+// The whole contact was at its friction limit at the end of a step.
+#define STICKSLIP_GROSS_SLIP 2
+
+// Pressure, zero outside the contact.
+#define STICKSLIP_PRESSURE 0
+
+// Gap under load (lengths).
+#define STICKSLIP_GAP 1
+
+// Shear traction along x that body 2 exerts on body 1 (pressures).
+#define STICKSLIP_TRACTION_X 2
+
+// Shear traction along y.
+#define STICKSLIP_TRACTION_Y 3
+
+// Slip along x (lengths), the motion of the surface of body 1 over that of body 2; of a history the sum of all steps.
+#define STICKSLIP_SLIP_X 4
+
+// Slip along y.
+#define STICKSLIP_SLIP_Y 5
+
+// Displacement by pressure and tractions together along x (lengths); coupled solutions only.
+#define STICKSLIP_DISPLACEMENT_X 6
+
+// The same along y.
+#define STICKSLIP_DISPLACEMENT_Y 7
+
+// The same along z, the sum of both bodies.
+#define STICKSLIP_DISPLACEMENT_Z 8
+
+// Length of the path slipped, in all steps of a history or in those of a cycle (lengths).
+#define STICKSLIP_SLIP_DISTANCE 9
+
+// Energy that each cell has dissipated, in all steps of a history or in those of a cycle.
+#define STICKSLIP_DISSIPATED_ENERGY 10
+
+// Gap of a history before loading, as last set (lengths).
+#define STICKSLIP_INITIAL_GAP 11
+
+// Slip along x of the last step of a history (lengths).
+#define STICKSLIP_STEP_SLIP_X 12
+
+// Slip along y of the last step.
+#define STICKSLIP_STEP_SLIP_Y 13
+
+// Length of the slip of the last step.
+#define STICKSLIP_STEP_SLIP_DISTANCE 14
+
+// Energy that each cell dissipated in the last step, by its traction at the end.
+#define STICKSLIP_STEP_DISSIPATED_ENERGY 15
+
+// Energy that each cell dissipated in the last step, by the mean of its tractions: the measure that closes the balance.
+#define STICKSLIP_STEP_MID_DISSIPATED_ENERGY 16
+
+// What has yielded for good, added to the gap (lengths); histories with a permanent set only.
+#define STICKSLIP_YIELDED_DEPTH 17
+
+// Mean pressure while slipping, weighted by the slip; cycles only.
+#define STICKSLIP_SLIP_PRESSURE 18
+
+// Amplitude of the slip along x; cycles only (lengths).
+#define STICKSLIP_SLIP_AMPLITUDE_X 19
+
+// Amplitude of the slip along y; cycles only.
+#define STICKSLIP_SLIP_AMPLITUDE_Y 20
+
+// Zone of a cell out of contact.
+#define STICKSLIP_SEPARATED 0
+
+// Zone of a cell in contact, below the friction limit.
+#define STICKSLIP_STICK 1
+
+// Zone of a cell in contact, at the friction limit.
+#define STICKSLIP_SLIP 2
+
+// Along x.
+#define STICKSLIP_X 0
+
+// Along y.
+#define STICKSLIP_Y 1
+
+// A cell that touches within a step follows its motion as far as it would if all that grows stuck (default).
+#define STICKSLIP_GROWTH 0
+
+// It follows all of the motion of the step.
+#define STICKSLIP_WHOLE_STEP 1
+
+// The grid is a patch on infinite bodies.
+#define STICKSLIP_NON_PERIODIC 0
+
+// The grid repeats along x and y.
+#define STICKSLIP_PERIODIC 1
+
+// The grid repeats along y alone.
+#define STICKSLIP_PERIODIC_ALONG_Y 2
+
+// Active sets, the default.
+#define STICKSLIP_ACTIVE_SET 0
+
+// The loop of Polonsky and Keer, for pressure or for one traction.
+#define STICKSLIP_POLONSKY_KEER 1
+
+// Hold: the pressure, the shift as it is.
+#define STICKSLIP_HOLD 0
+
+// A force.
+#define STICKSLIP_FORCE 1
+
+// The approach of the bodies (a length), from the datum of the gap.
+#define STICKSLIP_APPROACH 2
+
+// The shift, the rigid motion of body 2 relative to body 1 (a length), since the unloaded state.
+#define STICKSLIP_SHIFT 3
+
+// A spring that drags body 2: the force is stiffness * (value - shift).
+#define STICKSLIP_SPRING 4
+
+// The traction along the load alone (default).
+#define STICKSLIP_SCALAR 0
+
+// Both tractions, under loads of any direction.
+#define STICKSLIP_VECTOR 1
+
+// Pressure and shear are found together: coupled solvers and histories only.
+#define STICKSLIP_FULL 0
+
+// Shear does not change the pressure, but pressure moves the surfaces tangentially.
+#define STICKSLIP_ONE_WAY 1
+
+// Neither moves the other.
+#define STICKSLIP_NEGLECTED 2
+
+// Nothing has been solved yet.
+#define STICKSLIP_UNSOLVED 0
+
+// A fresh product shows residual and certified error at or below the tolerance.
+#define STICKSLIP_CONVERGED 1
+
+// The iteration limit was reached first.
+#define STICKSLIP_AT_ITERATION_LIMIT 2
+
+// The time limit was reached first.
+#define STICKSLIP_AT_TIME_LIMIT 3
+
+// The residual no longer falls: the tolerance is below round-off.
+#define STICKSLIP_STALLED 4
+
+// The observer asked to stop.
+#define STICKSLIP_CANCELLED 5
+
+// There is no contact.
+#define STICKSLIP_WARNING_NO_CONTACT 1
+
+// Contact cells (cells) lie on the edge of the grid.
+#define STICKSLIP_WARNING_CONTACT_AT_EDGE 2
+
+// Contact spots (cells) of all (of) are smaller than five cells.
+#define STICKSLIP_WARNING_UNRESOLVED_SPOTS 3
+
+// The grid is a line of cells that does not repeat.
+#define STICKSLIP_WARNING_LINE_OF_CELLS 4
+
+// A contact spot runs across the whole grid.
+#define STICKSLIP_WARNING_CONTACT_ACROSS 5
+
+// Cells (cells) are pressed beyond the hardness that a material states.
+#define STICKSLIP_WARNING_BEYOND_HARDNESS 6
+
+// The pressure was held although the gap had changed.
+#define STICKSLIP_WARNING_STALE_PRESSURE 7
+
+// Any other: the message says which.
+#define STICKSLIP_WARNING_OTHER 127
+
+// Bytes of the message of a warning.
+#define STICKSLIP_WARNING_LENGTH 384
+
+// Done.
+#define STICKSLIP_OK 0
+
+// The tolerance was not reached, or the observer or a limit ended the solve. The solution holds the last feasible iterate
+// and its report; a history is as it was, and stickslip_last_error_report has the report.
+#define STICKSLIP_NOT_CONVERGED 1
+
+// The tangential force (value) exceeds what friction can carry (limit): no equilibrium exists.
+#define STICKSLIP_BEYOND_FRICTION_CAPACITY 2
+
+// The normal force (value) exceeds what the hardness lets the cells carry (limit).
+#define STICKSLIP_BEYOND_HARDNESS 3
+
+// The bodies do not touch: there is nothing to load tangentially.
+#define STICKSLIP_EMPTY_CONTACT 4
+
+// The approach (value) is not below the mean gap (limit) of a periodic contact.
+#define STICKSLIP_APPROACH_BEYOND_MEAN_GAP 5
+
+// The materials couple pressure and shear (value: Dundurs' beta), and what was asked for does not model that.
+#define STICKSLIP_COUPLED_MATERIALS 6
+
+// The model does not include this load (value).
+#define STICKSLIP_NOT_MODELLED 7
+
+// The load has components along both axes, which the scalar model does not allow (value: along x, limit: along y).
+#define STICKSLIP_OBLIQUE_LOAD 8
+
+// A load was cut into the shortest steps allowed, and the error of one (value) is still beyond its tolerance (limit).
+#define STICKSLIP_STEP_TOO_LONG 9
+
+// Cells (index: how many) are at their hardness, where only elastic contacts have what was asked for.
+#define STICKSLIP_YIELDED 10
+
+// A history that a cycle already counts, or of another step.
+#define STICKSLIP_STEP_NOT_NEW 11
+
+// A handle or another pointer that is needed is NULL, or misaligned.
+#define STICKSLIP_BAD_POINTER 32
+
+// The handle is in use by another thread; nothing was done.
+#define STICKSLIP_BUSY 33
+
+// The number (value) is no constant of the kind that is needed there.
+#define STICKSLIP_NO_SUCH_OPTION 34
+
+// The buffer has room for fewer entries (found) than there are (expected).
+#define STICKSLIP_BUFFER_TOO_SMALL 35
+
+// Some contacts of a batch failed: the codes of each say why, the last error is that of the first (index).
+#define STICKSLIP_SOME_FAILED 36
+
+// The threads cannot be made.
+#define STICKSLIP_NO_THREADS 37
+
+// A defect of the library. The objects of the call can be freed, and should not be used otherwise.
+#define STICKSLIP_PANIC 38
+
+// A grid needs at least one cell along each axis.
+#define STICKSLIP_GRID_SIZE 64
+
+// Memory cannot be allocated, and none was.
+#define STICKSLIP_MEMORY 65
+
+// A quantity (value) that must be positive and finite is not.
+#define STICKSLIP_NOT_POSITIVE 66
+
+// A quantity (value) that must be zero or positive, and finite, is not.
+#define STICKSLIP_NEGATIVE 67
+
+// A quantity (value) that must be finite is not.
+#define STICKSLIP_NOT_FINITE 68
+
+// A sample (value, at index) of a field violates a rule for that field.
+#define STICKSLIP_SAMPLE 69
+
+// Poisson's ratio (value) lies outside (-1, 1/2].
+#define STICKSLIP_POISSON_RATIO 70
+
+// Both bodies are rigid: nothing deforms.
+#define STICKSLIP_BOTH_RIGID 71
+
+// The cells are too long: double precision does not resolve the compliance of their short waves.
+#define STICKSLIP_CELLS_TOO_LONG 72
+
+// An array has the wrong number of entries (found for expected).
+#define STICKSLIP_LENGTH 73
+
+// Two objects live on different grids.
+#define STICKSLIP_GRID_MISMATCH 74
+
+// Two objects belong to bodies with different boundaries.
+#define STICKSLIP_BOUNDARY_MISMATCH 75
+
+// Two objects belong to bodies of different materials.
+#define STICKSLIP_MATERIAL_MISMATCH 76
+
+// The tolerance (value) lies outside (0, 1).
+#define STICKSLIP_TOLERANCE 77
+
+// The iteration limit is zero.
+#define STICKSLIP_ITERATION_LIMIT 78
+
+// A solver that is to hold its pressure has none yet: give it a force or an approach.
+#define STICKSLIP_NOTHING_TO_HOLD 79
+
+// The method does not solve this kind of problem.
+#define STICKSLIP_METHOD 80
+
+// A quantity (value) is below its lower limit (limit).
+#define STICKSLIP_BELOW 81
+
+// The bytes are no saved history, of another version, or damaged.
+#define STICKSLIP_FORMAT 82
+
+// Any other refusal: the message says which.
+#define STICKSLIP_REFUSED 127
+
+// Major version of the library.
+#define STICKSLIP_VERSION_MAJOR 0
+
+// Minor version of the library.
+#define STICKSLIP_VERSION_MINOR 1
+
+// Patch version of the library.
+#define STICKSLIP_VERSION_PATCH 0
+
+// Version of the binary interface: of functions, layouts of structs and meanings of constants.
+//
+// It goes up whenever a program compiled with an older header could go wrong, and is part of the SONAME. A patch never
+// changes it, a minor version may before 1.0; functions and constants may be added without. A host that loads the
+// library at run time compares it with stickslip_abi_version() first.
+#define STICKSLIP_ABI_VERSION 1
+
+// Takes loads in steps short enough for a tolerance of the tractions: a step is compared with the same in two halves. For
+// histories on one grid.
+typedef struct stickslip_adaptive_steps stickslip_adaptive_steps;
+
+// Pressure, tractions and displacements of a coupled contact. Its fields are read without a copy, and are valid until the
+// next solve into it, or until it is freed.
+typedef struct stickslip_coupled_solution stickslip_coupled_solution;
+
+// Solves coupled contacts again and again, each from rest in one step, beginning with the last answer.
+typedef struct stickslip_coupled_solver stickslip_coupled_solver;
+
+// What the steps of a history add up to since the cycle began.
+typedef struct stickslip_cycle stickslip_cycle;
+
+// Two elastic half-spaces on a grid, with the operators that all contacts on them share. Solvers and histories keep what
+// they need of it: it may be freed before them. Many threads may use one at once.
+typedef struct stickslip_half_space stickslip_half_space;
+
+// A contact that is loaded step by step, with memory of slip. A step that fails leaves it bit for bit as it was. Its
+// fields are read without a copy, and are valid until the next call that changes it.
+typedef struct stickslip_history stickslip_history;
+
+// Pressure, gap and approach of a normal contact. Its fields are read without a copy, and are valid until the next solve
+// into it, or until it is freed.
+typedef struct stickslip_normal_solution stickslip_normal_solution;
+
+// Solves normal contacts of two bodies again and again, each solve beginning with the last answer.
+typedef struct stickslip_normal_solver stickslip_normal_solver;
+
+// A state of a history, to which it may return: gap, friction and settings are part of it.
+typedef struct stickslip_state stickslip_state;
+
+// Traction, slip and shift of a tangential contact. Its fields are read without a copy, and are valid until the next solve
+// into it, or until it is freed.
+typedef struct stickslip_tangential_solution stickslip_tangential_solution;
+
+// Solves tangential contacts again and again, each from rest, beginning with the last answer.
+typedef struct stickslip_tangential_solver stickslip_tangential_solver;
+
+// What a function returns: STICKSLIP_OK or the kind of failure.
+typedef int32_t stickslip_status;
+
+// A normal load.
+typedef struct {
+    // STICKSLIP_HOLD, STICKSLIP_FORCE or STICKSLIP_APPROACH.
+    int32_t kind;
+    // The force (zero or positive) or the approach (a length, positive when the bodies come together).
+    double value;
+} stickslip_normal_load;
+
+// What is prescribed along one axis.
+typedef struct {
+    // STICKSLIP_HOLD, STICKSLIP_FORCE, STICKSLIP_SHIFT or STICKSLIP_SPRING.
+    int32_t kind;
+    // The force that body 2 exerts on body 1, the shift, or the position of the far end of the spring.
+    double value;
+    // Stiffness of the spring (a force over a length).
+    double stiffness;
+} stickslip_control;
+
+// A step of a history: what it prescribes at its end. All zero holds everything.
+typedef struct {
+    // Normal load.
+    stickslip_normal_load normal;
+    // Tangential load along x.
+    stickslip_control x;
+    // Tangential load along y.
+    stickslip_control y;
+    // Not zero: to this twist; else the twist is held.
+    int32_t has_twist;
+    // Rotation of body 2 relative to body 1 since the start (radians, from x to y).
+    double twist;
+    // Not zero: to this amount of the relative displacement; else it is held.
+    int32_t has_relative_displacement;
+    // Amount of the relative displacement, as a multiple of the pattern of the history.
+    double relative_displacement;
+} stickslip_load_step;
+
+// The error that one step makes with a load: its difference from the same in two halves.
+typedef struct {
+    // That of the traction, relative; what the tolerance is for.
+    double traction;
+    // That of the tangential force.
+    double force[2];
+    // That of the shift (lengths).
+    double shift[2];
+    // That of the energy dissipated.
+    double dissipated_energy;
+} stickslip_step_error;
+
+// A quantity of all cells: one value, or one for each.
+typedef struct {
+    // The value of all cells, if cells is NULL.
+    double value;
+    // A value for each cell, copied by the call; or NULL.
+    const double *cells;
+    // Number of cells, if cells is not NULL.
+    size_t count;
+} stickslip_per_cell;
+
+// Coulomb friction.
+typedef struct {
+    // Coefficient of friction, zero or positive.
+    stickslip_per_cell coefficient;
+    // Largest shear traction (a pressure); 0 or infinite: no limit but that of the coefficient.
+    double max_shear_stress;
+} stickslip_friction;
+
+// A tangential load from rest.
+typedef struct {
+    // Along x.
+    stickslip_control x;
+    // Along y.
+    stickslip_control y;
+    // Rotation of body 2 relative to body 1 about the origin of the grid (radians, from x to y); the vector model only.
+    double twist;
+} stickslip_tangential_load;
+
+// A tangential displacement of body 1 relative to body 2 in each cell that the contact does not cause, such as that of
+// bulk strain; copied by the call.
+typedef struct {
+    // That along x (lengths), for each cell.
+    const double *x;
+    // That along y (lengths), for each cell.
+    const double *y;
+    // Number of cells.
+    size_t count;
+} stickslip_relative_displacement;
+
+// Method, tolerance and limits of a solve; stickslip_settings_default() has the defaults.
+typedef struct {
+    // STICKSLIP_ACTIVE_SET (default) or STICKSLIP_POLONSKY_KEER.
+    int32_t method;
+    // The error accepted, in (0, 1) (default 1e-8): certified in the energy norm, and as a residual relative to the largest
+    // displacement.
+    double tolerance;
+    // Conjugate-gradient steps allowed (default 10000).
+    size_t max_iterations;
+    // Wall time allowed for a solve (seconds); infinite (default): any. A step of a history has two solves, pressure and
+    // traction.
+    double time_limit;
+} stickslip_settings;
+
+// One step of an iteration.
+typedef struct {
+    // Conjugate-gradient steps so far.
+    size_t iteration;
+    // Products in double precision so far.
+    size_t double_precision_products;
+    // Products in single precision so far.
+    size_t single_precision_products;
+    // Largest complementarity residual, relative to the largest displacement, as last measured.
+    double residual;
+    // Contact cells of a normal problem, sticking cells of a tangential one.
+    size_t free;
+} stickslip_iteration;
+
+// Called before every product with the operator, also on the coarser grids of a start: return 0 to end the solve, anything
+// else to go on. It is called by one thread at a time, on more than 4096 cells possibly another than that which called the
+// solve. It must not unwind or jump out, nor call functions with handles that the solve uses (STICKSLIP_BUSY).
+typedef int32_t (*stickslip_observe)(const stickslip_iteration *iteration, void *user);
+
+// A function that watches a solve, with data of yours.
+typedef struct {
+    // The function; NULL watches nothing.
+    stickslip_observe observe;
+    // Passed to the function as it is.
+    void *user;
+} stickslip_observer;
+
+// Numbers of a normal contact.
+typedef struct {
+    // Approach of the bodies from the datum of the gap (a length).
+    double approach;
+    // Normal force.
+    double force;
+    // Area of the cells in contact.
+    double contact_area;
+    // The same, corrected for the steps of its perimeter.
+    double contact_area_corrected;
+    // Force over contact area; zero without contact.
+    double mean_pressure;
+    // Moments of the pressure about x and y at the origin of the grid (forces times lengths).
+    double moments[2];
+    // Centre of pressure (lengths); NaN without contact.
+    double centre_of_pressure[2];
+    // Cells in contact.
+    size_t contact_cells;
+    // Cells at their hardness.
+    size_t yielded_cells;
+} stickslip_normal_result;
+
+// Numbers of a tangential contact.
+typedef struct {
+    // Shift of body 2 relative to body 1 (lengths).
+    double shift[2];
+    // Tangential force that body 2 exerts on body 1.
+    double force[2];
+    // Rotation of body 2 relative to body 1 (radians).
+    double twist;
+    // Moment about z that the tractions exert on body 1 (a force times a length).
+    double moment;
+    // Stick cells over contact cells.
+    double stick_ratio;
+    // Area that sticks.
+    double stick_area;
+    // Area that slips.
+    double slip_area;
+    // Energy dissipated by slip.
+    double dissipated_energy;
+    // Not zero if the whole contact is at its friction limit.
+    int32_t is_gross_slip;
+} stickslip_tangential_result;
+
+// How a solve ended, what it cost and how large its error can be.
+typedef struct {
+    // STICKSLIP_CONVERGED or why not, or STICKSLIP_UNSOLVED.
+    int32_t status;
+    // Conjugate-gradient steps.
+    size_t iterations;
+    // Products with the operator in double precision.
+    size_t double_precision_products;
+    // Products in single precision.
+    size_t single_precision_products;
+    // Largest complementarity residual, relative to the largest displacement.
+    double residual;
+    // Certified bound on the squared relative error in the energy norm.
+    double duality_gap;
+    // Certified bound on the relative error in the energy norm, the root of the above.
+    double energy_error_bound;
+    // Relative error of the prescribed total force.
+    double load_error;
+    // Wall time of the solve (seconds).
+    double seconds;
+} stickslip_report;
+
+// How a coupled solve ended. The whole error is bounded where friction is weak; else its halves are certified.
+typedef struct {
+    // The work; its duality gap is infinite.
+    stickslip_report work;
+    // Bound of the error of the pressure in the energy norm, at tractions as they are.
+    double pressure_error_bound;
+    // Bound of the error of the tractions, at the pressure as it is.
+    double traction_error_bound;
+    // Bounds of the errors of pressure and traction as a whole; NaN where there are none.
+    double error_bounds[2];
+    // What the errors of pressure and traction as a whole are likely to be; NaN where that is not known.
+    double error_estimate[2];
+} stickslip_coupled_report;
+
+// A diagnostic on a converged solution that may mislead.
+typedef struct {
+    // One of STICKSLIP_WARNING_NO_CONTACT and the others.
+    int32_t kind;
+    // Cells or spots that it is about; else zero.
+    size_t cells;
+    // Spots in all; else zero.
+    size_t of;
+    // What it means and what to do, in English; ends with a zero byte.
+    char message[STICKSLIP_WARNING_LENGTH];
+} stickslip_warning;
+
+// Work, elastic energy and dissipation of a step or a cycle.
+typedef struct {
+    // Work of the tangential load.
+    double work;
+    // Elastic energy of shear before.
+    double elastic_before;
+    // Elastic energy of shear after.
+    double elastic_after;
+    // Energy dissipated, by the tractions at the ends of steps.
+    double dissipated_energy;
+    // Energy dissipated, by the mean tractions of steps, which closes the balance.
+    double mid_step_dissipated_energy;
+    // Energy that cells let go as they leave the contact.
+    double released;
+    // Work on the motion that the tolerance leaves in stick cells.
+    double residual;
+    // What is missing in the balance: round-off.
+    double imbalance;
+} stickslip_energy;
+
+// Numbers of a cycle.
+typedef struct {
+    // Steps since it began.
+    size_t steps;
+    // STICKSLIP_FULL_STICK, STICKSLIP_PARTIAL_SLIP or STICKSLIP_GROSS_SLIP.
+    int32_t regime;
+    // Energy dissipated over the area of the rectangle around the loop of force and shift.
+    double energy_ratio;
+    // How far the traction at the end is from that at the beginning, relative to the largest: zero if the loop repeats.
+    double cyclic_residual;
+    // Amplitude of the tangential force.
+    double force_amplitude[2];
+    // Amplitude of the shift (lengths).
+    double shift_amplitude[2];
+    // Least and largest stick ratio at the end of a step.
+    double stick_ratios[2];
+    // Energies of all its steps.
+    stickslip_energy energy;
+} stickslip_cycle_result;
+
+// The numbers of the last failure on this thread; zero where they have no meaning.
+typedef struct {
+    // What the function returned, STICKSLIP_OK before any failure.
+    stickslip_status code;
+    // The offending value.
+    double value;
+    // The limit that it violates.
+    double limit;
+    // The index of the offending sample, or the place in a batch.
+    size_t index;
+    // Entries needed.
+    size_t expected;
+    // Entries given.
+    size_t found;
+} stickslip_error;
+
+// A grid of nx by ny rectangular cells of sides dx and dy (lengths), centred on the origin. An array of samples has
+// nx * ny entries, row by row with x fastest: that of cell (ix, iy) is at iy * nx + ix.
+typedef struct {
+    // Cells along x.
+    size_t nx;
+    // Cells along y.
+    size_t ny;
+    // Side of a cell along x (a length).
+    double dx;
+    // Side of a cell along y (a length).
+    double dy;
+} stickslip_grid;
+
+// The material of a body.
+typedef struct {
+    // Young's modulus (a pressure); infinite for a rigid body.
+    double youngs_modulus;
+    // Poisson's ratio, in (-1, 1/2]; of no meaning for a rigid body.
+    double poisson_ratio;
+    // Indentation hardness (a pressure), for warnings only; 0 or infinite: not known.
+    double hardness;
+} stickslip_material;
+
+// What lies beyond the edge of the grid.
+typedef struct {
+    // STICKSLIP_NON_PERIODIC, STICKSLIP_PERIODIC or STICKSLIP_PERIODIC_ALONG_Y.
+    int32_t kind;
+    // With STICKSLIP_PERIODIC_ALONG_Y: distance along x at which a line load moves nothing (a length).
+    double datum;
+} stickslip_boundary;
+
+// Constants of a pair of materials.
+typedef struct {
+    // E* (a pressure): 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2.
+    double contact_modulus;
+    // G* of Mindlin (a pressure): 1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2; a circle of radius a that sticks has 8 G* a.
+    double tangential_modulus;
+    // Dundurs' second parameter; zero where pressure and shear are not coupled.
+    double dundurs_beta;
+    // Not zero if pressure and shear are coupled.
+    int32_t is_coupled;
+} stickslip_pair;
+
+// Options of a history; stickslip_history_options_default() has the defaults.
+typedef struct {
+    // Axis of load and traction in the scalar model: STICKSLIP_X (default) or STICKSLIP_Y.
+    int32_t axis;
+    // STICKSLIP_SCALAR (default) or STICKSLIP_VECTOR.
+    int32_t model;
+    // STICKSLIP_FULL (default), STICKSLIP_ONE_WAY or STICKSLIP_NEGLECTED; of meaning for dissimilar bodies only.
+    int32_t coupling;
+    // STICKSLIP_GROWTH (default) or STICKSLIP_WHOLE_STEP.
+    int32_t touch_rule;
+    // Largest pressure that the cells carry, or NULL (default).
+    const stickslip_per_cell *hardness;
+    // Not zero if what yields stays (default 0).
+    int32_t permanent_set;
+    // Pattern of a displacement that the contact does not cause, or NULL (default); steps reach an amount of it.
+    const stickslip_relative_displacement *relative_displacement;
+    // Method, tolerance and limits.
+    stickslip_settings settings;
+} stickslip_history_options;
+
+// Normal force by approach.
+typedef struct {
+    // A force over a length; zero without contact.
+    double value;
+    // Bound of its relative error.
+    double bound;
+} stickslip_normal_stiffness;
+
+// Forces along x and y and the moment, by shifts along x and y and the twist: rows are loads, columns motions. In C
+// loading[row, column].
+typedef struct {
+    // If the motion continues in its direction.
+    double loading[3][3];
+    // If the motion reverses: all cells of the contact stick.
+    double reversal[3][3];
+    // Bound of the errors: none is larger than this times the root of the product of the two entries on the diagonal.
+    double bound;
+} stickslip_tangential_stiffness;
+
+// The stiffness of a contact.
+typedef struct {
+    // Normal force by approach.
+    stickslip_normal_stiffness normal;
+    // Tangential forces and moment by shift and twist.
+    stickslip_tangential_stiffness tangential;
+    // Tangential forces and moment by the approach while slip continues.
+    double by_approach[3];
+} stickslip_stiffness;
+
+// Numbers of a history after its last step.
+typedef struct {
+    // Normal force.
+    double normal_force;
+    // Approach of the bodies (a length).
+    double approach;
+    // Tangential force that body 2 exerts on body 1.
+    double force[2];
+    // Shift of body 2 relative to body 1 since the start (lengths).
+    double shift[2];
+    // Moment about z that the tractions exert on body 1.
+    double moment;
+    // Rotation of body 2 relative to body 1 since the start (radians).
+    double twist;
+    // Stick cells over contact cells after the last step; zero without contact.
+    double stick_ratio;
+    // Not zero if the whole contact is at its friction limit after the last step.
+    int32_t is_gross_slip;
+    // Steps taken since the start.
+    uint64_t steps;
+    // Energies of the last step.
+    stickslip_energy energy;
+} stickslip_step_result;
+
+// Options of a tangential solver; stickslip_tangential_options_default() has the defaults.
+typedef struct {
+    // STICKSLIP_SCALAR (default) or STICKSLIP_VECTOR.
+    int32_t model;
+    // STICKSLIP_ONE_WAY (default) or STICKSLIP_NEGLECTED; of meaning for dissimilar bodies only.
+    int32_t coupling;
+    // A displacement of body 1 relative to body 2 that the contact does not cause, or NULL (default).
+    const stickslip_relative_displacement *relative_displacement;
+    // Method, tolerance and limits.
+    stickslip_settings settings;
+} stickslip_tangential_options;
+
+#ifdef __cplusplus
+extern "C" {
+#endif // __cplusplus
+
+// Makes the buffers for histories on the grid of this one, with a tolerance in (0, 1) for a whole load.
+stickslip_status stickslip_adaptive_steps_new(const stickslip_history *history,
+                                              double tolerance,
+                                              stickslip_adaptive_steps **steps);
+
+// Frees the buffers; nothing for NULL.
+stickslip_status stickslip_adaptive_steps_free(stickslip_adaptive_steps *steps);
+
+// Takes a load in as many steps as it needs, and writes how many to taken (may be NULL). After a failure, which may be
+// STICKSLIP_STEP_TOO_LONG, the state of the history is as it was; its last step is that of the last attempt.
+stickslip_status stickslip_adaptive_steps_step(stickslip_adaptive_steps *steps,
+                                               stickslip_history *history,
+                                               const stickslip_load_step *load,
+                                               size_t *taken);
+
+// The error that stickslip_history_step would make with a load. The state of the history is as it was; its last step is
+// the second half of this one.
+stickslip_status stickslip_adaptive_steps_error(stickslip_adaptive_steps *steps,
+                                                stickslip_history *history,
+                                                const stickslip_load_step *load,
+                                                stickslip_step_error *error);
+
+// Takes a step of each of count histories, the i-th load for the i-th history, on the threads of stickslip_set_num_threads.
+// Contacts of at most 4096 cells are solved on one thread each. Each comes to the bits that it has alone.
+//
+// codes (may be NULL) gets what stickslip_history_step would return for each. STICKSLIP_SOME_FAILED if any failed: these
+// are as they were, and the last error is that of the first of them; the others have taken their step. A history that
+// occurs twice is STICKSLIP_BUSY the second time.
+stickslip_status stickslip_history_step_all(stickslip_history *const *histories,
+                                            const stickslip_load_step *loads,
+                                            size_t count,
+                                            stickslip_status *codes);
+
+// Makes a solver of a gap before loading (lengths, count entries, copied). relative (none) and settings (the defaults) may
+// be NULL.
+stickslip_status stickslip_coupled_solver_new(const stickslip_half_space *half_space,
+                                              const double *gap,
+                                              size_t count,
+                                              const stickslip_friction *friction,
+                                              const stickslip_normal_load *normal,
+                                              const stickslip_tangential_load *load,
+                                              const stickslip_relative_displacement *relative,
+                                              const stickslip_settings *settings,
+                                              stickslip_coupled_solver **solver);
+
+// Frees a solver; nothing for NULL.
+stickslip_status stickslip_coupled_solver_free(stickslip_coupled_solver *solver);
+
+// Changes the normal load of the next solve.
+stickslip_status stickslip_coupled_solver_set_normal(stickslip_coupled_solver *solver,
+                                                     const stickslip_normal_load *normal);
+
+// Changes the tangential load of the next solve.
+stickslip_status stickslip_coupled_solver_set_load(stickslip_coupled_solver *solver,
+                                                   const stickslip_tangential_load *load);
+
+// Changes the gap before loading of the next solve (lengths, count entries, copied).
+stickslip_status stickslip_coupled_solver_set_gap(stickslip_coupled_solver *solver, const double *gap, size_t count);
+
+// Changes the friction of the next solve.
+stickslip_status stickslip_coupled_solver_set_friction(stickslip_coupled_solver *solver,
+                                                       const stickslip_friction *friction);
+
+// Changes method, tolerance and limits of the next solve.
+stickslip_status stickslip_coupled_solver_set_settings(stickslip_coupled_solver *solver,
+                                                       const stickslip_settings *settings);
+
+// Forgets the last answer: the next solve starts as the first did.
+stickslip_status stickslip_coupled_solver_reset(stickslip_coupled_solver *solver);
+
+// Solves into a solution of stickslip_coupled_solution_new for the same bodies. observer may be NULL. With
+// STICKSLIP_NOT_CONVERGED the solution holds the last iterate and its report; after any other failure it is as it was.
+stickslip_status stickslip_coupled_solver_solve(stickslip_coupled_solver *solver,
+                                                stickslip_coupled_solution *solution,
+                                                const stickslip_observer *observer);
+
+// Makes an empty solution of the right size for a solver.
+stickslip_status stickslip_coupled_solution_new(const stickslip_coupled_solver *solver,
+                                                stickslip_coupled_solution **solution);
+
+// Frees a solution; nothing for NULL.
+stickslip_status stickslip_coupled_solution_free(stickslip_coupled_solution *solution);
+
+// A field, STICKSLIP_PRESSURE to STICKSLIP_DISPLACEMENT_Z, and how many cells it has (count may be NULL); NULL on failure.
+const double *stickslip_coupled_solution_field(const stickslip_coupled_solution *solution,
+                                               int32_t which,
+                                               size_t *count);
+
+// The zone of every cell; NULL on failure.
+const uint8_t *stickslip_coupled_solution_zones(const stickslip_coupled_solution *solution, size_t *count);
+
+// The numbers of both halves; either may be NULL.
+stickslip_status stickslip_coupled_solution_results(const stickslip_coupled_solution *solution,
+                                                    stickslip_normal_result *normal,
+                                                    stickslip_tangential_result *tangential);
+
+// How it was solved.
+stickslip_status stickslip_coupled_solution_report(const stickslip_coupled_solution *solution,
+                                                   stickslip_coupled_report *report);
+
+// Diagnostics that may mislead: as stickslip_normal_solution_warnings.
+stickslip_status stickslip_coupled_solution_warnings(const stickslip_coupled_solution *solution,
+                                                     stickslip_warning *buffer,
+                                                     size_t capacity,
+                                                     size_t *count);
+
+// Begins a cycle at the present state of a history.
+stickslip_status stickslip_cycle_new(const stickslip_history *history, stickslip_cycle **cycle);
+
+// Frees a cycle; nothing for NULL.
+stickslip_status stickslip_cycle_free(stickslip_cycle *cycle);
+
+// Begins the cycle anew, at the present state of a history.
+stickslip_status stickslip_cycle_begin(stickslip_cycle *cycle, const stickslip_history *history);
+
+// Adds the last step of the history, which must be new (else STICKSLIP_STEP_NOT_NEW).
+stickslip_status stickslip_cycle_add(stickslip_cycle *cycle, const stickslip_history *history);
+
+// The numbers of the cycle.
+stickslip_status stickslip_cycle_result_of(const stickslip_cycle *cycle, stickslip_cycle_result *result);
+
+// A field of the cycle: STICKSLIP_SLIP_DISTANCE, STICKSLIP_DISSIPATED_ENERGY, STICKSLIP_SLIP_PRESSURE,
+// STICKSLIP_SLIP_AMPLITUDE_X or _Y; NULL on failure. It is valid until the next call that changes the cycle.
+const double *stickslip_cycle_field(const stickslip_cycle *cycle, int32_t which, size_t *count);
+
+// The message of the last failure on this thread, in English, UTF-8; empty before any. It is valid until the next failure
+// on this thread, or its end.
+const char *stickslip_last_error_message(void);
+
+// The numbers of the last failure on this thread.
+stickslip_status stickslip_last_error(stickslip_error *error);
+
+// The report of the last failure on this thread, if that was STICKSLIP_NOT_CONVERGED; else STICKSLIP_REFUSED.
+stickslip_status stickslip_last_error_report(stickslip_report *report);
+
+// Makes the bodies: nothing is computed yet. A NULL boundary is STICKSLIP_NON_PERIODIC.
+stickslip_status stickslip_half_space_new(const stickslip_grid *grid,
+                                          const stickslip_material *body_1,
+                                          const stickslip_material *body_2,
+                                          const stickslip_boundary *boundary,
+                                          stickslip_half_space **half_space);
+
+// Frees the bodies; nothing for NULL.
+stickslip_status stickslip_half_space_free(stickslip_half_space *half_space);
+
+// The grid.
+stickslip_status stickslip_half_space_grid(const stickslip_half_space *half_space, stickslip_grid *grid);
+
+// The constants of the pair.
+stickslip_status stickslip_half_space_pair(const stickslip_half_space *half_space, stickslip_pair *pair);
+
+// The options that histories have by default.
+stickslip_history_options stickslip_history_options_default(void);
+
+// Makes a history of a gap before loading (lengths, count entries, copied); nothing touches before the first step. options
+// may be NULL (the defaults).
+stickslip_status stickslip_history_new(const stickslip_half_space *half_space,
+                                       const double *gap,
+                                       size_t count,
+                                       const stickslip_friction *friction,
+                                       const stickslip_history_options *options,
+                                       stickslip_history **history);
+
+// Makes a copy of a history, which goes on by itself.
+stickslip_status stickslip_history_clone(const stickslip_history *history, stickslip_history **copy);
+
+// Frees a history; nothing for NULL.
+stickslip_status stickslip_history_free(stickslip_history *history);
+
+// Takes a step. observer may be NULL. After a failure the history is as it was; after STICKSLIP_NOT_CONVERGED
+// stickslip_last_error_report has the report.
+stickslip_status stickslip_history_step(stickslip_history *history,
+                                        const stickslip_load_step *load,
+                                        const stickslip_observer *observer);
+
+// Changes the gap before loading (lengths, count entries, copied), as wear does. The pressure stays until a step that
+// gives a normal load again.
+stickslip_status stickslip_history_set_gap(stickslip_history *history, const double *gap, size_t count);
+
+// Changes the friction from the next step on.
+stickslip_status stickslip_history_set_friction(stickslip_history *history, const stickslip_friction *friction);
+
+// Changes method, tolerance and limits from the next step on.
+stickslip_status stickslip_history_set_settings(stickslip_history *history, const stickslip_settings *settings);
+
+// Changes the pattern of the relative displacement from the next step on.
+stickslip_status stickslip_history_set_relative_displacement(stickslip_history *history,
+                                                             const stickslip_relative_displacement *pattern);
+
+// The stiffness of the contact after the last step: normal, tangential on loading and at reversal.
+stickslip_status stickslip_history_stiffness(const stickslip_history *history, stickslip_stiffness *stiffness);
+
+// The numbers of the state. Stick ratio, gross slip and energies are those of the last step taken, zero before any and
+// after the history was made from bytes.
+stickslip_status stickslip_history_result(const stickslip_history *history, stickslip_step_result *result);
+
+// The numbers of the normal contact.
+stickslip_status stickslip_history_normal_result(const stickslip_history *history, stickslip_normal_result *result);
+
+// The grid of all fields.
+stickslip_status stickslip_history_grid(const stickslip_history *history, stickslip_grid *grid);
+
+// The largest tangential force that friction holds at the present pressure.
+stickslip_status stickslip_history_friction_capacity(const stickslip_history *history, double *capacity);
+
+// How pressure and traction of the last step were solved; STICKSLIP_UNSOLVED if the pressure was held, or before anything
+// has touched.
+stickslip_status stickslip_history_reports(const stickslip_history *history,
+                                           stickslip_report *normal,
+                                           stickslip_report *tangential);
+
+// Diagnostics on the last step: as stickslip_normal_solution_warnings.
+stickslip_status stickslip_history_warnings(const stickslip_history *history,
+                                            stickslip_warning *buffer,
+                                            size_t capacity,
+                                            size_t *count);
+
+// A field by its number, STICKSLIP_PRESSURE to STICKSLIP_YIELDED_DEPTH but displacements, and how many cells it has (count
+// may be NULL); NULL on failure.
+const double *stickslip_history_field(const stickslip_history *history,
+                                      int32_t which,
+                                      size_t *count);
+
+// The zone of every cell after the last step; NULL on failure.
+const uint8_t *stickslip_history_zones(const stickslip_history *history, size_t *count);
+
+// The settings that solvers and histories have by default.
+stickslip_settings stickslip_settings_default(void);
+
+// Friction with one coefficient for all cells.
+stickslip_friction stickslip_coulomb(double coefficient);
+
+// Makes a solver of a gap before loading (lengths, count entries, copied) under a load.
+//
+// settings may be NULL (the defaults), as may hardness, the largest pressure that the cells carry (no limit).
+stickslip_status stickslip_normal_solver_new(const stickslip_half_space *half_space,
+                                             const double *gap,
+                                             size_t count,
+                                             const stickslip_normal_load *load,
+                                             const stickslip_per_cell *hardness,
+                                             const stickslip_settings *settings,
+                                             stickslip_normal_solver **solver);
+
+// Frees a solver; nothing for NULL.
+stickslip_status stickslip_normal_solver_free(stickslip_normal_solver *solver);
+
+// Changes the load of the next solve.
+stickslip_status stickslip_normal_solver_set_load(stickslip_normal_solver *solver, const stickslip_normal_load *load);
+
+// Changes the gap before loading of the next solve (lengths, count entries, copied).
+stickslip_status stickslip_normal_solver_set_gap(stickslip_normal_solver *solver, const double *gap, size_t count);
+
+// Changes method, tolerance and limits of the next solve.
+stickslip_status stickslip_normal_solver_set_settings(stickslip_normal_solver *solver,
+                                                      const stickslip_settings *settings);
+
+// Forgets the last answer: the next solve starts as the first did.
+stickslip_status stickslip_normal_solver_reset(stickslip_normal_solver *solver);
+
+// Solves into a solution of stickslip_normal_solution_new for the same bodies. observer may be NULL.
+//
+// With STICKSLIP_NOT_CONVERGED the solution holds the last feasible iterate and its report; after any other failure it is
+// as it was.
+stickslip_status stickslip_normal_solver_solve(stickslip_normal_solver *solver,
+                                               stickslip_normal_solution *solution,
+                                               const stickslip_observer *observer);
+
+// Makes an empty solution of the right size for a solver.
+stickslip_status stickslip_normal_solution_new(const stickslip_normal_solver *solver,
+                                               stickslip_normal_solution **solution);
+
+// Frees a solution; nothing for NULL.
+stickslip_status stickslip_normal_solution_free(stickslip_normal_solution *solution);
+
+// STICKSLIP_PRESSURE or STICKSLIP_GAP, and how many cells it has (count may be NULL); NULL on failure.
+const double *stickslip_normal_solution_field(const stickslip_normal_solution *solution, int32_t which, size_t *count);
+
+// The numbers of the contact.
+stickslip_status stickslip_normal_solution_result(const stickslip_normal_solution *solution,
+                                                  stickslip_normal_result *result);
+
+// How it was solved.
+stickslip_status stickslip_normal_solution_report(const stickslip_normal_solution *solution, stickslip_report *report);
+
+// Diagnostics that may mislead: writes them to a buffer of capacity entries, and how many there are to count. With
+// capacity 0 only the number.
+stickslip_status stickslip_normal_solution_warnings(const stickslip_normal_solution *solution,
+                                                    stickslip_warning *buffer,
+                                                    size_t capacity,
+                                                    size_t *count);
+
+// The stiffness of a normal contact on the bodies it was solved for.
+stickslip_status stickslip_normal_solution_stiffness(const stickslip_normal_solution *solution,
+                                                     const stickslip_half_space *half_space,
+                                                     stickslip_normal_stiffness *stiffness);
+
+// Keeps a copy of the state of a history.
+stickslip_status stickslip_state_new(const stickslip_history *history, stickslip_state **state);
+
+// Frees a state; nothing for NULL.
+stickslip_status stickslip_state_free(stickslip_state *state);
+
+// Keeps the present state of a history in the place of an older one, whose memory it uses.
+stickslip_status stickslip_state_keep(stickslip_state *state, const stickslip_history *history);
+
+// Returns a history to a state, one of its own or of another on equal bodies.
+stickslip_status stickslip_history_set_state(stickslip_history *history, const stickslip_state *state);
+
+// The state of a history as bytes, some 60 to 130 for each cell, from which stickslip_history_from_bytes goes on to the
+// same bits.
+//
+// length gets how many there are. With a NULL buffer and capacity 0 only that; a buffer that is too small is
+// STICKSLIP_BUFFER_TOO_SMALL, and nothing is written to it. Each call takes about as long as a warm step.
+stickslip_status stickslip_history_to_bytes(const stickslip_history *history,
+                                            uint8_t *buffer,
+                                            size_t capacity,
+                                            size_t *length);
+
+// Makes a history from bytes of stickslip_history_to_bytes, on the bodies it had. Damaged bytes are STICKSLIP_FORMAT.
+stickslip_status stickslip_history_from_bytes(const stickslip_half_space *half_space,
+                                              const uint8_t *bytes,
+                                              size_t length,
+                                              stickslip_history **history);
+
+// The gap between a sphere and a plane that touch at the origin (lengths), written to gap, which has count entries.
+stickslip_status stickslip_surface_sphere(const stickslip_grid *grid, double radius, double *gap, size_t count);
+
+// The gap between an ellipsoid, of the radii of curvature radius_x and radius_y at the origin, and a plane.
+stickslip_status stickslip_surface_ellipsoid(const stickslip_grid *grid,
+                                             double radius_x,
+                                             double radius_y,
+                                             double *gap,
+                                             size_t count);
+
+// The gap between a cylinder along y and a plane.
+stickslip_status stickslip_surface_cylinder(const stickslip_grid *grid, double radius, double *gap, size_t count);
+
+// The options that tangential solvers have by default.
+stickslip_tangential_options stickslip_tangential_options_default(void);
+
+// Makes a solver under the pressure of a solved normal contact on the same bodies. options may be NULL (the defaults).
+stickslip_status stickslip_tangential_solver_new(const stickslip_half_space *half_space,
+                                                 const stickslip_normal_solution *normal,
+                                                 const stickslip_friction *friction,
+                                                 const stickslip_tangential_load *load,
+                                                 const stickslip_tangential_options *options,
+                                                 stickslip_tangential_solver **solver);
+
+// Makes a solver under a pressure from elsewhere (count entries, zero or positive, copied). options may be NULL (the
+// defaults).
+stickslip_status stickslip_tangential_solver_new_under(const stickslip_half_space *half_space,
+                                                       const double *pressure,
+                                                       size_t count,
+                                                       const stickslip_friction *friction,
+                                                       const stickslip_tangential_load *load,
+                                                       const stickslip_tangential_options *options,
+                                                       stickslip_tangential_solver **solver);
+
+// Frees a solver; nothing for NULL.
+stickslip_status stickslip_tangential_solver_free(stickslip_tangential_solver *solver);
+
+// Changes the load of the next solve.
+stickslip_status stickslip_tangential_solver_set_load(stickslip_tangential_solver *solver,
+                                                      const stickslip_tangential_load *load);
+
+// Changes the friction of the next solve.
+stickslip_status stickslip_tangential_solver_set_friction(stickslip_tangential_solver *solver,
+                                                          const stickslip_friction *friction);
+
+// Changes the pressure of the next solve to that of a solved normal contact.
+stickslip_status stickslip_tangential_solver_set_normal(stickslip_tangential_solver *solver,
+                                                        const stickslip_normal_solution *normal);
+
+// Changes the pressure of the next solve to one from elsewhere (count entries, copied).
+stickslip_status stickslip_tangential_solver_set_pressure(stickslip_tangential_solver *solver,
+                                                          const double *pressure,
+                                                          size_t count);
+
+// Changes the relative displacement of the next solve.
+stickslip_status stickslip_tangential_solver_set_relative_displacement(stickslip_tangential_solver *solver,
+                                                                       const stickslip_relative_displacement *relative);
+
+// Changes method, tolerance and limits of the next solve.
+stickslip_status stickslip_tangential_solver_set_settings(stickslip_tangential_solver *solver,
+                                                          const stickslip_settings *settings);
+
+// Forgets the last answer: the next solve starts as the first did.
+stickslip_status stickslip_tangential_solver_reset(stickslip_tangential_solver *solver);
+
+// The largest tangential force that friction holds.
+stickslip_status stickslip_tangential_solver_friction_capacity(const stickslip_tangential_solver *solver,
+                                                               double *capacity);
+
+// Solves into a solution of stickslip_tangential_solution_new for the same bodies. observer may be NULL.
+//
+// With STICKSLIP_NOT_CONVERGED the solution holds the last feasible iterate and its report; after any other failure it is
+// as it was.
+stickslip_status stickslip_tangential_solver_solve(stickslip_tangential_solver *solver,
+                                                   stickslip_tangential_solution *solution,
+                                                   const stickslip_observer *observer);
+
+// Makes an empty solution of the right size for a solver.
+stickslip_status stickslip_tangential_solution_new(const stickslip_tangential_solver *solver,
+                                                   stickslip_tangential_solution **solution);
+
+// Frees a solution; nothing for NULL.
+stickslip_status stickslip_tangential_solution_free(stickslip_tangential_solution *solution);
+
+// STICKSLIP_TRACTION_X, STICKSLIP_SLIP_X or those along y, and how many cells it has (count may be NULL); NULL on failure.
+const double *stickslip_tangential_solution_field(const stickslip_tangential_solution *solution,
+                                                  int32_t which,
+                                                  size_t *count);
+
+// The zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; NULL on failure.
+const uint8_t *stickslip_tangential_solution_zones(const stickslip_tangential_solution *solution, size_t *count);
+
+// The numbers of the contact.
+stickslip_status stickslip_tangential_solution_result(const stickslip_tangential_solution *solution,
+                                                      stickslip_tangential_result *result);
+
+// How it was solved.
+stickslip_status stickslip_tangential_solution_report(const stickslip_tangential_solution *solution,
+                                                      stickslip_report *report);
+
+// Diagnostics that may mislead: as stickslip_normal_solution_warnings.
+stickslip_status stickslip_tangential_solution_warnings(const stickslip_tangential_solution *solution,
+                                                        stickslip_warning *buffer,
+                                                        size_t capacity,
+                                                        size_t *count);
+
+// The stiffness of a tangential contact on the bodies it was solved for.
+stickslip_status stickslip_tangential_solution_stiffness(const stickslip_tangential_solution *solution,
+                                                         const stickslip_half_space *half_space,
+                                                         stickslip_tangential_stiffness *stiffness);
+
+// Sets how many threads solve contacts of more than 4096 cells and batches, from the next call on; 0 for the default, one
+// for each processor (or RAYON_NUM_THREADS). Calls under way keep the threads they have. Results have the same bits on
+// any number of threads.
+//
+// Threads do not survive a fork: a child process calls this before its first such solve (also with the number it had).
+stickslip_status stickslip_set_num_threads(size_t count);
+
+// The version of the library that is running, as "major.minor.patch"; it lives as long as the program.
+const char *stickslip_version(void);
+
+// STICKSLIP_ABI_VERSION of the library that is running.
+uint32_t stickslip_abi_version(void);
+
+// Adds to depth (lengths, count entries) what Archard's law removes in the last step: coefficient (one over a pressure)
+// times pressure times slip. After a failure depth is as it was.
+stickslip_status stickslip_wear_archard(const stickslip_history *history,
+                                        const stickslip_per_cell *coefficient,
+                                        double *depth,
+                                        size_t count);
+
+// Adds to depth what the energy law removes in the last step: coefficient (one over a pressure) times the energy dissipated
+// per area.
+stickslip_status stickslip_wear_energy(const stickslip_history *history,
+                                       const stickslip_per_cell *coefficient,
+                                       double *depth,
+                                       size_t count);
+
+// The same beyond a threshold, an energy per area that wears nothing, of the energy dissipated since the start.
+stickslip_status stickslip_wear_threshold_energy(const stickslip_history *history,
+                                                 const stickslip_per_cell *coefficient,
+                                                 double threshold,
+                                                 double *depth,
+                                                 size_t count);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif  // __cplusplus
+
+#endif  /* STICKSLIP_H */

@@ -1,0 +1,100 @@
+//! Loads in steps short enough for a tolerance.
+
+use stickslip_rs::history::AdaptiveSteps;
+
+use crate::call::{call, call_on};
+use crate::handle::{Handle, changing, free, give, opaque, reading};
+use crate::history::stickslip_history;
+use crate::loads::stickslip_load_step;
+use crate::pointer::{input, put, put_if_asked, room};
+use crate::status::stickslip_status;
+
+/// Takes loads in steps short enough for a tolerance of the tractions: a step is compared with the same in two halves. For
+/// histories on one grid.
+pub struct stickslip_adaptive_steps(Handle<AdaptiveSteps>);
+
+opaque!(stickslip_adaptive_steps holds AdaptiveSteps, named "adaptive steps");
+
+/// The error that one step makes with a load: its difference from the same in two halves.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_step_error {
+    /// That of the traction, relative; what the tolerance is for.
+    pub traction: f64,
+    /// That of the tangential force.
+    pub force: [f64; 2],
+    /// That of the shift (lengths).
+    pub shift: [f64; 2],
+    /// That of the energy dissipated.
+    pub dissipated_energy: f64,
+}
+
+/// Makes the buffers for histories on the grid of this one, with a tolerance in (0, 1) for a whole load.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_adaptive_steps_new(
+    history: *const stickslip_history,
+    tolerance: f64,
+    steps: *mut *mut stickslip_adaptive_steps,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(history, || unsafe {
+        room("steps", steps)?;
+        let history = reading(history)?;
+        let made = AdaptiveSteps::new(&history, tolerance)?;
+        give(steps, made, history.grid().cells())
+    })
+}
+
+/// Frees the buffers; nothing for NULL.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_adaptive_steps_free(
+    steps: *mut stickslip_adaptive_steps,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call(|| unsafe { free(steps) })
+}
+
+/// Takes a load in as many steps as it needs, and writes how many to taken (may be NULL). After a failure, which may be
+/// STICKSLIP_STEP_TOO_LONG, the state of the history is as it was; its last step is that of the last attempt.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_adaptive_steps_step(
+    steps: *mut stickslip_adaptive_steps,
+    history: *mut stickslip_history,
+    load: *const stickslip_load_step,
+    taken: *mut usize,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(steps, || unsafe {
+        let load = input("load", load)?.checked()?;
+        let (mut steps, mut history) = (changing(steps)?, changing(history)?);
+        let (steps, history) = (&mut *steps, &mut *history);
+        let count = steps.step(history, &load)?;
+        put_if_asked("taken", taken, count)
+    })
+}
+
+/// The error that stickslip_history_step would make with a load. The state of the history is as it was; its last step is
+/// the second half of this one.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_adaptive_steps_error(
+    steps: *mut stickslip_adaptive_steps,
+    history: *mut stickslip_history,
+    load: *const stickslip_load_step,
+    error: *mut stickslip_step_error,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(steps, || unsafe {
+        room("error", error)?;
+        let load = input("load", load)?.checked()?;
+        let (mut steps, mut history) = (changing(steps)?, changing(history)?);
+        let (steps, history) = (&mut *steps, &mut *history);
+        let found = steps.error(history, &load)?;
+        let found = stickslip_step_error {
+            traction: found.traction,
+            force: found.force,
+            shift: found.shift,
+            dissipated_energy: found.dissipated_energy,
+        };
+        put("error", error, found)
+    })
+}

@@ -1,0 +1,71 @@
+//! Steps of many histories in one call.
+
+use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
+use stickslip_rs::{History, LoadStep};
+
+use crate::call::{Outcome, call, caught};
+use crate::handle::{Changing, changing};
+use crate::history::stickslip_history;
+use crate::loads::stickslip_load_step;
+use crate::pointer::{entries, entries_mut};
+use crate::status::{STICKSLIP_OK, stickslip_status};
+use crate::threads::enter_always;
+
+/// Takes a step of each of count histories, the i-th load for the i-th history, on the threads of stickslip_set_num_threads.
+/// Contacts of at most 4096 cells are solved on one thread each. Each comes to the bits that it has alone.
+///
+/// codes (may be NULL) gets what stickslip_history_step would return for each. STICKSLIP_SOME_FAILED if any failed: these
+/// are as they were, and the last error is that of the first of them; the others have taken their step. A history that
+/// occurs twice is STICKSLIP_BUSY the second time.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_history_step_all(
+    histories: *const *mut stickslip_history,
+    loads: *const stickslip_load_step,
+    count: usize,
+    codes: *mut stickslip_status,
+) -> stickslip_status {
+    call(|| {
+        // SAFETY: the rule for pointers.
+        let (histories, loads, mut codes) = unsafe {
+            let codes = if codes.is_null() {
+                None
+            } else {
+                Some(entries_mut("codes", codes, count)?)
+            };
+            (
+                entries("histories", histories, count)?,
+                entries("loads", loads, count)?,
+                codes,
+            )
+        };
+        let contacts = histories.iter().zip(loads).map(|(history, load)| {
+            // SAFETY: the rule for pointers.
+            let history = unsafe { changing(history.cast_const()) };
+            history.and_then(|history| Ok((history, load.checked()?)))
+        });
+        let contacts: Vec<Outcome<(Changing<'_, History>, LoadStep)>> = contacts.collect();
+        let outcomes: Vec<Outcome> = enter_always(|| {
+            let contacts = contacts.into_par_iter().with_max_len(1);
+            contacts.map(|contact| caught(|| step(contact))).collect()
+        });
+        let mut first = None;
+        for (i, outcome) in outcomes.into_iter().enumerate() {
+            let code = outcome
+                .as_ref()
+                .map_or_else(|failure| failure.code, |()| STICKSLIP_OK);
+            if let Some(codes) = &mut codes {
+                codes[i] = code;
+            }
+            if let Err(failure) = outcome {
+                first.get_or_insert_with(|| failure.at(i));
+            }
+        }
+        first.map_or(Ok(()), Err)
+    })
+}
+
+fn step(contact: Outcome<(Changing<'_, History>, LoadStep)>) -> Outcome {
+    let (mut history, load) = contact?;
+    history.step(&load)?;
+    Ok(())
+}

@@ -1,0 +1,67 @@
+//! The border: what every exported function runs in.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use crate::error::{Failure, remember};
+use crate::handle::{Opaque, cells_of};
+use crate::status::{STICKSLIP_OK, STICKSLIP_PANIC, stickslip_status};
+use crate::threads::enter;
+
+/// What the inside of a function comes to.
+pub(crate) type Outcome<T = ()> = Result<T, Failure>;
+
+/// Runs the inside of a function: a failure is remembered for this thread and becomes its code. Nothing unwinds into C.
+pub(crate) fn call(work: impl FnOnce() -> Outcome) -> stickslip_status {
+    match caught(work) {
+        Ok(()) => STICKSLIP_OK,
+        Err(failure) => {
+            let code = failure.code;
+            remember(failure);
+            code
+        }
+    }
+}
+
+/// What is carried to another thread, while this one waits.
+struct Carried<F>(F);
+
+// SAFETY: the pointers of a call obey the rule until it ends, whichever thread does its work.
+unsafe impl<F> Send for Carried<F> {}
+
+impl<F: FnOnce() -> Outcome> Carried<F> {
+    fn run(self) -> Outcome {
+        (self.0)()
+    }
+}
+
+/// The same on the threads for an object of so many cells, which is an argument of the function.
+pub(crate) fn call_on<T: Opaque>(
+    object: *const T,
+    work: impl FnOnce() -> Outcome,
+) -> stickslip_status {
+    // SAFETY: an argument of a function that asks for the rule for pointers.
+    let cells = unsafe { cells_of(object) };
+    let work = Carried(work);
+    call(move || enter(cells, move || work.run()))
+}
+
+/// The same for a function that returns a pointer, NULL if it fails.
+pub(crate) fn call_for<T>(work: impl FnOnce() -> Outcome<*const T>) -> *const T {
+    caught(work).unwrap_or_else(|failure| {
+        remember(failure);
+        std::ptr::null()
+    })
+}
+
+/// A panic is a failure of its own. What was being changed is not trusted to be whole, but safe to be freed.
+pub(crate) fn caught<T>(work: impl FnOnce() -> Outcome<T>) -> Outcome<T> {
+    catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|payload| {
+        let text = payload.downcast_ref::<&str>().copied();
+        let text = text.or_else(|| payload.downcast_ref::<String>().map(String::as_str));
+        let text = text.unwrap_or("no message");
+        Err(Failure::new(
+            STICKSLIP_PANIC,
+            format!("a defect of the library: {text}"),
+        ))
+    })
+}

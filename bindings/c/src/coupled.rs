@@ -1,0 +1,310 @@
+//! Pressure and shear of dissimilar bodies found together.
+
+use stickslip_rs::{CoupledProblem, CoupledSolution, CoupledSolver, Grid};
+
+use crate::call::{Outcome, call, call_for, call_on};
+use crate::fields::*;
+use crate::half_space::stickslip_half_space;
+use crate::handle::{Handle, changing, free, give, opaque, reading};
+use crate::inputs::{stickslip_friction, stickslip_relative_displacement, stickslip_settings};
+use crate::loads::{stickslip_normal_load, stickslip_tangential_load};
+use crate::observer::{stickslip_observer, watch};
+use crate::pointer::{field, input, optional, put, room, samples};
+use crate::results::{
+    put_warnings, stickslip_normal_result, stickslip_report, stickslip_tangential_result,
+    stickslip_warning,
+};
+use crate::status::stickslip_status;
+
+/// Solves coupled contacts again and again, each from rest in one step, beginning with the last answer.
+pub struct stickslip_coupled_solver(Handle<Solver>);
+
+opaque!(stickslip_coupled_solver holds Solver, named "coupled solver");
+
+/// A solver with what it does not tell of itself.
+#[derive(Debug)]
+pub struct Solver {
+    own: CoupledSolver,
+    grid: Grid,
+}
+
+/// Pressure, tractions and displacements of a coupled contact. Its fields are read without a copy, and are valid until the
+/// next solve into it, or until it is freed.
+pub struct stickslip_coupled_solution(Handle<CoupledSolution>);
+
+opaque!(stickslip_coupled_solution holds CoupledSolution, named "coupled solution");
+
+/// How a coupled solve ended. The whole error is bounded where friction is weak; else its halves are certified.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_coupled_report {
+    /// The work; its duality gap is infinite.
+    pub work: stickslip_report,
+    /// Bound of the error of the pressure in the energy norm, at tractions as they are.
+    pub pressure_error_bound: f64,
+    /// Bound of the error of the tractions, at the pressure as it is.
+    pub traction_error_bound: f64,
+    /// Bounds of the errors of pressure and traction as a whole; NaN where there are none.
+    pub error_bounds: [f64; 2],
+    /// What the errors of pressure and traction as a whole are likely to be; NaN where that is not known.
+    pub error_estimate: [f64; 2],
+}
+
+/// Makes a solver of a gap before loading (lengths, count entries, copied). relative (none) and settings (the defaults) may
+/// be NULL.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_solver_new(
+    half_space: *const stickslip_half_space,
+    gap: *const f64,
+    count: usize,
+    friction: *const stickslip_friction,
+    normal: *const stickslip_normal_load,
+    load: *const stickslip_tangential_load,
+    relative: *const stickslip_relative_displacement,
+    settings: *const stickslip_settings,
+    solver: *mut *mut stickslip_coupled_solver,
+) -> stickslip_status {
+    call_on(half_space, || {
+        room("solver", solver)?;
+        // SAFETY: the rule for pointers.
+        let (bodies, gap, friction) = unsafe {
+            let bodies = reading(half_space)?;
+            let grid = bodies.grid();
+            let friction = input("friction", friction)?.checked(grid)?;
+            (bodies, field("gap", grid, gap, count)?, friction)
+        };
+        let grid = bodies.grid();
+        // SAFETY: the rule for pointers.
+        let (normal, load) = unsafe { (input("normal", normal)?, input("load", load)?) };
+        let (normal, load) = (normal.checked()?, load.checked()?);
+        let mut problem = CoupledProblem::builder(&bodies, &gap, friction, normal, load);
+        // SAFETY: the rule for pointers.
+        unsafe {
+            if let Some(relative) = optional("relative", relative)? {
+                problem = problem.relative_displacement(relative.checked(grid)?);
+            }
+            if let Some(settings) = optional("settings", settings)? {
+                problem = problem.settings(settings.checked()?);
+            }
+        }
+        let problem = problem.build()?;
+        let own = problem.into_solver()?;
+        // SAFETY: the rule for pointers.
+        unsafe { give(solver, Solver { own, grid }, grid.cells()) }
+    })
+}
+
+/// Frees a solver; nothing for NULL.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_solver_free(
+    solver: *mut stickslip_coupled_solver,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call(|| unsafe { free(solver) })
+}
+
+/// Changes the normal load of the next solve.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_solver_set_normal(
+    solver: *mut stickslip_coupled_solver,
+    normal: *const stickslip_normal_load,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(solver, || unsafe {
+        let normal = input("normal", normal)?.checked()?;
+        Ok(changing(solver)?.own.set_normal(normal)?)
+    })
+}
+
+/// Changes the tangential load of the next solve.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_solver_set_load(
+    solver: *mut stickslip_coupled_solver,
+    load: *const stickslip_tangential_load,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(solver, || unsafe {
+        let load = input("load", load)?.checked()?;
+        Ok(changing(solver)?.own.set_load(load)?)
+    })
+}
+
+/// Changes the gap before loading of the next solve (lengths, count entries, copied).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_solver_set_gap(
+    solver: *mut stickslip_coupled_solver,
+    gap: *const f64,
+    count: usize,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(solver, || unsafe {
+        let mut solver = changing(solver)?;
+        let gap = field("gap", solver.grid, gap, count)?;
+        Ok(solver.own.set_gap(&gap)?)
+    })
+}
+
+/// Changes the friction of the next solve.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_solver_set_friction(
+    solver: *mut stickslip_coupled_solver,
+    friction: *const stickslip_friction,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(solver, || unsafe {
+        let mut solver = changing(solver)?;
+        let friction = input("friction", friction)?.checked(solver.grid)?;
+        Ok(solver.own.set_friction(&friction)?)
+    })
+}
+
+/// Changes method, tolerance and limits of the next solve.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_solver_set_settings(
+    solver: *mut stickslip_coupled_solver,
+    settings: *const stickslip_settings,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(solver, || unsafe {
+        let settings = input("settings", settings)?.checked()?;
+        Ok(changing(solver)?.own.set_settings(settings)?)
+    })
+}
+
+/// Forgets the last answer: the next solve starts as the first did.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_solver_reset(
+    solver: *mut stickslip_coupled_solver,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(solver, || unsafe {
+        changing(solver)?.own.reset();
+        Ok(())
+    })
+}
+
+/// Solves into a solution of stickslip_coupled_solution_new for the same bodies. observer may be NULL. With
+/// STICKSLIP_NOT_CONVERGED the solution holds the last iterate and its report; after any other failure it is as it was.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_solver_solve(
+    solver: *mut stickslip_coupled_solver,
+    solution: *mut stickslip_coupled_solution,
+    observer: *const stickslip_observer,
+) -> stickslip_status {
+    call_on(solver, || {
+        // SAFETY: the rule for pointers.
+        let (mut solver, mut solution, observer) = unsafe {
+            let observer = optional("observer", observer)?;
+            (changing(solver)?, changing(solution)?, observer)
+        };
+        Ok(solver.own.solve_observed(&mut solution, watch(observer))?)
+    })
+}
+
+/// Makes an empty solution of the right size for a solver.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_solution_new(
+    solver: *const stickslip_coupled_solver,
+    solution: *mut *mut stickslip_coupled_solution,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(solver, || unsafe {
+        room("solution", solution)?;
+        let solver = reading(solver)?;
+        give(solution, solver.own.new_solution(), solver.grid.cells())
+    })
+}
+
+/// Frees a solution; nothing for NULL.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_solution_free(
+    solution: *mut stickslip_coupled_solution,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call(|| unsafe { free(solution) })
+}
+
+/// A field, STICKSLIP_PRESSURE to STICKSLIP_DISPLACEMENT_Z, and how many cells it has (count may be NULL); NULL on failure.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_solution_field(
+    solution: *const stickslip_coupled_solution,
+    which: i32,
+    count: *mut usize,
+) -> *const f64 {
+    // SAFETY: the rule for pointers.
+    call_for(|| unsafe {
+        let solution = reading(solution)?;
+        samples(own_field(&solution, which)?.as_slice(), count)
+    })
+}
+
+fn own_field(solution: &CoupledSolution, which: i32) -> Outcome<&stickslip_rs::Field> {
+    match which {
+        STICKSLIP_PRESSURE | STICKSLIP_GAP => of_normal(solution.normal(), which),
+        STICKSLIP_DISPLACEMENT_X => Ok(solution.displacement()[0]),
+        STICKSLIP_DISPLACEMENT_Y => Ok(solution.displacement()[1]),
+        STICKSLIP_DISPLACEMENT_Z => Ok(solution.displacement()[2]),
+        other => of_tangential(solution.shear(), other),
+    }
+}
+
+/// The zone of every cell; NULL on failure.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_solution_zones(
+    solution: *const stickslip_coupled_solution,
+    count: *mut usize,
+) -> *const u8 {
+    // SAFETY: the rule for pointers.
+    call_for(|| unsafe { Ok(samples(reading(solution)?.shear().zones(), count)?.cast()) })
+}
+
+/// The numbers of both halves; either may be NULL.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_solution_results(
+    solution: *const stickslip_coupled_solution,
+    normal: *mut stickslip_normal_result,
+    tangential: *mut stickslip_tangential_result,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(solution, || unsafe {
+        let solution = reading(solution)?;
+        crate::pointer::put_if_asked("normal", normal, solution.normal().into())?;
+        crate::pointer::put_if_asked("tangential", tangential, solution.shear().into())
+    })
+}
+
+/// How it was solved.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_solution_report(
+    solution: *const stickslip_coupled_solution,
+    report: *mut stickslip_coupled_report,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(solution, || unsafe {
+        let solution = reading(solution)?;
+        let own = solution.report();
+        let estimate = own.error_estimate.as_ref();
+        let found = stickslip_coupled_report {
+            work: (&own.work).into(),
+            pressure_error_bound: own.pressure_error_bound,
+            traction_error_bound: own.traction_error_bound,
+            error_bounds: own.error_bounds.unwrap_or([f64::NAN; 2]),
+            error_estimate: estimate.map_or([f64::NAN; 2], |of| [of.pressure, of.traction]),
+        };
+        put("report", report, found)
+    })
+}
+
+/// Diagnostics that may mislead: as stickslip_normal_solution_warnings.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_solution_warnings(
+    solution: *const stickslip_coupled_solution,
+    buffer: *mut stickslip_warning,
+    capacity: usize,
+    count: *mut usize,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(solution, || unsafe {
+        put_warnings(&reading(solution)?.warnings(), buffer, capacity, count)
+    })
+}

@@ -1,0 +1,150 @@
+//! Sums over a cycle: energy, amplitudes, regime.
+
+use stickslip_rs::Field;
+use stickslip_rs::history::{Cycle, Regime};
+
+use crate::call::{Outcome, call, call_for, call_on};
+use crate::fields::*;
+use crate::handle::{Handle, changing, free, give, opaque, reading};
+use crate::history::stickslip_history;
+use crate::history_reading::stickslip_energy;
+use crate::pointer::{put, room, samples};
+use crate::status::stickslip_status;
+
+/// What the steps of a history add up to since the cycle began.
+pub struct stickslip_cycle(Handle<Cycle>);
+
+opaque!(stickslip_cycle holds Cycle, named "cycle");
+
+/// No cell slipped.
+pub const STICKSLIP_FULL_STICK: i32 = 0;
+/// Some cells slipped, but some stuck at the end of each step.
+pub const STICKSLIP_PARTIAL_SLIP: i32 = 1;
+/// The whole contact was at its friction limit at the end of a step.
+pub const STICKSLIP_GROSS_SLIP: i32 = 2;
+
+/// Numbers of a cycle.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_cycle_result {
+    /// Steps since it began.
+    pub steps: usize,
+    /// STICKSLIP_FULL_STICK, STICKSLIP_PARTIAL_SLIP or STICKSLIP_GROSS_SLIP.
+    pub regime: i32,
+    /// Energy dissipated over the area of the rectangle around the loop of force and shift.
+    pub energy_ratio: f64,
+    /// How far the traction at the end is from that at the beginning, relative to the largest: zero if the loop repeats.
+    pub cyclic_residual: f64,
+    /// Amplitude of the tangential force.
+    pub force_amplitude: [f64; 2],
+    /// Amplitude of the shift (lengths).
+    pub shift_amplitude: [f64; 2],
+    /// Least and largest stick ratio at the end of a step.
+    pub stick_ratios: [f64; 2],
+    /// Energies of all its steps.
+    pub energy: stickslip_energy,
+}
+
+impl From<&Cycle> for stickslip_cycle_result {
+    fn from(cycle: &Cycle) -> Self {
+        Self {
+            steps: cycle.steps(),
+            regime: match cycle.regime() {
+                Regime::FullStick => STICKSLIP_FULL_STICK,
+                Regime::PartialSlip => STICKSLIP_PARTIAL_SLIP,
+                _ => STICKSLIP_GROSS_SLIP,
+            },
+            energy_ratio: cycle.energy_ratio(),
+            cyclic_residual: cycle.cyclic_residual(),
+            force_amplitude: cycle.force_amplitude(),
+            shift_amplitude: cycle.shift_amplitude(),
+            stick_ratios: cycle.stick_ratios(),
+            energy: cycle.energy().into(),
+        }
+    }
+}
+
+/// Begins a cycle at the present state of a history.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_cycle_new(
+    history: *const stickslip_history,
+    cycle: *mut *mut stickslip_cycle,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(history, || unsafe {
+        room("cycle", cycle)?;
+        let history = reading(history)?;
+        give(cycle, Cycle::new(&history), history.grid().cells())
+    })
+}
+
+/// Frees a cycle; nothing for NULL.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_cycle_free(cycle: *mut stickslip_cycle) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call(|| unsafe { free(cycle) })
+}
+
+/// Begins the cycle anew, at the present state of a history.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_cycle_begin(
+    cycle: *mut stickslip_cycle,
+    history: *const stickslip_history,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(cycle, || unsafe {
+        let (mut cycle, history) = (changing(cycle)?, reading(history)?);
+        Ok(cycle.begin(&history)?)
+    })
+}
+
+/// Adds the last step of the history, which must be new (else STICKSLIP_STEP_NOT_NEW).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_cycle_add(
+    cycle: *mut stickslip_cycle,
+    history: *const stickslip_history,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(cycle, || unsafe {
+        let (mut cycle, history) = (changing(cycle)?, reading(history)?);
+        Ok(cycle.add(&history)?)
+    })
+}
+
+/// The numbers of the cycle.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_cycle_result_of(
+    cycle: *const stickslip_cycle,
+    result: *mut stickslip_cycle_result,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(cycle, || unsafe {
+        put("result", result, (&*reading(cycle)?).into())
+    })
+}
+
+/// A field of the cycle: STICKSLIP_SLIP_DISTANCE, STICKSLIP_DISSIPATED_ENERGY, STICKSLIP_SLIP_PRESSURE,
+/// STICKSLIP_SLIP_AMPLITUDE_X or _Y; NULL on failure. It is valid until the next call that changes the cycle.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_cycle_field(
+    cycle: *const stickslip_cycle,
+    which: i32,
+    count: *mut usize,
+) -> *const f64 {
+    // SAFETY: the rule for pointers.
+    call_for(|| unsafe {
+        let cycle = reading(cycle)?;
+        samples(field(&cycle, which)?.as_slice(), count)
+    })
+}
+
+fn field(cycle: &Cycle, which: i32) -> Outcome<&Field> {
+    Ok(match which {
+        STICKSLIP_SLIP_DISTANCE => cycle.slip_distance(),
+        STICKSLIP_DISSIPATED_ENERGY => cycle.dissipated_energy(),
+        STICKSLIP_SLIP_PRESSURE => cycle.slip_pressure(),
+        STICKSLIP_SLIP_AMPLITUDE_X => cycle.slip_amplitude()[0],
+        STICKSLIP_SLIP_AMPLITUDE_Y => cycle.slip_amplitude()[1],
+        other => return Err(none(other)),
+    })
+}

@@ -1,0 +1,268 @@
+//! The last failure of a thread.
+
+use std::cell::RefCell;
+use std::ffi::{CString, c_char};
+
+use stickslip_rs::Error;
+
+use crate::call::{Outcome, call};
+use crate::pointer::put;
+use crate::results::stickslip_report;
+use crate::status::*;
+
+/// The numbers of the last failure on this thread; zero where they have no meaning.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Default)]
+pub struct stickslip_error {
+    /// What the function returned, STICKSLIP_OK before any failure.
+    pub code: stickslip_status,
+    /// The offending value.
+    pub value: f64,
+    /// The limit that it violates.
+    pub limit: f64,
+    /// The index of the offending sample, or the place in a batch.
+    pub index: usize,
+    /// Entries needed.
+    pub expected: usize,
+    /// Entries given.
+    pub found: usize,
+}
+
+/// Why a function fails.
+#[derive(Debug)]
+pub(crate) struct Failure {
+    pub(crate) code: stickslip_status,
+    message: String,
+    numbers: stickslip_error,
+    report: Option<Box<stickslip_report>>,
+}
+
+impl Failure {
+    pub(crate) fn new(code: stickslip_status, message: String) -> Self {
+        Self {
+            code,
+            message,
+            numbers: stickslip_error {
+                code,
+                ..stickslip_error::default()
+            },
+            report: None,
+        }
+    }
+
+    /// An entry, argument or handle that must be there is not.
+    pub(crate) fn pointer(name: &str) -> Self {
+        Self::new(
+            STICKSLIP_BAD_POINTER,
+            format!("{name} is NULL or misaligned"),
+        )
+    }
+
+    pub(crate) fn busy(name: &str) -> Self {
+        Self::new(
+            STICKSLIP_BUSY,
+            format!("{name} is in use by another thread"),
+        )
+    }
+
+    /// A number that is none of the constants.
+    pub(crate) fn option(name: &str, value: i32) -> Self {
+        Self::new(
+            STICKSLIP_NO_SUCH_OPTION,
+            format!("there is no {name} {value}"),
+        )
+        .with(|numbers| numbers.value = f64::from(value))
+    }
+
+    pub(crate) fn time_limit(value: f64) -> Self {
+        Self::new(
+            STICKSLIP_NEGATIVE,
+            format!("the time limit must be non-negative, got {value}"),
+        )
+        .with(|numbers| numbers.value = value)
+    }
+
+    pub(crate) fn length(
+        code: stickslip_status,
+        name: &str,
+        [expected, found]: [usize; 2],
+    ) -> Self {
+        Self::new(
+            code,
+            format!("{name} has {found} entries, expected {expected}"),
+        )
+        .with(|numbers| {
+            (numbers.expected, numbers.found) = (expected, found);
+        })
+    }
+
+    /// As that of a place in a batch.
+    pub(crate) fn at(mut self, index: usize) -> Self {
+        self.code = STICKSLIP_SOME_FAILED;
+        self.message = format!("contact {index}: {}", self.message);
+        self.with(|numbers| (numbers.code, numbers.index) = (STICKSLIP_SOME_FAILED, index))
+    }
+
+    fn with(mut self, set: impl FnOnce(&mut stickslip_error)) -> Self {
+        set(&mut self.numbers);
+        self
+    }
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        let code = code_of(&error);
+        let message = error.to_string();
+        let report = match &error {
+            Error::NotConverged(report) => Some(Box::new(stickslip_report::from(&**report))),
+            _ => None,
+        };
+        let failure = Self::new(code, message);
+        Self { report, ..failure }.with(|numbers| fill(numbers, &error))
+    }
+}
+
+fn code_of(error: &Error) -> stickslip_status {
+    match error {
+        Error::NotConverged(_) => STICKSLIP_NOT_CONVERGED,
+        Error::BeyondFrictionCapacity { .. } => STICKSLIP_BEYOND_FRICTION_CAPACITY,
+        Error::BeyondHardness { .. } => STICKSLIP_BEYOND_HARDNESS,
+        Error::EmptyContact => STICKSLIP_EMPTY_CONTACT,
+        Error::ApproachBeyondMeanGap { .. } => STICKSLIP_APPROACH_BEYOND_MEAN_GAP,
+        Error::CoupledMaterials { .. } => STICKSLIP_COUPLED_MATERIALS,
+        Error::NotModelled { .. } => STICKSLIP_NOT_MODELLED,
+        Error::ObliqueLoad { .. } => STICKSLIP_OBLIQUE_LOAD,
+        Error::StepTooLong { .. } => STICKSLIP_STEP_TOO_LONG,
+        Error::Yielded { .. } => STICKSLIP_YIELDED,
+        Error::StepNotNew { .. } => STICKSLIP_STEP_NOT_NEW,
+        Error::GridSize { .. } => STICKSLIP_GRID_SIZE,
+        Error::Memory { .. } => STICKSLIP_MEMORY,
+        Error::NotPositive { .. } => STICKSLIP_NOT_POSITIVE,
+        Error::Negative { .. } => STICKSLIP_NEGATIVE,
+        Error::NotFinite { .. } => STICKSLIP_NOT_FINITE,
+        Error::Sample { .. } => STICKSLIP_SAMPLE,
+        Error::PoissonRatio(_) => STICKSLIP_POISSON_RATIO,
+        Error::BothRigid => STICKSLIP_BOTH_RIGID,
+        Error::CellsTooLong { .. } => STICKSLIP_CELLS_TOO_LONG,
+        Error::Length { .. } => STICKSLIP_LENGTH,
+        Error::GridMismatch { .. } => STICKSLIP_GRID_MISMATCH,
+        Error::BoundaryMismatch { .. } => STICKSLIP_BOUNDARY_MISMATCH,
+        Error::MaterialMismatch { .. } => STICKSLIP_MATERIAL_MISMATCH,
+        Error::Tolerance(_) => STICKSLIP_TOLERANCE,
+        Error::IterationLimit => STICKSLIP_ITERATION_LIMIT,
+        Error::NothingToHold => STICKSLIP_NOTHING_TO_HOLD,
+        Error::Method { .. } => STICKSLIP_METHOD,
+        Error::Below { .. } => STICKSLIP_BELOW,
+        Error::Format { .. } => STICKSLIP_FORMAT,
+        _ => STICKSLIP_REFUSED,
+    }
+}
+
+fn fill(numbers: &mut stickslip_error, error: &Error) {
+    match *error {
+        Error::NotPositive { value, .. }
+        | Error::Negative { value, .. }
+        | Error::NotFinite { value, .. }
+        | Error::NotModelled { value, .. }
+        | Error::PoissonRatio(value)
+        | Error::Tolerance(value)
+        | Error::CoupledMaterials { beta: value } => numbers.value = value,
+        Error::BeyondFrictionCapacity {
+            force: value,
+            limit,
+        }
+        | Error::BeyondHardness {
+            force: value,
+            capacity: limit,
+        }
+        | Error::ApproachBeyondMeanGap {
+            approach: value,
+            mean_gap: limit,
+        }
+        | Error::ObliqueLoad { x: value, y: limit }
+        | Error::Below {
+            value,
+            least: limit,
+            ..
+        }
+        | Error::StepTooLong {
+            error: value,
+            tolerance: limit,
+            ..
+        } => (numbers.value, numbers.limit) = (value, limit),
+        Error::Sample { index, value, .. } => (numbers.index, numbers.value) = (index, value),
+        Error::Yielded { cells, .. } => numbers.index = cells,
+        Error::Length {
+            expected, found, ..
+        } => (numbers.expected, numbers.found) = (expected, found),
+        Error::GridMismatch {
+            expected_cells,
+            found_cells,
+            ..
+        } => {
+            numbers.expected = expected_cells[0].saturating_mul(expected_cells[1]);
+            numbers.found = found_cells[0].saturating_mul(found_cells[1]);
+        }
+        _ => {}
+    }
+}
+
+/// The last failure, as C reads it.
+struct Last {
+    message: CString,
+    numbers: stickslip_error,
+    report: Option<stickslip_report>,
+}
+
+thread_local! {
+    static LAST: RefCell<Last> = RefCell::new(Last {
+        message: CString::default(),
+        numbers: stickslip_error { code: STICKSLIP_OK, value: 0.0, limit: 0.0, index: 0, expected: 0, found: 0 },
+        report: None,
+    });
+}
+
+/// Keeps a failure for the functions below.
+pub(crate) fn remember(failure: Failure) {
+    let message = CString::new(failure.message).unwrap_or_default();
+    // A thread that is ending has nobody left to ask.
+    let _ = LAST.try_with(|last| {
+        last.replace(Last {
+            message,
+            numbers: failure.numbers,
+            report: failure.report.map(|report| *report),
+        })
+    });
+}
+
+/// The message of the last failure on this thread, in English, UTF-8; empty before any. It is valid until the next failure
+/// on this thread, or its end.
+#[unsafe(no_mangle)]
+pub extern "C" fn stickslip_last_error_message() -> *const c_char {
+    LAST.try_with(|last| last.borrow().message.as_ptr())
+        .unwrap_or(c"".as_ptr())
+}
+
+/// The numbers of the last failure on this thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_last_error(error: *mut stickslip_error) -> stickslip_status {
+    call(|| {
+        let numbers = LAST.try_with(|last| last.borrow().numbers);
+        // SAFETY: the rule for pointers.
+        unsafe { put("error", error, numbers.unwrap_or_default()) }
+    })
+}
+
+/// The report of the last failure on this thread, if that was STICKSLIP_NOT_CONVERGED; else STICKSLIP_REFUSED.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_last_error_report(
+    report: *mut stickslip_report,
+) -> stickslip_status {
+    call(|| {
+        let last = LAST.try_with(|last| last.borrow().report).ok().flatten();
+        let none = || Failure::new(STICKSLIP_REFUSED, "the last failure has no report".into());
+        let last: Outcome<_> = last.ok_or_else(none);
+        // SAFETY: the rule for pointers.
+        unsafe { put("report", report, last?) }
+    })
+}

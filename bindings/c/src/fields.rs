@@ -1,0 +1,79 @@
+//! The fields of solutions and histories, by number.
+
+use stickslip_rs::{Field, NormalSolution, TangentialSolution};
+
+use crate::call::Outcome;
+use crate::error::Failure;
+
+/// Pressure, zero outside the contact.
+pub const STICKSLIP_PRESSURE: i32 = 0;
+/// Gap under load (lengths).
+pub const STICKSLIP_GAP: i32 = 1;
+/// Shear traction along x that body 2 exerts on body 1 (pressures).
+pub const STICKSLIP_TRACTION_X: i32 = 2;
+/// Shear traction along y.
+pub const STICKSLIP_TRACTION_Y: i32 = 3;
+/// Slip along x (lengths), the motion of the surface of body 1 over that of body 2; of a history the sum of all steps.
+pub const STICKSLIP_SLIP_X: i32 = 4;
+/// Slip along y.
+pub const STICKSLIP_SLIP_Y: i32 = 5;
+/// Displacement by pressure and tractions together along x (lengths); coupled solutions only.
+pub const STICKSLIP_DISPLACEMENT_X: i32 = 6;
+/// The same along y.
+pub const STICKSLIP_DISPLACEMENT_Y: i32 = 7;
+/// The same along z, the sum of both bodies.
+pub const STICKSLIP_DISPLACEMENT_Z: i32 = 8;
+/// Length of the path slipped, in all steps of a history or in those of a cycle (lengths).
+pub const STICKSLIP_SLIP_DISTANCE: i32 = 9;
+/// Energy that each cell has dissipated, in all steps of a history or in those of a cycle.
+pub const STICKSLIP_DISSIPATED_ENERGY: i32 = 10;
+/// Gap of a history before loading, as last set (lengths).
+pub const STICKSLIP_INITIAL_GAP: i32 = 11;
+/// Slip along x of the last step of a history (lengths).
+pub const STICKSLIP_STEP_SLIP_X: i32 = 12;
+/// Slip along y of the last step.
+pub const STICKSLIP_STEP_SLIP_Y: i32 = 13;
+/// Length of the slip of the last step.
+pub const STICKSLIP_STEP_SLIP_DISTANCE: i32 = 14;
+/// Energy that each cell dissipated in the last step, by its traction at the end.
+pub const STICKSLIP_STEP_DISSIPATED_ENERGY: i32 = 15;
+/// Energy that each cell dissipated in the last step, by the mean of its tractions: the measure that closes the balance.
+pub const STICKSLIP_STEP_MID_DISSIPATED_ENERGY: i32 = 16;
+/// What has yielded for good, added to the gap (lengths); histories with a permanent set only.
+pub const STICKSLIP_YIELDED_DEPTH: i32 = 17;
+/// Mean pressure while slipping, weighted by the slip; cycles only.
+pub const STICKSLIP_SLIP_PRESSURE: i32 = 18;
+/// Amplitude of the slip along x; cycles only (lengths).
+pub const STICKSLIP_SLIP_AMPLITUDE_X: i32 = 19;
+/// Amplitude of the slip along y; cycles only.
+pub const STICKSLIP_SLIP_AMPLITUDE_Y: i32 = 20;
+
+/// Zone of a cell out of contact.
+pub const STICKSLIP_SEPARATED: u8 = 0;
+/// Zone of a cell in contact, below the friction limit.
+pub const STICKSLIP_STICK: u8 = 1;
+/// Zone of a cell in contact, at the friction limit.
+pub const STICKSLIP_SLIP: u8 = 2;
+
+/// A number that is no field of this object.
+pub(crate) fn none(field: i32) -> Failure {
+    Failure::option("field of this object:", field)
+}
+
+pub(crate) fn of_normal(solution: &NormalSolution, field: i32) -> Outcome<&Field> {
+    match field {
+        STICKSLIP_PRESSURE => Ok(solution.pressure()),
+        STICKSLIP_GAP => Ok(solution.gap()),
+        other => Err(none(other)),
+    }
+}
+
+pub(crate) fn of_tangential(solution: &TangentialSolution, field: i32) -> Outcome<&Field> {
+    match field {
+        STICKSLIP_TRACTION_X => Ok(solution.traction()[0]),
+        STICKSLIP_TRACTION_Y => Ok(solution.traction()[1]),
+        STICKSLIP_SLIP_X => Ok(solution.slip()[0]),
+        STICKSLIP_SLIP_Y => Ok(solution.slip()[1]),
+        other => Err(none(other)),
+    }
+}

@@ -1,0 +1,102 @@
+//! The two bodies on their grid.
+
+use stickslip_rs::{Boundary, ElasticPair, HalfSpace};
+
+use crate::call::call;
+use crate::handle::{Handle, free, give, opaque, reading};
+use crate::inputs::{stickslip_boundary, stickslip_grid, stickslip_material};
+use crate::pointer::{input, optional, put, room};
+use crate::status::stickslip_status;
+use crate::threads::enter;
+
+/// Two elastic half-spaces on a grid, with the operators that all contacts on them share. Solvers and histories keep what
+/// they need of it: it may be freed before them. Many threads may use one at once.
+pub struct stickslip_half_space(Handle<HalfSpace>);
+
+opaque!(stickslip_half_space holds HalfSpace, named "half-space");
+
+/// Constants of a pair of materials.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_pair {
+    /// E* (a pressure): 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2.
+    pub contact_modulus: f64,
+    /// G* of Mindlin (a pressure): 1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2; a circle of radius a that sticks has 8 G* a.
+    pub tangential_modulus: f64,
+    /// Dundurs' second parameter; zero where pressure and shear are not coupled.
+    pub dundurs_beta: f64,
+    /// Not zero if pressure and shear are coupled.
+    pub is_coupled: i32,
+}
+
+/// Makes the bodies: nothing is computed yet. A NULL boundary is STICKSLIP_NON_PERIODIC.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_half_space_new(
+    grid: *const stickslip_grid,
+    body_1: *const stickslip_material,
+    body_2: *const stickslip_material,
+    boundary: *const stickslip_boundary,
+    half_space: *mut *mut stickslip_half_space,
+) -> stickslip_status {
+    call(|| {
+        room("half_space", half_space)?;
+        // SAFETY: the rule for pointers.
+        let (grid, bodies, boundary) = unsafe {
+            let bodies = [input("body_1", body_1)?, input("body_2", body_2)?];
+            (
+                input("grid", grid)?,
+                bodies,
+                optional("boundary", boundary)?,
+            )
+        };
+        let boundary = boundary.map_or(Ok(Boundary::NonPeriodic), stickslip_boundary::checked)?;
+        let pair = ElasticPair::new(bodies[0].checked()?, bodies[1].checked()?)?;
+        let grid = grid.checked()?;
+        let make = || HalfSpace::with_boundary(grid, pair, boundary);
+        let bodies = enter(grid.cells(), make)?;
+        // SAFETY: the rule for pointers.
+        unsafe { give(half_space, bodies, grid.cells()) }
+    })
+}
+
+/// Frees the bodies; nothing for NULL.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_half_space_free(
+    half_space: *mut stickslip_half_space,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call(|| unsafe { free(half_space) })
+}
+
+/// The grid.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_half_space_grid(
+    half_space: *const stickslip_half_space,
+    grid: *mut stickslip_grid,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call(|| unsafe {
+        let bodies = reading(half_space)?;
+        put("grid", grid, bodies.grid().into())
+    })
+}
+
+/// The constants of the pair.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_half_space_pair(
+    half_space: *const stickslip_half_space,
+    pair: *mut stickslip_pair,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call(|| unsafe {
+        let bodies = reading(half_space)?;
+        let own = bodies.pair();
+        let constants = stickslip_pair {
+            contact_modulus: own.contact_modulus(),
+            tangential_modulus: own.tangential_modulus(),
+            dundurs_beta: own.dundurs_beta(),
+            is_coupled: i32::from(own.is_coupled()),
+        };
+        put("pair", pair, constants)
+    })
+}

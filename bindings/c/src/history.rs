@@ -1,0 +1,252 @@
+//! Histories: steps with memory of slip.
+
+use stickslip_rs::history::TouchRule;
+use stickslip_rs::{Axis, History};
+
+use crate::call::{Outcome, call, call_on};
+use crate::error::Failure;
+use crate::half_space::stickslip_half_space;
+use crate::handle::{Changing, Handle, changing, free, give, opaque, reading};
+use crate::inputs::{
+    stickslip_friction, stickslip_per_cell, stickslip_relative_displacement, stickslip_settings,
+    stickslip_settings_default,
+};
+use crate::loads::stickslip_load_step;
+use crate::model::{STICKSLIP_FULL, STICKSLIP_SCALAR, coupling, model};
+use crate::observer::{stickslip_observer, watch};
+use crate::pointer::{field, input, optional, put, room};
+use crate::status::stickslip_status;
+use crate::stiffness::stickslip_stiffness;
+
+/// A contact that is loaded step by step, with memory of slip. A step that fails leaves it bit for bit as it was. Its
+/// fields are read without a copy, and are valid until the next call that changes it.
+pub struct stickslip_history(Handle<History>);
+
+opaque!(stickslip_history holds History, named "history");
+
+/// Along x.
+pub const STICKSLIP_X: i32 = 0;
+/// Along y.
+pub const STICKSLIP_Y: i32 = 1;
+
+/// A cell that touches within a step follows its motion as far as it would if all that grows stuck (default).
+pub const STICKSLIP_GROWTH: i32 = 0;
+/// It follows all of the motion of the step.
+pub const STICKSLIP_WHOLE_STEP: i32 = 1;
+
+/// Options of a history; stickslip_history_options_default() has the defaults.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_history_options {
+    /// Axis of load and traction in the scalar model: STICKSLIP_X (default) or STICKSLIP_Y.
+    pub axis: i32,
+    /// STICKSLIP_SCALAR (default) or STICKSLIP_VECTOR.
+    pub model: i32,
+    /// STICKSLIP_FULL (default), STICKSLIP_ONE_WAY or STICKSLIP_NEGLECTED; of meaning for dissimilar bodies only.
+    pub coupling: i32,
+    /// STICKSLIP_GROWTH (default) or STICKSLIP_WHOLE_STEP.
+    pub touch_rule: i32,
+    /// Largest pressure that the cells carry, or NULL (default).
+    pub hardness: *const stickslip_per_cell,
+    /// Not zero if what yields stays (default 0).
+    pub permanent_set: i32,
+    /// Pattern of a displacement that the contact does not cause, or NULL (default); steps reach an amount of it.
+    pub relative_displacement: *const stickslip_relative_displacement,
+    /// Method, tolerance and limits.
+    pub settings: stickslip_settings,
+}
+
+/// The options that histories have by default.
+#[unsafe(no_mangle)]
+pub extern "C" fn stickslip_history_options_default() -> stickslip_history_options {
+    stickslip_history_options {
+        axis: STICKSLIP_X,
+        model: STICKSLIP_SCALAR,
+        coupling: STICKSLIP_FULL,
+        touch_rule: STICKSLIP_GROWTH,
+        hardness: std::ptr::null(),
+        permanent_set: 0,
+        relative_displacement: std::ptr::null(),
+        settings: stickslip_settings_default(),
+    }
+}
+
+/// Makes a history of a gap before loading (lengths, count entries, copied); nothing touches before the first step. options
+/// may be NULL (the defaults).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_history_new(
+    half_space: *const stickslip_half_space,
+    gap: *const f64,
+    count: usize,
+    friction: *const stickslip_friction,
+    options: *const stickslip_history_options,
+    history: *mut *mut stickslip_history,
+) -> stickslip_status {
+    call_on(half_space, || {
+        room("history", history)?;
+        // SAFETY: the rule for pointers.
+        let (bodies, friction, options) = unsafe {
+            let bodies = reading(half_space)?;
+            let friction = input("friction", friction)?.checked(bodies.grid())?;
+            (bodies, friction, optional("options", options)?)
+        };
+        let grid = bodies.grid();
+        // SAFETY: the rule for pointers.
+        let gap = unsafe { field("gap", grid, gap, count)? };
+        let mut builder = History::builder(&bodies, &gap, friction);
+        if let Some(options) = options {
+            builder = builder
+                .axis(axis(options.axis)?)
+                .model(model(options.model)?)
+                .coupling(coupling(options.coupling)?)
+                .touch_rule(touch_rule(options.touch_rule)?)
+                .permanent_set(options.permanent_set != 0)
+                .settings(options.settings.checked()?);
+            // SAFETY: the rule for pointers.
+            unsafe {
+                if let Some(limit) = optional("hardness of the options", options.hardness)? {
+                    builder = builder.hardness(limit.hardness(grid)?);
+                }
+                let name = "relative_displacement of the options";
+                if let Some(relative) = optional(name, options.relative_displacement)? {
+                    builder = builder.relative_displacement(relative.checked(grid)?);
+                }
+            }
+        }
+        let made = builder.build()?;
+        // SAFETY: the rule for pointers.
+        unsafe { give(history, made, grid.cells()) }
+    })
+}
+
+fn axis(value: i32) -> Outcome<Axis> {
+    match value {
+        STICKSLIP_X => Ok(Axis::X),
+        STICKSLIP_Y => Ok(Axis::Y),
+        other => Err(Failure::option("axis", other)),
+    }
+}
+
+fn touch_rule(value: i32) -> Outcome<TouchRule> {
+    match value {
+        STICKSLIP_GROWTH => Ok(TouchRule::Growth),
+        STICKSLIP_WHOLE_STEP => Ok(TouchRule::WholeStep),
+        other => Err(Failure::option("touch rule", other)),
+    }
+}
+
+/// Makes a copy of a history, which goes on by itself.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_history_clone(
+    history: *const stickslip_history,
+    copy: *mut *mut stickslip_history,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(history, || unsafe {
+        room("copy", copy)?;
+        let history = reading(history)?;
+        give(copy, History::clone(&history), history.grid().cells())
+    })
+}
+
+/// Frees a history; nothing for NULL.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_history_free(
+    history: *mut stickslip_history,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call(|| unsafe { free(history) })
+}
+
+/// Takes a step. observer may be NULL. After a failure the history is as it was; after STICKSLIP_NOT_CONVERGED
+/// stickslip_last_error_report has the report.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_history_step(
+    history: *mut stickslip_history,
+    load: *const stickslip_load_step,
+    observer: *const stickslip_observer,
+) -> stickslip_status {
+    call_on(history, || {
+        // SAFETY: the rule for pointers.
+        let (mut history, load, observer) = unsafe {
+            let (load, observer) = (input("load", load)?, optional("observer", observer)?);
+            (changing(history)?, load.checked()?, watch(observer))
+        };
+        history.step_observed(&load, observer)?;
+        Ok(())
+    })
+}
+
+/// Changes the gap before loading (lengths, count entries, copied), as wear does. The pressure stays until a step that
+/// gives a normal load again.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_history_set_gap(
+    history: *mut stickslip_history,
+    gap: *const f64,
+    count: usize,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(history, || unsafe {
+        let mut history: Changing<'_, History> = changing(history)?;
+        let gap = field("gap", history.grid(), gap, count)?;
+        Ok(history.set_gap(&gap)?)
+    })
+}
+
+/// Changes the friction from the next step on.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_history_set_friction(
+    history: *mut stickslip_history,
+    friction: *const stickslip_friction,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(history, || unsafe {
+        let mut history = changing(history)?;
+        let friction = input("friction", friction)?.checked(history.grid())?;
+        Ok(history.set_friction(&friction)?)
+    })
+}
+
+/// Changes method, tolerance and limits from the next step on.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_history_set_settings(
+    history: *mut stickslip_history,
+    settings: *const stickslip_settings,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(history, || unsafe {
+        let settings = input("settings", settings)?.checked()?;
+        Ok(changing(history)?.set_settings(settings)?)
+    })
+}
+
+/// Changes the pattern of the relative displacement from the next step on.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_history_set_relative_displacement(
+    history: *mut stickslip_history,
+    pattern: *const stickslip_relative_displacement,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(history, || unsafe {
+        let mut history = changing(history)?;
+        let pattern = input("pattern", pattern)?.checked(history.grid())?;
+        Ok(history.set_relative_displacement(&pattern)?)
+    })
+}
+
+/// The stiffness of the contact after the last step: normal, tangential on loading and at reversal.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_history_stiffness(
+    history: *const stickslip_history,
+    stiffness: *mut stickslip_stiffness,
+) -> stickslip_status {
+    call_on(history, || {
+        room("stiffness", stiffness)?;
+        // SAFETY: the rule for pointers.
+        let history = unsafe { reading(history)? };
+        let history = &*history;
+        let found = history.stiffness()?;
+        // SAFETY: the rule for pointers.
+        unsafe { put("stiffness", stiffness, found.into()) }
+    })
+}

@@ -1,0 +1,224 @@
+//! What a history tells of its state and of its last step.
+
+use stickslip_rs::history::EnergyBalance;
+use stickslip_rs::{Field, History};
+
+use crate::call::{Outcome, call_for, call_on};
+use crate::fields::*;
+use crate::handle::reading;
+use crate::history::stickslip_history;
+use crate::inputs::stickslip_grid;
+use crate::pointer::{put, samples};
+use crate::results::{
+    put_warnings, stickslip_normal_result, stickslip_report, stickslip_warning, unsolved,
+};
+use crate::status::stickslip_status;
+
+/// Work, elastic energy and dissipation of a step or a cycle.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_energy {
+    /// Work of the tangential load.
+    pub work: f64,
+    /// Elastic energy of shear before.
+    pub elastic_before: f64,
+    /// Elastic energy of shear after.
+    pub elastic_after: f64,
+    /// Energy dissipated, by the tractions at the ends of steps.
+    pub dissipated_energy: f64,
+    /// Energy dissipated, by the mean tractions of steps, which closes the balance.
+    pub mid_step_dissipated_energy: f64,
+    /// Energy that cells let go as they leave the contact.
+    pub released: f64,
+    /// Work on the motion that the tolerance leaves in stick cells.
+    pub residual: f64,
+    /// What is missing in the balance: round-off.
+    pub imbalance: f64,
+}
+
+impl From<&EnergyBalance> for stickslip_energy {
+    fn from(energy: &EnergyBalance) -> Self {
+        Self {
+            work: energy.work,
+            elastic_before: energy.elastic_before,
+            elastic_after: energy.elastic_after,
+            dissipated_energy: energy.dissipated_energy,
+            mid_step_dissipated_energy: energy.mid_step_dissipated_energy,
+            released: energy.released,
+            residual: energy.residual,
+            imbalance: energy.imbalance(),
+        }
+    }
+}
+
+/// Numbers of a history after its last step.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_step_result {
+    /// Normal force.
+    pub normal_force: f64,
+    /// Approach of the bodies (a length).
+    pub approach: f64,
+    /// Tangential force that body 2 exerts on body 1.
+    pub force: [f64; 2],
+    /// Shift of body 2 relative to body 1 since the start (lengths).
+    pub shift: [f64; 2],
+    /// Moment about z that the tractions exert on body 1.
+    pub moment: f64,
+    /// Rotation of body 2 relative to body 1 since the start (radians).
+    pub twist: f64,
+    /// Stick cells over contact cells after the last step; zero without contact.
+    pub stick_ratio: f64,
+    /// Not zero if the whole contact is at its friction limit after the last step.
+    pub is_gross_slip: i32,
+    /// Steps taken since the start.
+    pub steps: u64,
+    /// Energies of the last step.
+    pub energy: stickslip_energy,
+}
+
+impl From<&History> for stickslip_step_result {
+    fn from(history: &History) -> Self {
+        let step = history.last_step();
+        Self {
+            normal_force: history.normal().force(),
+            approach: history.approach(),
+            force: history.force(),
+            shift: history.shift(),
+            moment: history.moment(),
+            twist: history.twist(),
+            stick_ratio: step.stick_ratio(),
+            is_gross_slip: i32::from(step.is_gross_slip()),
+            steps: history.steps(),
+            energy: step.energy().into(),
+        }
+    }
+}
+
+/// The numbers of the state. Stick ratio, gross slip and energies are those of the last step taken, zero before any and
+/// after the history was made from bytes.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_history_result(
+    history: *const stickslip_history,
+    result: *mut stickslip_step_result,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(history, || unsafe {
+        put("result", result, (&*reading(history)?).into())
+    })
+}
+
+/// The numbers of the normal contact.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_history_normal_result(
+    history: *const stickslip_history,
+    result: *mut stickslip_normal_result,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(history, || unsafe {
+        put("result", result, reading(history)?.normal().into())
+    })
+}
+
+/// The grid of all fields.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_history_grid(
+    history: *const stickslip_history,
+    grid: *mut stickslip_grid,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(history, || unsafe {
+        put("grid", grid, reading(history)?.grid().into())
+    })
+}
+
+/// The largest tangential force that friction holds at the present pressure.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_history_friction_capacity(
+    history: *const stickslip_history,
+    capacity: *mut f64,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(history, || unsafe {
+        put("capacity", capacity, reading(history)?.friction_capacity())
+    })
+}
+
+/// How pressure and traction of the last step were solved; STICKSLIP_UNSOLVED if the pressure was held, or before anything
+/// has touched.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_history_reports(
+    history: *const stickslip_history,
+    normal: *mut stickslip_report,
+    tangential: *mut stickslip_report,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(history, || unsafe {
+        let history = reading(history)?;
+        let step = history.last_step();
+        let report = |own: Option<_>| own.map_or_else(unsolved, stickslip_report::from);
+        put("normal", normal, report(step.normal_report()))?;
+        put("tangential", tangential, report(step.tangential_report()))
+    })
+}
+
+/// Diagnostics on the last step: as stickslip_normal_solution_warnings.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_history_warnings(
+    history: *const stickslip_history,
+    buffer: *mut stickslip_warning,
+    capacity: usize,
+    count: *mut usize,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(history, || unsafe {
+        let warnings = reading(history)?.last_step().warnings();
+        put_warnings(&warnings, buffer, capacity, count)
+    })
+}
+
+/// A field by its number, STICKSLIP_PRESSURE to STICKSLIP_YIELDED_DEPTH but displacements, and how many cells it has (count
+/// may be NULL); NULL on failure.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_history_field(
+    history: *const stickslip_history,
+    which: i32,
+    count: *mut usize,
+) -> *const f64 {
+    // SAFETY: the rule for pointers.
+    call_for(|| unsafe {
+        let history = reading(history)?;
+        samples(field(&history, which)?.as_slice(), count)
+    })
+}
+
+fn field(history: &History, which: i32) -> Outcome<&Field> {
+    let step = history.last_step();
+    Ok(match which {
+        STICKSLIP_PRESSURE | STICKSLIP_GAP => of_normal(history.normal(), which)?,
+        STICKSLIP_TRACTION_X => history.traction()[0],
+        STICKSLIP_TRACTION_Y => history.traction()[1],
+        STICKSLIP_SLIP_X => history.slip()[0],
+        STICKSLIP_SLIP_Y => history.slip()[1],
+        STICKSLIP_SLIP_DISTANCE => history.accumulated_slip(),
+        STICKSLIP_DISSIPATED_ENERGY => history.dissipated_energy(),
+        STICKSLIP_INITIAL_GAP => history.gap(),
+        STICKSLIP_STEP_SLIP_X => step.slip()[0],
+        STICKSLIP_STEP_SLIP_Y => step.slip()[1],
+        STICKSLIP_STEP_SLIP_DISTANCE => step.slip_distance(),
+        STICKSLIP_STEP_DISSIPATED_ENERGY => step.dissipated_energy(),
+        STICKSLIP_STEP_MID_DISSIPATED_ENERGY => step.mid_step_dissipated_energy(),
+        STICKSLIP_YIELDED_DEPTH => history.state().yielded().ok_or_else(|| none(which))?,
+        other => return Err(none(other)),
+    })
+}
+
+/// The zone of every cell after the last step; NULL on failure.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_history_zones(
+    history: *const stickslip_history,
+    count: *mut usize,
+) -> *const u8 {
+    // SAFETY: the rule for pointers.
+    call_for(|| unsafe { Ok(samples(reading(history)?.zones(), count)?.cast()) })
+}

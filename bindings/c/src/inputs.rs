@@ -1,0 +1,257 @@
+//! Grids, materials, friction, settings: plain structs that C fills in.
+
+use std::time::Duration;
+
+use stickslip_rs::cgm::{Method, Settings};
+use stickslip_rs::normal::Hardness;
+use stickslip_rs::tangential::RelativeDisplacement;
+use stickslip_rs::{Boundary, Field, Friction, Grid, Material};
+
+use crate::call::Outcome;
+use crate::error::Failure;
+use crate::pointer::field;
+
+/// A grid of nx by ny rectangular cells of sides dx and dy (lengths), centred on the origin. An array of samples has
+/// nx * ny entries, row by row with x fastest: that of cell (ix, iy) is at iy * nx + ix.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_grid {
+    /// Cells along x.
+    pub nx: usize,
+    /// Cells along y.
+    pub ny: usize,
+    /// Side of a cell along x (a length).
+    pub dx: f64,
+    /// Side of a cell along y (a length).
+    pub dy: f64,
+}
+
+impl stickslip_grid {
+    pub(crate) fn checked(&self) -> Outcome<Grid> {
+        Ok(Grid::new(self.nx, self.ny, self.dx, self.dy)?)
+    }
+}
+
+impl From<Grid> for stickslip_grid {
+    fn from(grid: Grid) -> Self {
+        Self {
+            nx: grid.nx(),
+            ny: grid.ny(),
+            dx: grid.dx(),
+            dy: grid.dy(),
+        }
+    }
+}
+
+/// The material of a body.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_material {
+    /// Young's modulus (a pressure); infinite for a rigid body.
+    pub youngs_modulus: f64,
+    /// Poisson's ratio, in (-1, 1/2]; of no meaning for a rigid body.
+    pub poisson_ratio: f64,
+    /// Indentation hardness (a pressure), for warnings only; 0 or infinite: not known.
+    pub hardness: f64,
+}
+
+impl stickslip_material {
+    pub(crate) fn checked(&self) -> Outcome<Material> {
+        let material = if self.youngs_modulus == f64::INFINITY {
+            Material::rigid()
+        } else {
+            Material::new(self.youngs_modulus, self.poisson_ratio)?
+        };
+        Ok(match self.hardness {
+            0.0 | f64::INFINITY => material,
+            hardness => material.with_hardness(hardness)?,
+        })
+    }
+}
+
+/// The grid is a patch on infinite bodies.
+pub const STICKSLIP_NON_PERIODIC: i32 = 0;
+/// The grid repeats along x and y.
+pub const STICKSLIP_PERIODIC: i32 = 1;
+/// The grid repeats along y alone.
+pub const STICKSLIP_PERIODIC_ALONG_Y: i32 = 2;
+
+/// What lies beyond the edge of the grid.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_boundary {
+    /// STICKSLIP_NON_PERIODIC, STICKSLIP_PERIODIC or STICKSLIP_PERIODIC_ALONG_Y.
+    pub kind: i32,
+    /// With STICKSLIP_PERIODIC_ALONG_Y: distance along x at which a line load moves nothing (a length).
+    pub datum: f64,
+}
+
+impl stickslip_boundary {
+    pub(crate) fn checked(&self) -> Outcome<Boundary> {
+        match self.kind {
+            STICKSLIP_NON_PERIODIC => Ok(Boundary::NonPeriodic),
+            STICKSLIP_PERIODIC => Ok(Boundary::Periodic),
+            STICKSLIP_PERIODIC_ALONG_Y => Ok(Boundary::PeriodicAlongY { datum: self.datum }),
+            other => Err(Failure::option("boundary", other)),
+        }
+    }
+}
+
+/// A quantity of all cells: one value, or one for each.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_per_cell {
+    /// The value of all cells, if cells is NULL.
+    pub value: f64,
+    /// A value for each cell, copied by the call; or NULL.
+    pub cells: *const f64,
+    /// Number of cells, if cells is not NULL.
+    pub count: usize,
+}
+
+impl stickslip_per_cell {
+    /// The field, if there is one.
+    ///
+    /// # Safety
+    /// The rule for pointers.
+    pub(crate) unsafe fn field(&self, name: &str, grid: Grid) -> Outcome<Option<Field>> {
+        if self.cells.is_null() {
+            return Ok(None);
+        }
+        // SAFETY: as of this function.
+        unsafe { field(name, grid, self.cells, self.count) }.map(Some)
+    }
+
+    /// As the largest pressure that cells carry.
+    ///
+    /// # Safety
+    /// The rule for pointers.
+    pub(crate) unsafe fn hardness(&self, grid: Grid) -> Outcome<Hardness> {
+        // SAFETY: as of this function.
+        Ok(match unsafe { self.field("hardness", grid)? } {
+            None => Hardness::uniform(self.value)?,
+            Some(limits) => Hardness::per_cell(limits)?,
+        })
+    }
+}
+
+/// Coulomb friction.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_friction {
+    /// Coefficient of friction, zero or positive.
+    pub coefficient: stickslip_per_cell,
+    /// Largest shear traction (a pressure); 0 or infinite: no limit but that of the coefficient.
+    pub max_shear_stress: f64,
+}
+
+impl stickslip_friction {
+    /// # Safety
+    /// The rule for pointers.
+    pub(crate) unsafe fn checked(&self, grid: Grid) -> Outcome<Friction> {
+        // SAFETY: as of this function.
+        let friction = match unsafe { self.coefficient.field("coefficient of friction", grid)? } {
+            None => Friction::coulomb(self.coefficient.value)?,
+            Some(coefficients) => Friction::per_cell(coefficients)?,
+        };
+        Ok(match self.max_shear_stress {
+            0.0 | f64::INFINITY => friction,
+            cap => friction.max_shear_stress(cap)?,
+        })
+    }
+}
+
+/// A tangential displacement of body 1 relative to body 2 in each cell that the contact does not cause, such as that of
+/// bulk strain; copied by the call.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_relative_displacement {
+    /// That along x (lengths), for each cell.
+    pub x: *const f64,
+    /// That along y (lengths), for each cell.
+    pub y: *const f64,
+    /// Number of cells.
+    pub count: usize,
+}
+
+impl stickslip_relative_displacement {
+    /// # Safety
+    /// The rule for pointers.
+    pub(crate) unsafe fn checked(&self, grid: Grid) -> Outcome<RelativeDisplacement> {
+        // SAFETY: as of this function.
+        let fields = unsafe {
+            [
+                field("relative displacement along x", grid, self.x, self.count)?,
+                field("relative displacement along y", grid, self.y, self.count)?,
+            ]
+        };
+        Ok(RelativeDisplacement::new(fields)?)
+    }
+}
+
+/// Active sets, the default.
+pub const STICKSLIP_ACTIVE_SET: i32 = 0;
+/// The loop of Polonsky and Keer, for pressure or for one traction.
+pub const STICKSLIP_POLONSKY_KEER: i32 = 1;
+
+/// Method, tolerance and limits of a solve; stickslip_settings_default() has the defaults.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_settings {
+    /// STICKSLIP_ACTIVE_SET (default) or STICKSLIP_POLONSKY_KEER.
+    pub method: i32,
+    /// The error accepted, in (0, 1) (default 1e-8): certified in the energy norm, and as a residual relative to the largest
+    /// displacement.
+    pub tolerance: f64,
+    /// Conjugate-gradient steps allowed (default 10000).
+    pub max_iterations: usize,
+    /// Wall time allowed for a solve (seconds); infinite (default): any. A step of a history has two solves, pressure and
+    /// traction.
+    pub time_limit: f64,
+}
+
+impl stickslip_settings {
+    pub(crate) fn checked(&self) -> Outcome<Settings> {
+        let method = match self.method {
+            STICKSLIP_ACTIVE_SET => Method::ActiveSet,
+            STICKSLIP_POLONSKY_KEER => Method::PolonskyKeer,
+            other => return Err(Failure::option("method", other)),
+        };
+        let settings = Settings::default()
+            .method(method)
+            .tolerance(self.tolerance)
+            .max_iterations(self.max_iterations);
+        settings.check()?;
+        if self.time_limit == f64::INFINITY {
+            return Ok(settings);
+        }
+        let limit = Duration::try_from_secs_f64(self.time_limit)
+            .map_err(|_| Failure::time_limit(self.time_limit))?;
+        Ok(settings.time_limit(limit))
+    }
+}
+
+/// The settings that solvers and histories have by default.
+#[unsafe(no_mangle)]
+pub extern "C" fn stickslip_settings_default() -> stickslip_settings {
+    let settings = Settings::default();
+    stickslip_settings {
+        method: STICKSLIP_ACTIVE_SET,
+        tolerance: settings.tolerance,
+        max_iterations: settings.max_iterations,
+        time_limit: f64::INFINITY,
+    }
+}
+
+/// Friction with one coefficient for all cells.
+#[unsafe(no_mangle)]
+pub extern "C" fn stickslip_coulomb(coefficient: f64) -> stickslip_friction {
+    stickslip_friction {
+        coefficient: stickslip_per_cell {
+            value: coefficient,
+            cells: std::ptr::null(),
+            count: 0,
+        },
+        max_shear_stress: f64::INFINITY,
+    }
+}

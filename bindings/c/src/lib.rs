@@ -1,0 +1,34 @@
+//! The crate `stickslip` for C: opaque handles, plain structs, status codes. The header is made from this source, and
+//! `README.md` has the rules.
+//!
+//! Every exported function is one call of [`call::call`], which turns failures and panics into codes; what it does with
+//! pointers goes through `pointer` and `handle`.
+
+#![allow(non_camel_case_types, reason = "names of types are those of C")]
+
+pub mod adaptive;
+pub mod batch;
+mod call;
+pub mod coupled;
+pub mod cycle;
+pub mod error;
+pub mod fields;
+pub mod half_space;
+mod handle;
+pub mod history;
+pub mod history_reading;
+pub mod inputs;
+pub mod loads;
+pub mod model;
+pub mod normal;
+pub mod observer;
+mod pointer;
+pub mod results;
+pub mod state;
+pub mod status;
+pub mod stiffness;
+pub mod surface;
+pub mod tangential;
+pub mod threads;
+pub mod version;
+pub mod wear;

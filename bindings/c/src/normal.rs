@@ -1,0 +1,253 @@
+//! Normal contact.
+
+use stickslip_rs::{Grid, NormalProblem, NormalSolution, NormalSolver};
+
+use crate::call::{call, call_for, call_on};
+use crate::fields::of_normal;
+use crate::half_space::stickslip_half_space;
+use crate::handle::{Handle, changing, free, give, opaque, reading};
+use crate::inputs::{stickslip_per_cell, stickslip_settings};
+use crate::loads::stickslip_normal_load;
+use crate::observer::{stickslip_observer, watch};
+use crate::pointer::{field, input, optional, put, room, samples};
+use crate::results::{put_warnings, stickslip_normal_result, stickslip_report, stickslip_warning};
+use crate::status::stickslip_status;
+use crate::stiffness::stickslip_normal_stiffness;
+
+/// Solves normal contacts of two bodies again and again, each solve beginning with the last answer.
+pub struct stickslip_normal_solver(Handle<Solver>);
+
+opaque!(stickslip_normal_solver holds Solver, named "normal solver");
+
+/// A solver with what it does not tell of itself.
+#[derive(Debug)]
+pub struct Solver {
+    own: NormalSolver,
+    grid: Grid,
+}
+
+/// Pressure, gap and approach of a normal contact. Its fields are read without a copy, and are valid until the next solve
+/// into it, or until it is freed.
+pub struct stickslip_normal_solution(Handle<NormalSolution>);
+
+opaque!(stickslip_normal_solution holds NormalSolution, named "normal solution");
+
+/// Makes a solver of a gap before loading (lengths, count entries, copied) under a load.
+///
+/// settings may be NULL (the defaults), as may hardness, the largest pressure that the cells carry (no limit).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_normal_solver_new(
+    half_space: *const stickslip_half_space,
+    gap: *const f64,
+    count: usize,
+    load: *const stickslip_normal_load,
+    hardness: *const stickslip_per_cell,
+    settings: *const stickslip_settings,
+    solver: *mut *mut stickslip_normal_solver,
+) -> stickslip_status {
+    call_on(half_space, || {
+        room("solver", solver)?;
+        // SAFETY: the rule for pointers.
+        let (bodies, load, hardness, settings) = unsafe {
+            let hardness = optional("hardness", hardness)?;
+            let settings = optional("settings", settings)?;
+            (
+                reading(half_space)?,
+                input("load", load)?,
+                hardness,
+                settings,
+            )
+        };
+        let grid = bodies.grid();
+        // SAFETY: the rule for pointers.
+        let gap = unsafe { field("gap", grid, gap, count)? };
+        let mut problem = NormalProblem::builder(&bodies, gap, load.checked()?);
+        if let Some(settings) = settings {
+            problem = problem.settings(settings.checked()?);
+        }
+        if let Some(limit) = hardness {
+            // SAFETY: the rule for pointers.
+            problem = problem.hardness(unsafe { limit.hardness(grid)? });
+        }
+        let problem = problem.build()?;
+        let own = problem.into_solver()?;
+        // SAFETY: the rule for pointers.
+        unsafe { give(solver, Solver { own, grid }, grid.cells()) }
+    })
+}
+
+/// Frees a solver; nothing for NULL.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_normal_solver_free(
+    solver: *mut stickslip_normal_solver,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call(|| unsafe { free(solver) })
+}
+
+/// Changes the load of the next solve.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_normal_solver_set_load(
+    solver: *mut stickslip_normal_solver,
+    load: *const stickslip_normal_load,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(solver, || unsafe {
+        let load = input("load", load)?.checked()?;
+        Ok(changing(solver)?.own.set_load(load)?)
+    })
+}
+
+/// Changes the gap before loading of the next solve (lengths, count entries, copied).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_normal_solver_set_gap(
+    solver: *mut stickslip_normal_solver,
+    gap: *const f64,
+    count: usize,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(solver, || unsafe {
+        let mut solver = changing(solver)?;
+        let gap = field("gap", solver.grid, gap, count)?;
+        Ok(solver.own.set_gap(&gap)?)
+    })
+}
+
+/// Changes method, tolerance and limits of the next solve.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_normal_solver_set_settings(
+    solver: *mut stickslip_normal_solver,
+    settings: *const stickslip_settings,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(solver, || unsafe {
+        let settings = input("settings", settings)?.checked()?;
+        Ok(changing(solver)?.own.set_settings(settings)?)
+    })
+}
+
+/// Forgets the last answer: the next solve starts as the first did.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_normal_solver_reset(
+    solver: *mut stickslip_normal_solver,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(solver, || unsafe {
+        changing(solver)?.own.reset();
+        Ok(())
+    })
+}
+
+/// Solves into a solution of stickslip_normal_solution_new for the same bodies. observer may be NULL.
+///
+/// With STICKSLIP_NOT_CONVERGED the solution holds the last feasible iterate and its report; after any other failure it is
+/// as it was.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_normal_solver_solve(
+    solver: *mut stickslip_normal_solver,
+    solution: *mut stickslip_normal_solution,
+    observer: *const stickslip_observer,
+) -> stickslip_status {
+    call_on(solver, || {
+        // SAFETY: the rule for pointers.
+        let (mut solver, mut solution, observer) = unsafe {
+            let observer = optional("observer", observer)?;
+            (changing(solver)?, changing(solution)?, observer)
+        };
+        Ok(solver.own.solve_observed(&mut solution, watch(observer))?)
+    })
+}
+
+/// Makes an empty solution of the right size for a solver.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_normal_solution_new(
+    solver: *const stickslip_normal_solver,
+    solution: *mut *mut stickslip_normal_solution,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(solver, || unsafe {
+        room("solution", solution)?;
+        let solver = reading(solver)?;
+        give(solution, solver.own.new_solution(), solver.grid.cells())
+    })
+}
+
+/// Frees a solution; nothing for NULL.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_normal_solution_free(
+    solution: *mut stickslip_normal_solution,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call(|| unsafe { free(solution) })
+}
+
+/// STICKSLIP_PRESSURE or STICKSLIP_GAP, and how many cells it has (count may be NULL); NULL on failure.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_normal_solution_field(
+    solution: *const stickslip_normal_solution,
+    which: i32,
+    count: *mut usize,
+) -> *const f64 {
+    // SAFETY: the rule for pointers.
+    call_for(|| unsafe {
+        let solution = reading(solution)?;
+        samples(of_normal(&solution, which)?.as_slice(), count)
+    })
+}
+
+/// The numbers of the contact.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_normal_solution_result(
+    solution: *const stickslip_normal_solution,
+    result: *mut stickslip_normal_result,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(solution, || unsafe {
+        put("result", result, (&*reading(solution)?).into())
+    })
+}
+
+/// How it was solved.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_normal_solution_report(
+    solution: *const stickslip_normal_solution,
+    report: *mut stickslip_report,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(solution, || unsafe {
+        put("report", report, reading(solution)?.report().into())
+    })
+}
+
+/// Diagnostics that may mislead: writes them to a buffer of capacity entries, and how many there are to count. With
+/// capacity 0 only the number.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_normal_solution_warnings(
+    solution: *const stickslip_normal_solution,
+    buffer: *mut stickslip_warning,
+    capacity: usize,
+    count: *mut usize,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(solution, || unsafe {
+        put_warnings(&reading(solution)?.warnings(), buffer, capacity, count)
+    })
+}
+
+/// The stiffness of a normal contact on the bodies it was solved for.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_normal_solution_stiffness(
+    solution: *const stickslip_normal_solution,
+    half_space: *const stickslip_half_space,
+    stiffness: *mut stickslip_normal_stiffness,
+) -> stickslip_status {
+    call_on(solution, || {
+        room("stiffness", stiffness)?;
+        // SAFETY: the rule for pointers.
+        let (solution, bodies) = unsafe { (reading(solution)?, reading(half_space)?) };
+        let (solution, bodies) = (&*solution, &*bodies);
+        let found = solution.stiffness(bodies)?;
+        // SAFETY: the rule for pointers.
+        unsafe { put("stiffness", stiffness, found.into()) }
+    })
+}

@@ -1,0 +1,138 @@
+//! Plain data by pointer.
+//!
+//! The rule for pointers, on which every `unsafe` of this crate rests and which the head of the header states: a pointer
+//! is NULL, or points to what its type says, for as long as the call (handles: until they are freed); an array has as many
+//! entries as the number beside it says; nothing else writes to what it points to meanwhile.
+
+use stickslip_rs::{Field, Grid};
+
+use crate::call::Outcome;
+use crate::error::Failure;
+use crate::status::STICKSLIP_LENGTH;
+
+/// A struct that is needed.
+///
+/// # Safety
+/// The rule for pointers.
+pub(crate) unsafe fn input<'a, T>(name: &str, pointer: *const T) -> Outcome<&'a T> {
+    // SAFETY: as of this function.
+    unsafe { optional(name, pointer)? }.ok_or_else(|| Failure::pointer(name))
+}
+
+/// A struct that may be left out.
+///
+/// # Safety
+/// The rule for pointers.
+pub(crate) unsafe fn optional<'a, T>(name: &str, pointer: *const T) -> Outcome<Option<&'a T>> {
+    if !pointer.is_aligned() {
+        return Err(Failure::pointer(name));
+    }
+    // SAFETY: NULL or valid by the rule, and aligned.
+    Ok(unsafe { pointer.as_ref() })
+}
+
+/// `Ok` if there is a place to write to: asked before any work, so that nothing is done in vain.
+pub(crate) fn room<T>(name: &str, pointer: *mut T) -> Outcome {
+    if pointer.is_null() || !pointer.is_aligned() {
+        return Err(Failure::pointer(name));
+    }
+    Ok(())
+}
+
+/// Writes an answer.
+///
+/// # Safety
+/// The rule for pointers.
+pub(crate) unsafe fn put<T>(name: &str, pointer: *mut T, value: T) -> Outcome {
+    room(name, pointer)?;
+    // SAFETY: neither NULL nor misaligned, so valid by the rule.
+    unsafe { pointer.write(value) };
+    Ok(())
+}
+
+/// Writes an answer that is not needed, if there is a place for it.
+///
+/// # Safety
+/// The rule for pointers.
+pub(crate) unsafe fn put_if_asked<T>(name: &str, pointer: *mut T, value: T) -> Outcome {
+    if pointer.is_null() {
+        return Ok(());
+    }
+    // SAFETY: as of this function.
+    unsafe { put(name, pointer, value) }
+}
+
+/// An array of so many entries.
+///
+/// # Safety
+/// The rule for pointers.
+pub(crate) unsafe fn entries<'a, T>(
+    name: &str,
+    pointer: *const T,
+    count: usize,
+) -> Outcome<&'a [T]> {
+    if count == 0 {
+        return Ok(&[]);
+    }
+    let is_possible = size_of::<T>()
+        .checked_mul(count)
+        .is_some_and(|bytes| isize::try_from(bytes).is_ok());
+    if pointer.is_null() || !pointer.is_aligned() || !is_possible {
+        return Err(Failure::pointer(name));
+    }
+    // SAFETY: valid for so many entries by the rule, aligned, and no larger than memory.
+    Ok(unsafe { std::slice::from_raw_parts(pointer, count) })
+}
+
+/// The same, to be written to.
+///
+/// # Safety
+/// The rule for pointers.
+pub(crate) unsafe fn entries_mut<'a, T>(
+    name: &str,
+    pointer: *mut T,
+    count: usize,
+) -> Outcome<&'a mut [T]> {
+    // SAFETY: as of this function.
+    unsafe { entries(name, pointer.cast_const(), count)? };
+    if count == 0 {
+        return Ok(&mut []);
+    }
+    // SAFETY: checked as an array just now, and nobody else has it by the rule.
+    Ok(unsafe { std::slice::from_raw_parts_mut(pointer, count) })
+}
+
+/// A number for each cell of a grid, copied.
+///
+/// # Safety
+/// The rule for pointers.
+pub(crate) unsafe fn field(
+    name: &str,
+    grid: Grid,
+    pointer: *const f64,
+    count: usize,
+) -> Outcome<Field> {
+    expect_cells(name, grid, count)?;
+    // SAFETY: as of this function.
+    let samples = unsafe { entries(name, pointer, count)? };
+    Ok(Field::from_vec(grid, samples.to_vec())?)
+}
+
+/// `Ok` if an array has an entry for each cell.
+pub(crate) fn expect_cells(name: &str, grid: Grid, found: usize) -> Outcome {
+    let expected = grid.cells();
+    if found != expected {
+        return Err(Failure::length(STICKSLIP_LENGTH, name, [expected, found]));
+    }
+    Ok(())
+}
+
+/// A field without a copy: its first sample, and how many there are if that is asked for.
+///
+/// # Safety
+/// The rule for pointers.
+pub(crate) unsafe fn samples<T>(samples: &[T], count: *mut usize) -> Outcome<*const T> {
+    // SAFETY: as of this function.
+    unsafe { put_if_asked("count", count, samples.len())? };
+    Ok(samples.as_ptr())
+}

@@ -1,0 +1,261 @@
+//! Reports, warnings and numbers of solutions: plain structs that C reads.
+
+use std::ffi::c_char;
+
+use stickslip_rs::{NormalSolution, Report, Status, TangentialSolution, Warning};
+
+use crate::call::Outcome;
+use crate::error::Failure;
+use crate::pointer::{entries_mut, room};
+use crate::status::STICKSLIP_BUFFER_TOO_SMALL;
+
+/// Nothing has been solved yet.
+pub const STICKSLIP_UNSOLVED: i32 = 0;
+/// A fresh product shows residual and certified error at or below the tolerance.
+pub const STICKSLIP_CONVERGED: i32 = 1;
+/// The iteration limit was reached first.
+pub const STICKSLIP_AT_ITERATION_LIMIT: i32 = 2;
+/// The time limit was reached first.
+pub const STICKSLIP_AT_TIME_LIMIT: i32 = 3;
+/// The residual no longer falls: the tolerance is below round-off.
+pub const STICKSLIP_STALLED: i32 = 4;
+/// The observer asked to stop.
+pub const STICKSLIP_CANCELLED: i32 = 5;
+
+/// How a solve ended, what it cost and how large its error can be.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_report {
+    /// STICKSLIP_CONVERGED or why not, or STICKSLIP_UNSOLVED.
+    pub status: i32,
+    /// Conjugate-gradient steps.
+    pub iterations: usize,
+    /// Products with the operator in double precision.
+    pub double_precision_products: usize,
+    /// Products in single precision.
+    pub single_precision_products: usize,
+    /// Largest complementarity residual, relative to the largest displacement.
+    pub residual: f64,
+    /// Certified bound on the squared relative error in the energy norm.
+    pub duality_gap: f64,
+    /// Certified bound on the relative error in the energy norm, the root of the above.
+    pub energy_error_bound: f64,
+    /// Relative error of the prescribed total force.
+    pub load_error: f64,
+    /// Wall time of the solve (seconds).
+    pub seconds: f64,
+}
+
+impl From<&Report> for stickslip_report {
+    fn from(report: &Report) -> Self {
+        Self {
+            status: match report.status {
+                Status::Unsolved => STICKSLIP_UNSOLVED,
+                Status::Converged => STICKSLIP_CONVERGED,
+                Status::IterationLimit => STICKSLIP_AT_ITERATION_LIMIT,
+                Status::TimeLimit => STICKSLIP_AT_TIME_LIMIT,
+                Status::Cancelled => STICKSLIP_CANCELLED,
+                _ => STICKSLIP_STALLED,
+            },
+            iterations: report.iterations,
+            double_precision_products: report.double_precision_products,
+            single_precision_products: report.single_precision_products,
+            residual: report.residual,
+            duality_gap: report.duality_gap,
+            energy_error_bound: report.energy_error_bound(),
+            load_error: report.load_error,
+            seconds: report.time.as_secs_f64(),
+        }
+    }
+}
+
+/// The report of something that was not solved.
+pub(crate) fn unsolved() -> stickslip_report {
+    stickslip_report {
+        status: STICKSLIP_UNSOLVED,
+        iterations: 0,
+        double_precision_products: 0,
+        single_precision_products: 0,
+        residual: f64::INFINITY,
+        duality_gap: f64::INFINITY,
+        energy_error_bound: f64::INFINITY,
+        load_error: 0.0,
+        seconds: 0.0,
+    }
+}
+
+/// There is no contact.
+pub const STICKSLIP_WARNING_NO_CONTACT: i32 = 1;
+/// Contact cells (cells) lie on the edge of the grid.
+pub const STICKSLIP_WARNING_CONTACT_AT_EDGE: i32 = 2;
+/// Contact spots (cells) of all (of) are smaller than five cells.
+pub const STICKSLIP_WARNING_UNRESOLVED_SPOTS: i32 = 3;
+/// The grid is a line of cells that does not repeat.
+pub const STICKSLIP_WARNING_LINE_OF_CELLS: i32 = 4;
+/// A contact spot runs across the whole grid.
+pub const STICKSLIP_WARNING_CONTACT_ACROSS: i32 = 5;
+/// Cells (cells) are pressed beyond the hardness that a material states.
+pub const STICKSLIP_WARNING_BEYOND_HARDNESS: i32 = 6;
+/// The pressure was held although the gap had changed.
+pub const STICKSLIP_WARNING_STALE_PRESSURE: i32 = 7;
+/// Any other: the message says which.
+pub const STICKSLIP_WARNING_OTHER: i32 = 127;
+
+/// Bytes of the message of a warning.
+pub const STICKSLIP_WARNING_LENGTH: usize = 384;
+
+/// A diagnostic on a converged solution that may mislead.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_warning {
+    /// One of STICKSLIP_WARNING_NO_CONTACT and the others.
+    pub kind: i32,
+    /// Cells or spots that it is about; else zero.
+    pub cells: usize,
+    /// Spots in all; else zero.
+    pub of: usize,
+    /// What it means and what to do, in English; ends with a zero byte.
+    pub message: [c_char; STICKSLIP_WARNING_LENGTH],
+}
+
+impl From<&Warning> for stickslip_warning {
+    fn from(warning: &Warning) -> Self {
+        let (kind, cells, of) = match *warning {
+            Warning::NoContact => (STICKSLIP_WARNING_NO_CONTACT, 0, 0),
+            Warning::ContactAtEdge { cells } => (STICKSLIP_WARNING_CONTACT_AT_EDGE, cells, 0),
+            Warning::UnresolvedSpots { unresolved, spots } => {
+                (STICKSLIP_WARNING_UNRESOLVED_SPOTS, unresolved, spots)
+            }
+            Warning::LineOfCells => (STICKSLIP_WARNING_LINE_OF_CELLS, 0, 0),
+            Warning::ContactAcross { .. } => (STICKSLIP_WARNING_CONTACT_ACROSS, 0, 0),
+            Warning::BeyondHardness { cells } => (STICKSLIP_WARNING_BEYOND_HARDNESS, cells, 0),
+            Warning::StalePressure => (STICKSLIP_WARNING_STALE_PRESSURE, 0, 0),
+            _ => (STICKSLIP_WARNING_OTHER, 0, 0),
+        };
+        let mut message: [c_char; STICKSLIP_WARNING_LENGTH] = [0; STICKSLIP_WARNING_LENGTH];
+        let text = warning.to_string();
+        let ascii = text.bytes().filter(u8::is_ascii);
+        for (to, from) in message[..STICKSLIP_WARNING_LENGTH - 1]
+            .iter_mut()
+            .zip(ascii)
+        {
+            *to = c_char::from_ne_bytes([from]);
+        }
+        Self {
+            kind,
+            cells,
+            of,
+            message,
+        }
+    }
+}
+
+/// Writes warnings into a buffer, and how many there are.
+///
+/// # Safety
+/// The rule for pointers.
+pub(crate) unsafe fn put_warnings(
+    warnings: &[Warning],
+    buffer: *mut stickslip_warning,
+    capacity: usize,
+    count: *mut usize,
+) -> Outcome {
+    room("count", count)?;
+    // SAFETY: as of this function; there is room for the count.
+    let buffer = unsafe {
+        count.write(warnings.len());
+        entries_mut("buffer of warnings", buffer, capacity)?
+    };
+    if capacity > 0 && capacity < warnings.len() {
+        let lengths = [warnings.len(), capacity];
+        return Err(Failure::length(
+            STICKSLIP_BUFFER_TOO_SMALL,
+            "buffer of warnings",
+            lengths,
+        ));
+    }
+    for (to, warning) in buffer.iter_mut().zip(warnings) {
+        *to = stickslip_warning::from(warning);
+    }
+    Ok(())
+}
+
+/// Numbers of a normal contact.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_normal_result {
+    /// Approach of the bodies from the datum of the gap (a length).
+    pub approach: f64,
+    /// Normal force.
+    pub force: f64,
+    /// Area of the cells in contact.
+    pub contact_area: f64,
+    /// The same, corrected for the steps of its perimeter.
+    pub contact_area_corrected: f64,
+    /// Force over contact area; zero without contact.
+    pub mean_pressure: f64,
+    /// Moments of the pressure about x and y at the origin of the grid (forces times lengths).
+    pub moments: [f64; 2],
+    /// Centre of pressure (lengths); NaN without contact.
+    pub centre_of_pressure: [f64; 2],
+    /// Cells in contact.
+    pub contact_cells: usize,
+    /// Cells at their hardness.
+    pub yielded_cells: usize,
+}
+
+impl From<&NormalSolution> for stickslip_normal_result {
+    fn from(solution: &NormalSolution) -> Self {
+        Self {
+            approach: solution.approach(),
+            force: solution.force(),
+            contact_area: solution.contact_area(),
+            contact_area_corrected: solution.contact_area_corrected(),
+            mean_pressure: solution.mean_pressure(),
+            moments: solution.moments(),
+            centre_of_pressure: solution.centre_of_pressure().unwrap_or([f64::NAN; 2]),
+            contact_cells: solution.contact_cells(),
+            yielded_cells: solution.yielded_cells(),
+        }
+    }
+}
+
+/// Numbers of a tangential contact.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_tangential_result {
+    /// Shift of body 2 relative to body 1 (lengths).
+    pub shift: [f64; 2],
+    /// Tangential force that body 2 exerts on body 1.
+    pub force: [f64; 2],
+    /// Rotation of body 2 relative to body 1 (radians).
+    pub twist: f64,
+    /// Moment about z that the tractions exert on body 1 (a force times a length).
+    pub moment: f64,
+    /// Stick cells over contact cells.
+    pub stick_ratio: f64,
+    /// Area that sticks.
+    pub stick_area: f64,
+    /// Area that slips.
+    pub slip_area: f64,
+    /// Energy dissipated by slip.
+    pub dissipated_energy: f64,
+    /// Not zero if the whole contact is at its friction limit.
+    pub is_gross_slip: i32,
+}
+
+impl From<&TangentialSolution> for stickslip_tangential_result {
+    fn from(solution: &TangentialSolution) -> Self {
+        Self {
+            shift: solution.shift(),
+            force: solution.force(),
+            twist: solution.twist(),
+            moment: solution.moment(),
+            stick_ratio: solution.stick_ratio(),
+            stick_area: solution.stick_area(),
+            slip_area: solution.slip_area(),
+            dissipated_energy: solution.dissipated_energy(),
+            is_gross_slip: i32::from(solution.is_gross_slip()),
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! Slopes of the forces.
+
+use stickslip_rs::stiffness::{ContactStiffness, NormalStiffness, TangentialStiffness};
+
+/// Normal force by approach.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_normal_stiffness {
+    /// A force over a length; zero without contact.
+    pub value: f64,
+    /// Bound of its relative error.
+    pub bound: f64,
+}
+
+/// Forces along x and y and the moment, by shifts along x and y and the twist: rows are loads, columns motions. In C
+/// loading[row, column].
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_tangential_stiffness {
+    /// If the motion continues in its direction.
+    pub loading: [[f64; 3]; 3],
+    /// If the motion reverses: all cells of the contact stick.
+    pub reversal: [[f64; 3]; 3],
+    /// Bound of the errors: none is larger than this times the root of the product of the two entries on the diagonal.
+    pub bound: f64,
+}
+
+/// The stiffness of a contact.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_stiffness {
+    /// Normal force by approach.
+    pub normal: stickslip_normal_stiffness,
+    /// Tangential forces and moment by shift and twist.
+    pub tangential: stickslip_tangential_stiffness,
+    /// Tangential forces and moment by the approach while slip continues.
+    pub by_approach: [f64; 3],
+}
+
+impl From<NormalStiffness> for stickslip_normal_stiffness {
+    fn from(of: NormalStiffness) -> Self {
+        Self {
+            value: of.value,
+            bound: of.bound,
+        }
+    }
+}
+
+impl From<TangentialStiffness> for stickslip_tangential_stiffness {
+    fn from(of: TangentialStiffness) -> Self {
+        Self {
+            loading: of.loading,
+            reversal: of.reversal,
+            bound: of.bound,
+        }
+    }
+}
+
+impl From<ContactStiffness> for stickslip_stiffness {
+    fn from(of: ContactStiffness) -> Self {
+        Self {
+            normal: of.normal.into(),
+            tangential: of.tangential.into(),
+            by_approach: of.by_approach,
+        }
+    }
+}

@@ -1,0 +1,66 @@
+//! Gaps of smooth shapes.
+
+use stickslip_rs::{Field, Grid, Result, surface};
+
+use crate::call::{Outcome, call};
+use crate::inputs::stickslip_grid;
+use crate::pointer::{entries_mut, expect_cells, input};
+use crate::status::stickslip_status;
+use crate::threads::enter;
+
+/// Writes a shape into an array of the caller.
+///
+/// # Safety
+/// The rule for pointers.
+unsafe fn shape(
+    grid: *const stickslip_grid,
+    make: impl FnOnce(Grid) -> Result<Field> + Send,
+    gap: *mut f64,
+    count: usize,
+) -> Outcome {
+    // SAFETY: as of this function.
+    let grid = unsafe { input("grid", grid)? }.checked()?;
+    expect_cells("gap", grid, count)?;
+    // SAFETY: as of this function.
+    let gap = unsafe { entries_mut("gap", gap, count)? };
+    gap.copy_from_slice(enter(grid.cells(), || make(grid))?.as_slice());
+    Ok(())
+}
+
+/// The gap between a sphere and a plane that touch at the origin (lengths), written to gap, which has count entries.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_surface_sphere(
+    grid: *const stickslip_grid,
+    radius: f64,
+    gap: *mut f64,
+    count: usize,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call(|| unsafe { shape(grid, |grid| surface::sphere(grid, radius), gap, count) })
+}
+
+/// The gap between an ellipsoid, of the radii of curvature radius_x and radius_y at the origin, and a plane.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_surface_ellipsoid(
+    grid: *const stickslip_grid,
+    radius_x: f64,
+    radius_y: f64,
+    gap: *mut f64,
+    count: usize,
+) -> stickslip_status {
+    let make = |grid| surface::ellipsoid(grid, radius_x, radius_y);
+    // SAFETY: the rule for pointers.
+    call(|| unsafe { shape(grid, make, gap, count) })
+}
+
+/// The gap between a cylinder along y and a plane.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_surface_cylinder(
+    grid: *const stickslip_grid,
+    radius: f64,
+    gap: *mut f64,
+    count: usize,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call(|| unsafe { shape(grid, |grid| surface::cylinder(grid, radius), gap, count) })
+}

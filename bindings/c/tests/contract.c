@@ -1,0 +1,329 @@
+/* The promises of the header: codes instead of crashes, state as before after a failure, fields without a copy, snapshots to
+ * the same bits, batches, one user at a time. */
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <stickslip.h>
+
+static int failures = 0;
+
+#define CHECK(condition)                                                                                               \
+    do {                                                                                                               \
+        if (!(condition)) {                                                                                            \
+            fprintf(stderr, "line %d: %s (last error: %s)\n", __LINE__, #condition, stickslip_last_error_message());   \
+            failures++;                                                                                                \
+        }                                                                                                              \
+    } while (0)
+#define OK(call) CHECK((call) == STICKSLIP_OK)
+
+#define N 16
+#define CELLS (N * N)
+
+static const stickslip_grid GRID = {N, N, 0.3e-3 / N, 0.3e-3 / N};
+static const stickslip_material STEEL = {213e9, 0.29, 0.0};
+static double ball[CELLS];
+
+static stickslip_half_space *make_bodies(void) {
+    stickslip_half_space *bodies = NULL;
+    OK(stickslip_half_space_new(&GRID, &STEEL, &STEEL, NULL, &bodies));
+    return bodies;
+}
+
+static stickslip_history *make_history(const stickslip_half_space *bodies) {
+    stickslip_friction friction = stickslip_coulomb(0.5);
+    stickslip_history *history = NULL;
+    OK(stickslip_history_new(bodies, ball, CELLS, &friction, NULL, &history));
+    return history;
+}
+
+static stickslip_load_step press(double force) {
+    stickslip_load_step load = {{STICKSLIP_FORCE, force}, {0}, {0}, 0, 0.0, 0, 0.0};
+    return load;
+}
+
+static stickslip_load_step drag(double force) {
+    stickslip_load_step load = {{0}, {STICKSLIP_FORCE, force, 0.0}, {0}, 0, 0.0, 0, 0.0};
+    return load;
+}
+
+static void bad_input_is_refused(void) {
+    stickslip_half_space *bodies = make_bodies(), *none = NULL;
+    stickslip_grid grid = GRID;
+    stickslip_error error;
+    grid.nx = 0;
+    CHECK(stickslip_half_space_new(&grid, &STEEL, &STEEL, NULL, &none) == STICKSLIP_GRID_SIZE && none == NULL);
+    grid.nx = SIZE_MAX, grid.ny = SIZE_MAX;
+    CHECK(stickslip_half_space_new(&grid, &STEEL, &STEEL, NULL, &none) == STICKSLIP_MEMORY && none == NULL);
+    grid = GRID, grid.dx = NAN;
+    CHECK(stickslip_half_space_new(&grid, &STEEL, &STEEL, NULL, &none) == STICKSLIP_NOT_POSITIVE);
+    CHECK(stickslip_half_space_new(NULL, &STEEL, &STEEL, NULL, &none) == STICKSLIP_BAD_POINTER);
+    CHECK(stickslip_half_space_new(&GRID, &STEEL, &STEEL, NULL, NULL) == STICKSLIP_BAD_POINTER);
+    stickslip_material odd = {213e9, 0.7, 0.0}, rigid = {INFINITY, 0.0, 0.0};
+    CHECK(stickslip_half_space_new(&GRID, &odd, &STEEL, NULL, &none) == STICKSLIP_POISSON_RATIO);
+    OK(stickslip_last_error(&error));
+    CHECK(error.value == 0.7);
+    CHECK(strstr(stickslip_last_error_message(), "0.7") != NULL);
+    CHECK(stickslip_half_space_new(&GRID, &rigid, &rigid, NULL, &none) == STICKSLIP_BOTH_RIGID);
+    stickslip_boundary boundary = {7, 0.0};
+    CHECK(stickslip_half_space_new(&GRID, &STEEL, &STEEL, &boundary, &none) == STICKSLIP_NO_SUCH_OPTION);
+
+    stickslip_normal_load load = {STICKSLIP_FORCE, 10.0}, nan_load = {STICKSLIP_FORCE, NAN};
+    stickslip_normal_solver *solver = NULL;
+    CHECK(stickslip_normal_solver_new(bodies, ball, CELLS - 1, &load, NULL, NULL, &solver) == STICKSLIP_LENGTH);
+    OK(stickslip_last_error(&error));
+    CHECK(error.expected == CELLS && error.found == CELLS - 1);
+    CHECK(stickslip_normal_solver_new(bodies, NULL, CELLS, &load, NULL, NULL, &solver) == STICKSLIP_BAD_POINTER);
+    CHECK(stickslip_normal_solver_new(bodies, ball, CELLS, &nan_load, NULL, NULL, &solver) == STICKSLIP_NEGATIVE);
+    double holed[CELLS];
+    memcpy(holed, ball, sizeof holed);
+    holed[37] = NAN;
+    CHECK(stickslip_normal_solver_new(bodies, holed, CELLS, &load, NULL, NULL, &solver) == STICKSLIP_SAMPLE);
+    OK(stickslip_last_error(&error));
+    CHECK(error.index == 37 && isnan(error.value));
+    CHECK(solver == NULL);
+    CHECK(stickslip_normal_solver_new((const stickslip_half_space *)((const char *)bodies + 1), ball, CELLS, &load, NULL,
+                                      NULL, &solver) == STICKSLIP_BAD_POINTER);
+    OK(stickslip_half_space_free(bodies));
+    OK(stickslip_half_space_free(NULL));
+}
+
+/* Cancels, and tries what it must not. */
+static int32_t cancel(const stickslip_iteration *iteration, void *user) {
+    stickslip_history *history = user;
+    stickslip_step_result result;
+    CHECK(isfinite(iteration->residual) || iteration->iteration == 0);
+    /* Asked twice: a refusal does not let the next one in. */
+    for (int i = 0; i < 2; i++) {
+        CHECK(stickslip_history_result(history, &result) == STICKSLIP_BUSY);
+        CHECK(stickslip_history_free(history) == STICKSLIP_BUSY);
+    }
+    return 0;
+}
+
+static void failed_steps_leave_no_trace(void) {
+    stickslip_half_space *bodies = make_bodies();
+    stickslip_history *history = make_history(bodies);
+    stickslip_load_step load = press(100.0);
+    OK(stickslip_history_step(history, &load, NULL));
+    size_t length = 0, again = 0;
+    OK(stickslip_history_to_bytes(history, NULL, 0, &length));
+    uint8_t *before = malloc(length), *after = malloc(length);
+    OK(stickslip_history_to_bytes(history, before, length, &length));
+    CHECK(stickslip_history_to_bytes(history, after, length - 1, &again) == STICKSLIP_BUFFER_TOO_SMALL && again == length);
+
+    stickslip_error error;
+    load = drag(60.0);
+    CHECK(stickslip_history_step(history, &load, NULL) == STICKSLIP_BEYOND_FRICTION_CAPACITY);
+    OK(stickslip_last_error(&error));
+    CHECK(error.value == 60.0 && fabs(error.limit - 50.0) < 1e-9);
+    stickslip_report report;
+    CHECK(stickslip_last_error_report(&report) == STICKSLIP_REFUSED);
+    load = drag(NAN);
+    CHECK(stickslip_history_step(history, &load, NULL) == STICKSLIP_NOT_FINITE);
+    load = drag(1.0), load.y.kind = STICKSLIP_FORCE, load.y.value = 1.0;
+    CHECK(stickslip_history_step(history, &load, NULL) == STICKSLIP_NOT_MODELLED);
+    load = press(120.0);
+    stickslip_observer observer = {cancel, history};
+    CHECK(stickslip_history_step(history, &load, &observer) == STICKSLIP_NOT_CONVERGED);
+    OK(stickslip_last_error_report(&report));
+    CHECK(report.status == STICKSLIP_CANCELLED);
+    CHECK(stickslip_history_set_gap(history, ball, 3) == STICKSLIP_LENGTH);
+    OK(stickslip_history_to_bytes(history, after, length, &again));
+    CHECK(again == length && memcmp(before, after, length) == 0);
+
+    /* From the bytes it goes on to the same bits. */
+    stickslip_history *restored = NULL;
+    OK(stickslip_history_from_bytes(bodies, before, length, &restored));
+    load = drag(20.0);
+    OK(stickslip_history_step(history, &load, NULL));
+    OK(stickslip_history_step(restored, &load, NULL));
+    stickslip_step_result one, other;
+    OK(stickslip_history_result(history, &one));
+    OK(stickslip_history_result(restored, &other));
+    CHECK(one.shift[0] == other.shift[0] && one.shift[0] > 0.0 && one.steps == 2 && other.steps == 2);
+    before[length / 2] ^= 1;
+    stickslip_history *damaged = NULL;
+    CHECK(stickslip_history_from_bytes(bodies, before, length, &damaged) == STICKSLIP_FORMAT && damaged == NULL);
+    free(before), free(after);
+    OK(stickslip_history_free(restored));
+    OK(stickslip_half_space_free(bodies)); /* before the history that came from it */
+    load = drag(-20.0);
+    OK(stickslip_history_step(history, &load, NULL));
+    OK(stickslip_history_free(history));
+}
+
+static void fields_are_not_copied(void) {
+    stickslip_half_space *bodies = make_bodies();
+    stickslip_history *history = make_history(bodies);
+    stickslip_load_step load = press(100.0);
+    OK(stickslip_history_step(history, &load, NULL));
+    size_t count = 0;
+    const double *pressure = stickslip_history_field(history, STICKSLIP_PRESSURE, &count);
+    CHECK(pressure != NULL && count == CELLS);
+    CHECK(pressure == stickslip_history_field(history, STICKSLIP_PRESSURE, NULL));
+    double sum = 0.0;
+    for (size_t i = 0; pressure != NULL && i < count; i++) {
+        sum += pressure[i] * GRID.dx * GRID.dy;
+    }
+    CHECK(fabs(sum - 100.0) < 1e-6);
+    const uint8_t *zones = stickslip_history_zones(history, &count);
+    CHECK(zones != NULL && count == CELLS && zones[0] == STICKSLIP_SEPARATED);
+    CHECK(zones != NULL && zones[CELLS / 2 + N / 2] != STICKSLIP_SEPARATED);
+    CHECK(stickslip_history_field(history, STICKSLIP_DISPLACEMENT_X, &count) == NULL);
+    CHECK(stickslip_history_field(history, -1, NULL) == NULL);
+    CHECK(stickslip_history_field(NULL, STICKSLIP_PRESSURE, NULL) == NULL);
+
+    stickslip_state *state = NULL;
+    OK(stickslip_state_new(history, &state));
+    load = drag(30.0);
+    OK(stickslip_history_step(history, &load, NULL));
+    stickslip_stiffness slope;
+    OK(stickslip_history_stiffness(history, &slope));
+    CHECK(slope.normal.value > 0.0 && slope.tangential.reversal[0][0] > slope.tangential.loading[0][0]);
+    stickslip_per_cell alpha = {1e-14, NULL, 0};
+    double depth[CELLS] = {0};
+    OK(stickslip_wear_energy(history, &alpha, depth, CELLS));
+    double volume = 0.0;
+    for (size_t i = 0; i < CELLS; i++) {
+        volume += depth[i] * GRID.dx * GRID.dy;
+    }
+    stickslip_step_result result;
+    OK(stickslip_history_result(history, &result));
+    CHECK(fabs(volume / (1e-14 * result.energy.dissipated_energy) - 1.0) < 1e-12);
+    OK(stickslip_history_set_state(history, state));
+    OK(stickslip_history_result(history, &result));
+    CHECK(result.force[0] == 0.0 && result.steps == 1);
+    OK(stickslip_state_free(state));
+    OK(stickslip_history_free(history));
+    OK(stickslip_half_space_free(bodies));
+}
+
+static void batches_are_the_steps_alone(void) {
+    stickslip_half_space *bodies = make_bodies();
+    stickslip_history *histories[5], *alone = make_history(bodies);
+    stickslip_load_step loads[5];
+    stickslip_status codes[5];
+    for (int i = 0; i < 3; i++) {
+        histories[i] = make_history(bodies);
+        loads[i] = press(10.0 * (i + 1));
+    }
+    OK(stickslip_history_step_all(histories, loads, 3, codes));
+    OK(stickslip_history_step(alone, &loads[1], NULL));
+    stickslip_step_result one, other;
+    OK(stickslip_history_result(alone, &one));
+    OK(stickslip_history_result(histories[1], &other));
+    CHECK(one.approach == other.approach && one.approach > 0.0);
+
+    /* One of them beyond friction, one three times. */
+    loads[0] = drag(1.0), loads[1] = drag(30.0), loads[2] = drag(1.0), loads[3] = drag(2.0), loads[4] = drag(2.0);
+    histories[3] = histories[4] = histories[0];
+    CHECK(stickslip_history_step_all(histories, loads, 5, codes) == STICKSLIP_SOME_FAILED);
+    CHECK(codes[0] == STICKSLIP_OK && codes[1] == STICKSLIP_BEYOND_FRICTION_CAPACITY && codes[2] == STICKSLIP_OK &&
+          codes[3] == STICKSLIP_BUSY && codes[4] == STICKSLIP_BUSY);
+    stickslip_error error;
+    OK(stickslip_last_error(&error));
+    CHECK(error.index == 1);
+    histories[3] = NULL;
+    CHECK(stickslip_history_step_all(histories, loads, 4, NULL) == STICKSLIP_SOME_FAILED);
+    OK(stickslip_history_step_all(NULL, NULL, 0, NULL));
+    for (int i = 0; i < 3; i++) {
+        OK(stickslip_history_free(histories[i]));
+    }
+    OK(stickslip_history_free(alone));
+    OK(stickslip_half_space_free(bodies));
+}
+
+static void dissimilar_bodies_are_coupled(void) {
+    stickslip_material rubber = {1e6, 0.0, 0.0}, rigid = {INFINITY, 0.0, 0.0};
+    stickslip_half_space *bodies = NULL;
+    OK(stickslip_half_space_new(&GRID, &rubber, &rigid, NULL, &bodies));
+    stickslip_pair pair;
+    OK(stickslip_half_space_pair(bodies, &pair));
+    CHECK(pair.is_coupled && fabs(pair.dundurs_beta - 0.5) < 1e-12);
+    stickslip_friction friction = stickslip_coulomb(0.3);
+    stickslip_normal_load load = {STICKSLIP_APPROACH, 2e-6};
+    stickslip_tangential_load still = {{STICKSLIP_SHIFT, 0.0, 0.0}, {STICKSLIP_SHIFT, 0.0, 0.0}, 0.0};
+    stickslip_coupled_solver *solver = NULL;
+    stickslip_coupled_solution *solution = NULL;
+    OK(stickslip_coupled_solver_new(bodies, ball, CELLS, &friction, &load, &still, NULL, NULL, &solver));
+    OK(stickslip_coupled_solution_new(solver, &solution));
+    OK(stickslip_coupled_solver_solve(solver, solution, NULL));
+    stickslip_normal_result normal;
+    OK(stickslip_coupled_solution_results(solution, &normal, NULL));
+    CHECK(normal.force > 0.0 && normal.approach == 2e-6);
+    CHECK(stickslip_coupled_solution_field(solution, STICKSLIP_DISPLACEMENT_Z, NULL) != NULL);
+    stickslip_coupled_report report;
+    OK(stickslip_coupled_solution_report(solution, &report));
+    CHECK(report.work.status == STICKSLIP_CONVERGED && report.pressure_error_bound < 1e-6);
+    size_t count = 9;
+    stickslip_warning warnings[8];
+    OK(stickslip_coupled_solution_warnings(solution, warnings, 8, &count));
+    for (size_t i = 0; i < count && i < 8; i++) {
+        CHECK(strlen(warnings[i].message) > 10);
+    }
+    /* Any tolerance below 1 is one. */
+    stickslip_settings settings = stickslip_settings_default();
+    for (settings.tolerance = 0.9; settings.tolerance > 1e-3; settings.tolerance *= 0.3) {
+        OK(stickslip_coupled_solver_set_settings(solver, &settings));
+        OK(stickslip_coupled_solver_reset(solver));
+        OK(stickslip_coupled_solver_solve(solver, solution, NULL));
+    }
+    OK(stickslip_coupled_solution_free(solution));
+    OK(stickslip_coupled_solver_free(solver));
+    OK(stickslip_half_space_free(bodies));
+}
+
+static void loads_are_cut_into_steps(void) {
+    stickslip_half_space *bodies = make_bodies();
+    stickslip_friction friction = stickslip_coulomb(0.5);
+    stickslip_history_options options = stickslip_history_options_default();
+    options.model = STICKSLIP_VECTOR;
+    stickslip_history *history = NULL, *copy = NULL;
+    OK(stickslip_history_new(bodies, ball, CELLS, &friction, &options, &history));
+    stickslip_load_step load = press(50.0);
+    OK(stickslip_history_step(history, &load, NULL));
+    load = drag(20.0);
+    OK(stickslip_history_step(history, &load, NULL));
+    OK(stickslip_history_clone(history, &copy));
+    stickslip_adaptive_steps *steps = NULL;
+    CHECK(stickslip_adaptive_steps_new(history, 2.0, &steps) == STICKSLIP_TOLERANCE && steps == NULL);
+    OK(stickslip_adaptive_steps_new(history, 0.01, &steps));
+    load = press(100.0), load.x.kind = STICKSLIP_FORCE, load.y.kind = STICKSLIP_FORCE, load.y.value = 20.0;
+    stickslip_step_error error;
+    size_t taken = 0;
+    OK(stickslip_adaptive_steps_error(steps, history, &load, &error));
+    OK(stickslip_adaptive_steps_step(steps, history, &load, &taken));
+    CHECK(error.traction > 0.0 && taken >= 2);
+    stickslip_step_result result;
+    OK(stickslip_history_result(history, &result));
+    CHECK(fabs(result.force[1] - 20.0) < 1e-6 && fabs(result.normal_force - 100.0) < 1e-6);
+    OK(stickslip_history_result(copy, &result));
+    CHECK(fabs(result.normal_force - 50.0) < 1e-6);
+    OK(stickslip_adaptive_steps_free(steps));
+    OK(stickslip_history_free(copy));
+    OK(stickslip_history_free(history));
+    OK(stickslip_half_space_free(bodies));
+}
+
+int main(void) {
+    CHECK(stickslip_abi_version() == STICKSLIP_ABI_VERSION);
+    char version[32];
+    snprintf(version, sizeof version, "%d.%d.%d", STICKSLIP_VERSION_MAJOR, STICKSLIP_VERSION_MINOR,
+             STICKSLIP_VERSION_PATCH);
+    CHECK(strcmp(stickslip_version(), version) == 0);
+    CHECK(strcmp(stickslip_last_error_message(), "") == 0);
+    OK(stickslip_set_num_threads(2));
+    OK(stickslip_surface_sphere(&GRID, 3.5e-3, ball, CELLS));
+    bad_input_is_refused();
+    failed_steps_leave_no_trace();
+    fields_are_not_copied();
+    batches_are_the_steps_alone();
+    dissimilar_bodies_are_coupled();
+    loads_are_cut_into_steps();
+    OK(stickslip_set_num_threads(0));
+    printf("%s\n", failures == 0 ? "all promises kept" : "promises broken");
+    return failures == 0 ? 0 : 1;
+}

@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# Installs what was built in a folder into a fresh prefix, and builds programs on it: by CMake against the shared and the
+# static library, and by pkg-config. installed.sh BUILD CMAKE CC CXX
+set -euo pipefail
+build=$1 cmake=$2 cc=$3 cxx=$4
+here=$(cd "$(dirname "$0")" && pwd)
+work=$(mktemp -d)
+trap 'rm -r "$work"' EXIT
+
+"$cmake" --install "$build" --prefix "$work/prefix" >/dev/null
+"$cmake" -S "$here/consumer" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_C_COMPILER="$cc" \
+    -DCMAKE_CXX_COMPILER="$cxx" >/dev/null
+"$cmake" --build "$work/build" >/dev/null
+"$work/build/shared" 32 >/dev/null
+"$work/build/static" 32 >/dev/null
+if command -v pkg-config >/dev/null; then
+    PKG_CONFIG_PATH=$(dirname "$(find "$work/prefix" -name stickslip.pc)")
+    export PKG_CONFIG_PATH
+    read -ra flags < <(pkg-config --define-variable=prefix="$work/prefix" --cflags --libs stickslip)
+    lib=$(pkg-config --define-variable=prefix="$work/prefix" --variable=libdir stickslip)
+    "$cc" "$here/../examples/press_and_shear.c" "${flags[@]}" -lm -o "$work/program"
+    LD_LIBRARY_PATH=$lib "$work/program" 32 >/dev/null
+fi
