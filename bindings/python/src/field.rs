@@ -178,7 +178,7 @@ impl Samples<'_> {
         if let Some(field) = self.known()? {
             return Ok(field);
         }
-        if let Ok(value) = self.0.extract::<f64>() {
+        if let Some(value) = self.number() {
             return Ok(Arc::new(stickslip::Field::constant(grid, value)));
         }
         let samples = array(&self.0, quantity)?;
@@ -198,6 +198,11 @@ impl Samples<'_> {
         };
         let field = stickslip::Field::from_vec(grid, samples).or_raise(py)?;
         Ok(Arc::new(field))
+    }
+
+    /// As one number, if it is one.
+    pub(crate) fn number(&self) -> Option<f64> {
+        self.0.extract().ok()
     }
 
     /// As a field on a grid of its own.

@@ -2,15 +2,21 @@
 //! sorts into modules. What is documented here is documented for Python.
 
 mod array;
+mod cgm;
 mod choice;
+mod coupled;
 mod error;
 mod field;
 mod friction;
 mod grid;
 mod half_space;
 mod held;
+mod history;
+mod influence;
+mod io;
 mod load;
 mod normal;
+mod operator;
 mod pickle;
 mod pool;
 mod progress;
@@ -18,6 +24,7 @@ mod report;
 mod settings;
 mod spots;
 mod stiffness;
+mod subsurface;
 mod surface;
 mod analytical;
 mod tangential;
@@ -40,17 +47,31 @@ mod _stickslip {
         analytical::{
             CattaneoMindlin, CattaneoMindlinEllipse, CattaneoMindlinLine, Cone, ConePartialSlip, FlatPunch, HertzEllipse, HertzLine, HertzSphere, LubkinTorsion, MindlinDeresiewicz, MindlinFullStick, NoSlipPunch, NoSlipSphere, Persson, PopovLimitingShape, RoughSphere, RoundedPunch, SpencePressing, Westergaard, WestergaardPartialSlip, linear_stick_ratio,
         },
+        cgm::{Minimum, minimise},
+        coupled::{CoupledProblem, CoupledReport, CoupledSolution, CoupledSolver, ErrorEstimate},
         field::Field,
         friction::{Friction, Hardness},
         grid::{Boundary, ElasticPair, Grid, Material},
         half_space::HalfSpace,
+        history::{
+            _from_bytes, _history_from_bytes, AdaptiveSteps, Cycle, CycleJump, EnergyBalance, History, LoadPath,
+            LoopPoint, State, StepError, StepResult, archard, energy, max_stable_cycles, threshold_energy,
+        },
+        influence::{Rectangle, Table, Tensor},
+        io::{
+            Series, asc_parse, asc_read, csv_parse, csv_read, csv_to_bytes, csv_write, npy_grid, npy_parse, npy_read,
+            npy_to_bytes, npy_write, read, sdf_parse, sdf_read, sdf_to_bytes, sdf_write, sur_parse, sur_read, vti_to_bytes,
+            vti_write, x3p_parse, x3p_read, xyz_parse, xyz_read,
+        },
         load::{LoadStep, TangentialLoad},
         normal::{NormalProblem, NormalSolution, NormalSolver},
+        operator::{Convolution, DenseMinimum, DenseOperator, LinearOperator, TensorOperator, identity},
         pickle::_restore,
         pool::{num_threads, set_num_threads},
         report::{Iteration, Report, Warning},
         settings::Settings,
         spots::{ContactSpots, Spot},
+        subsurface::{Plane, Planes, Principal, Response, Stress, at_points},
         surface::{
             Filled, Levelled, PowerSpectrum, RoughSurface, SelfAffine, Statistics, bisinusoidal, cone, crop, cylinder,
             ellipsoid, fill_missing, flat_punch, gap_between, gap_from_heights, inverted, level, mirror_x, paraboloid,

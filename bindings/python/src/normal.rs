@@ -62,10 +62,6 @@ impl Stored for NormalSolution {
 
     const KIND: &'static str = "NormalSolution";
 
-    fn content(&self) -> &Self::Content {
-        self.get()
-    }
-
     fn of_content(content: Self::Content) -> Self {
         Self::own(Arc::new(content))
     }
@@ -206,7 +202,7 @@ impl NormalSolution {
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
-        reduced(py, self)
+        reduced::<Self>(py, self.get())
     }
 
     fn __repr__(&self) -> String {
@@ -315,7 +311,7 @@ impl NormalProblem {
         let outcome = solve(py, cells, progress, |observer| {
             let mut solver = self.0.clone().into_solver()?;
             let solution = solution.insert(solver.new_solution());
-            solver.solve_observed(solution, observer)
+            solver.solve_observed(solution, |iteration| observer(Some(iteration)))
         })?;
         finished(py, outcome, solution.map(Arc::new), warn)
     }
@@ -468,7 +464,7 @@ impl NormalSolver {
         let into = Arc::get_mut(&mut solution);
         let into = into.ok_or_else(|| PyRuntimeError::new_err("the solution is held"))?;
         let outcome = solve(py, self.grid.0.cells(), progress, |observer| {
-            solver.solve_observed(into, observer)
+            solver.solve_observed(into, |iteration| observer(Some(iteration)))
         })?;
         spare.keep(&solution);
         finished(py, outcome, Some(solution), warn)

@@ -13,16 +13,18 @@ pub(crate) trait Stored: Sized {
 
     const KIND: &'static str;
 
-    fn content(&self) -> &Self::Content;
-
     fn of_content(content: Self::Content) -> Self;
 }
 
 /// How an object is pickled: what restores it, and from what.
 pub(crate) type Reduced<'py> = (Bound<'py, PyAny>, (&'static str, &'static str, Bound<'py, PyBytes>));
 
-pub(crate) fn reduced<'py, T: Stored>(py: Python<'py>, object: &T) -> PyResult<Reduced<'py>> {
-    let bytes = postcard::to_stdvec(object.content())
+/// What restores an object of this content.
+pub(crate) fn reduced<'py, T: Stored>(
+    py: Python<'py>,
+    content: &T::Content,
+) -> PyResult<Reduced<'py>> {
+    let bytes = postcard::to_stdvec(content)
         .map_err(|error| PyValueError::new_err(error.to_string()))?;
     let restore = py.import("stickslip._stickslip")?.getattr("_restore")?;
     let version = env!("CARGO_PKG_VERSION");
@@ -46,10 +48,6 @@ macro_rules! picklable {
 
             const KIND: &'static str = stringify!($class);
 
-            fn content(&self) -> &$content {
-                &self.0
-            }
-
             fn of_content(content: $content) -> Self {
                 Self(content.into())
             }
@@ -61,7 +59,7 @@ macro_rules! picklable {
                 &self,
                 py: pyo3::Python<'py>,
             ) -> pyo3::PyResult<crate::pickle::Reduced<'py>> {
-                crate::pickle::reduced(py, self)
+                crate::pickle::reduced::<Self>(py, &self.0)
             }
         }
     };
@@ -105,6 +103,13 @@ kinds!(
     crate::load::TangentialLoad,
     crate::friction::Friction,
     crate::friction::Hardness,
+    crate::history::EnergyBalance,
+    crate::history::LoadPath,
+    crate::history::StepResult,
+    crate::history::Cycle,
     crate::normal::NormalSolution,
+    crate::surface::SelfAffine,
+    crate::coupled::CoupledReport,
+    crate::coupled::CoupledSolution,
     crate::tangential::TangentialSolution,
 );

@@ -60,10 +60,6 @@ impl Stored for TangentialSolution {
 
     const KIND: &'static str = "TangentialSolution";
 
-    fn content(&self) -> &Self::Content {
-        self.get()
-    }
-
     fn of_content(content: Self::Content) -> Self {
         Self::own(Arc::new(content))
     }
@@ -213,7 +209,7 @@ impl TangentialSolution {
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
-        reduced(py, self)
+        reduced::<Self>(py, self.get())
     }
 
     fn __repr__(&self) -> String {
@@ -453,7 +449,7 @@ impl TangentialProblem {
         let outcome = solve(py, self.1.0.cells(), progress, |observer| {
             let mut solver = self.0.clone().into_solver()?;
             let solution = solution.insert(solver.new_solution());
-            solver.solve_observed(solution, observer)
+            solver.solve_observed(solution, |iteration| observer(Some(iteration)))
         })?;
         finished(py, outcome, solution.map(Arc::new), warn)
     }
@@ -574,7 +570,7 @@ impl TangentialSolver {
         let into = Arc::get_mut(&mut solution);
         let into = into.ok_or_else(|| PyRuntimeError::new_err("the solution is held"))?;
         let outcome = solve(py, cells, progress, |observer| {
-            solver.solve_observed(into, observer)
+            solver.solve_observed(into, |iteration| observer(Some(iteration)))
         })?;
         spare.keep(&solution);
         finished(py, outcome, Some(solution), warn)

@@ -13,8 +13,8 @@ use stickslip::{Iteration, Result};
 use crate::pool;
 use crate::progress::Progress;
 
-/// What a solve calls before each product.
-pub(crate) type Observer<'a> = &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send);
+/// What a solve calls before each product, and other work, without an iteration, where it may be broken off.
+pub(crate) type Observer<'a> = &'a mut (dyn FnMut(Option<&Iteration>) -> ControlFlow<()> + Send);
 
 /// How often signals are looked for.
 const PATIENCE: Duration = Duration::from_millis(5);
@@ -82,11 +82,13 @@ fn in_place<T: Send>(
     let mut interruption = None;
     let outcome = py.detach(|| {
         let mut looked = Instant::now();
-        let mut observer = |iteration: &Iteration| {
+        let mut observer = |iteration: Option<&Iteration>| {
             let is_due = looked.elapsed() >= PATIENCE;
             if interruption.is_none() && (is_due || callback.is_some()) {
                 let outcome = Python::attach(|py| {
-                    called(py, callback, iteration)?;
+                    if let Some(iteration) = iteration {
+                        called(py, callback, iteration)?;
+                    }
                     py.check_signals()
                 });
                 interruption = outcome.err();
@@ -171,8 +173,11 @@ fn in_pool<T: Send>(
     pool.in_place_scope(|scope| {
         scope.spawn(|_| {
             let done = Done(&talk);
-            let mut observer = |iteration: &Iteration| {
-                if is_followed && !talk.stop.load(Ordering::Relaxed) {
+            let mut observer = |iteration: Option<&Iteration>| {
+                if let Some(iteration) = iteration
+                    && is_followed
+                    && !talk.stop.load(Ordering::Relaxed)
+                {
                     talk.call(*iteration);
                 }
                 match talk.stop.load(Ordering::Relaxed) {

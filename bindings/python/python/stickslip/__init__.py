@@ -27,16 +27,20 @@ Submodules are those of the Rust crate: :mod:`~stickslip.analytical`, :mod:`~sti
 :mod:`~stickslip.surface`, :mod:`~stickslip.tangential`; :mod:`~stickslip.plot` draws with matplotlib.
 """
 
-from . import analytical, errors, normal, stiffness, surface, tangential
+from . import analytical, cgm, coupled, dense, errors, fft, history, influence, io, normal, stiffness, subsurface, surface, tangential, wear
 from ._enums import Axis, Coupling, Method, Status, TangentialModel, Zone
 from ._stickslip import (
     Boundary,
     ContactSpots,
+    CoupledProblem,
+    CoupledSolution,
+    CoupledSolver,
     ElasticPair,
     Field,
     Friction,
     Grid,
     HalfSpace,
+    History,
     Iteration,
     LoadStep,
     Material,
