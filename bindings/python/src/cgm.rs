@@ -211,7 +211,7 @@ pub(crate) fn minimise<'py>(
         let cells = product.cells();
         (product, cells)
     } else if operator.is_callable() {
-        let cells = linear.len()?;
+        let cells = py.import("numpy")?.call_method1("size", (&linear,))?.extract()?;
         let own = Arc::new(Function {
             call: operator.clone().unbind(),
             cells,

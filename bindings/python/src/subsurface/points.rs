@@ -61,7 +61,7 @@ const UNWATCHED: usize = 1 << 22;
 ///     (array_like, (array_like, array_like))
 ///     Those of a solution, or fields: a pressure, or a pressure and tractions along x and y.
 /// points : array_like of shape (n, 3)
-///     Positions (lengths); z is positive in body one, negative in body two.
+///     Each ``(x, y, depth)`` (lengths), the depth below the surface of the body.
 ///
 /// Returns
 /// -------
