@@ -35,7 +35,10 @@ fn view_of<'py, T, E: Element, D: Dimension>(
 where
     T: PyClass<Frozen = True>,
 {
-    #[allow(unsafe_code, reason = "an array that shares the memory of a Rust object cannot be made otherwise")]
+    #[allow(
+        unsafe_code,
+        reason = "an array that shares the memory of a Rust object cannot be made otherwise"
+    )]
     // SAFETY: the callers take `samples` from a shared reference to the contents of `owner`, by a function that can
     // return nothing shorter-lived (`for<'a> Fn(&'a T) -> &'a _`). A frozen class hands out shared references only, its
     // fields have no interior mutability, and the array keeps `owner` alive. Nobody writes: the array is made read-only

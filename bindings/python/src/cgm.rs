@@ -64,7 +64,10 @@ impl Function {
     }
 
     fn raised(&self) -> Option<PyErr> {
-        self.raised.lock().unwrap_or_else(PoisonError::into_inner).take()
+        self.raised
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .take()
     }
 }
 
@@ -135,7 +138,10 @@ impl Minimum {
     }
 
     fn __repr__(&self) -> String {
-        format!("Minimum(multiplier={:.6e}, {})", self.multiplier, self.report)
+        format!(
+            "Minimum(multiplier={:.6e}, {})",
+            self.multiplier, self.report
+        )
     }
 }
 
@@ -202,7 +208,10 @@ pub(crate) fn minimise<'py>(
     let total = match (total, spring) {
         (None, None) => Total::Free,
         (Some(total), None) => Total::Sum(total),
-        (None, Some((far_end, compliance))) => Total::Spring { far_end, compliance },
+        (None, Some((far_end, compliance))) => Total::Spring {
+            far_end,
+            compliance,
+        },
         _ => return Err(PyTypeError::new_err("give a total or a spring, not both")),
     };
     let mut function = None;
@@ -211,7 +220,10 @@ pub(crate) fn minimise<'py>(
         let cells = product.cells();
         (product, cells)
     } else if operator.is_callable() {
-        let cells = py.import("numpy")?.call_method1("size", (&linear,))?.extract()?;
+        let cells = py
+            .import("numpy")?
+            .call_method1("size", (&linear,))?
+            .extract()?;
         let own = Arc::new(Function {
             call: operator.clone().unbind(),
             cells,
@@ -221,7 +233,9 @@ pub(crate) fn minimise<'py>(
         function = Some(Arc::clone(&own));
         (own as Arc<dyn Product>, cells)
     } else {
-        return Err(PyTypeError::new_err("operator must be a LinearOperator or a callable"));
+        return Err(PyTypeError::new_err(
+            "operator must be a LinearOperator or a callable",
+        ));
     };
     if cells == 0 {
         return Err(PyValueError::new_err("there are no unknowns"));
@@ -242,7 +256,10 @@ pub(crate) fn minimise<'py>(
         let problem = Problem::new(Shared(product), [linear], constraint).totals([total]);
         let stop = |iteration: &Iteration| {
             let has_failed = function.as_ref().is_some_and(|function| {
-                let raised = function.raised.lock().unwrap_or_else(PoisonError::into_inner);
+                let raised = function
+                    .raised
+                    .lock()
+                    .unwrap_or_else(PoisonError::into_inner);
                 raised.is_some()
             });
             match has_failed {

@@ -28,7 +28,8 @@ impl<T: Named> FromPyObject<'_, '_> for Choice<T> {
     type Error = PyErr;
 
     #[cfg(feature = "stubs")]
-    const INPUT_TYPE: PyStaticExpr = type_hint_union!(T::HINT, type_hint_identifier!("builtins", "str"));
+    const INPUT_TYPE: PyStaticExpr =
+        type_hint_union!(T::HINT, type_hint_identifier!("builtins", "str"));
 
     fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
         let names = || {

@@ -43,7 +43,10 @@ impl ErrorEstimate {
     }
 
     fn __repr__(&self) -> String {
-        format!("ErrorEstimate(pressure={:.1e}, traction={:.1e})", self.0.pressure, self.0.traction)
+        format!(
+            "ErrorEstimate(pressure={:.1e}, traction={:.1e})",
+            self.0.pressure, self.0.traction
+        )
     }
 }
 
@@ -255,12 +258,16 @@ impl CoupledProblem {
             spring_x,
             spring_y,
         };
-        let (normal, load) = (load::needed(normal_force, approach)?, whole_load(load, &given, twist)?);
+        let (normal, load) = (
+            load::needed(normal_force, approach)?,
+            whole_load(load, &given, twist)?,
+        );
         let grid = bodies.0.grid();
         let gap = gap.on(py, "gap", grid)?;
         let friction = friction.on(py, grid)?;
         let built = unobserved(py, grid.cells(), || {
-            let builder = stickslip::CoupledProblem::builder(&bodies.0, &gap, friction, normal, load);
+            let builder =
+                stickslip::CoupledProblem::builder(&bodies.0, &gap, friction, normal, load);
             let builder = builder.settings(settings);
             match relative_displacement {
                 None => builder.build(),
@@ -302,7 +309,11 @@ impl CoupledProblem {
     }
 
     fn __repr__(&self) -> String {
-        format!("CoupledProblem({} x {} cells)", self.1.0.nx(), self.1.0.ny())
+        format!(
+            "CoupledProblem({} x {} cells)",
+            self.1.0.nx(),
+            self.1.0.ny()
+        )
     }
 }
 
@@ -363,14 +374,25 @@ impl CoupledSolver {
 
     /// Changes the normal load of the next solve.
     #[pyo3(signature = (*, force=None, approach=None))]
-    fn set_normal(&self, py: Python<'_>, force: Option<f64>, approach: Option<f64>) -> PyResult<()> {
+    fn set_normal(
+        &self,
+        py: Python<'_>,
+        force: Option<f64>,
+        approach: Option<f64>,
+    ) -> PyResult<()> {
         let normal = load::needed(force, approach)?;
-        lock(&self.work, "solver")?.solver.set_normal(normal).or_raise(py)
+        lock(&self.work, "solver")?
+            .solver
+            .set_normal(normal)
+            .or_raise(py)
     }
 
     /// Changes the tangential load of the next solve.
     fn set_load(&self, py: Python<'_>, load: TangentialLoad) -> PyResult<()> {
-        lock(&self.work, "solver")?.solver.set_load(load.0).or_raise(py)
+        lock(&self.work, "solver")?
+            .solver
+            .set_load(load.0)
+            .or_raise(py)
     }
 
     /// Changes the gap of the next solve.
@@ -384,7 +406,10 @@ impl CoupledSolver {
     /// Changes the friction of the next solve.
     fn set_friction(&self, py: Python<'_>, friction: AnyFriction<'_>) -> PyResult<()> {
         let friction = friction.on(py, self.grid.0)?;
-        lock(&self.work, "solver")?.solver.set_friction(&friction).or_raise(py)
+        lock(&self.work, "solver")?
+            .solver
+            .set_friction(&friction)
+            .or_raise(py)
     }
 
     /// The settings of the next solve; may be assigned.
@@ -406,6 +431,10 @@ impl CoupledSolver {
     }
 
     fn __repr__(&self) -> String {
-        format!("CoupledSolver({} x {} cells)", self.grid.0.nx(), self.grid.0.ny())
+        format!(
+            "CoupledSolver({} x {} cells)",
+            self.grid.0.nx(),
+            self.grid.0.ny()
+        )
     }
 }

@@ -46,7 +46,8 @@ pub(crate) fn with_iterate<'py>(
     let is_iterate = matches!(error, Error::NotConverged(_));
     let exception = raised(py, error);
     if is_iterate {
-        let given = iterate().and_then(|iterate| exception.value(py).setattr("last_iterate", iterate));
+        let given =
+            iterate().and_then(|iterate| exception.value(py).setattr("last_iterate", iterate));
         if let Err(failure) = given {
             return failure;
         }
@@ -114,7 +115,15 @@ fn exception(py: Python<'_>, error: Error) -> PyResult<PyErr> {
         (_, Error::StepsPerCycle(steps)) => one(&attributes, "StepsPerCycle", "steps", *steps)?,
         (_, Error::RigidBody(body)) => one(&attributes, "RigidBody", "body", *body)?,
         (_, Error::Repeats(quantity)) => one(&attributes, "Repeats", "quantity", *quantity)?,
-        (_, Error::Format { file, format, place, problem }) => {
+        (
+            _,
+            Error::Format {
+                file,
+                format,
+                place,
+                problem,
+            },
+        ) => {
             attributes.set_item("file", file)?;
             attributes.set_item("format", format)?;
             attributes.set_item("place", place.to_string())?;

@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use numpy::{PyArrayLike2, AllowTypeChange};
+use numpy::{AllowTypeChange, PyArrayLike2};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 #[cfg(feature = "stubs")]
-use pyo3::{inspect::PyStaticExpr, type_hint_identifier, type_hint_union, PyTypeInfo};
+use pyo3::{PyTypeInfo, inspect::PyStaticExpr, type_hint_identifier, type_hint_union};
 
 use crate::array::{Array, view};
 use crate::error::{OrRaise, named};
@@ -114,6 +114,10 @@ impl Field {
         self.plus(py, -1.0, &other)
     }
 
+    fn __rsub__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
+        self.__neg__().plus(py, 1.0, &other)
+    }
+
     fn __mul__(&self, factor: f64) -> Self {
         self.0.scaled(factor).into()
     }
@@ -189,7 +193,8 @@ impl Samples<'_> {
             numbers.set_item("quantity", quantity)?;
             numbers.set_item("expected", expected)?;
             numbers.set_item("found", found)?;
-            let message = format!("{quantity} has shape {found:?}, expected (ny, nx) = {expected:?}");
+            let message =
+                format!("{quantity} has shape {found:?}, expected (ny, nx) = {expected:?}");
             return Err(named(py, "Shape", &message, &numbers)?);
         }
         let samples = match samples.as_slice() {
@@ -246,7 +251,11 @@ fn array<'py>(
 }
 
 /// The grid of a field that knows one, where no other is at hand.
-pub(crate) fn grid_of(grid: Option<&Grid>, samples: &Samples<'_>, quantity: &str) -> PyResult<stickslip::Grid> {
+pub(crate) fn grid_of(
+    grid: Option<&Grid>,
+    samples: &Samples<'_>,
+    quantity: &str,
+) -> PyResult<stickslip::Grid> {
     match grid {
         Some(grid) => Ok(grid.0),
         None => samples.alone(quantity).map(|field| field.grid()),

@@ -2,7 +2,7 @@
 
 use pyo3::prelude::*;
 #[cfg(feature = "stubs")]
-use pyo3::{inspect::PyStaticExpr, type_hint_identifier, type_hint_union, PyTypeInfo};
+use pyo3::{PyTypeInfo, inspect::PyStaticExpr, type_hint_identifier, type_hint_union};
 
 use crate::error::OrRaise;
 use crate::field::{Samples, grid_of};
@@ -63,7 +63,11 @@ impl Friction {
         // The limit of no pressure at all is that of the cap alone.
         let (first, cap) = (self.0.limit(0, 1.0), self.0.limit(0, f64::INFINITY));
         let is_uniform = !self.0.limit(usize::MAX, 1.0).is_nan();
-        let coefficient = if is_uniform { first.to_string() } else { "<per cell>".into() };
+        let coefficient = if is_uniform {
+            first.to_string()
+        } else {
+            "<per cell>".into()
+        };
         if cap.is_finite() {
             format!("Friction({coefficient}, max_shear_stress={cap})")
         } else {

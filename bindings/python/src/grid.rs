@@ -3,7 +3,7 @@
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 #[cfg(feature = "stubs")]
-use pyo3::{inspect::PyStaticExpr, type_hint_identifier, type_hint_union, PyTypeInfo};
+use pyo3::{PyTypeInfo, inspect::PyStaticExpr, type_hint_identifier, type_hint_union};
 
 use crate::array::Array;
 use crate::error::OrRaise;
@@ -124,7 +124,13 @@ impl Grid {
 
     fn __repr__(&self) -> String {
         let grid = self.0;
-        format!("Grid(nx={}, ny={}, dx={}, dy={})", grid.nx(), grid.ny(), grid.dx(), grid.dy())
+        format!(
+            "Grid(nx={}, ny={}, dx={}, dy={})",
+            grid.nx(),
+            grid.ny(),
+            grid.dx(),
+            grid.dy()
+        )
     }
 }
 
@@ -174,7 +180,11 @@ impl Material {
 
     /// From the shear modulus (a pressure) instead of Young's.
     #[staticmethod]
-    fn from_shear_modulus(py: Python<'_>, shear_modulus: f64, poisson_ratio: f64) -> PyResult<Self> {
+    fn from_shear_modulus(
+        py: Python<'_>,
+        shear_modulus: f64,
+        poisson_ratio: f64,
+    ) -> PyResult<Self> {
         let body = stickslip::Material::from_shear_modulus(shear_modulus, poisson_ratio);
         body.or_raise(py).map(Self)
     }
@@ -256,7 +266,9 @@ pub(crate) struct ElasticPair(pub(crate) stickslip::ElasticPair);
 impl ElasticPair {
     #[new]
     fn new(py: Python<'_>, body_1: Material, body_2: Material) -> PyResult<Self> {
-        stickslip::ElasticPair::new(body_1.0, body_2.0).or_raise(py).map(Self)
+        stickslip::ElasticPair::new(body_1.0, body_2.0)
+            .or_raise(py)
+            .map(Self)
     }
 
     /// The two bodies.

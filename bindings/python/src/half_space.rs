@@ -33,7 +33,12 @@ pub(crate) struct HalfSpace(pub(crate) stickslip::HalfSpace);
 impl HalfSpace {
     #[new]
     #[pyo3(signature = (grid, pair, boundary=None))]
-    fn new(py: Python<'_>, grid: &Grid, pair: Bodies, boundary: Option<Surroundings>) -> PyResult<Self> {
+    fn new(
+        py: Python<'_>,
+        grid: &Grid,
+        pair: Bodies,
+        boundary: Option<Surroundings>,
+    ) -> PyResult<Self> {
         let boundary = boundary.map(|boundary| boundary.0).unwrap_or_default();
         let bodies = stickslip::HalfSpace::with_boundary(grid.0, pair.0, boundary);
         bodies.or_raise(py).map(Self)
@@ -59,9 +64,15 @@ impl HalfSpace {
 
     fn __reduce__<'py>(
         slf: &Bound<'py, Self>,
-    ) -> (Bound<'py, pyo3::types::PyType>, (Grid, ElasticPair, Boundary)) {
+    ) -> (
+        Bound<'py, pyo3::types::PyType>,
+        (Grid, ElasticPair, Boundary),
+    ) {
         let bodies = slf.get();
-        (slf.get_type(), (bodies.grid(), bodies.pair(), bodies.boundary()))
+        (
+            slf.get_type(),
+            (bodies.grid(), bodies.pair(), bodies.boundary()),
+        )
     }
 
     fn __repr__(&self) -> String {

@@ -35,7 +35,10 @@ impl<T> Spare<T> {
 
     /// One that nobody else holds.
     pub(crate) fn take(&mut self, new: impl FnOnce() -> T) -> Arc<T> {
-        let free = self.0.iter_mut().position(|kept| Arc::get_mut(kept).is_some());
+        let free = self
+            .0
+            .iter_mut()
+            .position(|kept| Arc::get_mut(kept).is_some());
         match free {
             Some(index) => self.0.swap_remove(index),
             None => Arc::new(new()),

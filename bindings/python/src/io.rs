@@ -64,7 +64,10 @@ pub(crate) fn sdf_write(py: Python<'_>, path: PathBuf, field: Samples<'_>) -> Py
 
 /// A surface as the bytes of an SDF file.
 #[pyfunction]
-pub(crate) fn sdf_to_bytes<'py>(py: Python<'py>, field: Samples<'py>) -> PyResult<Bound<'py, PyBytes>> {
+pub(crate) fn sdf_to_bytes<'py>(
+    py: Python<'py>,
+    field: Samples<'py>,
+) -> PyResult<Bound<'py, PyBytes>> {
     let field = field.alone("field")?;
     let bytes = py.detach(|| io::sdf::to_bytes(&field)).or_raise(py)?;
     Ok(PyBytes::new(py, &bytes))
@@ -99,7 +102,9 @@ pub(crate) fn csv_read(
     skip_rows: usize,
 ) -> PyResult<Field> {
     let (sides, options) = (sides(cell, size)?, options(missing, skip_rows));
-    py.detach(|| options.read(&path, sides)).or_raise(py).map(Into::into)
+    py.detach(|| options.read(&path, sides))
+        .or_raise(py)
+        .map(Into::into)
 }
 
 /// A field from the bytes of a matrix in text; see :func:`read`.
@@ -114,7 +119,9 @@ pub(crate) fn csv_parse(
     skip_rows: usize,
 ) -> PyResult<Field> {
     let (sides, options) = (sides(cell, size)?, options(missing, skip_rows));
-    py.detach(|| options.parse(bytes, sides)).or_raise(py).map(Into::into)
+    py.detach(|| options.parse(bytes, sides))
+        .or_raise(py)
+        .map(Into::into)
 }
 
 /// Writes a field as a matrix in text.
@@ -126,7 +133,10 @@ pub(crate) fn csv_write(py: Python<'_>, path: PathBuf, field: Samples<'_>) -> Py
 
 /// A field as a matrix in text.
 #[pyfunction]
-pub(crate) fn csv_to_bytes<'py>(py: Python<'py>, field: Samples<'py>) -> PyResult<Bound<'py, PyBytes>> {
+pub(crate) fn csv_to_bytes<'py>(
+    py: Python<'py>,
+    field: Samples<'py>,
+) -> PyResult<Bound<'py, PyBytes>> {
     let field = field.alone("field")?;
     Ok(PyBytes::new(py, &io::csv::to_bytes(&field)))
 }
@@ -141,7 +151,9 @@ pub(crate) fn npy_read(
     size: Option<[f64; 2]>,
 ) -> PyResult<Field> {
     let sides = sides(cell, size)?;
-    py.detach(|| io::npy::read(&path, sides)).or_raise(py).map(Into::into)
+    py.detach(|| io::npy::read(&path, sides))
+        .or_raise(py)
+        .map(Into::into)
 }
 
 /// A field from the bytes of an NPY file.
@@ -154,7 +166,9 @@ pub(crate) fn npy_parse(
     size: Option<[f64; 2]>,
 ) -> PyResult<Field> {
     let sides = sides(cell, size)?;
-    py.detach(|| io::npy::parse(bytes, sides)).or_raise(py).map(Into::into)
+    py.detach(|| io::npy::parse(bytes, sides))
+        .or_raise(py)
+        .map(Into::into)
 }
 
 /// The grid of an NPY file, whose samples are not read.
@@ -166,7 +180,9 @@ pub(crate) fn npy_grid(
     cell: Option<[f64; 2]>,
     size: Option<[f64; 2]>,
 ) -> PyResult<Grid> {
-    io::npy::grid(&path, sides(cell, size)?).or_raise(py).map(Grid)
+    io::npy::grid(&path, sides(cell, size)?)
+        .or_raise(py)
+        .map(Grid)
 }
 
 /// Writes a field as NPY.
@@ -178,7 +194,10 @@ pub(crate) fn npy_write(py: Python<'_>, path: PathBuf, field: Samples<'_>) -> Py
 
 /// A field as the bytes of an NPY file.
 #[pyfunction]
-pub(crate) fn npy_to_bytes<'py>(py: Python<'py>, field: Samples<'py>) -> PyResult<Bound<'py, PyBytes>> {
+pub(crate) fn npy_to_bytes<'py>(
+    py: Python<'py>,
+    field: Samples<'py>,
+) -> PyResult<Bound<'py, PyBytes>> {
     let field = field.alone("field")?;
     Ok(PyBytes::new(py, &io::npy::to_bytes(&field)))
 }
@@ -198,9 +217,10 @@ impl Arrays {
         };
         for (name, value) in fields {
             let parts = match value.cast::<pyo3::types::PyTuple>() {
-                Ok(vector) if vector.len() == 2 => {
-                    vector.iter().map(|part| one(&part)).collect::<PyResult<_>>()?
-                }
+                Ok(vector) if vector.len() == 2 => vector
+                    .iter()
+                    .map(|part| one(&part))
+                    .collect::<PyResult<_>>()?,
                 Ok(_) => return Err(PyTypeError::new_err("a vector has two components")),
                 Err(_) => vec![one(&value)?],
             };
@@ -214,7 +234,10 @@ impl Arrays {
             [x, y] => vti::Array::Vector([x, y]),
             parts => vti::Array::Scalar(&parts[0]),
         };
-        self.0.iter().map(|(name, parts)| (name.as_str(), array(parts))).collect()
+        self.0
+            .iter()
+            .map(|(name, parts)| (name.as_str(), array(parts)))
+            .collect()
     }
 }
 
@@ -236,7 +259,8 @@ pub(crate) fn vti_write(
     grid: Option<&Grid>,
 ) -> PyResult<()> {
     let arrays = Arrays::of(py, fields, grid)?;
-    py.detach(|| vti::write(&path, &arrays.named())).or_raise(py)
+    py.detach(|| vti::write(&path, &arrays.named()))
+        .or_raise(py)
 }
 
 /// Fields as the bytes of an image for ParaView; see :func:`write`.
@@ -280,7 +304,8 @@ impl Series {
         let arrays = Arrays::of(py, fields, grid)?;
         let mut series = lock(&self.0, "series")?;
         let series = &mut *series;
-        py.detach(|| series.write(time, &arrays.named())).or_raise(py)
+        py.detach(|| series.write(time, &arrays.named()))
+            .or_raise(py)
     }
 
     fn __len__(&self) -> PyResult<usize> {

@@ -13,7 +13,9 @@ pub(crate) fn normal(force: Option<f64>, approach: Option<f64>) -> PyResult<Opti
         (Some(force), None) => Ok(Some(NormalControl::Force(force))),
         (None, Some(approach)) => Ok(Some(NormalControl::Approach(approach))),
         (None, None) => Ok(None),
-        _ => Err(PyTypeError::new_err("give a normal force or an approach, not both")),
+        _ => Err(PyTypeError::new_err(
+            "give a normal force or an approach, not both",
+        )),
     }
 }
 
@@ -44,28 +46,35 @@ impl Tangential {
 
     /// What is prescribed along x and y, if anything.
     fn controls(&self) -> PyResult<[Option<TangentialControl>; 2]> {
-        let along = |axis: usize, force: Option<f64>, shift: Option<f64>, spring: Option<(f64, f64)>| {
-            let both = [
-                self.force.map(|force| TangentialControl::Force(force[axis])),
-                self.shift.map(|shift| TangentialControl::Shift(shift[axis])),
-                self.spring.map(|(position, stiffness)| TangentialControl::Spring {
-                    position: position[axis],
-                    stiffness,
-                }),
-                force.map(TangentialControl::Force),
-                shift.map(TangentialControl::Shift),
-                spring.map(|(position, stiffness)| TangentialControl::Spring { position, stiffness }),
-            ];
-            let mut given = both.into_iter().flatten();
-            let first = given.next();
-            match given.next() {
-                None => Ok(first),
-                Some(_) => Err(PyTypeError::new_err(format!(
-                    "give one of force, shift and spring along {}",
-                    ["x", "y"][axis]
-                ))),
-            }
-        };
+        let along =
+            |axis: usize, force: Option<f64>, shift: Option<f64>, spring: Option<(f64, f64)>| {
+                let both = [
+                    self.force
+                        .map(|force| TangentialControl::Force(force[axis])),
+                    self.shift
+                        .map(|shift| TangentialControl::Shift(shift[axis])),
+                    self.spring
+                        .map(|(position, stiffness)| TangentialControl::Spring {
+                            position: position[axis],
+                            stiffness,
+                        }),
+                    force.map(TangentialControl::Force),
+                    shift.map(TangentialControl::Shift),
+                    spring.map(|(position, stiffness)| TangentialControl::Spring {
+                        position,
+                        stiffness,
+                    }),
+                ];
+                let mut given = both.into_iter().flatten();
+                let first = given.next();
+                match given.next() {
+                    None => Ok(first),
+                    Some(_) => Err(PyTypeError::new_err(format!(
+                        "give one of force, shift and spring along {}",
+                        ["x", "y"][axis]
+                    ))),
+                }
+            };
         Ok([
             along(0, self.force_x, self.shift_x, self.spring_x)?,
             along(1, self.force_y, self.shift_y, self.spring_y)?,
@@ -177,9 +186,13 @@ impl TangentialLoad {
         Ok(match self.0.control(axis.0) {
             TangentialControl::Force(force) => ("force", object(force)?),
             TangentialControl::Shift(shift) => ("shift", object(shift)?),
-            TangentialControl::Spring { position, stiffness } => {
-                ("spring", (position, stiffness).into_pyobject(py)?.into_any())
-            }
+            TangentialControl::Spring {
+                position,
+                stiffness,
+            } => (
+                "spring",
+                (position, stiffness).into_pyobject(py)?.into_any(),
+            ),
             _ => ("hold", py.None().into_bound(py)),
         })
     }

@@ -180,20 +180,26 @@ impl NormalSolution {
     /// Normal displacement of all cells by the pressure (lengths), shape (ny, nx): one product.
     fn displacement<'py>(&self, py: Python<'py>, bodies: &HalfSpace) -> PyResult<Array<'py>> {
         let solution = self.get();
-        let moved = unobserved(py, solution.grid().cells(), || solution.displacement(&bodies.0))?;
+        let moved = unobserved(py, solution.grid().cells(), || {
+            solution.displacement(&bodies.0)
+        })?;
         Ok(copy(py, &moved))
     }
 
     /// Elastic energy of the normal contact: one product.
     fn elastic_energy(&self, py: Python<'_>, bodies: &HalfSpace) -> PyResult<f64> {
         let solution = self.get();
-        unobserved(py, solution.grid().cells(), || solution.elastic_energy(&bodies.0))
+        unobserved(py, solution.grid().cells(), || {
+            solution.elastic_energy(&bodies.0)
+        })
     }
 
     /// The normal stiffness, the slope of the force by the approach: one solve on the contact cells.
     fn stiffness(&self, py: Python<'_>, bodies: &HalfSpace) -> PyResult<NormalStiffness> {
         let solution = self.get();
-        let found = unobserved(py, solution.grid().cells(), || solution.stiffness(&bodies.0));
+        let found = unobserved(py, solution.grid().cells(), || {
+            solution.stiffness(&bodies.0)
+        });
         found.map(NormalStiffness)
     }
 
@@ -275,7 +281,8 @@ impl NormalProblem {
         let load = load::needed(force, approach)?;
         let hardness = hardness.map(|hardness| hardness.on(py, grid)).transpose()?;
         let built = unobserved(py, grid.cells(), || {
-            let builder = stickslip::NormalProblem::builder(&bodies.0, gap, load).settings(settings);
+            let builder =
+                stickslip::NormalProblem::builder(&bodies.0, gap, load).settings(settings);
             match hardness {
                 None => builder.build(),
                 Some(hardness) => builder.hardness(hardness).build(),
@@ -500,6 +507,10 @@ impl NormalSolver {
     }
 
     fn __repr__(&self) -> String {
-        format!("NormalSolver({} x {} cells)", self.grid.0.nx(), self.grid.0.ny())
+        format!(
+            "NormalSolver({} x {} cells)",
+            self.grid.0.nx(),
+            self.grid.0.ny()
+        )
     }
 }

@@ -35,7 +35,11 @@ struct Kept<O: Operator> {
 
 impl<O: Operator> Kept<O> {
     fn with_workspace(&self, work: impl FnOnce(&mut O::Workspace)) {
-        let kept = || self.workspaces.lock().unwrap_or_else(PoisonError::into_inner);
+        let kept = || {
+            self.workspaces
+                .lock()
+                .unwrap_or_else(PoisonError::into_inner)
+        };
         let free = kept().pop();
         let mut workspace = free.unwrap_or_else(|| self.operator.workspace());
         work(&mut workspace);
@@ -68,7 +72,7 @@ where
 ///
 /// Made by :meth:`HalfSpace.operator`, :meth:`HalfSpace.preconditioner`, :class:`stickslip.fft.Convolution`,
 /// :class:`stickslip.dense.DenseOperator` or :func:`stickslip.cgm.identity`.
-#[pyclass(frozen, subclass, module = "stickslip")]
+#[pyclass(frozen, subclass, module = "stickslip.cgm")]
 pub(crate) struct LinearOperator {
     pub(crate) product: Arc<dyn Product>,
     kind: &'static str,
@@ -101,7 +105,9 @@ pub(crate) fn numbers<'py>(
         Ok(array)
     } else {
         let found = array.len();
-        Err(PyValueError::new_err(format!("an array of {found} numbers, expected {cells}")))
+        Err(PyValueError::new_err(format!(
+            "an array of {found} numbers, expected {cells}"
+        )))
     }
 }
 
@@ -113,13 +119,15 @@ fn target<'py>(
     match out {
         None => Ok(PyArrayDyn::zeros(like.py(), like.shape(), false)),
         Some(out) => {
-            let out = out.cast_into::<PyArrayDyn<f64>>().map_err(|_| {
-                PyTypeError::new_err("out must be a C-contiguous array of float64")
-            })?;
+            let out = out
+                .cast_into::<PyArrayDyn<f64>>()
+                .map_err(|_| PyTypeError::new_err("out must be a C-contiguous array of float64"))?;
             if out.len() == like.len() && out.is_c_contiguous() {
                 Ok(out)
             } else {
-                Err(PyValueError::new_err("out must be C-contiguous and of the size of x"))
+                Err(PyValueError::new_err(
+                    "out must be C-contiguous and of the size of x",
+                ))
             }
         }
     }
@@ -171,12 +179,16 @@ impl LinearOperator {
         Ok(Array(target.into_any()))
     }
 
-    fn __matmul__<'py>(&self, py: Python<'py>, x: Bound<'py, PyAny>) -> PyResult<Array<'py>> {
+    fn __call__<'py>(&self, py: Python<'py>, x: Bound<'py, PyAny>) -> PyResult<Array<'py>> {
         self.apply(py, x, None)
     }
 
     fn __repr__(&self) -> String {
-        format!("LinearOperator({}, {} cells)", self.kind, self.product.cells())
+        format!(
+            "LinearOperator({}, {} cells)",
+            self.kind,
+            self.product.cells()
+        )
     }
 }
 
@@ -189,7 +201,7 @@ impl HalfSpace {
     /// >>> import numpy as np, stickslip
     /// >>> grid = stickslip.Grid(5, 3, 1.0, 1.0)
     /// >>> bodies = stickslip.HalfSpace(grid, (stickslip.Material(1.0, 0.3), stickslip.Material.rigid()))
-    /// >>> (bodies.operator("zz") @ np.ones(grid.shape)).shape
+    /// >>> bodies.operator("zz")(np.ones(grid.shape)).shape
     /// (3, 5)
     fn operator(&self, py: Python<'_>, component: Choice<Component>) -> PyResult<LinearOperator> {
         let cells = self.0.grid().cells();
@@ -225,7 +237,7 @@ type Three = stickslip::ElasticOperator<3>;
 
 /// Displacements along x, y and z from tractions along x, y and z; made by :meth:`HalfSpace.tensor_operator`. One thread
 /// at a time may use it.
-#[pyclass(frozen, module = "stickslip")]
+#[pyclass(frozen, module = "stickslip.cgm")]
 pub(crate) struct TensorOperator {
     operator: Three,
     workspace: Mutex<<Three as Operator<3>>::Workspace>,
@@ -247,11 +259,23 @@ impl TensorOperator {
     ) -> PyResult<(Array<'py>, Array<'py>, Array<'py>)> {
         let cells = self.operator.cells();
         let [x, y, z] = tractions;
-        let from = [numbers(&x, cells)?, numbers(&y, cells)?, numbers(&z, cells)?];
-        let to = [target(&from[0], None)?, target(&from[1], None)?, target(&from[2], None)?];
+        let from = [
+            numbers(&x, cells)?,
+            numbers(&y, cells)?,
+            numbers(&z, cells)?,
+        ];
+        let to = [
+            target(&from[0], None)?,
+            target(&from[1], None)?,
+            target(&from[2], None)?,
+        ];
         {
             let [mut u, mut v, mut w] = to.each_ref().map(|array| array.readwrite());
-            let from = [from[0].as_slice()?, from[1].as_slice()?, from[2].as_slice()?];
+            let from = [
+                from[0].as_slice()?,
+                from[1].as_slice()?,
+                from[2].as_slice()?,
+            ];
             let into = [u.as_slice_mut()?, v.as_slice_mut()?, w.as_slice_mut()?];
             let mut workspace = lock(&self.workspace, "operator")?;
             let workspace = &mut *workspace;
@@ -360,7 +384,8 @@ impl DenseOperator {
         let bounds = crate::cgm::bounds(lower, upper, cells)?;
         let found = unobserved(py, cells.saturating_mul(cells), || {
             let [lower, upper] = bounds.each_ref().map(|bound| &bound[..]);
-            self.0.minimise(linear, &stickslip::cgm::Bounds { lower, upper }, total)
+            self.0
+                .minimise(linear, &stickslip::cgm::Bounds { lower, upper }, total)
         })?;
         Ok(DenseMinimum(found))
     }
@@ -393,7 +418,11 @@ impl DenseMinimum {
     }
 
     fn __repr__(&self) -> String {
-        format!("DenseMinimum({} unknowns, multiplier={:.6e})", self.0.x.len(), self.0.multiplier)
+        format!(
+            "DenseMinimum({} unknowns, multiplier={:.6e})",
+            self.0.x.len(),
+            self.0.multiplier
+        )
     }
 }
 
@@ -403,5 +432,8 @@ pub(crate) fn identity(cells: usize) -> PyResult<LinearOperator> {
     if cells == 0 {
         return Err(PyRuntimeError::new_err("no cells"));
     }
-    Ok(LinearOperator::of("Identity", stickslip::Identity::new(cells)))
+    Ok(LinearOperator::of(
+        "Identity",
+        stickslip::Identity::new(cells),
+    ))
 }

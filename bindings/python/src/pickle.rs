@@ -1,7 +1,7 @@
 //! Pickling, through the crate's own serialisation in a compact format.
 
-use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::PyClass;
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use serde::Serialize;
@@ -17,15 +17,18 @@ pub(crate) trait Stored: Sized {
 }
 
 /// How an object is pickled: what restores it, and from what.
-pub(crate) type Reduced<'py> = (Bound<'py, PyAny>, (&'static str, &'static str, Bound<'py, PyBytes>));
+pub(crate) type Reduced<'py> = (
+    Bound<'py, PyAny>,
+    (&'static str, &'static str, Bound<'py, PyBytes>),
+);
 
 /// What restores an object of this content.
 pub(crate) fn reduced<'py, T: Stored>(
     py: Python<'py>,
     content: &T::Content,
 ) -> PyResult<Reduced<'py>> {
-    let bytes = postcard::to_stdvec(content)
-        .map_err(|error| PyValueError::new_err(error.to_string()))?;
+    let bytes =
+        postcard::to_stdvec(content).map_err(|error| PyValueError::new_err(error.to_string()))?;
     let restore = py.import("stickslip._stickslip")?.getattr("_restore")?;
     let version = env!("CARGO_PKG_VERSION");
     Ok((restore, (T::KIND, version, PyBytes::new(py, &bytes))))

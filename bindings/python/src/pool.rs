@@ -77,7 +77,9 @@ pub(crate) fn alone<T>(work: impl FnOnce() -> T) -> T {
 #[pyfunction]
 pub(crate) fn set_num_threads(_py: Python<'_>, threads: usize) -> PyResult<()> {
     if threads == 0 {
-        return Err(PyValueError::new_err("at least one thread is needed, got 0"));
+        return Err(PyValueError::new_err(
+            "at least one thread is needed, got 0",
+        ));
     }
     let pool = built(threads)?;
     let process = std::process::id();
@@ -87,7 +89,10 @@ pub(crate) fn set_num_threads(_py: Python<'_>, threads: usize) -> PyResult<()> {
         threads,
         pool,
     });
-    if before.as_ref().is_some_and(|owned| owned.process != process) {
+    if before
+        .as_ref()
+        .is_some_and(|owned| owned.process != process)
+    {
         std::mem::forget(before);
     }
     Ok(())

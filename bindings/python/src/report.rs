@@ -203,7 +203,11 @@ impl Warning {
 }
 
 /// Passes the remarks on to ``warnings.warn``, if that is wanted.
-pub(crate) fn warn(py: Python<'_>, is_wanted: bool, warnings: Vec<stickslip::Warning>) -> PyResult<()> {
+pub(crate) fn warn(
+    py: Python<'_>,
+    is_wanted: bool,
+    warnings: Vec<stickslip::Warning>,
+) -> PyResult<()> {
     if !is_wanted || warnings.is_empty() {
         return Ok(());
     }

@@ -71,7 +71,9 @@ impl Settings {
     }
 
     fn __repr__(&self) -> String {
-        let limit = self.time_limit().map_or("None".into(), |limit| limit.to_string());
+        let limit = self
+            .time_limit()
+            .map_or("None".into(), |limit| limit.to_string());
         format!(
             "Settings(tolerance={:e}, method='{}', max_iterations={}, time_limit={limit})",
             self.0.tolerance,
@@ -103,7 +105,9 @@ pub(crate) fn chosen(
     }
     if let Some(seconds) = time_limit {
         let limit = Duration::try_from_secs_f64(seconds).map_err(|_| {
-            PyValueError::new_err(format!("time_limit must be a number of seconds, got {seconds}"))
+            PyValueError::new_err(format!(
+                "time_limit must be a number of seconds, got {seconds}"
+            ))
         })?;
         chosen = chosen.time_limit(limit);
     }

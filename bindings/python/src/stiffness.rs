@@ -33,7 +33,10 @@ impl NormalStiffness {
     }
 
     fn __repr__(&self) -> String {
-        format!("NormalStiffness(value={:e}, bound={:.1e})", self.0.value, self.0.bound)
+        format!(
+            "NormalStiffness(value={:e}, bound={:.1e})",
+            self.0.value, self.0.bound
+        )
     }
 }
 

@@ -73,14 +73,22 @@ pub(crate) fn mirror_x(heights: Samples<'_>) -> PyResult<Field> {
 #[pyfunction]
 pub(crate) fn gap_from_heights(py: Python<'_>, heights: Samples<'_>) -> PyResult<Field> {
     let heights = heights.alone("heights")?;
-    surface::gap_from_heights(&heights).or_raise(py).map(Into::into)
+    surface::gap_from_heights(&heights)
+        .or_raise(py)
+        .map(Into::into)
 }
 
 /// The gap between two rough bodies, touching at one point. Heights point out of their body, both as seen from body 1.
 #[pyfunction]
-pub(crate) fn gap_between(py: Python<'_>, upper: Samples<'_>, lower: Samples<'_>) -> PyResult<Field> {
+pub(crate) fn gap_between(
+    py: Python<'_>,
+    upper: Samples<'_>,
+    lower: Samples<'_>,
+) -> PyResult<Field> {
     let (upper, lower) = (upper.alone("upper")?, lower.alone("lower")?);
-    surface::gap_between(&upper, &lower).or_raise(py).map(Into::into)
+    surface::gap_between(&upper, &lower)
+        .or_raise(py)
+        .map(Into::into)
 }
 
 /// The part of a surface from one column to before another, and from one row to before another.
@@ -130,7 +138,10 @@ impl Filled {
 #[pyfunction]
 pub(crate) fn fill_missing(py: Python<'_>, heights: Samples<'_>) -> PyResult<Filled> {
     let heights = heights.alone("heights")?;
-    unobserved(py, heights.grid().cells(), || surface::fill_missing(&heights)).map(Filled)
+    unobserved(py, heights.grid().cells(), || {
+        surface::fill_missing(&heights)
+    })
+    .map(Filled)
 }
 
 /// A surface without its form.
@@ -185,7 +196,10 @@ pub(crate) fn level(
     form: Bound<'_, PyAny>,
 ) -> PyResult<Levelled> {
     let (heights, form) = (heights.alone("heights")?, form_of(&form)?);
-    unobserved(py, heights.grid().cells(), || surface::level(&heights, form)).map(Levelled)
+    unobserved(py, heights.grid().cells(), || {
+        surface::level(&heights, form)
+    })
+    .map(Levelled)
 }
 
 /// Parameters of a surface after ISO 25178-2.
@@ -243,7 +257,10 @@ impl Statistics {
     #[new]
     fn new(py: Python<'_>, heights: Samples<'_>) -> PyResult<Self> {
         let heights = heights.alone("heights")?;
-        unobserved(py, heights.grid().cells(), || surface::Statistics::of(&heights)).map(Self)
+        unobserved(py, heights.grid().cells(), || {
+            surface::Statistics::of(&heights)
+        })
+        .map(Self)
     }
 
     /// Root mean square slopes of profiles along x and y.
@@ -278,7 +295,10 @@ impl PowerSpectrum {
     #[new]
     fn new(py: Python<'_>, heights: Samples<'_>) -> PyResult<Self> {
         let heights = heights.alone("heights")?;
-        unobserved(py, heights.grid().cells(), || surface::PowerSpectrum::of(&heights)).map(Self)
+        unobserved(py, heights.grid().cells(), || {
+            surface::PowerSpectrum::of(&heights)
+        })
+        .map(Self)
     }
 
     /// Wave numbers of the rings (one over a length).
@@ -308,7 +328,10 @@ impl PowerSpectrum {
 
     fn __repr__(&self) -> String {
         let rings = self.0.values().len();
-        format!("PowerSpectrum({rings} rings, nayak_parameter={:.4})", self.0.nayak_parameter())
+        format!(
+            "PowerSpectrum({rings} rings, nayak_parameter={:.4})",
+            self.0.nayak_parameter()
+        )
     }
 }
 

@@ -6,7 +6,7 @@ use pyo3::exceptions::{PyRuntimeError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::PyType;
 #[cfg(feature = "stubs")]
-use pyo3::{inspect::PyStaticExpr, type_hint_identifier, type_hint_union, PyTypeInfo};
+use pyo3::{PyTypeInfo, inspect::PyStaticExpr, type_hint_identifier, type_hint_union};
 use stickslip::{Coupling, PressureSource, TangentialModel, cgm};
 
 use crate::array::{Array, copy, view, zones};
@@ -177,7 +177,10 @@ impl TangentialSolution {
 
     /// The contact spots of the normal contact below it, with their stick ratios.
     fn spots(&self, py: Python<'_>, normal: &NormalSolution) -> PyResult<ContactSpots> {
-        self.get().spots(normal.get()).or_raise(py).map(ContactSpots::of)
+        self.get()
+            .spots(normal.get())
+            .or_raise(py)
+            .map(ContactSpots::of)
     }
 
     /// Displacement of body 1 relative to body 2 by the tractions along x and y, of all cells (lengths): one product.
@@ -187,20 +190,26 @@ impl TangentialSolution {
         bodies: &HalfSpace,
     ) -> PyResult<(Array<'py>, Array<'py>)> {
         let solution = self.get();
-        let moved = unobserved(py, solution.grid().cells(), || solution.displacement(&bodies.0))?;
+        let moved = unobserved(py, solution.grid().cells(), || {
+            solution.displacement(&bodies.0)
+        })?;
         Ok(moved.each_ref().map(|field| copy(py, field)).into())
     }
 
     /// Elastic energy of shear: one product.
     fn elastic_energy(&self, py: Python<'_>, bodies: &HalfSpace) -> PyResult<f64> {
         let solution = self.get();
-        unobserved(py, solution.grid().cells(), || solution.elastic_energy(&bodies.0))
+        unobserved(py, solution.grid().cells(), || {
+            solution.elastic_energy(&bodies.0)
+        })
     }
 
     /// The tangential stiffness, on loading and at reversal.
     fn stiffness(&self, py: Python<'_>, bodies: &HalfSpace) -> PyResult<TangentialStiffness> {
         let solution = self.get();
-        let found = unobserved(py, solution.grid().cells(), || solution.stiffness(&bodies.0));
+        let found = unobserved(py, solution.grid().cells(), || {
+            solution.stiffness(&bodies.0)
+        });
         found.map(TangentialStiffness)
     }
 
@@ -487,7 +496,9 @@ pub(crate) fn whole_load(
     match load {
         None => Ok(by_keywords),
         Some(load) if given.is_empty() && twist.is_none() => Ok(load.0),
-        Some(_) => Err(PyTypeError::new_err("give a load or its keywords, not both")),
+        Some(_) => Err(PyTypeError::new_err(
+            "give a load or its keywords, not both",
+        )),
     }
 }
 
@@ -589,7 +600,9 @@ impl TangentialSolver {
         let pressure = pressure.given(py, self.grid.0)?;
         let mut work = lock(&self.work, "solver")?;
         let solver = &mut work.solver;
-        unobserved(py, self.grid.0.cells(), || solver.set_pressure(pressure.source()))
+        unobserved(py, self.grid.0.cells(), || {
+            solver.set_pressure(pressure.source())
+        })
     }
 
     /// Changes the relative displacement of the next solve.
@@ -599,7 +612,9 @@ impl TangentialSolver {
         relative: RelativeDisplacement,
     ) -> PyResult<()> {
         let mut work = lock(&self.work, "solver")?;
-        work.solver.set_relative_displacement(&relative.0).or_raise(py)
+        work.solver
+            .set_relative_displacement(&relative.0)
+            .or_raise(py)
     }
 
     /// Largest tangential force that friction holds.
@@ -627,7 +642,11 @@ impl TangentialSolver {
     }
 
     fn __repr__(&self) -> String {
-        format!("TangentialSolver({} x {} cells)", self.grid.0.nx(), self.grid.0.ny())
+        format!(
+            "TangentialSolver({} x {} cells)",
+            self.grid.0.nx(),
+            self.grid.0.ny()
+        )
     }
 }
 
@@ -653,8 +672,7 @@ impl JaegerSuperposition {
         friction: f64,
     ) -> PyResult<Self> {
         let (full, stick) = (full.get(), stick.get());
-        let found =
-            stickslip::tangential::JaegerSuperposition::new(full, stick, &pair.0, friction);
+        let found = stickslip::tangential::JaegerSuperposition::new(full, stick, &pair.0, friction);
         found.or_raise(py).map(Self)
     }
 
@@ -683,6 +701,10 @@ impl JaegerSuperposition {
     }
 
     fn __repr__(&self) -> String {
-        format!("JaegerSuperposition(force={}, shift={})", self.0.force(), self.0.shift())
+        format!(
+            "JaegerSuperposition(force={}, shift={})",
+            self.0.force(),
+            self.0.shift()
+        )
     }
 }

@@ -130,7 +130,10 @@ impl Talk {
         said.iteration = Some(iteration);
         self.changed.notify_all();
         while said.iteration.is_some() {
-            said = self.changed.wait(said).unwrap_or_else(PoisonError::into_inner);
+            said = self
+                .changed
+                .wait(said)
+                .unwrap_or_else(PoisonError::into_inner);
         }
     }
 

@@ -114,7 +114,7 @@ def test_halves_of_a_coupled_solution_share_its_memory():
 def test_arithmetic_of_fields(scene):
     field = scene.ball
     assert np.allclose((2.0 * field - field + 0.0).array, field.array)
-    assert (-field).max() == -field.min()
+    assert (-field).max() == -field.min() and (1.0 - field).max() == 1.0 - field.min()
     assert ss.surface.sum([field, field]) == field * 2.0
 
 

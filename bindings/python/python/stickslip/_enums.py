@@ -5,7 +5,7 @@ from enum import Enum, IntEnum
 
 class _Name(str, Enum):
     def __str__(self) -> str:
-        return self.value
+        return str(self.value)
 
 
 class Axis(_Name):

@@ -13,7 +13,7 @@ class Bar:
 
     def __init__(self) -> None:
         try:
-            from tqdm.auto import tqdm
+            from tqdm.auto import tqdm  # type: ignore[import-untyped]
         except ImportError as error:
             raise ImportError("progress=True needs tqdm: pip install 'stickslip[progress]'") from error
         self._bar: Any = tqdm(unit=" products")

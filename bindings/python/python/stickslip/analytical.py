@@ -25,4 +25,27 @@ from ._stickslip import (
     linear_stick_ratio,
 )
 
-__all__ = [name for name in dir() if not name.startswith("_")]
+__all__ = [
+    "CattaneoMindlin",
+    "CattaneoMindlinEllipse",
+    "CattaneoMindlinLine",
+    "Cone",
+    "ConePartialSlip",
+    "FlatPunch",
+    "HertzEllipse",
+    "HertzLine",
+    "HertzSphere",
+    "LubkinTorsion",
+    "MindlinDeresiewicz",
+    "MindlinFullStick",
+    "NoSlipPunch",
+    "NoSlipSphere",
+    "Persson",
+    "PopovLimitingShape",
+    "RoughSphere",
+    "RoundedPunch",
+    "SpencePressing",
+    "Westergaard",
+    "WestergaardPartialSlip",
+    "linear_stick_ratio",
+]

@@ -29,6 +29,11 @@ def _axes(axes: Axes | None) -> Axes:
     return pyplot.subplots()[1]
 
 
+def _extent(grid: Grid, scale: float) -> tuple[float, float, float, float]:
+    left, right, bottom, top = grid.extent
+    return scale * left, scale * right, scale * bottom, scale * top
+
+
 def field(
     grid: Grid, values: Any, axes: Axes | None = None, *, label: str = "", scale: float = 1.0, **options: Any
 ) -> Axes:
@@ -47,8 +52,9 @@ def field(
         Of ``imshow``.
     """
     axes = _axes(axes)
-    extent = [scale * edge for edge in grid.extent]
-    image = axes.imshow(np.asarray(values), origin="lower", extent=extent, **options)
+    extent = _extent(grid, scale)
+    shown = values if np.ma.isMaskedArray(values) else np.asarray(values)
+    image = axes.imshow(shown, origin="lower", extent=extent, **options)
     axes.figure.colorbar(image, ax=axes, label=label)
     axes.set_xlabel("x")
     axes.set_ylabel("y")
@@ -70,7 +76,7 @@ def stick_map(solution: Any, axes: Axes | None = None, *, scale: float = 1.0) ->
     from matplotlib.patches import Patch
 
     colours = {Zone.SEPARATED: "white", Zone.STICK: "tab:blue", Zone.SLIP: "tab:orange"}
-    extent = [scale * edge for edge in solution.grid.extent]
+    extent = _extent(solution.grid, scale)
     axes.imshow(
         solution.zones,
         origin="lower",

@@ -60,7 +60,7 @@ def from_topography(topography: Any) -> Field:
     >>> field.array[1]
     array([1., 3., 5., 7.])
     """
-    heights = np.ma.asarray(topography.heights(), dtype=float)
+    heights: Any = np.ma.asarray(topography.heights(), dtype=float)
     if heights.ndim != 2:
         raise ValueError(f"the heights of the topography have {heights.ndim} dimensions, expected 2")
     sizes = topography.physical_sizes

@@ -13,7 +13,7 @@ use numpy::{AllowTypeChange, IntoPyArray, PyArrayLikeDyn};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 #[cfg(feature = "stubs")]
-use pyo3::{inspect::PyStaticExpr, type_hint_identifier, type_hint_union};
+use pyo3::{inspect::PyStaticExpr, type_hint_identifier};
 
 /// Coordinates: a number, or an array of any shape.
 pub(crate) struct Coordinates(ArrayD<f64>);
@@ -60,11 +60,17 @@ pub(crate) fn across(
     y: Coordinates,
     function: impl Fn(f64, f64) -> f64,
 ) -> PyResult<Values> {
-    let shape = if x.0.len() >= y.0.len() { x.0.dim() } else { y.0.dim() };
+    let shape = if x.0.len() >= y.0.len() {
+        x.0.dim()
+    } else {
+        y.0.dim()
+    };
     let (Some(x), Some(y)) = (x.0.broadcast(shape.clone()), y.0.broadcast(shape)) else {
         return Err(PyValueError::new_err("the shapes of x and y do not fit"));
     };
-    Ok(Values(Zip::from(x).and(y).map_collect(|x, y| function(*x, *y))))
+    Ok(Values(
+        Zip::from(x).and(y).map_collect(|x, y| function(*x, *y)),
+    ))
 }
 
 /// Declares the class of a closed form: what it is made from, the other objects that it has, its numbers, its pairs of

@@ -1,8 +1,8 @@
 //! Closed forms of pressing.
 
 use crate::analytical::closed_form;
-use crate::grid::ElasticPair;
 use crate::error::OrRaise;
+use crate::grid::ElasticPair;
 use pyo3::prelude::*;
 
 closed_form! {
@@ -289,13 +289,17 @@ impl SpencePressing {
     /// The contact of a body of revolution, with this coefficient of friction (dimensionless).
     #[staticmethod]
     fn round(py: Python<'_>, pair: &ElasticPair, friction: f64) -> PyResult<Self> {
-        stickslip::analytical::SpencePressing::round(&pair.0, friction).or_raise(py).map(Self)
+        stickslip::analytical::SpencePressing::round(&pair.0, friction)
+            .or_raise(py)
+            .map(Self)
     }
 
     /// The contact of a cylinder or strip in plane strain.
     #[staticmethod]
     fn plane(py: Python<'_>, pair: &ElasticPair, friction: f64) -> PyResult<Self> {
-        stickslip::analytical::SpencePressing::plane(&pair.0, friction).or_raise(py).map(Self)
+        stickslip::analytical::SpencePressing::plane(&pair.0, friction)
+            .or_raise(py)
+            .map(Self)
     }
 
     /// Radius or half width of the stick zone over that of the contact, in ``[0, 1]``: one without coupling, zero without

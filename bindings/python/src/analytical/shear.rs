@@ -1,9 +1,9 @@
 //! Closed forms of shear.
 
 use crate::analytical::closed_form;
-use crate::grid::ElasticPair;
 use crate::analytical::{Cone, HertzEllipse, HertzLine, HertzSphere};
 use crate::error::OrRaise;
+use crate::grid::ElasticPair;
 use pyo3::prelude::*;
 
 closed_form! {

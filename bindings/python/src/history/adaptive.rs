@@ -69,7 +69,8 @@ const NAME: &str = "object that takes adaptive steps";
 impl AdaptiveSteps {
     #[new]
     fn new(py: Python<'_>, history: &History, tolerance: f64) -> PyResult<Self> {
-        let steps = history.read(|history| stickslip::history::AdaptiveSteps::new(history, tolerance))?;
+        let steps =
+            history.read(|history| stickslip::history::AdaptiveSteps::new(history, tolerance))?;
         steps.or_raise(py).map(|steps| Self(Mutex::new(steps)))
     }
 
@@ -109,7 +110,10 @@ impl AdaptiveSteps {
                     cycle.add(history)?;
                 }
                 // Any error takes the load back; an exception takes its place.
-                observer(None).is_continue().then_some(()).ok_or(Error::EmptyPath)
+                observer(None)
+                    .is_continue()
+                    .then_some(())
+                    .ok_or(Error::EmptyPath)
             })
         })?;
         outcome.or_raise(py)

@@ -115,7 +115,11 @@ impl Cycle {
     /// Half the range of the slip of each cell along x and y (lengths).
     #[getter]
     fn slip_amplitude<'py>(&self, py: Python<'py>) -> PyResult<(Array<'py>, Array<'py>)> {
-        Ok(self.lock()?.slip_amplitude().map(|field| copy(py, field)).into())
+        Ok(self
+            .lock()?
+            .slip_amplitude()
+            .map(|field| copy(py, field))
+            .into())
     }
 
     /// Energy that each cell dissipated in the cycle.
@@ -133,7 +137,13 @@ impl Cycle {
     /// The loop of force and shift: the beginning, and the end of each step.
     #[getter]
     fn points(&self) -> PyResult<Vec<LoopPoint>> {
-        Ok(self.lock()?.points().iter().copied().map(LoopPoint).collect())
+        Ok(self
+            .lock()?
+            .points()
+            .iter()
+            .copied()
+            .map(LoopPoint)
+            .collect())
     }
 
     /// The loop as CSV.

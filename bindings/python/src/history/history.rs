@@ -7,8 +7,8 @@ use std::sync::{Arc, Mutex};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyType};
-use stickslip::history::{StepResult as Step, TouchRule};
 use rayon::prelude::*;
+use stickslip::history::{StepResult as Step, TouchRule};
 use stickslip::{Axis, Coupling, Error, TangentialModel, cgm};
 
 use crate::array::{Array, copy, zones};
@@ -240,7 +240,11 @@ impl History {
         let load = match load {
             None => by_keywords,
             Some(load) if is_bare && given.is_empty() => load.0,
-            Some(_) => return Err(PyTypeError::new_err("give a load or its keywords, not both")),
+            Some(_) => {
+                return Err(PyTypeError::new_err(
+                    "give a load or its keywords, not both",
+                ));
+            }
         };
         let progress = Progress::of(progress.as_ref())?;
         let own = slf.get();
@@ -279,7 +283,14 @@ impl History {
         let (expected, found) = (histories.len(), loads.len());
         if expected != found {
             let quantity = "loads of the contacts";
-            return Err(raised(py, Error::Length { quantity, expected, found }));
+            return Err(raised(
+                py,
+                Error::Length {
+                    quantity,
+                    expected,
+                    found,
+                },
+            ));
         }
         let mut places = Vec::with_capacity(histories.len());
         for history in &histories {
@@ -293,23 +304,35 @@ impl History {
         let mut contacts: Vec<_> = contacts.zip(&loads).enumerate().collect();
         let failed = solve(py, cells, Progress::none(), |observer| {
             let observer = Mutex::new(observer);
-            let step = |(index, (history, load)): &mut (usize, (&mut stickslip::History, &LoadStep))| {
-                let seen = |_: &_| observer.lock().map_or(ControlFlow::Continue(()), |mut seen| seen(None));
-                let outcome = history.step_observed(&load.0, seen);
-                outcome.err().map(|error| (*index, error))
-            };
+            let step =
+                |(index, (history, load)): &mut (usize, (&mut stickslip::History, &LoadStep))| {
+                    let seen = |_: &_| {
+                        observer
+                            .lock()
+                            .map_or(ControlFlow::Continue(()), |mut seen| seen(None))
+                    };
+                    let outcome = history.step_observed(&load.0, seen);
+                    outcome.err().map(|error| (*index, error))
+                };
             Ok(contacts.par_iter_mut().filter_map(step).collect::<Vec<_>>())
         })?;
         let failed = failed.or_raise(py)?;
         let exception = |error| raised(py, error).into_value(py).into_bound(py).into_any();
-        Ok(failed.into_iter().map(|(index, error)| (index, exception(error))).collect())
+        Ok(failed
+            .into_iter()
+            .map(|(index, error)| (index, exception(error)))
+            .collect())
     }
 
     /// What the last step did.
     #[getter]
     fn last_step(slf: &Bound<'_, Self>) -> PyResult<StepResult> {
         let work = lock(&slf.get().work, NAME)?;
-        Ok(StepResult::last(work.history.last_step(), slf.clone().unbind(), work.taken))
+        Ok(StepResult::last(
+            work.history.last_step(),
+            slf.clone().unbind(),
+            work.taken,
+        ))
     }
 
     /// A snapshot of the state.
@@ -535,10 +558,19 @@ impl History {
 
     fn __reduce__<'py>(
         slf: &Bound<'py, Self>,
-    ) -> PyResult<(Bound<'py, PyAny>, (Bound<'py, PyType>, HalfSpace, Bound<'py, PyBytes>))> {
-        let restore = slf.py().import("stickslip._stickslip")?.getattr("_history_from_bytes")?;
+    ) -> PyResult<(
+        Bound<'py, PyAny>,
+        (Bound<'py, PyType>, HalfSpace, Bound<'py, PyBytes>),
+    )> {
+        let restore = slf
+            .py()
+            .import("stickslip._stickslip")?
+            .getattr("_history_from_bytes")?;
         let own = slf.get();
-        Ok((restore, (slf.get_type(), own.bodies(), own.to_bytes(slf.py())?)))
+        Ok((
+            restore,
+            (slf.get_type(), own.bodies(), own.to_bytes(slf.py())?),
+        ))
     }
 
     fn __repr__(&self) -> PyResult<String> {
@@ -556,9 +588,9 @@ impl History {
 /// What pickle calls for a history.
 #[pyfunction]
 pub(crate) fn _history_from_bytes<'py>(
-    class: Bound<'py, PyType>,
+    kind: Bound<'py, PyType>,
     bodies: HalfSpace,
     bytes: Bound<'py, PyBytes>,
 ) -> PyResult<Bound<'py, PyAny>> {
-    class.call_method1("from_bytes", (bodies, bytes))
+    kind.call_method1("from_bytes", (bodies, bytes))
 }

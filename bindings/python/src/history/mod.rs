@@ -10,8 +10,8 @@ mod step;
 mod wear;
 
 pub(crate) use adaptive::{AdaptiveSteps, StepError};
-pub(crate) use cycle::{Cycle, LoopPoint};
 pub(crate) use balance::EnergyBalance;
+pub(crate) use cycle::{Cycle, LoopPoint};
 pub(crate) use history::{_history_from_bytes, History};
 pub(crate) use path::LoadPath;
 pub(crate) use state::{_from_bytes, State};

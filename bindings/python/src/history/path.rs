@@ -54,7 +54,9 @@ impl LoadPath {
     /// Around an ellipse, A_x sin(2 pi t) along x and A_y sin(2 pi t + phase) along y.
     #[staticmethod]
     fn ellipse(py: Python<'_>, amplitudes: [f64; 2], phase: f64, steps: usize) -> PyResult<Self> {
-        Path::ellipse(amplitudes, phase, steps).or_raise(py).map(Self)
+        Path::ellipse(amplitudes, phase, steps)
+            .or_raise(py)
+            .map(Self)
     }
 
     /// The values of one cycle, of shape (steps, 2).

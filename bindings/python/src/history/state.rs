@@ -80,7 +80,11 @@ impl State {
     #[getter]
     fn relative_displacement<'py>(slf: &Bound<'py, Self>) -> Option<(Array<'py>, Array<'py>)> {
         let fields = slf.get().0.relative_displacement()?;
-        Some(fields.map(|field| crate::array::copy(slf.py(), field)).into())
+        Some(
+            fields
+                .map(|field| crate::array::copy(slf.py(), field))
+                .into(),
+        )
     }
 
     /// What has yielded for good, if it stays (lengths).
@@ -201,7 +205,10 @@ impl State {
     fn __reduce__<'py>(
         slf: &Bound<'py, Self>,
     ) -> PyResult<(Bound<'py, PyAny>, (Bound<'py, PyType>, Bound<'py, PyBytes>))> {
-        let restore = slf.py().import("stickslip._stickslip")?.getattr("_from_bytes")?;
+        let restore = slf
+            .py()
+            .import("stickslip._stickslip")?
+            .getattr("_from_bytes")?;
         Ok((restore, (slf.get_type(), slf.get().to_bytes(slf.py()))))
     }
 
@@ -218,8 +225,8 @@ impl State {
 /// What pickle calls for what has bytes of its own.
 #[pyfunction]
 pub(crate) fn _from_bytes<'py>(
-    class: Bound<'py, PyType>,
+    kind: Bound<'py, PyType>,
     bytes: Bound<'py, PyBytes>,
 ) -> PyResult<Bound<'py, PyAny>> {
-    class.call_method1("from_bytes", (bytes,))
+    kind.call_method1("from_bytes", (bytes,))
 }

@@ -31,7 +31,10 @@ struct Numbers {
 /// Where its fields are.
 enum Fields {
     /// With the history, until it takes another step.
-    Last { history: Py<History>, number: u64 },
+    Last {
+        history: Py<History>,
+        number: u64,
+    },
     Kept(Arc<stickslip::history::StepResult>),
 }
 

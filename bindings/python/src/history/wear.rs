@@ -26,7 +26,9 @@ impl Given {
         if let Some(uniform) = coefficient.number() {
             return Ok(Self::Uniform(uniform));
         }
-        coefficient.on(py, "coefficient of wear", grid).map(Self::PerCell)
+        coefficient
+            .on(py, "coefficient of wear", grid)
+            .map(Self::PerCell)
     }
 
     fn coefficient(&self) -> Coefficient<'_> {
@@ -47,7 +49,9 @@ fn grid_of(grid: Option<&Grid>, fields: &[&Samples<'_>]) -> PyResult<stickslip::
             return Ok(field.grid());
         }
     }
-    Err(PyTypeError::new_err("give grid=, or one of the fields as a Field, which knows it"))
+    Err(PyTypeError::new_err(
+        "give grid=, or one of the fields as a Field, which knows it",
+    ))
 }
 
 /// The depth before, zero if none is given, which the laws add to.
@@ -117,7 +121,9 @@ pub(crate) fn energy<'py>(
     let mut worn = before(py, depth.as_ref(), grid)?;
     let given = Given::of(py, &coefficient, grid)?;
     let energy = energy.on(py, "energy", grid)?;
-    unobserved(py, grid.cells(), || wear::energy(given.coefficient(), &energy, &mut worn))?;
+    unobserved(py, grid.cells(), || {
+        wear::energy(given.coefficient(), &energy, &mut worn)
+    })?;
     Ok(copy(py, &worn))
 }
 
@@ -148,7 +154,13 @@ pub(crate) fn threshold_energy<'py>(
     let accumulated = accumulated.on(py, "accumulated energy", grid)?;
     let energy = energy.on(py, "energy", grid)?;
     unobserved(py, grid.cells(), || {
-        wear::threshold_energy(given.coefficient(), threshold, &accumulated, &energy, &mut worn)
+        wear::threshold_energy(
+            given.coefficient(),
+            threshold,
+            &accumulated,
+            &energy,
+            &mut worn,
+        )
     })?;
     Ok(copy(py, &worn))
 }

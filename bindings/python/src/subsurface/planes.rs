@@ -82,10 +82,7 @@ impl Plane {
 
     /// Displacement along x, y and z (lengths), if it was asked for.
     #[getter]
-    fn displacement<'py>(
-        &self,
-        py: Python<'py>,
-    ) -> Option<(Array<'py>, Array<'py>, Array<'py>)> {
+    fn displacement<'py>(&self, py: Python<'py>) -> Option<(Array<'py>, Array<'py>, Array<'py>)> {
         let fields = self.0.displacement()?;
         Some(fields.map(|field| copy(py, field)).into())
     }
@@ -115,7 +112,12 @@ impl Plane {
 
     fn __repr__(&self) -> String {
         let grid = self.0.grid();
-        format!("Plane({} x {} cells, z={:.6e})", grid.nx(), grid.ny(), self.0.z())
+        format!(
+            "Plane({} x {} cells, z={:.6e})",
+            grid.nx(),
+            grid.ny(),
+            self.0.z()
+        )
     }
 }
 
@@ -159,7 +161,11 @@ impl Planes {
         displacements: bool,
     ) -> PyResult<Self> {
         let planes = subsurface::Planes::new(&bodies.0, &depths).or_raise(py)?;
-        let planes = if displacements { planes.with_displacements() } else { planes };
+        let planes = if displacements {
+            planes.with_displacements()
+        } else {
+            planes
+        };
         Ok(Self {
             planes: Mutex::new(planes),
             bodies,
@@ -186,7 +192,10 @@ impl Planes {
         let held = held(py, &parts, grid)?;
         let mut planes = lock(&self.planes, "planes")?;
         let planes = &mut *planes;
-        unobserved(py, grid.cells(), || planes.solve(index, body.0, held.tractions())).map(Plane)
+        unobserved(py, grid.cells(), || {
+            planes.solve(index, body.0, held.tractions())
+        })
+        .map(Plane)
     }
 
     /// The planes of all depths in a body.
@@ -203,7 +212,10 @@ impl Planes {
         let planes = &mut *planes;
         let depths = 0..planes.depths().len();
         let solved = depths.map(|index| {
-            unobserved(py, grid.cells(), || planes.solve(index, body.0, held.tractions())).map(Plane)
+            unobserved(py, grid.cells(), || {
+                planes.solve(index, body.0, held.tractions())
+            })
+            .map(Plane)
         });
         solved.collect()
     }
@@ -221,7 +233,9 @@ impl Planes {
         let held = held(py, &parts, grid)?;
         let mut planes = lock(&self.planes, "planes")?;
         let planes = &mut *planes;
-        unobserved(py, grid.cells(), || planes.write_vti(&path, body.0, held.tractions()))
+        unobserved(py, grid.cells(), || {
+            planes.write_vti(&path, body.0, held.tractions())
+        })
     }
 
     fn __repr__(&self) -> PyResult<String> {

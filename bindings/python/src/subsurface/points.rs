@@ -89,7 +89,9 @@ pub(crate) fn at_points(
     let outcome = solve(py, work, Progress::none(), |observer| {
         for portion in portions {
             let tractions = held.tractions();
-            found.extend(crate_subsurface::at_points(&bodies.0, body.0, tractions, portion)?);
+            found.extend(crate_subsurface::at_points(
+                &bodies.0, body.0, tractions, portion,
+            )?);
             if observer(None).is_break() {
                 return Err(Error::EmptyPath); // an exception takes its place
             }

@@ -46,7 +46,14 @@ impl Stress {
     #[new]
     #[pyo3(signature = (*, xx=0.0, yy=0.0, zz=0.0, xy=0.0, xz=0.0, yz=0.0))]
     fn new(xx: f64, yy: f64, zz: f64, xy: f64, xz: f64, yz: f64) -> Self {
-        Self(stickslip::subsurface::Stress { xx, yy, zz, xy, xz, yz })
+        Self(stickslip::subsurface::Stress {
+            xx,
+            yy,
+            zz,
+            xy,
+            xz,
+            yz,
+        })
     }
 
     /// Component xx.

@@ -33,7 +33,10 @@ impl<'py> FromPyObject<'_, 'py> for Loaded<'py> {
 /// It with its memory held.
 pub(crate) enum Held<'a> {
     Normal(&'a stickslip::NormalSolution),
-    Sheared(&'a stickslip::NormalSolution, &'a stickslip::TangentialSolution),
+    Sheared(
+        &'a stickslip::NormalSolution,
+        &'a stickslip::TangentialSolution,
+    ),
     Coupled(&'a stickslip::CoupledSolution),
     State(Arc<stickslip::history::State>),
     Fields(Arc<Field>, Option<[Arc<Field>; 2]>),
@@ -74,7 +77,10 @@ pub(crate) fn held<'a>(
     match parts {
         [normal, shear] if normal.is_instance_of::<NormalSolution>() => {
             let normal = normal.cast::<NormalSolution>()?.get().get();
-            Ok(Held::Sheared(normal, shear.cast::<TangentialSolution>()?.get().get()))
+            Ok(Held::Sheared(
+                normal,
+                shear.cast::<TangentialSolution>()?.get().get(),
+            ))
         }
         [one] => {
             if let Ok(normal) = one.cast::<NormalSolution>() {
