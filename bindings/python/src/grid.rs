@@ -423,9 +423,8 @@ impl FromPyObject<'_, '_> for Surroundings {
         if let Ok(boundary) = object.cast::<Boundary>() {
             return Ok(Self(boundary.get().0));
         }
-        if let Ok((name, datum)) = object.extract::<(String, f64)>()
-            && name == "periodic_along_y"
-        {
+        let named = object.extract::<(String, f64)>().ok();
+        if let Some((_, datum)) = named.filter(|(name, _)| name == "periodic_along_y") {
             return Ok(Self(stickslip::Boundary::PeriodicAlongY { datum }));
         }
         match object.extract::<String>().as_deref() {

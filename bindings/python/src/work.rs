@@ -177,13 +177,12 @@ fn in_pool<T: Send>(
         scope.spawn(|_| {
             let done = Done(&talk);
             let mut observer = |iteration: Option<&Iteration>| {
-                if let Some(iteration) = iteration
-                    && is_followed
-                    && !talk.stop.load(Ordering::Relaxed)
-                {
+                let is_stopped = || talk.stop.load(Ordering::Relaxed);
+                let shown = iteration.filter(|_| is_followed && !is_stopped());
+                if let Some(iteration) = shown {
                     talk.call(*iteration);
                 }
-                match talk.stop.load(Ordering::Relaxed) {
+                match is_stopped() {
                     false => ControlFlow::Continue(()),
                     true => ControlFlow::Break(()),
                 }
