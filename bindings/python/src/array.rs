@@ -84,11 +84,11 @@ pub(crate) fn copy<'py>(py: Python<'py>, field: &stickslip::Field) -> Array<'py>
 }
 
 /// Bytes per cell, as an array of the grid.
-pub(crate) fn bytes<'py>(
-    py: Python<'py>,
+pub(crate) fn bytes(
+    py: Python<'_>,
     grid: stickslip::Grid,
     of_cells: impl Iterator<Item = u8>,
-) -> Array<'py> {
+) -> Array<'_> {
     let array = of_cells.collect::<Vec<_>>().into_pyarray(py);
     shaped(&array, grid)
 }

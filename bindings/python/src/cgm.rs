@@ -262,9 +262,10 @@ pub(crate) fn minimise<'py>(
                     .unwrap_or_else(PoisonError::into_inner);
                 raised.is_some()
             });
-            match has_failed {
-                true => ControlFlow::Break(()),
-                false => observer(Some(iteration)),
+            if has_failed {
+                ControlFlow::Break(())
+            } else {
+                observer(Some(iteration))
             }
         };
         match preconditioner {

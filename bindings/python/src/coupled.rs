@@ -317,12 +317,12 @@ impl CoupledProblem {
     }
 }
 
-fn finished<'py>(
-    py: Python<'py>,
+fn finished(
+    py: Python<'_>,
     outcome: stickslip::Result<()>,
     solution: Option<Arc<stickslip::CoupledSolution>>,
     is_warned: bool,
-) -> PyResult<Bound<'py, CoupledSolution>> {
+) -> PyResult<Bound<'_, CoupledSolution>> {
     let object = || {
         let solution = solution.ok_or_else(|| PyRuntimeError::new_err("the solve left nothing"))?;
         Bound::new(py, CoupledSolution(solution))
@@ -330,7 +330,7 @@ fn finished<'py>(
     match outcome {
         Ok(()) => {
             let solution = object()?;
-            warn(py, is_warned, solution.get().0.warnings())?;
+            warn(py, is_warned, || solution.get().0.warnings())?;
             Ok(solution)
         }
         Err(error) => Err(with_iterate(py, error, || object().map(Bound::into_any))),

@@ -38,14 +38,13 @@ impl Friction {
         max_shear_stress: Option<f64>,
         grid: Option<&Grid>,
     ) -> PyResult<Self> {
-        let friction = match coefficient.extract::<f64>() {
-            Ok(uniform) => stickslip::Friction::coulomb(uniform),
-            Err(_) => {
-                let samples: Samples<'_> = coefficient.extract()?;
-                let grid = grid_of(grid, &samples, "coefficient of friction")?;
-                let cells = samples.on(py, "coefficient of friction", grid)?;
-                stickslip::Friction::per_cell((*cells).clone())
-            }
+        let friction = if let Ok(uniform) = coefficient.extract::<f64>() {
+            stickslip::Friction::coulomb(uniform)
+        } else {
+            let samples: Samples<'_> = coefficient.extract()?;
+            let grid = grid_of(grid, &samples, "coefficient of friction")?;
+            let cells = samples.on(py, "coefficient of friction", grid)?;
+            stickslip::Friction::per_cell((*cells).clone())
         };
         let friction = friction.or_raise(py)?;
         match max_shear_stress {
@@ -127,13 +126,12 @@ impl Hardness {
     #[pyo3(signature = (limit, *, grid=None))]
     fn new(py: Python<'_>, limit: Bound<'_, PyAny>, grid: Option<&Grid>) -> PyResult<Self> {
         use stickslip::normal::Hardness as Limit;
-        let hardness = match limit.extract::<f64>() {
-            Ok(uniform) => Limit::uniform(uniform),
-            Err(_) => {
-                let samples: Samples<'_> = limit.extract()?;
-                let grid = grid_of(grid, &samples, "hardness")?;
-                Limit::per_cell((*samples.on(py, "hardness", grid)?).clone())
-            }
+        let hardness = if let Ok(uniform) = limit.extract::<f64>() {
+            Limit::uniform(uniform)
+        } else {
+            let samples: Samples<'_> = limit.extract()?;
+            let grid = grid_of(grid, &samples, "hardness")?;
+            Limit::per_cell((*samples.on(py, "hardness", grid)?).clone())
         };
         hardness.or_raise(py).map(Self)
     }

@@ -335,12 +335,12 @@ impl NormalProblem {
 }
 
 /// The solution as an object, or the exception, which has the last iterate.
-fn finished<'py>(
-    py: Python<'py>,
+fn finished(
+    py: Python<'_>,
     outcome: stickslip::Result<()>,
     solution: Option<Arc<stickslip::NormalSolution>>,
     is_warned: bool,
-) -> PyResult<Bound<'py, NormalSolution>> {
+) -> PyResult<Bound<'_, NormalSolution>> {
     let object = || {
         let solution = solution.ok_or_else(|| PyRuntimeError::new_err("the solve left nothing"))?;
         Bound::new(py, NormalSolution::own(solution))
@@ -348,7 +348,7 @@ fn finished<'py>(
     match outcome {
         Ok(()) => {
             let solution = object()?;
-            warn(py, is_warned, solution.get().get().warnings())?;
+            warn(py, is_warned, || solution.get().get().warnings())?;
             Ok(solution)
         }
         Err(error) => Err(with_iterate(py, error, || object().map(Bound::into_any))),

@@ -270,7 +270,7 @@ impl TensorOperator {
             target(&from[2], None)?,
         ];
         {
-            let [mut u, mut v, mut w] = to.each_ref().map(|array| array.readwrite());
+            let [mut u, mut v, mut w] = to.each_ref().map(PyArrayMethods::readwrite);
             let from = [
                 from[0].as_slice()?,
                 from[1].as_slice()?,

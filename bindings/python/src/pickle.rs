@@ -22,6 +22,9 @@ pub(crate) type Reduced<'py> = (
     (&'static str, &'static str, Bound<'py, PyBytes>),
 );
 
+/// The same of what has bytes of its own: what restores it, and its arguments.
+pub(crate) type ByItself<'py, A> = (Bound<'py, PyAny>, A);
+
 /// What restores an object of this content.
 pub(crate) fn reduced<'py, T: Stored>(
     py: Python<'py>,

@@ -202,18 +202,18 @@ impl Warning {
     }
 }
 
-/// Passes the remarks on to ``warnings.warn``, if that is wanted.
+/// Passes the remarks on to ``warnings.warn``, if that is wanted; only then are they looked for.
 pub(crate) fn warn(
     py: Python<'_>,
     is_wanted: bool,
-    warnings: Vec<stickslip::Warning>,
+    warnings: impl FnOnce() -> Vec<stickslip::Warning>,
 ) -> PyResult<()> {
-    if !is_wanted || warnings.is_empty() {
+    if !is_wanted {
         return Ok(());
     }
     let category = py.import("stickslip.errors")?.getattr("ContactWarning")?;
     let module = py.import("warnings")?;
-    for warning in warnings {
+    for warning in warnings() {
         module.call_method1("warn", (warning.to_string(), &category, 2))?;
     }
     Ok(())

@@ -90,7 +90,7 @@ impl ContactSpots {
     /// The spot of the largest area.
     #[getter]
     fn largest(&self) -> Option<Spot> {
-        self.0.largest().cloned().map(Spot)
+        self.0.largest().copied().map(Spot)
     }
 
     fn __len__(&self) -> usize {
@@ -102,7 +102,7 @@ impl ContactSpots {
         let from_end = if index < 0 { spots.len() } else { 0 };
         let place = from_end.checked_add_signed(index);
         let spot = place.and_then(|place| spots.get(place));
-        spot.cloned()
+        spot.copied()
             .map(Spot)
             .ok_or_else(|| PyIndexError::new_err(format!("no spot {index} of {}", spots.len())))
     }

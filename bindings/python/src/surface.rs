@@ -386,6 +386,7 @@ impl SelfAffine {
         seed: Option<u64>,
     ) -> PyResult<Self> {
         use surface::SelfAffine as Recipe;
+        type Setting = (Option<f64>, fn(Recipe, f64) -> Recipe);
         let mut recipe = match (rms_height, rms_slope) {
             (Some(height), None) => Recipe::with_rms_height(height),
             (None, Some(slope)) => Recipe::with_rms_slope(slope),
@@ -393,7 +394,7 @@ impl SelfAffine {
                 return Err(PyTypeError::new_err("give one of rms_height and rms_slope"));
             }
         };
-        let numbers: [(Option<f64>, fn(Recipe, f64) -> Recipe); 6] = [
+        let numbers: [Setting; 6] = [
             (hurst, Recipe::hurst),
             (longest_wavelength, Recipe::longest_wavelength),
             (roll_off_wavelength, Recipe::roll_off_wavelength),

@@ -502,12 +502,12 @@ pub(crate) fn whole_load(
     }
 }
 
-fn finished<'py>(
-    py: Python<'py>,
+fn finished(
+    py: Python<'_>,
     outcome: stickslip::Result<()>,
     solution: Option<Arc<stickslip::TangentialSolution>>,
     is_warned: bool,
-) -> PyResult<Bound<'py, TangentialSolution>> {
+) -> PyResult<Bound<'_, TangentialSolution>> {
     let object = || {
         let solution = solution.ok_or_else(|| PyRuntimeError::new_err("the solve left nothing"))?;
         Bound::new(py, TangentialSolution::own(solution))
@@ -515,7 +515,7 @@ fn finished<'py>(
     match outcome {
         Ok(()) => {
             let solution = object()?;
-            warn(py, is_warned, solution.get().get().warnings())?;
+            warn(py, is_warned, || solution.get().get().warnings())?;
             Ok(solution)
         }
         Err(error) => Err(with_iterate(py, error, || object().map(Bound::into_any))),

@@ -45,7 +45,7 @@ pub(crate) fn solve<T: Send>(
     }
     let callback = progress.callback();
     let (outcome, interruption) = if cells <= SHORT {
-        in_place(py, callback, work)?
+        in_place(py, callback, work)
     } else {
         in_pool(py, callback, work)?
     };
@@ -78,7 +78,7 @@ fn in_place<T: Send>(
     py: Python<'_>,
     callback: Option<&Py<PyAny>>,
     work: impl FnOnce(Observer<'_>) -> Result<T> + Send,
-) -> PyResult<Ended<T>> {
+) -> Ended<T> {
     let mut interruption = None;
     let outcome = py.detach(|| {
         let mut looked = Instant::now();
@@ -101,7 +101,7 @@ fn in_place<T: Send>(
         };
         pool::alone(|| work(&mut observer))
     });
-    Ok((outcome, interruption))
+    (outcome, interruption)
 }
 
 /// What the thread of the solve and the calling thread say to each other.
@@ -182,9 +182,10 @@ fn in_pool<T: Send>(
                 if let Some(iteration) = shown {
                     talk.call(*iteration);
                 }
-                match is_stopped() {
-                    false => ControlFlow::Continue(()),
-                    true => ControlFlow::Break(()),
+                if is_stopped() {
+                    ControlFlow::Break(())
+                } else {
+                    ControlFlow::Continue(())
                 }
             };
             outcome = Some(work(&mut observer));

@@ -37,7 +37,7 @@ closed_form! {
     also {
         /// The same contact with another coefficient kappa (a number).
         fn with_area_coefficient(&self, py: Python<'_>, area_coefficient: f64) -> PyResult<Self> {
-            self.0.clone().with_area_coefficient(area_coefficient).or_raise(py).map(Self)
+            self.0.with_area_coefficient(area_coefficient).or_raise(py).map(Self)
         }
 
         /// Fraction of the real contact area that sticks under the mean traction ``mean_traction``, a tangential force
@@ -86,7 +86,7 @@ closed_form! {
     also {
         /// The same contact with another coefficient kappa (a number), for example one of those listed at Persson.
         fn with_area_coefficient(&self, py: Python<'_>, area_coefficient: f64) -> PyResult<Self> {
-            self.0.clone().with_area_coefficient(area_coefficient).or_raise(py).map(Self)
+            self.0.with_area_coefficient(area_coefficient).or_raise(py).map(Self)
         }
 
         /// The relative area A_r of any rough sphere at the reduced pressure ``reduced_pressure`` P, with the

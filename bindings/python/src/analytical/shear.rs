@@ -125,7 +125,7 @@ closed_form! {
         /// With this strain of body 1 along x less that of body 2, positive where it is stretched. A bulk stress sigma
         /// along x in one body strains it by sigma (1 - nu ^2)/E in plane strain.
         fn with_strain(&self, py: Python<'_>, strain: f64) -> PyResult<Self> {
-            self.0.clone().with_strain(strain).or_raise(py).map(Self)
+            self.0.with_strain(strain).or_raise(py).map(Self)
         }
     }
 }

@@ -12,6 +12,7 @@ use crate::friction::{Friction, Hardness};
 use crate::grid::{Boundary, ElasticPair, Grid};
 use crate::held::pair;
 use crate::normal::NormalSolution;
+use crate::pickle::ByItself;
 use crate::settings::Settings;
 
 /// A state of a history: what to return to, to continue from, or to save. Arrays are read-only views of its memory,
@@ -204,7 +205,7 @@ impl State {
 
     fn __reduce__<'py>(
         slf: &Bound<'py, Self>,
-    ) -> PyResult<(Bound<'py, PyAny>, (Bound<'py, PyType>, Bound<'py, PyBytes>))> {
+    ) -> PyResult<ByItself<'py, (Bound<'py, PyType>, Bound<'py, PyBytes>)>> {
         let restore = slf
             .py()
             .import("stickslip._stickslip")?

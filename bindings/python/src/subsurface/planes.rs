@@ -188,7 +188,7 @@ impl Planes {
         tractions: Loaded<'_>,
     ) -> PyResult<Plane> {
         let grid = self.bodies.0.grid();
-        let parts = tractions.parts()?;
+        let parts = tractions.parts();
         let held = held(py, &parts, grid)?;
         let mut planes = lock(&self.planes, "planes")?;
         let planes = &mut *planes;
@@ -206,7 +206,7 @@ impl Planes {
         tractions: Loaded<'_>,
     ) -> PyResult<Vec<Plane>> {
         let grid = self.bodies.0.grid();
-        let parts = tractions.parts()?;
+        let parts = tractions.parts();
         let held = held(py, &parts, grid)?;
         let mut planes = lock(&self.planes, "planes")?;
         let planes = &mut *planes;
@@ -229,7 +229,7 @@ impl Planes {
         tractions: Loaded<'_>,
     ) -> PyResult<()> {
         let grid = self.bodies.0.grid();
-        let parts = tractions.parts()?;
+        let parts = tractions.parts();
         let held = held(py, &parts, grid)?;
         let mut planes = lock(&self.planes, "planes")?;
         let planes = &mut *planes;

@@ -75,7 +75,7 @@ pub(crate) fn at_points(
     points: Vec<[f64; 3]>,
 ) -> PyResult<Vec<Response>> {
     let grid = bodies.0.grid();
-    let parts = tractions.parts()?;
+    let parts = tractions.parts();
     let held = held(py, &parts, grid)?;
     let portion = (UNWATCHED / grid.cells()).max(1);
     let work = grid.cells().saturating_mul(points.len());

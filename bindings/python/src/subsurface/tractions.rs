@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
+use pyo3::types::PyTuple;
 #[cfg(feature = "stubs")]
 use pyo3::{inspect::PyStaticExpr, type_hint_identifier};
 use stickslip::Field;
@@ -56,10 +57,10 @@ impl Held<'_> {
 }
 
 impl<'py> Loaded<'py> {
-    pub(crate) fn parts(&self) -> PyResult<Vec<Bound<'py, PyAny>>> {
-        match self.0.cast::<pyo3::types::PyTuple>() {
-            Ok(parts) => Ok(parts.iter().collect()),
-            Err(_) => Ok(vec![self.0.clone()]),
+    pub(crate) fn parts(&self) -> Vec<Bound<'py, PyAny>> {
+        match self.0.cast::<PyTuple>() {
+            Ok(parts) => parts.iter().collect(),
+            Err(_) => vec![self.0.clone()],
         }
     }
 }

@@ -22,6 +22,7 @@ use crate::held::{lock, pair};
 use crate::history::{State, StepResult};
 use crate::load::{self, LoadStep, Tangential};
 use crate::normal::NormalSolution;
+use crate::pickle::ByItself;
 use crate::progress::Progress;
 use crate::report::warn;
 use crate::settings::{Settings, chosen};
@@ -29,6 +30,9 @@ use crate::spots::ContactSpots;
 use crate::stiffness::ContactStiffness;
 use crate::tangential::RelativeDisplacement;
 use crate::work::{solve, unobserved};
+
+/// The class, the bodies and the bytes of a history.
+type Saved<'py> = (Bound<'py, PyType>, HalfSpace, Bound<'py, PyBytes>);
 
 /// Two bodies in contact that remember their load: pressure, traction, slip and energy, step by step.
 ///
@@ -259,7 +263,7 @@ impl History {
         outcome.or_raise(py)?;
         let step = StepResult::last(work.history.last_step(), slf.clone().unbind(), number);
         drop(work);
-        self::warn(py, warn, step.warnings_of())?;
+        self::warn(py, warn, || step.warnings_of())?;
         Ok(step)
     }
 
@@ -556,12 +560,7 @@ impl History {
         unobserved(py, self.cells(), || history.stiffness()).map(ContactStiffness)
     }
 
-    fn __reduce__<'py>(
-        slf: &Bound<'py, Self>,
-    ) -> PyResult<(
-        Bound<'py, PyAny>,
-        (Bound<'py, PyType>, HalfSpace, Bound<'py, PyBytes>),
-    )> {
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<ByItself<'py, Saved<'py>>> {
         let restore = slf
             .py()
             .import("stickslip._stickslip")?
