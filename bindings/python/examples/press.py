@@ -1,0 +1,37 @@
+"""A steel ball is pressed on steel: force against approach, and the pressure against Hertz."""
+
+import numpy as np
+
+import stickslip as ss
+
+RADIUS = 3.5e-3
+
+grid = ss.Grid.square(128, 0.4e-3)
+steel = ss.Material(213e9, 0.29)
+bodies = ss.HalfSpace(grid, (steel, steel))
+solver = ss.NormalSolver(bodies, ss.surface.sphere(grid, RADIUS), force=0.0)
+
+print("force, N   approach, um   Hertz, um   max. pressure, GPa   certified error")
+for force in np.linspace(20.0, 100.0, 5):
+    contact = solver.solve(force=force)
+    hertz = ss.analytical.HertzSphere(bodies.pair, RADIUS, force)
+    print(
+        f"{force:8.0f}   {contact.approach * 1e6:12.4f}   {hertz.approach * 1e6:9.4f}"
+        f"   {contact.pressure.max() / 1e9:18.4f}   {contact.report.energy_error_bound:15.1e}"
+    )
+    assert abs(contact.approach / hertz.approach - 1.0) < 1e-3
+
+x, y = np.meshgrid(grid.x, grid.y)
+exact = hertz.pressure(np.hypot(x, y))
+difference = np.abs(contact.pressure - exact).sum() / exact.sum()
+print(f"pressure under {force:.0f} N: differs from Hertz by {difference:.1e}, summed over the cells")
+assert difference < 3e-3
+
+try:
+    from stickslip import plot
+    import matplotlib.pyplot as pyplot
+except ImportError:
+    print("no matplotlib, no picture")
+else:
+    plot.pressure_map(contact, scale=1e3).set_title("pressure, Pa; lengths in mm")
+    pyplot.savefig("press.png")

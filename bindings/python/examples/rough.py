@@ -1,0 +1,45 @@
+"""A rough surface is pressed: area against load beside Persson's law, and the work that an accuracy takes."""
+
+import numpy as np
+
+import stickslip as ss
+
+grid = ss.Grid.square(128, 1.0)
+bodies = ss.HalfSpace(grid, (ss.Material(1.0, 0.3), ss.Material.rigid()), boundary="periodic")
+recipe = ss.surface.SelfAffine(rms_slope=0.1, hurst=0.8, roll_off_wavelength=0.25, cut_off_wavelength=0.05, seed=1)
+heights = recipe.generate(grid).heights
+print(ss.surface.Statistics(heights))
+
+gap = ss.surface.gap_from_heights(heights)
+solver = ss.NormalSolver(bodies, gap, force=0.0, tolerance=1e-6)
+print("mean pressure / E* slope   area, %   Persson, %   spots")
+areas = []
+for reduced in (0.02, 0.05, 0.1, 0.2):
+    pressure = reduced * bodies.pair.contact_modulus * 0.1
+    contact = solver.solve(force=pressure * grid.area)
+    persson = ss.analytical.Persson(bodies.pair, 0.1, pressure)
+    areas.append(contact.contact_area_corrected / grid.area)
+    print(f"{reduced:24.2f}   {100 * areas[-1]:7.2f}   {100 * persson.contact_fraction:10.2f}   {len(contact.spots):5d}")
+assert np.all(np.diff(areas) > 0.0) and abs(areas[2] / 0.16 - 1.0) < 0.35
+
+reports = [
+    ss.NormalProblem(bodies, gap, force=pressure * grid.area, tolerance=tolerance).solve().report
+    for tolerance in (1e-2, 1e-4, 1e-6, 1e-8)
+]
+for report in reports:
+    print(report)
+
+shear = ss.TangentialProblem(bodies, contact, 0.3, force_x=0.15 * contact.force).solve()
+print(f"at half the friction limit {100 * shear.stick_ratio:.0f} % of the contact sticks")
+
+try:
+    from stickslip import plot
+    import matplotlib.pyplot as pyplot
+except ImportError:
+    print("no matplotlib, no picture")
+else:
+    _, axes = pyplot.subplots(1, 3, figsize=(15, 4))
+    plot.pressure_map(contact, axes[0])
+    plot.stick_map(shear, axes[1])
+    plot.work_precision(reports, axes[2])
+    pyplot.savefig("rough.png")

@@ -1,0 +1,57 @@
+"""A pressed ball is dragged up to sliding, then to and fro: stick zone, hysteresis, and the closed forms."""
+
+import numpy as np
+
+import stickslip as ss
+
+RADIUS, FORCE, FRICTION = 3.5e-3, 100.0, 0.5
+
+grid = ss.Grid.square(96, 0.3e-3)
+steel = ss.Material(213e9, 0.29)
+bodies = ss.HalfSpace(grid, (steel, steel))
+ball = ss.surface.sphere(grid, RADIUS)
+hertz = ss.analytical.HertzSphere(bodies.pair, RADIUS, FORCE)
+normal = ss.NormalProblem(bodies, ball, force=FORCE).solve()
+
+print("force, N   shift, um   exact, um   stick ratio   exact")
+solver = ss.TangentialProblem(bodies, normal, FRICTION, force_x=0.0).solver()
+for force in (10.0, 20.0, 30.0, 40.0):
+    shear = solver.solve(force_x=force)
+    exact = ss.analytical.CattaneoMindlin(hertz, FRICTION, force)
+    print(
+        f"{force:8.0f}   {shear.shift[0] * 1e6:9.4f}   {exact.shift * 1e6:9.4f}"
+        f"   {shear.stick_ratio:11.3f}   {exact.stick_ratio:5.3f}"
+    )
+    assert abs(shear.shift[0] / exact.shift - 1.0) < 2e-3
+
+try:
+    solver.solve(force_x=60.0)
+except ss.BeyondFrictionCapacity as beyond:
+    print(f"{beyond.force:.0f} N are more than the {beyond.limit:.0f} N that friction holds")
+
+# What slipped on the way is remembered: a loop of force over shift.
+history = ss.History(bodies, ball, FRICTION)
+history.step(normal_force=FORCE)
+cycle = ss.history.Cycle(history)
+for _ in range(2):
+    cycle.begin(history)
+    for x, _ in ss.history.LoadPath.sine((40.0, 0.0), 24).cycles(1):
+        history.step(force_x=x)
+        cycle.add(history)
+quarter = ss.analytical.MindlinDeresiewicz(hertz, FRICTION, [40.0, -40.0, 40.0])
+print(
+    f"a cycle dissipates {cycle.energy.dissipated_energy * 1e6:.3f} uJ, exactly {quarter.energy_per_cycle * 1e6:.3f} uJ"
+)
+assert abs(cycle.energy.dissipated_energy / quarter.energy_per_cycle - 1.0) < 0.02
+assert np.isclose(cycle.points[0].force[0], cycle.points[-1].force[0], atol=1e-9)
+
+try:
+    from stickslip import plot
+    import matplotlib.pyplot as pyplot
+except ImportError:
+    print("no matplotlib, no picture")
+else:
+    _, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4))
+    plot.stick_map(shear, left, scale=1e3)
+    plot.hysteresis(cycle, right)
+    pyplot.savefig("shear.png")

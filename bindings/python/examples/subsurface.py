@@ -1,0 +1,49 @@
+"""Stresses below a dragged ball: von Mises on planes, the deepest point by its depth, a volume for ParaView."""
+
+import pathlib
+import tempfile
+
+import numpy as np
+
+import stickslip as ss
+
+grid = ss.Grid.square(64, 0.4)
+steel = ss.Material(210e3, 0.3)  # MPa, mm
+bodies = ss.HalfSpace(grid, (steel, steel))
+contact = ss.NormalProblem(bodies, ss.surface.sphere(grid, 5.0), force=100.0).solve()
+shear = ss.TangentialProblem(bodies, contact, 0.3, force_x=25.0).solve()
+hertz = ss.analytical.HertzSphere(bodies.pair, 5.0, 100.0)
+
+depths = np.linspace(0.0, 1.5, 13) * hertz.contact_radius
+planes = ss.subsurface.Planes(bodies, depths)
+pressed, dragged = planes.solve_all("one", contact), planes.solve_all("one", (contact, shear))
+print("depth / a   von Mises / p0, pressed   dragged")
+for still, moved in zip(pressed[::2], dragged[::2]):
+    print(
+        f"{still.depth / hertz.contact_radius:9.2f}   {still.von_mises.max() / hertz.max_pressure:23.3f}"
+        f"   {moved.von_mises.max() / hertz.max_pressure:7.3f}"
+    )
+deepest = max(pressed, key=lambda plane: plane.max_shear.max())
+assert abs(deepest.depth / hertz.contact_radius - 0.48) < 0.1
+assert abs(deepest.max_shear.max() / hertz.max_pressure - 0.31) < 0.01
+
+[below] = ss.subsurface.at_points(bodies, "one", contact, [(0.0, 0.0, deepest.depth)])
+print(f"on the axis: {below.stress}, principal {below.stress.principal.values}")
+
+with tempfile.TemporaryDirectory() as folder:
+    file = pathlib.Path(folder) / "stress.vti"
+    planes.write_vti(file, "one", (contact, shear))
+    print(f"volume for ParaView: {file.stat().st_size} bytes")
+
+try:
+    from stickslip import plot
+    import matplotlib.pyplot as pyplot
+except ImportError:
+    print("no matplotlib, no picture")
+else:
+    section = np.array([plane.von_mises[grid.ny // 2] for plane in dragged])
+    figure, axes = pyplot.subplots()
+    image = axes.contourf(grid.x, depths, section)
+    axes.invert_yaxis()
+    figure.colorbar(image, label="von Mises, MPa")
+    pyplot.savefig("subsurface.png")

@@ -1,0 +1,53 @@
+"""Fretting wear of a ball by the energy that each cell dissipates, with jumps over cycles; the state is saved."""
+
+import pathlib
+import tempfile
+
+import stickslip as ss
+from stickslip.history import FrettingLoop, LoadPath
+
+FORCE, CYCLES, COEFFICIENT = 100.0, 20000.0, 1e-13  # N, cycles, m^3/J
+
+grid = ss.Grid.square(48, 0.3e-3)
+steel = ss.Material(213e9, 0.29)
+bodies = ss.HalfSpace(grid, (steel, steel))
+gap = ss.surface.sphere(grid, 3.5e-3)
+history = ss.History(bodies, gap, 0.5, tolerance=1e-6)
+path = LoadPath.triangle((1e-6, 0.0), 8)
+# After each jump as many cycles as it takes until one stands for those that follow.
+loop = FrettingLoop(path, lambda shift: ss.LoadStep(normal_force=FORCE, shift=shift), until_steady=0.05)
+
+done, jumps, worn_volume = 0.0, 0, 0.0
+while done < CYCLES:
+    cycle = loop.run(history, 10).last
+    if jumps == 0:
+        sharpest = history.pressure.max()
+    depth = ss.wear.energy(COEFFICIENT, cycle.dissipated_energy, grid=grid)
+    jump = ss.wear.CycleJump(
+        bodies, cycle, depth, largest_depth=0.05 * history.approach, cycles_left=CYCLES - done, closed_within=0.05
+    ).cycles()
+    worn = ss.Field(grid, jump * depth)
+    gap = gap + worn
+    history.set_gap(gap)
+    worn_volume += worn.integral()
+    done, jumps = done + jump, jumps + 1
+
+print(f"{done:.0f} cycles in {jumps} jumps: {worn_volume * 1e18:.2f} um^3 worn, {cycle.regime}, {cycle.summary_as_csv()}")
+assert worn_volume > 0.0 and cycle.regime == ss.history.Regime.PARTIAL_SLIP
+
+with tempfile.TemporaryDirectory() as folder:
+    file = pathlib.Path(folder) / "worn"
+    history.save(file)
+    restored = ss.History.load(bodies, file)
+step, again = history.step(normal_force=FORCE), restored.step(normal_force=FORCE)
+assert step.approach == again.approach  # to the last bit
+print(f"largest pressure {sharpest / 1e9:.2f} GPa before, {history.pressure.max() / 1e9:.2f} GPa after")
+
+try:
+    from stickslip import plot
+    import matplotlib.pyplot as pyplot
+except ImportError:
+    print("no matplotlib, no picture")
+else:
+    plot.hysteresis(cycle)
+    pyplot.savefig("wear.png")

@@ -1,0 +1,143 @@
+"""Normal and stick-slip contact of smooth and rough elastic bodies, fast and with certified error bounds.
+
+Two elastic bodies are pressed together and loaded tangentially. The package computes the pressure and the contact area,
+then the shear traction, the stick zone and the slip zone under Coulomb friction, for one load or a history of loads.
+
+>>> import stickslip as ss
+>>> grid = ss.Grid.square(128, 0.4e-3)                  # 128 x 128 cells on a square of side 0.4 mm; SI units
+>>> steel = ss.Material(213e9, 0.29)
+>>> bodies = ss.HalfSpace(grid, (steel, steel))
+>>> ball = ss.surface.sphere(grid, 3.5e-3)              # the gap before loading
+>>> normal = ss.NormalProblem(bodies, ball, force=100.0).solve()
+>>> shear = ss.TangentialProblem(bodies, normal, 0.5, force_x=20.0).solve()
+>>> round(shear.stick_ratio, 2), normal.pressure.shape
+(0.71, (128, 128))
+
+Any consistent system of units. z points into body 1; pressure is positive in compression; traction and tangential force
+are those that body 2 exerts on body 1; the shift is the rigid motion of body 2 relative to body 1. Fields are arrays of
+shape (ny, nx), x fastest.
+
+Arrays of solutions are read-only views of their memory. Whatever takes a field takes an array, which it copies, or a
+:class:`Field`, which is made once and shared. The GIL is released while anything is solved; Ctrl-C ends a solve at its
+next product, and leaves the state of solvers and histories as it was.
+
+Submodules are those of the Rust crate: :mod:`~stickslip.analytical`, :mod:`~stickslip.cgm`, :mod:`~stickslip.coupled`,
+:mod:`~stickslip.dense`, :mod:`~stickslip.errors`, :mod:`~stickslip.history`, :mod:`~stickslip.influence`,
+:mod:`~stickslip.io`, :mod:`~stickslip.normal`, :mod:`~stickslip.stiffness`, :mod:`~stickslip.subsurface`,
+:mod:`~stickslip.surface`, :mod:`~stickslip.tangential`; :mod:`~stickslip.plot` draws with matplotlib.
+"""
+
+from . import (
+    analytical,
+    cgm,
+    coupled,
+    dense,
+    errors,
+    fft,
+    history,
+    influence,
+    io,
+    normal,
+    stiffness,
+    subsurface,
+    surface,
+    tangential,
+    wear,
+)
+from ._enums import Axis, Coupling, Method, Status, TangentialModel, Zone
+from ._stickslip import (
+    Boundary,
+    ContactSpots,
+    CoupledProblem,
+    CoupledSolution,
+    CoupledSolver,
+    ElasticPair,
+    Field,
+    Friction,
+    Grid,
+    HalfSpace,
+    History,
+    Iteration,
+    LoadStep,
+    Material,
+    NormalProblem,
+    NormalSolution,
+    NormalSolver,
+    Report,
+    Settings,
+    Spot,
+    TangentialLoad,
+    TangentialProblem,
+    TangentialSolution,
+    TangentialSolver,
+    Warning,
+    __version__,
+    num_threads,
+    set_num_threads,
+)
+from .errors import (
+    BeyondFrictionCapacity,
+    BeyondHardness,
+    ContactWarning,
+    EmptyContact,
+    NotConverged,
+    StickslipError,
+)
+
+__all__ = [
+    "Axis",
+    "BeyondFrictionCapacity",
+    "BeyondHardness",
+    "Boundary",
+    "ContactSpots",
+    "ContactWarning",
+    "CoupledProblem",
+    "CoupledSolution",
+    "CoupledSolver",
+    "Coupling",
+    "ElasticPair",
+    "EmptyContact",
+    "Field",
+    "Friction",
+    "Grid",
+    "HalfSpace",
+    "History",
+    "Iteration",
+    "LoadStep",
+    "Material",
+    "Method",
+    "NormalProblem",
+    "NormalSolution",
+    "NormalSolver",
+    "NotConverged",
+    "Report",
+    "Settings",
+    "Spot",
+    "Status",
+    "StickslipError",
+    "TangentialLoad",
+    "TangentialModel",
+    "TangentialProblem",
+    "TangentialSolution",
+    "TangentialSolver",
+    "Warning",
+    "Zone",
+    "__version__",
+    "analytical",
+    "cgm",
+    "coupled",
+    "dense",
+    "errors",
+    "fft",
+    "history",
+    "influence",
+    "io",
+    "normal",
+    "num_threads",
+    "set_num_threads",
+    "stiffness",
+    "subsurface",
+    "surface",
+    "tangential",
+    "wear",
+]

@@ -1,0 +1,115 @@
+"""Enumerations. Each member is a string, and wherever one is taken its name is too."""
+
+from enum import Enum, IntEnum
+
+
+class _Name(str, Enum):
+    def __str__(self) -> str:
+        return str(self.value)
+
+
+class Axis(_Name):
+    """An axis of the plane."""
+
+    X = "x"
+    Y = "y"
+
+
+class TangentialModel(_Name):
+    """Which tractions are found: along the axis of the load, or both components."""
+
+    SCALAR = "scalar"
+    VECTOR = "vector"
+
+
+class Coupling(_Name):
+    """How much is modelled of the coupling between pressure and shear in bodies of different materials."""
+
+    FULL = "full"
+    ONE_WAY = "one_way"
+    NEGLECTED = "neglected"
+
+
+class TouchRule(_Name):
+    """How far a cell that comes into contact within a step follows the motion of the step."""
+
+    GROWTH = "growth"
+    WHOLE_STEP = "whole_step"
+
+
+class Method(_Name):
+    """The iteration that finds the constrained minimum."""
+
+    ACTIVE_SET = "active_set"
+    POLONSKY_KEER = "polonsky_keer"
+
+
+class Status(_Name):
+    """Why an iteration ended."""
+
+    UNSOLVED = "unsolved"
+    CONVERGED = "converged"
+    ITERATION_LIMIT = "iteration_limit"
+    TIME_LIMIT = "time_limit"
+    STALLED = "stalled"
+    CANCELLED = "cancelled"
+
+
+class Regime(_Name):
+    """The regime of a cycle."""
+
+    FULL_STICK = "full_stick"
+    PARTIAL_SLIP = "partial_slip"
+    GROSS_SLIP = "gross_slip"
+
+
+class LoopEnding(_Name):
+    """Why a fretting loop ended."""
+
+    STEADY = "steady"
+    CYCLE_LIMIT = "cycle_limit"
+    STOPPED = "stopped"
+
+
+class Body(_Name):
+    """One of the two bodies; z points into body one."""
+
+    ONE = "one"
+    TWO = "two"
+
+
+class Amplitudes(_Name):
+    """Amplitudes of the waves of a rough surface: those of the spectrum, or scattered about them."""
+
+    EXACT = "exact"
+    GAUSSIAN = "gaussian"
+
+
+class Direction(_Name):
+    """A direction of a displacement or a traction."""
+
+    X = "x"
+    Y = "y"
+    Z = "z"
+
+
+class Component(_Name):
+    """A component of the influence tensor: displacement first, traction second."""
+
+    XX = "xx"
+    XY = "xy"
+    XZ = "xz"
+    YX = "yx"
+    YY = "yy"
+    YZ = "yz"
+    ZX = "zx"
+    ZY = "zy"
+    ZZ = "zz"
+
+
+class Zone(IntEnum):
+    """What a cell does; the numbers of the arrays of zones."""
+
+    SEPARATED = 0
+    STICK = 1
+    SLIP = 2

@@ -1,0 +1,5 @@
+"""Convolutions by fast transforms."""
+
+from ._stickslip import Convolution
+
+__all__ = ["Convolution"]

@@ -1,0 +1,149 @@
+"""Contacts that remember their load: steps, cycles, fretting loops, adaptive steps."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from . import wear
+from ._enums import LoopEnding, Regime, TouchRule
+from ._stickslip import (
+    AdaptiveSteps,
+    Cycle,
+    EnergyBalance,
+    History,
+    LoadPath,
+    LoadStep,
+    LoopPoint,
+    State,
+    StepError,
+    StepResult,
+)
+from .errors import Tolerance
+
+
+@dataclass(frozen=True)
+class LoopOutcome:
+    """What a fretting loop came to."""
+
+    cycles: int
+    """Whole cycles taken."""
+    ending: LoopEnding
+    """Why there were no more."""
+    last: Cycle
+    """The last cycle; incomplete if the observer broke off."""
+
+
+class FrettingLoop:
+    """Repeats a cycle of tangential load.
+
+    Parameters
+    ----------
+    path : LoadPath
+        The values (x, y) at the ends of the steps of a cycle.
+    load : callable
+        Makes a :class:`~stickslip.LoadStep` of a value.
+    until_steady : float, optional
+        Stops after the first cycle whose :attr:`Cycle.cyclic_residual` is no more than this, in (0, 1).
+
+    Raises
+    ------
+    Tolerance
+
+    Examples
+    --------
+    >>> import stickslip as ss
+    >>> from stickslip.history import FrettingLoop, LoadPath
+    >>> grid = ss.Grid.square(32, 0.3e-3)
+    >>> steel = ss.Material(213e9, 0.29)
+    >>> bodies = ss.HalfSpace(grid, (steel, steel))
+    >>> history = ss.History(bodies, ss.surface.sphere(grid, 3.5e-3), 0.5)
+    >>> path = LoadPath.sine((2e-6, 0.0), 20)
+    >>> loop = FrettingLoop(path, lambda shift: ss.LoadStep(normal_force=100.0, shift=shift), until_steady=1e-4)
+    >>> outcome = loop.run(history, 10)
+    >>> outcome.cycles, str(outcome.ending), str(outcome.last.regime)
+    (2, 'steady', 'partial_slip')
+    """
+
+    def __init__(
+        self,
+        path: LoadPath,
+        load: Callable[[tuple[float, float]], LoadStep],
+        *,
+        until_steady: float | None = None,
+    ) -> None:
+        if until_steady is not None and not 0.0 < until_steady < 1.0:
+            error = Tolerance(f"the tolerance must lie strictly between 0 and 1, got {until_steady}")
+            error.value = until_steady
+            raise error
+        self._path = path
+        self._load = load
+        self._until_steady = until_steady
+
+    def cycle(self, history: History, cycle: Cycle) -> None:
+        """Takes one cycle and adds it up in ``cycle``, which begins anew.
+
+        After a step that fails, or that Ctrl-C ends, both are as they were after the last good one.
+        """
+        self._pass(history, cycle, None)
+
+    def run(
+        self,
+        history: History,
+        cycles: int,
+        observer: Callable[[History, Cycle], object] | None = None,
+    ) -> LoopOutcome:
+        """Takes so many cycles, or fewer if one is steady before.
+
+        Parameters
+        ----------
+        history : History
+        cycles : int
+        observer : callable, optional
+            Called after every step with the history and the cycle so far. It may wear the gap, change friction or
+            write; it breaks off by returning ``False``.
+        """
+        last = Cycle(history)
+        for done in range(cycles):
+            if not self._pass(history, last, observer):
+                return LoopOutcome(done, LoopEnding.STOPPED, last)
+            if self._until_steady is not None and last.cyclic_residual <= self._until_steady:
+                return LoopOutcome(done + 1, LoopEnding.STEADY, last)
+        return LoopOutcome(cycles, LoopEnding.CYCLE_LIMIT, last)
+
+    def _pass(
+        self,
+        history: History,
+        cycle: Cycle,
+        observer: Callable[[History, Cycle], object] | None,
+    ) -> bool:
+        cycle.begin(history)
+        for value in self._path.cycles(1):
+            history.step(self._load(value))
+            cycle.add(history)
+            if observer is not None and observer(history, cycle) is False:
+                return False
+        return True
+
+    def __repr__(self) -> str:
+        return f"FrettingLoop({self._path!r}, until_steady={self._until_steady})"
+
+
+__all__ = [
+    "AdaptiveSteps",
+    "Cycle",
+    "EnergyBalance",
+    "FrettingLoop",
+    "History",
+    "LoadPath",
+    "LoadStep",
+    "LoopEnding",
+    "LoopOutcome",
+    "LoopPoint",
+    "Regime",
+    "State",
+    "StepError",
+    "StepResult",
+    "TouchRule",
+    "wear",
+]

@@ -1,0 +1,8 @@
+"""Laws of wear, and jumps over cycles; also :mod:`stickslip.history.wear`.
+
+The laws return a new array of depths. Arrays do not know their cells: give ``grid=``.
+"""
+
+from ._stickslip import CycleJump, archard, energy, max_stable_cycles, threshold_energy
+
+__all__ = ["CycleJump", "archard", "energy", "max_stable_cycles", "threshold_energy"]

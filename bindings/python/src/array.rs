@@ -1,0 +1,119 @@
+//! Fields as NumPy arrays of shape (ny, nx): read-only views of what a frozen object holds, or copies.
+
+use std::convert::Infallible;
+
+use numpy::ndarray::{ArrayView, Dimension};
+use numpy::{Element, IntoPyArray, PyArray, PyArray1, PyArray2, PyArrayMethods};
+use pyo3::PyClass;
+use pyo3::prelude::*;
+use pyo3::pyclass::boolean_struct::True;
+#[cfg(feature = "stubs")]
+use pyo3::{inspect::PyStaticExpr, type_hint_identifier};
+
+/// An array on its way to Python.
+pub(crate) struct Array<'py>(pub(crate) Bound<'py, PyAny>);
+
+impl<'py> IntoPyObject<'py> for Array<'py> {
+    type Target = PyAny;
+    type Output = Bound<'py, PyAny>;
+    type Error = Infallible;
+
+    #[cfg(feature = "stubs")]
+    const OUTPUT_TYPE: PyStaticExpr = type_hint_identifier!("numpy", "ndarray");
+
+    fn into_pyobject(self, _py: Python<'py>) -> Result<Self::Output, Infallible> {
+        Ok(self.0)
+    }
+}
+
+/// A read-only array over memory that a frozen object holds, and never changes or frees while it lives. The array holds
+/// the object.
+fn view_of<'py, T, E: Element, D: Dimension>(
+    owner: &Bound<'py, T>,
+    samples: ArrayView<'_, E, D>,
+) -> Array<'py>
+where
+    T: PyClass<Frozen = True>,
+{
+    #[allow(
+        unsafe_code,
+        reason = "an array that shares the memory of a Rust object cannot be made otherwise"
+    )]
+    // SAFETY: the callers take `samples` from a shared reference to the contents of `owner`, by a function that can
+    // return nothing shorter-lived (`for<'a> Fn(&'a T) -> &'a _`). A frozen class hands out shared references only, its
+    // fields have no interior mutability, and the array keeps `owner` alive. Nobody writes: the array is made read-only
+    // here, and NumPy allows that to be undone only where the base is a writable buffer, which `owner` is not.
+    let array = unsafe { PyArray::borrow_from_array(&samples, owner.clone().into_any()) };
+    let read_only = array.readwrite().make_nonwriteable();
+    drop(read_only);
+    Array(array.into_any())
+}
+
+/// A field of a frozen object, without a copy.
+pub(crate) fn view<'py, T>(
+    owner: &Bound<'py, T>,
+    field: impl for<'a> Fn(&'a T) -> &'a stickslip::Field,
+) -> Array<'py>
+where
+    T: PyClass<Frozen = True> + Sync,
+{
+    let field = field(owner.get());
+    let shape = (field.grid().ny(), field.grid().nx());
+    // A field has as many samples as its grid has cells.
+    match ArrayView::from_shape(shape, field.as_slice()) {
+        Ok(samples) => view_of(owner, samples),
+        Err(_) => copy(owner.py(), field),
+    }
+}
+
+/// Numbers of a frozen object, without a copy.
+pub(crate) fn view_slice<'py, T, E: Element>(
+    owner: &Bound<'py, T>,
+    numbers: impl for<'a> Fn(&'a T) -> &'a [E],
+) -> Array<'py>
+where
+    T: PyClass<Frozen = True> + Sync,
+{
+    view_of(owner, ArrayView::from(numbers(owner.get())))
+}
+
+/// A copy of a field.
+pub(crate) fn copy<'py>(py: Python<'py>, field: &stickslip::Field) -> Array<'py> {
+    let array = PyArray1::from_slice(py, field.as_slice());
+    shaped(&array, field.grid())
+}
+
+/// Bytes per cell, as an array of the grid.
+pub(crate) fn bytes(
+    py: Python<'_>,
+    grid: stickslip::Grid,
+    of_cells: impl Iterator<Item = u8>,
+) -> Array<'_> {
+    let array = of_cells.collect::<Vec<_>>().into_pyarray(py);
+    shaped(&array, grid)
+}
+
+/// Labels per cell, as an array of the grid.
+pub(crate) fn labels<'py>(py: Python<'py>, grid: stickslip::Grid, labels: &[u32]) -> Array<'py> {
+    shaped(&PyArray1::from_slice(py, labels), grid)
+}
+
+fn shaped<'py, E: Element>(flat: &Bound<'py, PyArray1<E>>, grid: stickslip::Grid) -> Array<'py> {
+    let shaped: PyResult<Bound<'py, PyArray2<E>>> = flat.reshape([grid.ny(), grid.nx()]);
+    Array(shaped.map_or_else(|_| flat.clone().into_any(), Bound::into_any))
+}
+
+/// The zones of cells as numbers: 0 separated, 1 stick, 2 slip.
+pub(crate) fn zones<'py>(
+    py: Python<'py>,
+    grid: stickslip::Grid,
+    zones: &[stickslip::Zone],
+) -> Array<'py> {
+    use stickslip::Zone;
+    let number = |zone: &Zone| match zone {
+        Zone::Separated => 0,
+        Zone::Stick => 1,
+        Zone::Slip => 2,
+    };
+    bytes(py, grid, zones.iter().map(number))
+}

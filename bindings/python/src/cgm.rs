@@ -1,0 +1,310 @@
+//! The engine: constrained minima of quadratic forms, with any operator.
+
+use std::ops::ControlFlow;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use numpy::{IntoPyArray, PyArray1};
+use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use stickslip::cgm::{self, Bounds, Problem, Total};
+use stickslip::{Iteration, Operator};
+
+use crate::array::Array;
+use crate::choice::Choice;
+use crate::error::with_iterate;
+use crate::operator::{LinearOperator, Product, numbers};
+use crate::progress::Progress;
+use crate::report::Report;
+use crate::settings::{Settings, chosen};
+use crate::work::solve;
+
+/// An operator as the engine takes it.
+#[derive(Clone)]
+struct Shared(Arc<dyn Product>);
+
+impl Operator for Shared {
+    type Workspace = ();
+
+    fn cells(&self) -> usize {
+        self.0.cells()
+    }
+
+    fn workspace(&self) {}
+
+    fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], (): &mut ()) {
+        self.0.apply(x, out);
+    }
+
+    fn apply_f32(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], (): &mut ()) {
+        self.0.apply_f32(x, out);
+    }
+
+    fn lower_bound(&self) -> f64 {
+        self.0.lower_bound()
+    }
+}
+
+/// A function of Python as an operator.
+struct Function {
+    call: Py<PyAny>,
+    cells: usize,
+    lower_bound: f64,
+    /// What it raised first; its products are then not numbers, and the solve ends.
+    raised: Mutex<Option<PyErr>>,
+}
+
+impl Function {
+    fn product(&self, x: &[f64], out: &mut [f64]) -> PyResult<()> {
+        Python::attach(|py| {
+            let product = self.call.call1(py, (PyArray1::from_slice(py, x),))?;
+            let product = numbers(product.bind(py), self.cells)?;
+            out.copy_from_slice(product.as_slice()?);
+            Ok(())
+        })
+    }
+
+    fn raised(&self) -> Option<PyErr> {
+        self.raised
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .take()
+    }
+}
+
+impl Product for Function {
+    fn cells(&self) -> usize {
+        self.cells
+    }
+
+    fn lower_bound(&self) -> f64 {
+        self.lower_bound
+    }
+
+    fn apply(&self, x: &[f64], out: &mut [f64]) {
+        if let Err(exception) = self.product(x, out) {
+            out.fill(f64::NAN);
+            let mut raised = self.raised.lock().unwrap_or_else(PoisonError::into_inner);
+            raised.get_or_insert(exception);
+        }
+    }
+
+    fn apply_f32(&self, x: &[f64], out: &mut [f64]) {
+        self.apply(x, out);
+    }
+}
+
+/// Lower and upper bounds of so many unknowns; zero and infinite by default.
+pub(crate) fn bounds(
+    lower: Option<Bound<'_, PyAny>>,
+    upper: Option<Bound<'_, PyAny>>,
+    cells: usize,
+) -> PyResult<[Vec<f64>; 2]> {
+    let bound = |given: Option<Bound<'_, PyAny>>, default: f64| match given {
+        None => Ok(vec![default; cells]),
+        Some(object) => match object.extract::<f64>() {
+            Ok(value) => Ok(vec![value; cells]),
+            Err(_) => Ok::<_, PyErr>(numbers(&object, cells)?.as_slice()?.to_vec()),
+        },
+    };
+    Ok([bound(lower, 0.0)?, bound(upper, f64::INFINITY)?])
+}
+
+/// A constrained minimum.
+#[pyclass(frozen, module = "stickslip.cgm")]
+pub(crate) struct Minimum {
+    x: Py<PyAny>,
+    multiplier: f64,
+    report: stickslip::Report,
+}
+
+#[pymethods]
+impl Minimum {
+    /// The unknowns.
+    #[getter]
+    fn x<'py>(&self, py: Python<'py>) -> Array<'py> {
+        Array(self.x.bind(py).clone())
+    }
+
+    /// The multiplier of the total; zero without one.
+    #[getter]
+    fn multiplier(&self) -> f64 {
+        self.multiplier
+    }
+
+    /// How the solve ended.
+    #[getter]
+    fn report(&self) -> Report {
+        Report::of(&self.report)
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "Minimum(multiplier={:.6e}, {})",
+            self.multiplier, self.report
+        )
+    }
+}
+
+/// Minimises ``x'Cx/2 + linear'x`` within bounds, with ``sum(x) = total`` if given.
+///
+/// Parameters
+/// ----------
+/// operator : LinearOperator or callable
+///     The symmetric operator C; a callable is given an array of the unknowns and returns their product.
+/// linear : array_like
+/// lower, upper : float or array_like, optional
+///     0 and infinity by default.
+/// total : float, optional
+/// spring : (far_end, compliance), optional
+///     Instead of a total: the multiplier is ``far_end - compliance * sum(x)``.
+/// preconditioner : LinearOperator, optional
+/// lower_bound : float, default 0
+///     Of the smallest eigenvalue of a callable: it certifies the error.
+/// start : array_like, optional
+/// settings, tolerance, method, max_iterations, time_limit : optional
+///     As of :class:`Settings`.
+/// progress : callable or bool, optional
+///
+/// Returns
+/// -------
+/// Minimum
+///
+/// Raises
+/// ------
+/// Length, Sample, Bounds, Total, Method, Tolerance, IterationLimit, NotConverged
+///
+/// Examples
+/// --------
+/// >>> import numpy as np
+/// >>> from stickslip import cgm
+/// >>> bed = np.array([1.0, 2.0, 4.0])  # independent springs
+/// >>> minimum = cgm.minimise(lambda x: bed * x, [-1.0, -1.0, 1.0], lower_bound=1.0)
+/// >>> minimum.x.round(6)
+/// array([1. , 0.5, 0. ])
+#[pyfunction]
+#[pyo3(signature = (operator, linear, *, lower=None, upper=None, total=None, spring=None, preconditioner=None,
+    lower_bound=0.0, start=None, settings=None, tolerance=None, method=None, max_iterations=None, time_limit=None,
+    progress=None))]
+pub(crate) fn minimise<'py>(
+    py: Python<'py>,
+    operator: Bound<'py, PyAny>,
+    linear: Bound<'py, PyAny>,
+    lower: Option<Bound<'py, PyAny>>,
+    upper: Option<Bound<'py, PyAny>>,
+    total: Option<f64>,
+    spring: Option<(f64, f64)>,
+    preconditioner: Option<&LinearOperator>,
+    lower_bound: f64,
+    start: Option<Bound<'py, PyAny>>,
+    settings: Option<Settings>,
+    tolerance: Option<f64>,
+    method: Option<Choice<cgm::Method>>,
+    max_iterations: Option<usize>,
+    time_limit: Option<f64>,
+    progress: Option<Bound<'py, PyAny>>,
+) -> PyResult<Minimum> {
+    let settings = chosen(settings, tolerance, method, max_iterations, time_limit)?;
+    let progress = Progress::of(progress.as_ref())?;
+    let total = match (total, spring) {
+        (None, None) => Total::Free,
+        (Some(total), None) => Total::Sum(total),
+        (None, Some((far_end, compliance))) => Total::Spring {
+            far_end,
+            compliance,
+        },
+        _ => return Err(PyTypeError::new_err("give a total or a spring, not both")),
+    };
+    let mut function = None;
+    let (product, cells) = if let Ok(known) = operator.cast::<LinearOperator>() {
+        let product = Arc::clone(&known.get().product);
+        let cells = product.cells();
+        (product, cells)
+    } else if operator.is_callable() {
+        let cells = py
+            .import("numpy")?
+            .call_method1("size", (&linear,))?
+            .extract()?;
+        let own = Arc::new(Function {
+            call: operator.clone().unbind(),
+            cells,
+            lower_bound,
+            raised: Mutex::new(None),
+        });
+        function = Some(Arc::clone(&own));
+        (own as Arc<dyn Product>, cells)
+    } else {
+        return Err(PyTypeError::new_err(
+            "operator must be a LinearOperator or a callable",
+        ));
+    };
+    if cells == 0 {
+        return Err(PyValueError::new_err("there are no unknowns"));
+    }
+    let linear = numbers(&linear, cells)?;
+    let linear = linear.as_slice()?;
+    let bounds = bounds(lower, upper, cells)?;
+    let mut x = match start {
+        None => vec![0.0; cells],
+        Some(start) => numbers(&start, cells)?.as_slice()?.to_vec(),
+    };
+    // A function of Python is called in the thread that called this one.
+    let size = if function.is_some() { 0 } else { cells };
+    let preconditioner = preconditioner.map(|given| Shared(Arc::clone(&given.product)));
+    let outcome = solve(py, size, progress, |observer| {
+        let [lower, upper] = bounds.each_ref().map(|bound| &bound[..]);
+        let constraint = Bounds { lower, upper };
+        let problem = Problem::new(Shared(product), [linear], constraint).totals([total]);
+        let stop = |iteration: &Iteration| {
+            let has_failed = function.as_ref().is_some_and(|function| {
+                let raised = function
+                    .raised
+                    .lock()
+                    .unwrap_or_else(PoisonError::into_inner);
+                raised.is_some()
+            });
+            if has_failed {
+                ControlFlow::Break(())
+            } else {
+                observer(Some(iteration))
+            }
+        };
+        match preconditioner {
+            None => minimum(&problem, &settings, &mut x, stop),
+            Some(given) => minimum(&problem.preconditioner(given), &settings, &mut x, stop),
+        }
+    })?;
+    if let Some(exception) = function.and_then(|function| function.raised()) {
+        return Err(exception);
+    }
+    let (multiplier, report, error) = match outcome {
+        Ok((multiplier, report)) => (multiplier, report, None),
+        Err(stickslip::Error::NotConverged(report)) => {
+            let kept = (*report).clone();
+            (f64::NAN, kept, Some(stickslip::Error::NotConverged(report)))
+        }
+        Err(error) => return Err(crate::error::raised(py, error)),
+    };
+    let found = Minimum {
+        x: x.into_pyarray(py).into_any().unbind(),
+        multiplier,
+        report,
+    };
+    match error {
+        None => Ok(found),
+        Some(error) => {
+            let object = || Bound::new(py, found).map(Bound::into_any);
+            Err(with_iterate(py, error, object))
+        }
+    }
+}
+
+fn minimum<P: Operator>(
+    problem: &Problem<'_, Shared, Bounds<'_>, P>,
+    settings: &cgm::Settings,
+    x: &mut [f64],
+    mut stop: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
+) -> stickslip::Result<(f64, stickslip::Report)> {
+    let mut workspace = problem.workspace();
+    cgm::minimise_with(problem, settings, [x], &mut workspace, &mut stop)?;
+    Ok((workspace.multiplier()[0], workspace.report().clone()))
+}

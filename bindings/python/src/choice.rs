@@ -1,0 +1,105 @@
+//! Choices by name: a string or a member of an enumeration of ``stickslip``, which are strings too.
+
+use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::prelude::*;
+#[cfg(feature = "stubs")]
+use pyo3::{inspect::PyStaticExpr, type_hint_identifier, type_hint_union};
+
+/// An enumeration of the crate whose variants have names.
+pub(crate) trait Named: Copy + PartialEq + 'static {
+    const ENUMERATION: &'static str;
+    const ALL: &'static [(&'static str, Self)];
+    #[cfg(feature = "stubs")]
+    const HINT: PyStaticExpr;
+}
+
+/// One of its variants.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) struct Choice<T>(pub(crate) T);
+
+impl<T: Named> Choice<T> {
+    pub(crate) fn name(self) -> &'static str {
+        let named = T::ALL.iter().find(|(_, variant)| *variant == self.0);
+        named.map_or("other", |(name, _)| name)
+    }
+}
+
+impl<T: Named> FromPyObject<'_, '_> for Choice<T> {
+    type Error = PyErr;
+
+    #[cfg(feature = "stubs")]
+    const INPUT_TYPE: PyStaticExpr =
+        type_hint_union!(T::HINT, type_hint_identifier!("builtins", "str"));
+
+    fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
+        let names = || {
+            let names: Vec<_> = T::ALL.iter().map(|(name, _)| format!("'{name}'")).collect();
+            names.join(", ")
+        };
+        let given: String = object.extract().map_err(|_| {
+            PyTypeError::new_err(format!(
+                "{} is given by name ({}) or as a member of stickslip.{}",
+                T::ENUMERATION,
+                names(),
+                T::ENUMERATION
+            ))
+        })?;
+        let named = T::ALL.iter().find(|(name, _)| *name == given);
+        named.map(|(_, variant)| Self(*variant)).ok_or_else(|| {
+            PyValueError::new_err(format!(
+                "{} must be one of {}, got '{given}'",
+                T::ENUMERATION,
+                names()
+            ))
+        })
+    }
+}
+
+impl<'py, T: Named> IntoPyObject<'py> for Choice<T> {
+    type Target = PyAny;
+    type Output = Bound<'py, PyAny>;
+    type Error = PyErr;
+
+    #[cfg(feature = "stubs")]
+    const OUTPUT_TYPE: PyStaticExpr = T::HINT;
+
+    fn into_pyobject(self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let enumeration = py.import("stickslip._enums")?.getattr(T::ENUMERATION)?;
+        enumeration.call1((self.name(),))
+    }
+}
+
+macro_rules! named {
+    ($($enumeration:literal: $type:ty { $($name:literal = $variant:ident),+ })+) => {$(
+        impl Named for $type {
+            const ENUMERATION: &'static str = $enumeration;
+            const ALL: &'static [(&'static str, Self)] = &[$(($name, <$type>::$variant)),+];
+            #[cfg(feature = "stubs")]
+            const HINT: PyStaticExpr = type_hint_identifier!("stickslip._enums", $enumeration);
+        }
+    )+};
+}
+
+named! {
+    "Axis": stickslip::Axis { "x" = X, "y" = Y }
+    "TangentialModel": stickslip::TangentialModel { "scalar" = Scalar, "vector" = Vector }
+    "Coupling": stickslip::Coupling { "full" = Full, "one_way" = OneWay, "neglected" = Neglected }
+    "TouchRule": stickslip::history::TouchRule { "growth" = Growth, "whole_step" = WholeStep }
+    "Method": stickslip::cgm::Method { "active_set" = ActiveSet, "polonsky_keer" = PolonskyKeer }
+    "Status": stickslip::Status {
+        "unsolved" = Unsolved, "converged" = Converged, "iteration_limit" = IterationLimit,
+        "time_limit" = TimeLimit, "stalled" = Stalled, "cancelled" = Cancelled
+    }
+    "Regime": stickslip::history::Regime {
+        "full_stick" = FullStick, "partial_slip" = PartialSlip, "gross_slip" = GrossSlip
+    }
+    "LoopEnding": stickslip::history::LoopEnding {
+        "steady" = Steady, "cycle_limit" = CycleLimit, "stopped" = Stopped
+    }
+    "Body": stickslip::subsurface::Body { "one" = One, "two" = Two }
+    "Amplitudes": stickslip::surface::Amplitudes { "exact" = Exact, "gaussian" = Gaussian }
+    "Direction": stickslip::influence::Direction { "x" = X, "y" = Y, "z" = Z }
+    "Component": stickslip::influence::Component {
+        "xx" = XX, "xy" = XY, "xz" = XZ, "yx" = YX, "yy" = YY, "yz" = YZ, "zx" = ZX, "zy" = ZY, "zz" = ZZ
+    }
+}

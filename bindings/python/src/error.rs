@@ -1,0 +1,166 @@
+//! Exceptions: those of the module ``stickslip.errors``, one for each variant of the crate's error, with its numbers.
+
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use stickslip::{Error, ranks::RankFailure};
+
+use crate::report::Report;
+
+/// The exception of an error.
+pub(crate) fn raised(py: Python<'_>, error: Error) -> PyErr {
+    exception(py, error).unwrap_or_else(|failure| failure)
+}
+
+/// The value or the exception.
+pub(crate) trait OrRaise<T> {
+    fn or_raise(self, py: Python<'_>) -> PyResult<T>;
+}
+
+impl<T> OrRaise<T> for stickslip::Result<T> {
+    fn or_raise(self, py: Python<'_>) -> PyResult<T> {
+        self.map_err(|error| raised(py, error))
+    }
+}
+
+/// An exception of ``stickslip.errors`` by its name, with a message and attributes.
+pub(crate) fn named(
+    py: Python<'_>,
+    name: &str,
+    message: &str,
+    attributes: &Bound<'_, PyDict>,
+) -> PyResult<PyErr> {
+    let class = py.import("stickslip.errors")?.getattr(name)?;
+    let value = class.call1((message,))?;
+    for (attribute, number) in attributes {
+        value.setattr(attribute.cast_into::<pyo3::types::PyString>()?, number)?;
+    }
+    Ok(PyErr::from_value(value))
+}
+
+/// The exception of a solve that has not converged, which gives away its last iterate.
+pub(crate) fn with_iterate<'py>(
+    py: Python<'py>,
+    error: Error,
+    iterate: impl FnOnce() -> PyResult<Bound<'py, PyAny>>,
+) -> PyErr {
+    let is_iterate = matches!(error, Error::NotConverged(_));
+    let exception = raised(py, error);
+    if is_iterate {
+        let given =
+            iterate().and_then(|iterate| exception.value(py).setattr("last_iterate", iterate));
+        if let Err(failure) = given {
+            return failure;
+        }
+    }
+    exception
+}
+
+/// Names and numbers of the variants with named fields.
+macro_rules! numbered {
+    ($error:expr, $attributes:ident, {$($name:ident { $($field:ident),+ })+}) => {
+        match $error {
+            $(Error::$name { $($field),+ } => {
+                $($attributes.set_item(stringify!($field), $field.clone())?;)+
+                Some(stringify!($name))
+            })+
+            _ => None,
+        }
+    };
+}
+
+fn exception(py: Python<'_>, error: Error) -> PyResult<PyErr> {
+    let attributes = PyDict::new(py);
+    let message = error.to_string();
+    let name = numbered!(&error, attributes, {
+        GridSize { nx, ny }
+        Memory { quantity, bytes }
+        NotPositive { quantity, value }
+        Negative { quantity, value }
+        NotFinite { quantity, value }
+        Sample { quantity, index, value, rule }
+        CoupledMaterials { beta }
+        CellsTooLong { sides }
+        Length { quantity, expected, found }
+        GridMismatch { quantity, expected_cells, expected_sides, found_cells, found_sides }
+        BoundaryMismatch { quantity }
+        Method { method, quantity }
+        Bounds { index, lower, upper }
+        Total { total, lower, upper }
+        BeyondFrictionCapacity { force, limit }
+        BeyondHardness { force, capacity }
+        Yielded { quantity, cells }
+        ObliqueLoad { x, y }
+        NotModelled { quantity, value, remedy }
+        MaterialMismatch { quantity }
+        ApproachBeyondMeanGap { approach, mean_gap }
+        TooManyCells { cells, limit }
+        NotPositiveDefinite { row }
+        Undetermined { quantity, unknowns, known }
+        Degree { degree, limit }
+        Range { quantity, start, end, count }
+        BeyondSamples { axis, reach, limit }
+        Below { quantity, value, least_is, least }
+        EmptyBand { longest, shortest }
+        HeightsNotReached { skewness, kurtosis, reached }
+        File { path, problem }
+        StepNotNew { step, last }
+        CycleNotClosed { residual, limit }
+        StepTooLong { part, error, tolerance }
+    });
+    let name = match (name, &error) {
+        (Some(name), _) => name,
+        (_, Error::PoissonRatio(value)) => one(&attributes, "PoissonRatio", "value", *value)?,
+        (_, Error::Hurst(value)) => one(&attributes, "Hurst", "value", *value)?,
+        (_, Error::Tolerance(value)) => one(&attributes, "Tolerance", "value", *value)?,
+        (_, Error::StepsPerCycle(steps)) => one(&attributes, "StepsPerCycle", "steps", *steps)?,
+        (_, Error::RigidBody(body)) => one(&attributes, "RigidBody", "body", *body)?,
+        (_, Error::Repeats(quantity)) => one(&attributes, "Repeats", "quantity", *quantity)?,
+        (
+            _,
+            Error::Format {
+                file,
+                format,
+                place,
+                problem,
+            },
+        ) => {
+            attributes.set_item("file", file)?;
+            attributes.set_item("format", format)?;
+            attributes.set_item("place", place.to_string())?;
+            one(&attributes, "Format", "problem", problem)?
+        }
+        (_, Error::Ranks(failure)) => {
+            let rank = match failure {
+                RankFailure::Lost { rank }
+                | RankFailure::Silent { rank, .. }
+                | RankFailure::OutOfStep { rank }
+                | RankFailure::Refused { rank } => Some(*rank),
+                _ => None,
+            };
+            one(&attributes, "Ranks", "rank", rank)?
+        }
+        (_, Error::NotConverged(report)) => {
+            attributes.set_item("last_iterate", py.None())?;
+            one(&attributes, "NotConverged", "report", Report::of(report))?
+        }
+        (_, Error::BothRigid) => "BothRigid",
+        (_, Error::IterationLimit) => "IterationLimit",
+        (_, Error::NothingToHold) => "NothingToHold",
+        (_, Error::RepeatedDirection) => "RepeatedDirection",
+        (_, Error::EmptyContact) => "EmptyContact",
+        (_, Error::EmptyPath) => "EmptyPath",
+        // The crate's error may grow.
+        _ => "StickslipError",
+    };
+    named(py, name, &message, &attributes)
+}
+
+fn one<'py>(
+    attributes: &Bound<'py, PyDict>,
+    name: &'static str,
+    attribute: &str,
+    value: impl IntoPyObject<'py>,
+) -> PyResult<&'static str> {
+    attributes.set_item(attribute, value)?;
+    Ok(name)
+}

@@ -1,0 +1,263 @@
+//! Fields on a grid, and what is taken for one.
+
+use std::sync::Arc;
+
+use numpy::{AllowTypeChange, PyArrayLike2};
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+#[cfg(feature = "stubs")]
+use pyo3::{PyTypeInfo, inspect::PyStaticExpr, type_hint_identifier, type_hint_union};
+
+use crate::array::{Array, view};
+use crate::error::{OrRaise, named};
+use crate::grid::Grid;
+
+/// Samples at the cells of a grid, one number a cell: gaps, heights, pressures. It is never changed.
+///
+/// Whatever takes a field takes an array of shape (ny, nx) too, and copies it; a Field is made once and shared, so that
+/// repeated calls copy nothing. ``numpy.asarray(field)`` is a read-only view of it.
+///
+/// Parameters
+/// ----------
+/// grid : Grid
+///     Where it lives.
+/// samples : array_like of shape (ny, nx), or float
+///     Its values, row-major with x fastest; or one for all cells.
+///
+/// Examples
+/// --------
+/// >>> import numpy as np, stickslip
+/// >>> grid = stickslip.Grid(4, 3, 0.5, 0.5)
+/// >>> field = stickslip.Field(grid, np.arange(12.0).reshape(3, 4))
+/// >>> field
+/// Field(4 x 3 cells, 0 to 11)
+/// >>> (field + 1.0).array[0]
+/// array([1., 2., 3., 4.])
+#[pyclass(frozen, eq, module = "stickslip")]
+#[derive(Clone, PartialEq)]
+pub(crate) struct Field(pub(crate) Arc<stickslip::Field>);
+
+impl From<stickslip::Field> for Field {
+    fn from(field: stickslip::Field) -> Self {
+        Self(Arc::new(field))
+    }
+}
+
+#[pymethods]
+impl Field {
+    #[new]
+    fn new(py: Python<'_>, grid: &Grid, samples: Samples<'_>) -> PyResult<Self> {
+        samples.on(py, "samples", grid.0).map(Self)
+    }
+
+    /// The grid.
+    #[getter]
+    fn grid(&self) -> Grid {
+        Grid(self.0.grid())
+    }
+
+    /// A read-only array of shape (ny, nx) on the memory of the field, without a copy.
+    #[getter]
+    fn array<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
+        view(slf, |field| &field.0)
+    }
+
+    /// The largest sample; NaN is passed over.
+    fn max(&self) -> f64 {
+        self.0.max()
+    }
+
+    /// The least sample; NaN is passed over.
+    fn min(&self) -> f64 {
+        self.0.min()
+    }
+
+    /// The sum of the samples times the area of a cell.
+    fn integral(&self) -> f64 {
+        self.0.integral()
+    }
+
+    /// The sample of a cell, by column and row; ``None`` beyond the grid.
+    fn get(&self, ix: usize, iy: usize) -> Option<f64> {
+        self.0.get(ix, iy)
+    }
+
+    #[pyo3(signature = (dtype=None, copy=None))]
+    fn __array__<'py>(
+        slf: &Bound<'py, Self>,
+        dtype: Option<Bound<'py, PyAny>>,
+        copy: Option<bool>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let array = Self::array(slf).0;
+        if dtype.is_none() && copy != Some(true) {
+            return Ok(array);
+        }
+        let kwargs = PyDict::new(slf.py());
+        kwargs.set_item("copy", copy.unwrap_or(false))?;
+        let dtype = match dtype {
+            Some(dtype) => dtype,
+            None => array.getattr("dtype")?,
+        };
+        array.call_method("astype", (dtype,), Some(&kwargs))
+    }
+
+    fn __add__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
+        self.plus(py, 1.0, &other)
+    }
+
+    fn __radd__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
+        self.plus(py, 1.0, &other)
+    }
+
+    fn __sub__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
+        self.plus(py, -1.0, &other)
+    }
+
+    fn __rsub__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
+        self.__neg__().plus(py, 1.0, &other)
+    }
+
+    fn __mul__(&self, factor: f64) -> Self {
+        self.0.scaled(factor).into()
+    }
+
+    fn __rmul__(&self, factor: f64) -> Self {
+        self.0.scaled(factor).into()
+    }
+
+    fn __neg__(&self) -> Self {
+        self.0.scaled(-1.0).into()
+    }
+
+    fn __repr__(&self) -> String {
+        let grid = self.0.grid();
+        format!(
+            "Field({} x {} cells, {} to {})",
+            grid.nx(),
+            grid.ny(),
+            self.0.min(),
+            self.0.max()
+        )
+    }
+}
+
+crate::pickle::picklable!(Field: stickslip::Field);
+
+impl Field {
+    fn plus(&self, py: Python<'_>, factor: f64, other: &Samples<'_>) -> PyResult<Self> {
+        let other = other.on(py, "other field", self.0.grid())?;
+        let mut sum = (*self.0).clone();
+        sum.add_scaled(factor, &other).or_raise(py)?;
+        Ok(sum.into())
+    }
+}
+
+/// What is taken for a field: a field, an array of shape (ny, nx), one number for all cells, or a topography that knows
+/// its heights and sizes.
+pub(crate) struct Samples<'py>(Bound<'py, PyAny>);
+
+impl<'py> FromPyObject<'_, 'py> for Samples<'py> {
+    type Error = PyErr;
+
+    #[cfg(feature = "stubs")]
+    const INPUT_TYPE: PyStaticExpr = type_hint_union!(
+        Field::TYPE_HINT,
+        type_hint_identifier!("numpy.typing", "ArrayLike")
+    );
+
+    fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        Ok(Self(object.to_owned()))
+    }
+}
+
+impl Samples<'_> {
+    /// As a field on this grid. A field on another one is passed on: the crate refuses it with both grids.
+    pub(crate) fn on(
+        &self,
+        py: Python<'_>,
+        quantity: &str,
+        grid: stickslip::Grid,
+    ) -> PyResult<Arc<stickslip::Field>> {
+        if let Some(field) = self.known()? {
+            return Ok(field);
+        }
+        if let Some(value) = self.number() {
+            return Ok(Arc::new(stickslip::Field::constant(grid, value)));
+        }
+        let samples = array(&self.0, quantity)?;
+        let samples = samples.as_array();
+        if samples.dim() != (grid.ny(), grid.nx()) {
+            let (expected, found) = ((grid.ny(), grid.nx()), samples.dim());
+            let numbers = PyDict::new(py);
+            numbers.set_item("quantity", quantity)?;
+            numbers.set_item("expected", expected)?;
+            numbers.set_item("found", found)?;
+            let message =
+                format!("{quantity} has shape {found:?}, expected (ny, nx) = {expected:?}");
+            return Err(named(py, "Shape", &message, &numbers)?);
+        }
+        let samples = match samples.as_slice() {
+            Some(samples) => samples.to_vec(),
+            None => samples.iter().copied().collect(),
+        };
+        let field = stickslip::Field::from_vec(grid, samples).or_raise(py)?;
+        Ok(Arc::new(field))
+    }
+
+    /// As one number, if it is one.
+    pub(crate) fn number(&self) -> Option<f64> {
+        self.0.extract().ok()
+    }
+
+    /// As a field on a grid of its own.
+    pub(crate) fn alone(&self, quantity: &str) -> PyResult<Arc<stickslip::Field>> {
+        self.known()?.ok_or_else(|| {
+            PyTypeError::new_err(format!(
+                "{quantity} must be a Field or a topography, which know their grid: Field(grid, array)"
+            ))
+        })
+    }
+
+    fn known(&self) -> PyResult<Option<Arc<stickslip::Field>>> {
+        if let Ok(field) = self.0.cast::<Field>() {
+            return Ok(Some(Arc::clone(&field.get().0)));
+        }
+        if self.0.hasattr("heights")? && self.0.hasattr("physical_sizes")? {
+            let module = self.0.py().import("stickslip.surface")?;
+            let field = module.call_method1("from_topography", (&self.0,))?;
+            return Ok(Some(Arc::clone(&field.cast::<Field>()?.get().0)));
+        }
+        Ok(None)
+    }
+}
+
+/// Numbers of two dimensions; masked ones are NaN.
+fn array<'py>(
+    object: &Bound<'py, PyAny>,
+    quantity: &str,
+) -> PyResult<PyArrayLike2<'py, f64, AllowTypeChange>> {
+    let filled = if object.hasattr("mask")? && object.hasattr("filled")? {
+        let real = object.call_method1("astype", ("float64",))?;
+        real.call_method1("filled", (f64::NAN,))?
+    } else {
+        object.clone()
+    };
+    filled.extract().map_err(|_| {
+        PyTypeError::new_err(format!(
+            "{quantity} must be a Field, a number, or an array of real numbers of shape (ny, nx)"
+        ))
+    })
+}
+
+/// The grid of a field that knows one, where no other is at hand.
+pub(crate) fn grid_of(
+    grid: Option<&Grid>,
+    samples: &Samples<'_>,
+    quantity: &str,
+) -> PyResult<stickslip::Grid> {
+    match grid {
+        Some(grid) => Ok(grid.0),
+        None => samples.alone(quantity).map(|field| field.grid()),
+    }
+}

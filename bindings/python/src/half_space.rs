@@ -1,0 +1,90 @@
+//! Two elastic half-spaces on a grid.
+
+use pyo3::prelude::*;
+
+use crate::error::OrRaise;
+use crate::grid::{Bodies, Boundary, ElasticPair, Grid, Surroundings};
+
+/// A pair of half-spaces on a grid. What problems need of it is made when first needed, and shared.
+///
+/// Parameters
+/// ----------
+/// grid : Grid
+/// pair : ElasticPair, or two Materials
+/// boundary : Boundary or str, default "non_periodic"
+///     "non_periodic", "periodic" or ("periodic_along_y", datum).
+///
+/// Raises
+/// ------
+/// NotPositive, Memory, Below
+///
+/// Examples
+/// --------
+/// >>> import stickslip
+/// >>> steel = stickslip.Material(213e9, 0.29)
+/// >>> bodies = stickslip.HalfSpace(stickslip.Grid.square(64, 0.4e-3), (steel, steel))
+/// >>> bodies.grid.cells
+/// 4096
+#[pyclass(frozen, module = "stickslip", from_py_object)]
+#[derive(Clone)]
+pub(crate) struct HalfSpace(pub(crate) stickslip::HalfSpace);
+
+#[pymethods]
+impl HalfSpace {
+    #[new]
+    #[pyo3(signature = (grid, pair, boundary=None))]
+    fn new(
+        py: Python<'_>,
+        grid: &Grid,
+        pair: Bodies,
+        boundary: Option<Surroundings>,
+    ) -> PyResult<Self> {
+        let boundary = boundary.map(|boundary| boundary.0).unwrap_or_default();
+        let bodies = stickslip::HalfSpace::with_boundary(grid.0, pair.0, boundary);
+        bodies.or_raise(py).map(Self)
+    }
+
+    /// The grid.
+    #[getter]
+    fn grid(&self) -> Grid {
+        Grid(self.0.grid())
+    }
+
+    /// The two bodies.
+    #[getter]
+    fn pair(&self) -> ElasticPair {
+        ElasticPair(*self.0.pair())
+    }
+
+    /// What lies beyond the edge of the grid.
+    #[getter]
+    fn boundary(&self) -> Boundary {
+        Boundary(self.0.boundary())
+    }
+
+    fn __reduce__<'py>(
+        slf: &Bound<'py, Self>,
+    ) -> (
+        Bound<'py, pyo3::types::PyType>,
+        (Grid, ElasticPair, Boundary),
+    ) {
+        let bodies = slf.get();
+        (
+            slf.get_type(),
+            (bodies.grid(), bodies.pair(), bodies.boundary()),
+        )
+    }
+
+    fn __repr__(&self) -> String {
+        let grid = self.0.grid();
+        format!(
+            "HalfSpace({} x {} cells of {} x {}, {:?}, E* = {})",
+            grid.nx(),
+            grid.ny(),
+            grid.dx(),
+            grid.dy(),
+            self.0.boundary(),
+            self.0.pair().contact_modulus()
+        )
+    }
+}

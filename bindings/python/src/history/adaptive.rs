@@ -1,0 +1,125 @@
+//! Steps short enough for a tolerance.
+
+use std::sync::Mutex;
+
+use pyo3::prelude::*;
+use stickslip::Error;
+
+use crate::error::OrRaise;
+use crate::held::{lock, pair};
+use crate::history::{Cycle, History};
+use crate::load::LoadStep;
+use crate::progress::Progress;
+use crate::work::{solve, unobserved};
+
+/// What one step differs by from the same load in two.
+#[pyclass(frozen, eq, module = "stickslip.history")]
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) struct StepError(stickslip::history::StepError);
+
+#[pymethods]
+impl StepError {
+    /// Sum of the lengths of the differences of the tractions, over the sum of the friction limits.
+    #[getter]
+    fn traction(&self) -> f64 {
+        self.0.traction
+    }
+
+    /// Difference of the tangential force.
+    #[getter]
+    fn force(&self) -> (f64, f64) {
+        pair(self.0.force)
+    }
+
+    /// Difference of the shift (lengths).
+    #[getter]
+    fn shift(&self) -> (f64, f64) {
+        pair(self.0.shift)
+    }
+
+    /// Difference of the energy dissipated.
+    #[getter]
+    fn dissipated_energy(&self) -> f64 {
+        self.0.dissipated_energy
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "StepError(traction={:.2e}, dissipated_energy={:.2e})",
+            self.0.traction, self.0.dissipated_energy
+        )
+    }
+}
+
+/// Takes a load in steps short enough for a tolerance, and tells the error of a step. Its buffers take the memory of four
+/// states.
+///
+/// Parameters
+/// ----------
+/// history : History
+///     For histories on the grid of this one.
+/// tolerance : float
+///     In (0, 1), of :attr:`StepError.traction` for a whole load.
+#[pyclass(frozen, module = "stickslip.history")]
+pub(crate) struct AdaptiveSteps(Mutex<stickslip::history::AdaptiveSteps>);
+
+const NAME: &str = "object that takes adaptive steps";
+
+#[pymethods]
+impl AdaptiveSteps {
+    #[new]
+    fn new(py: Python<'_>, history: &History, tolerance: f64) -> PyResult<Self> {
+        let steps =
+            history.read(|history| stickslip::history::AdaptiveSteps::new(history, tolerance))?;
+        steps.or_raise(py).map(|steps| Self(Mutex::new(steps)))
+    }
+
+    /// The error that a single step makes with this load; the history is then as it was, but for its last step.
+    fn error(&self, py: Python<'_>, history: &History, load: LoadStep) -> PyResult<StepError> {
+        let (mut steps, mut work) = (lock(&self.0, NAME)?, lock(&history.work, "history")?);
+        work.taken += 1;
+        let (steps, own) = (&mut *steps, &mut work.history);
+        unobserved(py, history.cells(), || steps.error(own, &load.0)).map(StepError)
+    }
+
+    /// Takes a load, in as many steps as it needs, and returns how many. Ctrl-C ends it after the part under way; the
+    /// history is then as it was.
+    ///
+    /// Parameters
+    /// ----------
+    /// history : History
+    /// load : LoadStep
+    /// cycle : Cycle, optional
+    ///     To which each step is added.
+    #[pyo3(signature = (history, load, *, cycle=None))]
+    fn step(
+        &self,
+        py: Python<'_>,
+        history: &History,
+        load: LoadStep,
+        cycle: Option<&Cycle>,
+    ) -> PyResult<usize> {
+        let (mut steps, mut work) = (lock(&self.0, NAME)?, lock(&history.work, "history")?);
+        let mut cycle = cycle.map(Cycle::lock).transpose()?;
+        work.taken += 1;
+        let (steps, own) = (&mut *steps, &mut work.history);
+        let mut cycle = cycle.as_deref_mut();
+        let outcome = solve(py, history.cells(), Progress::none(), |observer| {
+            steps.step_observed(own, &load.0, |history| {
+                if let Some(cycle) = &mut cycle {
+                    cycle.add(history)?;
+                }
+                // Any error takes the load back; an exception takes its place.
+                observer(None)
+                    .is_continue()
+                    .then_some(())
+                    .ok_or(Error::EmptyPath)
+            })
+        })?;
+        outcome.or_raise(py)
+    }
+
+    fn __repr__(&self) -> String {
+        "AdaptiveSteps()".into()
+    }
+}

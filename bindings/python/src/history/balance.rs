@@ -1,0 +1,73 @@
+//! Energies of a step or a cycle.
+
+use pyo3::prelude::*;
+
+use crate::pickle::picklable;
+
+/// Where the work of the tangential load in a step went, or in the steps of a cycle (energies).
+#[pyclass(frozen, eq, module = "stickslip.history")]
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) struct EnergyBalance(pub(crate) stickslip::history::EnergyBalance);
+
+#[pymethods]
+impl EnergyBalance {
+    /// Work of the tangential load.
+    #[getter]
+    fn work(&self) -> f64 {
+        self.0.work
+    }
+
+    /// Elastic energy of shear before.
+    #[getter]
+    fn elastic_before(&self) -> f64 {
+        self.0.elastic_before
+    }
+
+    /// Elastic energy of shear after.
+    #[getter]
+    fn elastic_after(&self) -> f64 {
+        self.0.elastic_after
+    }
+
+    /// Energy dissipated, by the tractions at the end of the step.
+    #[getter]
+    fn dissipated_energy(&self) -> f64 {
+        self.0.dissipated_energy
+    }
+
+    /// Energy dissipated, by the mean tractions: what closes the balance.
+    #[getter]
+    fn mid_step_dissipated_energy(&self) -> f64 {
+        self.0.mid_step_dissipated_energy
+    }
+
+    /// Energy of the tractions that cells drop as they leave the contact.
+    #[getter]
+    fn released(&self) -> f64 {
+        self.0.released
+    }
+
+    /// Work on the motion that the tolerance leaves in stick cells.
+    #[getter]
+    fn residual(&self) -> f64 {
+        self.0.residual
+    }
+
+    /// What is missing in the balance, relative to its largest part.
+    #[getter]
+    fn imbalance(&self) -> f64 {
+        self.0.imbalance()
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "EnergyBalance(work={:.6e}, dissipated_energy={:.6e}, elastic_after={:.6e}, imbalance={:.1e})",
+            self.0.work,
+            self.0.dissipated_energy,
+            self.0.elastic_after,
+            self.0.imbalance()
+        )
+    }
+}
+
+picklable!(EnergyBalance: stickslip::history::EnergyBalance);

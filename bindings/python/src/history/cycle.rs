@@ -1,0 +1,219 @@
+//! What the steps of a cycle add up to.
+
+use std::sync::{Mutex, MutexGuard};
+
+use pyo3::prelude::*;
+
+use crate::array::{Array, copy};
+use crate::choice::Choice;
+use crate::error::OrRaise;
+use crate::held::{lock, pair};
+use crate::history::{EnergyBalance, History};
+use crate::pickle::{Reduced, Stored, reduced};
+use crate::report::Warning;
+
+/// A point of the loop of force and shift.
+#[pyclass(frozen, eq, module = "stickslip.history")]
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) struct LoopPoint(stickslip::history::LoopPoint);
+
+#[pymethods]
+impl LoopPoint {
+    /// Tangential force.
+    #[getter]
+    fn force(&self) -> (f64, f64) {
+        pair(self.0.force)
+    }
+
+    /// Shift since the start of the history (lengths).
+    #[getter]
+    fn shift(&self) -> (f64, f64) {
+        pair(self.0.shift)
+    }
+
+    /// Moment.
+    #[getter]
+    fn moment(&self) -> f64 {
+        self.0.moment
+    }
+
+    /// Rotation (radians).
+    #[getter]
+    fn twist(&self) -> f64 {
+        self.0.twist
+    }
+
+    fn __repr__(&self) -> String {
+        let ([force_x, force_y], [x, y]) = (self.0.force, self.0.shift);
+        format!("LoopPoint(force=({force_x:.6e}, {force_y:.6e}), shift=({x:.6e}, {y:.6e}))")
+    }
+}
+
+/// Slip, energy and the loop of force and shift, added up over the steps of a cycle, from where the history is. Its arrays
+/// are copies.
+///
+/// Parameters
+/// ----------
+/// history : History
+#[pyclass(frozen, module = "stickslip.history")]
+pub(crate) struct Cycle(Mutex<stickslip::history::Cycle>);
+
+impl Stored for Cycle {
+    type Content = stickslip::history::Cycle;
+
+    const KIND: &'static str = "Cycle";
+
+    fn of_content(content: Self::Content) -> Self {
+        Self(Mutex::new(content))
+    }
+}
+
+impl Cycle {
+    pub(crate) fn lock(&self) -> PyResult<MutexGuard<'_, stickslip::history::Cycle>> {
+        lock(&self.0, "cycle")
+    }
+}
+
+#[pymethods]
+impl Cycle {
+    #[new]
+    fn new(history: &History) -> PyResult<Self> {
+        let cycle = history.read(stickslip::history::Cycle::new)?;
+        Ok(Self(Mutex::new(cycle)))
+    }
+
+    /// Forgets all steps and begins anew where the history is.
+    fn begin(&self, py: Python<'_>, history: &History) -> PyResult<()> {
+        let mut cycle = self.lock()?;
+        history.read(|history| cycle.begin(history))?.or_raise(py)
+    }
+
+    /// Adds the last step of the history: once after each.
+    fn add(&self, py: Python<'_>, history: &History) -> PyResult<()> {
+        let mut cycle = self.lock()?;
+        history.read(|history| cycle.add(history))?.or_raise(py)
+    }
+
+    /// Steps added.
+    #[getter]
+    fn steps(&self) -> PyResult<usize> {
+        Ok(self.lock()?.steps())
+    }
+
+    /// Length of the path that each cell slipped in the cycle.
+    #[getter]
+    fn slip_distance<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        Ok(copy(py, self.lock()?.slip_distance()))
+    }
+
+    /// Pressure that each cell slipped under, the mean over its path.
+    #[getter]
+    fn slip_pressure<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        Ok(copy(py, self.lock()?.slip_pressure()))
+    }
+
+    /// Half the range of the slip of each cell along x and y (lengths).
+    #[getter]
+    fn slip_amplitude<'py>(&self, py: Python<'py>) -> PyResult<(Array<'py>, Array<'py>)> {
+        Ok(self
+            .lock()?
+            .slip_amplitude()
+            .map(|field| copy(py, field))
+            .into())
+    }
+
+    /// Energy that each cell dissipated in the cycle.
+    #[getter]
+    fn dissipated_energy<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        Ok(copy(py, self.lock()?.dissipated_energy()))
+    }
+
+    /// Work, elastic energy and dissipation of the cycle.
+    #[getter]
+    fn energy(&self) -> PyResult<EnergyBalance> {
+        Ok(EnergyBalance(*self.lock()?.energy()))
+    }
+
+    /// The loop of force and shift: the beginning, and the end of each step.
+    #[getter]
+    fn points(&self) -> PyResult<Vec<LoopPoint>> {
+        Ok(self
+            .lock()?
+            .points()
+            .iter()
+            .copied()
+            .map(LoopPoint)
+            .collect())
+    }
+
+    /// The loop as CSV.
+    fn points_as_csv(&self) -> PyResult<String> {
+        Ok(self.lock()?.points_as_csv())
+    }
+
+    /// The names of :meth:`summary_as_csv`.
+    #[classattr]
+    const SUMMARY_NAMES: &str = stickslip::history::Cycle::SUMMARY_NAMES;
+
+    /// The cycle as a line of CSV.
+    fn summary_as_csv(&self) -> PyResult<String> {
+        Ok(self.lock()?.summary_as_csv())
+    }
+
+    /// Half the range of the force along x and y.
+    #[getter]
+    fn force_amplitude(&self) -> PyResult<(f64, f64)> {
+        Ok(pair(self.lock()?.force_amplitude()))
+    }
+
+    /// Half the range of the shift along x and y (lengths).
+    #[getter]
+    fn shift_amplitude(&self) -> PyResult<(f64, f64)> {
+        Ok(pair(self.lock()?.shift_amplitude()))
+    }
+
+    /// The least and the largest stick ratio.
+    #[getter]
+    fn stick_ratios(&self) -> PyResult<(f64, f64)> {
+        Ok(pair(self.lock()?.stick_ratios()))
+    }
+
+    /// Whether the contact stuck, slipped in part, or slid.
+    #[getter]
+    fn regime(&self) -> PyResult<Choice<stickslip::history::Regime>> {
+        Ok(Choice(self.lock()?.regime()))
+    }
+
+    /// Energy dissipated over that of a rectangle around the loop.
+    #[getter]
+    fn energy_ratio(&self) -> PyResult<f64> {
+        Ok(self.lock()?.energy_ratio())
+    }
+
+    /// How far the cycle is from closing.
+    #[getter]
+    fn cyclic_residual(&self) -> PyResult<f64> {
+        Ok(self.lock()?.cyclic_residual())
+    }
+
+    /// Remarks on its steps.
+    #[getter]
+    fn warnings(&self) -> PyResult<Vec<Warning>> {
+        Ok(Warning::all(self.lock()?.warnings()))
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
+        reduced::<Self>(py, &*self.lock()?)
+    }
+
+    fn __repr__(&self) -> PyResult<String> {
+        let cycle = self.lock()?;
+        Ok(format!(
+            "Cycle(steps={}, dissipated_energy={:.6e}, energy_ratio={:.4}, cyclic_residual={:.1e})",
+            cycle.steps(),
+            cycle.energy().dissipated_energy,
+            cycle.energy_ratio(),
+            cycle.cyclic_residual()
+        ))
+    }
+}

@@ -1,0 +1,19 @@
+//! Contacts that remember their load.
+
+mod adaptive;
+mod balance;
+mod cycle;
+mod path;
+mod state;
+mod step;
+mod stepping;
+mod wear;
+
+pub(crate) use adaptive::{AdaptiveSteps, StepError};
+pub(crate) use balance::EnergyBalance;
+pub(crate) use cycle::{Cycle, LoopPoint};
+pub(crate) use path::LoadPath;
+pub(crate) use state::{_from_bytes, State};
+pub(crate) use step::StepResult;
+pub(crate) use stepping::{_history_from_bytes, History};
+pub(crate) use wear::{CycleJump, archard, energy, max_stable_cycles, threshold_energy};

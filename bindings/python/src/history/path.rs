@@ -1,0 +1,100 @@
+//! Cycles of a load.
+
+use numpy::PyArray2;
+use pyo3::prelude::*;
+
+use crate::array::Array;
+use crate::error::OrRaise;
+use crate::held::pair;
+use crate::pickle::picklable;
+
+/// A cycle of a tangential load in the plane, as the values (x, y) at the ends of its steps: forces or shifts, as the
+/// caller means them. It is a sequence of pairs.
+///
+/// Parameters
+/// ----------
+/// steps : sequence of pairs of float
+///     Each the end of a step.
+///
+/// Raises
+/// ------
+/// EmptyPath, Sample
+///
+/// Examples
+/// --------
+/// >>> from stickslip.history import LoadPath
+/// >>> path = LoadPath.sine((20.0, 0.0), 40)
+/// >>> len(path), path[9], path.end
+/// (40, (20.0, 0.0), (0.0, 0.0))
+#[pyclass(frozen, eq, module = "stickslip.history", from_py_object, sequence)]
+#[derive(Clone, PartialEq)]
+pub(crate) struct LoadPath(pub(crate) stickslip::history::LoadPath);
+
+type Path = stickslip::history::LoadPath;
+
+#[pymethods]
+impl LoadPath {
+    #[new]
+    fn new(py: Python<'_>, steps: Vec<[f64; 2]>) -> PyResult<Self> {
+        Path::table(steps).or_raise(py).map(Self)
+    }
+
+    /// To and fro along a line, the amplitude times sin(2 pi t), in a multiple of four steps.
+    #[staticmethod]
+    fn sine(py: Python<'_>, amplitude: [f64; 2], steps: usize) -> PyResult<Self> {
+        Path::sine(amplitude, steps).or_raise(py).map(Self)
+    }
+
+    /// To and fro along a line at a constant rate, in a multiple of four steps.
+    #[staticmethod]
+    fn triangle(py: Python<'_>, amplitude: [f64; 2], steps: usize) -> PyResult<Self> {
+        Path::triangle(amplitude, steps).or_raise(py).map(Self)
+    }
+
+    /// Around an ellipse, A_x sin(2 pi t) along x and A_y sin(2 pi t + phase) along y.
+    #[staticmethod]
+    fn ellipse(py: Python<'_>, amplitudes: [f64; 2], phase: f64, steps: usize) -> PyResult<Self> {
+        Path::ellipse(amplitudes, phase, steps)
+            .or_raise(py)
+            .map(Self)
+    }
+
+    /// The values of one cycle, of shape (steps, 2).
+    #[getter]
+    fn steps<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        let rows: Vec<Vec<f64>> = self.0.steps().iter().map(|step| step.to_vec()).collect();
+        Ok(Array(PyArray2::from_vec2(py, &rows)?.into_any()))
+    }
+
+    /// The value where a cycle ends, and the next begins.
+    #[getter]
+    fn end(&self) -> (f64, f64) {
+        pair(self.0.end())
+    }
+
+    /// The values of so many cycles, one after the other.
+    fn cycles(&self, count: usize) -> Vec<(f64, f64)> {
+        self.0.cycles(count).map(pair).collect()
+    }
+
+    fn __len__(&self) -> usize {
+        self.0.steps().len()
+    }
+
+    fn __getitem__(&self, index: isize) -> PyResult<(f64, f64)> {
+        let steps = self.0.steps();
+        let from_end = if index < 0 { steps.len() } else { 0 };
+        let place = from_end.checked_add_signed(index);
+        let step = place.and_then(|place| steps.get(place));
+        step.copied().map(pair).ok_or_else(|| {
+            pyo3::exceptions::PyIndexError::new_err(format!("no step {index} of {}", steps.len()))
+        })
+    }
+
+    fn __repr__(&self) -> String {
+        let (x, y) = self.end();
+        format!("LoadPath({} steps, end=({x}, {y}))", self.0.steps().len())
+    }
+}
+
+picklable!(LoadPath: stickslip::history::LoadPath);

@@ -1,0 +1,233 @@
+//! The state of a history, as a value.
+
+use std::sync::Arc;
+
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyType};
+
+use crate::array::{Array, view, zones};
+use crate::choice::Choice;
+use crate::error::OrRaise;
+use crate::friction::{Friction, Hardness};
+use crate::grid::{Boundary, ElasticPair, Grid};
+use crate::held::pair;
+use crate::normal::NormalSolution;
+use crate::pickle::ByItself;
+use crate::settings::Settings;
+
+/// A state of a history: what to return to, to continue from, or to save. Arrays are read-only views of its memory,
+/// those of the zones a copy; vectors are (x, y).
+#[pyclass(frozen, module = "stickslip.history")]
+pub(crate) struct State(pub(crate) Arc<stickslip::history::State>);
+
+#[pymethods]
+impl State {
+    /// Its bytes, which this and later versions read.
+    fn to_bytes<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
+        let bytes = py.detach(|| self.0.to_bytes());
+        PyBytes::new(py, &bytes)
+    }
+
+    /// A state from its bytes.
+    #[staticmethod]
+    fn from_bytes(py: Python<'_>, bytes: &[u8]) -> PyResult<Self> {
+        let state = stickslip::history::State::from_bytes(bytes).or_raise(py)?;
+        Ok(Self(Arc::new(state)))
+    }
+
+    /// The grid.
+    #[getter]
+    fn grid(&self) -> Grid {
+        Grid(self.0.grid())
+    }
+
+    /// What lies beyond the edge of the grid.
+    #[getter]
+    fn boundary(&self) -> Boundary {
+        Boundary(self.0.boundary())
+    }
+
+    /// The two bodies.
+    #[getter]
+    fn pair(&self) -> ElasticPair {
+        ElasticPair(*self.0.pair())
+    }
+
+    /// The axis of the scalar model; ``None`` in the vector model.
+    #[getter]
+    fn axis(&self) -> Option<Choice<stickslip::Axis>> {
+        self.0.axis().map(Choice)
+    }
+
+    /// Method, tolerance and limits.
+    #[getter]
+    fn settings(&self) -> Settings {
+        Settings(*self.0.settings())
+    }
+
+    /// The friction.
+    #[getter]
+    fn friction(&self) -> Friction {
+        Friction(self.0.friction().clone())
+    }
+
+    /// The largest pressure of the cells, if it is limited.
+    #[getter]
+    fn hardness(&self) -> Option<Hardness> {
+        self.0.hardness().cloned().map(Hardness)
+    }
+
+    /// The relative displacement as far as it has come, if there is one (lengths).
+    #[getter]
+    fn relative_displacement<'py>(slf: &Bound<'py, Self>) -> Option<(Array<'py>, Array<'py>)> {
+        let fields = slf.get().0.relative_displacement()?;
+        Some(
+            fields
+                .map(|field| crate::array::copy(slf.py(), field))
+                .into(),
+        )
+    }
+
+    /// What has yielded for good, if it stays (lengths).
+    #[getter]
+    fn yielded<'py>(slf: &Bound<'py, Self>) -> Option<Array<'py>> {
+        let field = slf.get().0.yielded()?;
+        Some(crate::array::copy(slf.py(), field))
+    }
+
+    /// The gap before loading (lengths).
+    #[getter]
+    fn gap<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
+        view(slf, |state| state.0.gap())
+    }
+
+    /// The touch rule.
+    #[getter]
+    fn touch_rule(&self) -> Choice<stickslip::history::TouchRule> {
+        Choice(self.0.touch_rule())
+    }
+
+    /// What of the coupling is modelled.
+    #[getter]
+    fn coupling(&self) -> Choice<stickslip::Coupling> {
+        Choice(self.0.coupling())
+    }
+
+    /// Whether the pressure is still that of an older gap.
+    #[getter]
+    fn is_pressure_stale(&self) -> bool {
+        self.0.is_pressure_stale()
+    }
+
+    /// The normal contact, which shares the memory of the state.
+    #[getter]
+    fn normal(&self) -> NormalSolution {
+        NormalSolution::of_state(&self.0)
+    }
+
+    /// Pressure.
+    #[getter]
+    fn pressure<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
+        view(slf, |state| state.0.pressure())
+    }
+
+    /// Approach (a length).
+    #[getter]
+    fn approach(&self) -> f64 {
+        self.0.approach()
+    }
+
+    /// Traction along x and y (pressures).
+    #[getter]
+    fn traction<'py>(slf: &Bound<'py, Self>) -> (Array<'py>, Array<'py>) {
+        (
+            view(slf, |state| state.0.traction()[0]),
+            view(slf, |state| state.0.traction()[1]),
+        )
+    }
+
+    /// Slip since the start along x and y (lengths).
+    #[getter]
+    fn slip<'py>(slf: &Bound<'py, Self>) -> (Array<'py>, Array<'py>) {
+        (
+            view(slf, |state| state.0.slip()[0]),
+            view(slf, |state| state.0.slip()[1]),
+        )
+    }
+
+    /// Length of the path that each cell slipped since the start.
+    #[getter]
+    fn accumulated_slip<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
+        view(slf, |state| state.0.accumulated_slip())
+    }
+
+    /// Energy that each cell dissipated since the start.
+    #[getter]
+    fn dissipated_energy<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
+        view(slf, |state| state.0.dissipated_energy())
+    }
+
+    /// The zone of every cell: 0 separated, 1 stick, 2 slip.
+    #[getter]
+    fn zones<'py>(&self, py: Python<'py>) -> Array<'py> {
+        zones(py, self.0.grid(), self.0.zones())
+    }
+
+    /// Shift of body 2 relative to body 1 (lengths).
+    #[getter]
+    fn shift(&self) -> (f64, f64) {
+        pair(self.0.shift())
+    }
+
+    /// Rotation of body 2 (radians).
+    #[getter]
+    fn twist(&self) -> f64 {
+        self.0.twist()
+    }
+
+    /// Tangential force that body 2 exerts on body 1.
+    #[getter]
+    fn force(&self) -> (f64, f64) {
+        pair(self.0.force())
+    }
+
+    /// Moment about z, at the origin, on body 1.
+    #[getter]
+    fn moment(&self) -> f64 {
+        self.0.moment()
+    }
+
+    /// Steps taken since the start.
+    #[getter]
+    fn steps(&self) -> u64 {
+        self.0.steps()
+    }
+
+    fn __reduce__<'py>(
+        slf: &Bound<'py, Self>,
+    ) -> PyResult<ByItself<'py, (Bound<'py, PyType>, Bound<'py, PyBytes>)>> {
+        let restore = slf
+            .py()
+            .import("stickslip._stickslip")?
+            .getattr("_from_bytes")?;
+        Ok((restore, (slf.get_type(), slf.get().to_bytes(slf.py()))))
+    }
+
+    fn __repr__(&self) -> String {
+        let ([force_x, force_y], [x, y]) = (self.0.force(), self.0.shift());
+        format!(
+            "State(steps={}, normal_force={:.6e}, force=({force_x:.6e}, {force_y:.6e}), shift=({x:.6e}, {y:.6e}))",
+            self.0.steps(),
+            self.0.normal().force()
+        )
+    }
+}
+
+/// What pickle calls for what has bytes of its own.
+#[pyfunction]
+pub(crate) fn _from_bytes<'py>(
+    kind: Bound<'py, PyType>,
+    bytes: Bound<'py, PyBytes>,
+) -> PyResult<Bound<'py, PyAny>> {
+    kind.call_method1("from_bytes", (bytes,))
+}

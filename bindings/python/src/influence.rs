@@ -1,0 +1,125 @@
+//! Influence coefficients.
+
+use pyo3::prelude::*;
+use stickslip::influence;
+
+use crate::choice::Choice;
+use crate::error::OrRaise;
+use crate::grid::{ElasticPair, Grid, Material};
+use crate::work::unobserved;
+
+/// The nine influence coefficients at a point, displacement first, traction second (lengths over pressures).
+#[pyclass(frozen, eq, module = "stickslip.influence")]
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) struct Tensor(influence::Tensor);
+
+macro_rules! components {
+    ($($component:ident),+) => {
+        #[pymethods]
+        impl Tensor {
+            $(
+                #[doc = concat!("Coefficient ", stringify!($component), ".")]
+                #[getter]
+                fn $component(&self) -> f64 {
+                    self.0.$component
+                }
+            )+
+
+            /// As rows, displacement first.
+            #[getter]
+            fn rows(&self) -> [[f64; 3]; 3] {
+                let tensor = self.0;
+                [
+                    [tensor.xx, tensor.xy, tensor.xz],
+                    [tensor.yx, tensor.yy, tensor.yz],
+                    [tensor.zx, tensor.zy, tensor.zz],
+                ]
+            }
+
+            fn __repr__(&self) -> String {
+                let parts = [$(format!("{}={:.6e}", stringify!($component), self.0.$component)),+];
+                format!("Tensor({})", parts.join(", "))
+            }
+        }
+    };
+}
+
+components!(xx, xy, xz, yx, yy, yz, zx, zy, zz);
+
+/// A rectangle under uniform traction.
+///
+/// Parameters
+/// ----------
+/// a, b : float
+///     Half sides along x and y (lengths).
+#[pyclass(frozen, module = "stickslip.influence")]
+pub(crate) struct Rectangle(influence::Rectangle);
+
+#[pymethods]
+impl Rectangle {
+    #[new]
+    fn new(py: Python<'_>, a: f64, b: f64) -> PyResult<Self> {
+        influence::Rectangle::new(a, b).or_raise(py).map(Self)
+    }
+
+    /// The coefficients of a body at a position from the centre.
+    fn tensor(&self, material: &Material, x: f64, y: f64) -> Tensor {
+        Tensor(self.0.tensor(&material.0, x, y))
+    }
+
+    /// The coefficients of a pair at a position from the centre.
+    fn pair_tensor(&self, pair: &ElasticPair, x: f64, y: f64) -> Tensor {
+        Tensor(self.0.pair_tensor(&pair.0, x, y))
+    }
+
+    fn __repr__(&self) -> String {
+        format!("{:?}", self.0)
+    }
+}
+
+/// One influence coefficient at all distances of cells of a grid.
+///
+/// Parameters
+/// ----------
+/// grid : Grid
+/// pair : ElasticPair
+/// component : Component or str
+///     Displacement first, traction second.
+#[pyclass(frozen, module = "stickslip.influence")]
+pub(crate) struct Table(influence::Table);
+
+#[pymethods]
+impl Table {
+    #[new]
+    fn new(
+        py: Python<'_>,
+        grid: &Grid,
+        pair: &ElasticPair,
+        component: Choice<influence::Component>,
+    ) -> PyResult<Self> {
+        let sample = || influence::Table::sample(grid.0, &pair.0, component.0);
+        unobserved(py, grid.0.cells(), sample).map(Self)
+    }
+
+    /// The component.
+    #[getter]
+    fn component(&self) -> Choice<influence::Component> {
+        Choice(self.0.component())
+    }
+
+    /// Distances along x and y, those of one sign.
+    #[getter]
+    fn size(&self) -> (usize, usize) {
+        self.0.size().into()
+    }
+
+    /// The coefficient at a distance of so many cells along x and y, of either sign; ``None`` beyond the table.
+    fn get(&self, i: isize, j: isize) -> Option<f64> {
+        self.0.get(i, j)
+    }
+
+    fn __repr__(&self) -> String {
+        let [nx, ny] = self.0.size();
+        format!("Table('{}', {nx} x {ny})", self.component().name())
+    }
+}

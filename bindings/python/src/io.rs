@@ -1,0 +1,318 @@
+//! Surfaces from files, fields into files.
+
+use std::path::PathBuf;
+use std::sync::{Arc, Mutex};
+
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyDict};
+use stickslip::io::{self, Sides, vti};
+
+use crate::error::OrRaise;
+use crate::field::{Field, Samples};
+use crate::grid::Grid;
+use crate::held::lock;
+
+/// Sides of a cell or of the grid, of files that do not say.
+fn sides(cell: Option<[f64; 2]>, size: Option<[f64; 2]>) -> PyResult<Sides> {
+    match (cell, size) {
+        (Some(cell), None) => Ok(Sides::OfCell(cell)),
+        (None, Some(size)) => Ok(Sides::OfGrid(size)),
+        _ => Err(PyTypeError::new_err(
+            "give the sides of a cell, cell=(dx, dy), or of the grid, size=(x, y)",
+        )),
+    }
+}
+
+/// A surface from a file, by its ending: ASC, SDF, SUR, X3P, XYZ.
+#[pyfunction]
+pub(crate) fn read(py: Python<'_>, path: PathBuf) -> PyResult<Field> {
+    py.detach(|| io::read(&path)).or_raise(py).map(Into::into)
+}
+
+/// Formats that know their grid.
+macro_rules! formats {
+    ($($format:ident: $read:ident, $parse:ident, $doc:literal;)+) => {$(
+        #[doc = concat!("A surface from ", $doc, " file.")]
+        #[pyfunction]
+        pub(crate) fn $read(py: Python<'_>, path: PathBuf) -> PyResult<Field> {
+            py.detach(|| io::$format::read(&path)).or_raise(py).map(Into::into)
+        }
+
+        #[doc = concat!("A surface from the bytes of ", $doc, " file.")]
+        #[pyfunction]
+        pub(crate) fn $parse(py: Python<'_>, bytes: &[u8]) -> PyResult<Field> {
+            py.detach(|| io::$format::parse(bytes)).or_raise(py).map(Into::into)
+        }
+    )+};
+}
+
+formats! {
+    asc: asc_read, asc_parse, "an ASC";
+    sdf: sdf_read, sdf_parse, "an SDF";
+    sur: sur_read, sur_parse, "a SUR";
+    x3p: x3p_read, x3p_parse, "an X3P";
+    xyz: xyz_read, xyz_parse, "an XYZ";
+}
+
+/// Writes a surface as SDF.
+#[pyfunction]
+pub(crate) fn sdf_write(py: Python<'_>, path: PathBuf, field: Samples<'_>) -> PyResult<()> {
+    let field = field.alone("field")?;
+    py.detach(|| io::sdf::write(&path, &field)).or_raise(py)
+}
+
+/// A surface as the bytes of an SDF file.
+#[pyfunction]
+pub(crate) fn sdf_to_bytes<'py>(
+    py: Python<'py>,
+    field: Samples<'py>,
+) -> PyResult<Bound<'py, PyBytes>> {
+    let field = field.alone("field")?;
+    let bytes = py.detach(|| io::sdf::to_bytes(&field)).or_raise(py)?;
+    Ok(PyBytes::new(py, &bytes))
+}
+
+fn options(missing: Option<f64>, skip_rows: usize) -> io::csv::Options {
+    let options = io::csv::Options::default().skip_rows(skip_rows);
+    match missing {
+        None => options,
+        Some(value) => options.missing(value),
+    }
+}
+
+/// A field from a matrix in text.
+///
+/// Parameters
+/// ----------
+/// path : path_like
+/// cell, size : pair of float
+///     One of the two: sides of a cell, or of the grid (lengths).
+/// missing : float, optional
+///     The value that stands for a missing point.
+/// skip_rows : int, default 0
+#[pyfunction]
+#[pyo3(signature = (path, *, cell=None, size=None, missing=None, skip_rows=0))]
+pub(crate) fn csv_read(
+    py: Python<'_>,
+    path: PathBuf,
+    cell: Option<[f64; 2]>,
+    size: Option<[f64; 2]>,
+    missing: Option<f64>,
+    skip_rows: usize,
+) -> PyResult<Field> {
+    let (sides, options) = (sides(cell, size)?, options(missing, skip_rows));
+    py.detach(|| options.read(&path, sides))
+        .or_raise(py)
+        .map(Into::into)
+}
+
+/// A field from the bytes of a matrix in text; see :func:`read`.
+#[pyfunction]
+#[pyo3(signature = (bytes, *, cell=None, size=None, missing=None, skip_rows=0))]
+pub(crate) fn csv_parse(
+    py: Python<'_>,
+    bytes: &[u8],
+    cell: Option<[f64; 2]>,
+    size: Option<[f64; 2]>,
+    missing: Option<f64>,
+    skip_rows: usize,
+) -> PyResult<Field> {
+    let (sides, options) = (sides(cell, size)?, options(missing, skip_rows));
+    py.detach(|| options.parse(bytes, sides))
+        .or_raise(py)
+        .map(Into::into)
+}
+
+/// Writes a field as a matrix in text.
+#[pyfunction]
+pub(crate) fn csv_write(py: Python<'_>, path: PathBuf, field: Samples<'_>) -> PyResult<()> {
+    let field = field.alone("field")?;
+    py.detach(|| io::csv::write(&path, &field)).or_raise(py)
+}
+
+/// A field as a matrix in text.
+#[pyfunction]
+pub(crate) fn csv_to_bytes<'py>(
+    py: Python<'py>,
+    field: Samples<'py>,
+) -> PyResult<Bound<'py, PyBytes>> {
+    let field = field.alone("field")?;
+    Ok(PyBytes::new(py, &io::csv::to_bytes(&field)))
+}
+
+/// A field from an NPY file, on cells or a grid of these sides (lengths).
+#[pyfunction]
+#[pyo3(signature = (path, *, cell=None, size=None))]
+pub(crate) fn npy_read(
+    py: Python<'_>,
+    path: PathBuf,
+    cell: Option<[f64; 2]>,
+    size: Option<[f64; 2]>,
+) -> PyResult<Field> {
+    let sides = sides(cell, size)?;
+    py.detach(|| io::npy::read(&path, sides))
+        .or_raise(py)
+        .map(Into::into)
+}
+
+/// A field from the bytes of an NPY file.
+#[pyfunction]
+#[pyo3(signature = (bytes, *, cell=None, size=None))]
+pub(crate) fn npy_parse(
+    py: Python<'_>,
+    bytes: &[u8],
+    cell: Option<[f64; 2]>,
+    size: Option<[f64; 2]>,
+) -> PyResult<Field> {
+    let sides = sides(cell, size)?;
+    py.detach(|| io::npy::parse(bytes, sides))
+        .or_raise(py)
+        .map(Into::into)
+}
+
+/// The grid of an NPY file, whose samples are not read.
+#[pyfunction]
+#[pyo3(signature = (path, *, cell=None, size=None))]
+pub(crate) fn npy_grid(
+    py: Python<'_>,
+    path: PathBuf,
+    cell: Option<[f64; 2]>,
+    size: Option<[f64; 2]>,
+) -> PyResult<Grid> {
+    io::npy::grid(&path, sides(cell, size)?)
+        .or_raise(py)
+        .map(Grid)
+}
+
+/// Writes a field as NPY.
+#[pyfunction]
+pub(crate) fn npy_write(py: Python<'_>, path: PathBuf, field: Samples<'_>) -> PyResult<()> {
+    let field = field.alone("field")?;
+    py.detach(|| io::npy::write(&path, &field)).or_raise(py)
+}
+
+/// A field as the bytes of an NPY file.
+#[pyfunction]
+pub(crate) fn npy_to_bytes<'py>(
+    py: Python<'py>,
+    field: Samples<'py>,
+) -> PyResult<Bound<'py, PyBytes>> {
+    let field = field.alone("field")?;
+    Ok(PyBytes::new(py, &io::npy::to_bytes(&field)))
+}
+
+/// Fields and vectors by name.
+struct Arrays(Vec<(String, Vec<Arc<stickslip::Field>>)>);
+
+impl Arrays {
+    fn of(py: Python<'_>, fields: &Bound<'_, PyDict>, grid: Option<&Grid>) -> PyResult<Self> {
+        let mut arrays = Vec::with_capacity(fields.len());
+        let one = |object: &Bound<'_, PyAny>| {
+            let samples: Samples<'_> = object.extract()?;
+            match grid {
+                Some(grid) => samples.on(py, "field", grid.0),
+                None => samples.alone("field"),
+            }
+        };
+        for (name, value) in fields {
+            let parts = match value.cast::<pyo3::types::PyTuple>() {
+                Ok(vector) if vector.len() == 2 => vector
+                    .iter()
+                    .map(|part| one(&part))
+                    .collect::<PyResult<_>>()?,
+                Ok(_) => return Err(PyTypeError::new_err("a vector has two components")),
+                Err(_) => vec![one(&value)?],
+            };
+            arrays.push((name.extract()?, parts));
+        }
+        Ok(Self(arrays))
+    }
+
+    fn named<'a>(&'a self) -> Vec<(&'a str, vti::Array<'a>)> {
+        let array = |parts: &'a [Arc<stickslip::Field>]| match parts {
+            [x, y] => vti::Array::Vector([x, y]),
+            parts => vti::Array::Scalar(&parts[0]),
+        };
+        self.0
+            .iter()
+            .map(|(name, parts)| (name.as_str(), array(parts)))
+            .collect()
+    }
+}
+
+/// Writes fields as an image for ParaView.
+///
+/// Parameters
+/// ----------
+/// path : path_like
+/// fields : dict
+///     Fields, or pairs of fields for vectors, by name.
+/// grid : Grid, optional
+///     Needed for arrays.
+#[pyfunction]
+#[pyo3(signature = (path, fields, *, grid=None))]
+pub(crate) fn vti_write(
+    py: Python<'_>,
+    path: PathBuf,
+    fields: &Bound<'_, PyDict>,
+    grid: Option<&Grid>,
+) -> PyResult<()> {
+    let arrays = Arrays::of(py, fields, grid)?;
+    py.detach(|| vti::write(&path, &arrays.named()))
+        .or_raise(py)
+}
+
+/// Fields as the bytes of an image for ParaView; see :func:`write`.
+#[pyfunction]
+#[pyo3(signature = (fields, *, grid=None))]
+pub(crate) fn vti_to_bytes<'py>(
+    py: Python<'py>,
+    fields: &Bound<'py, PyDict>,
+    grid: Option<&Grid>,
+) -> PyResult<Bound<'py, PyBytes>> {
+    let arrays = Arrays::of(py, fields, grid)?;
+    let bytes = py.detach(|| vti::to_bytes(&arrays.named())).or_raise(py)?;
+    Ok(PyBytes::new(py, &bytes))
+}
+
+/// A series of images over time for ParaView, listed in a PVD file, which is replaced.
+///
+/// Parameters
+/// ----------
+/// path : path_like
+#[pyclass(frozen, module = "stickslip.io.pvd")]
+pub(crate) struct Series(Mutex<io::pvd::Series>);
+
+#[pymethods]
+impl Series {
+    #[new]
+    fn new(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        let series = io::pvd::Series::new(&path).or_raise(py)?;
+        Ok(Self(Mutex::new(series)))
+    }
+
+    /// Writes fields and vectors at a time, as of :func:`stickslip.io.vti.write`, and lists them.
+    #[pyo3(signature = (time, fields, *, grid=None))]
+    fn write(
+        &self,
+        py: Python<'_>,
+        time: f64,
+        fields: &Bound<'_, PyDict>,
+        grid: Option<&Grid>,
+    ) -> PyResult<()> {
+        let arrays = Arrays::of(py, fields, grid)?;
+        let mut series = lock(&self.0, "series")?;
+        let series = &mut *series;
+        py.detach(|| series.write(time, &arrays.named()))
+            .or_raise(py)
+    }
+
+    fn __len__(&self) -> PyResult<usize> {
+        Ok(lock(&self.0, "series")?.len())
+    }
+
+    fn __repr__(&self) -> PyResult<String> {
+        Ok(format!("Series({} images)", lock(&self.0, "series")?.len()))
+    }
+}

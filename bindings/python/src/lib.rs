@@ -1,0 +1,95 @@
+//! The extension module of the Python package `stickslip`: classes and functions over the crate, which the package
+//! sorts into modules. What is documented here is documented for Python.
+
+mod analytical;
+mod array;
+mod cgm;
+mod choice;
+mod coupled;
+mod error;
+mod field;
+mod friction;
+mod grid;
+mod half_space;
+mod held;
+mod history;
+mod influence;
+mod io;
+mod load;
+mod normal;
+mod operator;
+mod pickle;
+mod pool;
+mod progress;
+mod report;
+mod settings;
+mod spots;
+mod stiffness;
+mod subsurface;
+mod surface;
+mod tangential;
+mod work;
+
+use pyo3::prelude::*;
+
+/// What the package ``stickslip`` is made of; import that.
+#[pymodule]
+mod _stickslip {
+    /// The version of the package.
+    #[pymodule_export]
+    #[expect(
+        non_upper_case_globals,
+        reason = "the name that Python gives to versions"
+    )]
+    const __version__: &str = env!("CARGO_PKG_VERSION");
+
+    #[pymodule_export]
+    use crate::{
+        analytical::{
+            CattaneoMindlin, CattaneoMindlinEllipse, CattaneoMindlinLine, Cone, ConePartialSlip,
+            FlatPunch, HertzEllipse, HertzLine, HertzSphere, LubkinTorsion, MindlinDeresiewicz,
+            MindlinFullStick, NoSlipPunch, NoSlipSphere, Persson, PopovLimitingShape, RoughSphere,
+            RoundedPunch, SpencePressing, Westergaard, WestergaardPartialSlip, linear_stick_ratio,
+        },
+        cgm::{Minimum, minimise},
+        coupled::{CoupledProblem, CoupledReport, CoupledSolution, CoupledSolver, ErrorEstimate},
+        field::Field,
+        friction::{Friction, Hardness},
+        grid::{Boundary, ElasticPair, Grid, Material},
+        half_space::HalfSpace,
+        history::{
+            _from_bytes, _history_from_bytes, AdaptiveSteps, Cycle, CycleJump, EnergyBalance,
+            History, LoadPath, LoopPoint, State, StepError, StepResult, archard, energy,
+            max_stable_cycles, threshold_energy,
+        },
+        influence::{Rectangle, Table, Tensor},
+        io::{
+            Series, asc_parse, asc_read, csv_parse, csv_read, csv_to_bytes, csv_write, npy_grid,
+            npy_parse, npy_read, npy_to_bytes, npy_write, read, sdf_parse, sdf_read, sdf_to_bytes,
+            sdf_write, sur_parse, sur_read, vti_to_bytes, vti_write, x3p_parse, x3p_read,
+            xyz_parse, xyz_read,
+        },
+        load::{LoadStep, TangentialLoad},
+        normal::{NormalProblem, NormalSolution, NormalSolver},
+        operator::{
+            Convolution, DenseMinimum, DenseOperator, LinearOperator, TensorOperator, identity,
+        },
+        pickle::_restore,
+        pool::{num_threads, set_num_threads},
+        report::{Iteration, Report, Warning},
+        settings::Settings,
+        spots::{ContactSpots, Spot},
+        stiffness::{ContactStiffness, NormalStiffness, TangentialStiffness},
+        subsurface::{Plane, Planes, Principal, Response, Stress, at_points},
+        surface::{
+            Filled, Levelled, PowerSpectrum, RoughSurface, SelfAffine, Statistics, bisinusoidal,
+            cone, crop, cylinder, ellipsoid, fill_missing, flat_punch, gap_between,
+            gap_from_heights, inverted, level, mirror_x, paraboloid, resample, sinusoidal, sphere,
+            sum,
+        },
+        tangential::{
+            JaegerSuperposition, RelativeDisplacement, TangentialProblem, TangentialSolution,
+            TangentialSolver,
+        },
+    };
+}

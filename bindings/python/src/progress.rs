@@ -1,0 +1,51 @@
+//! What follows the progress of a solve.
+
+use pyo3::prelude::*;
+use pyo3::types::PyBool;
+
+/// The argument ``progress``: nothing, a callable, or ``True`` for a bar of tqdm.
+pub(crate) struct Progress<'py> {
+    callback: Option<Py<PyAny>>,
+    /// The bar, which is to be closed.
+    bar: Option<Bound<'py, PyAny>>,
+}
+
+impl<'py> Progress<'py> {
+    pub(crate) fn none() -> Self {
+        Self {
+            callback: None,
+            bar: None,
+        }
+    }
+
+    pub(crate) fn of(argument: Option<&Bound<'py, PyAny>>) -> PyResult<Self> {
+        let Some(argument) = argument else {
+            return Ok(Self::none());
+        };
+        let Ok(is_wanted) = argument.cast::<PyBool>() else {
+            return Ok(Self {
+                callback: Some(argument.clone().unbind()),
+                bar: None,
+            });
+        };
+        if !is_wanted.is_true() {
+            return Ok(Self::none());
+        }
+        let module = argument.py().import("stickslip._progress")?;
+        let bar = module.getattr("Bar")?.call0()?;
+        Ok(Self {
+            callback: Some(bar.clone().unbind()),
+            bar: Some(bar),
+        })
+    }
+
+    pub(crate) fn callback(&self) -> Option<&Py<PyAny>> {
+        self.callback.as_ref()
+    }
+
+    pub(crate) fn close(&self) -> PyResult<()> {
+        self.bar
+            .as_ref()
+            .map_or(Ok(()), |bar| bar.call_method0("close").map(|_| ()))
+    }
+}

@@ -1,0 +1,220 @@
+//! Reports, iterations and warnings, as objects that read well.
+
+use std::time::Duration;
+
+use pyo3::prelude::*;
+
+use crate::choice::Choice;
+
+/// One step of an iteration, as a progress callback receives it.
+///
+/// Residual and free entries are the last measured ones.
+#[pyclass(frozen, eq, module = "stickslip")]
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) struct Iteration(pub(crate) stickslip::Iteration);
+
+#[pymethods]
+impl Iteration {
+    /// Conjugate-gradient steps so far.
+    #[getter]
+    fn iteration(&self) -> usize {
+        self.0.iteration
+    }
+
+    /// Products with the operator in double precision so far.
+    #[getter]
+    fn double_precision_products(&self) -> usize {
+        self.0.double_precision_products
+    }
+
+    /// Products in single precision so far.
+    #[getter]
+    fn single_precision_products(&self) -> usize {
+        self.0.single_precision_products
+    }
+
+    /// Largest complementarity residual, relative to the largest displacement.
+    #[getter]
+    fn residual(&self) -> f64 {
+        self.0.residual
+    }
+
+    /// Entries strictly between their bounds: contact cells, or cells that stick.
+    #[getter]
+    fn free(&self) -> usize {
+        self.0.free
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "Iteration(iteration={}, residual={:.2e}, free={})",
+            self.0.iteration, self.0.residual, self.0.free
+        )
+    }
+}
+
+/// How a solve ended, what it cost and how large its error can be.
+///
+/// Every number is recomputed from a fresh product with the returned iterate, whatever the status.
+#[pyclass(frozen, eq, module = "stickslip")]
+#[derive(Clone, PartialEq)]
+pub(crate) struct Report(pub(crate) stickslip::Report);
+
+impl Report {
+    pub(crate) fn of(report: &stickslip::Report) -> Self {
+        Self(report.clone())
+    }
+}
+
+#[pymethods]
+impl Report {
+    /// Why the iteration ended.
+    #[getter]
+    fn status(&self) -> Choice<stickslip::Status> {
+        Choice(self.0.status)
+    }
+
+    /// Conjugate-gradient steps.
+    #[getter]
+    fn iterations(&self) -> usize {
+        self.0.iterations
+    }
+
+    /// Products with the operator in double precision, with the final check.
+    #[getter]
+    fn double_precision_products(&self) -> usize {
+        self.0.double_precision_products
+    }
+
+    /// Products in single precision.
+    #[getter]
+    fn single_precision_products(&self) -> usize {
+        self.0.single_precision_products
+    }
+
+    /// Products of both precisions.
+    #[getter]
+    fn products(&self) -> usize {
+        self.0.products()
+    }
+
+    /// Largest complementarity residual, relative to the largest displacement.
+    #[getter]
+    fn residual(&self) -> f64 {
+        self.0.residual
+    }
+
+    /// Certified bound on the squared relative error in the energy norm.
+    #[getter]
+    fn duality_gap(&self) -> f64 {
+        self.0.duality_gap
+    }
+
+    /// Certified bound on the relative error in the energy norm, the root of the duality gap.
+    #[getter]
+    fn energy_error_bound(&self) -> f64 {
+        self.0.energy_error_bound()
+    }
+
+    /// Relative error of the prescribed total; zero when none is prescribed.
+    #[getter]
+    fn load_error(&self) -> f64 {
+        self.0.load_error
+    }
+
+    /// Wall time of the solve (s).
+    #[getter]
+    fn time(&self) -> f64 {
+        Duration::as_secs_f64(&self.0.time)
+    }
+
+    /// Whether the tolerance was reached.
+    #[getter]
+    fn is_converged(&self) -> bool {
+        self.0.is_converged()
+    }
+
+    /// Every iterate whose residual was measured, in order.
+    #[getter]
+    fn history(&self) -> Vec<Iteration> {
+        self.0.history.iter().copied().map(Iteration).collect()
+    }
+
+    fn __repr__(&self) -> String {
+        format!("{:?}", self.0)
+    }
+}
+
+/// A remark on a converged solution that may mislead.
+///
+/// ``kind`` names it: ``no_contact``, ``contact_at_edge``, ``unresolved_spots``, ``line_of_cells``, ``contact_across``,
+/// ``beyond_hardness`` or ``stale_pressure``.
+#[pyclass(frozen, eq, hash, module = "stickslip")]
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) struct Warning(pub(crate) stickslip::Warning);
+
+impl Warning {
+    pub(crate) fn all(warnings: Vec<stickslip::Warning>) -> Vec<Self> {
+        warnings.into_iter().map(Self).collect()
+    }
+}
+
+#[pymethods]
+impl Warning {
+    /// Its name.
+    #[getter]
+    fn kind(&self) -> &'static str {
+        use stickslip::Warning as W;
+        match self.0 {
+            W::NoContact => "no_contact",
+            W::ContactAtEdge { .. } => "contact_at_edge",
+            W::UnresolvedSpots { .. } => "unresolved_spots",
+            W::LineOfCells => "line_of_cells",
+            W::ContactAcross { .. } => "contact_across",
+            W::BeyondHardness { .. } => "beyond_hardness",
+            W::StalePressure => "stale_pressure",
+            _ => "other",
+        }
+    }
+
+    /// The cells it is about, if it counts any.
+    #[getter]
+    fn cells(&self) -> Option<usize> {
+        use stickslip::Warning as W;
+        match self.0 {
+            W::ContactAtEdge { cells } | W::BeyondHardness { cells } => Some(cells),
+            _ => None,
+        }
+    }
+
+    /// What it says, and what to do.
+    #[getter]
+    fn message(&self) -> String {
+        self.0.to_string()
+    }
+
+    fn __str__(&self) -> String {
+        self.message()
+    }
+
+    fn __repr__(&self) -> String {
+        format!("Warning('{}: {}')", self.kind(), self.0)
+    }
+}
+
+/// Passes the remarks on to ``warnings.warn``, if that is wanted; only then are they looked for.
+pub(crate) fn warn(
+    py: Python<'_>,
+    is_wanted: bool,
+    warnings: impl FnOnce() -> Vec<stickslip::Warning>,
+) -> PyResult<()> {
+    if !is_wanted {
+        return Ok(());
+    }
+    let category = py.import("stickslip.errors")?.getattr("ContactWarning")?;
+    let module = py.import("warnings")?;
+    for warning in warnings() {
+        module.call_method1("warn", (warning.to_string(), &category, 2))?;
+    }
+    Ok(())
+}

@@ -1,0 +1,115 @@
+//! Method, tolerance and limits of an iteration.
+
+use std::time::Duration;
+
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use crate::choice::Choice;
+use crate::error::OrRaise;
+use crate::pickle::picklable;
+
+/// Method, tolerance and limits of an iteration, as every problem, solver and history takes them: together as
+/// ``settings``, or one by one by the same keywords.
+///
+/// Parameters
+/// ----------
+/// tolerance : float, default 1e-8
+///     Bounds the certified error in the energy norm and the largest residual.
+/// method : Method or str, default "active_set"
+///     "active_set", or "polonsky_keer" for one unknown a cell.
+/// max_iterations : int, default 10000
+///     Conjugate-gradient steps allowed.
+/// time_limit : float, optional
+///     Wall time allowed a solve (s).
+///
+/// Raises
+/// ------
+/// Tolerance, IterationLimit
+#[pyclass(frozen, eq, module = "stickslip", from_py_object)]
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) struct Settings(pub(crate) stickslip::cgm::Settings);
+
+#[pymethods]
+impl Settings {
+    #[new]
+    #[pyo3(signature = (*, tolerance=None, method=None, max_iterations=None, time_limit=None))]
+    fn new(
+        py: Python<'_>,
+        tolerance: Option<f64>,
+        method: Option<Choice<stickslip::cgm::Method>>,
+        max_iterations: Option<usize>,
+        time_limit: Option<f64>,
+    ) -> PyResult<Self> {
+        let settings = chosen(None, tolerance, method, max_iterations, time_limit)?;
+        settings.check().or_raise(py)?;
+        Ok(Self(settings))
+    }
+
+    /// Error accepted.
+    #[getter]
+    fn tolerance(&self) -> f64 {
+        self.0.tolerance
+    }
+
+    /// Which iteration.
+    #[getter]
+    fn method(&self) -> Choice<stickslip::cgm::Method> {
+        Choice(self.0.method)
+    }
+
+    /// Conjugate-gradient steps allowed.
+    #[getter]
+    fn max_iterations(&self) -> usize {
+        self.0.max_iterations
+    }
+
+    /// Wall time allowed (s), or ``None``.
+    #[getter]
+    fn time_limit(&self) -> Option<f64> {
+        self.0.time_limit.map(|limit| limit.as_secs_f64())
+    }
+
+    fn __repr__(&self) -> String {
+        let limit = self
+            .time_limit()
+            .map_or("None".into(), |limit| limit.to_string());
+        format!(
+            "Settings(tolerance={:e}, method='{}', max_iterations={}, time_limit={limit})",
+            self.0.tolerance,
+            self.method().name(),
+            self.0.max_iterations
+        )
+    }
+}
+
+picklable!(Settings: stickslip::cgm::Settings);
+
+/// The settings of a call: those given together, changed by those given one by one.
+pub(crate) fn chosen(
+    settings: Option<Settings>,
+    tolerance: Option<f64>,
+    method: Option<Choice<stickslip::cgm::Method>>,
+    max_iterations: Option<usize>,
+    time_limit: Option<f64>,
+) -> PyResult<stickslip::cgm::Settings> {
+    let mut chosen = settings.map(|settings| settings.0).unwrap_or_default();
+    if let Some(tolerance) = tolerance {
+        chosen = chosen.tolerance(tolerance);
+    }
+    if let Some(method) = method {
+        chosen = chosen.method(method.0);
+    }
+    if let Some(most) = max_iterations {
+        chosen = chosen.max_iterations(most);
+    }
+    if let Some(seconds) = time_limit {
+        let limit = Duration::try_from_secs_f64(seconds).map_err(|_| {
+            PyValueError::new_err(format!(
+                "time_limit must be a number of seconds, got {seconds}"
+            ))
+        })?;
+        chosen = chosen.time_limit(limit);
+    }
+    Ok(chosen)
+}

@@ -1,0 +1,113 @@
+//! Contact spots, one by one.
+
+use pyo3::exceptions::PyIndexError;
+use pyo3::prelude::*;
+
+use crate::array::{Array, labels};
+use crate::held::pair;
+
+/// A connected spot of contact cells.
+#[pyclass(frozen, eq, module = "stickslip")]
+#[derive(Clone, PartialEq)]
+pub(crate) struct Spot(stickslip::Spot);
+
+#[pymethods]
+impl Spot {
+    /// Its cells.
+    #[getter]
+    fn cells(&self) -> usize {
+        self.0.cells
+    }
+
+    /// Its area.
+    #[getter]
+    fn area(&self) -> f64 {
+        self.0.area
+    }
+
+    /// The force it carries.
+    #[getter]
+    fn load(&self) -> f64 {
+        self.0.load
+    }
+
+    /// Load over area.
+    #[getter]
+    fn mean_pressure(&self) -> f64 {
+        self.0.mean_pressure
+    }
+
+    /// The largest pressure in it.
+    #[getter]
+    fn max_pressure(&self) -> f64 {
+        self.0.max_pressure
+    }
+
+    /// Mean position of its cells (lengths).
+    #[getter]
+    fn centroid(&self) -> (f64, f64) {
+        pair(self.0.centroid)
+    }
+
+    /// Length of its edge along the sides of cells.
+    #[getter]
+    fn perimeter(&self) -> f64 {
+        self.0.perimeter
+    }
+
+    /// Stick cells over its cells; ``None`` without shear.
+    #[getter]
+    fn stick_ratio(&self) -> Option<f64> {
+        self.0.stick_ratio
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "Spot(cells={}, load={:.4e}, centroid=({:.4e}, {:.4e}))",
+            self.0.cells, self.0.load, self.0.centroid[0], self.0.centroid[1]
+        )
+    }
+}
+
+/// The connected spots of a contact: a sequence of :class:`Spot`.
+#[pyclass(frozen, module = "stickslip", sequence)]
+pub(crate) struct ContactSpots(stickslip::ContactSpots);
+
+impl ContactSpots {
+    pub(crate) fn of(spots: stickslip::ContactSpots) -> Self {
+        Self(spots)
+    }
+}
+
+#[pymethods]
+impl ContactSpots {
+    /// The number of the spot of every cell, counted from 1, of shape (ny, nx); 0 outside the contact.
+    #[getter]
+    fn labels<'py>(&self, py: Python<'py>) -> Array<'py> {
+        labels(py, self.0.grid(), self.0.labels())
+    }
+
+    /// The spot of the largest area.
+    #[getter]
+    fn largest(&self) -> Option<Spot> {
+        self.0.largest().copied().map(Spot)
+    }
+
+    fn __len__(&self) -> usize {
+        self.0.as_slice().len()
+    }
+
+    fn __getitem__(&self, index: isize) -> PyResult<Spot> {
+        let spots = self.0.as_slice();
+        let from_end = if index < 0 { spots.len() } else { 0 };
+        let place = from_end.checked_add_signed(index);
+        let spot = place.and_then(|place| spots.get(place));
+        spot.copied()
+            .map(Spot)
+            .ok_or_else(|| PyIndexError::new_err(format!("no spot {index} of {}", spots.len())))
+    }
+
+    fn __repr__(&self) -> String {
+        format!("ContactSpots({} spots)", self.0.as_slice().len())
+    }
+}

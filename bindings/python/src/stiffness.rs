@@ -1,0 +1,137 @@
+//! Slopes of the forces.
+
+use pyo3::prelude::*;
+
+use crate::error::OrRaise;
+use crate::friction::AnyFriction;
+use crate::half_space::HalfSpace;
+use crate::normal::NormalSolution;
+use crate::tangential::TangentialSolution;
+use crate::work::unobserved;
+
+/// The slope of the normal force by the approach (a force over a length), with a bound of its relative error.
+#[pyclass(frozen, eq, module = "stickslip.stiffness")]
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) struct NormalStiffness(pub(crate) stickslip::stiffness::NormalStiffness);
+
+#[pymethods]
+impl NormalStiffness {
+    /// The slope.
+    #[getter]
+    fn value(&self) -> f64 {
+        self.0.value
+    }
+
+    /// Bound of its relative error.
+    #[getter]
+    fn bound(&self) -> f64 {
+        self.0.bound
+    }
+
+    fn __float__(&self) -> f64 {
+        self.0.value
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "NormalStiffness(value={:e}, bound={:.1e})",
+            self.0.value, self.0.bound
+        )
+    }
+}
+
+/// Slopes of the tangential forces along x and y and of the moment (rows) by the shifts along x and y and by the twist
+/// (columns), under a load that goes on and at its reversal.
+#[pyclass(frozen, eq, module = "stickslip.stiffness")]
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) struct TangentialStiffness(pub(crate) stickslip::stiffness::TangentialStiffness);
+
+#[pymethods]
+impl TangentialStiffness {
+    /// Where the load goes on.
+    #[getter]
+    fn loading(&self) -> [[f64; 3]; 3] {
+        self.0.loading
+    }
+
+    /// Where it turns: all contact cells stick.
+    #[getter]
+    fn reversal(&self) -> [[f64; 3]; 3] {
+        self.0.reversal
+    }
+
+    /// Bound of the relative error.
+    #[getter]
+    fn bound(&self) -> f64 {
+        self.0.bound
+    }
+
+    /// The stiffness behind springs along x and y (forces over lengths).
+    fn through_springs(&self, py: Python<'_>, springs: [f64; 2]) -> PyResult<Self> {
+        self.0.through_springs(springs).or_raise(py).map(Self)
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "TangentialStiffness(loading={:?}, reversal={:?}, bound={:.1e})",
+            self.0.loading, self.0.reversal, self.0.bound
+        )
+    }
+}
+
+/// All slopes of a contact.
+///
+/// Parameters
+/// ----------
+/// bodies : HalfSpace
+/// normal : NormalSolution
+/// friction : Friction, float or array_like
+/// shear : TangentialSolution
+#[pyclass(frozen, eq, module = "stickslip.stiffness")]
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) struct ContactStiffness(pub(crate) stickslip::stiffness::ContactStiffness);
+
+#[pymethods]
+impl ContactStiffness {
+    #[new]
+    fn new(
+        py: Python<'_>,
+        bodies: &HalfSpace,
+        normal: &NormalSolution,
+        friction: AnyFriction<'_>,
+        shear: &TangentialSolution,
+    ) -> PyResult<Self> {
+        let bodies = &bodies.0;
+        let friction = friction.on(py, bodies.grid())?;
+        let (normal, shear) = (normal.get(), shear.get());
+        let found = unobserved(py, bodies.grid().cells(), || {
+            stickslip::stiffness::ContactStiffness::new(bodies, normal, &friction, shear)
+        });
+        found.map(Self)
+    }
+
+    /// By the approach, of the normal force.
+    #[getter]
+    fn normal(&self) -> NormalStiffness {
+        NormalStiffness(self.0.normal)
+    }
+
+    /// By shifts and twist, of the tangential forces and the moment.
+    #[getter]
+    fn tangential(&self) -> TangentialStiffness {
+        TangentialStiffness(self.0.tangential)
+    }
+
+    /// By the approach, of the tangential forces and the moment.
+    #[getter]
+    fn by_approach(&self) -> (f64, f64, f64) {
+        self.0.by_approach.into()
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "ContactStiffness(normal={:e}, tangential={:?}, by_approach={:?})",
+            self.0.normal.value, self.0.tangential.loading, self.0.by_approach
+        )
+    }
+}

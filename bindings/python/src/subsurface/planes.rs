@@ -1,0 +1,245 @@
+//! Stress and displacement on planes.
+
+use std::path::PathBuf;
+use std::sync::Mutex;
+
+use numpy::IntoPyArray;
+use pyo3::prelude::*;
+use stickslip::subsurface::{self, Body};
+
+use crate::array::{Array, copy, view};
+use crate::choice::Choice;
+use crate::error::OrRaise;
+use crate::grid::Grid;
+use crate::half_space::HalfSpace;
+use crate::held::lock;
+use crate::subsurface::tractions::held;
+use crate::subsurface::{Loaded, Stress};
+use crate::work::unobserved;
+
+/// Stress, and displacement if it was asked for, at the cell centres of a plane below the surface. Arrays are views,
+/// those of derived stresses are new.
+#[pyclass(frozen, module = "stickslip.subsurface")]
+pub(crate) struct Plane(subsurface::Plane);
+
+impl Plane {
+    fn derived<'py>(
+        &self,
+        py: Python<'py>,
+        of: impl Fn(subsurface::Stress) -> f64 + Send + Sync,
+    ) -> PyResult<Array<'py>> {
+        let cells = self.0.grid().cells();
+        let field = unobserved(py, cells, || Ok(self.0.map(of)))?;
+        Ok(copy(py, &field))
+    }
+}
+
+#[pymethods]
+impl Plane {
+    /// The grid.
+    #[getter]
+    fn grid(&self) -> Grid {
+        Grid(self.0.grid())
+    }
+
+    /// The body.
+    #[getter]
+    fn body(&self) -> Choice<Body> {
+        Choice(self.0.body())
+    }
+
+    /// Depth below the surface of the body (a length).
+    #[getter]
+    fn depth(&self) -> f64 {
+        self.0.depth()
+    }
+
+    /// Position, negative in body two.
+    #[getter]
+    fn z(&self) -> f64 {
+        self.0.z()
+    }
+
+    /// Components xx, yy and zz (pressures, tensile positive).
+    #[getter]
+    fn normal_stress<'py>(slf: &Bound<'py, Self>) -> (Array<'py>, Array<'py>, Array<'py>) {
+        (
+            view(slf, |plane| plane.0.normal_stress()[0]),
+            view(slf, |plane| plane.0.normal_stress()[1]),
+            view(slf, |plane| plane.0.normal_stress()[2]),
+        )
+    }
+
+    /// Components xy, xz and yz.
+    #[getter]
+    fn shear_stress<'py>(slf: &Bound<'py, Self>) -> (Array<'py>, Array<'py>, Array<'py>) {
+        (
+            view(slf, |plane| plane.0.shear_stress()[0]),
+            view(slf, |plane| plane.0.shear_stress()[1]),
+            view(slf, |plane| plane.0.shear_stress()[2]),
+        )
+    }
+
+    /// Displacement along x, y and z (lengths), if it was asked for.
+    #[getter]
+    fn displacement<'py>(&self, py: Python<'py>) -> Option<(Array<'py>, Array<'py>, Array<'py>)> {
+        let fields = self.0.displacement()?;
+        Some(fields.map(|field| copy(py, field)).into())
+    }
+
+    /// The stress of a cell, by column and row; ``None`` beyond the grid.
+    fn get(&self, ix: usize, iy: usize) -> Option<Stress> {
+        self.0.get(ix, iy).map(Stress)
+    }
+
+    /// Von Mises' equivalent stress, of shape (ny, nx).
+    #[getter]
+    fn von_mises<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        self.derived(py, |stress| stress.von_mises())
+    }
+
+    /// Mean of the normal stresses.
+    #[getter]
+    fn hydrostatic<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        self.derived(py, |stress| stress.hydrostatic())
+    }
+
+    /// Largest shear stress.
+    #[getter]
+    fn max_shear<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        self.derived(py, |stress| stress.max_shear())
+    }
+
+    fn __repr__(&self) -> String {
+        let grid = self.0.grid();
+        format!(
+            "Plane({} x {} cells, z={:.6e})",
+            grid.nx(),
+            grid.ny(),
+            self.0.z()
+        )
+    }
+}
+
+/// Stresses on planes at chosen depths below each body, by fast transforms; the kernels of a depth are made when it is
+/// first solved, and kept.
+///
+/// Parameters
+/// ----------
+/// bodies : HalfSpace
+/// depths : array_like
+///     Lengths, zero or positive.
+/// displacements : bool, default False
+///     Whether displacements are found too.
+///
+/// Examples
+/// --------
+/// >>> import stickslip
+/// >>> grid = stickslip.Grid.square(64, 0.4)
+/// >>> steel = stickslip.Material(210e3, 0.3)
+/// >>> bodies = stickslip.HalfSpace(grid, (steel, steel))
+/// >>> contact = stickslip.NormalProblem(bodies, stickslip.surface.sphere(grid, 5.0), force=100.0).solve()
+/// >>> hertz = stickslip.analytical.HertzSphere(bodies.pair, 5.0, 100.0)
+/// >>> planes = stickslip.subsurface.Planes(bodies, [0.481 * hertz.contact_radius])
+/// >>> plane = planes.solve(0, "one", contact)
+/// >>> round(float(plane.max_shear.max()) / hertz.max_pressure, 3)
+/// 0.31
+#[pyclass(frozen, module = "stickslip.subsurface")]
+pub(crate) struct Planes {
+    planes: Mutex<subsurface::Planes>,
+    bodies: HalfSpace,
+}
+
+#[pymethods]
+impl Planes {
+    #[new]
+    #[pyo3(signature = (bodies, depths, *, displacements=false))]
+    fn new(
+        py: Python<'_>,
+        bodies: HalfSpace,
+        depths: Vec<f64>,
+        displacements: bool,
+    ) -> PyResult<Self> {
+        let planes = subsurface::Planes::new(&bodies.0, &depths).or_raise(py)?;
+        let planes = if displacements {
+            planes.with_displacements()
+        } else {
+            planes
+        };
+        Ok(Self {
+            planes: Mutex::new(planes),
+            bodies,
+        })
+    }
+
+    /// The depths (lengths).
+    #[getter]
+    fn depths<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        let depths = lock(&self.planes, "planes")?.depths().to_vec();
+        Ok(Array(depths.into_pyarray(py).into_any()))
+    }
+
+    /// The plane of this number in a body; the tractions as of :func:`at_points`.
+    fn solve(
+        &self,
+        py: Python<'_>,
+        index: usize,
+        body: Choice<Body>,
+        tractions: Loaded<'_>,
+    ) -> PyResult<Plane> {
+        let grid = self.bodies.0.grid();
+        let parts = tractions.parts();
+        let held = held(py, &parts, grid)?;
+        let mut planes = lock(&self.planes, "planes")?;
+        let planes = &mut *planes;
+        unobserved(py, grid.cells(), || {
+            planes.solve(index, body.0, held.tractions())
+        })
+        .map(Plane)
+    }
+
+    /// The planes of all depths in a body.
+    fn solve_all(
+        &self,
+        py: Python<'_>,
+        body: Choice<Body>,
+        tractions: Loaded<'_>,
+    ) -> PyResult<Vec<Plane>> {
+        let grid = self.bodies.0.grid();
+        let parts = tractions.parts();
+        let held = held(py, &parts, grid)?;
+        let mut planes = lock(&self.planes, "planes")?;
+        let planes = &mut *planes;
+        let depths = 0..planes.depths().len();
+        let solved = depths.map(|index| {
+            unobserved(py, grid.cells(), || {
+                planes.solve(index, body.0, held.tractions())
+            })
+            .map(Plane)
+        });
+        solved.collect()
+    }
+
+    /// Writes the stresses of all depths in a body as a volume for ParaView.
+    fn write_vti(
+        &self,
+        py: Python<'_>,
+        path: PathBuf,
+        body: Choice<Body>,
+        tractions: Loaded<'_>,
+    ) -> PyResult<()> {
+        let grid = self.bodies.0.grid();
+        let parts = tractions.parts();
+        let held = held(py, &parts, grid)?;
+        let mut planes = lock(&self.planes, "planes")?;
+        let planes = &mut *planes;
+        unobserved(py, grid.cells(), || {
+            planes.write_vti(&path, body.0, held.tractions())
+        })
+    }
+
+    fn __repr__(&self) -> PyResult<String> {
+        let planes = lock(&self.planes, "planes")?;
+        Ok(format!("Planes({} depths)", planes.depths().len()))
+    }
+}

@@ -1,0 +1,106 @@
+//! Stress and displacement at points.
+
+use pyo3::exceptions::PyRuntimeError;
+use pyo3::prelude::*;
+use stickslip::Error;
+use stickslip::subsurface::{self as crate_subsurface, Body};
+
+use crate::choice::Choice;
+use crate::error::OrRaise;
+use crate::half_space::HalfSpace;
+use crate::progress::Progress;
+use crate::subsurface::tractions::held;
+use crate::subsurface::{Loaded, Stress};
+use crate::work::solve;
+
+/// Displacement and stress at a point.
+#[pyclass(frozen, eq, module = "stickslip.subsurface")]
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) struct Response(crate_subsurface::Response);
+
+#[pymethods]
+impl Response {
+    /// Displacement along x, y and z (lengths).
+    #[getter]
+    fn displacement(&self) -> (f64, f64, f64) {
+        self.0.displacement.into()
+    }
+
+    /// Stress.
+    #[getter]
+    fn stress(&self) -> Stress {
+        Stress(self.0.stress)
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "Response(displacement={:?}, {})",
+            self.0.displacement,
+            Stress(self.0.stress).summary()
+        )
+    }
+}
+
+impl Stress {
+    fn summary(&self) -> String {
+        format!("von_mises={:.6e}", self.0.von_mises())
+    }
+}
+
+/// Cells times points between two looks at signals.
+const UNWATCHED: usize = 1 << 22;
+
+/// Stress and displacement at points, by sums over all cells.
+///
+/// Parameters
+/// ----------
+/// bodies : HalfSpace
+/// body : Body or str
+///     "one" or "two".
+/// tractions : NormalSolution, (NormalSolution, TangentialSolution), CoupledSolution, State, History, array_like or \
+///     (array_like, (array_like, array_like))
+///     Those of a solution, or fields: a pressure, or a pressure and tractions along x and y.
+/// points : array_like of shape (n, 3)
+///     Each ``(x, y, depth)`` (lengths), the depth below the surface of the body.
+///
+/// Returns
+/// -------
+/// list of Response
+#[pyfunction]
+pub(crate) fn at_points(
+    py: Python<'_>,
+    bodies: &HalfSpace,
+    body: Choice<Body>,
+    tractions: Loaded<'_>,
+    points: Vec<[f64; 3]>,
+) -> PyResult<Vec<Response>> {
+    let grid = bodies.0.grid();
+    let parts = tractions.parts();
+    let held = held(py, &parts, grid)?;
+    let portion = (UNWATCHED / grid.cells()).max(1);
+    let work = grid.cells().saturating_mul(points.len());
+    let mut found = Vec::with_capacity(points.len());
+    // What is refused is refused without any point too.
+    let portions: Vec<&[[f64; 3]]> = if points.is_empty() {
+        vec![&[]]
+    } else {
+        points.chunks(portion).collect()
+    };
+    let outcome = solve(py, work, Progress::none(), |observer| {
+        for portion in portions {
+            let tractions = held.tractions();
+            found.extend(crate_subsurface::at_points(
+                &bodies.0, body.0, tractions, portion,
+            )?);
+            if observer(None).is_break() {
+                return Err(Error::EmptyPath); // an exception takes its place
+            }
+        }
+        Ok(())
+    })?;
+    outcome.or_raise(py)?;
+    if found.len() != points.len() {
+        return Err(PyRuntimeError::new_err("not all points were reached"));
+    }
+    Ok(found.into_iter().map(Response).collect())
+}

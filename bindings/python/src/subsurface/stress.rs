@@ -1,0 +1,126 @@
+//! The stress at a point.
+
+use pyo3::prelude::*;
+
+/// Principal stresses, the largest first, and the unit vector of each.
+#[pyclass(frozen, eq, module = "stickslip.subsurface")]
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) struct Principal(stickslip::subsurface::Principal);
+
+#[pymethods]
+impl Principal {
+    /// The principal stresses (pressures, tensile positive).
+    #[getter]
+    fn values(&self) -> (f64, f64, f64) {
+        self.0.values.into()
+    }
+
+    /// The unit vector of each.
+    #[getter]
+    fn directions(&self) -> [[f64; 3]; 3] {
+        self.0.directions
+    }
+
+    fn __repr__(&self) -> String {
+        format!("Principal(values={:?})", self.0.values)
+    }
+}
+
+/// The symmetric stress tensor at a point (pressures), tensile positive, with z into body 1.
+///
+/// Parameters
+/// ----------
+/// xx, yy, zz, xy, xz, yz : float, default 0
+///
+/// Examples
+/// --------
+/// >>> from stickslip.subsurface import Stress
+/// >>> Stress(xy=2.0).principal.values
+/// (2.0, 0.0, -2.0)
+#[pyclass(frozen, eq, module = "stickslip.subsurface")]
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) struct Stress(pub(crate) stickslip::subsurface::Stress);
+
+#[pymethods]
+impl Stress {
+    #[new]
+    #[pyo3(signature = (*, xx=0.0, yy=0.0, zz=0.0, xy=0.0, xz=0.0, yz=0.0))]
+    fn new(xx: f64, yy: f64, zz: f64, xy: f64, xz: f64, yz: f64) -> Self {
+        Self(stickslip::subsurface::Stress {
+            xx,
+            yy,
+            zz,
+            xy,
+            xz,
+            yz,
+        })
+    }
+
+    /// Component xx.
+    #[getter]
+    fn xx(&self) -> f64 {
+        self.0.xx
+    }
+
+    /// Component yy.
+    #[getter]
+    fn yy(&self) -> f64 {
+        self.0.yy
+    }
+
+    /// Component zz.
+    #[getter]
+    fn zz(&self) -> f64 {
+        self.0.zz
+    }
+
+    /// Component xy.
+    #[getter]
+    fn xy(&self) -> f64 {
+        self.0.xy
+    }
+
+    /// Component xz.
+    #[getter]
+    fn xz(&self) -> f64 {
+        self.0.xz
+    }
+
+    /// Component yz.
+    #[getter]
+    fn yz(&self) -> f64 {
+        self.0.yz
+    }
+
+    /// Von Mises' equivalent stress.
+    #[getter]
+    fn von_mises(&self) -> f64 {
+        self.0.von_mises()
+    }
+
+    /// Mean of the normal stresses.
+    #[getter]
+    fn hydrostatic(&self) -> f64 {
+        self.0.hydrostatic()
+    }
+
+    /// Largest shear stress.
+    #[getter]
+    fn max_shear(&self) -> f64 {
+        self.0.max_shear()
+    }
+
+    /// Principal stresses and their directions.
+    #[getter]
+    fn principal(&self) -> Principal {
+        Principal(self.0.principal())
+    }
+
+    fn __repr__(&self) -> String {
+        let stress = self.0;
+        format!(
+            "Stress(xx={:.6e}, yy={:.6e}, zz={:.6e}, xy={:.6e}, xz={:.6e}, yz={:.6e})",
+            stress.xx, stress.yy, stress.zz, stress.xy, stress.xz, stress.yz
+        )
+    }
+}

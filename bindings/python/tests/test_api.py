@@ -1,0 +1,150 @@
+"""That Python reaches what the crate has, that the stubs say what the module does, and that everything is documented."""
+
+import importlib
+import inspect
+import pathlib
+import subprocess
+import sys
+
+import pytest
+
+import stickslip as ss
+from stickslip import _stickslip
+
+HERE = pathlib.Path(__file__).parent
+
+# Items of the crate by what stands for them in Python, under another name.
+ELSEWHERE = {
+    "enum Error": "errors.StickslipError",
+    "enum io::Place": "errors.Format",
+    "enum normal::NormalControl": "NormalProblem",  # force= and approach=
+    "enum tangential::TangentialControl": "TangentialLoad",  # force=, shift=, spring= of each axis
+    "enum tangential::PressureSource": "TangentialProblem",  # a solution or a field
+    "enum history::wear::Coefficient": "wear.archard",  # a number or an array
+    "enum surface::Form": "surface.level",  # 'mean', 'plane' or a degree
+    "enum io::Sides": "io.npy.read",  # cell= or size=
+    "enum io::vti::Array": "io.vti.write",  # a field or a pair of fields
+    "struct io::csv::Options": "io.csv.read",  # missing= and skip_rows=
+    "struct subsurface::Tractions": "subsurface.at_points",  # a solution or fields
+    "enum cgm::Total": "cgm.minimise",  # total= and spring=
+    "struct cgm::Problem": "cgm.minimise",
+    "struct cgm::Bounds": "cgm.minimise",  # lower= and upper=
+    "struct cgm::NonNegative": "cgm.minimise",
+    "struct cgm::Interval": "cgm.minimise",
+    "fn cgm::minimise_with": "cgm.minimise",  # progress= and start=
+    "trait Operator": "cgm.LinearOperator",  # or any callable
+    "struct ElasticOperator": "cgm.LinearOperator",
+    "struct ElasticPreconditioner": "cgm.LinearOperator",
+    "struct Identity": "cgm.identity",
+    "trait cgm::Constraint": "cgm.minimise",
+}
+# Items that Python does not have, each with the reason.
+WITHOUT = {
+    "struct history::HistoryBuilder": "keywords of History",
+    "struct normal::NormalProblemBuilder": "keywords of NormalProblem",
+    "struct tangential::TangentialProblemBuilder": "keywords of TangentialProblem",
+    "struct coupled::CoupledProblemBuilder": "keywords of CoupledProblem",
+    "type Result": "exceptions",
+    "struct Layout": "how sums are cut: of operators written in Rust",
+    "struct cgm::Workspace": "buffers of the generic engine, which a call holds itself",
+    "struct cgm::Disc": "of minima with several components a cell: engine generics",
+    "struct cgm::Magnitude": "of minima with several components a cell: engine generics",
+    "struct cgm::Within": "of minima with several components a cell: engine generics",
+    "trait cgm::Ball": "engine generics",
+    "trait cgm::Admissible": "engine generics",
+    "struct fft::CirculantInverse": "made by HalfSpace.preconditioner",
+    "struct fft::ConvolutionWorkspace": "buffers, which an operator holds itself",
+    "struct fft::SingleWorkspace": "buffers, which an operator holds itself",
+    "struct ranks::Threads": "one contact on several processes is for MPI programs, in Rust",
+    "struct ranks::Traffic": "as ranks::Threads",
+    "enum ranks::RankFailure": "as ranks::Threads",
+    "trait ranks::Ranks": "as ranks::Threads",
+}
+
+
+def items():
+    return (HERE / "crate_items.txt").read_text().splitlines()
+
+
+def reached(path):
+    target = ss
+    for name in path.replace("::", ".").split("."):
+        target = getattr(target, name, None)
+        if target is None and inspect.ismodule(ss):
+            return False
+    return True
+
+
+@pytest.mark.parametrize("item", items())
+def test_every_public_item_of_the_crate_is_reached_or_has_a_reason(item):
+    if item in WITHOUT:
+        assert not reached(item.split(" ")[1]), "it is there after all"
+        return
+    path = ELSEWHERE.get(item, item.split(" ")[1])
+    assert reached(path), f"stickslip.{path} is missing"
+
+
+def test_no_exception_to_the_list_is_out_of_date():
+    assert (set(ELSEWHERE) | set(WITHOUT)) <= set(items())
+
+
+def test_every_variant_of_the_error_has_a_class():
+    source = (HERE.parents[2] / "src" / "error.rs").read_text()
+    body = source.split("pub enum Error {")[1].split("\n}")[0]
+    variants = [
+        line.strip().split("{")[0].split("(")[0].strip(" ,")
+        for line in body.splitlines()
+        if line.startswith("    ") and line[4].isupper()
+    ]
+    assert len(variants) > 40
+    for variant in variants:
+        assert issubclass(getattr(ss.errors, variant), ss.StickslipError)
+
+
+def test_enumerations_have_the_names_that_the_module_takes():
+    from stickslip import _enums
+
+    for name in ("Axis", "TangentialModel", "Coupling", "TouchRule", "Method", "Body", "Amplitudes", "Component"):
+        assert all(str(member) == member.value for member in getattr(_enums, name))
+    assert ss.Settings(method=ss.Method.POLONSKY_KEER) == ss.Settings(method="polonsky_keer")
+
+
+def public(module):
+    return {name: getattr(module, name) for name in dir(module) if not name.startswith("_")}
+
+
+def test_everything_is_documented():
+    undocumented = []
+    for name, item in public(_stickslip).items():
+        if not item.__doc__:
+            undocumented.append(name)
+        if inspect.isclass(item):
+            undocumented += [f"{name}.{member}" for member, value in public(item).items() if not value.__doc__]
+    assert not undocumented
+
+
+def test_every_class_says_where_it_is_found():
+    for name, item in public(_stickslip).items():
+        if inspect.isclass(item):
+            assert getattr(importlib.import_module(item.__module__), name) is item
+
+
+def test_every_repr_is_readable(scene):
+    contact = scene.normal()
+    history = scene.history()
+    step = history.step(normal_force=100.0, force_x=10.0)
+    shear = ss.TangentialProblem(scene.bodies, contact, 0.5, force_x=20.0)
+    for item in [
+        scene.grid, scene.bodies, scene.bodies.pair, scene.ball, contact, contact.report, contact.spots, shear,
+        shear.solve(), history, step, step.energy, history.state(), ss.Settings(), scene.hertz, history.friction,
+        ss.history.Cycle(history), ss.LoadStep(force_x=1.0), contact.stiffness(scene.bodies), history.stiffness(),
+    ]:  # fmt: skip
+        text = repr(item)
+        assert type(item).__name__ in text and " object at " not in text and len(text.splitlines()) == 1
+
+
+def test_the_stubs_say_what_the_module_does():
+    pytest.importorskip("mypy")
+    command = [sys.executable, "-m", "mypy.stubtest", "stickslip._stickslip"]
+    answer = subprocess.run(command, capture_output=True, text=True)
+    assert answer.returncode == 0, answer.stdout[-5000:]

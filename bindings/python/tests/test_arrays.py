@@ -1,0 +1,179 @@
+"""What is copied, what is not, and what can be read from where."""
+
+import gc
+
+import numpy as np
+import pytest
+
+import stickslip as ss
+from conftest import FORCE, address
+
+
+def test_arrays_of_a_solution_are_its_memory(scene):
+    contact = scene.normal()
+    assert address(contact.pressure) == address(contact.pressure)
+    assert contact.pressure.base is contact and contact.pressure.dtype == np.float64
+    assert contact.pressure.flags.c_contiguous and not contact.pressure.flags.writeable
+    with pytest.raises(ValueError):
+        contact.pressure[0, 0] = 1.0
+    with pytest.raises(ValueError):
+        contact.pressure.setflags(write=True)
+    pressure = contact.pressure
+    total = pressure.sum()
+    del contact
+    gc.collect()
+    assert pressure.sum() == total
+
+
+def test_a_field_is_shared_not_copied(scene):
+    values = np.random.default_rng(1).random(scene.grid.shape)
+    field = ss.Field(scene.grid, values)
+    assert address(field.array) == address(field.array) == address(np.asarray(field))
+    assert address(field) != address(values)  # its own memory, once
+    assert np.array_equal(field.array, values)
+    assert np.array_equal(np.array(field, dtype=np.float32), values.astype(np.float32))
+    fortran = ss.Field(scene.grid, np.asfortranarray(values))
+    assert fortran == field
+    assert ss.Field(scene.grid, values.tolist()) == field
+    assert ss.Field(scene.grid, 2.0).integral() == pytest.approx(2.0 * scene.grid.area)
+
+
+def test_an_operator_reads_and_writes_arrays_where_they_lie(scene):
+    operator = scene.bodies.operator("zz")
+    x, out = np.ones(scene.grid.shape), np.zeros(scene.grid.shape)
+    seen = []
+
+    class Watched(np.ndarray):
+        def __array_finalize__(self, parent):
+            seen.append(self.__array_interface__["data"][0])
+
+    watched = x.view(Watched)
+    seen.clear()
+    result = operator.apply(watched, out=out)
+    assert result is out and out.min() > 0.0
+    assert all(place == address(x) for place in seen)
+    with pytest.raises(ValueError, match="overlaps"):
+        operator.apply(x, out=x)
+    with pytest.raises(ValueError, match="4096"):
+        operator.apply(np.ones(7))
+
+
+def test_a_solver_uses_memory_again_once_nobody_holds_it(scene):
+    solver = ss.NormalSolver(scene.bodies, scene.ball, force=FORCE)
+    places = set()
+    for force in np.linspace(50.0, 100.0, 10):
+        contact = solver.solve(force=force)
+        places.add(address(contact.pressure))
+    assert len(places) == 2  # the loop holds one while the next is found
+    held = [solver.solve(force=force) for force in (60.0, 70.0, 80.0)]
+    assert [round(contact.force) for contact in held] == [60, 70, 80]
+    kept = contact.pressure.copy()
+    solver.solve(force=20.0)
+    assert np.array_equal(contact.pressure, kept)
+
+
+def test_arrays_of_a_history_are_copies_and_those_of_a_state_views(scene):
+    history = scene.history()
+    history.step(normal_force=FORCE)
+    pressure = history.pressure
+    state = history.state()
+    assert address(state.pressure) == address(state.pressure) == address(state.normal.pressure)
+    assert pressure.flags.writeable and address(pressure) != address(history.pressure)
+    history.step(normal_force=50.0)
+    assert pressure.max() == state.pressure.max() > history.pressure.max()
+    history.set_state(state)
+    assert history.approach == state.approach
+
+
+def test_fields_of_a_step_last_until_the_next(scene):
+    history = scene.history()
+    history.step(normal_force=FORCE)
+    step = history.step(force_x=30.0)
+    assert step.slip[0].shape == scene.grid.shape
+    kept = step.keep()
+    assert not kept.slip[0].flags.writeable
+    history.step(force_x=10.0)
+    with pytest.raises(RuntimeError, match="keep"):
+        step.slip_distance
+    assert step.force[0] == pytest.approx(30.0) == pytest.approx(kept.force[0])
+    assert kept.dissipated_energy.sum() == pytest.approx(kept.energy.dissipated_energy)
+    assert history.last_step.force[0] == pytest.approx(10.0)
+
+
+def test_halves_of_a_coupled_solution_share_its_memory():
+    grid = ss.Grid.square(24, 0.3)
+    bodies = ss.HalfSpace(grid, (ss.Material(70e3, 0.33), ss.Material(210e3, 0.3)))
+    contact = ss.CoupledProblem(bodies, ss.surface.sphere(grid, 3.5), 0.1, normal_force=60.0).solve()
+    pressure = contact.normal.pressure
+    assert address(pressure) == address(contact.normal.pressure)
+    del contact
+    gc.collect()
+    assert pressure.sum() * grid.cell_area == pytest.approx(60.0)
+
+
+def test_arithmetic_of_fields(scene):
+    field = scene.ball
+    assert np.allclose((2.0 * field - field + 0.0).array, field.array)
+    assert (-field).max() == -field.min() and (1.0 - field).max() == 1.0 - field.min()
+    assert ss.surface.sum([field, field]) == field * 2.0
+
+
+def test_a_topography_is_transposed_and_its_holes_are_missing(scene):
+    class Topography:
+        physical_sizes = (4.0, 1.0)
+
+        def heights(self):
+            return np.ma.masked_equal(np.arange(8.0).reshape(4, 2), 5.0)
+
+    field = ss.surface.from_topography(Topography())
+    assert field.grid == ss.Grid(4, 2, 1.0, 0.5)
+    assert np.array_equal(field.array[0], [0.0, 2.0, 4.0, 6.0]) and np.isnan(field.array[1, 2])
+    filled = ss.surface.fill_missing(Topography())
+    assert filled.filled_cells == 1 and np.isfinite(filled.heights.array).all()
+
+
+def test_a_measured_topography_of_surfacetopography(scene):
+    topography = pytest.importorskip("SurfaceTopography")
+    heights = np.random.default_rng(2).random((6, 4))
+    surface = topography.Topography(heights, (3.0, 2.0))
+    assert np.array_equal(ss.surface.from_topography(surface).array, heights.T)
+    assert ss.surface.Statistics(surface).mean_height == pytest.approx(heights.mean())
+
+
+def test_surfaces_and_files_come_back(scene, tmp_path):
+    rough = ss.surface.SelfAffine(rms_height=1.0, seed=4, hurst=0.7).generate(ss.Grid.square(32, 10.0))
+    assert rough.rms_height == pytest.approx(1.0) and rough.array.mean() == pytest.approx(0.0, abs=1e-12)
+    assert ss.surface.Statistics(rough.heights).rms_height == pytest.approx(1.0)
+    spectrum = ss.surface.PowerSpectrum(rough.heights)
+    assert spectrum.moments[0] == pytest.approx(1.0, rel=1e-6) and len(spectrum.values) == len(spectrum.modes)
+    sloped = rough.heights + ss.Field(rough.heights.grid, np.tile(rough.heights.grid.x, (32, 1)))
+    levelled = ss.surface.level(sloped, "plane")
+    assert levelled.form.max() == pytest.approx(5.0, abs=1.0)
+    field = rough.heights
+    ss.io.npy.write(tmp_path / "rough.npy", field)
+    assert np.array_equal(np.load(tmp_path / "rough.npy"), field.array)
+    assert ss.io.npy.read(tmp_path / "rough.npy", size=(10.0, 10.0)) == field
+    assert ss.io.csv.parse(ss.io.csv.to_bytes(field), cell=(field.grid.dx, field.grid.dy)) == field
+    ss.io.sdf.write(tmp_path / "rough.sdf", field)
+    assert ss.io.read(tmp_path / "rough.sdf").max() == pytest.approx(field.max(), rel=1e-6)
+    ss.io.vti.write(tmp_path / "rough.vti", {"height": field, "vector": (field.array, field.array)}, grid=field.grid)
+    assert b"height" in (tmp_path / "rough.vti").read_bytes()
+    series = ss.io.pvd.Series(tmp_path / "series.pvd")
+    series.write(0.0, {"height": field})
+    assert len(series) == 1 and (tmp_path / "series.pvd").exists()
+    contact = scene.normal()
+    ss.subsurface.Planes(scene.bodies, [0.0, 1e-5, 2e-5]).write_vti(tmp_path / "stress.vti", "one", contact)
+    assert (tmp_path / "stress.vti").stat().st_size > 3 * 8 * 4096
+
+
+def test_closed_forms_take_numbers_and_arrays(scene):
+    hertz = scene.hertz
+    assert isinstance(hertz.pressure(0.0), float) and hertz.pressure(0.0) == hertz.max_pressure
+    assert hertz.pressure(np.zeros((2, 3))).shape == (2, 3)
+    exact = ss.analytical.CattaneoMindlin(hertz, 0.5, 20.0)
+    assert exact.slip(np.linspace(0.0, hertz.contact_radius, 5), 0.0).shape == (5,)
+    assert exact.hertz == hertz and hertz.pair == scene.bodies.pair
+    with pytest.raises(ValueError, match="shapes"):
+        exact.slip(np.zeros(3), np.zeros(4))
+    assert 0.0 < ss.analytical.SpencePressing.round(ss.ElasticPair(ss.Material(1.0, 0.0), ss.Material.rigid()), 0.3).stick_radius < 1.0
+    assert ss.analytical.linear_stick_ratio(100.0, 0.5, 20.0) == pytest.approx(0.6)

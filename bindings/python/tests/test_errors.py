@@ -1,0 +1,159 @@
+"""What is refused: by which exception, with which numbers; and that nothing has changed."""
+
+import math
+import pickle
+import warnings
+
+import numpy as np
+import pytest
+
+import stickslip as ss
+from conftest import FORCE
+
+
+@pytest.mark.parametrize(
+    ("call", "name", "numbers"),
+    [
+        (lambda scene: ss.Grid(0, 3, 1.0, 1.0), "GridSize", {"nx": 0, "ny": 3}),
+        (lambda scene: ss.Grid.square(3, -1.0), "NotPositive", {"value": -1.0}),
+        (lambda scene: ss.Grid(2**40, 2**40, 1.0, 1.0) and ss.Field(ss.Grid(2**30, 2**30, 1.0, 1.0), 0.0), None, {}),
+        (lambda scene: ss.Material(1.0, 0.7), "PoissonRatio", {"value": 0.7}),
+        (lambda scene: ss.ElasticPair(ss.Material.rigid(), ss.Material.rigid()), "BothRigid", {}),
+        (lambda scene: ss.Friction(-0.1), "Negative", {"value": -0.1}),
+        (lambda scene: ss.Settings(tolerance=2.0), "Tolerance", {"value": 2.0}),
+        (lambda scene: ss.Settings(max_iterations=0), "IterationLimit", {}),
+        (lambda scene: ss.NormalProblem(scene.bodies, scene.ball, force=math.nan), "Negative", {}),
+        (lambda scene: ss.NormalProblem(scene.bodies, np.zeros((3, 4)), force=1.0), "Shape", {"found": (3, 4)}),
+        (
+            lambda scene: ss.NormalProblem(scene.bodies, ss.Field(ss.Grid.square(4, 1.0), 0.0), force=1.0),
+            "GridMismatch",
+            {"found_cells": [4, 4], "expected_cells": [64, 64]},
+        ),
+        (
+            lambda scene: ss.NormalProblem(scene.bodies, np.full(scene.grid.shape, math.nan), force=1.0),
+            "Sample",
+            {"index": 0},
+        ),
+        (
+            lambda scene: ss.TangentialProblem(scene.bodies, scene.normal(), 0.5, force_x=60.0),
+            "BeyondFrictionCapacity",
+            {"force": 60.0, "limit": pytest.approx(50.0)},
+        ),
+        (
+            lambda scene: ss.TangentialProblem(scene.bodies, scene.normal(), 0.5, force=(1.0, 2.0)),
+            "ObliqueLoad",
+            {"x": 1.0, "y": 2.0},
+        ),
+        (
+            lambda scene: ss.TangentialProblem(scene.bodies, np.zeros(scene.grid.shape), 0.5, force_x=1.0),
+            "EmptyContact",
+            {},
+        ),
+        (lambda scene: ss.history.LoadPath.sine((1.0, 0.0), 6), "StepsPerCycle", {"steps": 6}),
+        (lambda scene: ss.history.LoadPath([]), "EmptyPath", {}),
+        (lambda scene: ss.surface.SelfAffine(rms_slope=0.1, hurst=2.0).generate(scene.grid), "Hurst", {"value": 2.0}),
+        (lambda scene: ss.surface.crop(scene.ball, (3, 3), (0, 1)), "Range", {"start": 3, "end": 3, "count": 64}),
+        (lambda scene: ss.io.asc.parse(b"nonsense"), "Format", {"file": None}),
+        (lambda scene: ss.io.read("/nowhere.sdf"), "File", {"path": "/nowhere.sdf"}),
+        (lambda scene: ss.dense.DenseOperator(np.ones((2, 2))).minimise([-1.0, -1.0]), "NotPositiveDefinite", {}),
+        (lambda scene: ss.history.State.from_bytes(b""), "Format", {}),
+    ],
+)
+def test_bad_input_raises_its_own_exception_with_the_numbers(scene, call, name, numbers):
+    if name is None:
+        with pytest.raises((ss.StickslipError, MemoryError)):
+            call(scene)
+        return
+    with pytest.raises(ss.StickslipError) as refused:
+        call(scene)
+    assert type(refused.value).__name__ == name
+    for attribute, number in numbers.items():
+        assert getattr(refused.value, attribute) == number
+    copy = pickle.loads(pickle.dumps(refused.value))
+    assert type(copy) is type(refused.value) and str(copy) == str(refused.value)
+    assert set(vars(copy)) == set(vars(refused.value))
+
+
+def test_bad_input_is_a_value_error_and_files_are_os_errors():
+    with pytest.raises(ValueError, match="Poisson"):
+        ss.Material(1.0, 0.7)
+    with pytest.raises(OSError, match="nowhere"):
+        ss.io.npy.read("/nowhere.npy", cell=(1.0, 1.0))
+
+
+def test_wrong_types_and_names_say_what_is_right(scene):
+    with pytest.raises(TypeError, match="force= or approach="):
+        ss.NormalProblem(scene.bodies, scene.ball)
+    with pytest.raises(TypeError, match="not both"):
+        ss.NormalProblem(scene.bodies, scene.ball, force=1.0, approach=1.0)
+    with pytest.raises(ValueError, match="'active_set', 'polonsky_keer'"):
+        scene.normal(method="newton")
+    with pytest.raises(TypeError, match="one of force, shift and spring along x"):
+        ss.LoadStep(force_x=1.0, shift=(1.0, 0.0))
+    with pytest.raises(TypeError, match="not both"):
+        scene.history().step(ss.LoadStep(), force_x=1.0)
+    with pytest.raises(TypeError, match="Field"):
+        ss.surface.Statistics(np.zeros((3, 3)))
+    with pytest.raises(ValueError, match="periodic_along_y"):
+        ss.HalfSpace(scene.grid, scene.bodies.pair, boundary="closed")
+
+
+def test_what_has_not_converged_gives_its_report_and_its_last_iterate(scene):
+    with pytest.raises(ss.NotConverged) as stopped:
+        scene.normal(max_iterations=1)
+    report = stopped.value.report
+    assert report.status == ss.Status.ITERATION_LIMIT and not report.is_converged
+    iterate = stopped.value.last_iterate
+    assert isinstance(iterate, ss.NormalSolution) and iterate.report == report
+    assert iterate.force == pytest.approx(FORCE) and (iterate.pressure >= 0.0).all()
+    history = scene.history(max_iterations=1)
+    with pytest.raises(ss.NotConverged) as stopped:
+        history.step(normal_force=FORCE)
+    assert stopped.value.last_iterate is None and history.steps == 0
+
+
+def test_a_step_that_fails_leaves_the_history_as_it_was(scene):
+    history = scene.history()
+    history.step(normal_force=FORCE)
+    before = history.to_bytes()
+    with pytest.raises(ss.BeyondFrictionCapacity):
+        history.step(force_x=60.0)
+    with pytest.raises(ss.errors.NotFinite):
+        history.step(shift_x=math.inf)
+    with pytest.raises(ss.errors.Sample):
+        history.set_gap(np.full(scene.grid.shape, math.nan))
+    assert history.to_bytes() == before
+
+
+def test_a_solver_that_is_refused_a_load_keeps_the_old_one(scene):
+    solver = ss.NormalSolver(scene.bodies, scene.ball, force=FORCE)
+    with pytest.raises(ss.errors.Negative):
+        solver.solve(force=-1.0)
+    with pytest.raises(ss.errors.Tolerance):
+        solver.settings = ss.Settings(tolerance=5.0)
+    assert solver.settings.tolerance == 1e-8
+    assert solver.solve().force == pytest.approx(FORCE)
+
+
+def test_warnings_are_objects_and_are_warned_of_on_request(scene):
+    tiny = ss.NormalProblem(scene.bodies, scene.ball, force=0.01)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        contact = tiny.solve()
+    [remark] = contact.warnings
+    assert remark.kind == "unresolved_spots" and "refine the grid" in repr(remark)
+    with pytest.warns(ss.ContactWarning, match="refine the grid"):
+        tiny.solve(warn=True)
+    history = scene.history()
+    history.step(normal_force=FORCE)
+    history.set_gap(scene.ball + 1e-9)
+    with pytest.warns(ss.ContactWarning, match="old gap"):
+        history.step(force_x=1.0, warn=True)
+
+
+def test_an_operator_that_raises_ends_the_solve():
+    def broken(x):
+        raise KeyError("broken")
+
+    with pytest.raises(KeyError, match="broken"):
+        ss.cgm.minimise(broken, [-1.0, -1.0])

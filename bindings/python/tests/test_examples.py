@@ -1,0 +1,53 @@
+"""Every example runs, from a folder of its own; so do the examples of docstrings and of the README."""
+
+import doctest
+import os
+import pathlib
+import pkgutil
+import importlib
+import re
+import subprocess
+import sys
+
+import pytest
+
+import stickslip as ss
+
+EXAMPLES = pathlib.Path(__file__).parent.parent / "examples"
+OF_PEERS = {"against_peers.py"}  # needs what is compared with
+
+
+def run(arguments, folder):
+    environment = {**os.environ, "MPLBACKEND": "Agg"}
+    answer = subprocess.run(
+        [sys.executable, *arguments], cwd=folder, env=environment, capture_output=True, text=True, timeout=300
+    )
+    assert answer.returncode == 0, answer.stderr
+    return answer.stdout
+
+
+@pytest.mark.parametrize("name", sorted({path.name for path in EXAMPLES.glob("*.py")} - OF_PEERS))
+def test_example(name, tmp_path):
+    assert run([str(EXAMPLES / name)], tmp_path)
+
+
+def modules():
+    return ["stickslip"] + [found.name for found in pkgutil.walk_packages(ss.__path__, "stickslip.")]
+
+
+def test_examples_of_docstrings_run():
+    tried = 0
+    for name in modules():
+        module = importlib.import_module(name)
+        for test in doctest.DocTestFinder(exclude_empty=True).find(module, name.split(".")[-1]):
+            outcome = doctest.DocTestRunner().run(test)
+            assert outcome.failed == 0, test.name
+            tried += outcome.attempted
+    assert tried > 60
+
+
+@pytest.mark.parametrize("readme", [EXAMPLES.parent / "README.md", EXAMPLES.parents[2] / "README.md"])
+def test_the_readme_runs(readme, tmp_path):
+    blocks = re.findall(r"```python\n(.*?)```", readme.read_text(), re.S)
+    assert blocks
+    run(["-c", "\n".join(blocks)], tmp_path)

@@ -1,0 +1,143 @@
+"""Ctrl-C in a terminal session: a solve or a loop ends, the state is as it was, and the session goes on."""
+
+import os
+import pty
+import select
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+
+TIMEOUT = 60
+
+PREPARE = """
+import stickslip as ss
+grid = ss.Grid.square({cells}, 1.0)
+bodies = ss.HalfSpace(grid, (ss.Material(1.0, 0.3), ss.Material.rigid()), boundary='{boundary}')
+heights = ss.surface.SelfAffine(rms_slope=0.1, seed=3).generate(grid).heights
+gap = ss.surface.gap_from_heights(heights)
+history = ss.History(bodies, gap, 0.3)
+done = history.step(normal_force=0.001)
+before = history.to_bytes()
+"""
+
+
+class Session:
+    """An interactive interpreter on a terminal of its own."""
+
+    def __init__(self):
+        self.terminal, child = pty.openpty()
+        environment = {**os.environ, "PYTHON_BASIC_REPL": "1", "TERM": "dumb"}
+        self.process = subprocess.Popen(
+            [sys.executable, "-q", "-i"],
+            stdin=child,
+            stdout=child,
+            stderr=child,
+            env=environment,
+            start_new_session=True,
+            preexec_fn=lambda: __import__("fcntl").ioctl(0, __import__("termios").TIOCSCTTY, 0),
+        )
+        os.close(child)
+        self.text = ""
+
+    def send(self, text):
+        os.write(self.terminal, text.encode())
+
+    def wait_for(self, expected):
+        """Reads until the text has come, which is passed over."""
+        end = time.monotonic() + TIMEOUT
+        while expected not in self.text:
+            ready, _, _ = select.select([self.terminal], [], [], max(0.0, end - time.monotonic()))
+            if not ready:
+                raise AssertionError(f"no {expected!r} in {self.text[-2000:]!r}")
+            self.text += os.read(self.terminal, 65536).decode(errors="replace")
+        self.text = self.text.split(expected, 1)[1]
+
+    def close(self):
+        self.process.kill()
+        self.process.wait()
+        os.close(self.terminal)
+
+
+@pytest.fixture
+def session():
+    session = Session()
+    session.wait_for(">>> ")
+    yield session
+    session.close()
+
+
+def interrupt(session, statement, after=0.3):
+    """Types a statement and then Ctrl-C; returns how long the session took to come back."""
+    session.send(f"print('star' + 'ted'); {statement}\n")
+    session.wait_for("started")
+    time.sleep(after)
+    session.send("\x03")  # what the terminal makes a signal of
+    start = time.monotonic()
+    session.wait_for("KeyboardInterrupt")
+    session.wait_for(">>> ")
+    return time.monotonic() - start
+
+
+def prepare(session, cells, boundary="periodic"):
+    for line in PREPARE.format(cells=cells, boundary=boundary).strip().splitlines():
+        session.send(line + "\n")
+    session.send("print('rea' + 'dy')\n")
+    session.wait_for("ready")
+
+
+def goes_on(session):
+    session.send("print('unchanged', history.to_bytes() == before)\n")
+    session.wait_for("unchanged True")
+    session.send("print('goes on', history.step(normal_force=0.002).normal_force > 0.0019)\n")
+    session.wait_for("goes on True")
+
+
+def test_in_a_long_solve(session):
+    prepare(session, 512)
+    took = interrupt(session, "history.step(normal_force=0.3, force_x=0.05)")
+    assert took < 2.0  # one product, not the seconds that are left
+    goes_on(session)
+
+
+def test_in_a_long_loop_of_short_solves(session):
+    prepare(session, 48)
+    took = interrupt(session, "[history.step(normal_force=0.001 + 1e-6 * k) for k in range(10**9)]")
+    assert took < 2.0
+    session.send("history.set_state(ss.history.State.from_bytes(before)); \n")
+    goes_on(session)
+
+
+def test_in_a_short_contact_that_takes_long(session):
+    # In the calling thread, where the observer looks for signals: an operator that is slow.
+    prepare(session, 16)
+    session.send("import numpy as np, time\n")
+    slow = "ss.cgm.minimise(lambda x: (time.sleep(0.05), np.linspace(1.0, 1e4, 2000) * x)[1], -np.ones(2000))"
+    assert interrupt(session, slow) < 2.0
+    goes_on(session)
+
+
+def test_at_many_points_below_the_surface(session):
+    prepare(session, 256, "non_periodic")
+    points = "ss.subsurface.at_points(bodies, 'one', history, [(0.0, 0.0, 0.1)] * 10**6)"
+    assert interrupt(session, points) < 2.0
+    goes_on(session)
+
+
+def test_a_signal_handler_of_ones_own_may_go_on():
+    code = (
+        PREPARE.format(cells=256, boundary="periodic")
+        + """
+import os, signal, threading
+seen = []
+signal.signal(signal.SIGUSR1, lambda *_: seen.append(1))
+threading.Timer(0.05, lambda: os.kill(os.getpid(), signal.SIGUSR1)).start()
+step = history.step(normal_force=0.3)
+print(len(seen), step.normal_force)
+"""
+    )
+    answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=TIMEOUT, check=True)
+    count, force = answer.stdout.split()
+    assert count == "1" and float(force) == pytest.approx(0.3)

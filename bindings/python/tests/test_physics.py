@@ -1,0 +1,269 @@
+"""Answers against closed forms, through every kind of problem."""
+
+import numpy as np
+import pytest
+
+import stickslip as ss
+from conftest import FORCE, RADIUS
+
+
+def test_pressing_a_ball_is_hertz(scene):
+    contact = scene.normal()
+    assert contact.force == pytest.approx(FORCE, rel=1e-12)
+    assert contact.approach == pytest.approx(scene.hertz.approach, rel=2e-4)
+    x, y = np.meshgrid(scene.grid.x, scene.grid.y)
+    exact = scene.hertz.pressure(np.hypot(x, y))
+    assert np.abs(contact.pressure - exact).sum() < 6e-3 * exact.sum()
+    assert contact.report.is_converged and contact.report.energy_error_bound < 1e-8
+    assert contact.centre_of_pressure == pytest.approx((0.0, 0.0), abs=1e-12)
+
+
+def test_by_approach_the_force_follows(scene):
+    contact = ss.NormalProblem(scene.bodies, scene.ball, approach=scene.hertz.approach).solve()
+    assert contact.force == pytest.approx(FORCE, rel=1e-3)
+
+
+def test_shearing_it_is_cattaneo_and_mindlin(scene):
+    shear = ss.TangentialProblem(scene.bodies, scene.normal(), 0.5, force_x=20.0).solve()
+    exact = ss.analytical.CattaneoMindlin(scene.hertz, 0.5, 20.0)
+    assert shear.force == pytest.approx((20.0, 0.0), rel=1e-12)
+    assert shear.shift[0] == pytest.approx(exact.shift, rel=1e-3)
+    assert shear.stick_ratio == pytest.approx(exact.stick_ratio, abs=0.02)
+    along_y = ss.TangentialProblem(scene.bodies, scene.normal(), 0.5, force_y=20.0).solve()
+    assert along_y.axis == ss.Axis.Y == "y"
+    assert along_y.traction[1].T == pytest.approx(shear.traction[0], abs=1e-6 * shear.traction[0].max())
+
+
+def test_a_solver_goes_through_loads_as_problems_do(scene):
+    solver = ss.NormalSolver(scene.bodies, scene.ball, force=1.0)
+    for force in (10.0, 100.0, 40.0):
+        warm = solver.solve(force=force)
+        cold = ss.NormalProblem(scene.bodies, scene.ball, force=force).solve()
+        assert warm.approach == pytest.approx(cold.approach, rel=1e-8)
+    tangential = ss.TangentialProblem(scene.bodies, scene.normal(), 0.5, force_x=0.0).solver()
+    ratios = [tangential.solve(force_x=force).stick_ratio for force in (0.0, 10.0, 30.0, 49.0)]
+    assert ratios[0] == 1.0 and ratios == sorted(ratios, reverse=True)
+    assert tangential.friction_capacity == pytest.approx(50.0)
+
+
+def test_a_cycle_dissipates_what_mindlin_and_deresiewicz_say(scene):
+    history = scene.history()
+    history.step(normal_force=FORCE)
+    history.step(force_x=30.0)
+    cycle = ss.history.Cycle(history)
+    for force in (-30.0, 30.0):
+        step = history.step(ss.LoadStep(force_x=force))
+        assert step.energy.imbalance < 1e-6
+        cycle.add(history)
+    quarter = ss.analytical.CattaneoMindlin(scene.hertz, 0.5, 30.0).dissipated_energy
+    assert cycle.energy.dissipated_energy == pytest.approx(4.0 * quarter, rel=0.01)
+    assert cycle.regime == ss.history.Regime.PARTIAL_SLIP
+    assert cycle.force_amplitude == pytest.approx((30.0, 0.0))
+    exact = ss.analytical.MindlinDeresiewicz(scene.hertz, 0.5, [30.0, -30.0, 30.0])
+    assert history.shift[0] == pytest.approx(exact.shift, rel=2e-3)
+
+
+def test_the_vector_model_twists(scene):
+    history = scene.history(model="vector")
+    history.step(normal_force=FORCE)
+    step = history.step(force_x=10.0, shift_y=0.4e-6, twist=2e-3)
+    assert step.moment > 0.0 and step.force[1] > 0.0
+    sliding = ss.analytical.LubkinTorsion(scene.hertz, 0.5, 2e-3)
+    assert step.moment < sliding.sliding_moment
+
+
+def test_springs_share_the_motion(scene):
+    history = scene.history()
+    history.step(normal_force=FORCE)
+    step = history.step(spring_x=(1e-6, 1e7))
+    assert step.force[0] == pytest.approx(1e7 * (1e-6 - step.shift[0]), rel=1e-9)
+
+
+def test_stiffness_is_the_slope(scene):
+    contact = scene.normal()
+    stiffness = contact.stiffness(scene.bodies)
+    assert stiffness.value == pytest.approx(2.0 * scene.bodies.pair.contact_modulus * scene.hertz.contact_radius, rel=0.02)
+    history = scene.history()
+    history.step(normal_force=FORCE, force_x=0.0)
+    tangential = history.stiffness().tangential
+    mindlin = 8.0 * scene.bodies.pair.equivalent_shear_modulus / (2.0 - scene.bodies.pair.equivalent_poisson_ratio)
+    assert tangential.reversal[0][0] == pytest.approx(mindlin * scene.hertz.contact_radius, rel=0.02)
+
+
+def test_dissimilar_bodies_slip_when_pressed():
+    grid = ss.Grid.square(32, 0.3)
+    pair = (ss.Material(70e3, 0.33), ss.Material(210e3, 0.3))
+    bodies = ss.HalfSpace(grid, pair)
+    ball = ss.surface.sphere(grid, 3.5)
+    contact = ss.CoupledProblem(bodies, ball, 0.1, normal_force=60.0, force_x=1.0).solve()
+    assert contact.normal.force == pytest.approx(60.0) and contact.shear.force[0] == pytest.approx(1.0)
+    assert contact.shear.slip_area > 0.0
+    solver = ss.CoupledProblem(bodies, ball, 0.1, normal_force=60.0).solver()
+    solver.set_load(ss.TangentialLoad(force_x=1.0))
+    assert solver.solve().normal.approach == pytest.approx(contact.normal.approach, rel=1e-6)
+    with pytest.raises(ss.errors.CoupledMaterials) as refused:
+        ss.TangentialProblem(bodies, contact.normal, 0.1, force_x=1.0, coupling="full")
+    assert refused.value.beta == pytest.approx(bodies.pair.dundurs_beta)
+
+
+def test_stresses_below_a_ball(scene):
+    contact = scene.normal()
+    depth = 0.48 * scene.hertz.contact_radius
+    points = ss.subsurface.at_points(scene.bodies, "one", contact, [[0.0, 0.0, depth]])
+    assert points[0].stress.max_shear == pytest.approx(0.31 * scene.hertz.max_pressure, rel=0.01)
+    plane = ss.subsurface.Planes(scene.bodies, [depth], displacements=True).solve(0, ss.subsurface.Body.ONE, contact)
+    assert plane.von_mises.max() == pytest.approx(0.62 * scene.hertz.max_pressure, rel=0.02)
+    assert plane.displacement[2].shape == scene.grid.shape
+    shear = ss.TangentialProblem(scene.bodies, contact, 0.5, force_x=20.0).solve()
+    fields = ss.subsurface.at_points(scene.bodies, "two", (contact.pressure, shear.traction), [[0.0, 0.0, depth]])
+    solutions = ss.subsurface.at_points(scene.bodies, "two", (contact, shear), [[0.0, 0.0, depth]])
+    assert fields == solutions
+
+
+def test_hardness_limits_the_pressure(scene):
+    limit = 0.7 * scene.hertz.max_pressure
+    contact = scene.normal(hardness=limit)
+    assert contact.pressure.max() == limit and contact.yielded_cells > 0
+    overlap = ss.normal.Hardness(limit).overlap(contact)
+    assert overlap.max() > 0.0
+    with pytest.raises(ss.BeyondHardness) as refused:
+        ss.NormalProblem(scene.bodies, scene.ball, force=1e9, hardness=limit)
+    assert refused.value.capacity == pytest.approx(limit * scene.grid.area)
+
+
+def test_a_line_contact_is_hertz():
+    steel = ss.Material(210e3, 0.3)
+    grid = ss.Grid.line(256, 0.004)
+    bodies = ss.HalfSpace(grid, (steel, steel), boundary=("periodic_along_y", 50.0))
+    contact = ss.NormalProblem(bodies, ss.surface.cylinder(grid, 20.0), force=200.0).solve()
+    hertz = ss.analytical.HertzLine(bodies.pair, 20.0, 200.0)
+    assert contact.pressure.max() == pytest.approx(hertz.max_pressure, rel=1e-3)
+    assert contact.approach == pytest.approx(hertz.approach(50.0), rel=1e-3)
+
+
+def test_periodic_waves_are_westergaards():
+    grid = ss.Grid.square(64, 1.0)
+    bodies = ss.HalfSpace(grid, (ss.Material(1.0, 0.5), ss.Material.rigid()), boundary=ss.Boundary.PERIODIC)
+    gap = ss.surface.sinusoidal(grid, 0.01, 1.0)
+    exact = ss.analytical.Westergaard(bodies.pair, 0.01, 1.0, 0.01)
+    contact = ss.NormalProblem(bodies, gap, force=0.01).solve()
+    assert contact.contact_area == pytest.approx(exact.contact_fraction, abs=0.04)
+
+
+def test_fretting_becomes_steady_and_wears(scene):
+    history = scene.history(tolerance=1e-6)
+    path = ss.history.LoadPath.sine((1e-6, 0.0), 8)
+    loop = ss.history.FrettingLoop(
+        path, lambda shift: ss.LoadStep(normal_force=FORCE, shift=shift), until_steady=1e-3
+    )
+    outcome = loop.run(history, 5)
+    assert outcome.ending == ss.history.LoopEnding.STEADY and outcome.cycles == 2
+    depth = ss.wear.energy(1e-14, outcome.last.dissipated_energy, grid=scene.grid)
+    worn = depth.sum() * scene.grid.cell_area
+    assert worn == pytest.approx(1e-14 * outcome.last.energy.dissipated_energy)
+    jump = ss.wear.CycleJump(scene.bodies, outcome.last, depth, cycles_left=1e6, closed_within=1e-2).cycles()
+    assert 0.0 < jump <= 1e6
+    history.set_gap(ss.Field(scene.grid, history.gap) + ss.Field(scene.grid, jump * depth))
+    assert history.step(normal_force=FORCE).approach != 0.0
+    stopped = loop.run(history, 5, observer=lambda history, cycle: cycle.steps < 3)
+    assert stopped.ending == "stopped" and stopped.last.steps == 3
+    with pytest.raises(ss.errors.Tolerance):
+        ss.history.FrettingLoop(path, loop, until_steady=2.0)
+
+
+def test_adaptive_steps_halve_the_error(scene):
+    history = scene.history(model="vector")
+    history.step(normal_force=50.0)
+    history.step(force_x=20.0)
+    load = ss.LoadStep(force=(0.0, 20.0), normal_force=FORCE)
+    steps = ss.history.AdaptiveSteps(history, 0.002)
+    before = history.to_bytes()
+    assert steps.error(history, load).traction > 0.002
+    assert history.to_bytes() == before
+    cycle = ss.history.Cycle(history)
+    assert steps.step(history, load, cycle=cycle) == cycle.steps > 1
+
+
+def test_many_histories_at_once(scene):
+    balls = [ss.surface.sphere(scene.grid, radius) for radius in (2e-3, 3e-3, 4e-3)]
+    histories = [ss.History(scene.bodies, ball, 0.5) for ball in balls]
+    assert ss.History.step_all(histories, [ss.LoadStep(normal_force=50.0)] * 3) == []
+    alone = ss.History(scene.bodies, balls[1], 0.5)
+    alone.step(normal_force=50.0)
+    assert alone.to_bytes() == histories[1].to_bytes()
+    [(index, error)] = ss.History.step_all(histories, [ss.LoadStep(force_x=force) for force in (10.0, 30.0, 20.0)])
+    assert index == 1 and isinstance(error, ss.BeyondFrictionCapacity)
+    assert histories[1].force == (0.0, 0.0) and histories[2].force == pytest.approx((20.0, 0.0))
+    with pytest.raises(ss.errors.Length):
+        ss.History.step_all(histories, [])
+    with pytest.raises(RuntimeError):
+        ss.History.step_all([alone, alone], [ss.LoadStep()] * 2)
+
+
+def test_the_engine_agrees_with_an_explicit_matrix():
+    grid = ss.Grid(12, 9, 1.0, 1.0)
+    bodies = ss.HalfSpace(grid, (ss.Material(1.0, 0.3), ss.Material.rigid()))
+    gap = ss.surface.sphere(grid, 20.0)
+    dense = ss.dense.DenseOperator.of_half_space(bodies, "zz")
+    direct = dense.minimise(gap.array, total=3.0)
+    iterated = ss.cgm.minimise(bodies.operator("zz"), gap.array, total=3.0, preconditioner=bodies.preconditioner("zz"))
+    contact = ss.NormalProblem(bodies, gap, force=3.0).solve()
+    assert iterated.x == pytest.approx(direct.x, abs=1e-8)
+    assert contact.pressure.ravel() == pytest.approx(direct.x, abs=1e-8)
+    assert iterated.multiplier == pytest.approx(contact.approach, rel=1e-8)
+    matrix = np.array([[dense.get(row, column) for column in range(108)] for row in range(108)])
+    own = ss.cgm.minimise(lambda x: matrix @ x, gap.array, total=3.0, lower_bound=dense.lower_bound)
+    assert own.x == pytest.approx(direct.x, abs=1e-8)
+    assert matrix @ gap.array.ravel() == pytest.approx(bodies.operator("zz")(gap.array).ravel(), abs=1e-12)
+
+
+def test_influence_coefficients_and_products():
+    grid = ss.Grid(8, 6, 1.0, 1.0)
+    bodies = ss.HalfSpace(grid, (ss.Material(1.0, 0.2), ss.Material.rigid()))
+    table = ss.influence.Table(grid, bodies.pair, "xz")
+    tensor = ss.influence.Rectangle(0.5, 0.5).pair_tensor(bodies.pair, 2.0, -1.0)
+    assert table.get(2, -1) == pytest.approx(tensor.xz, rel=1e-9) and table.get(8, 0) is None
+    unit = np.zeros(grid.shape)
+    unit[3, 3] = 1.0
+    u, v, w = bodies.tensor_operator().apply((np.zeros(grid.shape), np.zeros(grid.shape), unit))
+    assert u[2, 5] == pytest.approx(tensor.xz, abs=1e-14) and w[2, 5] == pytest.approx(tensor.zz, abs=1e-14)
+    convolution = ss.fft.Convolution(grid, bodies.pair, "zz")
+    assert np.array_equal(convolution(unit), bodies.operator("zz")(unit))
+
+
+def test_spots_are_counted_one_by_one(scene):
+    x, y = np.meshgrid(scene.grid.x, scene.grid.y)
+    side = 0.07e-3
+    gap = np.minimum((x - side) ** 2, (x + side) ** 2) / 2e-3 + y**2 / 2e-3
+    contact = ss.NormalProblem(scene.bodies, gap, force=5.0).solve()
+    spots = contact.spots
+    assert len(spots) == 2 and spots[0].load + spots[-1].load == pytest.approx(5.0)
+    assert set(np.unique(spots.labels)) == {0, 1, 2}
+    with pytest.raises(IndexError):
+        spots[2]
+    shear = ss.TangentialProblem(scene.bodies, contact, 0.3, force_x=1.0).solve()
+    assert 0.0 < shear.spots(contact).largest.stick_ratio < 1.0
+
+
+def test_jaegers_superposition_is_the_scalar_model_of_poisson_zero():
+    grid = ss.Grid.square(48, 0.3e-3)
+    material = ss.Material(200e9, 0.0)
+    bodies = ss.HalfSpace(grid, (material, material))
+    ball = ss.surface.sphere(grid, RADIUS)
+    full = ss.NormalProblem(bodies, ball, force=100.0, tolerance=1e-10).solve()
+    stick = ss.NormalProblem(bodies, ball, force=60.0, tolerance=1e-10).solve()
+    exact = ss.tangential.JaegerSuperposition(full, stick, bodies.pair, 0.5)
+    found = ss.TangentialProblem(bodies, full, 0.5, force_x=exact.force, tolerance=1e-10).solve()
+    assert found.traction[0] == pytest.approx(exact.traction, abs=1e-6 * exact.traction.max())
+    assert np.array_equal(found.zones, exact.zones)
+
+
+def test_bulk_strain_shears_a_contact():
+    titanium = ss.Material(115e3, 0.32)
+    grid = ss.Grid.line(128, 0.01)
+    bodies = ss.HalfSpace(grid, (titanium, titanium), boundary=("periodic_along_y", 50.0))
+    bulk = ss.tangential.RelativeDisplacement.bulk_strain(grid, [[titanium.plane_strain_under(1.0), 0.0], [0.0, 0.0]])
+    history = ss.History(bodies, ss.surface.cylinder(grid, 20.0), 0.5, relative_displacement=bulk)
+    history.step(normal_force=200.0)
+    history.step(force_x=0.0, relative_displacement=100.0)
+    assert history.traction[0][0, 70] < -1.0 and history.traction[0][0, 57] > 1.0

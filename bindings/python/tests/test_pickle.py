@@ -1,0 +1,91 @@
+"""Everything that is a value comes back from a pickle as it was; histories go on to the same bits."""
+
+import copy
+import pickle
+
+import numpy as np
+import pytest
+
+import stickslip as ss
+from conftest import FORCE
+
+
+def same(value):
+    return pickle.loads(pickle.dumps(value))
+
+
+def test_values_come_back(scene):
+    bulk = ss.tangential.RelativeDisplacement.bulk_strain(scene.grid, [[1e-3, 0.0], [0.0, 0.0]])
+    for value in [
+        scene.grid,
+        ss.Material(1.0, 0.3, hardness=0.1),
+        ss.Material.rigid(),
+        scene.bodies.pair,
+        ss.Boundary.periodic_along_y(3.0),
+        scene.ball,
+        ss.Settings(tolerance=1e-5, time_limit=2.5),
+        ss.LoadStep(normal_force=1.0, shift_x=2.0, spring_y=(1.0, 2.0), twist=0.1),
+        ss.TangentialLoad(force=(1.0, 2.0)),
+        ss.Friction(0.3, max_shear_stress=5.0),
+        ss.Friction(scene.ball),
+        ss.normal.Hardness(3.0),
+        ss.history.LoadPath.ellipse((1.0, 2.0), 0.3, 8),
+        ss.surface.SelfAffine(rms_height=1.0, seed=7),
+        bulk,
+    ]:
+        assert same(value) == value and type(same(value)) is type(value)
+        assert copy.deepcopy(value) == value
+    assert same(ss.Axis.X) is ss.Axis.X
+    bodies = same(scene.bodies)
+    assert (bodies.grid, bodies.pair, bodies.boundary) == (scene.grid, scene.bodies.pair, scene.bodies.boundary)
+
+
+def test_solutions_come_back_bit_for_bit(scene):
+    contact = scene.normal()
+    shear = ss.TangentialProblem(scene.bodies, contact, 0.5, force_x=20.0).solve()
+    assert same(contact) == contact and same(shear) == shear
+    assert np.array_equal(same(contact).pressure, contact.pressure)
+    assert same(contact).report == contact.report
+
+
+def test_coupled_solutions_come_back():
+    grid = ss.Grid.square(16, 0.3)
+    bodies = ss.HalfSpace(grid, (ss.Material(70e3, 0.33), ss.Material(210e3, 0.3)))
+    contact = ss.CoupledProblem(bodies, ss.surface.sphere(grid, 3.5), 0.1, normal_force=60.0).solve()
+    back = same(contact)
+    assert back.normal == contact.normal and back.shear == contact.shear and back.report == contact.report
+    assert same(contact.normal) == contact.normal
+
+
+def test_histories_go_on_to_the_same_bits(scene, tmp_path):
+    history = scene.history(model="vector")
+    history.step(normal_force=FORCE)
+    step = history.step(force=(20.0, 10.0))
+    cycle = ss.history.Cycle(history)
+    history.step(force=(10.0, 10.0))
+    cycle.add(history)
+    history.save(tmp_path / "history")
+    copies = [
+        same(history),
+        ss.History.from_bytes(scene.bodies, history.to_bytes()),
+        ss.History.load(scene.bodies, tmp_path / "history"),
+        ss.History.from_state(scene.bodies, same(history.state())),
+    ]
+    numbers = same(history.last_step)
+    assert numbers.force == history.last_step.force and np.array_equal(numbers.slip[0], history.last_step.slip[0])
+    assert same(cycle).points == cycle.points
+    history.step(force=(-20.0, 5.0))
+    for other in copies:
+        other.step(force=(-20.0, 5.0))
+        assert other.to_bytes() == history.to_bytes()
+    with pytest.raises(RuntimeError, match="keep"):
+        pickle.dumps(step)
+
+
+def test_a_pickle_of_another_version_is_refused(scene):
+    restore, (kind, version, content) = scene.grid.__reduce__()
+    assert version == ss.__version__ and restore(kind, version, content) == scene.grid
+    with pytest.raises(ValueError, match="cannot be read"):
+        restore(kind, "0.0.1", content)
+    with pytest.raises(ValueError):
+        restore("NormalSolution", version, content)
