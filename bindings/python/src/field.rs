@@ -6,12 +6,12 @@ use numpy::{AllowTypeChange, PyArrayLike2};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-#[cfg(feature = "stubs")]
-use pyo3::{PyTypeInfo, inspect::PyStaticExpr, type_hint_identifier, type_hint_union};
 
+use crate::argument::argument;
 use crate::array::{Array, view};
 use crate::error::{OrRaise, named};
-use crate::grid::Grid;
+use crate::grid::{Grid, size};
+use crate::pickle::picklable;
 
 /// Samples at the cells of a grid, one number a cell: gaps, heights, pressures. It is never changed.
 ///
@@ -131,18 +131,12 @@ impl Field {
     }
 
     fn __repr__(&self) -> String {
-        let grid = self.0.grid();
-        format!(
-            "Field({} x {} cells, {} to {})",
-            grid.nx(),
-            grid.ny(),
-            self.0.min(),
-            self.0.max()
-        )
+        let size = size(self.0.grid());
+        format!("Field({size}, {} to {})", self.0.min(), self.0.max())
     }
 }
 
-crate::pickle::picklable!(Field: stickslip::Field);
+picklable!(Field: stickslip::Field);
 
 impl Field {
     fn plus(&self, py: Python<'_>, factor: f64, other: &Samples<'_>) -> PyResult<Self> {
@@ -153,22 +147,10 @@ impl Field {
     }
 }
 
-/// What is taken for a field: a field, an array of shape (ny, nx), one number for all cells, or a topography that knows
-/// its heights and sizes.
-pub(crate) struct Samples<'py>(Bound<'py, PyAny>);
-
-impl<'py> FromPyObject<'_, 'py> for Samples<'py> {
-    type Error = PyErr;
-
-    #[cfg(feature = "stubs")]
-    const INPUT_TYPE: PyStaticExpr = type_hint_union!(
-        Field::TYPE_HINT,
-        type_hint_identifier!("numpy.typing", "ArrayLike")
-    );
-
-    fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
-        Ok(Self(object.to_owned()))
-    }
+argument! {
+    /// What is taken for a field: a field, an array of shape (ny, nx), one number for all cells, or a topography that
+    /// knows its heights and sizes.
+    Samples: Field
 }
 
 impl Samples<'_> {
@@ -208,6 +190,21 @@ impl Samples<'_> {
     /// As one number, if it is one.
     pub(crate) fn number(&self) -> Option<f64> {
         self.0.extract().ok()
+    }
+
+    /// As one number, or a field on this grid; without one, on the field's own.
+    pub(crate) fn spread(
+        &self,
+        py: Python<'_>,
+        quantity: &str,
+        grid: Option<&Grid>,
+    ) -> PyResult<Spread> {
+        match self.number() {
+            Some(value) => Ok(Spread::Uniform(value)),
+            None => self
+                .on(py, quantity, grid_of(grid, &[self])?)
+                .map(Spread::PerCell),
+        }
     }
 
     /// As a field on a grid of its own.
@@ -250,14 +247,23 @@ fn array<'py>(
     })
 }
 
-/// The grid of a field that knows one, where no other is at hand.
-pub(crate) fn grid_of(
-    grid: Option<&Grid>,
-    samples: &Samples<'_>,
-    quantity: &str,
-) -> PyResult<stickslip::Grid> {
-    match grid {
-        Some(grid) => Ok(grid.0),
-        None => samples.alone(quantity).map(|field| field.grid()),
+/// One number for all cells, or one of each.
+pub(crate) enum Spread {
+    Uniform(f64),
+    PerCell(Arc<stickslip::Field>),
+}
+
+/// The grid that is given, or else that of the first field that knows its own.
+pub(crate) fn grid_of(grid: Option<&Grid>, fields: &[&Samples<'_>]) -> PyResult<stickslip::Grid> {
+    if let Some(grid) = grid {
+        return Ok(grid.0);
     }
+    for field in fields {
+        if let Some(field) = field.known()? {
+            return Ok(field.grid());
+        }
+    }
+    Err(PyTypeError::new_err(
+        "an array does not know its grid: give grid=, or a Field",
+    ))
 }

@@ -2,8 +2,10 @@
 
 use pyo3::prelude::*;
 
+use crate::boundary::{Boundary, Surroundings};
 use crate::error::OrRaise;
-use crate::grid::{Bodies, Boundary, ElasticPair, Grid, Surroundings};
+use crate::grid::{Grid, size};
+use crate::material::{Bodies, ElasticPair};
 
 /// A pair of half-spaces on a grid. What problems need of it is made when first needed, and shared.
 ///
@@ -78,9 +80,8 @@ impl HalfSpace {
     fn __repr__(&self) -> String {
         let grid = self.0.grid();
         format!(
-            "HalfSpace({} x {} cells of {} x {}, {:?}, E* = {})",
-            grid.nx(),
-            grid.ny(),
+            "HalfSpace({} of {} x {}, {:?}, E* = {})",
+            size(grid),
             grid.dx(),
             grid.dy(),
             self.0.boundary(),

@@ -17,11 +17,6 @@ pub(crate) fn lock<'a, T>(place: &'a Mutex<T>, what: &str) -> PyResult<MutexGuar
     }
 }
 
-/// The pair of a vector.
-pub(crate) fn pair([x, y]: [f64; 2]) -> (f64, f64) {
-    (x, y)
-}
-
 /// Solutions that were handed out, of which those that nobody holds any more are filled again.
 pub(crate) struct Spare<T>(Vec<Arc<T>>);
 

@@ -5,7 +5,8 @@ use stickslip::influence;
 
 use crate::choice::Choice;
 use crate::error::OrRaise;
-use crate::grid::{ElasticPair, Grid, Material};
+use crate::grid::Grid;
+use crate::material::{ElasticPair, Material};
 use crate::work::unobserved;
 
 /// The nine influence coefficients at a point, displacement first, traction second (lengths over pressures).

@@ -2,7 +2,9 @@
 //! sorts into modules. What is documented here is documented for Python.
 
 mod analytical;
+mod argument;
 mod array;
+mod boundary;
 mod cgm;
 mod choice;
 mod coupled;
@@ -16,13 +18,16 @@ mod history;
 mod influence;
 mod io;
 mod load;
+mod material;
 mod normal;
 mod operator;
 mod pickle;
 mod pool;
 mod progress;
 mod report;
+mod sequence;
 mod settings;
+mod solver;
 mod spots;
 mod stiffness;
 mod subsurface;
@@ -51,16 +56,16 @@ mod _stickslip {
             MindlinFullStick, NoSlipPunch, NoSlipSphere, Persson, PopovLimitingShape, RoughSphere,
             RoundedPunch, SpencePressing, Westergaard, WestergaardPartialSlip, linear_stick_ratio,
         },
+        boundary::Boundary,
         cgm::{Minimum, minimise},
         coupled::{CoupledProblem, CoupledReport, CoupledSolution, CoupledSolver, ErrorEstimate},
         field::Field,
-        friction::{Friction, Hardness},
-        grid::{Boundary, ElasticPair, Grid, Material},
+        friction::Friction,
+        grid::Grid,
         half_space::HalfSpace,
         history::{
-            _from_bytes, _history_from_bytes, AdaptiveSteps, Cycle, CycleJump, EnergyBalance,
-            History, LoadPath, LoopPoint, State, StepError, StepResult, archard, energy,
-            max_stable_cycles, threshold_energy,
+            AdaptiveSteps, Cycle, CycleJump, EnergyBalance, History, LoadPath, LoopPoint, State,
+            StepError, StepResult, archard, energy, max_stable_cycles, threshold_energy,
         },
         influence::{Rectangle, Table, Tensor},
         io::{
@@ -70,11 +75,12 @@ mod _stickslip {
             xyz_parse, xyz_read,
         },
         load::{LoadStep, TangentialLoad},
-        normal::{NormalProblem, NormalSolution, NormalSolver},
+        material::{ElasticPair, Material},
+        normal::{Hardness, NormalProblem, NormalSolution, NormalSolver},
         operator::{
             Convolution, DenseMinimum, DenseOperator, LinearOperator, TensorOperator, identity,
         },
-        pickle::_restore,
+        pickle::{_from_bytes, _restore},
         pool::{num_threads, set_num_threads},
         report::{Iteration, Report, Warning},
         settings::Settings,

@@ -25,64 +25,70 @@ pub(crate) fn needed(force: Option<f64>, approach: Option<f64>) -> PyResult<Norm
         .ok_or_else(|| PyTypeError::new_err("give the normal load: force= or approach="))
 }
 
-/// The tangential half as it is given.
-#[derive(Default)]
-pub(crate) struct Tangential {
-    pub(crate) force: Option<[f64; 2]>,
-    pub(crate) shift: Option<[f64; 2]>,
-    pub(crate) spring: Option<([f64; 2], f64)>,
-    pub(crate) force_x: Option<f64>,
-    pub(crate) force_y: Option<f64>,
-    pub(crate) shift_x: Option<f64>,
-    pub(crate) shift_y: Option<f64>,
-    pub(crate) spring_x: Option<(f64, f64)>,
-    pub(crate) spring_y: Option<(f64, f64)>,
+/// A force, a shift or a spring along both axes.
+pub(crate) type Both = (Option<[f64; 2]>, Option<[f64; 2]>, Option<([f64; 2], f64)>);
+
+/// The keywords of the tangential load, as every function that takes one has them.
+pub(crate) struct Keywords {
+    both: Both,
+    force: [Option<f64>; 2],
+    shift: [Option<f64>; 2],
+    spring: [Option<(f64, f64)>; 2],
+    twist: Option<f64>,
 }
 
-impl Tangential {
+impl Keywords {
+    pub(crate) fn new(
+        both: Both,
+        force: [Option<f64>; 2],
+        shift: [Option<f64>; 2],
+        spring: [Option<(f64, f64)>; 2],
+        twist: Option<f64>,
+    ) -> Self {
+        Self {
+            both,
+            force,
+            shift,
+            spring,
+            twist,
+        }
+    }
+
     pub(crate) fn is_empty(&self) -> bool {
-        matches!(self.controls(), Ok([None, None]))
+        matches!(self.controls(), Ok([None, None])) && self.twist.is_none()
     }
 
     /// What is prescribed along x and y, if anything.
     fn controls(&self) -> PyResult<[Option<TangentialControl>; 2]> {
-        let along =
-            |axis: usize, force: Option<f64>, shift: Option<f64>, spring: Option<(f64, f64)>| {
-                let both = [
-                    self.force
-                        .map(|force| TangentialControl::Force(force[axis])),
-                    self.shift
-                        .map(|shift| TangentialControl::Shift(shift[axis])),
-                    self.spring
-                        .map(|(position, stiffness)| TangentialControl::Spring {
-                            position: position[axis],
-                            stiffness,
-                        }),
-                    force.map(TangentialControl::Force),
-                    shift.map(TangentialControl::Shift),
-                    spring.map(|(position, stiffness)| TangentialControl::Spring {
-                        position,
-                        stiffness,
-                    }),
-                ];
-                let mut given = both.into_iter().flatten();
-                let first = given.next();
-                match given.next() {
-                    None => Ok(first),
-                    Some(_) => Err(PyTypeError::new_err(format!(
-                        "give one of force, shift and spring along {}",
-                        ["x", "y"][axis]
-                    ))),
-                }
-            };
-        Ok([
-            along(0, self.force_x, self.shift_x, self.spring_x)?,
-            along(1, self.force_y, self.shift_y, self.spring_y)?,
-        ])
+        let (force, shift, spring) = self.both;
+        let spring_to = |(position, stiffness)| TangentialControl::Spring {
+            position,
+            stiffness,
+        };
+        let along = |axis: usize| {
+            let given = [
+                force.map(|force| TangentialControl::Force(force[axis])),
+                shift.map(|shift| TangentialControl::Shift(shift[axis])),
+                spring.map(|(position, stiffness)| spring_to((position[axis], stiffness))),
+                self.force[axis].map(TangentialControl::Force),
+                self.shift[axis].map(TangentialControl::Shift),
+                self.spring[axis].map(spring_to),
+            ];
+            let mut given = given.into_iter().flatten();
+            let first = given.next();
+            match given.next() {
+                None => Ok(first),
+                Some(_) => Err(PyTypeError::new_err(format!(
+                    "give one of force, shift and spring along {}",
+                    ["x", "y"][axis]
+                ))),
+            }
+        };
+        Ok([along(0)?, along(1)?])
     }
 
     /// A load from rest: along an axis of which nothing is said, the other's kind with the value zero.
-    pub(crate) fn load(&self, twist: Option<f64>) -> PyResult<Load> {
+    pub(crate) fn load(&self) -> PyResult<Load> {
         let zero = |control| match control {
             TangentialControl::Shift(_) => TangentialControl::Shift(0.0),
             TangentialControl::Spring { stiffness, .. } => TangentialControl::Spring {
@@ -98,14 +104,18 @@ impl Tangential {
             [None, None] => [TangentialControl::Force(0.0); 2],
         };
         let load = Load::force([0.0; 2]).along(Axis::X, x).along(Axis::Y, y);
-        Ok(load.twist(twist.unwrap_or(0.0)))
+        Ok(load.twist(self.twist.unwrap_or(0.0)))
+    }
+
+    /// The load from rest that is given as an object or by these keywords.
+    pub(crate) fn load_or(&self, object: Option<TangentialLoad>) -> PyResult<Load> {
+        one_of(object.map(|load| load.0), self.is_empty(), self.load()?)
     }
 
     /// A step: what is not given is held.
     pub(crate) fn step(
         &self,
         normal: Option<NormalControl>,
-        twist: Option<f64>,
         relative_displacement: Option<f64>,
     ) -> PyResult<Step> {
         let mut step = Step::hold().normal(normal.unwrap_or(NormalControl::Hold));
@@ -114,13 +124,36 @@ impl Tangential {
                 step = step.tangential(axis, control);
             }
         }
-        if let Some(twist) = twist {
+        if let Some(twist) = self.twist {
             step = step.twist(twist);
         }
         if let Some(amount) = relative_displacement {
             step = step.relative_displacement(amount);
         }
         Ok(step)
+    }
+
+    /// The step that is given as an object or by these keywords and the other two.
+    pub(crate) fn step_or(
+        &self,
+        object: Option<LoadStep>,
+        normal: Option<NormalControl>,
+        relative_displacement: Option<f64>,
+    ) -> PyResult<Step> {
+        let is_empty = self.is_empty() && normal.is_none() && relative_displacement.is_none();
+        let by_keywords = self.step(normal, relative_displacement)?;
+        one_of(object.map(|load| load.0), is_empty, by_keywords)
+    }
+}
+
+/// A load as an object, or by its keywords if there is no object.
+fn one_of<T>(object: Option<T>, is_without_keywords: bool, by_keywords: T) -> PyResult<T> {
+    match object {
+        None => Ok(by_keywords),
+        Some(load) if is_without_keywords => Ok(load),
+        Some(_) => Err(PyTypeError::new_err(
+            "give a load or its keywords, not both",
+        )),
     }
 }
 
@@ -161,18 +194,14 @@ impl TangentialLoad {
         spring_y: Option<(f64, f64)>,
         twist: Option<f64>,
     ) -> PyResult<Self> {
-        let given = Tangential {
-            force,
-            shift,
-            spring,
-            force_x,
-            force_y,
-            shift_x,
-            shift_y,
-            spring_x,
-            spring_y,
-        };
-        given.load(twist).map(Self)
+        let keywords = Keywords::new(
+            (force, shift, spring),
+            [force_x, force_y],
+            [shift_x, shift_y],
+            [spring_x, spring_y],
+            twist,
+        );
+        keywords.load().map(Self)
     }
 
     /// What is prescribed along an axis: ``("force", value)``, ``("shift", value)`` or
@@ -252,19 +281,15 @@ impl LoadStep {
         twist: Option<f64>,
         relative_displacement: Option<f64>,
     ) -> PyResult<Self> {
-        let given = Tangential {
-            force,
-            shift,
-            spring,
-            force_x,
-            force_y,
-            shift_x,
-            shift_y,
-            spring_x,
-            spring_y,
-        };
+        let keywords = Keywords::new(
+            (force, shift, spring),
+            [force_x, force_y],
+            [shift_x, shift_y],
+            [spring_x, spring_y],
+            twist,
+        );
         let normal = normal(normal_force, approach)?;
-        given.step(normal, twist, relative_displacement).map(Self)
+        keywords.step(normal, relative_displacement).map(Self)
     }
 
     /// The tangential half alone, with the twist of the load; the pressure is held.

@@ -11,9 +11,10 @@ use stickslip::{Operator, fft};
 use crate::array::Array;
 use crate::choice::Choice;
 use crate::error::OrRaise;
-use crate::grid::{ElasticPair, Grid};
+use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::held::lock;
+use crate::material::ElasticPair;
 use crate::work::unobserved;
 
 /// An operator of one component a cell, whatever its kind.

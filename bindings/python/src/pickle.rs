@@ -3,7 +3,7 @@
 use pyo3::PyClass;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::PyBytes;
+use pyo3::types::{PyBytes, PyTuple, PyType};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
@@ -22,19 +22,39 @@ pub(crate) type Reduced<'py> = (
     (&'static str, &'static str, Bound<'py, PyBytes>),
 );
 
-/// The same of what has bytes of its own: what restores it, and its arguments.
+/// How an object with bytes of its own is pickled: what restores it, and from which arguments.
 pub(crate) type ByItself<'py, A> = (Bound<'py, PyAny>, A);
 
-/// What restores an object of this content.
+/// A function of the module, by which objects are restored.
+fn restoring<'py>(py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+    py.import("stickslip._stickslip")?.getattr(name)
+}
+
+/// What restores an object that has bytes of its own, by ``from_bytes`` of its class: the first of the arguments.
+pub(crate) fn by_itself<A>(py: Python<'_>, arguments: A) -> PyResult<ByItself<'_, A>> {
+    Ok((restoring(py, "_from_bytes")?, arguments))
+}
+
+/// What pickle calls for what has bytes of its own.
+#[pyfunction]
+#[pyo3(signature = (kind, *arguments))]
+pub(crate) fn _from_bytes<'py>(
+    kind: Bound<'py, PyType>,
+    arguments: Bound<'py, PyTuple>,
+) -> PyResult<Bound<'py, PyAny>> {
+    kind.call_method1("from_bytes", arguments)
+}
+
+/// How an object of this content is pickled.
 pub(crate) fn reduced<'py, T: Stored>(
     py: Python<'py>,
     content: &T::Content,
 ) -> PyResult<Reduced<'py>> {
     let bytes =
         postcard::to_stdvec(content).map_err(|error| PyValueError::new_err(error.to_string()))?;
-    let restore = py.import("stickslip._stickslip")?.getattr("_restore")?;
     let version = env!("CARGO_PKG_VERSION");
-    Ok((restore, (T::KIND, version, PyBytes::new(py, &bytes))))
+    let arguments = (T::KIND, version, PyBytes::new(py, &bytes));
+    Ok((restoring(py, "_restore")?, arguments))
 }
 
 fn restored<'py, T>(py: Python<'py>, bytes: &[u8]) -> PyResult<Bound<'py, PyAny>>
@@ -100,15 +120,15 @@ macro_rules! kinds {
 
 kinds!(
     crate::grid::Grid,
-    crate::grid::Material,
-    crate::grid::ElasticPair,
-    crate::grid::Boundary,
+    crate::material::Material,
+    crate::material::ElasticPair,
+    crate::boundary::Boundary,
     crate::field::Field,
     crate::settings::Settings,
     crate::load::LoadStep,
     crate::load::TangentialLoad,
     crate::friction::Friction,
-    crate::friction::Hardness,
+    crate::normal::Hardness,
     crate::history::EnergyBalance,
     crate::history::LoadPath,
     crate::history::StepResult,

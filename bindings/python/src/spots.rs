@@ -1,10 +1,9 @@
 //! Contact spots, one by one.
 
-use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
 
 use crate::array::{Array, labels};
-use crate::held::pair;
+use crate::sequence::{entry, pair};
 
 /// A connected spot of contact cells.
 #[pyclass(frozen, eq, module = "stickslip")]
@@ -98,13 +97,7 @@ impl ContactSpots {
     }
 
     fn __getitem__(&self, index: isize) -> PyResult<Spot> {
-        let spots = self.0.as_slice();
-        let from_end = if index < 0 { spots.len() } else { 0 };
-        let place = from_end.checked_add_signed(index);
-        let spot = place.and_then(|place| spots.get(place));
-        spot.copied()
-            .map(Spot)
-            .ok_or_else(|| PyIndexError::new_err(format!("no spot {index} of {}", spots.len())))
+        entry(self.0.as_slice(), index, "spot").copied().map(Spot)
     }
 
     fn __repr__(&self) -> String {

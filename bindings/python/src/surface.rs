@@ -11,8 +11,8 @@ use crate::error::OrRaise;
 use crate::field::{Field, Samples};
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
-use crate::held::pair;
 use crate::pickle::picklable;
+use crate::sequence::pair;
 use crate::work::unobserved;
 
 /// Shapes whose parameters are numbers.

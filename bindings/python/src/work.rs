@@ -8,13 +8,22 @@ use std::time::{Duration, Instant};
 
 use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError};
 use pyo3::prelude::*;
-use stickslip::{Iteration, Result};
+use stickslip::{Error, Iteration, Result};
 
 use crate::pool;
 use crate::progress::Progress;
 
 /// What a solve calls before each product, and other work, without an iteration, where it may be broken off.
 pub(crate) type Observer<'a> = &'a mut (dyn FnMut(Option<&Iteration>) -> ControlFlow<()> + Send);
+
+/// Where work without iterations may be broken off. What it returns then only ends the work: the exception that broke it
+/// off takes its place.
+pub(crate) fn look(observer: Observer<'_>) -> Result<()> {
+    observer(None)
+        .is_continue()
+        .then_some(())
+        .ok_or(Error::EmptyPath)
+}
 
 /// How often signals are looked for.
 const PATIENCE: Duration = Duration::from_millis(5);

@@ -135,6 +135,23 @@ def test_a_solver_that_is_refused_a_load_keeps_the_old_one(scene):
     assert solver.solve().force == pytest.approx(FORCE)
 
 
+def test_a_solver_takes_load_and_gap_together_or_neither():
+    grid = ss.Grid.square(16, 1.0)
+    bodies = ss.HalfSpace(grid, (ss.Material(1.0, 0.3), ss.Material.rigid()), boundary="periodic")
+    waves = ss.surface.bisinusoidal(grid, 0.01, (1.0, 1.0))
+    deep = ss.surface.bisinusoidal(grid, 0.1, (1.0, 1.0))
+    solver = ss.NormalSolver(bodies, waves, approach=0.005)
+    before = solver.solve().pressure
+    for load, gap in [({"force": -1.0}, deep), ({"approach": 1.0}, deep), ({"force": 1.0}, np.full((16, 16), math.nan))]:
+        with pytest.raises(ss.StickslipError):
+            solver.solve(**load, gap=gap)
+        assert solver.solve().approach == 0.005
+        assert np.allclose(solver.solve().pressure, before, rtol=0.0, atol=1e-6 * before.max())
+    # An approach that the gap of before does not allow, with one that does.
+    assert solver.solve(approach=0.05, gap=deep).approach == 0.05
+    assert solver.solve(approach=0.005, gap=waves).approach == 0.005
+
+
 def test_warnings_are_objects_and_are_warned_of_on_request(scene):
     tiny = ss.NormalProblem(scene.bodies, scene.ball, force=0.01)
     with warnings.catch_warnings():

@@ -119,7 +119,7 @@ macro_rules! closed_form {
                 $(#[$pair_doc])*
                 #[getter]
                 fn $pair(&self) -> (f64, f64) {
-                    crate::held::pair(self.0.$pair())
+                    crate::sequence::pair(self.0.$pair())
                 }
             )*
 

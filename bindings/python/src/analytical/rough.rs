@@ -3,7 +3,7 @@
 use crate::analytical::HertzSphere;
 use crate::analytical::closed_form;
 use crate::error::OrRaise;
-use crate::grid::ElasticPair;
+use crate::material::ElasticPair;
 use pyo3::prelude::*;
 
 closed_form! {

@@ -3,14 +3,14 @@
 use std::sync::Mutex;
 
 use pyo3::prelude::*;
-use stickslip::Error;
 
 use crate::error::OrRaise;
-use crate::held::{lock, pair};
-use crate::history::{Cycle, History};
+use crate::held::lock;
+use crate::history::{Cycle, History, builder};
 use crate::load::LoadStep;
 use crate::progress::Progress;
-use crate::work::{solve, unobserved};
+use crate::sequence::pair;
+use crate::work::{look, solve, unobserved};
 
 /// What one step differs by from the same load in two.
 #[pyclass(frozen, eq, module = "stickslip.history")]
@@ -76,7 +76,7 @@ impl AdaptiveSteps {
 
     /// The error that a single step makes with this load; the history is then as it was, but for its last step.
     fn error(&self, py: Python<'_>, history: &History, load: LoadStep) -> PyResult<StepError> {
-        let (mut steps, mut work) = (lock(&self.0, NAME)?, lock(&history.work, "history")?);
+        let (mut steps, mut work) = (lock(&self.0, NAME)?, lock(&history.work, builder::NAME)?);
         work.taken += 1;
         let (steps, own) = (&mut *steps, &mut work.history);
         unobserved(py, history.cells(), || steps.error(own, &load.0)).map(StepError)
@@ -99,7 +99,7 @@ impl AdaptiveSteps {
         load: LoadStep,
         cycle: Option<&Cycle>,
     ) -> PyResult<usize> {
-        let (mut steps, mut work) = (lock(&self.0, NAME)?, lock(&history.work, "history")?);
+        let (mut steps, mut work) = (lock(&self.0, NAME)?, lock(&history.work, builder::NAME)?);
         let mut cycle = cycle.map(Cycle::lock).transpose()?;
         work.taken += 1;
         let (steps, own) = (&mut *steps, &mut work.history);
@@ -109,11 +109,7 @@ impl AdaptiveSteps {
                 if let Some(cycle) = &mut cycle {
                     cycle.add(history)?;
                 }
-                // Any error takes the load back; an exception takes its place.
-                observer(None)
-                    .is_continue()
-                    .then_some(())
-                    .ok_or(Error::EmptyPath)
+                look(observer)
             })
         })?;
         outcome.or_raise(py)

@@ -7,10 +7,11 @@ use pyo3::prelude::*;
 use crate::array::{Array, copy};
 use crate::choice::Choice;
 use crate::error::OrRaise;
-use crate::held::{lock, pair};
+use crate::held::lock;
 use crate::history::{EnergyBalance, History};
 use crate::pickle::{Reduced, Stored, reduced};
 use crate::report::Warning;
+use crate::sequence::pair;
 
 /// A point of the loop of force and shift.
 #[pyclass(frozen, eq, module = "stickslip.history")]

@@ -2,8 +2,11 @@
 
 mod adaptive;
 mod balance;
+mod builder;
 mod cycle;
 mod path;
+mod reading;
+mod saving;
 mod state;
 mod step;
 mod stepping;
@@ -11,9 +14,9 @@ mod wear;
 
 pub(crate) use adaptive::{AdaptiveSteps, StepError};
 pub(crate) use balance::EnergyBalance;
+pub(crate) use builder::History;
 pub(crate) use cycle::{Cycle, LoopPoint};
 pub(crate) use path::LoadPath;
-pub(crate) use state::{_from_bytes, State};
+pub(crate) use state::State;
 pub(crate) use step::StepResult;
-pub(crate) use stepping::{_history_from_bytes, History};
 pub(crate) use wear::{CycleJump, archard, energy, max_stable_cycles, threshold_energy};

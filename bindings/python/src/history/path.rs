@@ -5,8 +5,8 @@ use pyo3::prelude::*;
 
 use crate::array::Array;
 use crate::error::OrRaise;
-use crate::held::pair;
 use crate::pickle::picklable;
+use crate::sequence::{entry, pair};
 
 /// A cycle of a tangential load in the plane, as the values (x, y) at the ends of its steps: forces or shifts, as the
 /// caller means them. It is a sequence of pairs.
@@ -82,13 +82,7 @@ impl LoadPath {
     }
 
     fn __getitem__(&self, index: isize) -> PyResult<(f64, f64)> {
-        let steps = self.0.steps();
-        let from_end = if index < 0 { steps.len() } else { 0 };
-        let place = from_end.checked_add_signed(index);
-        let step = place.and_then(|place| steps.get(place));
-        step.copied().map(pair).ok_or_else(|| {
-            pyo3::exceptions::PyIndexError::new_err(format!("no step {index} of {}", steps.len()))
-        })
+        entry(self.0.steps(), index, "step").copied().map(pair)
     }
 
     fn __repr__(&self) -> String {

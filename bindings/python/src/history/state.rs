@@ -5,15 +5,20 @@ use std::sync::Arc;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyType};
 
-use crate::array::{Array, view, zones};
+use crate::array::{Array, copy, view, zones};
+use crate::boundary::Boundary;
 use crate::choice::Choice;
 use crate::error::OrRaise;
-use crate::friction::{Friction, Hardness};
-use crate::grid::{Boundary, ElasticPair, Grid};
-use crate::held::pair;
-use crate::normal::NormalSolution;
-use crate::pickle::ByItself;
+use crate::friction::Friction;
+use crate::grid::Grid;
+use crate::material::ElasticPair;
+use crate::normal::{Hardness, NormalSolution};
+use crate::pickle::{ByItself, by_itself};
+use crate::sequence::pair;
 use crate::settings::Settings;
+
+/// The class and the bytes of a state.
+type Saved<'py> = (Bound<'py, PyType>, Bound<'py, PyBytes>);
 
 /// A state of a history: what to return to, to continue from, or to save. Arrays are read-only views of its memory,
 /// those of the zones a copy; vectors are (x, y).
@@ -81,18 +86,14 @@ impl State {
     #[getter]
     fn relative_displacement<'py>(slf: &Bound<'py, Self>) -> Option<(Array<'py>, Array<'py>)> {
         let fields = slf.get().0.relative_displacement()?;
-        Some(
-            fields
-                .map(|field| crate::array::copy(slf.py(), field))
-                .into(),
-        )
+        Some(fields.map(|field| copy(slf.py(), field)).into())
     }
 
     /// What has yielded for good, if it stays (lengths).
     #[getter]
     fn yielded<'py>(slf: &Bound<'py, Self>) -> Option<Array<'py>> {
         let field = slf.get().0.yielded()?;
-        Some(crate::array::copy(slf.py(), field))
+        Some(copy(slf.py(), field))
     }
 
     /// The gap before loading (lengths).
@@ -203,14 +204,9 @@ impl State {
         self.0.steps()
     }
 
-    fn __reduce__<'py>(
-        slf: &Bound<'py, Self>,
-    ) -> PyResult<ByItself<'py, (Bound<'py, PyType>, Bound<'py, PyBytes>)>> {
-        let restore = slf
-            .py()
-            .import("stickslip._stickslip")?
-            .getattr("_from_bytes")?;
-        Ok((restore, (slf.get_type(), slf.get().to_bytes(slf.py()))))
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<ByItself<'py, Saved<'py>>> {
+        let py = slf.py();
+        by_itself(py, (slf.get_type(), slf.get().to_bytes(py)))
     }
 
     fn __repr__(&self) -> String {
@@ -221,13 +217,4 @@ impl State {
             self.0.normal().force()
         )
     }
-}
-
-/// What pickle calls for what has bytes of its own.
-#[pyfunction]
-pub(crate) fn _from_bytes<'py>(
-    kind: Bound<'py, PyType>,
-    bytes: Bound<'py, PyBytes>,
-) -> PyResult<Bound<'py, PyAny>> {
-    kind.call_method1("from_bytes", (bytes,))
 }

@@ -7,10 +7,10 @@ use pyo3::prelude::*;
 use stickslip::Field;
 
 use crate::array::{Array, copy, view};
-use crate::held::pair;
 use crate::history::{EnergyBalance, History};
 use crate::pickle::{Reduced, Stored, reduced};
 use crate::report::{Report, Warning};
+use crate::sequence::pair;
 
 /// The numbers of a step.
 struct Numbers {

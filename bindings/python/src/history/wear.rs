@@ -2,63 +2,34 @@
 
 use std::sync::Arc;
 
-use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use stickslip::Field;
 use stickslip::history::wear::{self, Coefficient};
 
 use crate::array::{Array, copy};
 use crate::error::OrRaise;
-use crate::field::Samples;
+use crate::field::{Samples, Spread, grid_of};
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::history::Cycle;
 use crate::work::unobserved;
 
-/// A coefficient of all cells or of each.
-enum Given {
-    Uniform(f64),
-    PerCell(Arc<Field>),
-}
-
-impl Given {
-    fn of(py: Python<'_>, coefficient: &Samples<'_>, grid: stickslip::Grid) -> PyResult<Self> {
-        if let Some(uniform) = coefficient.number() {
-            return Ok(Self::Uniform(uniform));
-        }
-        coefficient
-            .on(py, "coefficient of wear", grid)
-            .map(Self::PerCell)
-    }
-
-    fn coefficient(&self) -> Coefficient<'_> {
-        match self {
-            Self::Uniform(value) => Coefficient::Uniform(*value),
-            Self::PerCell(field) => Coefficient::PerCell(field),
-        }
+/// A coefficient of wear as the crate takes it.
+fn coefficient_of(given: &Spread) -> Coefficient<'_> {
+    match given {
+        Spread::Uniform(value) => Coefficient::Uniform(*value),
+        Spread::PerCell(field) => Coefficient::PerCell(field),
     }
 }
 
-/// The grid that is given, or that one of the fields knows.
-fn grid_of(grid: Option<&Grid>, fields: &[&Samples<'_>]) -> PyResult<stickslip::Grid> {
-    if let Some(grid) = grid {
-        return Ok(grid.0);
-    }
-    for field in fields {
-        if let Ok(field) = field.alone("field") {
-            return Ok(field.grid());
-        }
-    }
-    Err(PyTypeError::new_err(
-        "give grid=, or one of the fields as a Field, which knows it",
-    ))
-}
+/// What the coefficient is called in messages.
+const COEFFICIENT: &str = "coefficient of wear";
 
 /// The depth before, zero if none is given, which the laws add to.
 fn before(py: Python<'_>, depth: Option<&Samples<'_>>, grid: stickslip::Grid) -> PyResult<Field> {
     match depth {
         None => Ok(Field::zeros(grid)),
-        Some(depth) => Ok((*depth.on(py, "depth", grid)?).clone()),
+        Some(depth) => depth.on(py, "depth", grid).map(Arc::unwrap_or_clone),
     }
 }
 
@@ -89,11 +60,11 @@ pub(crate) fn archard<'py>(
 ) -> PyResult<Array<'py>> {
     let grid = grid_of(grid, &[&pressure, &slip_distance])?;
     let mut worn = before(py, depth.as_ref(), grid)?;
-    let given = Given::of(py, &coefficient, grid)?;
+    let given = coefficient.spread(py, COEFFICIENT, Some(&Grid(grid)))?;
     let pressure = pressure.on(py, "pressure", grid)?;
     let distance = slip_distance.on(py, "slip length", grid)?;
     unobserved(py, grid.cells(), || {
-        wear::archard(given.coefficient(), &pressure, &distance, &mut worn)
+        wear::archard(coefficient_of(&given), &pressure, &distance, &mut worn)
     })?;
     Ok(copy(py, &worn))
 }
@@ -119,10 +90,10 @@ pub(crate) fn energy<'py>(
 ) -> PyResult<Array<'py>> {
     let grid = grid_of(grid, &[&energy])?;
     let mut worn = before(py, depth.as_ref(), grid)?;
-    let given = Given::of(py, &coefficient, grid)?;
+    let given = coefficient.spread(py, COEFFICIENT, Some(&Grid(grid)))?;
     let energy = energy.on(py, "energy", grid)?;
     unobserved(py, grid.cells(), || {
-        wear::energy(given.coefficient(), &energy, &mut worn)
+        wear::energy(coefficient_of(&given), &energy, &mut worn)
     })?;
     Ok(copy(py, &worn))
 }
@@ -150,12 +121,12 @@ pub(crate) fn threshold_energy<'py>(
 ) -> PyResult<Array<'py>> {
     let grid = grid_of(grid, &[&accumulated, &energy])?;
     let mut worn = before(py, depth.as_ref(), grid)?;
-    let given = Given::of(py, &coefficient, grid)?;
+    let given = coefficient.spread(py, COEFFICIENT, Some(&Grid(grid)))?;
     let accumulated = accumulated.on(py, "accumulated energy", grid)?;
     let energy = energy.on(py, "energy", grid)?;
     unobserved(py, grid.cells(), || {
         wear::threshold_energy(
-            given.coefficient(),
+            coefficient_of(&given),
             threshold,
             &accumulated,
             &energy,
@@ -174,10 +145,10 @@ pub(crate) fn max_stable_cycles(
     slip_distance: Samples<'_>,
 ) -> PyResult<f64> {
     let grid = bodies.0.grid();
-    let given = Given::of(py, &coefficient, grid)?;
+    let given = coefficient.spread(py, COEFFICIENT, Some(&Grid(grid)))?;
     let distance = slip_distance.on(py, "slip length", grid)?;
     unobserved(py, grid.cells(), || {
-        wear::max_stable_cycles(&bodies.0, given.coefficient(), &distance)
+        wear::max_stable_cycles(&bodies.0, coefficient_of(&given), &distance)
     })
 }
 

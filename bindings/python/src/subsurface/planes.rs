@@ -5,15 +5,14 @@ use std::sync::Mutex;
 
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
-use stickslip::subsurface::{self, Body};
+use stickslip::subsurface::{self, Body, Tractions};
 
 use crate::array::{Array, copy, view};
 use crate::choice::Choice;
 use crate::error::OrRaise;
-use crate::grid::Grid;
+use crate::grid::{Grid, size};
 use crate::half_space::HalfSpace;
 use crate::held::lock;
-use crate::subsurface::tractions::held;
 use crate::subsurface::{Loaded, Stress};
 use crate::work::unobserved;
 
@@ -111,13 +110,7 @@ impl Plane {
     }
 
     fn __repr__(&self) -> String {
-        let grid = self.0.grid();
-        format!(
-            "Plane({} x {} cells, z={:.6e})",
-            grid.nx(),
-            grid.ny(),
-            self.0.z()
-        )
+        format!("Plane({}, z={:.6e})", size(self.0.grid()), self.0.z())
     }
 }
 
@@ -148,6 +141,23 @@ impl Plane {
 pub(crate) struct Planes {
     planes: Mutex<subsurface::Planes>,
     bodies: HalfSpace,
+}
+
+impl Planes {
+    fn cells(&self) -> usize {
+        self.bodies.0.grid().cells()
+    }
+
+    /// Works with the planes and the tractions on their grid.
+    fn with<T>(
+        &self,
+        py: Python<'_>,
+        tractions: &Loaded<'_>,
+        work: impl FnOnce(&mut subsurface::Planes, Tractions<'_>) -> PyResult<T>,
+    ) -> PyResult<T> {
+        let held = tractions.held(py, self.bodies.0.grid())?;
+        work(&mut *lock(&self.planes, "planes")?, held.tractions())
+    }
 }
 
 #[pymethods]
@@ -187,15 +197,9 @@ impl Planes {
         body: Choice<Body>,
         tractions: Loaded<'_>,
     ) -> PyResult<Plane> {
-        let grid = self.bodies.0.grid();
-        let parts = tractions.parts();
-        let held = held(py, &parts, grid)?;
-        let mut planes = lock(&self.planes, "planes")?;
-        let planes = &mut *planes;
-        unobserved(py, grid.cells(), || {
-            planes.solve(index, body.0, held.tractions())
+        self.with(py, &tractions, |planes, tractions| {
+            unobserved(py, self.cells(), || planes.solve(index, body.0, tractions)).map(Plane)
         })
-        .map(Plane)
     }
 
     /// The planes of all depths in a body.
@@ -205,19 +209,13 @@ impl Planes {
         body: Choice<Body>,
         tractions: Loaded<'_>,
     ) -> PyResult<Vec<Plane>> {
-        let grid = self.bodies.0.grid();
-        let parts = tractions.parts();
-        let held = held(py, &parts, grid)?;
-        let mut planes = lock(&self.planes, "planes")?;
-        let planes = &mut *planes;
-        let depths = 0..planes.depths().len();
-        let solved = depths.map(|index| {
-            unobserved(py, grid.cells(), || {
-                planes.solve(index, body.0, held.tractions())
-            })
-            .map(Plane)
-        });
-        solved.collect()
+        self.with(py, &tractions, |planes, tractions| {
+            let depths = 0..planes.depths().len();
+            let solve = |index| {
+                unobserved(py, self.cells(), || planes.solve(index, body.0, tractions)).map(Plane)
+            };
+            depths.map(solve).collect()
+        })
     }
 
     /// Writes the stresses of all depths in a body as a volume for ParaView.
@@ -228,13 +226,10 @@ impl Planes {
         body: Choice<Body>,
         tractions: Loaded<'_>,
     ) -> PyResult<()> {
-        let grid = self.bodies.0.grid();
-        let parts = tractions.parts();
-        let held = held(py, &parts, grid)?;
-        let mut planes = lock(&self.planes, "planes")?;
-        let planes = &mut *planes;
-        unobserved(py, grid.cells(), || {
-            planes.write_vti(&path, body.0, held.tractions())
+        self.with(py, &tractions, |planes, tractions| {
+            unobserved(py, self.cells(), || {
+                planes.write_vti(&path, body.0, tractions)
+            })
         })
     }
 

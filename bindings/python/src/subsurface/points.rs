@@ -2,21 +2,19 @@
 
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
-use stickslip::Error;
-use stickslip::subsurface::{self as crate_subsurface, Body};
+use stickslip::subsurface::{self, Body};
 
 use crate::choice::Choice;
 use crate::error::OrRaise;
 use crate::half_space::HalfSpace;
 use crate::progress::Progress;
-use crate::subsurface::tractions::held;
 use crate::subsurface::{Loaded, Stress};
-use crate::work::solve;
+use crate::work::{look, solve};
 
 /// Displacement and stress at a point.
 #[pyclass(frozen, eq, module = "stickslip.subsurface")]
 #[derive(Clone, Copy, PartialEq)]
-pub(crate) struct Response(crate_subsurface::Response);
+pub(crate) struct Response(subsurface::Response);
 
 #[pymethods]
 impl Response {
@@ -34,16 +32,10 @@ impl Response {
 
     fn __repr__(&self) -> String {
         format!(
-            "Response(displacement={:?}, {})",
+            "Response(displacement={:?}, von_mises={:.6e})",
             self.0.displacement,
-            Stress(self.0.stress).summary()
+            self.0.stress.von_mises()
         )
-    }
-}
-
-impl Stress {
-    fn summary(&self) -> String {
-        format!("von_mises={:.6e}", self.0.von_mises())
     }
 }
 
@@ -75,8 +67,7 @@ pub(crate) fn at_points(
     points: Vec<[f64; 3]>,
 ) -> PyResult<Vec<Response>> {
     let grid = bodies.0.grid();
-    let parts = tractions.parts();
-    let held = held(py, &parts, grid)?;
+    let held = tractions.held(py, grid)?;
     let portion = (UNWATCHED / grid.cells()).max(1);
     let work = grid.cells().saturating_mul(points.len());
     let mut found = Vec::with_capacity(points.len());
@@ -89,12 +80,10 @@ pub(crate) fn at_points(
     let outcome = solve(py, work, Progress::none(), |observer| {
         for portion in portions {
             let tractions = held.tractions();
-            found.extend(crate_subsurface::at_points(
+            found.extend(subsurface::at_points(
                 &bodies.0, body.0, tractions, portion,
             )?);
-            if observer(None).is_break() {
-                return Err(Error::EmptyPath); // an exception takes its place
-            }
+            look(observer)?;
         }
         Ok(())
     })?;

@@ -16,9 +16,9 @@ use crate::history::{History, State};
 use crate::normal::NormalSolution;
 use crate::tangential::TangentialSolution;
 
-/// A solution of any kind, a pair of a normal and a tangential one, a state or a history; or fields: a pressure, or a
+/// What tractions are taken from: a solution of any kind, a pair of a normal and a tangential one, a state or a history; or fields: a pressure, or a
 /// pressure and two tractions.
-pub(crate) struct Loaded<'py>(Bound<'py, PyAny>);
+pub(crate) struct Loaded<'py>(Vec<Bound<'py, PyAny>>);
 
 impl<'py> FromPyObject<'_, 'py> for Loaded<'py> {
     type Error = PyErr;
@@ -27,11 +27,14 @@ impl<'py> FromPyObject<'_, 'py> for Loaded<'py> {
     const INPUT_TYPE: PyStaticExpr = type_hint_identifier!("typing", "Any");
 
     fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
-        Ok(Self(object.to_owned()))
+        Ok(Self(match object.cast::<PyTuple>() {
+            Ok(parts) => parts.iter().collect(),
+            Err(_) => vec![object.to_owned()],
+        }))
     }
 }
 
-/// It with its memory held.
+/// The tractions, with what owns them.
 pub(crate) enum Held<'a> {
     Normal(&'a stickslip::NormalSolution),
     Sheared(
@@ -56,54 +59,43 @@ impl Held<'_> {
     }
 }
 
-impl<'py> Loaded<'py> {
-    pub(crate) fn parts(&self) -> Vec<Bound<'py, PyAny>> {
-        match self.0.cast::<PyTuple>() {
-            Ok(parts) => parts.iter().collect(),
-            Err(_) => vec![self.0.clone()],
-        }
-    }
-}
-
-/// The tractions of these parts.
-pub(crate) fn held<'a>(
-    py: Python<'_>,
-    parts: &'a [Bound<'_, PyAny>],
-    grid: stickslip::Grid,
-) -> PyResult<Held<'a>> {
-    let field = |object: &Bound<'_, PyAny>, quantity| {
-        let samples: Samples<'_> = object.extract()?;
-        samples.on(py, quantity, grid)
-    };
-    match parts {
-        [normal, shear] if normal.is_instance_of::<NormalSolution>() => {
-            let normal = normal.cast::<NormalSolution>()?.get().get();
-            Ok(Held::Sheared(
-                normal,
-                shear.cast::<TangentialSolution>()?.get().get(),
-            ))
-        }
-        [one] => {
-            if let Ok(normal) = one.cast::<NormalSolution>() {
-                Ok(Held::Normal(normal.get().get()))
-            } else if let Ok(solution) = one.cast::<CoupledSolution>() {
-                Ok(Held::Coupled(&solution.get().0))
-            } else if let Ok(state) = one.cast::<State>() {
-                Ok(Held::State(Arc::clone(&state.get().0)))
-            } else if let Ok(history) = one.cast::<History>() {
-                let state = history.get().read(|history| history.state().clone())?;
-                Ok(Held::State(Arc::new(state)))
-            } else {
-                Ok(Held::Fields(field(one, "pressure")?, None))
+impl Loaded<'_> {
+    /// The tractions on the grid of the bodies.
+    pub(crate) fn held(&self, py: Python<'_>, grid: stickslip::Grid) -> PyResult<Held<'_>> {
+        let field = |object: &Bound<'_, PyAny>, quantity| {
+            let samples: Samples<'_> = object.extract()?;
+            samples.on(py, quantity, grid)
+        };
+        match &self.0[..] {
+            [normal, shear] if normal.is_instance_of::<NormalSolution>() => {
+                let normal = normal.cast::<NormalSolution>()?.get().get();
+                Ok(Held::Sheared(
+                    normal,
+                    shear.cast::<TangentialSolution>()?.get().get(),
+                ))
             }
+            [one] => {
+                if let Ok(normal) = one.cast::<NormalSolution>() {
+                    Ok(Held::Normal(normal.get().get()))
+                } else if let Ok(solution) = one.cast::<CoupledSolution>() {
+                    Ok(Held::Coupled(&solution.get().0))
+                } else if let Ok(state) = one.cast::<State>() {
+                    Ok(Held::State(Arc::clone(&state.get().0)))
+                } else if let Ok(history) = one.cast::<History>() {
+                    let state = history.get().read(|history| history.state().clone())?;
+                    Ok(Held::State(Arc::new(state)))
+                } else {
+                    Ok(Held::Fields(field(one, "pressure")?, None))
+                }
+            }
+            [pressure, shear] => {
+                let [x, y]: [Bound<'_, PyAny>; 2] = shear.extract()?;
+                let shear = [field(&x, "traction")?, field(&y, "traction")?];
+                Ok(Held::Fields(field(pressure, "pressure")?, Some(shear)))
+            }
+            _ => Err(PyTypeError::new_err(
+                "tractions are a solution, a normal and a tangential one, a state, a history, a pressure, or (pressure, (x, y))",
+            )),
         }
-        [pressure, shear] => {
-            let [x, y]: [Bound<'_, PyAny>; 2] = shear.extract()?;
-            let shear = [field(&x, "traction")?, field(&y, "traction")?];
-            Ok(Held::Fields(field(pressure, "pressure")?, Some(shear)))
-        }
-        _ => Err(PyTypeError::new_err(
-            "tractions are a solution, a normal and a tangential one, a state, a history, a pressure, or (pressure, (x, y))",
-        )),
     }
 }

@@ -1,0 +1,26 @@
+//! Arguments of which several kinds are taken, and which are read once their grid is known.
+
+/// Declares such an argument, of one of these classes, an array or anything else that NumPy makes an array of.
+macro_rules! argument {
+    ($(#[$doc:meta])* $name:ident: $($class:ty)|+ $(; $builtin:literal)?) => {
+        $(#[$doc])*
+        pub(crate) struct $name<'py>(pyo3::Bound<'py, pyo3::PyAny>);
+
+        impl<'py> pyo3::FromPyObject<'_, 'py> for $name<'py> {
+            type Error = pyo3::PyErr;
+
+            #[cfg(feature = "stubs")]
+            const INPUT_TYPE: pyo3::inspect::PyStaticExpr = pyo3::type_hint_union!(
+                $(<$class as pyo3::PyTypeInfo>::TYPE_HINT,)+
+                $(pyo3::type_hint_identifier!("builtins", $builtin),)?
+                pyo3::type_hint_identifier!("numpy.typing", "ArrayLike")
+            );
+
+            fn extract(object: pyo3::Borrowed<'_, 'py, pyo3::PyAny>) -> pyo3::PyResult<Self> {
+                Ok(Self(object.to_owned()))
+            }
+        }
+    };
+}
+
+pub(crate) use argument;

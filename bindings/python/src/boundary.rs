@@ -1,0 +1,95 @@
+//! What lies beyond the edge of the grid.
+
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+#[cfg(feature = "stubs")]
+use pyo3::{PyTypeInfo, inspect::PyStaticExpr, type_hint_identifier, type_hint_union};
+
+use crate::pickle::picklable;
+
+/// What lies beyond the edge of the grid.
+///
+/// Wherever one is taken, ``"non_periodic"``, ``"periodic"`` and ``("periodic_along_y", datum)`` are too.
+#[pyclass(frozen, eq, module = "stickslip")]
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) struct Boundary(pub(crate) stickslip::Boundary);
+
+#[pymethods]
+impl Boundary {
+    /// Unloaded half-space.
+    #[classattr]
+    const NON_PERIODIC: Self = Self(stickslip::Boundary::NonPeriodic);
+
+    /// The grid repeats along x and y.
+    #[classattr]
+    const PERIODIC: Self = Self(stickslip::Boundary::Periodic);
+
+    /// The grid repeats along y alone: cylinders, rollers, line contacts. The datum is the distance along x at which a
+    /// line load moves nothing (a length).
+    #[staticmethod]
+    fn periodic_along_y(datum: f64) -> Self {
+        Self(stickslip::Boundary::PeriodicAlongY { datum })
+    }
+
+    /// Its name.
+    #[getter]
+    fn name(&self) -> &'static str {
+        match self.0 {
+            stickslip::Boundary::NonPeriodic => "non_periodic",
+            stickslip::Boundary::Periodic => "periodic",
+            stickslip::Boundary::PeriodicAlongY { .. } => "periodic_along_y",
+        }
+    }
+
+    /// The datum, of a grid that repeats along y alone.
+    #[getter]
+    fn datum(&self) -> Option<f64> {
+        match self.0 {
+            stickslip::Boundary::PeriodicAlongY { datum } => Some(datum),
+            _ => None,
+        }
+    }
+
+    fn __repr__(&self) -> String {
+        match self.0 {
+            stickslip::Boundary::NonPeriodic => "Boundary.NON_PERIODIC".into(),
+            stickslip::Boundary::Periodic => "Boundary.PERIODIC".into(),
+            stickslip::Boundary::PeriodicAlongY { datum } => {
+                format!("Boundary.periodic_along_y({datum})")
+            }
+        }
+    }
+}
+
+picklable!(Boundary: stickslip::Boundary);
+
+/// What is taken for a boundary.
+pub(crate) struct Surroundings(pub(crate) stickslip::Boundary);
+
+impl FromPyObject<'_, '_> for Surroundings {
+    type Error = PyErr;
+
+    #[cfg(feature = "stubs")]
+    const INPUT_TYPE: PyStaticExpr = type_hint_union!(
+        Boundary::TYPE_HINT,
+        type_hint_identifier!("builtins", "str"),
+        <(String, f64) as FromPyObject>::INPUT_TYPE
+    );
+
+    fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
+        if let Ok(boundary) = object.cast::<Boundary>() {
+            return Ok(Self(boundary.get().0));
+        }
+        let named = object.extract::<(String, f64)>().ok();
+        if let Some((_, datum)) = named.filter(|(name, _)| name == "periodic_along_y") {
+            return Ok(Self(stickslip::Boundary::PeriodicAlongY { datum }));
+        }
+        match object.extract::<String>().as_deref() {
+            Ok("non_periodic") => Ok(Self(stickslip::Boundary::NonPeriodic)),
+            Ok("periodic") => Ok(Self(stickslip::Boundary::Periodic)),
+            _ => Err(PyValueError::new_err(
+                "boundary must be 'non_periodic', 'periodic', ('periodic_along_y', datum) or a Boundary",
+            )),
+        }
+    }
+}

@@ -1,0 +1,140 @@
+//! A coupled contact to be solved.
+
+use pyo3::prelude::*;
+use stickslip::cgm;
+
+use crate::choice::Choice;
+use crate::coupled::{CoupledSolution, CoupledSolver};
+use crate::field::Samples;
+use crate::friction::AnyFriction;
+use crate::grid::size;
+use crate::half_space::HalfSpace;
+use crate::load::{self, Keywords, TangentialLoad};
+use crate::settings::{Settings, chosen};
+use crate::solver::solve_once;
+use crate::tangential::RelativeDisplacement;
+use crate::work::unobserved;
+
+/// Bodies, gap, friction and loads of a contact whose pressure and shear are found together: from rest, in one step.
+///
+/// Parameters
+/// ----------
+/// bodies : HalfSpace
+///     The two bodies and the grid.
+/// gap : Field or array_like of shape (ny, nx)
+///     The gap before loading (lengths); copied.
+/// friction : Friction, float or array_like of shape (ny, nx)
+///     Coulomb friction; a number or an array is the coefficient of friction (dimensionless, not negative).
+/// load : TangentialLoad, optional
+///     The tangential load as an object, instead of by keywords.
+/// force, shift, spring, force_x, force_y, shift_x, shift_y, spring_x, spring_y, twist : optional
+///     The tangential load, as of :class:`TangentialLoad`; no force by default.
+/// normal_force, approach : float
+///     One of the two: the normal force (not negative), or the approach of the bodies from the datum of the gap (a length,
+///     positive when they come together).
+/// relative_displacement : RelativeDisplacement, optional
+///     A displacement of body 1 relative to body 2 that the contact does not cause, reached in proportion to the load; none
+///     by default.
+/// settings : Settings, optional
+///     Method, tolerance and limits; those of ``Settings()`` by default.
+/// tolerance, method, max_iterations, time_limit : optional
+///     As of :class:`Settings`; they take precedence over ``settings``.
+///
+/// Raises
+/// ------
+/// GridMismatch, Shape, Sample, Negative, NotFinite, NotPositive, NotModelled, ApproachBeyondMeanGap, Method, Tolerance,
+/// IterationLimit
+///
+/// Examples
+/// --------
+/// >>> import stickslip
+/// >>> grid = stickslip.Grid.square(32, 0.3)
+/// >>> pair = (stickslip.Material(70e3, 0.33), stickslip.Material(210e3, 0.3))
+/// >>> bodies = stickslip.HalfSpace(grid, pair)
+/// >>> ball = stickslip.surface.sphere(grid, 3.5)
+/// >>> contact = stickslip.CoupledProblem(bodies, ball, 0.1, normal_force=60.0).solve()
+/// >>> contact.shear.slip_area > 0.0  # pressing alone makes the rim slip
+/// True
+#[pyclass(frozen, module = "stickslip")]
+pub(crate) struct CoupledProblem(stickslip::CoupledProblem, stickslip::Grid);
+
+#[pymethods]
+impl CoupledProblem {
+    #[new]
+    #[pyo3(signature = (bodies, gap, friction, load=None, *, normal_force=None, approach=None, force=None, shift=None,
+        spring=None, force_x=None, force_y=None, shift_x=None, shift_y=None, spring_x=None, spring_y=None, twist=None,
+        relative_displacement=None, settings=None, tolerance=None, method=None, max_iterations=None, time_limit=None))]
+    fn new(
+        py: Python<'_>,
+        bodies: &HalfSpace,
+        gap: Samples<'_>,
+        friction: AnyFriction<'_>,
+        load: Option<TangentialLoad>,
+        normal_force: Option<f64>,
+        approach: Option<f64>,
+        force: Option<[f64; 2]>,
+        shift: Option<[f64; 2]>,
+        spring: Option<([f64; 2], f64)>,
+        force_x: Option<f64>,
+        force_y: Option<f64>,
+        shift_x: Option<f64>,
+        shift_y: Option<f64>,
+        spring_x: Option<(f64, f64)>,
+        spring_y: Option<(f64, f64)>,
+        twist: Option<f64>,
+        relative_displacement: Option<RelativeDisplacement>,
+        settings: Option<Settings>,
+        tolerance: Option<f64>,
+        method: Option<Choice<cgm::Method>>,
+        max_iterations: Option<usize>,
+        time_limit: Option<f64>,
+    ) -> PyResult<Self> {
+        let settings = chosen(settings, tolerance, method, max_iterations, time_limit)?;
+        let keywords = Keywords::new(
+            (force, shift, spring),
+            [force_x, force_y],
+            [shift_x, shift_y],
+            [spring_x, spring_y],
+            twist,
+        );
+        let (normal, load) = (
+            load::needed(normal_force, approach)?,
+            keywords.load_or(load)?,
+        );
+        let grid = bodies.0.grid();
+        let gap = gap.on(py, "gap", grid)?;
+        let friction = friction.on(py, grid)?;
+        let built = unobserved(py, grid.cells(), || {
+            let builder =
+                stickslip::CoupledProblem::builder(&bodies.0, &gap, friction, normal, load);
+            let builder = builder.settings(settings);
+            match relative_displacement {
+                None => builder.build(),
+                Some(relative) => builder.relative_displacement(relative.0).build(),
+            }
+        })?;
+        Ok(Self(built, grid))
+    }
+
+    /// Solves from rest; see :meth:`NormalProblem.solve`. A force that slides the contact raises
+    /// :class:`~stickslip.errors.BeyondFrictionCapacity`.
+    #[pyo3(signature = (*, progress=None, warn=false))]
+    fn solve<'py>(
+        &self,
+        py: Python<'py>,
+        progress: Option<Bound<'py, PyAny>>,
+        warn: bool,
+    ) -> PyResult<Bound<'py, CoupledSolution>> {
+        let solver = || self.0.clone().into_solver();
+        solve_once(py, self.1.cells(), solver, progress, warn)
+    }
+
+    /// The reusable form, which starts each solve from the last answer.
+    fn solver(&self, py: Python<'_>) -> PyResult<CoupledSolver> {
+        CoupledSolver::of(py, self.1, || self.0.clone().into_solver())
+    }
+
+    fn __repr__(&self) -> String {
+        format!("CoupledProblem({})", size(self.1))
+    }
+}

@@ -1,0 +1,77 @@
+//! The solution of a coupled contact.
+
+use std::sync::Arc;
+
+use pyo3::prelude::*;
+
+use crate::array::{Array, view};
+use crate::coupled::CoupledReport;
+use crate::normal::NormalSolution;
+use crate::pickle::picklable;
+use crate::report::Warning;
+use crate::tangential::TangentialSolution;
+
+/// Both halves of a coupled contact, with the displacements that they cause together. Halves and arrays share its memory.
+#[pyclass(frozen, module = "stickslip")]
+pub(crate) struct CoupledSolution(pub(crate) Arc<stickslip::CoupledSolution>);
+
+impl From<Arc<stickslip::CoupledSolution>> for CoupledSolution {
+    fn from(solution: Arc<stickslip::CoupledSolution>) -> Self {
+        Self(solution)
+    }
+}
+
+picklable!(CoupledSolution: stickslip::CoupledSolution);
+
+#[pymethods]
+impl CoupledSolution {
+    /// The normal half.
+    #[getter]
+    fn normal(&self) -> NormalSolution {
+        NormalSolution::of_coupled(&self.0)
+    }
+
+    /// The tangential half.
+    #[getter]
+    fn shear(&self) -> TangentialSolution {
+        TangentialSolution::of_coupled(&self.0)
+    }
+
+    /// Displacements of all cells along x, y and z (lengths).
+    #[getter]
+    fn displacement<'py>(slf: &Bound<'py, Self>) -> (Array<'py>, Array<'py>, Array<'py>) {
+        (
+            view(slf, |solution| solution.0.displacement()[0]),
+            view(slf, |solution| solution.0.displacement()[1]),
+            view(slf, |solution| solution.0.displacement()[2]),
+        )
+    }
+
+    /// Elastic energy of both bodies.
+    #[getter]
+    fn elastic_energy(&self) -> f64 {
+        self.0.elastic_energy()
+    }
+
+    /// How the solve ended, what it cost, and what is certified.
+    #[getter]
+    fn report(&self) -> CoupledReport {
+        CoupledReport::of(self.0.report())
+    }
+
+    /// Remarks that the result may mislead.
+    #[getter]
+    fn warnings(&self) -> Vec<Warning> {
+        Warning::all(self.0.warnings())
+    }
+
+    fn __repr__(&self) -> String {
+        let (normal, [x, y]) = (self.0.normal(), self.0.shear().force());
+        format!(
+            "CoupledSolution(normal_force={:.6e}, force=({x:.6e}, {y:.6e}), stick_ratio={:.4}, {})",
+            normal.force(),
+            self.0.shear().stick_ratio(),
+            self.0.report().work.status
+        )
+    }
+}

@@ -1,0 +1,71 @@
+//! Coupled contacts solved again and again.
+
+use pyo3::prelude::*;
+
+use crate::coupled::CoupledSolution;
+use crate::error::OrRaise;
+use crate::field::Samples;
+use crate::friction::AnyFriction;
+use crate::load::{self, TangentialLoad};
+use crate::solver::{Reused, solver};
+
+/// Solves coupled contacts again and again, each from the last answer; made by :meth:`CoupledProblem.solver`.
+#[pyclass(frozen, module = "stickslip")]
+pub(crate) struct CoupledSolver(Reused<stickslip::CoupledSolver>);
+
+impl CoupledSolver {
+    pub(super) fn of(
+        py: Python<'_>,
+        grid: stickslip::Grid,
+        solver: impl FnOnce() -> stickslip::Result<stickslip::CoupledSolver> + Send,
+    ) -> PyResult<Self> {
+        Reused::new(py, grid, solver).map(Self)
+    }
+}
+
+solver!(CoupledSolver: CoupledSolution);
+
+#[pymethods]
+impl CoupledSolver {
+    /// Solves for the loads, the gap and the friction set; see :meth:`NormalProblem.solve`.
+    #[pyo3(signature = (*, progress=None, warn=false))]
+    fn solve<'py>(
+        &self,
+        py: Python<'py>,
+        progress: Option<Bound<'py, PyAny>>,
+        warn: bool,
+    ) -> PyResult<Bound<'py, CoupledSolution>> {
+        self.0.solve(py, |_| Ok(()), progress, warn)
+    }
+
+    /// Changes the normal load of the next solve: one of a force (not negative) and an approach (a length).
+    #[pyo3(signature = (*, force=None, approach=None))]
+    fn set_normal(
+        &self,
+        py: Python<'_>,
+        force: Option<f64>,
+        approach: Option<f64>,
+    ) -> PyResult<()> {
+        let normal = load::needed(force, approach)?;
+        self.0
+            .with(|solver| solver.set_normal(normal))?
+            .or_raise(py)
+    }
+
+    /// Changes the tangential load of the next solve.
+    fn set_load(&self, py: Python<'_>, load: TangentialLoad) -> PyResult<()> {
+        self.0.with(|solver| solver.set_load(load.0))?.or_raise(py)
+    }
+
+    /// Changes the gap of the next solve (lengths).
+    fn set_gap(&self, py: Python<'_>, gap: Samples<'_>) -> PyResult<()> {
+        let gap = gap.on(py, "gap", self.0.grid())?;
+        self.0.change(py, |solver| solver.set_gap(&gap))
+    }
+
+    /// Changes the friction of the next solve.
+    fn set_friction(&self, py: Python<'_>, friction: AnyFriction<'_>) -> PyResult<()> {
+        let friction = friction.on(py, self.0.grid())?;
+        self.0.change(py, |solver| solver.set_friction(&friction))
+    }
+}

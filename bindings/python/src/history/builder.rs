@@ -1,0 +1,201 @@
+//! A history, and what later steps are to find changed.
+
+use std::sync::Mutex;
+
+use pyo3::prelude::*;
+use stickslip::history::{StepResult as Step, TouchRule};
+use stickslip::{Axis, Coupling, TangentialModel, cgm};
+
+use crate::choice::Choice;
+use crate::field::Samples;
+use crate::friction::AnyFriction;
+use crate::half_space::HalfSpace;
+use crate::held::lock;
+use crate::normal::AnyHardness;
+use crate::settings::{Settings, chosen};
+use crate::tangential::RelativeDisplacement;
+use crate::work::unobserved;
+
+/// Two bodies in contact that remember their load: pressure, traction, slip and energy, step by step.
+///
+/// Its arrays are copies, since the next step changes them; :meth:`state` is a snapshot whose arrays are views. One thread
+/// at a time may use it. A step that fails, or that Ctrl-C ends, leaves it as it was.
+///
+/// Parameters
+/// ----------
+/// bodies : HalfSpace
+/// gap : Field or array_like of shape (ny, nx)
+///     The gap before loading (lengths); copied.
+/// friction : Friction, float or array_like of shape (ny, nx)
+/// axis : Axis or str, default "x"
+///     Of the scalar model.
+/// model : TangentialModel or str, default "scalar"
+///     "vector" takes loads of any direction, and twist.
+/// coupling : Coupling or str, default "full"
+/// touch_rule : TouchRule or str, default "growth"
+/// relative_displacement : RelativeDisplacement, optional
+///     The pattern; steps prescribe its amount.
+/// hardness : Hardness, float or array_like, optional
+/// permanent_set : bool, default False
+///     Whether what yields under the hardness stays.
+/// settings, tolerance, method, max_iterations, time_limit : optional
+///     As of :class:`Settings`.
+///
+/// Raises
+/// ------
+/// GridMismatch, Shape, Sample, NotModelled, Method, Tolerance, IterationLimit
+///
+/// Examples
+/// --------
+/// >>> import stickslip
+/// >>> grid = stickslip.Grid.square(48, 0.3e-3)
+/// >>> steel = stickslip.Material(213e9, 0.29)
+/// >>> bodies = stickslip.HalfSpace(grid, (steel, steel))
+/// >>> history = stickslip.History(bodies, stickslip.surface.sphere(grid, 3.5e-3), 0.5)
+/// >>> step = history.step(normal_force=100.0)
+/// >>> cycle = sum(history.step(force_x=force).energy.dissipated_energy for force in (30.0, -30.0, 30.0))
+/// >>> history.step(force_x=0.0).shift[0] > 0.0  # without force, not without shear
+/// True
+#[pyclass(frozen, module = "stickslip")]
+pub(crate) struct History {
+    pub(crate) work: Mutex<Work>,
+    pub(super) bodies: HalfSpace,
+}
+
+pub(crate) struct Work {
+    pub(crate) history: stickslip::History,
+    /// Counts what changes the last step.
+    pub(crate) taken: u64,
+}
+
+/// What a history is called in messages.
+pub(crate) const NAME: &str = "history";
+
+impl History {
+    pub(super) fn of(history: stickslip::History, bodies: &HalfSpace) -> Self {
+        Self {
+            work: Mutex::new(Work { history, taken: 0 }),
+            bodies: bodies.clone(),
+        }
+    }
+
+    pub(crate) fn cells(&self) -> usize {
+        self.bodies.0.grid().cells()
+    }
+
+    pub(crate) fn grid(&self) -> stickslip::Grid {
+        self.bodies.0.grid()
+    }
+
+    /// The last step, if it still is the one of this number.
+    pub(crate) fn read_step<T>(
+        &self,
+        number: u64,
+        read: impl FnOnce(&Step) -> T,
+    ) -> PyResult<Option<T>> {
+        let work = lock(&self.work, NAME)?;
+        Ok((work.taken == number).then(|| read(work.history.last_step())))
+    }
+
+    pub(crate) fn read<T>(&self, read: impl FnOnce(&stickslip::History) -> T) -> PyResult<T> {
+        Ok(read(&lock(&self.work, NAME)?.history))
+    }
+
+    pub(super) fn change(
+        &self,
+        py: Python<'_>,
+        change: impl FnOnce(&mut stickslip::History) -> stickslip::Result<()> + Send,
+    ) -> PyResult<()> {
+        let mut work = lock(&self.work, NAME)?;
+        let history = &mut work.history;
+        unobserved(py, self.cells(), || change(history))
+    }
+}
+
+#[pymethods]
+impl History {
+    #[new]
+    #[pyo3(signature = (bodies, gap, friction, *, axis=None, model=None, coupling=None, touch_rule=None,
+        relative_displacement=None, hardness=None, permanent_set=false, settings=None, tolerance=None, method=None,
+        max_iterations=None, time_limit=None))]
+    fn new(
+        py: Python<'_>,
+        bodies: &HalfSpace,
+        gap: Samples<'_>,
+        friction: AnyFriction<'_>,
+        axis: Option<Choice<Axis>>,
+        model: Option<Choice<TangentialModel>>,
+        coupling: Option<Choice<Coupling>>,
+        touch_rule: Option<Choice<TouchRule>>,
+        relative_displacement: Option<RelativeDisplacement>,
+        hardness: Option<AnyHardness<'_>>,
+        permanent_set: bool,
+        settings: Option<Settings>,
+        tolerance: Option<f64>,
+        method: Option<Choice<cgm::Method>>,
+        max_iterations: Option<usize>,
+        time_limit: Option<f64>,
+    ) -> PyResult<Self> {
+        let settings = chosen(settings, tolerance, method, max_iterations, time_limit)?;
+        let grid = bodies.0.grid();
+        let gap = gap.on(py, "gap", grid)?;
+        let friction = friction.on(py, grid)?;
+        let hardness = hardness.map(|hardness| hardness.on(py, grid)).transpose()?;
+        let history = unobserved(py, grid.cells(), || {
+            let builder = stickslip::History::builder(&bodies.0, &gap, friction);
+            let mut builder = builder.settings(settings).permanent_set(permanent_set);
+            if let Some(axis) = axis {
+                builder = builder.axis(axis.0);
+            }
+            if let Some(model) = model {
+                builder = builder.model(model.0);
+            }
+            if let Some(coupling) = coupling {
+                builder = builder.coupling(coupling.0);
+            }
+            if let Some(rule) = touch_rule {
+                builder = builder.touch_rule(rule.0);
+            }
+            if let Some(relative) = relative_displacement {
+                builder = builder.relative_displacement(relative.0);
+            }
+            if let Some(hardness) = hardness {
+                builder = builder.hardness(hardness);
+            }
+            builder.build()
+        })?;
+        Ok(Self::of(history, bodies))
+    }
+
+    /// Changes the gap of later steps, as wear does.
+    fn set_gap(&self, py: Python<'_>, gap: Samples<'_>) -> PyResult<()> {
+        let gap = gap.on(py, "gap", self.grid())?;
+        self.change(py, |history| history.set_gap(&gap))
+    }
+
+    /// Changes the friction of later steps.
+    fn set_friction(&self, py: Python<'_>, friction: AnyFriction<'_>) -> PyResult<()> {
+        let friction = friction.on(py, self.grid())?;
+        self.change(py, |history| history.set_friction(&friction))
+    }
+
+    /// Changes the pattern of the relative displacement.
+    fn set_relative_displacement(
+        &self,
+        py: Python<'_>,
+        pattern: RelativeDisplacement,
+    ) -> PyResult<()> {
+        self.change(py, |history| history.set_relative_displacement(&pattern.0))
+    }
+
+    /// Method, tolerance and limits of later steps; may be assigned.
+    #[getter]
+    fn settings(&self) -> PyResult<Settings> {
+        self.read(|history| Settings(*history.settings()))
+    }
+
+    #[setter]
+    fn set_settings(&self, py: Python<'_>, settings: Settings) -> PyResult<()> {
+        self.change(py, |history| history.set_settings(settings.0))
+    }
+}

@@ -1,0 +1,176 @@
+//! What a history has come to.
+
+use std::sync::Arc;
+
+use pyo3::prelude::*;
+use stickslip::Axis;
+
+use crate::array::{Array, copy, zones};
+use crate::boundary::Boundary;
+use crate::choice::Choice;
+use crate::friction::Friction;
+use crate::grid::Grid;
+use crate::half_space::HalfSpace;
+use crate::held::lock;
+use crate::history::History;
+use crate::history::builder::NAME;
+use crate::normal::NormalSolution;
+use crate::sequence::pair;
+use crate::spots::ContactSpots;
+use crate::stiffness::ContactStiffness;
+use crate::work::unobserved;
+
+#[pymethods]
+impl History {
+    /// The bodies.
+    #[getter]
+    pub(super) fn bodies(&self) -> HalfSpace {
+        self.bodies.clone()
+    }
+
+    /// The grid.
+    #[getter(grid)]
+    fn own_grid(&self) -> Grid {
+        Grid(self.grid())
+    }
+
+    /// What lies beyond the edge of the grid.
+    #[getter]
+    fn boundary(&self) -> Boundary {
+        Boundary(self.bodies.0.boundary())
+    }
+
+    /// The axis of the scalar model; ``None`` in the vector model.
+    #[getter]
+    fn axis(&self) -> PyResult<Option<Choice<Axis>>> {
+        self.read(|history| history.axis().map(Choice))
+    }
+
+    /// The friction.
+    #[getter]
+    fn friction(&self) -> PyResult<Friction> {
+        self.read(|history| Friction(history.friction().clone()))
+    }
+
+    /// The gap before loading, a copy.
+    #[getter]
+    fn gap<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        self.read(|history| copy(py, history.gap()))
+    }
+
+    /// The normal contact, a copy.
+    #[getter]
+    fn normal(&self) -> PyResult<NormalSolution> {
+        self.read(|history| Arc::new(history.normal().clone()).into())
+    }
+
+    /// Pressure, a copy.
+    #[getter]
+    fn pressure<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        self.read(|history| copy(py, history.pressure()))
+    }
+
+    /// Approach (a length).
+    #[getter]
+    fn approach(&self) -> PyResult<f64> {
+        self.read(stickslip::History::approach)
+    }
+
+    /// Traction along x and y, copies.
+    #[getter]
+    fn traction<'py>(&self, py: Python<'py>) -> PyResult<(Array<'py>, Array<'py>)> {
+        self.read(|history| history.traction().map(|field| copy(py, field)).into())
+    }
+
+    /// Slip since the start along x and y (lengths), copies.
+    #[getter]
+    fn slip<'py>(&self, py: Python<'py>) -> PyResult<(Array<'py>, Array<'py>)> {
+        self.read(|history| history.slip().map(|field| copy(py, field)).into())
+    }
+
+    /// Length of the path that each cell slipped since the start, a copy.
+    #[getter]
+    fn accumulated_slip<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        self.read(|history| copy(py, history.accumulated_slip()))
+    }
+
+    /// Energy that each cell dissipated since the start, a copy.
+    #[getter]
+    fn dissipated_energy<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        self.read(|history| copy(py, history.dissipated_energy()))
+    }
+
+    /// Displacement of body 1 relative to body 2 by the tractions along x and y (lengths): one product.
+    fn displacement<'py>(&self, py: Python<'py>) -> PyResult<(Array<'py>, Array<'py>)> {
+        let mut work = lock(&self.work, NAME)?;
+        let history = &mut work.history;
+        let moved = unobserved(py, self.cells(), || history.displacement())?;
+        Ok(moved.each_ref().map(|field| copy(py, field)).into())
+    }
+
+    /// The zone of every cell: 0 separated, 1 stick, 2 slip.
+    #[getter]
+    fn zones<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        self.read(|history| zones(py, history.grid(), history.zones()))
+    }
+
+    /// Shift of body 2 relative to body 1 since the start (lengths).
+    #[getter]
+    fn shift(&self) -> PyResult<(f64, f64)> {
+        self.read(|history| pair(history.shift()))
+    }
+
+    /// Rotation of body 2 since the start (radians).
+    #[getter]
+    fn twist(&self) -> PyResult<f64> {
+        self.read(stickslip::History::twist)
+    }
+
+    /// Tangential force that body 2 exerts on body 1.
+    #[getter]
+    fn force(&self) -> PyResult<(f64, f64)> {
+        self.read(|history| pair(history.force()))
+    }
+
+    /// Moment about z, at the origin, on body 1.
+    #[getter]
+    fn moment(&self) -> PyResult<f64> {
+        self.read(stickslip::History::moment)
+    }
+
+    /// Largest tangential force that friction holds.
+    #[getter]
+    fn friction_capacity(&self) -> PyResult<f64> {
+        self.read(stickslip::History::friction_capacity)
+    }
+
+    /// Steps taken since the start.
+    #[getter]
+    fn steps(&self) -> PyResult<u64> {
+        self.read(stickslip::History::steps)
+    }
+
+    /// The contact spots, with their stick ratios.
+    #[getter]
+    fn spots(&self) -> PyResult<ContactSpots> {
+        self.read(|history| ContactSpots::of(history.spots()))
+    }
+
+    /// The slopes of the forces by approach, shift and twist.
+    fn stiffness(&self, py: Python<'_>) -> PyResult<ContactStiffness> {
+        let mut work = lock(&self.work, NAME)?;
+        let history = &mut work.history;
+        unobserved(py, self.cells(), || history.stiffness()).map(ContactStiffness)
+    }
+
+    fn __repr__(&self) -> PyResult<String> {
+        self.read(|history| {
+            let ([force_x, force_y], [x, y]) = (history.force(), history.shift());
+            format!(
+                "History(steps={}, normal_force={:.6e}, force=({force_x:.6e}, {force_y:.6e}), shift=({x:.6e}, {y:.6e}))",
+                history.steps(),
+                history.normal().force()
+            )
+        })
+    }
+}

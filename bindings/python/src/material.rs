@@ -1,0 +1,223 @@
+//! Materials, and the pair of two.
+
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+#[cfg(feature = "stubs")]
+use pyo3::{PyTypeInfo, inspect::PyStaticExpr, type_hint_union};
+
+use crate::error::OrRaise;
+use crate::pickle::picklable;
+
+/// A linear elastic, isotropic, homogeneous half-space.
+///
+/// Parameters
+/// ----------
+/// youngs_modulus : float
+///     A pressure.
+/// poisson_ratio : float
+///     In (-1, 0.5].
+/// hardness : float, optional
+///     The pressure beyond which it flows: contacts warn beyond it. None by default.
+///
+/// Raises
+/// ------
+/// NotPositive, PoissonRatio
+///
+/// Examples
+/// --------
+/// >>> import stickslip
+/// >>> steel = stickslip.Material(210e9, 0.3)
+/// >>> round(steel.shear_modulus / 1e9, 1)
+/// 80.8
+#[pyclass(frozen, eq, module = "stickslip", from_py_object)]
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) struct Material(pub(crate) stickslip::Material);
+
+#[pymethods]
+impl Material {
+    #[new]
+    #[pyo3(signature = (youngs_modulus, poisson_ratio, *, hardness=None))]
+    fn new(
+        py: Python<'_>,
+        youngs_modulus: f64,
+        poisson_ratio: f64,
+        hardness: Option<f64>,
+    ) -> PyResult<Self> {
+        let body = stickslip::Material::new(youngs_modulus, poisson_ratio).or_raise(py)?;
+        match hardness {
+            None => Ok(Self(body)),
+            Some(hardness) => body.with_hardness(hardness).or_raise(py).map(Self),
+        }
+    }
+
+    /// From the shear modulus (a pressure) instead of Young's.
+    #[staticmethod]
+    fn from_shear_modulus(
+        py: Python<'_>,
+        shear_modulus: f64,
+        poisson_ratio: f64,
+    ) -> PyResult<Self> {
+        let body = stickslip::Material::from_shear_modulus(shear_modulus, poisson_ratio);
+        body.or_raise(py).map(Self)
+    }
+
+    /// A body that does not deform.
+    #[staticmethod]
+    fn rigid() -> Self {
+        Self(stickslip::Material::rigid())
+    }
+
+    /// Young's modulus; infinite of a rigid body.
+    #[getter]
+    fn youngs_modulus(&self) -> f64 {
+        self.0.youngs_modulus()
+    }
+
+    /// Shear modulus.
+    #[getter]
+    fn shear_modulus(&self) -> f64 {
+        self.0.shear_modulus()
+    }
+
+    /// Poisson's ratio.
+    #[getter]
+    fn poisson_ratio(&self) -> f64 {
+        self.0.poisson_ratio()
+    }
+
+    /// The hardness stated; infinite if none is.
+    #[getter]
+    fn hardness(&self) -> f64 {
+        self.0.hardness()
+    }
+
+    /// Whether it is rigid.
+    #[getter]
+    fn is_rigid(&self) -> bool {
+        self.0.is_rigid()
+    }
+
+    /// The strain along x under a stress along x (a pressure) that cannot contract along y.
+    fn plane_strain_under(&self, stress: f64) -> f64 {
+        self.0.plane_strain_under(stress)
+    }
+
+    fn __repr__(&self) -> String {
+        if self.0.is_rigid() {
+            return "Material.rigid()".into();
+        }
+        let hardness = match self.0.hardness() {
+            hardness if hardness.is_finite() => format!(", hardness={hardness}"),
+            _ => String::new(),
+        };
+        format!(
+            "Material(youngs_modulus={}, poisson_ratio={}{hardness})",
+            self.0.youngs_modulus(),
+            self.0.poisson_ratio()
+        )
+    }
+}
+
+picklable!(Material: stickslip::Material);
+
+/// Two bodies, at most one of them rigid.
+///
+/// Parameters
+/// ----------
+/// body_1, body_2 : Material
+///     z points into body 1.
+///
+/// Raises
+/// ------
+/// BothRigid
+#[pyclass(frozen, eq, module = "stickslip", from_py_object)]
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) struct ElasticPair(pub(crate) stickslip::ElasticPair);
+
+#[pymethods]
+impl ElasticPair {
+    #[new]
+    fn new(py: Python<'_>, body_1: Material, body_2: Material) -> PyResult<Self> {
+        stickslip::ElasticPair::new(body_1.0, body_2.0)
+            .or_raise(py)
+            .map(Self)
+    }
+
+    /// The two bodies.
+    #[getter]
+    fn bodies(&self) -> (Material, Material) {
+        self.0.bodies().map(Material).into()
+    }
+
+    /// The hardness of the softer body; infinite if none is stated.
+    #[getter]
+    fn hardness(&self) -> f64 {
+        self.0.hardness()
+    }
+
+    /// Contact modulus E*.
+    #[getter]
+    fn contact_modulus(&self) -> f64 {
+        self.0.contact_modulus()
+    }
+
+    /// Tangential modulus.
+    #[getter]
+    fn tangential_modulus(&self) -> f64 {
+        self.0.tangential_modulus()
+    }
+
+    /// Shear modulus of the equivalent body.
+    #[getter]
+    fn equivalent_shear_modulus(&self) -> f64 {
+        self.0.equivalent_shear_modulus()
+    }
+
+    /// Poisson's ratio of the equivalent body.
+    #[getter]
+    fn equivalent_poisson_ratio(&self) -> f64 {
+        self.0.equivalent_poisson_ratio()
+    }
+
+    /// Dundurs' second parameter: whether and how strongly pressure and shear are coupled.
+    #[getter]
+    fn dundurs_beta(&self) -> f64 {
+        self.0.dundurs_beta()
+    }
+
+    /// Whether pressure and shear are coupled.
+    #[getter]
+    fn is_coupled(&self) -> bool {
+        self.0.is_coupled()
+    }
+
+    fn __repr__(&self) -> String {
+        let [body_1, body_2] = self.0.bodies().map(|body| Material(body).__repr__());
+        format!("ElasticPair({body_1}, {body_2})")
+    }
+}
+
+picklable!(ElasticPair: stickslip::ElasticPair);
+
+/// What is taken for a pair: a pair, or two materials.
+pub(crate) struct Bodies(pub(crate) stickslip::ElasticPair);
+
+impl FromPyObject<'_, '_> for Bodies {
+    type Error = PyErr;
+
+    #[cfg(feature = "stubs")]
+    const INPUT_TYPE: PyStaticExpr = type_hint_union!(
+        ElasticPair::TYPE_HINT,
+        <(Material, Material) as FromPyObject>::INPUT_TYPE
+    );
+
+    fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
+        if let Ok(pair) = object.cast::<ElasticPair>() {
+            return Ok(Self(pair.get().0));
+        }
+        let (body_1, body_2): (Material, Material) = object
+            .extract()
+            .map_err(|_| PyTypeError::new_err("pair must be an ElasticPair or two Materials"))?;
+        ElasticPair::new(object.py(), body_1, body_2).map(|pair| Self(pair.0))
+    }
+}

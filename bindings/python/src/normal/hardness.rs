@@ -1,0 +1,82 @@
+//! The largest pressure that bodies carry.
+
+use std::sync::Arc;
+
+use pyo3::prelude::*;
+use stickslip::normal::Hardness as Limit;
+
+use crate::argument::argument;
+use crate::error::OrRaise;
+use crate::field::{Field, Samples, Spread};
+use crate::grid::Grid;
+use crate::normal::NormalSolution;
+use crate::pickle::picklable;
+
+/// The largest pressure that the softer body carries, of all cells or of each. Cells at it yield.
+///
+/// Parameters
+/// ----------
+/// limit : float, or array_like of shape (ny, nx)
+///     Pressures: positive, or not negative per cell.
+/// grid : Grid, optional
+///     Where an array lives; a Field knows it.
+///
+/// Raises
+/// ------
+/// NotPositive, Sample
+#[pyclass(frozen, eq, module = "stickslip.normal")]
+#[derive(Clone, PartialEq)]
+pub(crate) struct Hardness(pub(crate) Limit);
+
+#[pymethods]
+impl Hardness {
+    #[new]
+    #[pyo3(signature = (limit, *, grid=None))]
+    fn new(py: Python<'_>, limit: Samples<'_>, grid: Option<&Grid>) -> PyResult<Self> {
+        let hardness = match limit.spread(py, "hardness", grid)? {
+            Spread::Uniform(limit) => Limit::uniform(limit),
+            Spread::PerCell(field) => Limit::per_cell(Arc::unwrap_or_clone(field)),
+        };
+        hardness.or_raise(py).map(Self)
+    }
+
+    /// The largest pressure of a cell (row-major index); NaN beyond the limits.
+    fn of_cell(&self, index: usize) -> f64 {
+        self.0.of_cell(index)
+    }
+
+    /// The largest normal force that the cells of a grid carry.
+    fn capacity(&self, grid: &Grid) -> f64 {
+        self.0.capacity(grid.0)
+    }
+
+    /// By how much the surfaces of a solved contact overlap where its pressure is at the limit (lengths).
+    fn overlap(&self, py: Python<'_>, contact: &NormalSolution) -> PyResult<Field> {
+        self.0.overlap(contact.get()).or_raise(py).map(Into::into)
+    }
+
+    fn __repr__(&self) -> String {
+        if self.0.of_cell(usize::MAX).is_nan() {
+            "Hardness(<per cell>)".into()
+        } else {
+            format!("Hardness({})", self.0.of_cell(0))
+        }
+    }
+}
+
+picklable!(Hardness: Limit);
+
+argument! {
+    /// What is taken for a hardness: a hardness, a pressure, or one of each cell.
+    AnyHardness: Hardness; "float"
+}
+
+impl AnyHardness<'_> {
+    pub(crate) fn on(self, py: Python<'_>, grid: stickslip::Grid) -> PyResult<Limit> {
+        if let Ok(hardness) = self.0.cast::<Hardness>() {
+            return Ok(hardness.get().0.clone());
+        }
+        let limit = self.0.extract()?;
+        Hardness::new(py, limit, Some(&Grid(grid))).map(|hardness| hardness.0)
+    }
+}

@@ -1,0 +1,131 @@
+//! A normal contact to be solved.
+
+use std::sync::Arc;
+
+use pyo3::prelude::*;
+use stickslip::{NormalControl, cgm};
+
+use crate::choice::Choice;
+use crate::field::Samples;
+use crate::grid::size;
+use crate::half_space::HalfSpace;
+use crate::load;
+use crate::normal::{AnyHardness, NormalSolution, NormalSolver};
+use crate::settings::{Settings, chosen};
+use crate::solver::solve_once;
+use crate::work::unobserved;
+
+/// Bodies, gap and load of a normal contact.
+///
+/// Parameters
+/// ----------
+/// bodies : HalfSpace
+///     The two bodies and the grid.
+/// gap : Field or array_like of shape (ny, nx)
+///     The gap before loading (lengths). An array is copied, a Field is shared.
+/// force, approach : float
+///     One of the two: the normal force (not negative), or the approach of the bodies from the datum of the gap (a length,
+///     positive when they come together; below the mean gap on a periodic grid).
+/// hardness : Hardness, float or array_like of shape (ny, nx), optional
+///     The largest pressure that the cells carry; no limit by default.
+/// settings : Settings, optional
+///     Method, tolerance and limits; those of ``Settings()`` by default.
+/// tolerance, method, max_iterations, time_limit : optional
+///     As of :class:`Settings`; they take precedence over ``settings``.
+///
+/// Raises
+/// ------
+/// GridMismatch, Shape, Sample, Negative, NotFinite, Tolerance, IterationLimit, ApproachBeyondMeanGap, BeyondHardness
+///
+/// Examples
+/// --------
+/// >>> import stickslip
+/// >>> grid = stickslip.Grid.square(64, 0.4e-3)
+/// >>> steel = stickslip.Material(213e9, 0.29)
+/// >>> bodies = stickslip.HalfSpace(grid, (steel, steel))
+/// >>> ball = stickslip.surface.sphere(grid, 3.5e-3)
+/// >>> contact = stickslip.NormalProblem(bodies, ball, force=100.0).solve()
+/// >>> hertz = stickslip.analytical.HertzSphere(bodies.pair, 3.5e-3, 100.0)
+/// >>> bool(abs(contact.pressure.max() / hertz.max_pressure - 1.0) < 2e-3)
+/// True
+#[pyclass(frozen, module = "stickslip")]
+pub(crate) struct NormalProblem {
+    problem: stickslip::NormalProblem,
+    load: NormalControl,
+    gap: Arc<stickslip::Field>,
+}
+
+#[pymethods]
+impl NormalProblem {
+    #[new]
+    #[pyo3(signature = (bodies, gap, *, force=None, approach=None, hardness=None, settings=None, tolerance=None,
+        method=None, max_iterations=None, time_limit=None))]
+    pub(super) fn new(
+        py: Python<'_>,
+        bodies: &HalfSpace,
+        gap: Samples<'_>,
+        force: Option<f64>,
+        approach: Option<f64>,
+        hardness: Option<AnyHardness<'_>>,
+        settings: Option<Settings>,
+        tolerance: Option<f64>,
+        method: Option<Choice<cgm::Method>>,
+        max_iterations: Option<usize>,
+        time_limit: Option<f64>,
+    ) -> PyResult<Self> {
+        let settings = chosen(settings, tolerance, method, max_iterations, time_limit)?;
+        let grid = bodies.0.grid();
+        let gap = gap.on(py, "gap", grid)?;
+        let load = load::needed(force, approach)?;
+        let hardness = hardness.map(|hardness| hardness.on(py, grid)).transpose()?;
+        let problem = unobserved(py, grid.cells(), || {
+            let gap = Arc::clone(&gap);
+            let builder = stickslip::NormalProblem::builder(&bodies.0, gap, load);
+            let builder = builder.settings(settings);
+            match hardness {
+                None => builder.build(),
+                Some(hardness) => builder.hardness(hardness).build(),
+            }
+        })?;
+        Ok(Self { problem, load, gap })
+    }
+
+    /// Solves once.
+    ///
+    /// Parameters
+    /// ----------
+    /// progress : callable or bool, optional
+    ///     Called with an :class:`Iteration` before each product; what it raises ends the solve. ``True`` shows a bar of
+    ///     tqdm.
+    /// warn : bool, default False
+    ///     Whether the remarks of the solution go to ``warnings.warn`` too.
+    ///
+    /// Returns
+    /// -------
+    /// NormalSolution
+    ///
+    /// Raises
+    /// ------
+    /// NotConverged
+    ///     With ``report`` and ``last_iterate``.
+    #[pyo3(signature = (*, progress=None, warn=false))]
+    fn solve<'py>(
+        &self,
+        py: Python<'py>,
+        progress: Option<Bound<'py, PyAny>>,
+        warn: bool,
+    ) -> PyResult<Bound<'py, NormalSolution>> {
+        let solver = || self.problem.clone().into_solver();
+        solve_once(py, self.gap.grid().cells(), solver, progress, warn)
+    }
+
+    /// The reusable form, which starts each solve from the last answer.
+    pub(super) fn solver(&self, py: Python<'_>) -> PyResult<NormalSolver> {
+        let solver = || self.problem.clone().into_solver();
+        NormalSolver::of(py, solver, self.load, Arc::clone(&self.gap))
+    }
+
+    fn __repr__(&self) -> String {
+        format!("NormalProblem({})", size(self.gap.grid()))
+    }
+}

@@ -1,0 +1,219 @@
+//! The solution of a normal contact.
+
+use std::sync::Arc;
+
+use pyo3::prelude::*;
+
+use crate::array::{Array, copy, view};
+use crate::boundary::Boundary;
+use crate::grid::Grid;
+use crate::half_space::HalfSpace;
+use crate::material::ElasticPair;
+use crate::pickle::{Reduced, Stored, reduced};
+use crate::report::{Report, Warning};
+use crate::sequence::pair;
+use crate::spots::ContactSpots;
+use crate::stiffness::NormalStiffness;
+use crate::work::unobserved;
+
+/// What owns a normal solution.
+enum Source {
+    Own(Arc<stickslip::NormalSolution>),
+    OfCoupled(Arc<stickslip::CoupledSolution>),
+    OfState(Arc<stickslip::history::State>),
+}
+
+/// Pressure, gap and approach of a normal contact. Arrays are read-only views of its memory.
+#[pyclass(frozen, module = "stickslip")]
+pub(crate) struct NormalSolution(Source);
+
+impl NormalSolution {
+    pub(crate) fn of_coupled(solution: &Arc<stickslip::CoupledSolution>) -> Self {
+        Self(Source::OfCoupled(Arc::clone(solution)))
+    }
+
+    pub(crate) fn of_state(state: &Arc<stickslip::history::State>) -> Self {
+        Self(Source::OfState(Arc::clone(state)))
+    }
+
+    pub(crate) fn get(&self) -> &stickslip::NormalSolution {
+        match &self.0 {
+            Source::Own(solution) => solution,
+            Source::OfCoupled(solution) => solution.normal(),
+            Source::OfState(state) => state.normal(),
+        }
+    }
+}
+
+impl From<Arc<stickslip::NormalSolution>> for NormalSolution {
+    fn from(solution: Arc<stickslip::NormalSolution>) -> Self {
+        Self(Source::Own(solution))
+    }
+}
+
+impl Stored for NormalSolution {
+    type Content = stickslip::NormalSolution;
+
+    const KIND: &'static str = "NormalSolution";
+
+    fn of_content(content: Self::Content) -> Self {
+        Arc::new(content).into()
+    }
+}
+
+#[pymethods]
+impl NormalSolution {
+    /// The grid of its fields.
+    #[getter]
+    fn grid(&self) -> Grid {
+        Grid(self.get().grid())
+    }
+
+    /// Pressure p >= 0, shape (ny, nx); exactly zero outside the contact.
+    #[getter]
+    fn pressure<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
+        view(slf, |solution| solution.get().pressure())
+    }
+
+    /// Gap under load (lengths), shape (ny, nx): zero in the contact up to the residual, negative where cells yield.
+    #[getter]
+    fn gap<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
+        view(slf, |solution| solution.get().gap())
+    }
+
+    /// Approach of the bodies from the datum of the initial gap (a length).
+    #[getter]
+    fn approach(&self) -> f64 {
+        self.get().approach()
+    }
+
+    /// Normal force, the integral of the pressure.
+    #[getter]
+    fn force(&self) -> f64 {
+        self.get().force()
+    }
+
+    /// Moments about x and y, at the origin, that the pressure exerts on body 1.
+    #[getter]
+    fn moments(&self) -> (f64, f64) {
+        pair(self.get().moments())
+    }
+
+    /// Where the normal force acts (lengths); ``None`` without contact.
+    #[getter]
+    fn centre_of_pressure(&self) -> Option<(f64, f64)> {
+        self.get().centre_of_pressure().map(pair)
+    }
+
+    /// Number of contact cells.
+    #[getter]
+    fn contact_cells(&self) -> usize {
+        self.get().contact_cells()
+    }
+
+    /// Contact area by counting cells.
+    #[getter]
+    fn contact_area(&self) -> f64 {
+        self.get().contact_area()
+    }
+
+    /// Contact area less the excess of counting along the perimeter.
+    #[getter]
+    fn contact_area_corrected(&self) -> f64 {
+        self.get().contact_area_corrected()
+    }
+
+    /// Sides of the contact's bounding box along x and y (lengths); ``None`` without contact.
+    #[getter]
+    fn contact_extent(&self) -> Option<(f64, f64)> {
+        self.get().contact_extent().map(pair)
+    }
+
+    /// Normal force over contact area; zero without contact.
+    #[getter]
+    fn mean_pressure(&self) -> f64 {
+        self.get().mean_pressure()
+    }
+
+    /// Cells at their hardness.
+    #[getter]
+    fn yielded_cells(&self) -> usize {
+        self.get().yielded_cells()
+    }
+
+    /// What lies beyond the edge of the grid.
+    #[getter]
+    fn boundary(&self) -> Boundary {
+        Boundary(self.get().boundary())
+    }
+
+    /// The two bodies.
+    #[getter]
+    fn pair(&self) -> ElasticPair {
+        ElasticPair(*self.get().pair())
+    }
+
+    /// How the solve ended, what it cost, how large its error can be.
+    #[getter]
+    fn report(&self) -> Report {
+        Report::of(self.get().report())
+    }
+
+    /// Remarks that the result may mislead.
+    #[getter]
+    fn warnings(&self) -> Vec<Warning> {
+        Warning::all(self.get().warnings())
+    }
+
+    /// The contact spots, one by one.
+    #[getter]
+    fn spots(&self) -> ContactSpots {
+        ContactSpots::of(self.get().spots())
+    }
+
+    /// Normal displacement of all cells by the pressure (lengths), shape (ny, nx): one product.
+    fn displacement<'py>(&self, py: Python<'py>, bodies: &HalfSpace) -> PyResult<Array<'py>> {
+        let solution = self.get();
+        let moved = unobserved(py, solution.grid().cells(), || {
+            solution.displacement(&bodies.0)
+        })?;
+        Ok(copy(py, &moved))
+    }
+
+    /// Elastic energy of the normal contact: one product.
+    fn elastic_energy(&self, py: Python<'_>, bodies: &HalfSpace) -> PyResult<f64> {
+        let solution = self.get();
+        unobserved(py, solution.grid().cells(), || {
+            solution.elastic_energy(&bodies.0)
+        })
+    }
+
+    /// The normal stiffness, the slope of the force by the approach: one solve on the contact cells.
+    fn stiffness(&self, py: Python<'_>, bodies: &HalfSpace) -> PyResult<NormalStiffness> {
+        let solution = self.get();
+        let found = unobserved(py, solution.grid().cells(), || {
+            solution.stiffness(&bodies.0)
+        });
+        found.map(NormalStiffness)
+    }
+
+    fn __eq__(&self, other: &Self) -> bool {
+        self.get() == other.get()
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
+        reduced::<Self>(py, self.get())
+    }
+
+    fn __repr__(&self) -> String {
+        let solution = self.get();
+        format!(
+            "NormalSolution(force={:.6e}, approach={:.6e}, contact_cells={} of {}, {})",
+            solution.force(),
+            solution.approach(),
+            solution.contact_cells(),
+            solution.grid().cells(),
+            solution.report().status
+        )
+    }
+}

@@ -1,0 +1,201 @@
+//! Normal contacts solved again and again.
+
+use std::sync::{Arc, Mutex};
+
+use pyo3::prelude::*;
+use stickslip::{NormalControl, cgm};
+
+use crate::choice::Choice;
+use crate::field::Samples;
+use crate::half_space::HalfSpace;
+use crate::held::lock;
+use crate::load;
+use crate::normal::{AnyHardness, NormalProblem, NormalSolution};
+use crate::settings::Settings;
+use crate::solver::{Reused, solver};
+use crate::work::unobserved;
+
+/// Solves normal contacts on one grid again and again, each time from the last answer. Takes what
+/// :class:`NormalProblem` takes; load and gap may change between calls.
+///
+/// One thread at a time may use it. The memory of a solution that nobody holds any more is used again.
+///
+/// Examples
+/// --------
+/// >>> import stickslip
+/// >>> grid = stickslip.Grid.square(32, 8.0)
+/// >>> bodies = stickslip.HalfSpace(grid, (stickslip.Material(1.0, 0.3), stickslip.Material.rigid()))
+/// >>> solver = stickslip.NormalSolver(bodies, stickslip.surface.sphere(grid, 10.0), force=0.5)
+/// >>> [round(solver.solve(force=force).force, 12) for force in (0.5, 1.0, 0.7)]
+/// [0.5, 1.0, 0.7]
+#[pyclass(frozen, module = "stickslip")]
+pub(crate) struct NormalSolver(Reused<stickslip::NormalSolver>, Mutex<Given>);
+
+/// What is solved for.
+struct Given {
+    load: NormalControl,
+    gap: Arc<stickslip::Field>,
+}
+
+impl Given {
+    /// Sets the load, the gap or both; what is refused leaves both as they were.
+    fn set(
+        &mut self,
+        solver: &mut stickslip::NormalSolver,
+        load: Option<NormalControl>,
+        gap: Option<Arc<stickslip::Field>>,
+    ) -> stickslip::Result<()> {
+        match (load, gap) {
+            (None, None) => {}
+            (Some(load), None) => {
+                solver.set_load(load)?;
+                self.load = load;
+            }
+            (None, Some(gap)) => {
+                solver.set_gap(&gap)?;
+                self.gap = gap;
+            }
+            (Some(load), Some(gap)) => {
+                let given = Self { load, gap };
+                if let Err(refused) = given.set_both(solver) {
+                    self.set_both(solver)?;
+                    return Err(refused);
+                }
+                *self = given;
+            }
+        }
+        Ok(())
+    }
+
+    /// Sets both, each checked with the other and not with what was set before: no force presses any gap.
+    fn set_both(&self, solver: &mut stickslip::NormalSolver) -> stickslip::Result<()> {
+        solver.set_load(NormalControl::Force(0.0))?;
+        solver.set_gap(&self.gap)?;
+        solver.set_load(self.load)
+    }
+}
+
+impl NormalSolver {
+    pub(super) fn of(
+        py: Python<'_>,
+        solver: impl FnOnce() -> stickslip::Result<stickslip::NormalSolver> + Send,
+        load: NormalControl,
+        gap: Arc<stickslip::Field>,
+    ) -> PyResult<Self> {
+        let solver = Reused::new(py, gap.grid(), solver)?;
+        Ok(Self(solver, Mutex::new(Given { load, gap })))
+    }
+
+    fn gap(
+        &self,
+        py: Python<'_>,
+        gap: Option<Samples<'_>>,
+    ) -> PyResult<Option<Arc<stickslip::Field>>> {
+        gap.map(|gap| gap.on(py, "gap", self.0.grid())).transpose()
+    }
+
+    fn change(
+        &self,
+        py: Python<'_>,
+        load: Option<NormalControl>,
+        gap: Option<Samples<'_>>,
+    ) -> PyResult<()> {
+        let gap = self.gap(py, gap)?;
+        let mut given = lock(&self.1, "solver")?;
+        let given = &mut *given;
+        self.0.change(py, |solver| given.set(solver, load, gap))
+    }
+}
+
+solver!(NormalSolver: NormalSolution);
+
+#[pymethods]
+impl NormalSolver {
+    #[new]
+    #[pyo3(signature = (bodies, gap, *, force=None, approach=None, hardness=None, settings=None, tolerance=None,
+        method=None, max_iterations=None, time_limit=None))]
+    fn new(
+        py: Python<'_>,
+        bodies: &HalfSpace,
+        gap: Samples<'_>,
+        force: Option<f64>,
+        approach: Option<f64>,
+        hardness: Option<AnyHardness<'_>>,
+        settings: Option<Settings>,
+        tolerance: Option<f64>,
+        method: Option<Choice<cgm::Method>>,
+        max_iterations: Option<usize>,
+        time_limit: Option<f64>,
+    ) -> PyResult<Self> {
+        let problem = NormalProblem::new(
+            py,
+            bodies,
+            gap,
+            force,
+            approach,
+            hardness,
+            settings,
+            tolerance,
+            method,
+            max_iterations,
+            time_limit,
+        )?;
+        problem.solver(py)
+    }
+
+    /// Solves, for this load and gap if they are given, else for those of before.
+    ///
+    /// Parameters
+    /// ----------
+    /// force, approach : float, optional
+    ///     At most one of the two, as of :class:`NormalProblem`.
+    /// gap : Field or array_like of shape (ny, nx), optional
+    ///     The gap before loading (lengths); copied.
+    /// progress, warn : optional
+    ///     As of :meth:`NormalProblem.solve`.
+    ///
+    /// Returns
+    /// -------
+    /// NormalSolution
+    ///
+    /// Raises
+    /// ------
+    /// GridMismatch, Shape, Sample, Negative, NotFinite, ApproachBeyondMeanGap, BeyondHardness
+    ///     For load and gap; both are then as they were.
+    /// NotConverged
+    ///     With ``report`` and ``last_iterate``.
+    #[pyo3(signature = (*, force=None, approach=None, gap=None, progress=None, warn=false))]
+    fn solve<'py>(
+        &self,
+        py: Python<'py>,
+        force: Option<f64>,
+        approach: Option<f64>,
+        gap: Option<Samples<'_>>,
+        progress: Option<Bound<'py, PyAny>>,
+        warn: bool,
+    ) -> PyResult<Bound<'py, NormalSolution>> {
+        let load = load::normal(force, approach)?;
+        let gap = self.gap(py, gap)?;
+        let mut given = lock(&self.1, "solver")?;
+        let given = &mut *given;
+        let set = |solver: &mut stickslip::NormalSolver| {
+            if load.is_some() || gap.is_some() {
+                let cells = self.0.grid().cells();
+                unobserved(py, cells, || given.set(solver, load, gap))?;
+            }
+            Ok(())
+        };
+        self.0.solve(py, set, progress, warn)
+    }
+
+    /// Changes the load of the next solve.
+    #[pyo3(signature = (*, force=None, approach=None))]
+    fn set_load(&self, py: Python<'_>, force: Option<f64>, approach: Option<f64>) -> PyResult<()> {
+        self.change(py, Some(load::needed(force, approach)?), None)
+    }
+
+    /// Changes the gap of the next solve, as wear does.
+    fn set_gap(&self, py: Python<'_>, gap: Samples<'_>) -> PyResult<()> {
+        self.change(py, None, Some(gap))
+    }
+}

@@ -1,0 +1,198 @@
+//! What the solvers of all contacts have in common: a problem solved once, and a solver used again and again.
+
+use std::ops::ControlFlow;
+use std::sync::{Arc, Mutex, MutexGuard};
+
+use pyo3::PyClass;
+use pyo3::exceptions::PyRuntimeError;
+use pyo3::prelude::*;
+use stickslip::{Iteration, Result};
+
+use crate::error::with_iterate;
+use crate::held::{Spare, lock};
+use crate::progress::Progress;
+use crate::report::warn;
+use crate::work::{solve, unobserved};
+
+/// A solver of the crate.
+pub(crate) trait Solver: Send + Sized {
+    type Solution: Send + Sync;
+    /// The class of its solutions in Python.
+    type Object: PyClass + Into<PyClassInitializer<Self::Object>> + From<Arc<Self::Solution>>;
+
+    fn new_solution(&self) -> Self::Solution;
+
+    fn solve_observed(
+        &mut self,
+        solution: &mut Self::Solution,
+        observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
+    ) -> Result<()>;
+
+    fn warnings(solution: &Self::Solution) -> Vec<stickslip::Warning>;
+}
+
+/// Solves once, with the solver that is made for it.
+pub(crate) fn solve_once<'py, S: Solver>(
+    py: Python<'py>,
+    cells: usize,
+    solver: impl FnOnce() -> Result<S> + Send,
+    progress: Option<Bound<'py, PyAny>>,
+    is_warned: bool,
+) -> PyResult<Bound<'py, S::Object>> {
+    let progress = Progress::of(progress.as_ref())?;
+    let mut solution = None;
+    let outcome = solve(py, cells, progress, |observer| {
+        let mut solver = solver()?;
+        let solution = solution.insert(solver.new_solution());
+        solver.solve_observed(solution, |iteration| observer(Some(iteration)))
+    })?;
+    finished::<S>(py, outcome, solution.map(Arc::new), is_warned)
+}
+
+/// The solution as an object, or the exception, which has the last iterate.
+fn finished<S: Solver>(
+    py: Python<'_>,
+    outcome: Result<()>,
+    solution: Option<Arc<S::Solution>>,
+    is_warned: bool,
+) -> PyResult<Bound<'_, S::Object>> {
+    let solution = || solution.ok_or_else(|| PyRuntimeError::new_err("the solve left nothing"));
+    match outcome {
+        Ok(()) => {
+            let solution = solution()?;
+            warn(py, is_warned, || S::warnings(&solution))?;
+            Bound::new(py, S::Object::from(solution))
+        }
+        Err(error) => Err(with_iterate(py, error, || {
+            Bound::new(py, S::Object::from(solution()?)).map(Bound::into_any)
+        })),
+    }
+}
+
+/// A solver that one thread at a time may use, and the solutions whose memory it uses again.
+pub(crate) struct Reused<S: Solver> {
+    work: Mutex<(S, Spare<S::Solution>)>,
+    grid: stickslip::Grid,
+}
+
+impl<S: Solver> Reused<S> {
+    /// The solver of a problem on this grid.
+    pub(crate) fn new(
+        py: Python<'_>,
+        grid: stickslip::Grid,
+        solver: impl FnOnce() -> Result<S> + Send,
+    ) -> PyResult<Self> {
+        let solver = unobserved(py, grid.cells(), solver)?;
+        Ok(Self {
+            work: Mutex::new((solver, Spare::new())),
+            grid,
+        })
+    }
+
+    pub(crate) fn grid(&self) -> stickslip::Grid {
+        self.grid
+    }
+
+    fn lock(&self) -> PyResult<MutexGuard<'_, (S, Spare<S::Solution>)>> {
+        lock(&self.work, "solver")
+    }
+
+    /// Reads the solver, or changes it by little work.
+    pub(crate) fn with<T>(&self, work: impl FnOnce(&mut S) -> T) -> PyResult<T> {
+        Ok(work(&mut self.lock()?.0))
+    }
+
+    /// Changes what the next solve is for, by work on all cells.
+    pub(crate) fn change(
+        &self,
+        py: Python<'_>,
+        change: impl FnOnce(&mut S) -> Result<()> + Send,
+    ) -> PyResult<()> {
+        let mut work = self.lock()?;
+        let solver = &mut work.0;
+        unobserved(py, self.grid.cells(), || change(solver))
+    }
+
+    /// Solves, once what the solve is for is set.
+    pub(crate) fn solve<'py>(
+        &self,
+        py: Python<'py>,
+        set: impl FnOnce(&mut S) -> PyResult<()>,
+        progress: Option<Bound<'py, PyAny>>,
+        is_warned: bool,
+    ) -> PyResult<Bound<'py, S::Object>> {
+        let progress = Progress::of(progress.as_ref())?;
+        let mut work = self.lock()?;
+        let (solver, spare) = &mut *work;
+        set(solver)?;
+        let mut solution = spare.take(|| solver.new_solution());
+        let into = Arc::get_mut(&mut solution);
+        let into = into.ok_or_else(|| PyRuntimeError::new_err("the solution is held"))?;
+        let outcome = solve(py, self.grid.cells(), progress, |observer| {
+            solver.solve_observed(into, |iteration| observer(Some(iteration)))
+        })?;
+        spare.keep(&solution);
+        finished::<S>(py, outcome, Some(solution), is_warned)
+    }
+}
+
+/// Declares a class of Python as the form of a solver of the crate that is used again, with what all of them have.
+macro_rules! solver {
+    ($class:ident: $solution:ident) => {
+        impl crate::solver::Solver for stickslip::$class {
+            type Solution = stickslip::$solution;
+            type Object = $solution;
+
+            fn new_solution(&self) -> Self::Solution {
+                self.new_solution()
+            }
+
+            fn solve_observed(
+                &mut self,
+                solution: &mut Self::Solution,
+                observer: impl FnMut(&stickslip::Iteration) -> std::ops::ControlFlow<()> + Send,
+            ) -> stickslip::Result<()> {
+                self.solve_observed(solution, observer)
+            }
+
+            fn warnings(solution: &Self::Solution) -> Vec<stickslip::Warning> {
+                solution.warnings()
+            }
+        }
+
+        #[pyo3::pymethods]
+        impl $class {
+            /// The settings of the next solve; may be assigned.
+            #[getter]
+            fn settings(&self) -> pyo3::PyResult<crate::settings::Settings> {
+                self.0
+                    .with(|solver| crate::settings::Settings(*solver.settings()))
+            }
+
+            #[setter]
+            fn set_settings(
+                &self,
+                py: pyo3::Python<'_>,
+                settings: crate::settings::Settings,
+            ) -> pyo3::PyResult<()> {
+                let outcome = self.0.with(|solver| solver.set_settings(settings.0))?;
+                crate::error::OrRaise::or_raise(outcome, py)
+            }
+
+            /// Forgets the last answer: the next solve starts as the first did.
+            fn reset(&self) -> pyo3::PyResult<()> {
+                self.0.with(|solver| solver.reset())
+            }
+
+            fn __repr__(&self) -> String {
+                format!(
+                    "{}({})",
+                    stringify!($class),
+                    crate::grid::size(self.0.grid())
+                )
+            }
+        }
+    };
+}
+
+pub(crate) use solver;

@@ -1,0 +1,40 @@
+//! The pressure that a tangential contact is under.
+
+use std::sync::Arc;
+
+use pyo3::prelude::*;
+use stickslip::PressureSource;
+
+use crate::argument::argument;
+use crate::field::Samples;
+use crate::normal::NormalSolution;
+
+argument! {
+    /// A pressure: a solved normal contact, or a field.
+    Pressure: NormalSolution | crate::field::Field
+}
+
+/// The pressure on the grid of the bodies, with what owns it.
+pub(super) enum Given<'a> {
+    Solved(&'a stickslip::NormalSolution),
+    Field(Arc<stickslip::Field>),
+}
+
+impl Given<'_> {
+    pub(super) fn source(&self) -> PressureSource<'_> {
+        match self {
+            Self::Solved(solution) => PressureSource::Solved(solution),
+            Self::Field(field) => PressureSource::Prescribed(field),
+        }
+    }
+}
+
+impl Pressure<'_> {
+    pub(super) fn given(&self, py: Python<'_>, grid: stickslip::Grid) -> PyResult<Given<'_>> {
+        if let Ok(solution) = self.0.cast::<NormalSolution>() {
+            return Ok(Given::Solved(solution.get().get()));
+        }
+        let samples: Samples<'_> = self.0.extract()?;
+        samples.on(py, "pressure", grid).map(Given::Field)
+    }
+}

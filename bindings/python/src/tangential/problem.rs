@@ -1,0 +1,156 @@
+//! A tangential contact to be solved.
+
+use pyo3::prelude::*;
+use stickslip::{Coupling, TangentialModel, cgm};
+
+use crate::choice::Choice;
+use crate::friction::AnyFriction;
+use crate::grid::size;
+use crate::half_space::HalfSpace;
+use crate::load::{Keywords, TangentialLoad};
+use crate::settings::{Settings, chosen};
+use crate::solver::solve_once;
+use crate::tangential::pressure::Pressure;
+use crate::tangential::{RelativeDisplacement, TangentialSolution, TangentialSolver};
+use crate::work::unobserved;
+
+/// Bodies, pressure, friction and tangential load: one monotonic step from the unsheared state.
+///
+/// Parameters
+/// ----------
+/// bodies : HalfSpace
+///     The two bodies and the grid.
+/// pressure : NormalSolution, Field or array_like of shape (ny, nx)
+///     A solved normal contact of these bodies, or a field of pressures (not negative).
+/// friction : Friction, float or array_like of shape (ny, nx)
+///     Coulomb friction; a number or an array is the coefficient of friction (dimensionless, not negative).
+/// load : TangentialLoad, optional
+///     The tangential load as an object, instead of by keywords.
+/// force, shift, spring, force_x, force_y, shift_x, shift_y, spring_x, spring_y, twist : optional
+///     The tangential load, as of :class:`TangentialLoad`; no force by default.
+/// model : TangentialModel or str, default "scalar"
+///     "scalar" finds the traction along the axis of the load, "vector" both components.
+/// coupling : Coupling or str, default "one_way"
+///     Of bodies of different materials: "one_way" has the pressure move the surfaces tangentially, "neglected" does not;
+///     "full" is refused, since the pressure is given.
+/// relative_displacement : RelativeDisplacement, optional
+///     A displacement of body 1 relative to body 2 that the contact does not cause, reached in proportion to the load; none
+///     by default.
+/// settings : Settings, optional
+///     Method, tolerance and limits; those of ``Settings()`` by default.
+/// tolerance, method, max_iterations, time_limit : optional
+///     As of :class:`Settings`; they take precedence over ``settings``.
+///
+/// Raises
+/// ------
+/// NotConverged, Sample, GridMismatch, BoundaryMismatch, MaterialMismatch, CoupledMaterials, ObliqueLoad, NotModelled,
+/// NotFinite, EmptyContact, BeyondFrictionCapacity, Tolerance, IterationLimit
+///
+/// Examples
+/// --------
+/// >>> import stickslip
+/// >>> grid = stickslip.Grid.square(64, 0.3e-3)
+/// >>> steel = stickslip.Material(213e9, 0.29)
+/// >>> bodies = stickslip.HalfSpace(grid, (steel, steel))
+/// >>> ball = stickslip.surface.sphere(grid, 3.5e-3)
+/// >>> normal = stickslip.NormalProblem(bodies, ball, force=100.0).solve()
+/// >>> shear = stickslip.TangentialProblem(bodies, normal, 0.5, force_x=20.0).solve()
+/// >>> hertz = stickslip.analytical.HertzSphere(bodies.pair, 3.5e-3, 100.0)
+/// >>> exact = stickslip.analytical.CattaneoMindlin(hertz, 0.5, 20.0)
+/// >>> abs(shear.stick_ratio - exact.stick_ratio) < 0.02
+/// True
+#[pyclass(frozen, module = "stickslip")]
+pub(crate) struct TangentialProblem(stickslip::TangentialProblem, stickslip::Grid);
+
+#[pymethods]
+impl TangentialProblem {
+    #[new]
+    #[pyo3(signature = (bodies, pressure, friction, load=None, *, force=None, shift=None, spring=None, force_x=None,
+        force_y=None, shift_x=None, shift_y=None, spring_x=None, spring_y=None, twist=None, model=None, coupling=None,
+        relative_displacement=None, settings=None, tolerance=None, method=None, max_iterations=None, time_limit=None))]
+    fn new(
+        py: Python<'_>,
+        bodies: &HalfSpace,
+        pressure: Pressure<'_>,
+        friction: AnyFriction<'_>,
+        load: Option<TangentialLoad>,
+        force: Option<[f64; 2]>,
+        shift: Option<[f64; 2]>,
+        spring: Option<([f64; 2], f64)>,
+        force_x: Option<f64>,
+        force_y: Option<f64>,
+        shift_x: Option<f64>,
+        shift_y: Option<f64>,
+        spring_x: Option<(f64, f64)>,
+        spring_y: Option<(f64, f64)>,
+        twist: Option<f64>,
+        model: Option<Choice<TangentialModel>>,
+        coupling: Option<Choice<Coupling>>,
+        relative_displacement: Option<RelativeDisplacement>,
+        settings: Option<Settings>,
+        tolerance: Option<f64>,
+        method: Option<Choice<cgm::Method>>,
+        max_iterations: Option<usize>,
+        time_limit: Option<f64>,
+    ) -> PyResult<Self> {
+        let settings = chosen(settings, tolerance, method, max_iterations, time_limit)?;
+        let keywords = Keywords::new(
+            (force, shift, spring),
+            [force_x, force_y],
+            [shift_x, shift_y],
+            [spring_x, spring_y],
+            twist,
+        );
+        let load = keywords.load_or(load)?;
+        let grid = bodies.0.grid();
+        let friction = friction.on(py, grid)?;
+        let pressure = pressure.given(py, grid)?;
+        let built = unobserved(py, grid.cells(), || {
+            let builder =
+                stickslip::TangentialProblem::builder(&bodies.0, pressure.source(), friction, load);
+            let mut builder = builder.settings(settings);
+            if let Some(model) = model {
+                builder = builder.model(model.0);
+            }
+            if let Some(coupling) = coupling {
+                builder = builder.coupling(coupling.0);
+            }
+            if let Some(relative) = relative_displacement {
+                builder = builder.relative_displacement(relative.0);
+            }
+            builder.build()
+        })?;
+        Ok(Self(built, grid))
+    }
+
+    /// Largest tangential force that friction holds: the integral of the friction limit.
+    #[getter]
+    fn friction_capacity(&self) -> f64 {
+        self.0.friction_capacity()
+    }
+
+    /// Solves once; see :meth:`NormalProblem.solve`.
+    #[pyo3(signature = (*, progress=None, warn=false))]
+    fn solve<'py>(
+        &self,
+        py: Python<'py>,
+        progress: Option<Bound<'py, PyAny>>,
+        warn: bool,
+    ) -> PyResult<Bound<'py, TangentialSolution>> {
+        let solver = || self.0.clone().into_solver();
+        solve_once(py, self.1.cells(), solver, progress, warn)
+    }
+
+    /// The reusable form, which starts each solve from the last answer.
+    fn solver(&self, py: Python<'_>) -> PyResult<TangentialSolver> {
+        TangentialSolver::of(py, self.1, || self.0.clone().into_solver())
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "TangentialProblem({}, friction_capacity={})",
+            size(self.1),
+            self.0.friction_capacity()
+        )
+    }
+}

@@ -1,0 +1,72 @@
+//! Displacements that the contact does not cause.
+
+use std::sync::Arc;
+
+use pyo3::prelude::*;
+use pyo3::types::PyType;
+use stickslip::tangential::RelativeDisplacement as Relative;
+
+use crate::array::{Array, view};
+use crate::error::OrRaise;
+use crate::field::{Field, Samples, grid_of};
+use crate::grid::{Grid, size};
+
+/// A displacement of body 1 relative to body 2 that the contact does not cause: bulk strain, thermal expansion.
+///
+/// Parameters
+/// ----------
+/// along_x, along_y : Field or array_like of shape (ny, nx)
+///     Lengths.
+/// grid : Grid, optional
+///     Where arrays live; Fields know it.
+///
+/// Raises
+/// ------
+/// GridMismatch, Sample
+#[pyclass(frozen, eq, module = "stickslip.tangential", from_py_object)]
+#[derive(Clone, PartialEq)]
+pub(crate) struct RelativeDisplacement(pub(crate) Relative);
+
+#[pymethods]
+impl RelativeDisplacement {
+    #[new]
+    #[pyo3(signature = (along_x, along_y, *, grid=None))]
+    fn new(
+        py: Python<'_>,
+        along_x: Samples<'_>,
+        along_y: Samples<'_>,
+        grid: Option<&Grid>,
+    ) -> PyResult<Self> {
+        let grid = grid_of(grid, &[&along_x, &along_y])?;
+        let fields = [
+            along_x.on(py, "along_x", grid)?,
+            along_y.on(py, "along_y", grid)?,
+        ];
+        let relative = Relative::new(fields.map(Arc::unwrap_or_clone));
+        relative.or_raise(py).map(Self)
+    }
+
+    /// That of a uniform strain ``[[xx, xy], [yx, yy]]`` of body 1, none at the origin.
+    #[staticmethod]
+    fn bulk_strain(py: Python<'_>, grid: &Grid, strain: [[f64; 2]; 2]) -> PyResult<Self> {
+        Relative::bulk_strain(grid.0, strain).or_raise(py).map(Self)
+    }
+
+    /// Its components along x and y.
+    #[getter]
+    fn fields<'py>(slf: &Bound<'py, Self>) -> (Array<'py>, Array<'py>) {
+        (
+            view(slf, |relative| relative.0.fields()[0]),
+            view(slf, |relative| relative.0.fields()[1]),
+        )
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> (Bound<'py, PyType>, (Field, Field)) {
+        let fields = slf.get().0.fields().map(|field| Field::from(field.clone()));
+        (slf.get_type(), fields.into())
+    }
+
+    fn __repr__(&self) -> String {
+        format!("RelativeDisplacement({})", size(self.0.fields()[0].grid()))
+    }
+}

@@ -1,0 +1,226 @@
+//! The solution of a tangential contact.
+
+use std::sync::Arc;
+
+use pyo3::prelude::*;
+
+use crate::array::{Array, copy, view, zones};
+use crate::boundary::Boundary;
+use crate::choice::Choice;
+use crate::error::OrRaise;
+use crate::grid::Grid;
+use crate::half_space::HalfSpace;
+use crate::normal::NormalSolution;
+use crate::pickle::{Reduced, Stored, reduced};
+use crate::report::{Report, Warning};
+use crate::sequence::pair;
+use crate::spots::ContactSpots;
+use crate::stiffness::TangentialStiffness;
+use crate::work::unobserved;
+
+/// What owns a tangential solution.
+enum Source {
+    Own(Arc<stickslip::TangentialSolution>),
+    OfCoupled(Arc<stickslip::CoupledSolution>),
+}
+
+/// Traction, slip, zones and shift of a tangential contact. Vectors are (x, y); the scalar model leaves the component
+/// across the load at zero. Arrays are read-only views of its memory, those of the zones a copy.
+#[pyclass(frozen, module = "stickslip")]
+pub(crate) struct TangentialSolution(Source);
+
+impl TangentialSolution {
+    pub(crate) fn of_coupled(solution: &Arc<stickslip::CoupledSolution>) -> Self {
+        Self(Source::OfCoupled(Arc::clone(solution)))
+    }
+
+    pub(crate) fn get(&self) -> &stickslip::TangentialSolution {
+        match &self.0 {
+            Source::Own(solution) => solution,
+            Source::OfCoupled(solution) => solution.shear(),
+        }
+    }
+}
+
+impl From<Arc<stickslip::TangentialSolution>> for TangentialSolution {
+    fn from(solution: Arc<stickslip::TangentialSolution>) -> Self {
+        Self(Source::Own(solution))
+    }
+}
+
+impl Stored for TangentialSolution {
+    type Content = stickslip::TangentialSolution;
+
+    const KIND: &'static str = "TangentialSolution";
+
+    fn of_content(content: Self::Content) -> Self {
+        Arc::new(content).into()
+    }
+}
+
+#[pymethods]
+impl TangentialSolution {
+    /// The grid of its fields.
+    #[getter]
+    fn grid(&self) -> Grid {
+        Grid(self.get().grid())
+    }
+
+    /// Shear traction on body 1 along x and y (pressures); exactly zero outside the contact.
+    #[getter]
+    fn traction<'py>(slf: &Bound<'py, Self>) -> (Array<'py>, Array<'py>) {
+        (
+            view(slf, |solution| solution.get().traction()[0]),
+            view(slf, |solution| solution.get().traction()[1]),
+        )
+    }
+
+    /// Slip of the surface of body 1 over that of body 2 along x and y (lengths); exactly zero in stick cells.
+    #[getter]
+    fn slip<'py>(slf: &Bound<'py, Self>) -> (Array<'py>, Array<'py>) {
+        (
+            view(slf, |solution| solution.get().slip()[0]),
+            view(slf, |solution| solution.get().slip()[1]),
+        )
+    }
+
+    /// The zone of every cell, bytes of shape (ny, nx): the numbers of :class:`Zone`, 0 separated, 1 stick, 2 slip.
+    #[getter]
+    fn zones<'py>(&self, py: Python<'py>) -> Array<'py> {
+        zones(py, self.get().grid(), self.get().zones())
+    }
+
+    /// The axis of the load in the scalar model, ``None`` in the vector model.
+    #[getter]
+    fn axis(&self) -> Option<Choice<stickslip::Axis>> {
+        self.get().axis().map(Choice)
+    }
+
+    /// Shift, the rigid motion of body 2 relative to body 1 along x and y (lengths).
+    #[getter]
+    fn shift(&self) -> (f64, f64) {
+        pair(self.get().shift())
+    }
+
+    /// Rotation of body 2 about the origin of the grid (radians).
+    #[getter]
+    fn twist(&self) -> f64 {
+        self.get().twist()
+    }
+
+    /// Tangential force that body 2 exerts on body 1.
+    #[getter]
+    fn force(&self) -> (f64, f64) {
+        pair(self.get().force())
+    }
+
+    /// Moment about z, at the origin, on body 1.
+    #[getter]
+    fn moment(&self) -> f64 {
+        self.get().moment()
+    }
+
+    /// Whether the whole contact slips.
+    #[getter]
+    fn is_gross_slip(&self) -> bool {
+        self.get().is_gross_slip()
+    }
+
+    /// Stick area over contact area, by counting cells.
+    #[getter]
+    fn stick_ratio(&self) -> f64 {
+        self.get().stick_ratio()
+    }
+
+    /// Area of the stick zone.
+    #[getter]
+    fn stick_area(&self) -> f64 {
+        self.get().stick_area()
+    }
+
+    /// Area of the slip zone.
+    #[getter]
+    fn slip_area(&self) -> f64 {
+        self.get().slip_area()
+    }
+
+    /// Energy dissipated by the step.
+    #[getter]
+    fn dissipated_energy(&self) -> f64 {
+        self.get().dissipated_energy()
+    }
+
+    /// What lies beyond the edge of the grid.
+    #[getter]
+    fn boundary(&self) -> Boundary {
+        Boundary(self.get().boundary())
+    }
+
+    /// How the solve ended, what it cost, how large its error can be.
+    #[getter]
+    fn report(&self) -> Report {
+        Report::of(self.get().report())
+    }
+
+    /// Remarks that the result may mislead.
+    #[getter]
+    fn warnings(&self) -> Vec<Warning> {
+        Warning::all(self.get().warnings())
+    }
+
+    /// The contact spots of the normal contact below it, with their stick ratios.
+    fn spots(&self, py: Python<'_>, normal: &NormalSolution) -> PyResult<ContactSpots> {
+        self.get()
+            .spots(normal.get())
+            .or_raise(py)
+            .map(ContactSpots::of)
+    }
+
+    /// Displacement of body 1 relative to body 2 by the tractions along x and y, of all cells (lengths): one product.
+    fn displacement<'py>(
+        &self,
+        py: Python<'py>,
+        bodies: &HalfSpace,
+    ) -> PyResult<(Array<'py>, Array<'py>)> {
+        let solution = self.get();
+        let moved = unobserved(py, solution.grid().cells(), || {
+            solution.displacement(&bodies.0)
+        })?;
+        Ok(moved.each_ref().map(|field| copy(py, field)).into())
+    }
+
+    /// Elastic energy of shear: one product.
+    fn elastic_energy(&self, py: Python<'_>, bodies: &HalfSpace) -> PyResult<f64> {
+        let solution = self.get();
+        unobserved(py, solution.grid().cells(), || {
+            solution.elastic_energy(&bodies.0)
+        })
+    }
+
+    /// The tangential stiffness, on loading and at reversal.
+    fn stiffness(&self, py: Python<'_>, bodies: &HalfSpace) -> PyResult<TangentialStiffness> {
+        let solution = self.get();
+        let found = unobserved(py, solution.grid().cells(), || {
+            solution.stiffness(&bodies.0)
+        });
+        found.map(TangentialStiffness)
+    }
+
+    fn __eq__(&self, other: &Self) -> bool {
+        self.get() == other.get()
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
+        reduced::<Self>(py, self.get())
+    }
+
+    fn __repr__(&self) -> String {
+        let solution = self.get();
+        let ([force_x, force_y], [x, y]) = (solution.force(), solution.shift());
+        format!(
+            "TangentialSolution(force=({force_x:.6e}, {force_y:.6e}), shift=({x:.6e}, {y:.6e}), stick_ratio={:.4}, {})",
+            solution.stick_ratio(),
+            solution.report().status
+        )
+    }
+}

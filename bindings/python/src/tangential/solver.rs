@@ -1,0 +1,118 @@
+//! Tangential contacts solved again and again.
+
+use pyo3::prelude::*;
+
+use crate::error::OrRaise;
+use crate::friction::AnyFriction;
+use crate::load::{Keywords, TangentialLoad};
+use crate::solver::{Reused, solver};
+use crate::tangential::pressure::Pressure;
+use crate::tangential::{RelativeDisplacement, TangentialSolution};
+use crate::work::unobserved;
+
+/// Solves tangential contacts again and again, each time from the last answer; made by
+/// :meth:`TangentialProblem.solver`. Load, friction and pressure may change between calls. It does not remember slip.
+#[pyclass(frozen, module = "stickslip")]
+pub(crate) struct TangentialSolver(Reused<stickslip::TangentialSolver>);
+
+impl TangentialSolver {
+    pub(super) fn of(
+        py: Python<'_>,
+        grid: stickslip::Grid,
+        solver: impl FnOnce() -> stickslip::Result<stickslip::TangentialSolver> + Send,
+    ) -> PyResult<Self> {
+        Reused::new(py, grid, solver).map(Self)
+    }
+}
+
+solver!(TangentialSolver: TangentialSolution);
+
+#[pymethods]
+impl TangentialSolver {
+    /// Solves, for this load if one is given, else for that of before.
+    ///
+    /// Parameters
+    /// ----------
+    /// load, force, shift, spring, force_x, ... : optional
+    ///     As of :class:`TangentialProblem`.
+    /// progress, warn : optional
+    ///     As of :meth:`NormalProblem.solve`.
+    ///
+    /// Returns
+    /// -------
+    /// TangentialSolution
+    ///
+    /// Raises
+    /// ------
+    /// NotFinite, NotPositive, ObliqueLoad, NotModelled, BeyondFrictionCapacity
+    ///     For the load, which is then as it was.
+    /// NotConverged
+    ///     With ``report`` and ``last_iterate``.
+    #[pyo3(signature = (load=None, *, force=None, shift=None, spring=None, force_x=None, force_y=None, shift_x=None,
+        shift_y=None, spring_x=None, spring_y=None, twist=None, progress=None, warn=false))]
+    fn solve<'py>(
+        &self,
+        py: Python<'py>,
+        load: Option<TangentialLoad>,
+        force: Option<[f64; 2]>,
+        shift: Option<[f64; 2]>,
+        spring: Option<([f64; 2], f64)>,
+        force_x: Option<f64>,
+        force_y: Option<f64>,
+        shift_x: Option<f64>,
+        shift_y: Option<f64>,
+        spring_x: Option<(f64, f64)>,
+        spring_y: Option<(f64, f64)>,
+        twist: Option<f64>,
+        progress: Option<Bound<'py, PyAny>>,
+        warn: bool,
+    ) -> PyResult<Bound<'py, TangentialSolution>> {
+        let keywords = Keywords::new(
+            (force, shift, spring),
+            [force_x, force_y],
+            [shift_x, shift_y],
+            [spring_x, spring_y],
+            twist,
+        );
+        let is_new = load.is_some() || !keywords.is_empty();
+        let load = keywords.load_or(load)?;
+        let set = |solver: &mut stickslip::TangentialSolver| {
+            if is_new {
+                unobserved(py, self.0.grid().cells(), || solver.set_load(load))?;
+            }
+            Ok(())
+        };
+        self.0.solve(py, set, progress, warn)
+    }
+
+    /// Changes the friction of the next solve.
+    fn set_friction(&self, py: Python<'_>, friction: AnyFriction<'_>) -> PyResult<()> {
+        let friction = friction.on(py, self.0.grid())?;
+        self.0.change(py, |solver| solver.set_friction(&friction))
+    }
+
+    /// Changes the pressure of the next solve.
+    fn set_pressure(&self, py: Python<'_>, pressure: Pressure<'_>) -> PyResult<()> {
+        let pressure = pressure.given(py, self.0.grid())?;
+        self.0
+            .change(py, |solver| solver.set_pressure(pressure.source()))
+    }
+
+    /// Changes the relative displacement of the next solve.
+    fn set_relative_displacement(
+        &self,
+        py: Python<'_>,
+        relative: RelativeDisplacement,
+    ) -> PyResult<()> {
+        let changed = self
+            .0
+            .with(|solver| solver.set_relative_displacement(&relative.0))?;
+        changed.or_raise(py)
+    }
+
+    /// Largest tangential force that friction holds: the integral of the friction limit.
+    #[getter]
+    fn friction_capacity(&self) -> PyResult<f64> {
+        self.0.with(|solver| solver.friction_capacity())
+    }
+}

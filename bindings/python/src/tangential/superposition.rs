@@ -1,0 +1,67 @@
+//! Traction as the difference of two pressures.
+
+use pyo3::prelude::*;
+
+use crate::array::{Array, view, zones};
+use crate::error::OrRaise;
+use crate::material::ElasticPair;
+use crate::normal::NormalSolution;
+
+/// Jaeger's superposition: the traction of a contact under one force as the difference of two pressures.
+///
+/// Parameters
+/// ----------
+/// full, stick : NormalSolution
+///     The contact, and the one whose contact is the stick zone.
+/// pair : ElasticPair
+/// friction : float
+#[pyclass(frozen, module = "stickslip.tangential")]
+pub(crate) struct JaegerSuperposition(stickslip::tangential::JaegerSuperposition);
+
+#[pymethods]
+impl JaegerSuperposition {
+    #[new]
+    fn new(
+        py: Python<'_>,
+        full: &NormalSolution,
+        stick: &NormalSolution,
+        pair: &ElasticPair,
+        friction: f64,
+    ) -> PyResult<Self> {
+        let (full, stick) = (full.get(), stick.get());
+        let found = stickslip::tangential::JaegerSuperposition::new(full, stick, &pair.0, friction);
+        found.or_raise(py).map(Self)
+    }
+
+    /// The traction along the load (pressures).
+    #[getter]
+    fn traction<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
+        view(slf, |found| found.0.traction())
+    }
+
+    /// The zone of every cell, as of :attr:`TangentialSolution.zones`.
+    #[getter]
+    fn zones<'py>(&self, py: Python<'py>) -> Array<'py> {
+        zones(py, self.0.traction().grid(), self.0.zones())
+    }
+
+    /// The shift (a length).
+    #[getter]
+    fn shift(&self) -> f64 {
+        self.0.shift()
+    }
+
+    /// The force.
+    #[getter]
+    fn force(&self) -> f64 {
+        self.0.force()
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "JaegerSuperposition(force={}, shift={})",
+            self.0.force(),
+            self.0.shift()
+        )
+    }
+}
