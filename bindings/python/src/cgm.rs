@@ -1,7 +1,7 @@
 //! The engine: constrained minima of quadratic forms, with any operator.
 
 use std::ops::ControlFlow;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::exceptions::{PyTypeError, PyValueError};
@@ -63,11 +63,8 @@ impl Function {
         })
     }
 
-    fn raised(&self) -> Option<PyErr> {
-        self.raised
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .take()
+    fn raised(&self) -> MutexGuard<'_, Option<PyErr>> {
+        self.raised.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
@@ -83,8 +80,7 @@ impl Product for Function {
     fn apply(&self, x: &[f64], out: &mut [f64]) {
         if let Err(exception) = self.product(x, out) {
             out.fill(f64::NAN);
-            let mut raised = self.raised.lock().unwrap_or_else(PoisonError::into_inner);
-            raised.get_or_insert(exception);
+            self.raised().get_or_insert(exception);
         }
     }
 
@@ -152,18 +148,25 @@ impl Minimum {
 /// operator : LinearOperator or callable
 ///     The symmetric operator C; a callable is given an array of the unknowns and returns their product.
 /// linear : array_like
+///     The linear term, as many numbers as there are unknowns.
 /// lower, upper : float or array_like, optional
-///     0 and infinity by default.
+///     Bounds of the unknowns; 0 and infinity by default.
 /// total : float, optional
+///     Sum of the unknowns; free by default.
 /// spring : (far_end, compliance), optional
 ///     Instead of a total: the multiplier is ``far_end - compliance * sum(x)``.
 /// preconditioner : LinearOperator, optional
+///     An approximation of the inverse of C; none by default.
 /// lower_bound : float, default 0
-///     Of the smallest eigenvalue of a callable: it certifies the error.
+///     A lower bound of the smallest eigenvalue of a callable, by which the error is certified.
 /// start : array_like, optional
-/// settings, tolerance, method, max_iterations, time_limit : optional
-///     As of :class:`Settings`.
+///     Where the iteration starts; zero by default.
+/// settings : Settings, optional
+///     Method, tolerance and limits; those of ``Settings()`` by default.
+/// tolerance, method, max_iterations, time_limit : optional
+///     As of :class:`Settings`; they take precedence over ``settings``.
 /// progress : callable or bool, optional
+///     As of :meth:`NormalProblem.solve`.
 ///
 /// Returns
 /// -------
@@ -255,14 +258,10 @@ pub(crate) fn minimise<'py>(
         let constraint = Bounds { lower, upper };
         let problem = Problem::new(Shared(product), [linear], constraint).totals([total]);
         let stop = |iteration: &Iteration| {
-            let has_failed = function.as_ref().is_some_and(|function| {
-                let raised = function
-                    .raised
-                    .lock()
-                    .unwrap_or_else(PoisonError::into_inner);
-                raised.is_some()
-            });
-            if has_failed {
+            if function
+                .as_ref()
+                .is_some_and(|function| function.raised().is_some())
+            {
                 ControlFlow::Break(())
             } else {
                 observer(Some(iteration))
@@ -273,7 +272,7 @@ pub(crate) fn minimise<'py>(
             Some(given) => minimum(&problem.preconditioner(given), &settings, &mut x, stop),
         }
     })?;
-    if let Some(exception) = function.and_then(|function| function.raised()) {
+    if let Some(exception) = function.and_then(|function| function.raised().take()) {
         return Err(exception);
     }
     let (multiplier, report, error) = match outcome {

@@ -1,0 +1,130 @@
+//! Explicit matrices.
+
+use std::sync::Arc;
+
+use pyo3::prelude::*;
+use stickslip::Operator;
+use stickslip::influence::Component;
+
+use crate::array::{Array, view_slice};
+use crate::choice::Choice;
+use crate::error::OrRaise;
+use crate::half_space::HalfSpace;
+use crate::operator::{LinearOperator, numbers};
+use crate::work::unobserved;
+
+/// An explicit square matrix, of at most 4096 unknowns.
+///
+/// Parameters
+/// ----------
+/// rows : array_like of shape (n, n)
+///     Symmetric.
+///
+/// Raises
+/// ------
+/// TooManyCells, Sample
+#[pyclass(frozen, extends = LinearOperator, module = "stickslip.dense")]
+pub(crate) struct DenseOperator(Arc<stickslip::dense::DenseOperator>);
+
+#[pymethods]
+impl DenseOperator {
+    #[new]
+    fn new(py: Python<'_>, rows: Bound<'_, PyAny>) -> PyResult<PyClassInitializer<Self>> {
+        let len = rows.len()?;
+        let entries = numbers(&rows, len.saturating_mul(len))?;
+        let matrix = stickslip::dense::DenseOperator::from_rows(len, entries.as_slice()?.to_vec());
+        Ok(Self::of(matrix.or_raise(py)?))
+    }
+
+    /// The matrix of one influence coefficient between all cells of a half-space.
+    #[staticmethod]
+    fn of_half_space(
+        py: Python<'_>,
+        bodies: &HalfSpace,
+        component: Choice<Component>,
+    ) -> PyResult<Py<Self>> {
+        let matrix = unobserved(py, bodies.0.grid().cells(), || {
+            stickslip::dense::DenseOperator::of_half_space(&bodies.0, component.0)
+        })?;
+        Py::new(py, Self::of(matrix))
+    }
+
+    /// The entry of a row and a column; ``None`` outside the matrix.
+    fn get(&self, row: usize, column: usize) -> Option<f64> {
+        self.0.get(row, column)
+    }
+
+    /// Minimises ``x'Cx/2 + linear'x`` within bounds, with ``sum(x) = total`` if given, directly.
+    ///
+    /// Parameters
+    /// ----------
+    /// linear : array_like
+    ///     As many numbers as there are unknowns.
+    /// lower, upper : float or array_like, optional
+    ///     Bounds of the unknowns; 0 and infinity by default.
+    /// total : float, optional
+    ///     Sum of the unknowns; free by default.
+    ///
+    /// Returns
+    /// -------
+    /// DenseMinimum
+    ///
+    /// Raises
+    /// ------
+    /// Sample, Bounds, Total, NotPositiveDefinite, NotConverged
+    #[pyo3(signature = (linear, *, lower=None, upper=None, total=None))]
+    fn minimise(
+        &self,
+        py: Python<'_>,
+        linear: Bound<'_, PyAny>,
+        lower: Option<Bound<'_, PyAny>>,
+        upper: Option<Bound<'_, PyAny>>,
+        total: Option<f64>,
+    ) -> PyResult<DenseMinimum> {
+        let cells = Operator::cells(&*self.0);
+        let linear = numbers(&linear, cells)?;
+        let linear = linear.as_slice()?;
+        let bounds = crate::cgm::bounds(lower, upper, cells)?;
+        let found = unobserved(py, cells.saturating_mul(cells), || {
+            let [lower, upper] = bounds.each_ref().map(|bound| &bound[..]);
+            self.0
+                .minimise(linear, &stickslip::cgm::Bounds { lower, upper }, total)
+        })?;
+        Ok(DenseMinimum(found))
+    }
+}
+
+impl DenseOperator {
+    fn of(matrix: stickslip::dense::DenseOperator) -> PyClassInitializer<Self> {
+        let matrix = Arc::new(matrix);
+        let operator = LinearOperator::of("DenseOperator", Arc::clone(&matrix));
+        PyClassInitializer::from(operator).add_subclass(Self(matrix))
+    }
+}
+
+/// What a direct minimisation found.
+#[pyclass(frozen, module = "stickslip.dense")]
+pub(crate) struct DenseMinimum(stickslip::dense::DenseMinimum);
+
+#[pymethods]
+impl DenseMinimum {
+    /// The unknowns.
+    #[getter]
+    fn x<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
+        view_slice(slf, |minimum| &minimum.0.x)
+    }
+
+    /// The multiplier of the total; zero without one.
+    #[getter]
+    fn multiplier(&self) -> f64 {
+        self.0.multiplier
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "DenseMinimum({} unknowns, multiplier={:.6e})",
+            self.0.x.len(),
+            self.0.multiplier
+        )
+    }
+}

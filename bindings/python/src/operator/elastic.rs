@@ -1,0 +1,148 @@
+//! Operators of elastic bodies, by fast transforms.
+
+use std::sync::Mutex;
+
+use numpy::PyArrayMethods;
+use pyo3::prelude::*;
+use stickslip::influence::{Component, Direction};
+use stickslip::{Operator, fft};
+
+use crate::array::Array;
+use crate::choice::Choice;
+use crate::grid::Grid;
+use crate::half_space::HalfSpace;
+use crate::held::lock;
+use crate::material::ElasticPair;
+use crate::operator::{LinearOperator, numbers, target};
+use crate::work::unobserved;
+
+#[pymethods]
+impl HalfSpace {
+    /// The operator of one component on the whole grid, made at the first call: displacement first, traction second.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import numpy as np, stickslip
+    /// >>> grid = stickslip.Grid(5, 3, 1.0, 1.0)
+    /// >>> bodies = stickslip.HalfSpace(grid, (stickslip.Material(1.0, 0.3), stickslip.Material.rigid()))
+    /// >>> bodies.operator("zz")(np.ones(grid.shape)).shape
+    /// (3, 5)
+    fn operator(&self, py: Python<'_>, component: Choice<Component>) -> PyResult<LinearOperator> {
+        let cells = self.0.grid().cells();
+        let operator = unobserved(py, cells, || self.0.operator(component.0))?;
+        Ok(LinearOperator::of("ElasticOperator", operator))
+    }
+
+    /// The circulant preconditioner of one component; ``None`` for all but xx, yy and zz.
+    fn preconditioner(
+        &self,
+        py: Python<'_>,
+        component: Choice<Component>,
+    ) -> PyResult<Option<LinearOperator>> {
+        let cells = self.0.grid().cells();
+        let made = unobserved(py, cells, || self.0.preconditioner(component.0))?;
+        Ok(made.map(|operator| LinearOperator::of("ElasticPreconditioner", operator)))
+    }
+
+    /// The operator of all three directions: displacements along x, y and z from tractions along x, y and z.
+    fn tensor_operator(&self, py: Python<'_>) -> PyResult<TensorOperator> {
+        let cells = self.0.grid().cells();
+        let directions = [Direction::X, Direction::Y, Direction::Z];
+        let operator = unobserved(py, cells, || self.0.tensor_operator(directions))?;
+        let workspace = Mutex::new(operator.workspace());
+        Ok(TensorOperator {
+            operator,
+            workspace,
+        })
+    }
+}
+
+type Three = stickslip::ElasticOperator<3>;
+
+/// Displacements along x, y and z from tractions along x, y and z; made by :meth:`HalfSpace.tensor_operator`. One thread
+/// at a time may use it.
+#[pyclass(frozen, module = "stickslip.cgm")]
+pub(crate) struct TensorOperator {
+    operator: Three,
+    workspace: Mutex<<Three as Operator<3>>::Workspace>,
+}
+
+#[pymethods]
+impl TensorOperator {
+    /// Cells of each component.
+    #[getter]
+    fn cells(&self) -> usize {
+        self.operator.cells()
+    }
+
+    /// The product with three arrays, tractions along x, y and z (pressures), which are read where they lie; returns the
+    /// displacements along x, y and z (lengths).
+    fn apply<'py>(
+        &self,
+        py: Python<'py>,
+        tractions: [Bound<'py, PyAny>; 3],
+    ) -> PyResult<(Array<'py>, Array<'py>, Array<'py>)> {
+        let cells = self.operator.cells();
+        let [x, y, z] = tractions;
+        let [x, y, z] = [
+            numbers(&x, cells)?,
+            numbers(&y, cells)?,
+            numbers(&z, cells)?,
+        ];
+        let to = [target(&x, None)?, target(&y, None)?, target(&z, None)?];
+        {
+            let [mut u, mut v, mut w] = to.each_ref().map(PyArrayMethods::readwrite);
+            let from = [x.as_slice()?, y.as_slice()?, z.as_slice()?];
+            let into = [u.as_slice_mut()?, v.as_slice_mut()?, w.as_slice_mut()?];
+            let mut workspace = lock(&self.workspace, "operator")?;
+            let workspace = &mut *workspace;
+            unobserved(py, cells, || {
+                self.operator.apply(from, into, workspace);
+                Ok(())
+            })?;
+        }
+        Ok(to.map(|array| Array(array.into_any())).into())
+    }
+
+    fn __repr__(&self) -> String {
+        format!("TensorOperator({} cells)", self.operator.cells())
+    }
+}
+
+/// The convolution with an influence coefficient by fast transforms.
+///
+/// Parameters
+/// ----------
+/// grid : Grid
+///     The cells.
+/// pair : ElasticPair
+///     The two bodies.
+/// component : Component or str
+///     Displacement first, traction second.
+/// periodic : bool, default False
+///     Whether the grid repeats along x and y.
+#[pyclass(frozen, extends = LinearOperator, module = "stickslip.fft")]
+pub(crate) struct Convolution;
+
+#[pymethods]
+impl Convolution {
+    #[new]
+    #[pyo3(signature = (grid, pair, component, *, periodic=false))]
+    fn new(
+        py: Python<'_>,
+        grid: &Grid,
+        pair: &ElasticPair,
+        component: Choice<Component>,
+        periodic: bool,
+    ) -> PyResult<PyClassInitializer<Self>> {
+        let made = unobserved(py, grid.0.cells(), || {
+            if periodic {
+                Ok(fft::Convolution::periodic(grid.0, &pair.0, component.0))
+            } else {
+                fft::Convolution::new(grid.0, &pair.0, component.0)
+            }
+        })?;
+        let operator = LinearOperator::of("Convolution", made);
+        Ok(PyClassInitializer::from(operator).add_subclass(Self))
+    }
+}

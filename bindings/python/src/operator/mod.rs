@@ -1,0 +1,207 @@
+//! Linear operators from tractions to displacements, on arrays whose memory is read and written in place.
+
+mod dense;
+mod elastic;
+
+pub(crate) use dense::{DenseMinimum, DenseOperator};
+pub(crate) use elastic::{Convolution, TensorOperator};
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use numpy::{PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use stickslip::Operator;
+
+use crate::array::Array;
+use crate::work::unobserved;
+
+/// An operator of one component a cell, whatever its kind.
+pub(crate) trait Product: Send + Sync {
+    fn cells(&self) -> usize;
+
+    fn lower_bound(&self) -> f64;
+
+    fn apply(&self, x: &[f64], out: &mut [f64]);
+
+    fn apply_f32(&self, x: &[f64], out: &mut [f64]);
+}
+
+/// An operator of the crate, with workspaces for as many products as run at once.
+struct Kept<O: Operator> {
+    operator: O,
+    workspaces: Mutex<Vec<O::Workspace>>,
+}
+
+impl<O: Operator> Kept<O> {
+    fn with_workspace(&self, work: impl FnOnce(&mut O::Workspace)) {
+        let kept = || {
+            self.workspaces
+                .lock()
+                .unwrap_or_else(PoisonError::into_inner)
+        };
+        let free = kept().pop();
+        let mut workspace = free.unwrap_or_else(|| self.operator.workspace());
+        work(&mut workspace);
+        kept().push(workspace);
+    }
+}
+
+impl<O: Operator + Send> Product for Kept<O>
+where
+    O::Workspace: Send,
+{
+    fn cells(&self) -> usize {
+        self.operator.cells()
+    }
+
+    fn lower_bound(&self) -> f64 {
+        self.operator.lower_bound()
+    }
+
+    fn apply(&self, x: &[f64], out: &mut [f64]) {
+        self.with_workspace(|workspace| self.operator.apply([x], [out], workspace));
+    }
+
+    fn apply_f32(&self, x: &[f64], out: &mut [f64]) {
+        self.with_workspace(|workspace| self.operator.apply_f32([x], [out], workspace));
+    }
+}
+
+/// A linear operator from tractions to displacements, one number a cell.
+///
+/// Made by :meth:`HalfSpace.operator`, :meth:`HalfSpace.preconditioner`, :class:`stickslip.fft.Convolution`,
+/// :class:`stickslip.dense.DenseOperator` or :func:`stickslip.cgm.identity`.
+#[pyclass(frozen, subclass, module = "stickslip.cgm")]
+pub(crate) struct LinearOperator {
+    pub(crate) product: Arc<dyn Product>,
+    kind: &'static str,
+}
+
+impl LinearOperator {
+    pub(crate) fn of<O>(kind: &'static str, operator: O) -> Self
+    where
+        O: Operator + Send + 'static,
+        O::Workspace: Send,
+    {
+        let workspaces = Mutex::new(Vec::new());
+        let product = Arc::new(Kept {
+            operator,
+            workspaces,
+        });
+        Self { product, kind }
+    }
+}
+
+/// So many numbers as a contiguous array; any other array is copied.
+pub(crate) fn numbers<'py>(
+    object: &Bound<'py, PyAny>,
+    cells: usize,
+) -> PyResult<PyReadonlyArrayDyn<'py, f64>> {
+    let numpy = object.py().import("numpy")?;
+    let array = numpy.call_method1("ascontiguousarray", (object, "float64"))?;
+    let array: PyReadonlyArrayDyn<'py, f64> = array.extract()?;
+    if array.len() == cells {
+        Ok(array)
+    } else {
+        let found = array.len();
+        Err(PyValueError::new_err(format!(
+            "an array of {found} numbers, expected {cells}"
+        )))
+    }
+}
+
+/// Where a product goes: an array that is given, or a new one of the shape of another.
+pub(super) fn target<'py>(
+    like: &PyReadonlyArrayDyn<'py, f64>,
+    out: Option<Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+    match out {
+        None => Ok(PyArrayDyn::zeros(like.py(), like.shape(), false)),
+        Some(out) => {
+            let out = out
+                .cast_into::<PyArrayDyn<f64>>()
+                .map_err(|_| PyTypeError::new_err("out must be a C-contiguous array of float64"))?;
+            if out.len() == like.len() && out.is_c_contiguous() {
+                Ok(out)
+            } else {
+                Err(PyValueError::new_err(
+                    "out must be C-contiguous and of the size of x",
+                ))
+            }
+        }
+    }
+}
+
+#[pymethods]
+impl LinearOperator {
+    /// Unknowns.
+    #[getter]
+    fn cells(&self) -> usize {
+        self.product.cells()
+    }
+
+    /// A lower bound of the smallest eigenvalue.
+    #[getter]
+    fn lower_bound(&self) -> f64 {
+        self.product.lower_bound()
+    }
+
+    /// The product with an array of as many numbers as there are cells, which is read where it lies.
+    ///
+    /// Parameters
+    /// ----------
+    /// x : array_like
+    ///     Tractions (pressures), as many numbers as there are cells.
+    /// out : ndarray, optional
+    ///     Where the result goes: C-contiguous, of float64, not overlapping ``x``.
+    ///
+    /// Returns
+    /// -------
+    /// ndarray of the shape of ``x``
+    ///     Displacements (lengths).
+    #[pyo3(signature = (x, out=None))]
+    fn apply<'py>(
+        &self,
+        py: Python<'py>,
+        x: Bound<'py, PyAny>,
+        out: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Array<'py>> {
+        let x = numbers(&x, self.product.cells())?;
+        let target = target(&x, out)?;
+        {
+            let refused = |_| PyValueError::new_err("out overlaps x, or is read-only");
+            let mut writable = target.try_readwrite().map_err(refused)?;
+            let (from, to) = (x.as_slice()?, writable.as_slice_mut()?);
+            unobserved(py, from.len(), || {
+                self.product.apply(from, to);
+                Ok(())
+            })?;
+        }
+        Ok(Array(target.into_any()))
+    }
+
+    fn __call__<'py>(&self, py: Python<'py>, x: Bound<'py, PyAny>) -> PyResult<Array<'py>> {
+        self.apply(py, x, None)
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "LinearOperator({}, {} cells)",
+            self.kind,
+            self.product.cells()
+        )
+    }
+}
+
+/// The operator that changes nothing.
+#[pyfunction]
+pub(crate) fn identity(cells: usize) -> PyResult<LinearOperator> {
+    if cells == 0 {
+        return Err(PyRuntimeError::new_err("no cells"));
+    }
+    Ok(LinearOperator::of(
+        "Identity",
+        stickslip::Identity::new(cells),
+    ))
+}

@@ -1,0 +1,36 @@
+//! Surfaces: shapes, roughness, statistics, preparation.
+
+mod power_spectrum;
+mod preparation;
+mod roughness;
+mod shapes;
+mod statistics;
+
+pub(crate) use power_spectrum::PowerSpectrum;
+pub(crate) use preparation::{
+    Filled, Levelled, crop, fill_missing, gap_between, gap_from_heights, inverted, level, mirror_x,
+    resample, sum,
+};
+pub(crate) use roughness::{RoughSurface, SelfAffine};
+pub(crate) use shapes::{
+    bisinusoidal, cone, cylinder, ellipsoid, flat_punch, paraboloid, sinusoidal, sphere,
+};
+pub(crate) use statistics::Statistics;
+
+/// Numbers with getters of the same name.
+macro_rules! numbers {
+    ($class:ident: $($(#[$doc:meta])* $number:ident),+ $(,)?) => {
+        #[pymethods]
+        impl $class {
+            $(
+                $(#[$doc])*
+                #[getter]
+                fn $number(&self) -> f64 {
+                    self.0.$number()
+                }
+            )+
+        }
+    };
+}
+
+use numbers;

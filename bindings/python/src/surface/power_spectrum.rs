@@ -1,0 +1,72 @@
+//! The power spectrum of surfaces.
+
+use numpy::IntoPyArray;
+use pyo3::prelude::*;
+use stickslip::surface;
+
+use crate::array::{Array, view_slice};
+use crate::field::Samples;
+use crate::surface::numbers;
+use crate::work::unobserved;
+
+/// The radial average of the power spectrum of a surface that repeats.
+///
+/// Parameters
+/// ----------
+/// heights : Field or topography
+///     Lengths, none missing.
+#[pyclass(frozen, eq, module = "stickslip.surface")]
+#[derive(Clone, PartialEq)]
+pub(crate) struct PowerSpectrum(surface::PowerSpectrum);
+
+numbers! { PowerSpectrum:
+    /// Nayak's parameter.
+    nayak_parameter,
+    /// Root mean square of the mean curvature (one over a length).
+    rms_mean_curvature,
+}
+
+#[pymethods]
+impl PowerSpectrum {
+    #[new]
+    fn new(py: Python<'_>, heights: Samples<'_>) -> PyResult<Self> {
+        let heights = heights.alone("heights")?;
+        unobserved(py, heights.grid().cells(), || {
+            surface::PowerSpectrum::of(&heights)
+        })
+        .map(Self)
+    }
+
+    /// Wave numbers of the rings (one over a length).
+    #[getter]
+    fn wave_numbers<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
+        view_slice(slf, |spectrum| spectrum.0.wave_numbers())
+    }
+
+    /// Their mean spectral density (a length to the fourth).
+    #[getter]
+    fn values<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
+        view_slice(slf, |spectrum| spectrum.0.values())
+    }
+
+    /// Waves in each ring.
+    #[getter]
+    fn modes<'py>(&self, py: Python<'py>) -> Array<'py> {
+        let modes: Vec<u64> = self.0.modes().iter().map(|&modes| modes as u64).collect();
+        Array(modes.into_pyarray(py).into_any())
+    }
+
+    /// Spectral moments m0 (a length squared), m2 (a number) and m4 (one over a length squared).
+    #[getter]
+    fn moments(&self) -> (f64, f64, f64) {
+        self.0.moments().into()
+    }
+
+    fn __repr__(&self) -> String {
+        let rings = self.0.values().len();
+        format!(
+            "PowerSpectrum({rings} rings, nayak_parameter={:.4})",
+            self.0.nayak_parameter()
+        )
+    }
+}

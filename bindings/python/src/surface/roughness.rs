@@ -1,0 +1,171 @@
+//! Generated rough surfaces.
+
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use stickslip::surface;
+
+use crate::array::{Array, view};
+use crate::choice::Choice;
+use crate::field::Field;
+use crate::grid::{Grid, size};
+use crate::half_space::HalfSpace;
+use crate::pickle::picklable;
+use crate::surface::numbers;
+use crate::work::unobserved;
+
+/// A recipe of self-affine roughness, which stays the same surface when the grid is refined.
+///
+/// Parameters
+/// ----------
+/// rms_height, rms_slope : float
+///     One of the two: the root mean square of the heights (a length), or that of the gradient (dimensionless).
+/// hurst : float, default 0.8
+///     The Hurst exponent, in [0, 1]; the fractal dimension is 3 less this.
+/// longest_wavelength : float, optional
+///     Where the spectrum begins (a length); the longer side of the grid by default.
+/// roll_off_wavelength : float, optional
+///     Where the plateau of the spectrum ends and it begins to fall (a length); the longest wavelength by default, without
+///     plateau.
+/// cut_off_wavelength : float, optional
+///     Where the spectrum ends (a length), at least two cells; eight cells, of their longer side, by default.
+/// amplitudes : Amplitudes or str, default "exact"
+///     "exact" gives each wave the amplitude of the spectrum, and only its phase is random; "gaussian" scatters the
+///     amplitudes too, as filtered white noise does.
+/// cropped : bool, default False
+///     Whether the surface is the middle of a larger one, and does not repeat.
+/// skewness, kurtosis : float, optional
+///     Of the heights (kurtosis 3 of Gaussian heights); as they follow from the phases by default.
+/// seed : int, default 0
+///     Not negative; another seed is another surface.
+///
+/// Examples
+/// --------
+/// >>> import stickslip
+/// >>> recipe = stickslip.surface.SelfAffine(rms_slope=0.1, hurst=0.8, seed=1)
+/// >>> rough = recipe.generate(stickslip.Grid.square(64, 1.0))
+/// >>> round(rough.rms_slope, 6)
+/// 0.1
+#[pyclass(frozen, eq, module = "stickslip.surface")]
+#[derive(Clone, PartialEq)]
+pub(crate) struct SelfAffine(surface::SelfAffine);
+
+#[pymethods]
+impl SelfAffine {
+    #[new]
+    #[pyo3(signature = (*, rms_height=None, rms_slope=None, hurst=None, longest_wavelength=None,
+        roll_off_wavelength=None, cut_off_wavelength=None, amplitudes=None, cropped=false, skewness=None,
+        kurtosis=None, seed=None))]
+    fn new(
+        rms_height: Option<f64>,
+        rms_slope: Option<f64>,
+        hurst: Option<f64>,
+        longest_wavelength: Option<f64>,
+        roll_off_wavelength: Option<f64>,
+        cut_off_wavelength: Option<f64>,
+        amplitudes: Option<Choice<surface::Amplitudes>>,
+        cropped: bool,
+        skewness: Option<f64>,
+        kurtosis: Option<f64>,
+        seed: Option<u64>,
+    ) -> PyResult<Self> {
+        use surface::SelfAffine as Recipe;
+        type Setting = (Option<f64>, fn(Recipe, f64) -> Recipe);
+        let mut recipe = match (rms_height, rms_slope) {
+            (Some(height), None) => Recipe::with_rms_height(height),
+            (None, Some(slope)) => Recipe::with_rms_slope(slope),
+            _ => {
+                return Err(PyTypeError::new_err("give one of rms_height and rms_slope"));
+            }
+        };
+        let numbers: [Setting; 6] = [
+            (hurst, Recipe::hurst),
+            (longest_wavelength, Recipe::longest_wavelength),
+            (roll_off_wavelength, Recipe::roll_off_wavelength),
+            (cut_off_wavelength, Recipe::cut_off_wavelength),
+            (skewness, Recipe::skewness),
+            (kurtosis, Recipe::kurtosis),
+        ];
+        for (number, set) in numbers {
+            if let Some(number) = number {
+                recipe = set(recipe, number);
+            }
+        }
+        if let Some(amplitudes) = amplitudes {
+            recipe = recipe.amplitudes(amplitudes.0);
+        }
+        if cropped {
+            recipe = recipe.cropped();
+        }
+        if let Some(seed) = seed {
+            recipe = recipe.seed(seed);
+        }
+        Ok(Self(recipe))
+    }
+
+    /// The surface on a grid.
+    ///
+    /// Raises
+    /// ------
+    /// NotPositive, NotFinite, Hurst, Below, EmptyBand, HeightsNotReached, Memory
+    fn generate(&self, py: Python<'_>, grid: &Grid) -> PyResult<RoughSurface> {
+        unobserved(py, grid.0.cells(), || self.0.generate(grid.0)).map(RoughSurface)
+    }
+
+    /// The heights on the grid of bodies (lengths).
+    fn generate_on(&self, py: Python<'_>, bodies: &HalfSpace) -> PyResult<Field> {
+        let cells = bodies.0.grid().cells();
+        unobserved(py, cells, || self.0.generate_on(&bodies.0)).map(Into::into)
+    }
+
+    fn __repr__(&self) -> String {
+        format!("{:?}", self.0)
+    }
+}
+
+picklable!(SelfAffine: surface::SelfAffine);
+
+/// A generated rough surface.
+#[pyclass(frozen, eq, module = "stickslip.surface")]
+#[derive(Clone, PartialEq)]
+pub(crate) struct RoughSurface(surface::RoughSurface);
+
+numbers! { RoughSurface:
+    /// Root mean square height (a length).
+    rms_height,
+    /// Root mean square slope.
+    rms_slope,
+    /// Skewness of the heights.
+    skewness,
+    /// Kurtosis of the heights.
+    kurtosis,
+}
+
+#[pymethods]
+impl RoughSurface {
+    /// Its heights (lengths), of zero mean.
+    #[getter]
+    fn heights(&self) -> Field {
+        self.0.heights().clone().into()
+    }
+
+    /// Read-only array of the heights, without a copy.
+    #[getter]
+    fn array<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
+        view(slf, |rough| rough.0.heights())
+    }
+
+    /// Iterations that a prescribed skewness or kurtosis took.
+    #[getter]
+    fn iterations(&self) -> usize {
+        self.0.iterations()
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "RoughSurface({}, rms_height={:.4e}, rms_slope={:.4e})",
+            size(self.0.heights().grid()),
+            self.0.rms_height(),
+            self.0.rms_slope()
+        )
+    }
+}

@@ -1,0 +1,43 @@
+//! The gaps under shapes.
+
+use pyo3::prelude::*;
+use stickslip::surface;
+
+use crate::field::Field;
+use crate::grid::Grid;
+use crate::work::unobserved;
+
+/// Shapes whose parameters are numbers.
+macro_rules! shapes {
+    ($($(#[$doc:meta])* $shape:ident($($parameter:ident: $type:ty),+);)+) => {$(
+        $(#[$doc])*
+        #[pyfunction]
+        pub(crate) fn $shape(py: Python<'_>, grid: &Grid, $($parameter: $type),+) -> PyResult<Field> {
+            let made = unobserved(py, grid.0.cells(), || surface::$shape(grid.0, $($parameter),+));
+            made.map(Into::into)
+        }
+    )+};
+}
+
+shapes! {
+    /// The gap under a sphere of this radius (a length): the paraboloid ``(x^2 + y^2) / (2 radius)`` of Hertz's theory.
+    /// Gaps are lengths, zero where the shape touches the plane.
+    sphere(radius: f64);
+    /// The gap ``x^2 / (2 radius_x) + y^2 / (2 radius_y)`` under a paraboloid of these radii of curvature (lengths).
+    ellipsoid(radius_x: f64, radius_y: f64);
+    /// The gap ``x^2 / (2 radius)`` under a cylinder of this radius (a length), whose axis is along y.
+    cylinder(radius: f64);
+    /// The gap ``(k_xx x^2 + 2 k_xy x y + k_yy y^2) / 2`` under a paraboloid of curvatures ``(k_xx, k_xy, k_yy)``
+    /// (one over lengths), of which no principal curvature is negative.
+    paraboloid(curvatures: [f64; 3]);
+    /// The gap ``slope * r`` under a cone; the slope is the tangent of the angle between cone and plane.
+    cone(slope: f64);
+    /// The gap under a flat punch of this radius: zero in the cells whose centre is below it, the recess in the others
+    /// (lengths). The recess only has to be deeper than the displacements.
+    flat_punch(radius: f64, recess: f64);
+    /// The gap ``amplitude * (1 - cos(2 pi x / wavelength))`` under straight waves (lengths), zero on their crests.
+    sinusoidal(amplitude: f64, wavelength: f64);
+    /// The gap ``amplitude * (1 - cos(2 pi x / wavelengths[0]) * cos(2 pi y / wavelengths[1]))`` under a product of waves
+    /// (lengths), zero on its crests.
+    bisinusoidal(amplitude: f64, wavelengths: [f64; 2]);
+}

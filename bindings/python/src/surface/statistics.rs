@@ -1,0 +1,66 @@
+//! Statistics of surfaces.
+
+use pyo3::prelude::*;
+use stickslip::surface;
+
+use crate::field::Samples;
+use crate::sequence::pair;
+use crate::surface::numbers;
+use crate::work::unobserved;
+
+/// Parameters of a surface after ISO 25178-2.
+///
+/// Parameters
+/// ----------
+/// heights : Field or topography
+///     Lengths, none missing.
+#[pyclass(frozen, eq, module = "stickslip.surface")]
+#[derive(Clone, PartialEq)]
+pub(crate) struct Statistics(surface::Statistics);
+
+numbers! { Statistics:
+    /// Mean height (a length).
+    mean_height,
+    /// Arithmetic mean height Sa (a length).
+    arithmetic_mean_height,
+    /// Root mean square height Sq (a length).
+    rms_height,
+    /// Skewness Ssk.
+    skewness,
+    /// Kurtosis Sku; 3 of Gaussian heights.
+    kurtosis,
+    /// Highest peak Sp above the mean (a length).
+    highest_peak,
+    /// Deepest valley Sv below the mean (a length).
+    deepest_valley,
+    /// Highest peak and deepest valley together, Sz (a length).
+    height_range,
+    /// Root mean square slope by differences of neighbours, Sdq.
+    finite_difference_rms_slope,
+    /// Root mean square slope by the spectrum, of a surface that repeats.
+    spectral_rms_slope,
+    /// Developed area ratio Sdr.
+    developed_area_ratio,
+}
+
+#[pymethods]
+impl Statistics {
+    #[new]
+    fn new(py: Python<'_>, heights: Samples<'_>) -> PyResult<Self> {
+        let heights = heights.alone("heights")?;
+        unobserved(py, heights.grid().cells(), || {
+            surface::Statistics::of(&heights)
+        })
+        .map(Self)
+    }
+
+    /// Root mean square slopes of profiles along x and y.
+    #[getter]
+    fn profile_rms_slope(&self) -> (f64, f64) {
+        pair(self.0.profile_rms_slope())
+    }
+
+    fn __repr__(&self) -> String {
+        format!("Statistics({})", self.0)
+    }
+}
