@@ -9,7 +9,8 @@ use crate::pickle::picklable;
 
 /// What lies beyond the edge of the grid.
 ///
-/// Wherever one is taken, ``"non_periodic"``, ``"periodic"`` and ``("periodic_along_y", datum)`` are too.
+/// Wherever one is taken, ``"non_periodic"``, ``"periodic"`` and ``("periodic_along_y", datum)`` are too. On a grid that
+/// repeats along x and y the approach is measured from the mean gap, and the shift from the mean plane of the surface.
 #[pyclass(frozen, eq, module = "stickslip")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Boundary(pub(crate) stickslip::Boundary);
@@ -24,8 +25,8 @@ impl Boundary {
     #[classattr]
     const PERIODIC: Self = Self(stickslip::Boundary::Periodic);
 
-    /// The grid repeats along y alone: cylinders, rollers, line contacts. The datum is the distance along x at which a
-    /// line load moves nothing (a length).
+    /// The grid repeats along y alone: cylinders, rollers, line contacts. The datum is the distance along x from a line
+    /// load at which it moves nothing (a length), at least the length of the grid; approach and shift are relative to it.
     #[staticmethod]
     fn periodic_along_y(datum: f64) -> Self {
         Self(stickslip::Boundary::PeriodicAlongY { datum })
@@ -41,7 +42,7 @@ impl Boundary {
         }
     }
 
-    /// The datum, of a grid that repeats along y alone.
+    /// The datum (a length) of a grid that repeats along y alone; else ``None``.
     #[getter]
     fn datum(&self) -> Option<f64> {
         match self.0 {

@@ -18,7 +18,7 @@ use crate::report::Report;
 use crate::settings::{Settings, chosen};
 use crate::work::solve;
 
-/// An operator as the engine takes it.
+/// An operator in the form that the engine takes.
 #[derive(Clone)]
 struct Shared(Arc<dyn Product>);
 

@@ -37,7 +37,7 @@ pub(crate) fn named(
     Ok(PyErr::from_value(value))
 }
 
-/// The exception of a solve that has not converged, which gives away its last iterate.
+/// The exception of an error; that of a solve that has not converged has the last iterate.
 pub(crate) fn with_iterate<'py>(
     py: Python<'py>,
     error: Error,

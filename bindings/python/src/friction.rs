@@ -15,16 +15,16 @@ use crate::pickle::picklable;
 ///
 /// Parameters
 /// ----------
-/// coefficient : float, or array_like of shape (ny, nx)
-///     Not negative.
+/// coefficient : float, Field or array_like of shape (ny, nx)
+///     Coefficient of friction mu (dimensionless), not negative.
 /// max_shear_stress : float, optional
-///     The shear strength of the weaker body (a pressure).
+///     The shear strength tau_max of the weaker body (a pressure), positive; no limit by default.
 /// grid : Grid, optional
 ///     Where an array lives; a Field knows it.
 ///
 /// Raises
 /// ------
-/// Negative, Sample, NotPositive
+/// Negative, Sample, Shape, NotPositive
 #[pyclass(frozen, eq, module = "stickslip")]
 #[derive(Clone, PartialEq)]
 pub(crate) struct Friction(pub(crate) stickslip::Friction);

@@ -12,9 +12,9 @@ use crate::pickle::picklable;
 /// Parameters
 /// ----------
 /// nx, ny : int
-///     Cells along x and y.
+///     Cells along x and y, at least one.
 /// dx, dy : float
-///     Sides of a cell (lengths).
+///     Sides of a cell along x and y (lengths), positive.
 ///
 /// Raises
 /// ------
@@ -37,7 +37,7 @@ impl Grid {
         stickslip::Grid::new(nx, ny, dx, dy).or_raise(py).map(Self)
     }
 
-    /// ``n`` x ``n`` square cells on a square of this side (a length).
+    /// ``n`` x ``n`` square cells on a square of this side (a length): the side of the square, not of a cell.
     #[staticmethod]
     fn square(py: Python<'_>, n: usize, side: f64) -> PyResult<Self> {
         stickslip::Grid::square(n, side).or_raise(py).map(Self)
@@ -85,13 +85,13 @@ impl Grid {
         self.0.cells()
     }
 
-    /// Area of a cell.
+    /// Area of a cell (a length squared).
     #[getter]
     fn cell_area(&self) -> f64 {
         self.0.cell_area()
     }
 
-    /// Area of all cells.
+    /// Area of all cells (a length squared).
     #[getter]
     fn area(&self) -> f64 {
         self.0.area()

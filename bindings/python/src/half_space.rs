@@ -12,9 +12,11 @@ use crate::material::{Bodies, ElasticPair};
 /// Parameters
 /// ----------
 /// grid : Grid
+///     The cells that may come into contact.
 /// pair : ElasticPair, or two Materials
+///     The two bodies; z points into the first.
 /// boundary : Boundary or str, default "non_periodic"
-///     "non_periodic", "periodic" or ("periodic_along_y", datum).
+///     What lies beyond the edge of the grid: "non_periodic", "periodic" or ("periodic_along_y", datum).
 ///
 /// Raises
 /// ------
@@ -55,7 +57,7 @@ impl HalfSpace {
     /// The two bodies.
     #[getter]
     fn pair(&self) -> ElasticPair {
-        ElasticPair(*self.0.pair())
+        self.0.pair().into()
     }
 
     /// What lies beyond the edge of the grid.

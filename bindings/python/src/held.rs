@@ -20,7 +20,7 @@ pub(crate) fn lock<'a, T>(place: &'a Mutex<T>, what: &str) -> PyResult<MutexGuar
 /// Solutions that were handed out, of which those that nobody holds any more are filled again.
 pub(crate) struct Spare<T>(Vec<Arc<T>>);
 
-/// A loop that gives each solution the same name holds one while the next is found.
+/// A loop that assigns each solution to the same name holds one while the next is found.
 const KEPT: usize = 2;
 
 impl<T> Spare<T> {

@@ -52,7 +52,11 @@ components!(xx, xy, xz, yx, yy, yz, zx, zy, zz);
 /// Parameters
 /// ----------
 /// a, b : float
-///     Half sides along x and y (lengths).
+///     Half sides along x and y (lengths), positive.
+///
+/// Raises
+/// ------
+/// NotPositive
 #[pyclass(frozen, module = "stickslip.influence")]
 pub(crate) struct Rectangle(influence::Rectangle);
 
@@ -63,12 +67,12 @@ impl Rectangle {
         influence::Rectangle::new(a, b).or_raise(py).map(Self)
     }
 
-    /// The coefficients of a body at a position from the centre.
+    /// The coefficients of a body at a position from the centre (lengths).
     fn tensor(&self, material: &Material, x: f64, y: f64) -> Tensor {
         Tensor(self.0.tensor(&material.0, x, y))
     }
 
-    /// The coefficients of a pair at a position from the centre.
+    /// The coefficients of a pair at a position from the centre (lengths).
     fn pair_tensor(&self, pair: &ElasticPair, x: f64, y: f64) -> Tensor {
         Tensor(self.0.pair_tensor(&pair.0, x, y))
     }
@@ -83,7 +87,9 @@ impl Rectangle {
 /// Parameters
 /// ----------
 /// grid : Grid
+///     The cells.
 /// pair : ElasticPair
+///     The two bodies.
 /// component : Component or str
 ///     Displacement first, traction second.
 #[pyclass(frozen, module = "stickslip.influence")]

@@ -24,7 +24,8 @@ fn sides(cell: Option<[f64; 2]>, size: Option<[f64; 2]>) -> PyResult<Sides> {
     }
 }
 
-/// A surface from a file, by its ending: ASC, SDF, SUR, X3P, XYZ.
+/// A surface from a file, by its ending: ASC, SDF, SUR, X3P, XYZ. Lengths are in metres, but in the
+/// unit of the file for XYZ.
 #[pyfunction]
 pub(crate) fn read(py: Python<'_>, path: PathBuf) -> PyResult<Field> {
     py.detach(|| io::read(&path)).or_raise(py).map(Into::into)
@@ -32,14 +33,14 @@ pub(crate) fn read(py: Python<'_>, path: PathBuf) -> PyResult<Field> {
 
 /// Formats that know their grid.
 macro_rules! formats {
-    ($($format:ident: $read:ident, $parse:ident, $doc:literal;)+) => {$(
-        #[doc = concat!("A surface from ", $doc, " file.")]
+    ($($format:ident: $read:ident, $parse:ident, $doc:literal, $unit:literal;)+) => {$(
+        #[doc = concat!("A surface from ", $doc, " file (lengths in ", $unit, ").")]
         #[pyfunction]
         pub(crate) fn $read(py: Python<'_>, path: PathBuf) -> PyResult<Field> {
             py.detach(|| io::$format::read(&path)).or_raise(py).map(Into::into)
         }
 
-        #[doc = concat!("A surface from the bytes of ", $doc, " file.")]
+        #[doc = concat!("A surface from the bytes of ", $doc, " file (lengths in ", $unit, ").")]
         #[pyfunction]
         pub(crate) fn $parse(py: Python<'_>, bytes: &[u8]) -> PyResult<Field> {
             py.detach(|| io::$format::parse(bytes)).or_raise(py).map(Into::into)
@@ -48,21 +49,21 @@ macro_rules! formats {
 }
 
 formats! {
-    asc: asc_read, asc_parse, "an ASC";
-    sdf: sdf_read, sdf_parse, "an SDF";
-    sur: sur_read, sur_parse, "a SUR";
-    x3p: x3p_read, x3p_parse, "an X3P";
-    xyz: xyz_read, xyz_parse, "an XYZ";
+    asc: asc_read, asc_parse, "an ASC", "metres";
+    sdf: sdf_read, sdf_parse, "an SDF", "metres";
+    sur: sur_read, sur_parse, "a SUR", "metres";
+    x3p: x3p_read, x3p_parse, "an X3P", "metres";
+    xyz: xyz_read, xyz_parse, "an XYZ", "the unit of the file";
 }
 
-/// Writes a surface as SDF.
+/// Writes a surface as SDF (lengths in metres).
 #[pyfunction]
 pub(crate) fn sdf_write(py: Python<'_>, path: PathBuf, field: Samples<'_>) -> PyResult<()> {
     let field = field.alone("field")?;
     py.detach(|| io::sdf::write(&path, &field)).or_raise(py)
 }
 
-/// A surface as the bytes of an SDF file.
+/// A surface as the bytes of an SDF file (lengths in metres).
 #[pyfunction]
 pub(crate) fn sdf_to_bytes<'py>(
     py: Python<'py>,
@@ -86,11 +87,17 @@ fn options(missing: Option<f64>, skip_rows: usize) -> io::csv::Options {
 /// Parameters
 /// ----------
 /// path : path_like
+///     The file.
 /// cell, size : pair of float
 ///     One of the two: sides of a cell, or of the grid (lengths).
 /// missing : float, optional
-///     The value that stands for a missing point.
+///     The value that stands for a missing point; none by default.
 /// skip_rows : int, default 0
+///     Rows before the matrix.
+///
+/// Raises
+/// ------
+/// File, Format, NotPositive
 #[pyfunction]
 #[pyo3(signature = (path, *, cell=None, size=None, missing=None, skip_rows=0))]
 pub(crate) fn csv_read(
@@ -141,7 +148,7 @@ pub(crate) fn csv_to_bytes<'py>(
     Ok(PyBytes::new(py, &io::csv::to_bytes(&field)))
 }
 
-/// A field from an NPY file, on cells or a grid of these sides (lengths).
+/// A field from an NPY file, on cells of the sides ``cell`` or a grid of the sides ``size`` (pairs of lengths).
 #[pyfunction]
 #[pyo3(signature = (path, *, cell=None, size=None))]
 pub(crate) fn npy_read(
@@ -246,6 +253,7 @@ impl Arrays {
 /// Parameters
 /// ----------
 /// path : path_like
+///     The file, which is replaced.
 /// fields : dict
 ///     Fields, or pairs of fields for vectors, by name.
 /// grid : Grid, optional
@@ -281,6 +289,7 @@ pub(crate) fn vti_to_bytes<'py>(
 /// Parameters
 /// ----------
 /// path : path_like
+///     The PVD file; the images are written beside it.
 #[pyclass(frozen, module = "stickslip.io.pvd")]
 pub(crate) struct Series(Mutex<io::pvd::Series>);
 

@@ -165,14 +165,18 @@ fn one_of<T>(object: Option<T>, is_without_keywords: bool, by_keywords: T) -> Py
 /// Parameters
 /// ----------
 /// force, shift : pair of float, optional
-///     Along x and y: the force that body 2 exerts on body 1; the shift of body 2 relative to body 1 (lengths).
+///     Along x and y, of either sign: the force that body 2 exerts on body 1; the shift of body 2 relative to body 1
+///     (lengths).
 /// spring : ((x, y), stiffness), optional
-///     Springs along both axes, by the position of their far ends.
+///     Springs along both axes that drag body 2, by the position of their far ends (lengths) and their stiffness (a force
+///     over a length, positive): the force is stiffness (position - shift).
 /// force_x, force_y, shift_x, shift_y : float, optional
 ///     The same along one axis.
 /// spring_x, spring_y : (position, stiffness), optional
+///     The same along one axis.
 /// twist : float, default 0
-///     Rotation of body 2 about the origin of the grid (radians). The vector model alone has it.
+///     Rotation of body 2 relative to body 1 about the origin of the grid (radians, positive from x to y). The vector model
+///     alone has it.
 #[pyclass(frozen, eq, module = "stickslip", from_py_object)]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct TangentialLoad(pub(crate) Load);
@@ -238,19 +242,22 @@ picklable!(TangentialLoad: Load);
 /// Parameters
 /// ----------
 /// normal_force, approach : float, optional
-///     One of the two; without either the pressure is held.
+///     One of the two, the normal force (not negative) or the approach of the bodies from the datum of the gap (a length,
+///     positive when they come together); without either the pressure is held.
 /// force, shift : pair of float, optional
-///     Along x and y, as totals since the start of the history: force that body 2 exerts on body 1, shift of body 2
-///     relative to body 1.
+///     Along x and y, of either sign, as totals since the start of the history: the force that body 2 exerts on body 1; the
+///     shift of body 2 relative to body 1 (lengths).
 /// spring : ((x, y), stiffness), optional
-///     Springs along both axes, by the position of their far ends.
+///     Springs along both axes that drag body 2, by the position of their far ends (lengths) and their stiffness (a force
+///     over a length, positive).
 /// force_x, force_y, shift_x, shift_y : float, optional
 ///     The same along one axis.
 /// spring_x, spring_y : (position, stiffness), optional
+///     The same along one axis.
 /// twist : float, optional
-///     Rotation since the start (radians). The vector model alone has it.
+///     Rotation of body 2 relative to body 1 since the start (radians, positive from x to y). The vector model alone has it.
 /// relative_displacement : float, optional
-///     Amount of the relative displacement of the history.
+///     Amount of the relative displacement of the history: a factor of its pattern.
 ///
 /// Examples
 /// --------

@@ -13,11 +13,12 @@ use crate::pickle::picklable;
 /// Parameters
 /// ----------
 /// youngs_modulus : float
-///     A pressure.
+///     Young's modulus (a pressure), positive.
 /// poisson_ratio : float
-///     In (-1, 0.5].
+///     Poisson's ratio, in (-1, 0.5].
 /// hardness : float, optional
-///     The pressure beyond which it flows: contacts warn beyond it. None by default.
+///     The hardness (a pressure), positive; none by default. Solutions that press harder warn, and nothing else changes: a
+///     problem whose pressure is to be limited takes a ``hardness`` of its own.
 ///
 /// Raises
 /// ------
@@ -67,25 +68,25 @@ impl Material {
         Self(stickslip::Material::rigid())
     }
 
-    /// Young's modulus; infinite of a rigid body.
+    /// Young's modulus (a pressure); infinite for a rigid body.
     #[getter]
     fn youngs_modulus(&self) -> f64 {
         self.0.youngs_modulus()
     }
 
-    /// Shear modulus.
+    /// Shear modulus (a pressure); infinite for a rigid body.
     #[getter]
     fn shear_modulus(&self) -> f64 {
         self.0.shear_modulus()
     }
 
-    /// Poisson's ratio.
+    /// Poisson's ratio; zero for a rigid body.
     #[getter]
     fn poisson_ratio(&self) -> f64 {
         self.0.poisson_ratio()
     }
 
-    /// The hardness stated; infinite if none is.
+    /// The hardness stated (a pressure); infinite if none is.
     #[getter]
     fn hardness(&self) -> f64 {
         self.0.hardness()
@@ -97,7 +98,8 @@ impl Material {
         self.0.is_rigid()
     }
 
-    /// The strain along x under a stress along x (a pressure) that cannot contract along y.
+    /// The strain along x under a stress along x (a pressure) of a body that cannot contract along y,
+    /// stress (1 - nu^2) / E; positive where it is stretched.
     fn plane_strain_under(&self, stress: f64) -> f64 {
         self.0.plane_strain_under(stress)
     }
@@ -125,14 +127,20 @@ picklable!(Material: stickslip::Material);
 /// Parameters
 /// ----------
 /// body_1, body_2 : Material
-///     z points into body 1.
+///     z points into body 1; pressure and shear act on it, and on body 2 with the other sign.
 ///
 /// Raises
 /// ------
-/// BothRigid
+/// BothRigid, NotPositive, NotFinite
 #[pyclass(frozen, eq, module = "stickslip", from_py_object)]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct ElasticPair(pub(crate) stickslip::ElasticPair);
+
+impl From<&stickslip::ElasticPair> for ElasticPair {
+    fn from(pair: &stickslip::ElasticPair) -> Self {
+        Self(*pair)
+    }
+}
 
 #[pymethods]
 impl ElasticPair {
@@ -149,31 +157,31 @@ impl ElasticPair {
         self.0.bodies().map(Material).into()
     }
 
-    /// The hardness of the softer body; infinite if none is stated.
+    /// The hardness of the softer body (a pressure); infinite if none is stated.
     #[getter]
     fn hardness(&self) -> f64 {
         self.0.hardness()
     }
 
-    /// Contact modulus E*.
+    /// Contact modulus E* (a pressure), 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2.
     #[getter]
     fn contact_modulus(&self) -> f64 {
         self.0.contact_modulus()
     }
 
-    /// Tangential modulus.
+    /// Tangential modulus G* (a pressure), 1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2.
     #[getter]
     fn tangential_modulus(&self) -> f64 {
         self.0.tangential_modulus()
     }
 
-    /// Shear modulus of the equivalent body.
+    /// Shear modulus G of the one body that is as compliant as both (a pressure), 1/G = 1/G_1 + 1/G_2.
     #[getter]
     fn equivalent_shear_modulus(&self) -> f64 {
         self.0.equivalent_shear_modulus()
     }
 
-    /// Poisson's ratio of the equivalent body.
+    /// Poisson's ratio of the one body that is as compliant as both, nu = G (nu_1/G_1 + nu_2/G_2).
     #[getter]
     fn equivalent_poisson_ratio(&self) -> f64 {
         self.0.equivalent_poisson_ratio()

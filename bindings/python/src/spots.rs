@@ -18,7 +18,7 @@ impl Spot {
         self.0.cells
     }
 
-    /// Its area.
+    /// Its area (a length squared).
     #[getter]
     fn area(&self) -> f64 {
         self.0.area

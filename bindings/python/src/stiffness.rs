@@ -16,7 +16,7 @@ pub(crate) struct NormalStiffness(pub(crate) stickslip::stiffness::NormalStiffne
 
 #[pymethods]
 impl NormalStiffness {
-    /// The slope.
+    /// The slope (a force over a length), zero without contact.
     #[getter]
     fn value(&self) -> f64 {
         self.0.value
@@ -41,7 +41,8 @@ impl NormalStiffness {
 }
 
 /// Slopes of the tangential forces along x and y and of the moment (rows) by the shifts along x and y and by the twist
-/// (columns), under a load that goes on and at its reversal.
+/// (columns), under a load that goes on and at its reversal. Forces over lengths in the first two rows and columns, the
+/// moment over radians in the last place.
 #[pyclass(frozen, eq, module = "stickslip.stiffness")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct TangentialStiffness(pub(crate) stickslip::stiffness::TangentialStiffness);
@@ -60,7 +61,7 @@ impl TangentialStiffness {
         self.0.reversal
     }
 
-    /// Bound of the relative error.
+    /// Bound of the errors, relative to the root of the product of the two entries on the diagonal.
     #[getter]
     fn bound(&self) -> f64 {
         self.0.bound
@@ -84,9 +85,17 @@ impl TangentialStiffness {
 /// Parameters
 /// ----------
 /// bodies : HalfSpace
+///     The two bodies and the grid.
 /// normal : NormalSolution
-/// friction : Friction, float or array_like
+///     The normal contact.
+/// friction : Friction, float or array_like of shape (ny, nx)
+///     The friction of the tangential contact.
 /// shear : TangentialSolution
+///     The tangential contact under that pressure.
+///
+/// Raises
+/// ------
+/// GridMismatch, BoundaryMismatch, MaterialMismatch, NotFinite, Yielded, NotConverged
 #[pyclass(frozen, eq, module = "stickslip.stiffness")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct ContactStiffness(pub(crate) stickslip::stiffness::ContactStiffness);

@@ -16,9 +16,9 @@ use crate::progress::Progress;
 /// What a solve calls before each product, and other work, without an iteration, where it may be broken off.
 pub(crate) type Observer<'a> = &'a mut (dyn FnMut(Option<&Iteration>) -> ControlFlow<()> + Send);
 
-/// Where work without iterations may be broken off. What it returns then only ends the work: the exception that broke it
-/// off takes its place.
-pub(crate) fn look(observer: Observer<'_>) -> Result<()> {
+/// `Ok` where work without iterations is to go on. The error only ends the work: it is the exception that broke it off that
+/// is raised.
+pub(crate) fn unless_broken_off(observer: Observer<'_>) -> Result<()> {
     observer(None)
         .is_continue()
         .then_some(())
@@ -26,7 +26,7 @@ pub(crate) fn look(observer: Observer<'_>) -> Result<()> {
 }
 
 /// How often signals are looked for.
-const PATIENCE: Duration = Duration::from_millis(5);
+const SIGNAL_INTERVAL: Duration = Duration::from_millis(5);
 
 /// Cells up to which the crate works in the calling thread.
 const SHORT: usize = 4096;
@@ -39,8 +39,8 @@ thread_local! {
 /// Solves something on so many cells. The outer error is that of Python: an exception of a signal handler, which Ctrl-C
 /// calls, or of the callable that follows the progress. The solve has then ended at its next product.
 ///
-/// Signals are handled in the main thread only, and a long solve is none of its business: it goes to the pool while the
-/// calling thread waits for it and looks for signals. A short one runs in the calling thread.
+/// Signals are handled in the main thread only. A long solve therefore runs in the pool, while the calling thread waits for
+/// it and looks for signals; a short one runs in the calling thread.
 pub(crate) fn solve<T: Send>(
     py: Python<'_>,
     cells: usize,
@@ -92,7 +92,7 @@ fn in_place<T: Send>(
     let outcome = py.detach(|| {
         let mut looked = Instant::now();
         let mut observer = |iteration: Option<&Iteration>| {
-            let is_due = looked.elapsed() >= PATIENCE;
+            let is_due = looked.elapsed() >= SIGNAL_INTERVAL;
             if interruption.is_none() && (is_due || callback.is_some()) {
                 let outcome = Python::attach(|py| {
                     if let Some(iteration) = iteration {
@@ -113,61 +113,61 @@ fn in_place<T: Send>(
     (outcome, interruption)
 }
 
-/// What the thread of the solve and the calling thread say to each other.
+/// What the thread of the solve and the calling thread exchange.
 #[derive(Default)]
-struct Talk {
-    said: Mutex<Said>,
+struct Exchange {
+    messages: Mutex<Messages>,
     changed: Condvar,
     stop: AtomicBool,
 }
 
 #[derive(Default)]
-struct Said {
+struct Messages {
     is_done: bool,
     /// What the callback is to be called with; gone once it has been.
     iteration: Option<Iteration>,
 }
 
-impl Talk {
-    fn said(&self) -> MutexGuard<'_, Said> {
-        self.said.lock().unwrap_or_else(PoisonError::into_inner)
+impl Exchange {
+    fn messages(&self) -> MutexGuard<'_, Messages> {
+        self.messages.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Lets the calling thread call back, and waits until it has.
     fn call(&self, iteration: Iteration) {
-        let mut said = self.said();
-        said.iteration = Some(iteration);
+        let mut messages = self.messages();
+        messages.iteration = Some(iteration);
         self.changed.notify_all();
-        while said.iteration.is_some() {
-            said = self
+        while messages.iteration.is_some() {
+            messages = self
                 .changed
-                .wait(said)
+                .wait(messages)
                 .unwrap_or_else(PoisonError::into_inner);
         }
     }
 
-    /// Waits for the end, for a call or for the time to look for signals; says whether the end has come.
+    /// Waits for the end, for a call or for the time to look for signals; returns whether the end has come.
     fn wait(&self) -> (bool, Option<Iteration>) {
-        let mut said = self.said();
-        if !said.is_done && said.iteration.is_none() {
-            let waited = self.changed.wait_timeout(said, PATIENCE);
-            said = waited.unwrap_or_else(PoisonError::into_inner).0;
+        let mut messages = self.messages();
+        if !messages.is_done && messages.iteration.is_none() {
+            let waited = self.changed.wait_timeout(messages, SIGNAL_INTERVAL);
+            messages = waited.unwrap_or_else(PoisonError::into_inner).0;
         }
-        (said.is_done, said.iteration)
+        (messages.is_done, messages.iteration)
     }
 
     fn called(&self) {
-        self.said().iteration = None;
+        self.messages().iteration = None;
         self.changed.notify_all();
     }
 }
 
-/// Says that the solve is done, also where it panics.
-struct Done<'a>(&'a Talk);
+/// Reports that the solve is done, also where it panics.
+struct Done<'a>(&'a Exchange);
 
 impl Drop for Done<'_> {
     fn drop(&mut self) {
-        self.0.said().is_done = true;
+        self.0.messages().is_done = true;
         self.0.changed.notify_all();
     }
 }
@@ -178,18 +178,18 @@ fn in_pool<T: Send>(
     work: impl FnOnce(Observer<'_>) -> Result<T> + Send,
 ) -> PyResult<Ended<T>> {
     let pool = pool::of_this_process(py)?;
-    let talk = Talk::default();
+    let exchange = Exchange::default();
     let is_followed = callback.is_some();
     let mut outcome = None;
     let mut interruption = None;
     pool.in_place_scope(|scope| {
         scope.spawn(|_| {
-            let done = Done(&talk);
+            let done = Done(&exchange);
             let mut observer = |iteration: Option<&Iteration>| {
-                let is_stopped = || talk.stop.load(Ordering::Relaxed);
+                let is_stopped = || exchange.stop.load(Ordering::Relaxed);
                 let shown = iteration.filter(|_| is_followed && !is_stopped());
                 if let Some(iteration) = shown {
-                    talk.call(*iteration);
+                    exchange.call(*iteration);
                 }
                 if is_stopped() {
                     ControlFlow::Break(())
@@ -201,17 +201,19 @@ fn in_pool<T: Send>(
             drop(done);
         });
         loop {
-            let (is_done, iteration) = py.detach(|| talk.wait());
+            let (is_done, iteration) = py.detach(|| exchange.wait());
             if is_done {
                 break;
             }
             if interruption.is_none() {
                 let seen = iteration.map_or(Ok(()), |iteration| called(py, callback, &iteration));
                 interruption = seen.and_then(|()| py.check_signals()).err();
-                talk.stop.store(interruption.is_some(), Ordering::Relaxed);
+                exchange
+                    .stop
+                    .store(interruption.is_some(), Ordering::Relaxed);
             }
             if iteration.is_some() {
-                talk.called();
+                exchange.called();
             }
         }
     });

@@ -40,11 +40,12 @@ class FrettingLoop:
     Parameters
     ----------
     path : LoadPath
-        The values (x, y) at the ends of the steps of a cycle.
+        The values (x, y) at the ends of the steps of a cycle (forces or lengths, as ``load`` takes them).
     load : callable
-        Makes a :class:`~stickslip.LoadStep` of a value.
+        Makes a :class:`~stickslip.LoadStep` of a value. In a loop that changes the gap it prescribes the normal load in every
+        step: else the pressure stays that of the old gap.
     until_steady : float, optional
-        Stops after the first cycle whose :attr:`Cycle.cyclic_residual` is no more than this, in (0, 1).
+        Stops after the first cycle whose :attr:`Cycle.cyclic_residual` is no more than this, in (0, 1); never by default.
 
     Raises
     ------
@@ -98,7 +99,9 @@ class FrettingLoop:
         Parameters
         ----------
         history : History
+            The history that takes the steps.
         cycles : int
+            The most cycles to take.
         observer : callable, optional
             Called after every step with the history and the cycle so far. It may wear the gap, change friction or
             write; it breaks off by returning ``False``.
@@ -111,6 +114,8 @@ class FrettingLoop:
                 return LoopOutcome(done + 1, LoopEnding.STEADY, last)
         return LoopOutcome(cycles, LoopEnding.CYCLE_LIMIT, last)
 
+    # FrettingLoop::run_observed of the crate is not used: within it the history is borrowed, so that an observer could not
+    # wear its gap through the object that it is given, and it observes no product, so that Ctrl-C would act only after a step.
     def _pass(
         self,
         history: History,

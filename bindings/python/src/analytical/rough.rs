@@ -1,53 +1,75 @@
-//! Closed forms of rough, wavy and worn surfaces.
+//! Rough surfaces: the area in contact, and how much of it sticks.
+
+use pyo3::prelude::*;
 
 use crate::analytical::HertzSphere;
-use crate::analytical::closed_form;
+use crate::analytical::closed_form::closed_form;
 use crate::error::OrRaise;
 use crate::material::ElasticPair;
-use pyo3::prelude::*;
 
 closed_form! {
     /// A nominally flat rough surface pressed on a half-space: the fraction of the area in real contact.
     ///
+    /// It is erf((sqrt(pi)/2) kappa P) under the reduced pressure P = mean_pressure / (E* rms_slope), which is kappa P for
+    /// light loads. kappa is sqrt(8/pi) in Persson's theory, the default, and sqrt(2 pi) in that of Bush, Gibson and Thomas;
+    /// simulations give 2.0 to 2.2. A mean over infinite surfaces whose shortest waves are resolved. Persson (2001); Bush,
+    /// Gibson and Thomas (1975).
+    ///
     /// Parameters
     /// ----------
     /// pair : ElasticPair
+    ///     The bodies.
     /// rms_slope : float
+    ///     Root mean square of the gradient (Sdq, dimensionless), positive: sqrt(2) times the slope of profiles of an
+    ///     isotropic surface.
     /// mean_pressure : float
-    Persson(pair: &ElasticPair => &pair.0, rms_slope: f64 => rms_slope, mean_pressure: f64 => mean_pressure)
+    ///     Load over nominal area, positive.
+    ///
+    /// Raises
+    /// ------
+    /// NotPositive
+    Persson(pair: &ElasticPair => &pair.0, rms_slope, mean_pressure)
     objects {
         /// The bodies.
-        pair: ElasticPair = |pair: &stickslip::ElasticPair| ElasticPair(*pair),
+        pair: ElasticPair,
     }
     numbers {
-        /// Areal root-mean-square slope g.
+        /// Root mean square of the gradient (dimensionless).
         rms_slope,
-        /// Mean pressure bar p: the load divided by the nominal area.
+        /// Mean pressure: the load over the nominal area.
         mean_pressure,
-        /// Coefficient of the area kappa .
+        /// Coefficient kappa of the area (dimensionless).
         area_coefficient,
-        /// Reduced pressure P = bar p/E^*g (a number).
+        /// Reduced pressure P = mean_pressure / (E* rms_slope) (dimensionless).
         reduced_pressure,
-        /// Fraction of the nominal area in real contact, A/A_0 = erf(B).
+        /// Fraction of the nominal area in real contact.
         contact_fraction,
     }
-    pairs {}
-    along {}
-    across {}
     also {
-        /// The same contact with another coefficient kappa (a number).
+        /// The same contact with another coefficient kappa (dimensionless, positive).
         fn with_area_coefficient(&self, py: Python<'_>, area_coefficient: f64) -> PyResult<Self> {
             self.0.with_area_coefficient(area_coefficient).or_raise(py).map(Self)
         }
 
-        /// Fraction of the real contact area that sticks under the mean traction ``mean_traction``, a tangential force
-        /// per nominal area of either sign, with the coefficient of friction ``friction``.
+        /// Fraction of the real contact area that sticks: the contact area under 1 - f of the load over that under all of
+        /// it, f = |mean_traction| / (mu mean_pressure). Ciavarella (1998); Jaeger (1998).
+        ///
+        /// Parameters
+        /// ----------
+        /// friction : float
+        ///     Coefficient of friction mu (dimensionless), not negative.
+        /// mean_traction : float
+        ///     Tangential force over nominal area, of either sign.
+        ///
+        /// Raises
+        /// ------
+        /// Negative, NotFinite, BeyondFrictionCapacity
         fn stick_ratio(&self, py: Python<'_>, friction: f64, mean_traction: f64) -> PyResult<f64> {
             self.0.stick_ratio(friction, mean_traction).or_raise(py)
         }
 
-        /// The contact fraction A/A_0 of any surface at the reduced pressure ``reduced_pressure`` P, with the
-        /// coefficient ``area_coefficient`` kappa .
+        /// The contact fraction of any surface at a reduced pressure P (not negative), with a coefficient kappa (positive;
+        /// both dimensionless).
         #[staticmethod]
         fn area_law(py: Python<'_>, reduced_pressure: f64, area_coefficient: f64) -> PyResult<f64> {
             stickslip::analytical::Persson::area_law(reduced_pressure, area_coefficient).or_raise(py)
@@ -58,39 +80,46 @@ closed_form! {
 closed_form! {
     /// A rough sphere pressed on a half-space: the fraction of the Hertz circle in real contact.
     ///
+    /// Where the pressure of the smooth sphere is p, the fraction erf((sqrt(pi)/2) kappa p / (E* rms_slope)) of the area is
+    /// in contact; the ratio is the mean over the Hertz circle. It holds where the roughness is small beside the approach and
+    /// fine beside the circle. kappa is 2 by default. After Müser (2016).
+    ///
     /// Parameters
     /// ----------
     /// hertz : HertzSphere
+    ///     The contact of the smooth sphere.
     /// rms_slope : float
-    RoughSphere(hertz: HertzSphere => hertz.0, rms_slope: f64 => rms_slope)
+    ///     Root mean square of the gradient (Sdq, dimensionless), positive.
+    ///
+    /// Raises
+    /// ------
+    /// NotPositive
+    RoughSphere(hertz: HertzSphere => hertz.0, rms_slope)
     objects {
         /// The contact of the smooth sphere.
-        hertz: HertzSphere = HertzSphere,
+        hertz: HertzSphere,
     }
     numbers {
-        /// Areal root-mean-square slope g.
+        /// Root mean square of the gradient (dimensionless).
         rms_slope,
-        /// Coefficient of the area kappa .
+        /// Coefficient kappa of the area (dimensionless).
         area_coefficient,
-        /// Reduced pressure P = W/pi a^2E^*g (a number): the mean pressure of the smooth sphere over E^*g. The paper's
-        /// equation 37.
+        /// Reduced pressure P = W / (pi a^2 E* rms_slope) (dimensionless), with the mean pressure of the smooth sphere.
         reduced_pressure,
-        /// Area of real contact divided by that of the Hertz circle, A_r, between 0 and 1. The paper's equation 32.
+        /// Area of real contact over that of the Hertz circle, between 0 and 1.
         relative_contact_area,
-        /// Area of real contact A_rpi a^2 (a length squared).
+        /// Area of real contact (a length squared).
         contact_area,
     }
-    pairs {}
-    along {}
-    across {}
     also {
-        /// The same contact with another coefficient kappa (a number), for example one of those listed at Persson.
+        /// The same contact with another coefficient kappa (dimensionless, positive), for example one of those that
+        /// :class:`Persson` lists.
         fn with_area_coefficient(&self, py: Python<'_>, area_coefficient: f64) -> PyResult<Self> {
             self.0.with_area_coefficient(area_coefficient).or_raise(py).map(Self)
         }
 
-        /// The relative area A_r of any rough sphere at the reduced pressure ``reduced_pressure`` P, with the
-        /// coefficient ``area_coefficient`` kappa .
+        /// The relative area of any rough sphere at a reduced pressure P (not negative), with a coefficient kappa (positive;
+        /// both dimensionless).
         #[staticmethod]
         fn area_law(py: Python<'_>, reduced_pressure: f64, area_coefficient: f64) -> PyResult<f64> {
             stickslip::analytical::RoughSphere::area_law(reduced_pressure, area_coefficient).or_raise(py)
@@ -98,127 +127,26 @@ closed_form! {
     }
 }
 
-closed_form! {
-    /// The limiting shape of a paraboloid of revolution worn by small oscillations at a constant approach, when wear
-    /// has ceased.
-    ///
-    /// Parameters
-    /// ----------
-    /// pair : ElasticPair
-    /// radius : float
-    /// approach : float
-    /// stick_radius : float
-    PopovLimitingShape(pair: &ElasticPair => &pair.0, radius: f64 => radius, approach: f64 => approach, stick_radius: f64 => stick_radius)
-    objects {
-        /// The bodies.
-        pair: ElasticPair = |pair: &stickslip::ElasticPair| ElasticPair(*pair),
-    }
-    numbers {
-        /// Radius of the paraboloid R before wear (a length).
-        radius,
-        /// Approach of the bodies d (a length), constant throughout.
-        approach,
-        /// Radius of the stick disc, c (a length).
-        stick_radius,
-        /// Radius b within which the surfaces are worn (a length), where the profile meets r^2/2R: larger than the
-        /// first contact's a = sqrt(Rd).
-        worn_radius,
-        /// Worn volume 2pi int _c^b (f-r^2/2R) r dr (a length cubed), summed over the bodies.
-        worn_volume,
-        /// Remaining normal load, 2 E^* (d c - c^3/3R) (a force).
-        load,
-    }
-    pairs {}
-    along {
-        /// Gap without load f(r) (a length) at the distance r from the centre; zero at the centre. Formula on the type;
-        /// Popov (2014).
-        profile(r),
-        /// Wear depth f(r)-r^2/2R (a length), summed over the bodies, at the distance r from the centre: positive in
-        /// the ring, zero elsewhere.
-        wear_depth(r),
-        /// Remaining pressure at the distance r from the centre; zero outside the stick disc.
-        pressure(r),
-    }
-    across {}
-}
-
-closed_form! {
-    /// A wavy surface pressed on a half-space: waves along x, plane strain.
-    ///
-    /// Parameters
-    /// ----------
-    /// pair : ElasticPair
-    /// amplitude : float
-    /// wavelength : float
-    /// mean_pressure : float
-    Westergaard(pair: &ElasticPair => &pair.0, amplitude: f64 => amplitude, wavelength: f64 => wavelength, mean_pressure: f64 => mean_pressure)
-    objects {
-        /// The bodies.
-        pair: ElasticPair = |pair: &stickslip::ElasticPair| ElasticPair(*pair),
-    }
-    numbers {
-        /// Amplitude of the waves Delta (a length).
-        amplitude,
-        /// Wavelength lambda (a length).
-        wavelength,
-        /// Mean pressure bar p: the load divided by the nominal area.
-        mean_pressure,
-        /// Lowest mean pressure of full contact, p^* = pi E^*Delta /lambda . Johnson (1985), section 13.2.
-        full_contact_pressure,
-        /// Half-width of a contact strip a = (lambda/pi) arcsin(sqrt(p_mean/p^*)) (a length); half the wavelength in
-        /// full contact.
-        contact_half_width,
-        /// Fraction of the nominal area in contact, 2a/lambda .
-        contact_fraction,
-        /// Pressure at the crests: 2sqrt(bar p p^*), in full contact bar p + p^*.
-        max_pressure,
-        /// Approach of the mean planes of the two surfaces since first touch (a length):
-        approach,
-    }
-    pairs {}
-    along {
-        /// Pressure p at the distance x from a crest; zero outside the contact. Formula on the type; Johnson (1985),
-        /// section 13.2.
-        pressure(x),
-        /// Gap g between the surfaces (a length) at the distance x from a crest; zero in the contact, positive outside.
-        gap(x),
-    }
-    across {}
-    also {
-        /// Whether the surfaces touch everywhere, that is bar p ge p^*.
-        #[getter]
-        fn is_full_contact(&self) -> bool {
-            self.0.is_full_contact()
-        }
-    }
-}
-
-closed_form! {
-    /// A wavy surface in partial slip: a constant mean pressure, then a traction along x that increases monotonically.
-    ///
-    /// Parameters
-    /// ----------
-    /// contact : Westergaard
-    /// friction : float
-    /// mean_traction : float
-    WestergaardPartialSlip(contact: Westergaard => contact.0, friction: f64 => friction, mean_traction: f64 => mean_traction)
-    objects {
-        /// The normal contact.
-        contact: Westergaard = Westergaard,
-    }
-    numbers {
-        /// Mean traction bar q on body 1, positive along +x: the tangential force over the nominal area.
-        mean_traction,
-        /// Half-width of a stick strip c (a length).
-        stick_half_width,
-        /// Fraction of the contact area that sticks, c/a.
-        stick_ratio,
-    }
-    pairs {}
-    along {
-        /// Traction q on body 1 along x (a pressure, of the sign of the mean traction) at the distance x from a crest;
-        /// zero outside the contact. Formula on the type.
-        traction(x),
-    }
-    across {}
+/// Stick ratio of a nominally flat rough contact under light loads, 1 - |force| / (friction load); zero without friction.
+///
+/// Parameters
+/// ----------
+/// load : float
+///     Normal load (a force), positive.
+/// friction : float
+///     Coefficient of friction (dimensionless), not negative.
+/// force : float
+///     Tangential force, of either sign.
+///
+/// Raises
+/// ------
+/// NotPositive, Negative, NotFinite, BeyondFrictionCapacity
+#[pyfunction]
+pub(crate) fn linear_stick_ratio(
+    py: Python<'_>,
+    load: f64,
+    friction: f64,
+    force: f64,
+) -> PyResult<f64> {
+    stickslip::analytical::linear_stick_ratio(load, friction, force).or_raise(py)
 }

@@ -129,7 +129,7 @@ impl CoupledProblem {
         solve_once(py, self.1.cells(), solver, progress, warn)
     }
 
-    /// The reusable form, which starts each solve from the last answer.
+    /// A solver of this problem, which keeps its buffers and starts each solve from the last answer.
     fn solver(&self, py: Python<'_>) -> PyResult<CoupledSolver> {
         CoupledSolver::of(py, self.1, || self.0.clone().into_solver())
     }

@@ -59,7 +59,7 @@ impl CoupledSolution {
         CoupledReport::of(self.0.report())
     }
 
-    /// Remarks that the result may mislead.
+    /// Remarks on a result that may mislead; empty if there are none.
     #[getter]
     fn warnings(&self) -> Vec<Warning> {
         Warning::all(self.0.warnings())

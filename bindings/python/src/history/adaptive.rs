@@ -10,7 +10,7 @@ use crate::history::{Cycle, History, builder};
 use crate::load::LoadStep;
 use crate::progress::Progress;
 use crate::sequence::pair;
-use crate::work::{look, solve, unobserved};
+use crate::work::{solve, unless_broken_off, unobserved};
 
 /// What one step differs by from the same load in two.
 #[pyclass(frozen, eq, module = "stickslip.history")]
@@ -59,7 +59,12 @@ impl StepError {
 /// history : History
 ///     For histories on the grid of this one.
 /// tolerance : float
-///     In (0, 1), of :attr:`StepError.traction` for a whole load.
+///     Of :attr:`StepError.traction` for a whole load, in (0, 1); at least about a hundred times the tolerance of the history's
+///     settings.
+///
+/// Raises
+/// ------
+/// Tolerance
 #[pyclass(frozen, module = "stickslip.history")]
 pub(crate) struct AdaptiveSteps(Mutex<stickslip::history::AdaptiveSteps>);
 
@@ -88,9 +93,16 @@ impl AdaptiveSteps {
     /// Parameters
     /// ----------
     /// history : History
+    ///     The history that takes the load.
     /// load : LoadStep
+    ///     What is prescribed at its end, reached in proportion.
     /// cycle : Cycle, optional
     ///     To which each step is added.
+    ///
+    /// Raises
+    /// ------
+    /// GridMismatch, StepTooLong
+    ///     And what :meth:`History.step` raises.
     #[pyo3(signature = (history, load, *, cycle=None))]
     fn step(
         &self,
@@ -109,7 +121,7 @@ impl AdaptiveSteps {
                 if let Some(cycle) = &mut cycle {
                     cycle.add(history)?;
                 }
-                look(observer)
+                unless_broken_off(observer)
             })
         })?;
         outcome.or_raise(py)

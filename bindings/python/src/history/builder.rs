@@ -24,22 +24,31 @@ use crate::work::unobserved;
 /// Parameters
 /// ----------
 /// bodies : HalfSpace
+///     The two bodies and the grid.
 /// gap : Field or array_like of shape (ny, nx)
 ///     The gap before loading (lengths); copied.
 /// friction : Friction, float or array_like of shape (ny, nx)
+///     Coulomb friction; a number or an array is the coefficient of friction (dimensionless, not negative).
 /// axis : Axis or str, default "x"
-///     Of the scalar model.
+///     The axis of tangential load and tractions in the scalar model; the vector model has none.
 /// model : TangentialModel or str, default "scalar"
-///     "vector" takes loads of any direction, and twist.
+///     "scalar" finds the traction along the axis; "vector" both components, and takes loads of any direction and twist.
 /// coupling : Coupling or str, default "full"
+///     Of bodies of different materials: "full" finds pressure and shear together, "one_way" has the pressure move the
+///     surfaces tangentially, "neglected" neither.
 /// touch_rule : TouchRule or str, default "growth"
+///     How far a cell that comes into contact within a step follows its motion: "growth" as far as it would if all that grows
+///     in the step stuck, "whole_step" all of it.
 /// relative_displacement : RelativeDisplacement, optional
-///     The pattern; steps prescribe its amount.
-/// hardness : Hardness, float or array_like, optional
+///     The pattern of a displacement that the contact does not cause, of which steps prescribe the amount; none by default.
+/// hardness : Hardness, float or array_like of shape (ny, nx), optional
+///     The largest pressure that the cells carry; no limit by default. Not with pressure and shear found together.
 /// permanent_set : bool, default False
-///     Whether what yields under the hardness stays.
-/// settings, tolerance, method, max_iterations, time_limit : optional
-///     As of :class:`Settings`.
+///     Whether what yields under the hardness stays, and is added to the gap of later steps.
+/// settings : Settings, optional
+///     Method, tolerance and limits; those of ``Settings()`` by default.
+/// tolerance, method, max_iterations, time_limit : optional
+///     As of :class:`Settings`; they take precedence over ``settings``.
 ///
 /// Raises
 /// ------
@@ -167,7 +176,7 @@ impl History {
         Ok(Self::of(history, bodies))
     }
 
-    /// Changes the gap of later steps, as wear does.
+    /// Changes the gap of later steps (lengths), as wear does.
     fn set_gap(&self, py: Python<'_>, gap: Samples<'_>) -> PyResult<()> {
         let gap = gap.on(py, "gap", self.grid())?;
         self.change(py, |history| history.set_gap(&gap))

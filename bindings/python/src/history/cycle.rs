@@ -20,25 +20,25 @@ pub(crate) struct LoopPoint(stickslip::history::LoopPoint);
 
 #[pymethods]
 impl LoopPoint {
-    /// Tangential force.
+    /// Tangential force on body 1 along x and y.
     #[getter]
     fn force(&self) -> (f64, f64) {
         pair(self.0.force)
     }
 
-    /// Shift since the start of the history (lengths).
+    /// Shift since the start of the history, along x and y (lengths).
     #[getter]
     fn shift(&self) -> (f64, f64) {
         pair(self.0.shift)
     }
 
-    /// Moment.
+    /// Moment about z (a force times a length, positive from x to y).
     #[getter]
     fn moment(&self) -> f64 {
         self.0.moment
     }
 
-    /// Rotation (radians).
+    /// Rotation since the start of the history (radians, positive from x to y).
     #[getter]
     fn twist(&self) -> f64 {
         self.0.twist
@@ -56,6 +56,7 @@ impl LoopPoint {
 /// Parameters
 /// ----------
 /// history : History
+///     The history from whose present state it begins.
 #[pyclass(frozen, module = "stickslip.history")]
 pub(crate) struct Cycle(Mutex<stickslip::history::Cycle>);
 
@@ -101,19 +102,19 @@ impl Cycle {
         Ok(self.lock()?.steps())
     }
 
-    /// Length of the path that each cell slipped in the cycle.
+    /// Length of the path that each cell slipped in the cycle (lengths, not negative).
     #[getter]
     fn slip_distance<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         Ok(copy(py, self.lock()?.slip_distance()))
     }
 
-    /// Pressure that each cell slipped under, the mean over its path.
+    /// Pressure that each cell slipped under, the mean over its path; zero where nothing slipped.
     #[getter]
     fn slip_pressure<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         Ok(copy(py, self.lock()?.slip_pressure()))
     }
 
-    /// Half the range of the slip of each cell along x and y (lengths).
+    /// Half the range of the slip of each cell along x and y (lengths, not negative).
     #[getter]
     fn slip_amplitude<'py>(&self, py: Python<'py>) -> PyResult<(Array<'py>, Array<'py>)> {
         Ok(self
@@ -123,7 +124,7 @@ impl Cycle {
             .into())
     }
 
-    /// Energy that each cell dissipated in the cycle.
+    /// Energy that each cell dissipated in the cycle (forces times lengths, not negative).
     #[getter]
     fn dissipated_energy<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         Ok(copy(py, self.lock()?.dissipated_energy()))
@@ -185,13 +186,14 @@ impl Cycle {
         Ok(Choice(self.lock()?.regime()))
     }
 
-    /// Energy dissipated over that of a rectangle around the loop.
+    /// Energy dissipated over that of a rectangle around the loop, of force by shift.
     #[getter]
     fn energy_ratio(&self) -> PyResult<f64> {
         Ok(self.lock()?.energy_ratio())
     }
 
-    /// How far the cycle is from closing.
+    /// How far the cycle is from closing: the largest change of a traction from beginning to end over the largest traction,
+    /// or that of the shift over its half range, whichever is more.
     #[getter]
     fn cyclic_residual(&self) -> PyResult<f64> {
         Ok(self.lock()?.cyclic_residual())

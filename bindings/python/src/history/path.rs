@@ -13,8 +13,8 @@ use crate::sequence::{entry, pair};
 ///
 /// Parameters
 /// ----------
-/// steps : sequence of pairs of float
-///     Each the end of a step.
+/// steps : sequence of pairs of float, or array_like of shape (n, 2)
+///     The values (x, y) at the ends of the steps (forces or lengths).
 ///
 /// Raises
 /// ------
@@ -39,7 +39,7 @@ impl LoadPath {
         Path::table(steps).or_raise(py).map(Self)
     }
 
-    /// To and fro along a line, the amplitude times sin(2 pi t), in a multiple of four steps.
+    /// To and fro along a line, the amplitude (x, y) times sin(2 pi t), in a multiple of four steps.
     #[staticmethod]
     fn sine(py: Python<'_>, amplitude: [f64; 2], steps: usize) -> PyResult<Self> {
         Path::sine(amplitude, steps).or_raise(py).map(Self)
@@ -51,7 +51,8 @@ impl LoadPath {
         Path::triangle(amplitude, steps).or_raise(py).map(Self)
     }
 
-    /// Around an ellipse, A_x sin(2 pi t) along x and A_y sin(2 pi t + phase) along y.
+    /// Around an ellipse of amplitudes (A_x, A_y), A_x sin(2 pi t) along x and A_y sin(2 pi t + phase) along y (the phase in
+    /// radians), in a multiple of four steps.
     #[staticmethod]
     fn ellipse(py: Python<'_>, amplitudes: [f64; 2], phase: f64, steps: usize) -> PyResult<Self> {
         Path::ellipse(amplitudes, phase, steps)

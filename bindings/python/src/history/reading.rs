@@ -52,7 +52,7 @@ impl History {
         self.read(|history| Friction(history.friction().clone()))
     }
 
-    /// The gap before loading, a copy.
+    /// The gap before loading (lengths), as last set; a copy.
     #[getter]
     fn gap<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         self.read(|history| copy(py, history.gap()))
@@ -64,19 +64,19 @@ impl History {
         self.read(|history| Arc::new(history.normal().clone()).into())
     }
 
-    /// Pressure, a copy.
+    /// Pressure, not negative; exactly zero outside the contact. A copy.
     #[getter]
     fn pressure<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         self.read(|history| copy(py, history.pressure()))
     }
 
-    /// Approach (a length).
+    /// Approach of the bodies from the datum of the gap (a length).
     #[getter]
     fn approach(&self) -> PyResult<f64> {
         self.read(stickslip::History::approach)
     }
 
-    /// Traction along x and y, copies.
+    /// Shear traction on body 1 along x and y (pressures), copies.
     #[getter]
     fn traction<'py>(&self, py: Python<'py>) -> PyResult<(Array<'py>, Array<'py>)> {
         self.read(|history| history.traction().map(|field| copy(py, field)).into())
@@ -88,13 +88,13 @@ impl History {
         self.read(|history| history.slip().map(|field| copy(py, field)).into())
     }
 
-    /// Length of the path that each cell slipped since the start, a copy.
+    /// Length of the path that each cell slipped since the start (lengths, not negative), a copy.
     #[getter]
     fn accumulated_slip<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         self.read(|history| copy(py, history.accumulated_slip()))
     }
 
-    /// Energy that each cell dissipated since the start, a copy.
+    /// Energy that each cell dissipated since the start (not negative), a copy.
     #[getter]
     fn dissipated_energy<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         self.read(|history| copy(py, history.dissipated_energy()))
@@ -114,25 +114,25 @@ impl History {
         self.read(|history| zones(py, history.grid(), history.zones()))
     }
 
-    /// Shift of body 2 relative to body 1 since the start (lengths).
+    /// Shift of body 2 relative to body 1 since the start, along x and y (lengths).
     #[getter]
     fn shift(&self) -> PyResult<(f64, f64)> {
         self.read(|history| pair(history.shift()))
     }
 
-    /// Rotation of body 2 since the start (radians).
+    /// Rotation of body 2 relative to body 1 since the start (radians, positive from x to y).
     #[getter]
     fn twist(&self) -> PyResult<f64> {
         self.read(stickslip::History::twist)
     }
 
-    /// Tangential force that body 2 exerts on body 1.
+    /// Tangential force that body 2 exerts on body 1 along x and y.
     #[getter]
     fn force(&self) -> PyResult<(f64, f64)> {
         self.read(|history| pair(history.force()))
     }
 
-    /// Moment about z, at the origin, on body 1.
+    /// Moment about z, at the origin of the grid, on body 1 (a force times a length, positive from x to y).
     #[getter]
     fn moment(&self) -> PyResult<f64> {
         self.read(stickslip::History::moment)
@@ -156,7 +156,7 @@ impl History {
         self.read(|history| ContactSpots::of(history.spots()))
     }
 
-    /// The slopes of the forces by approach, shift and twist.
+    /// The stiffness: the slopes of the forces and the moment by approach, shift and twist.
     fn stiffness(&self, py: Python<'_>) -> PyResult<ContactStiffness> {
         let mut work = lock(&self.work, NAME)?;
         let history = &mut work.history;

@@ -55,7 +55,7 @@ impl State {
     /// The two bodies.
     #[getter]
     fn pair(&self) -> ElasticPair {
-        ElasticPair(*self.0.pair())
+        self.0.pair().into()
     }
 
     /// The axis of the scalar model; ``None`` in the vector model.
@@ -82,33 +82,33 @@ impl State {
         self.0.hardness().cloned().map(Hardness)
     }
 
-    /// The relative displacement as far as it has come, if there is one (lengths).
+    /// The relative displacement along x and y after the last step (lengths); ``None`` unless the history has one.
     #[getter]
     fn relative_displacement<'py>(slf: &Bound<'py, Self>) -> Option<(Array<'py>, Array<'py>)> {
         let fields = slf.get().0.relative_displacement()?;
         Some(fields.map(|field| copy(slf.py(), field)).into())
     }
 
-    /// What has yielded for good, if it stays (lengths).
+    /// How deep the surfaces have yielded since the start (lengths, not negative); ``None`` unless that stays.
     #[getter]
     fn yielded<'py>(slf: &Bound<'py, Self>) -> Option<Array<'py>> {
         let field = slf.get().0.yielded()?;
         Some(copy(slf.py(), field))
     }
 
-    /// The gap before loading (lengths).
+    /// The gap before loading (lengths), as last set, with what the surfaces have yielded.
     #[getter]
     fn gap<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
         view(slf, |state| state.0.gap())
     }
 
-    /// The touch rule.
+    /// How far a cell that comes into contact within a step follows its motion.
     #[getter]
     fn touch_rule(&self) -> Choice<stickslip::history::TouchRule> {
         Choice(self.0.touch_rule())
     }
 
-    /// What of the coupling is modelled.
+    /// How much is modelled of the coupling between pressure and shear.
     #[getter]
     fn coupling(&self) -> Choice<stickslip::Coupling> {
         Choice(self.0.coupling())
@@ -126,19 +126,19 @@ impl State {
         NormalSolution::of_state(&self.0)
     }
 
-    /// Pressure.
+    /// Pressure, not negative; exactly zero outside the contact.
     #[getter]
     fn pressure<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
         view(slf, |state| state.0.pressure())
     }
 
-    /// Approach (a length).
+    /// Approach of the bodies from the datum of the gap (a length).
     #[getter]
     fn approach(&self) -> f64 {
         self.0.approach()
     }
 
-    /// Traction along x and y (pressures).
+    /// Shear traction on body 1 along x and y (pressures).
     #[getter]
     fn traction<'py>(slf: &Bound<'py, Self>) -> (Array<'py>, Array<'py>) {
         (
@@ -156,13 +156,13 @@ impl State {
         )
     }
 
-    /// Length of the path that each cell slipped since the start.
+    /// Length of the path that each cell slipped since the start (lengths, not negative).
     #[getter]
     fn accumulated_slip<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
         view(slf, |state| state.0.accumulated_slip())
     }
 
-    /// Energy that each cell dissipated since the start.
+    /// Energy that each cell dissipated since the start (not negative).
     #[getter]
     fn dissipated_energy<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
         view(slf, |state| state.0.dissipated_energy())
@@ -174,25 +174,25 @@ impl State {
         zones(py, self.0.grid(), self.0.zones())
     }
 
-    /// Shift of body 2 relative to body 1 (lengths).
+    /// Shift of body 2 relative to body 1 since the start, along x and y (lengths).
     #[getter]
     fn shift(&self) -> (f64, f64) {
         pair(self.0.shift())
     }
 
-    /// Rotation of body 2 (radians).
+    /// Rotation of body 2 relative to body 1 since the start (radians, positive from x to y).
     #[getter]
     fn twist(&self) -> f64 {
         self.0.twist()
     }
 
-    /// Tangential force that body 2 exerts on body 1.
+    /// Tangential force that body 2 exerts on body 1 along x and y.
     #[getter]
     fn force(&self) -> (f64, f64) {
         pair(self.0.force())
     }
 
-    /// Moment about z, at the origin, on body 1.
+    /// Moment about z, at the origin of the grid, on body 1 (a force times a length, positive from x to y).
     #[getter]
     fn moment(&self) -> f64 {
         self.0.moment()

@@ -139,19 +139,19 @@ impl StepResult {
         ))
     }
 
-    /// Length of the slip of the step.
+    /// Length of the slip of the step (lengths, not negative).
     #[getter]
     fn slip_distance<'py>(slf: &Bound<'py, Self>) -> PyResult<Array<'py>> {
         Self::field(slf, |step| step.slip_distance())
     }
 
-    /// Energy that each cell dissipates, by its traction at the end.
+    /// Energy that each cell dissipates, by its traction at the end (forces times lengths, not negative).
     #[getter]
     fn dissipated_energy<'py>(slf: &Bound<'py, Self>) -> PyResult<Array<'py>> {
         Self::field(slf, |step| step.dissipated_energy())
     }
 
-    /// Energy that each cell dissipates, by the mean of its tractions before and after.
+    /// Energy that each cell dissipates, by the mean of its tractions before and after (forces times lengths).
     #[getter]
     fn mid_step_dissipated_energy<'py>(slf: &Bound<'py, Self>) -> PyResult<Array<'py>> {
         Self::field(slf, |step| step.mid_step_dissipated_energy())
@@ -175,25 +175,25 @@ impl StepResult {
         self.numbers.approach
     }
 
-    /// Tangential force at its end.
+    /// Tangential force on body 1 along x and y at its end.
     #[getter]
     fn force(&self) -> (f64, f64) {
         pair(self.numbers.force)
     }
 
-    /// Moment at its end.
+    /// Moment about z at its end (a force times a length, positive from x to y).
     #[getter]
     fn moment(&self) -> f64 {
         self.numbers.moment
     }
 
-    /// Shift at its end (lengths).
+    /// Shift of body 2 relative to body 1 along x and y at its end (lengths).
     #[getter]
     fn shift(&self) -> (f64, f64) {
         pair(self.numbers.shift)
     }
 
-    /// Rotation at its end (radians).
+    /// Rotation at its end (radians, positive from x to y).
     #[getter]
     fn twist(&self) -> f64 {
         self.numbers.twist

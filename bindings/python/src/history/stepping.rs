@@ -23,6 +23,7 @@ impl History {
     /// Parameters
     /// ----------
     /// load : LoadStep, optional
+    ///     The step as an object, instead of by keywords.
     /// normal_force, approach, force, shift, spring, force_x, ... : optional
     ///     As of :class:`LoadStep`.
     /// progress : callable or bool, optional
@@ -92,12 +93,18 @@ impl History {
     /// Parameters
     /// ----------
     /// histories : sequence of History
+    ///     Each named once.
     /// loads : sequence of LoadStep
+    ///     One of each history.
     ///
     /// Returns
     /// -------
     /// list of (int, StickslipError)
-    ///     Those whose step has failed; they are as they were.
+    ///     The places and errors of those whose step has failed; they are as they were.
+    ///
+    /// Raises
+    /// ------
+    /// Length
     #[staticmethod]
     fn step_all<'py>(
         py: Python<'py>,

@@ -37,17 +37,24 @@ fn before(py: Python<'_>, depth: Option<&Samples<'_>>, grid: stickslip::Grid) ->
 ///
 /// Parameters
 /// ----------
-/// coefficient : float or array_like of shape (ny, nx)
-///     One over a pressure.
+/// coefficient : float, Field or array_like of shape (ny, nx)
+///     Volume removed per normal force and sliding distance, of the body or the sum of both (one over a pressure), not
+///     negative.
 /// pressure, slip_distance : Field or array_like of shape (ny, nx)
-/// depth : Field or array_like, optional
-///     What has been removed before, which is added.
+///     Pressure, and the length that each cell slipped under it (lengths), not negative: those of a step or of a cycle.
+/// depth : Field or array_like of shape (ny, nx), optional
+///     What has been removed before (lengths), which is added; zero by default.
 /// grid : Grid, optional
 ///     Needed where no Field is given.
 ///
 /// Returns
 /// -------
 /// ndarray of shape (ny, nx)
+///     Depths (lengths).
+///
+/// Raises
+/// ------
+/// Negative, Sample, GridMismatch, Shape, NotFinite
 #[pyfunction]
 #[pyo3(signature = (coefficient, pressure, slip_distance, *, depth=None, grid=None))]
 pub(crate) fn archard<'py>(
@@ -73,12 +80,21 @@ pub(crate) fn archard<'py>(
 ///
 /// Parameters
 /// ----------
-/// coefficient : float or array_like of shape (ny, nx)
-///     A volume over an energy.
+/// coefficient : float, Field or array_like of shape (ny, nx)
+///     Volume removed per energy dissipated, of the body or the sum of both (one over a pressure), not negative.
 /// energy : Field or array_like of shape (ny, nx)
-///     Dissipated by each cell.
+///     Dissipated by each cell in a step or a cycle (forces times lengths), not negative.
 /// depth, grid : optional
 ///     As of :func:`archard`.
+///
+/// Returns
+/// -------
+/// ndarray of shape (ny, nx)
+///     Depths (lengths).
+///
+/// Raises
+/// ------
+/// Negative, Sample, GridMismatch, Shape, NotFinite
 #[pyfunction]
 #[pyo3(signature = (coefficient, energy, *, depth=None, grid=None))]
 pub(crate) fn energy<'py>(
@@ -98,16 +114,29 @@ pub(crate) fn energy<'py>(
     Ok(copy(py, &worn))
 }
 
-/// The energy law beyond a threshold, an energy per area that wears nothing.
+/// The energy law beyond a threshold: what a step or a cycle adds to ``coefficient * max(0, accumulated / cell area -
+/// threshold)`` (lengths).
 ///
 /// Parameters
 /// ----------
-/// coefficient : float or array_like of shape (ny, nx)
+/// coefficient : float, Field or array_like of shape (ny, nx)
+///     As of :func:`energy`.
 /// threshold : float
+///     The energy per area that wears nothing, not negative.
 /// accumulated, energy : Field or array_like of shape (ny, nx)
-///     Dissipated by each cell since the start, this part included, and in this part.
+///     Dissipated by each cell since the start, this step or cycle included, and in this one (forces times lengths), not
+///     negative.
 /// depth, grid : optional
 ///     As of :func:`archard`.
+///
+/// Returns
+/// -------
+/// ndarray of shape (ny, nx)
+///     Depths (lengths).
+///
+/// Raises
+/// ------
+/// Negative, Sample, GridMismatch, Shape, NotFinite
 #[pyfunction]
 #[pyo3(signature = (coefficient, threshold, accumulated, energy, *, depth=None, grid=None))]
 pub(crate) fn threshold_energy<'py>(
@@ -136,7 +165,21 @@ pub(crate) fn threshold_energy<'py>(
     Ok(copy(py, &worn))
 }
 
-/// Cycles whose wear by Archard's law may be taken off at once before the pressure swings without end.
+/// Cycles whose wear by Archard's law may be taken off at once before the pressure swings without end: infinite where nothing
+/// slips.
+///
+/// Parameters
+/// ----------
+/// bodies : HalfSpace
+///     The two bodies and the grid.
+/// coefficient : float, Field or array_like of shape (ny, nx)
+///     As of :func:`archard`, of both bodies together.
+/// slip_distance : Field or array_like of shape (ny, nx)
+///     The length that each cell slips in one cycle (lengths), not negative.
+///
+/// Raises
+/// ------
+/// Negative, Sample, GridMismatch, Shape
 #[pyfunction]
 pub(crate) fn max_stable_cycles(
     py: Python<'_>,
@@ -157,14 +200,21 @@ pub(crate) fn max_stable_cycles(
 /// Parameters
 /// ----------
 /// bodies : HalfSpace
+///     The two bodies and the grid.
 /// cycle : Cycle
+///     The cycle that stands for those jumped over.
 /// depth : Field or array_like of shape (ny, nx)
-///     What the cycle removed, of both bodies together (lengths).
+///     What the cycle removed, of both bodies together (lengths), not negative.
 /// largest_depth : float, optional
-///     The most that a jump may remove in any cell.
-/// closed_within : float, optional
-///     The largest residual of a cycle that may stand for those that follow.
+///     The most that a jump may remove in any cell (a length); without limit by default.
+/// closed_within : float, default 0.25
+///     The largest :attr:`Cycle.cyclic_residual` of a cycle that may stand for those that follow.
 /// cycles_left : float, optional
+///     The most cycles to jump over; without limit by default.
+///
+/// Raises
+/// ------
+/// GridMismatch, Shape, Sample
 #[pyclass(frozen, module = "stickslip.wear")]
 pub(crate) struct CycleJump(wear::CycleJump);
 
@@ -199,7 +249,7 @@ impl CycleJump {
         Ok(Self(jump))
     }
 
-    /// The cycles to jump over.
+    /// The cycles to jump over, not rounded; infinite without a limit.
     ///
     /// Raises
     /// ------

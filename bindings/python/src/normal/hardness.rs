@@ -16,14 +16,15 @@ use crate::pickle::picklable;
 ///
 /// Parameters
 /// ----------
-/// limit : float, or array_like of shape (ny, nx)
-///     Pressures: positive, or not negative per cell.
+/// limit : float, Field or array_like of shape (ny, nx)
+///     The largest pressure: a positive number, or one of each cell that is not negative; where it is zero nothing is
+///     carried.
 /// grid : Grid, optional
 ///     Where an array lives; a Field knows it.
 ///
 /// Raises
 /// ------
-/// NotPositive, Sample
+/// NotPositive, Sample, Shape
 #[pyclass(frozen, eq, module = "stickslip.normal")]
 #[derive(Clone, PartialEq)]
 pub(crate) struct Hardness(pub(crate) Limit);

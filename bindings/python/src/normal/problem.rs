@@ -119,7 +119,7 @@ impl NormalProblem {
         solve_once(py, self.gap.grid().cells(), solver, progress, warn)
     }
 
-    /// The reusable form, which starts each solve from the last answer.
+    /// A solver of this problem, which keeps its buffers and starts each solve from the last answer.
     pub(super) fn solver(&self, py: Python<'_>) -> PyResult<NormalSolver> {
         let solver = || self.problem.clone().into_solver();
         NormalSolver::of(py, solver, self.load, Arc::clone(&self.gap))

@@ -93,7 +93,7 @@ impl NormalSolution {
         self.get().force()
     }
 
-    /// Moments about x and y, at the origin, that the pressure exerts on body 1.
+    /// Moments about x and y, at the origin of the grid, that the pressure exerts on body 1 (forces times lengths).
     #[getter]
     fn moments(&self) -> (f64, f64) {
         pair(self.get().moments())
@@ -150,7 +150,7 @@ impl NormalSolution {
     /// The two bodies.
     #[getter]
     fn pair(&self) -> ElasticPair {
-        ElasticPair(*self.get().pair())
+        self.get().pair().into()
     }
 
     /// How the solve ended, what it cost, how large its error can be.
@@ -159,7 +159,7 @@ impl NormalSolution {
         Report::of(self.get().report())
     }
 
-    /// Remarks that the result may mislead.
+    /// Remarks on a result that may mislead; empty if there are none.
     #[getter]
     fn warnings(&self) -> Vec<Warning> {
         Warning::all(self.get().warnings())
@@ -171,7 +171,8 @@ impl NormalSolution {
         ContactSpots::of(self.get().spots())
     }
 
-    /// Normal displacement of all cells by the pressure (lengths), shape (ny, nx): one product.
+    /// Normal displacement of all cells by the pressure, that of body 1 plus that of body 2 (lengths, positive where the
+    /// surfaces give way), shape (ny, nx): one product.
     fn displacement<'py>(&self, py: Python<'py>, bodies: &HalfSpace) -> PyResult<Array<'py>> {
         let solution = self.get();
         let moved = unobserved(py, solution.grid().cells(), || {
@@ -180,7 +181,7 @@ impl NormalSolution {
         Ok(copy(py, &moved))
     }
 
-    /// Elastic energy of the normal contact: one product.
+    /// Elastic energy of the normal contact (a force times a length): one product.
     fn elastic_energy(&self, py: Python<'_>, bodies: &HalfSpace) -> PyResult<f64> {
         let solution = self.get();
         unobserved(py, solution.grid().cells(), || {
@@ -188,7 +189,7 @@ impl NormalSolution {
         })
     }
 
-    /// The normal stiffness, the slope of the force by the approach: one solve on the contact cells.
+    /// The normal stiffness, the slope of the force by the approach (a force over a length): one solve on the contact cells.
     fn stiffness(&self, py: Python<'_>, bodies: &HalfSpace) -> PyResult<NormalStiffness> {
         let solution = self.get();
         let found = unobserved(py, solution.grid().cells(), || {

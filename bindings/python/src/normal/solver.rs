@@ -143,7 +143,7 @@ impl NormalSolver {
         problem.solver(py)
     }
 
-    /// Solves, for this load and gap if they are given, else for those of before.
+    /// Solves, for this load and gap if they are given, else for the last ones.
     ///
     /// Parameters
     /// ----------

@@ -53,7 +53,7 @@ impl Plane {
         self.0.depth()
     }
 
-    /// Position, negative in body two.
+    /// Position along z (a length), negative in body two.
     #[getter]
     fn z(&self) -> f64 {
         self.0.z()
@@ -69,7 +69,7 @@ impl Plane {
         )
     }
 
-    /// Components xy, xz and yz.
+    /// Components xy, xz and yz (pressures).
     #[getter]
     fn shear_stress<'py>(slf: &Bound<'py, Self>) -> (Array<'py>, Array<'py>, Array<'py>) {
         (
@@ -91,19 +91,19 @@ impl Plane {
         self.0.get(ix, iy).map(Stress)
     }
 
-    /// Von Mises' equivalent stress, of shape (ny, nx).
+    /// Von Mises' equivalent stress (pressures), of shape (ny, nx).
     #[getter]
     fn von_mises<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         self.derived(py, |stress| stress.von_mises())
     }
 
-    /// Mean of the normal stresses.
+    /// Mean of the normal stresses (pressures, tensile positive).
     #[getter]
     fn hydrostatic<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         self.derived(py, |stress| stress.hydrostatic())
     }
 
-    /// Largest shear stress.
+    /// Largest shear stress (pressures).
     #[getter]
     fn max_shear<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         self.derived(py, |stress| stress.max_shear())
@@ -120,10 +120,15 @@ impl Plane {
 /// Parameters
 /// ----------
 /// bodies : HalfSpace
+///     The two bodies and the grid.
 /// depths : array_like
-///     Lengths, zero or positive.
+///     Depths below the surface of each body (lengths), not negative.
 /// displacements : bool, default False
 ///     Whether displacements are found too.
+///
+/// Raises
+/// ------
+/// Sample, Memory
 ///
 /// Examples
 /// --------

@@ -9,7 +9,7 @@ use crate::error::OrRaise;
 use crate::half_space::HalfSpace;
 use crate::progress::Progress;
 use crate::subsurface::{Loaded, Stress};
-use crate::work::{look, solve};
+use crate::work::{solve, unless_broken_off};
 
 /// Displacement and stress at a point.
 #[pyclass(frozen, eq, module = "stickslip.subsurface")]
@@ -39,14 +39,15 @@ impl Response {
     }
 }
 
-/// Cells times points between two looks at signals.
-const UNWATCHED: usize = 1 << 22;
+/// Cells times points after which signals are looked for again.
+const PORTION: usize = 1 << 22;
 
 /// Stress and displacement at points, by sums over all cells.
 ///
 /// Parameters
 /// ----------
 /// bodies : HalfSpace
+///     The two bodies and the grid.
 /// body : Body or str
 ///     "one" or "two".
 /// tractions : NormalSolution, (NormalSolution, TangentialSolution), CoupledSolution, State, History, array_like or \
@@ -58,6 +59,7 @@ const UNWATCHED: usize = 1 << 22;
 /// Returns
 /// -------
 /// list of Response
+///     Of each point in turn.
 #[pyfunction]
 pub(crate) fn at_points(
     py: Python<'_>,
@@ -68,7 +70,7 @@ pub(crate) fn at_points(
 ) -> PyResult<Vec<Response>> {
     let grid = bodies.0.grid();
     let held = tractions.held(py, grid)?;
-    let portion = (UNWATCHED / grid.cells()).max(1);
+    let portion = (PORTION / grid.cells()).max(1);
     let work = grid.cells().saturating_mul(points.len());
     let mut found = Vec::with_capacity(points.len());
     // What is refused is refused without any point too.
@@ -83,7 +85,7 @@ pub(crate) fn at_points(
             found.extend(subsurface::at_points(
                 &bodies.0, body.0, tractions, portion,
             )?);
-            look(observer)?;
+            unless_broken_off(observer)?;
         }
         Ok(())
     })?;

@@ -31,6 +31,7 @@ impl Principal {
 /// Parameters
 /// ----------
 /// xx, yy, zz, xy, xz, yz : float, default 0
+///     Components (pressures).
 ///
 /// Examples
 /// --------
@@ -92,19 +93,19 @@ impl Stress {
         self.0.yz
     }
 
-    /// Von Mises' equivalent stress.
+    /// Von Mises' equivalent stress (a pressure).
     #[getter]
     fn von_mises(&self) -> f64 {
         self.0.von_mises()
     }
 
-    /// Mean of the normal stresses.
+    /// Mean of the normal stresses (a pressure, tensile positive).
     #[getter]
     fn hydrostatic(&self) -> f64 {
         self.0.hydrostatic()
     }
 
-    /// Largest shear stress.
+    /// Largest shear stress (a pressure).
     #[getter]
     fn max_shear(&self) -> f64 {
         self.0.max_shear()

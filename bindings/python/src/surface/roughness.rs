@@ -13,7 +13,7 @@ use crate::pickle::picklable;
 use crate::surface::numbers;
 use crate::work::unobserved;
 
-/// A recipe of self-affine roughness, which stays the same surface when the grid is refined.
+/// A recipe of self-affine roughness. With a cut-off wavelength it stays the same surface when the grid is refined.
 ///
 /// Parameters
 /// ----------

@@ -16,7 +16,7 @@ use crate::grid::{Grid, size};
 /// Parameters
 /// ----------
 /// along_x, along_y : Field or array_like of shape (ny, nx)
-///     Lengths.
+///     Displacements of body 1 relative to body 2 along x and y (lengths, of either sign).
 /// grid : Grid, optional
 ///     Where arrays live; Fields know it.
 ///
@@ -46,13 +46,14 @@ impl RelativeDisplacement {
         relative.or_raise(py).map(Self)
     }
 
-    /// That of a uniform strain ``[[xx, xy], [yx, yy]]`` of body 1, none at the origin.
+    /// That of a uniform strain ``[[xx, xy], [yx, yy]]`` of body 1 less that of body 2 (dimensionless, positive where body
+    /// 1 is stretched); zero at the origin of the grid.
     #[staticmethod]
     fn bulk_strain(py: Python<'_>, grid: &Grid, strain: [[f64; 2]; 2]) -> PyResult<Self> {
         Relative::bulk_strain(grid.0, strain).or_raise(py).map(Self)
     }
 
-    /// Its components along x and y.
+    /// Its components along x and y (lengths).
     #[getter]
     fn fields<'py>(slf: &Bound<'py, Self>) -> (Array<'py>, Array<'py>) {
         (

@@ -102,19 +102,19 @@ impl TangentialSolution {
         pair(self.get().shift())
     }
 
-    /// Rotation of body 2 about the origin of the grid (radians).
+    /// Rotation of body 2 relative to body 1 about the origin of the grid (radians, positive from x to y).
     #[getter]
     fn twist(&self) -> f64 {
         self.get().twist()
     }
 
-    /// Tangential force that body 2 exerts on body 1.
+    /// Tangential force that body 2 exerts on body 1 along x and y.
     #[getter]
     fn force(&self) -> (f64, f64) {
         pair(self.get().force())
     }
 
-    /// Moment about z, at the origin, on body 1.
+    /// Moment about z, at the origin of the grid, on body 1 (a force times a length, positive from x to y).
     #[getter]
     fn moment(&self) -> f64 {
         self.get().moment()
@@ -132,19 +132,19 @@ impl TangentialSolution {
         self.get().stick_ratio()
     }
 
-    /// Area of the stick zone.
+    /// Area of the stick zone, by counting cells.
     #[getter]
     fn stick_area(&self) -> f64 {
         self.get().stick_area()
     }
 
-    /// Area of the slip zone.
+    /// Area of the slip zone, by counting cells.
     #[getter]
     fn slip_area(&self) -> f64 {
         self.get().slip_area()
     }
 
-    /// Energy dissipated by the step.
+    /// Energy dissipated by the step (a force times a length), not negative.
     #[getter]
     fn dissipated_energy(&self) -> f64 {
         self.get().dissipated_energy()
@@ -162,7 +162,7 @@ impl TangentialSolution {
         Report::of(self.get().report())
     }
 
-    /// Remarks that the result may mislead.
+    /// Remarks on a result that may mislead; empty if there are none.
     #[getter]
     fn warnings(&self) -> Vec<Warning> {
         Warning::all(self.get().warnings())
@@ -189,7 +189,7 @@ impl TangentialSolution {
         Ok(moved.each_ref().map(|field| copy(py, field)).into())
     }
 
-    /// Elastic energy of shear: one product.
+    /// Elastic energy of shear (a force times a length): one product.
     fn elastic_energy(&self, py: Python<'_>, bodies: &HalfSpace) -> PyResult<f64> {
         let solution = self.get();
         unobserved(py, solution.grid().cells(), || {

@@ -29,7 +29,7 @@ solver!(TangentialSolver: TangentialSolution);
 
 #[pymethods]
 impl TangentialSolver {
-    /// Solves, for this load if one is given, else for that of before.
+    /// Solves, for this load if one is given, else for the last one.
     ///
     /// Parameters
     /// ----------

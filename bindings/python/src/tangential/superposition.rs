@@ -12,9 +12,16 @@ use crate::normal::NormalSolution;
 /// Parameters
 /// ----------
 /// full, stick : NormalSolution
-///     The contact, and the one whose contact is the stick zone.
+///     The contact under its load W, and the same bodies under the load W - F / mu for a tangential force F: its contact
+///     is the stick zone.
 /// pair : ElasticPair
+///     The bodies. The coupling between pressure and shear of different materials is neglected.
 /// friction : float
+///     Coefficient of friction mu (dimensionless), not negative.
+///
+/// Raises
+/// ------
+/// Negative, GridMismatch, BoundaryMismatch, MaterialMismatch, NotConverged, EmptyContact
 #[pyclass(frozen, module = "stickslip.tangential")]
 pub(crate) struct JaegerSuperposition(stickslip::tangential::JaegerSuperposition);
 
@@ -45,13 +52,13 @@ impl JaegerSuperposition {
         zones(py, self.0.traction().grid(), self.0.zones())
     }
 
-    /// The shift (a length).
+    /// The shift, the rigid motion of body 2 relative to body 1 (a length).
     #[getter]
     fn shift(&self) -> f64 {
         self.0.shift()
     }
 
-    /// The force.
+    /// The tangential force, mu times the difference of the two loads.
     #[getter]
     fn force(&self) -> f64 {
         self.0.force()

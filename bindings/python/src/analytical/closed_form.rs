@@ -1,0 +1,105 @@
+//! The classes of closed forms, which are alike, declared from their arguments, numbers and functions.
+
+/// Declares the class of a closed form: the object that it is made from and its further arguments, which are numbers
+/// unless a type is given; the objects that it has, its numbers, its pairs of numbers, its functions of one coordinate and
+/// of two, and what it has beside.
+macro_rules! closed_form {
+    (
+        $(#[$doc:meta])*
+        $class:ident(
+            $subject:ident: $subject_type:ty => $subject_value:expr
+            $(, $number_argument:ident)*
+            $(; $other:ident: $other_type:ty => $other_value:expr)?
+        )
+        $(objects { $($(#[$object_doc:meta])* $object:ident: $object_class:ty),* $(,)? })?
+        numbers { $($(#[$number_doc:meta])* $number:ident),* $(,)? }
+        $(pairs { $($(#[$pair_doc:meta])* $pair:ident),* $(,)? })?
+        $(along { $($(#[$along_doc:meta])* $along:ident($coordinate:ident)),* $(,)? })?
+        $(across { $($(#[$across_doc:meta])* $across:ident),* $(,)? })?
+        $(also { $($also:item)* })?
+    ) => {
+        $(#[$doc])*
+        #[pyo3::pyclass(frozen, eq, module = "stickslip.analytical", from_py_object)]
+        #[derive(Clone, PartialEq)]
+        pub(crate) struct $class(pub(crate) stickslip::analytical::$class);
+
+        impl From<stickslip::analytical::$class> for $class {
+            fn from(form: stickslip::analytical::$class) -> Self {
+                Self(form)
+            }
+        }
+
+        #[pyo3::pymethods]
+        impl $class {
+            #[new]
+            fn new(
+                py: pyo3::Python<'_>,
+                $subject: $subject_type,
+                $($number_argument: f64,)*
+                $($other: $other_type,)?
+            ) -> pyo3::PyResult<Self> {
+                let form = stickslip::analytical::$class::new(
+                    $subject_value,
+                    $($number_argument,)*
+                    $($other_value,)?
+                );
+                crate::error::OrRaise::or_raise(form, py).map(Self)
+            }
+
+            $($(
+                $(#[$object_doc])*
+                #[getter]
+                fn $object(&self) -> $object_class {
+                    self.0.$object().into()
+                }
+            )*)?
+
+            $(
+                $(#[$number_doc])*
+                #[getter]
+                fn $number(&self) -> f64 {
+                    self.0.$number()
+                }
+            )*
+
+            $($(
+                $(#[$pair_doc])*
+                #[getter]
+                fn $pair(&self) -> (f64, f64) {
+                    crate::sequence::pair(self.0.$pair())
+                }
+            )*)?
+
+            $($(
+                $(#[$along_doc])*
+                fn $along(
+                    &self,
+                    $coordinate: crate::analytical::coordinates::Coordinates,
+                ) -> crate::analytical::coordinates::Values {
+                    $coordinate.along(|at| self.0.$along(at))
+                }
+            )*)?
+
+            $($(
+                $(#[$across_doc])*
+                fn $across(
+                    &self,
+                    x: crate::analytical::coordinates::Coordinates,
+                    y: crate::analytical::coordinates::Coordinates,
+                ) -> pyo3::PyResult<crate::analytical::coordinates::Values> {
+                    x.across(y, |x, y| self.0.$across(x, y))
+                }
+            )*)?
+
+            fn __repr__(&self) -> String {
+                let numbers: Vec<String> =
+                    vec![$(format!("{}={:.6e}", stringify!($number), self.0.$number())),*];
+                format!("{}({})", stringify!($class), numbers.join(", "))
+            }
+        }
+
+        $(#[pyo3::pymethods] impl $class { $($also)* })?
+    };
+}
+
+pub(super) use closed_form;

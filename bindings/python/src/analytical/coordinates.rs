@@ -1,0 +1,76 @@
+//! Coordinates of closed forms, and the values there: numbers or arrays.
+
+use numpy::ndarray::{ArrayD, Axis, Zip};
+use numpy::{AllowTypeChange, IntoPyArray, PyArrayLikeDyn};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+#[cfg(feature = "stubs")]
+use pyo3::{inspect::PyStaticExpr, type_hint_identifier};
+
+/// Coordinates: a number, or an array of any shape.
+pub(crate) struct Coordinates(ArrayD<f64>);
+
+impl FromPyObject<'_, '_> for Coordinates {
+    type Error = PyErr;
+
+    #[cfg(feature = "stubs")]
+    const INPUT_TYPE: PyStaticExpr = type_hint_identifier!("numpy.typing", "ArrayLike");
+
+    fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
+        let array: PyArrayLikeDyn<'_, f64, AllowTypeChange> = object.extract()?;
+        Ok(Self(array.as_array().to_owned()))
+    }
+}
+
+impl Coordinates {
+    /// A function of these coordinates.
+    pub(super) fn along(self, function: impl Fn(f64) -> f64) -> Values {
+        Values(self.0.mapv_into(function))
+    }
+
+    /// A function of these coordinates and others, which are broadcast to one shape.
+    pub(super) fn across(
+        self,
+        other: Self,
+        function: impl Fn(f64, f64) -> f64,
+    ) -> PyResult<Values> {
+        let (x, y) = (self.0, other.0);
+        // Counted from the last axis; of length one where there is none.
+        let length = |array: &ArrayD<f64>, axis: usize| {
+            let axis = array.ndim().checked_sub(axis + 1);
+            axis.map_or(1, |axis| array.len_of(Axis(axis)))
+        };
+        let axes = (0..x.ndim().max(y.ndim())).rev();
+        let shape: Vec<usize> = axes
+            .map(|axis| match length(&x, axis) {
+                1 => length(&y, axis),
+                length => length,
+            })
+            .collect();
+        let (Some(x), Some(y)) = (x.broadcast(&shape[..]), y.broadcast(&shape[..])) else {
+            return Err(PyValueError::new_err("the shapes of x and y do not fit"));
+        };
+        Ok(Values(
+            Zip::from(x).and(y).map_collect(|x, y| function(*x, *y)),
+        ))
+    }
+}
+
+/// A number for a number, an array for an array.
+pub(crate) struct Values(ArrayD<f64>);
+
+impl<'py> IntoPyObject<'py> for Values {
+    type Target = PyAny;
+    type Output = Bound<'py, PyAny>;
+    type Error = PyErr;
+
+    #[cfg(feature = "stubs")]
+    const OUTPUT_TYPE: PyStaticExpr = type_hint_identifier!("typing", "Any");
+
+    fn into_pyobject(self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        match (self.0.ndim(), self.0.first()) {
+            (0, Some(value)) => Ok(value.into_pyobject(py)?.into_any()),
+            _ => Ok(self.0.into_pyarray(py).into_any()),
+        }
+    }
+}

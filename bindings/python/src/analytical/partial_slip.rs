@@ -1,0 +1,217 @@
+//! Partial slip under a tangential force that increases monotonically.
+
+use pyo3::prelude::*;
+
+use crate::analytical::closed_form::closed_form;
+use crate::analytical::{Cone, HertzEllipse, HertzLine, HertzSphere};
+use crate::error::OrRaise;
+
+closed_form! {
+    /// A sphere in partial slip: a constant normal load, then a tangential force along x that increases monotonically.
+    ///
+    /// With f = |F| / (mu W) a disc of radius c = a (1 - f)^(1/3) sticks. The ring around it slips, opposite to the
+    /// traction. This is the solution of the scalar model, with traction along x only; with traction along y allowed it is
+    /// exact for nu = 0. The coupling between pressure and shear of dissimilar bodies is neglected. Cattaneo (1938);
+    /// Mindlin (1949); Johnson (1985), 7.41-7.44.
+    ///
+    /// Parameters
+    /// ----------
+    /// hertz : HertzSphere
+    ///     The normal contact.
+    /// friction : float
+    ///     Coefficient of friction mu (dimensionless), not negative.
+    /// force : float
+    ///     Tangential force F on body 1 along x, of either sign, at most mu W.
+    ///
+    /// Raises
+    /// ------
+    /// Negative, NotFinite, BeyondFrictionCapacity
+    CattaneoMindlin(hertz: HertzSphere => hertz.0, friction, force)
+    objects {
+        /// The normal contact.
+        hertz: HertzSphere,
+    }
+    numbers {
+        /// Tangential force F on body 1, positive along +x.
+        force,
+        /// Radius of the stick disc, c = a (1 - f)^(1/3) (a length).
+        stick_radius,
+        /// Fraction of the contact area that sticks, c^2/a^2 = (1 - f)^(2/3).
+        stick_ratio,
+        /// Shift delta_x (a length): the rigid motion of body 2 relative to body 1, of the sign of the force, of size
+        /// (3 mu W / 16 a) ((2 - nu)/G) (1 - (1 - f)^(2/3)).
+        shift,
+        /// Shift at which the whole contact begins to slide, delta_0 (a length, positive): the shift under mu W.
+        sliding_shift,
+        /// Energy dissipated while the force grows from zero to F (a force times a length, not negative),
+        /// (mu W delta_0 / 5) (1 - c/a)^3 (1 + 3 c/a + c^2/a^2).
+        dissipated_energy,
+    }
+    along {
+        /// Traction on body 1 along x (a pressure, of the sign of the force) at the distance r from the centre:
+        /// mu p_0 sqrt(1 - r^2/a^2), less mu p_0 (c/a) sqrt(1 - r^2/c^2) in the stick disc; zero outside the contact.
+        traction(r),
+    }
+    across {
+        /// Tangential displacement u_x of body 1 relative to body 2 (a length, of the sign of the force), anywhere in the
+        /// plane: shift and slip inside the contact.
+        displacement,
+        /// Slip u_x - delta_x (a length, opposite to the force) in the ring that slips; zero elsewhere.
+        slip,
+    }
+}
+
+closed_form! {
+    /// An elliptic paraboloid in partial slip: a constant normal load, then a tangential force along x that increases
+    /// monotonically.
+    ///
+    /// The stick ellipse is the contact ellipse scaled by s = (1 - f)^(1/3), f = |F| / (mu W). This is the solution of the
+    /// scalar model, with traction along x only. The coupling between pressure and shear of dissimilar bodies is neglected.
+    /// Mindlin (1949); Vermeulen and Johnson (1964).
+    ///
+    /// Parameters
+    /// ----------
+    /// hertz : HertzEllipse
+    ///     The normal contact.
+    /// friction : float
+    ///     Coefficient of friction mu (dimensionless), not negative.
+    /// force : float
+    ///     Tangential force F on body 1 along x, of either sign, at most mu W.
+    ///
+    /// Raises
+    /// ------
+    /// Negative, NotFinite, BeyondFrictionCapacity
+    CattaneoMindlinEllipse(hertz: HertzEllipse => hertz.0, friction, force)
+    objects {
+        /// The normal contact.
+        hertz: HertzEllipse,
+    }
+    numbers {
+        /// Tangential force F on body 1, positive along +x.
+        force,
+        /// Fraction of the contact area that sticks, (1 - f)^(2/3).
+        stick_ratio,
+        /// Shift (a length): the rigid motion of body 2 relative to body 1, of the sign of the force, 1 - s^2 of that at
+        /// which the whole contact begins to slide.
+        shift,
+        /// Shift at which the whole contact begins to slide (a length, positive): the shift under mu W.
+        sliding_shift,
+        /// Energy dissipated while the force grows from zero to F (a force times a length, not negative), as
+        /// :attr:`CattaneoMindlin.dissipated_energy`.
+        dissipated_energy,
+    }
+    pairs {
+        /// Semi-axes of the stick ellipse along x and y (lengths): s times those of the contact.
+        stick_semi_axes,
+    }
+    across {
+        /// Traction on body 1 along x (a pressure, of the sign of the force): with rho^2 = x^2/a_x^2 + y^2/a_y^2 it is
+        /// mu p_0 sqrt(1 - rho^2), less mu p_0 sqrt(s^2 - rho^2) in the stick ellipse; zero outside the contact.
+        traction,
+    }
+}
+
+closed_form! {
+    /// A cylinder in partial slip in plane strain: a constant normal load, then a tangential force along x that
+    /// increases monotonically, with a bulk strain that increases in proportion to it.
+    ///
+    /// With f = |Q| / (mu P) a strip of half-width c = a sqrt(1 - f) sticks; the rest slips, opposite to the traction. For
+    /// equal bodies, or bodies of which Dundurs' beta is zero. Johnson (1985), section 7.2; with bulk strain Nowell &
+    /// Hills, Int. J. Mech. Sci. 29 (1987) 355.
+    ///
+    /// Parameters
+    /// ----------
+    /// hertz : HertzLine
+    ///     The normal contact.
+    /// friction : float
+    ///     Coefficient of friction mu (dimensionless), not negative.
+    /// force : float
+    ///     Tangential force Q on body 1 along x (a force per length), of either sign, at most mu P.
+    ///
+    /// Raises
+    /// ------
+    /// Negative, NotFinite, BeyondFrictionCapacity
+    CattaneoMindlinLine(hertz: HertzLine => hertz.0, friction, force)
+    objects {
+        /// The normal contact.
+        hertz: HertzLine,
+    }
+    numbers {
+        /// Tangential force Q on body 1 (a force per length), positive along +x.
+        force,
+        /// Half-width of the strip that sticks, c = a sqrt(1 - f) (a length).
+        stick_half_width,
+        /// Middle of the strip that sticks (a length along x), of size a E* strain / (2 mu p_0); zero without strain.
+        stick_centre,
+        /// Energy that a cycle of the force between Q and -Q dissipates per length, without bulk strain,
+        /// ((mu P)^2 / (pi E*)) (4 (1 - f) ln(1 - f) + 4 f - 2 f^2).
+        energy_per_cycle,
+    }
+    along {
+        /// Traction on body 1 along x (a pressure) at x: with the sign of Q, mu p_0 sqrt(1 - x^2/a^2), less
+        /// mu p_0 (c/a) sqrt(1 - (x - e)^2/c^2) in the strip around e that sticks; zero outside the contact.
+        traction(x),
+        /// Shift (a length): the rigid motion of body 2 relative to body 1 along x, of the sign of the force, without bulk
+        /// strain and relative to the datum d (a length) of :meth:`Boundary.periodic_along_y`: of size
+        /// (mu P / (pi E*)) (f (2 ln(2d/a) + 1) + (1 - f) ln(1 - f)).
+        shift(datum),
+    }
+    also {
+        /// With this strain of body 1 along x less that of body 2, positive where it is stretched. A bulk stress along x
+        /// in one body strains it by stress (1 - nu^2) / E in plane strain: :meth:`Material.plane_strain_under`.
+        ///
+        /// Raises
+        /// ------
+        /// NotFinite, NotPositive
+        /// Below
+        ///     If the strip that sticks would leave the contact.
+        fn with_strain(&self, py: Python<'_>, strain: f64) -> PyResult<Self> {
+            self.0.with_strain(strain).or_raise(py).map(Self)
+        }
+    }
+}
+
+closed_form! {
+    /// A cone in partial slip: a constant normal load, then a tangential force along x that increases monotonically.
+    ///
+    /// The traction is mu times the difference between the pressure under W and that under the reduced load (1 - f) W,
+    /// f = |F| / (mu W), whose contact circle is the stick disc. This is the solution of the scalar model, with traction
+    /// along x only. The coupling between pressure and shear of dissimilar bodies is neglected. Ciavarella (1998); Jaeger
+    /// (1998).
+    ///
+    /// Parameters
+    /// ----------
+    /// cone : Cone
+    ///     The normal contact.
+    /// friction : float
+    ///     Coefficient of friction mu (dimensionless), not negative.
+    /// force : float
+    ///     Tangential force F on body 1 along x, of either sign, at most mu W.
+    ///
+    /// Raises
+    /// ------
+    /// Negative, NotFinite, BeyondFrictionCapacity
+    ConePartialSlip(cone: Cone => cone.0, friction, force)
+    objects {
+        /// The normal contact.
+        cone: Cone,
+    }
+    numbers {
+        /// Tangential force F on body 1, positive along +x.
+        force,
+        /// Radius of the stick disc, c = a sqrt(1 - f) (a length).
+        stick_radius,
+        /// Fraction of the contact area that sticks, c^2/a^2 = 1 - f.
+        stick_ratio,
+        /// Shift (a length): the rigid motion of body 2 relative to body 1, of the sign of the force, of size
+        /// mu delta (2 - nu) / (2 (1 - nu)) (1 - sqrt(1 - f)).
+        shift,
+        /// Shift at which the whole contact begins to slide (a length, positive): the shift under mu W.
+        sliding_shift,
+    }
+    along {
+        /// Traction on body 1 along x (a pressure, of the sign of the force) at the distance r from the centre:
+        /// (mu E* tan(beta) / 2) arcosh(a/r), less the same with c in the stick disc; zero outside the contact.
+        traction(r),
+    }
+}
