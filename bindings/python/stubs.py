@@ -19,6 +19,7 @@ def readable(text: str) -> str:
         text = shorter
     text = re.sub(r"(: (?:Sequence\[)+float\]+)", r"\1 | NDArray[Any]", text)
     text = re.sub(r": dict(?!\[)", ": dict[str, Any]", text)
+    text = re.sub(r"(\*\w+)(?=[,)])", r"\1: Any", text)
     text = re.sub(r"(?<!\w)ndarray", "NDArray[Any]", text)
     # A function whose body was its docstring.
     text = re.sub(r"^( *def .*):\n", r"\1: ...\n", text, flags=re.M)

@@ -6,20 +6,25 @@ macro_rules! argument {
         $(#[$doc])*
         pub(crate) struct $name<'py>(pyo3::Bound<'py, pyo3::PyAny>);
 
-        impl<'py> pyo3::FromPyObject<'_, 'py> for $name<'py> {
-            type Error = pyo3::PyErr;
-
+        const _: () = {
             #[cfg(feature = "stubs")]
-            const INPUT_TYPE: pyo3::inspect::PyStaticExpr = pyo3::type_hint_union!(
-                $(<$class as pyo3::PyTypeInfo>::TYPE_HINT,)+
-                $(pyo3::type_hint_identifier!("builtins", $builtin),)?
-                pyo3::type_hint_identifier!("numpy.typing", "ArrayLike")
-            );
+            use pyo3::{PyTypeInfo, inspect::PyStaticExpr, type_hint_identifier, type_hint_union};
 
-            fn extract(object: pyo3::Borrowed<'_, 'py, pyo3::PyAny>) -> pyo3::PyResult<Self> {
-                Ok(Self(object.to_owned()))
+            impl<'py> pyo3::FromPyObject<'_, 'py> for $name<'py> {
+                type Error = pyo3::PyErr;
+
+                #[cfg(feature = "stubs")]
+                const INPUT_TYPE: PyStaticExpr = type_hint_union!(
+                    $(<$class>::TYPE_HINT,)+
+                    $(type_hint_identifier!("builtins", $builtin),)?
+                    type_hint_identifier!("numpy.typing", "ArrayLike")
+                );
+
+                fn extract(object: pyo3::Borrowed<'_, 'py, pyo3::PyAny>) -> pyo3::PyResult<Self> {
+                    Ok(Self(object.to_owned()))
+                }
             }
-        }
+        };
     };
 }
 

@@ -172,6 +172,7 @@ def test_closed_forms_take_numbers_and_arrays(scene):
     assert hertz.pressure(np.zeros((2, 3))).shape == (2, 3)
     exact = ss.analytical.CattaneoMindlin(hertz, 0.5, 20.0)
     assert exact.slip(np.linspace(0.0, hertz.contact_radius, 5), 0.0).shape == (5,)
+    assert exact.slip(np.zeros((1, 4)), np.zeros((3, 1))).shape == (3, 4)
     assert exact.hertz == hertz and hertz.pair == scene.bodies.pair
     with pytest.raises(ValueError, match="shapes"):
         exact.slip(np.zeros(3), np.zeros(4))

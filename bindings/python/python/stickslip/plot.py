@@ -29,9 +29,13 @@ def _axes(axes: Axes | None) -> Axes:
     return pyplot.subplots()[1]
 
 
-def _extent(grid: Grid, scale: float) -> tuple[float, float, float, float]:
-    left, right, bottom, top = grid.extent
-    return scale * left, scale * right, scale * bottom, scale * top
+def _image(axes: Axes, grid: Grid, values: Any, scale: float, **options: Any) -> Any:
+    """Draws values of the cells of a grid where they are."""
+    left, right, bottom, top = (scale * edge for edge in grid.extent)
+    image = axes.imshow(values, origin="lower", extent=(left, right, bottom, top), **options)
+    axes.set_xlabel("x")
+    axes.set_ylabel("y")
+    return image
 
 
 def field(
@@ -42,22 +46,22 @@ def field(
     Parameters
     ----------
     grid : Grid
+        The cells.
     values : Field or array_like of shape (ny, nx)
+        What is drawn; masked values are left white.
     axes : matplotlib Axes, optional
-    label : str
+        Where it is drawn; new axes by default.
+    label : str, default ""
         Of the bar of colours.
-    scale : float
-        Factor of the coordinates, such as 1e3 for millimetres.
+    scale : float, default 1
+        Factor of the coordinates, such as 1e3 to show metres as millimetres.
     **options
         Of ``imshow``.
     """
     axes = _axes(axes)
-    extent = _extent(grid, scale)
     shown = values if np.ma.isMaskedArray(values) else np.asarray(values)
-    image = axes.imshow(shown, origin="lower", extent=extent, **options)
+    image = _image(axes, grid, shown, scale, **options)
     axes.figure.colorbar(image, ax=axes, label=label)
-    axes.set_xlabel("x")
-    axes.set_ylabel("y")
     return axes
 
 
@@ -76,11 +80,11 @@ def stick_map(solution: Any, axes: Axes | None = None, *, scale: float = 1.0) ->
     from matplotlib.patches import Patch
 
     colours = {Zone.SEPARATED: "white", Zone.STICK: "tab:blue", Zone.SLIP: "tab:orange"}
-    extent = _extent(solution.grid, scale)
-    axes.imshow(
+    _image(
+        axes,
+        solution.grid,
         solution.zones,
-        origin="lower",
-        extent=extent,
+        scale,
         cmap=ListedColormap([colours[zone] for zone in Zone]),
         vmin=-0.5,
         vmax=2.5,
@@ -88,8 +92,6 @@ def stick_map(solution: Any, axes: Axes | None = None, *, scale: float = 1.0) ->
     )
     shown = (Zone.STICK, Zone.SLIP)
     axes.legend(handles=[Patch(color=colours[zone], label=zone.name.lower()) for zone in shown])
-    axes.set_xlabel("x")
-    axes.set_ylabel("y")
     return axes
 
 
