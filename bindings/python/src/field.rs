@@ -161,8 +161,14 @@ impl Samples<'_> {
         quantity: &str,
         grid: stickslip::Grid,
     ) -> PyResult<Arc<stickslip::Field>> {
-        if let Some(field) = self.known()? {
+        if let Some(field) = self.field() {
             return Ok(field);
+        }
+        if self.is_topography()? {
+            return Err(PyTypeError::new_err(format!(
+                "{quantity} is a topography, whose heights point out of its body: \
+                 surface.gap_from_heights(topography) makes a gap of them"
+            )));
         }
         if let Some(value) = self.number() {
             return Ok(Arc::new(stickslip::Field::constant(grid, value)));
@@ -216,11 +222,20 @@ impl Samples<'_> {
         })
     }
 
+    fn field(&self) -> Option<Arc<stickslip::Field>> {
+        let field = self.0.cast::<Field>().ok()?;
+        Some(Arc::clone(&field.get().0))
+    }
+
+    fn is_topography(&self) -> PyResult<bool> {
+        Ok(self.0.hasattr("heights")? && self.0.hasattr("physical_sizes")?)
+    }
+
     fn known(&self) -> PyResult<Option<Arc<stickslip::Field>>> {
-        if let Ok(field) = self.0.cast::<Field>() {
-            return Ok(Some(Arc::clone(&field.get().0)));
+        if let Some(field) = self.field() {
+            return Ok(Some(field));
         }
-        if self.0.hasattr("heights")? && self.0.hasattr("physical_sizes")? {
+        if self.is_topography()? {
             let module = self.0.py().import("stickslip.surface")?;
             let field = module.call_method1("from_topography", (&self.0,))?;
             return Ok(Some(Arc::clone(&field.cast::<Field>()?.get().0)));

@@ -214,7 +214,17 @@ pub(crate) fn warn(
     let category = py.import("stickslip.errors")?.getattr("ContactWarning")?;
     let module = py.import("warnings")?;
     for warning in warnings() {
-        module.call_method1("warn", (warning.to_string(), &category, 2))?;
+        // The innermost frame of Python is that of the caller.
+        module.call_method1("warn", (warning.to_string(), &category, 1))?;
     }
     Ok(())
+}
+
+/// How a solve ended, and how many remarks there are on its answer: for the ``repr`` of a solution.
+pub(crate) fn ending(report: &stickslip::Report, warnings: &[stickslip::Warning]) -> String {
+    match warnings.len() {
+        0 => report.status.to_string(),
+        1 => format!("{}, 1 warning", report.status),
+        several => format!("{}, {several} warnings", report.status),
+    }
 }

@@ -126,6 +126,8 @@ def test_a_topography_is_transposed_and_its_holes_are_missing(scene):
             return np.ma.masked_equal(np.arange(8.0).reshape(4, 2), 5.0)
 
     field = ss.surface.from_topography(Topography())
+    with pytest.raises(TypeError, match="gap_from_heights"):
+        ss.NormalProblem(scene.bodies, Topography(), force=1.0)
     assert field.grid == ss.Grid(4, 2, 1.0, 0.5)
     assert np.array_equal(field.array[0], [0.0, 2.0, 4.0, 6.0]) and np.isnan(field.array[1, 2])
     filled = ss.surface.fill_missing(Topography())

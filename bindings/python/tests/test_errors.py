@@ -158,9 +158,11 @@ def test_warnings_are_objects_and_are_warned_of_on_request(scene):
         warnings.simplefilter("error")
         contact = tiny.solve()
     [remark] = contact.warnings
+    assert repr(contact).endswith("converged, 1 warning)")
     assert remark.kind == "unresolved_spots" and "refine the grid" in repr(remark)
-    with pytest.warns(ss.ContactWarning, match="refine the grid"):
+    with pytest.warns(ss.ContactWarning, match="refine the grid") as caught:
         tiny.solve(warn=True)
+    assert caught[0].filename == __file__
     history = scene.history()
     history.step(normal_force=FORCE)
     history.set_gap(scene.ball + 1e-9)

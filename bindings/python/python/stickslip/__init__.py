@@ -22,9 +22,10 @@ Arrays of solutions are read-only views of their memory. Whatever takes a field 
 next product, and leaves the state of solvers and histories as it was.
 
 Submodules are those of the Rust crate: :mod:`~stickslip.analytical`, :mod:`~stickslip.cgm`, :mod:`~stickslip.coupled`,
-:mod:`~stickslip.dense`, :mod:`~stickslip.errors`, :mod:`~stickslip.history`, :mod:`~stickslip.influence`,
-:mod:`~stickslip.io`, :mod:`~stickslip.normal`, :mod:`~stickslip.stiffness`, :mod:`~stickslip.subsurface`,
-:mod:`~stickslip.surface`, :mod:`~stickslip.tangential`; :mod:`~stickslip.plot` draws with matplotlib.
+:mod:`~stickslip.dense`, :mod:`~stickslip.errors`, :mod:`~stickslip.fft`, :mod:`~stickslip.history`,
+:mod:`~stickslip.influence`, :mod:`~stickslip.io`, :mod:`~stickslip.normal`, :mod:`~stickslip.stiffness`,
+:mod:`~stickslip.subsurface`, :mod:`~stickslip.surface`, :mod:`~stickslip.tangential`, :mod:`~stickslip.wear`;
+:mod:`~stickslip.plot` draws with matplotlib.
 """
 
 from . import (
@@ -38,6 +39,7 @@ from . import (
     influence,
     io,
     normal,
+    plot,
     stiffness,
     subsurface,
     surface,
@@ -133,6 +135,7 @@ __all__ = [
     "influence",
     "io",
     "normal",
+    "plot",
     "num_threads",
     "set_num_threads",
     "stiffness",

@@ -16,14 +16,22 @@ class Axis(_Name):
 
 
 class TangentialModel(_Name):
-    """Which tractions are found: along the axis of the load, or both components."""
+    """Which tractions are found: along the axis of the load ("scalar"), or along x and y in every cell ("vector").
+
+    Where pressure and shear are found together, both are, whatever the model.
+    """
 
     SCALAR = "scalar"
     VECTOR = "vector"
 
 
 class Coupling(_Name):
-    """How much is modelled of the coupling between pressure and shear in bodies of different materials."""
+    """How much is modelled of the coupling between pressure and shear in bodies of different materials.
+
+    "full": both are found together. "one_way": pressure moves the surfaces tangentially, shear does not change the
+    pressure (Goodman). "neglected": neither moves the other. Of bodies that are not coupled, such as equal materials, all
+    three are the same. Stick ratios depend on the choice, and on whether the load comes in one step or in many.
+    """
 
     FULL = "full"
     ONE_WAY = "one_way"
@@ -31,21 +39,26 @@ class Coupling(_Name):
 
 
 class TouchRule(_Name):
-    """How far a cell that comes into contact within a step follows the motion of the step."""
+    """How far a cell that comes into contact within a step follows the motion of the step.
+
+    "growth": as far as it would if all that grows within the step stuck, so that a step may press and shear at once.
+    "whole_step": all of it, as in codes that know the start of the step only.
+    """
 
     GROWTH = "growth"
     WHOLE_STEP = "whole_step"
 
 
 class Method(_Name):
-    """The iteration that finds the constrained minimum."""
+    """The iteration that finds the constrained minimum: active sets by preconditioned conjugate gradients, or the single
+    loop of Polonsky and Keer, which solves for pressure or for one traction."""
 
     ACTIVE_SET = "active_set"
     POLONSKY_KEER = "polonsky_keer"
 
 
 class Status(_Name):
-    """Why an iteration ended."""
+    """Why an iteration ended; "stalled": the residual no longer falls, mostly because the tolerance is below round-off."""
 
     UNSOLVED = "unsolved"
     CONVERGED = "converged"

@@ -43,7 +43,8 @@ class FrettingLoop:
         The values (x, y) at the ends of the steps of a cycle (forces or lengths, as ``load`` takes them).
     load : callable
         Makes a :class:`~stickslip.LoadStep` of a value. In a loop that changes the gap it prescribes the normal load in every
-        step: else the pressure stays that of the old gap.
+        step: else the pressure stays that of the old gap. Press before the loop: a first step that presses and shears at
+        once leaves shear in the cells that touched on the way, and the loop off its centre.
     until_steady : float, optional
         Stops after the first cycle whose :attr:`Cycle.cyclic_residual` is no more than this, in (0, 1); never by default.
 
@@ -59,8 +60,9 @@ class FrettingLoop:
     >>> steel = ss.Material(213e9, 0.29)
     >>> bodies = ss.HalfSpace(grid, (steel, steel))
     >>> history = ss.History(bodies, ss.surface.sphere(grid, 3.5e-3), 0.5)
+    >>> step = history.step(normal_force=100.0)
     >>> path = LoadPath.sine((2e-6, 0.0), 20)
-    >>> loop = FrettingLoop(path, lambda shift: ss.LoadStep(normal_force=100.0, shift=shift), until_steady=1e-4)
+    >>> loop = FrettingLoop(path, lambda shift: ss.LoadStep(shift=shift), until_steady=1e-4)
     >>> outcome = loop.run(history, 10)
     >>> outcome.cycles, str(outcome.ending), str(outcome.last.regime)
     (2, 'steady', 'partial_slip')
@@ -77,6 +79,8 @@ class FrettingLoop:
             error = Tolerance(f"the tolerance must lie strictly between 0 and 1, got {until_steady}")
             error.value = until_steady
             raise error
+        if not isinstance(path, LoadPath):
+            raise TypeError(f"the path must be a LoadPath, got {type(path).__name__}: LoadPath(values)")
         self._path = path
         self._load = load
         self._until_steady = until_steady

@@ -1,4 +1,4 @@
-"""Laws of wear, and jumps over cycles; also :mod:`stickslip.history.wear`.
+"""Laws of wear, and jumps over cycles; also as the attribute ``wear`` of :mod:`stickslip.history`.
 
 The laws return a new array of depths. Arrays do not know their cells: give ``grid=``.
 """

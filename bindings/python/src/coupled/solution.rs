@@ -8,7 +8,7 @@ use crate::array::{Array, view};
 use crate::coupled::CoupledReport;
 use crate::normal::NormalSolution;
 use crate::pickle::picklable;
-use crate::report::Warning;
+use crate::report::{Warning, ending};
 use crate::tangential::TangentialSolution;
 
 /// Both halves of a coupled contact, with the displacements that they cause together. Halves and arrays share its memory.
@@ -71,7 +71,7 @@ impl CoupledSolution {
             "CoupledSolution(normal_force={:.6e}, force=({x:.6e}, {y:.6e}), stick_ratio={:.4}, {})",
             normal.force(),
             self.0.shear().stick_ratio(),
-            self.0.report().work.status
+            ending(&self.0.report().work, &self.0.warnings())
         )
     }
 }

@@ -10,7 +10,7 @@ use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::material::ElasticPair;
 use crate::pickle::{Reduced, Stored, reduced};
-use crate::report::{Report, Warning};
+use crate::report::{Report, Warning, ending};
 use crate::sequence::pair;
 use crate::spots::ContactSpots;
 use crate::stiffness::NormalStiffness;
@@ -214,7 +214,7 @@ impl NormalSolution {
             solution.approach(),
             solution.contact_cells(),
             solution.grid().cells(),
-            solution.report().status
+            ending(solution.report(), &solution.warnings())
         )
     }
 }

@@ -12,7 +12,7 @@ use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::normal::NormalSolution;
 use crate::pickle::{Reduced, Stored, reduced};
-use crate::report::{Report, Warning};
+use crate::report::{Report, Warning, ending};
 use crate::sequence::pair;
 use crate::spots::ContactSpots;
 use crate::stiffness::TangentialStiffness;
@@ -220,7 +220,7 @@ impl TangentialSolution {
         format!(
             "TangentialSolution(force=({force_x:.6e}, {force_y:.6e}), shift=({x:.6e}, {y:.6e}), stick_ratio={:.4}, {})",
             solution.stick_ratio(),
-            solution.report().status
+            ending(solution.report(), &solution.warnings())
         )
     }
 }
