@@ -4,13 +4,12 @@
 use crate::cgm::{Admissible, Constraint, Known, Settings, Total};
 use crate::clock::Instant;
 use crate::elastic::{ElasticSolver, Observer, Posed};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::half_space::{HalfSpace, Region};
 use crate::influence::Direction;
 use crate::layout::Layout;
 use crate::levels::halved;
-use crate::passes::with_time_left;
-use crate::report::Status;
+use crate::passes::{ended_from_outside, with_time_left};
 
 /// Relative accuracy of a coarse answer: its own discretisation error is not smaller.
 const COARSE_TOLERANCE: f64 = 1e-2;
@@ -73,9 +72,9 @@ impl Levels<'_> {
         self.bodies.refined(self.coarser, self.size, field)
     }
 
-    /// A field of the coarser cells, with the value of each in the finer cells that lie in it.
-    pub(crate) fn inherited(&self, field: &[f64]) -> Vec<f64> {
-        self.bodies.inherited(self.coarser, self.size, field)
+    /// Marks of the coarser cells, each handed down to the finer cells that lie in it.
+    pub(crate) fn inherited(&self, marks: impl Iterator<Item = bool>) -> Vec<bool> {
+        self.bodies.inherited(self.coarser, self.size, marks)
     }
 
     /// How the coarser cells lie.
@@ -89,6 +88,15 @@ pub(crate) struct Conditions<'a, 'b> {
     pub(crate) settings: &'a Settings,
     pub(crate) start: Instant,
     pub(crate) observer: Observer<'b>,
+}
+
+impl Conditions<'_, '_> {
+    /// The settings of a coarse solve: a rough answer, within the time that is left.
+    pub(crate) fn rough_settings(&self) -> Settings {
+        with_time_left(self.settings, self.start)
+            .tolerance(self.settings.tolerance.max(COARSE_TOLERANCE))
+            .max_iterations(self.settings.max_iterations.min(COARSE_STEPS))
+    }
 }
 
 /// A start from the answer on cells twice as large, itself found so.
@@ -139,14 +147,7 @@ fn solve<S: Scene<N>, const N: usize>(
     x: &mut [Vec<f64>; N],
     conditions: &mut Conditions<'_, '_>,
 ) -> Result<bool> {
-    let Conditions {
-        settings,
-        start,
-        observer,
-    } = conditions;
-    let rough = with_time_left(settings, *start)
-        .tolerance(settings.tolerance.max(COARSE_TOLERANCE))
-        .max_iterations(settings.max_iterations.min(COARSE_STEPS));
+    let rough = conditions.rough_settings();
     let confined = scene.confined(bodies, x);
     let mut inside = confined.as_ref().map(|(region, _)| {
         x.each_ref().map(|x| {
@@ -169,19 +170,11 @@ fn solve<S: Scene<N>, const N: usize>(
     };
     let unknowns = inside.as_mut().unwrap_or(x).each_mut();
     let unknowns = unknowns.map(Vec::as_mut_slice);
-    let outcome = solver.minimise(posed, unknowns, &rough, &mut **observer);
+    let outcome = solver.minimise(posed, unknowns, &rough, &mut *conditions.observer);
     if let Some(((region, _), inside)) = confined.zip(inside) {
         for (x, inside) in x.iter_mut().zip(&inside) {
             region.scatter(inside, x);
         }
     }
-    match outcome {
-        Ok(()) => Ok(false),
-        // As a start an unfinished answer serves too.
-        Err(Error::NotConverged(report)) => Ok(matches!(
-            report.status,
-            Status::Cancelled | Status::TimeLimit
-        )),
-        Err(error) => Err(error),
-    }
+    Ok(ended_from_outside(outcome)?.is_some())
 }

@@ -62,7 +62,7 @@ impl std::fmt::Display for Warning {
             ),
             Self::LineOfCells => write!(
                 formatter,
-                "the grid is a line of cells that does not repeat: rectangles in a row, not a line contact in plane strain; for that take a line along x and Boundary::PeriodicAlongY"
+                "the grid is a line of cells that does not repeat: rectangles in a row, not a line contact in plane strain; for that take a line along x with a boundary that is periodic along y"
             ),
             Self::ContactAcross { along_x, along_y } => {
                 let axes = match (along_x, along_y) {
@@ -72,7 +72,7 @@ impl std::fmt::Display for Warning {
                 };
                 write!(
                     formatter,
-                    "a contact spot runs across the whole grid along {axes}: its ends at the edges bear peaks of pressure; let the surface rise before them, or let the grid repeat there: Boundary::PeriodicAlongY along y, Boundary::Periodic along both axes"
+                    "a contact spot runs across the whole grid along {axes}: its ends at the edges bear peaks of pressure; let the surface rise before them, or let the grid repeat there: periodic along y, or along both axes"
                 )
             }
             Self::BeyondHardness { cells } => write!(

@@ -88,7 +88,7 @@ pub enum Error {
     Repeats(&'static str),
     /// The materials couple pressure and shear, and what was asked for does not model how shear changes the pressure.
     #[error(
-        "the pair couples pressure and shear (Dundurs beta = {beta:e}): a CoupledProblem or a History finds both together; elsewhere choose Coupling::OneWay or Coupling::Neglected and its error"
+        "the pair couples pressure and shear (Dundurs beta = {beta:e}): a coupled problem or a history finds both together; elsewhere choose one-way or neglected coupling, and its error"
     )]
     CoupledMaterials {
         /// Dundurs' second parameter of the pair.

@@ -252,6 +252,7 @@ pub use layout::Layout;
 pub use material::{ElasticPair, Material};
 pub use normal::{NormalControl, NormalProblem, NormalSolution, NormalSolver};
 pub use operator::{Identity, Operator};
+pub use parallel::CELLS_ON_ONE_THREAD;
 pub use report::{Iteration, Report, Status};
 pub use spots::{ContactSpots, Spot};
 pub use tangential::{

@@ -12,6 +12,16 @@ use crate::error::Result;
 /// Samples per task of vector work; the summation tree follows these chunks.
 pub(crate) const CHUNK: usize = 4096;
 
+/// Cells up to which a solve stays on the thread that calls: to share it would only take time.
+///
+/// A program that hands solves to a pool of its own saves the way there for contacts of no more cells.
+///
+/// ```
+/// assert!(stickslip::Grid::square(64, 1.0)?.cells() <= stickslip::CELLS_ON_ONE_THREAD);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+pub const CELLS_ON_ONE_THREAD: usize = CHUNK;
+
 /// Runs both, at once if a thread is free. What they are is hidden from rayon, whose part is then compiled once
 /// and not once for each of the many things that run.
 fn join<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + Send) -> (A, B) {
@@ -80,7 +90,7 @@ pub(crate) fn apart<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) ->
 
 /// Whether work on so many cells is too short to share.
 pub(crate) fn is_short(cells: usize) -> bool {
-    cells <= CHUNK
+    cells <= CELLS_ON_ONE_THREAD
 }
 
 /// [`enter`] for work on so many cells, which is done at once where it is too short to share.

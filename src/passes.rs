@@ -47,6 +47,18 @@ pub(crate) fn with_limits_left(settings: &Settings, start: Instant, earlier: &Re
     with_time_left(settings, start).max_iterations(left)
 }
 
+/// The status of a pass that observer or clock ended. Any other pass serves what follows it, finished or not.
+pub(crate) fn ended_from_outside(outcome: Result<()>) -> Result<Option<Status>> {
+    match outcome {
+        Ok(()) => Ok(None),
+        Err(Error::NotConverged(report)) => {
+            let is_outside = matches!(report.status, Status::Cancelled | Status::TimeLimit);
+            Ok(is_outside.then_some(report.status))
+        }
+        Err(error) => Err(error),
+    }
+}
+
 /// The settings with what is left of their time limit.
 pub(crate) fn with_time_left(settings: &Settings, start: Instant) -> Settings {
     Settings {

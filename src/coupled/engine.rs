@@ -10,14 +10,14 @@ use crate::cgm::{Disc, Interval, Known, Magnitude, NonNegative, Settings, Total,
 use crate::coupled::CoupledReport;
 use crate::coupled::contraction::Contraction;
 use crate::elastic::{ElasticSolver, Observer, Posed};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::fft::{CirculantInverse, Convolution, ConvolutionWorkspace};
 use crate::half_space::{Compliance, HalfSpace, Region};
 use crate::influence::Direction;
 use crate::layout::Layout;
 use crate::left_behind::OfSize;
 use crate::operator::Operator;
-use crate::passes::{with_counts_of, with_time_left};
+use crate::passes::{ended_from_outside, with_counts_of, with_time_left};
 use crate::report::{Report, Status};
 use crate::tangential::{Friction, FrictionWithin};
 use crate::window::Window;
@@ -143,7 +143,9 @@ impl Engine {
 
     /// Moves to another place of the same size.
     pub(super) fn move_to(&mut self, bodies: &HalfSpace, window: Window) {
-        self.region = Region::new(bodies, window);
+        if window != self.window() {
+            self.region = Region::new(bodies, window);
+        }
     }
 
     /// Takes tractions of the whole grid as the start.
@@ -388,12 +390,5 @@ fn half(
 ) -> Result<Option<Status>> {
     let settings = left(conditions, done).tolerance(tolerance);
     let mut observer = with_counts_of(done, &mut *conditions.observer);
-    match solve(&settings, &mut observer) {
-        Ok(()) => Ok(None),
-        Err(Error::NotConverged(report)) => Ok(match report.status {
-            Status::Cancelled | Status::TimeLimit => Some(report.status),
-            _ => None,
-        }),
-        Err(error) => Err(error),
-    }
+    ended_from_outside(solve(&settings, &mut observer))
 }

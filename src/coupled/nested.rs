@@ -3,16 +3,10 @@
 use crate::cascade::{Conditions, is_worth_coarsening};
 use crate::cgm::{Admissible, Disc};
 use crate::coupled::increment::{CoupledDemand, CoupledIncrement};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::field::Field;
-use crate::passes::with_time_left;
-use crate::report::Status;
+use crate::passes::ended_from_outside;
 use crate::tangential::Motion;
-
-/// Relative accuracy of a coarse answer.
-const COARSE_TOLERANCE: f64 = 1e-2;
-/// Steps a coarse answer may take.
-const COARSE_STEPS: usize = 100;
 
 impl CoupledIncrement {
     /// Takes the answer on cells twice as large, itself found so, as the start; says whether there is one.
@@ -32,11 +26,8 @@ impl CoupledIncrement {
         let friction = demand.friction.coarsened(&self.bodies, &bodies)?;
         let mut coarse = Self::new(&bodies)?;
         coarse.set_offset(&self.offset().map(coarsened));
-        let settings = with_time_left(conditions.settings, conditions.start)
-            .tolerance(conditions.settings.tolerance.max(COARSE_TOLERANCE))
-            .max_iterations(conditions.settings.max_iterations.min(COARSE_STEPS));
         let mut rough = Conditions {
-            settings: &settings,
+            settings: &conditions.rough_settings(),
             start: conditions.start,
             observer: &mut *conditions.observer,
         };
@@ -45,13 +36,8 @@ impl CoupledIncrement {
             friction: &friction,
             ..demand
         };
-        match coarse.solve(coarse_demand, before, &mut rough) {
-            Ok(()) => {}
-            // As a start an unfinished answer serves too.
-            Err(Error::NotConverged(report))
-                if !matches!(report.status, Status::Cancelled | Status::TimeLimit) => {}
-            Err(Error::NotConverged(_)) => return Ok(false),
-            Err(error) => return Err(error),
+        if ended_from_outside(coarse.solve(coarse_demand, before, &mut rough))?.is_some() {
+            return Ok(false);
         }
         self.refine(&coarse, size, demand);
         Ok(true)
@@ -64,15 +50,14 @@ impl CoupledIncrement {
         let [qx, qy] = answer.traction;
         let [p, x, y] =
             [answer.pressure, qx, qy].map(|part| self.bodies.refined(&coarse.bodies, size, part));
-        let is_at_limit = |cell: usize| f64::from(u8::from(answer.is_at_limit(cell)));
-        let at_limit: Vec<f64> = (0..answer.limits.len()).map(is_at_limit).collect();
-        let slips = self.bodies.inherited(&coarse.bodies, size, &at_limit);
+        let at_limit = (0..answer.limits.len()).map(|cell| answer.is_at_limit(cell));
+        let slips = self.bodies.inherited(&coarse.bodies, size, at_limit);
         for (cell, pressure) in p.iter().enumerate() {
             let disc = Disc {
                 radius: demand.friction.limit(cell, *pressure),
             };
             let q = [x[cell], y[cell]];
-            let q = if slips[cell] > 0.0 && q[0].hypot(q[1]) > 0.0 {
+            let q = if slips[cell] && q[0].hypot(q[1]) > 0.0 {
                 disc.rim_along(q)
             } else {
                 disc.project(q)

@@ -20,7 +20,7 @@ pub(super) fn beyond_capacity(force: f64, limit: f64) -> String {
     let remedy = if limit > 0.0 {
         "prescribe a shift or a spring to let the body slide"
     } else {
-        "nothing is pressed yet: give the normal load first"
+        "nothing is pressed, or without friction: give the normal load first, and a friction coefficient above zero"
     };
     format!("a tangential force of {force:e} exceeds the friction limit {limit:e}: {remedy}")
 }
@@ -50,6 +50,6 @@ pub(super) fn beyond_mean_gap(approach: f64, mean_gap: f64) -> String {
 /// Why a cycle cannot stand for those that follow, and what to do.
 pub(super) fn not_closed(residual: f64, limit: f64) -> String {
     format!(
-        "the cycle ends {residual:e} of its amplitude from where it began, more than {limit:e}: take another cycle on this gap before jumping, or allow more with closed_within()"
+        "the cycle ends {residual:e} of its amplitude from where it began, more than {limit:e}: take another cycle on this gap before jumping, or allow a larger residual"
     )
 }

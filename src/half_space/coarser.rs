@@ -82,9 +82,17 @@ impl HalfSpace {
         self.on_finer(coarser, size, field, refined)
     }
 
-    /// A field of the cells of [`Self::coarser`] on `[nx, ny]` cells, each with the value of the cell that it lies in.
-    pub(crate) fn inherited(&self, coarser: &Self, size: [usize; 2], field: &[f64]) -> Vec<f64> {
-        self.on_finer(coarser, size, field, inherited)
+    /// A mark of each cell of [`Self::coarser`] on `[nx, ny]` cells: every cell has the mark of the one that it lies in.
+    pub(crate) fn inherited(
+        &self,
+        coarser: &Self,
+        size: [usize; 2],
+        marks: impl Iterator<Item = bool>,
+    ) -> Vec<bool> {
+        // Ranks exchange numbers.
+        let marks: Vec<f64> = marks.map(|mark| f64::from(u8::from(mark))).collect();
+        let marks = self.on_finer(coarser, size, &marks, inherited);
+        marks.into_iter().map(|mark| mark > 0.0).collect()
     }
 
     /// The rows held here that a function makes of those of the coarser cells, the first of which it is told.

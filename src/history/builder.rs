@@ -207,7 +207,7 @@ impl HistoryBuilder<'_> {
                 return Err(Error::NotModelled {
                     quantity: "hardness",
                     value: hardness.of_cell(0),
-                    remedy: "build it with .coupling(Coupling::OneWay)",
+                    remedy: "build it with one-way coupling",
                 });
             }
         }

@@ -54,7 +54,7 @@ impl State {
                 return Err(Error::NotModelled {
                     quantity: "relative displacement",
                     value: amount,
-                    remedy: "build it with .relative_displacement()",
+                    remedy: "build it with a pattern of relative displacement",
                 });
             }
             None => {}

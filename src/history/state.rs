@@ -259,7 +259,7 @@ impl State {
         &self.friction
     }
 
-    /// The hardness, which limits the pressure of every step; `None` if there is none.
+    /// The hardness, which limits the pressure of every step; `None` without a hardness.
     #[must_use]
     pub fn hardness(&self) -> Option<&Hardness> {
         self.hardness.as_ref()

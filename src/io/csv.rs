@@ -74,7 +74,7 @@ impl Options {
     pub fn parse(self, bytes: &[u8], sides: impl Into<Sides>) -> Result<Field> {
         let sides = sides.into().checked()?;
         if is_asc(bytes) && self == Self::default() {
-            let problem = "the header holds sides, unit and missing points: call io::asc::read";
+            let problem = "the header holds sides, unit and missing points: read it as ASC";
             return Err(FORMAT.on_line(1, problem));
         }
         let missing = self
@@ -92,7 +92,7 @@ impl Options {
                     // Names of columns.
                     _ if start == 0 && !cell.bytes().any(|byte| byte.is_ascii_digit()) => {
                         let problem = format!(
-                            "{} is not a number: pass over lines of names by csv::Options::skip_rows({number})",
+                            "{} is not a number: skip lines of names by the option skip_rows = {number}",
                             excerpt(cell)
                         );
                         FORMAT.on_line(number, problem)

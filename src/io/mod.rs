@@ -97,11 +97,11 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
         Err(Format("surface").at_byte(
             0,
             if bytes.starts_with(b"\x93NUMPY") || is("npy") {
-                "NPY does not hold the cell sides: call io::npy::read with them"
+                "NPY does not hold the cell sides: read it as NPY, with the sides given"
             } else if is("csv") || is("asc") || is("txt") {
-                "text does not hold the cell sides: call io::csv::read with them"
+                "text does not hold the cell sides: read it as CSV, with the sides given"
             } else {
-                "neither SDF, SUR, ASC, X3P nor XYZ; NPY and CSV are read by io::npy::read and io::csv::read"
+                "neither SDF, SUR, ASC, X3P nor XYZ; NPY and CSV are read as such, with the cell sides given"
             },
         ))
     })

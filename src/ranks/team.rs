@@ -7,8 +7,8 @@ use std::sync::{Arc, OnceLock};
 use crate::error::{Error, Result};
 use crate::ranks::{RankFailure, Ranks, Words};
 
-/// Ranks that solve together. Once a call has failed nothing more is sent: what is received is empty, every rank goes on
-/// alone until it is asked, and [`Team::check`] tells what happened.
+/// Ranks that solve together. Once a call has failed nothing more is sent: what is received is empty, every rank
+/// computes alone until it is asked, and [`Team::check`] tells what happened.
 #[derive(Debug)]
 pub(crate) struct Team {
     ranks: Arc<dyn Ranks>,

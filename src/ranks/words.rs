@@ -15,7 +15,7 @@ pub(crate) trait Words: Copy + Send {
     fn read(words: &mut &[u64]) -> Self;
 }
 
-/// The next word; zero if there is none, from a rank that is lost.
+/// The next word; zero at the end, which only the words of a lost rank reach.
 fn next(words: &mut &[u64]) -> u64 {
     let Some((first, rest)) = words.split_first() else {
         return 0;

@@ -203,9 +203,9 @@ impl Demand {
                 let [x, y] = self.controls;
                 let is_oblique = x.value() != 0.0 && y.value() != 0.0;
                 let remedy = match axis {
-                    _ if is_oblique => "build it with .model(TangentialModel::Vector)",
-                    Axis::X => "build it with .axis(Axis::X) or .model(TangentialModel::Vector)",
-                    Axis::Y => "build it with .axis(Axis::Y) or .model(TangentialModel::Vector)",
+                    _ if is_oblique => TangentialModel::VECTOR_REMEDY,
+                    Axis::X => "build it with x as its axis, or with the vector model",
+                    Axis::Y => "build it with y as its axis, or with the vector model",
                 };
                 return Err(Error::NotModelled {
                     quantity,
@@ -217,7 +217,7 @@ impl Demand {
         let (quantity, value) = ("twist", finite("twist", self.twist)?);
         let remedy = match (axes.len(), boundary.may_turn()) {
             (_, false) => "a grid that repeats cannot turn, with any option",
-            (1, true) => "build it with .model(TangentialModel::Vector)",
+            (1, true) => TangentialModel::VECTOR_REMEDY,
             (_, true) => return Ok(()),
         };
         if value == 0.0 {

@@ -84,13 +84,9 @@ where
             .map(|part| reduce::total(&coarse.layout, part));
         let mut start = answer.each_ref().map(|part| levels.refined(part));
         let answer = slices(answer);
-        let at_limit = (0..coarse.limits.len()).map(|cell| {
-            f64::from(u8::from(is_at_limit(
-                norm(at(&answer, cell)),
-                coarse.limits[cell],
-            )))
-        });
-        let slips = levels.inherited(&at_limit.collect::<Vec<f64>>());
+        let at_limit = (0..coarse.limits.len())
+            .map(|cell| is_at_limit(norm(at(&answer, cell)), coarse.limits[cell]));
+        let slips = levels.inherited(at_limit);
         for (cell, &limit) in self.limits.iter().enumerate() {
             let interpolated = at(&slices(&start), cell);
             let direction = if norm(interpolated) > 0.0 {
@@ -100,7 +96,7 @@ where
             };
             let length = norm(direction);
             let set = Within::of_radius(limit);
-            let traction = if slips[cell] > 0.0 && length > 0.0 {
+            let traction = if slips[cell] && length > 0.0 {
                 set.extreme(direction.map(|q| q / length))
             } else {
                 set.project(interpolated)

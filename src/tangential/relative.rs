@@ -3,7 +3,7 @@
 use crate::error::{Error, Result, all_finite};
 use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
-use crate::tangential::Axis;
+use crate::tangential::{Axis, TangentialModel};
 
 /// A tangential displacement w of body 1 relative to body 2 in each cell that tractions of the contact do not cause
 /// (lengths, `[x, y]`): bulk strain, thermal expansion, the deformation by a contact nearby.
@@ -97,7 +97,7 @@ impl RelativeDisplacement {
                         Axis::Y => "relative displacement along y",
                     },
                     value,
-                    remedy: "build it with .model(TangentialModel::Vector)",
+                    remedy: TangentialModel::VECTOR_REMEDY,
                 });
             }
         }

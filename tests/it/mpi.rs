@@ -40,6 +40,7 @@ fn main() -> ExitCode {
             ranks_share_a_coupled_contact::sequences(),
             ranks_share_a_coupled_contact::histories(),
         ];
+        assert!(groups.iter().all(|scenes| !scenes.is_empty()));
         let scenes: Vec<Scene> = groups.into_iter().flatten().collect();
         let failures = scenes.iter().map(|scene| compare(scene, &ranks)).collect();
         (scenes.len(), failures)

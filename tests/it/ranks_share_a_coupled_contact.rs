@@ -89,6 +89,15 @@ pub(crate) fn contacts_from_rest() -> Vec<Scene> {
     let mut scenes = Vec::from(pressed);
     let approach = NormalControl::Approach(0.3);
     scenes.push(from_rest(free, 0, approach, [0.08, 0.06]));
+    scenes.push(Scene::new("strained", grid, free, move |bodies| {
+        let gap = Field::from_fn(bodies.grid(), GAPS[0]);
+        let strain = [[2e-3, 1e-3], [0.0, -1e-3]];
+        let bulk = RelativeDisplacement::bulk_strain(bodies.grid(), strain).unwrap();
+        let load = TangentialLoad::force([0.8, 0.6]);
+        let problem = CoupledProblem::builder(bodies, &gap, friction(bodies), press, load);
+        let problem = problem.relative_displacement(bulk).build().unwrap();
+        answer(&problem.solve().unwrap())
+    }));
     scenes
 }
 
@@ -209,10 +218,16 @@ fn slabs_continue_on_other_numbers_of_ranks() {
     }
 }
 
-/// On coarse cells that every rank solves by itself too, only the observer of the first rank ends the solve.
+/// Only the observer of the first rank ends the solve: on coarse cells that every rank solves by itself, as those of the
+/// smaller grid, and on those that ranks share.
 #[test]
 fn the_first_rank_decides_for_all() {
-    let grid = Grid::square(96, 8.0).unwrap();
+    for cells in [96, 600] {
+        the_first_rank_decides_on(Grid::square(cells, 8.0).unwrap());
+    }
+}
+
+fn the_first_rank_decides_on(grid: Grid) {
     let solve = |bodies: &HalfSpace, last: usize| {
         let load = TangentialLoad::force([0.05, 0.0]);
         let coulomb = Friction::coulomb(0.3).unwrap();

@@ -62,7 +62,7 @@ const TITLE: &str = concat!("# stickslip ", env!("CARGO_PKG_VERSION"), " study")
 const MOST_CASES: usize = 10_000_000;
 
 impl Plan {
-    /// Takes over the value of an option; false if the option is none of a plan.
+    /// Takes over the value of an option; false if a plan has no such option.
     pub(super) fn set(&mut self, option: &str, value: &str) -> Result<bool, Failure> {
         let parsed = match option {
             "--cells" => one(value).map(|cells| self.cells = cells),

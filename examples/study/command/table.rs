@@ -79,7 +79,7 @@ impl Table {
     }
 }
 
-/// The rows in the text of a table, each with its case; half a line at the end is none.
+/// The rows in the text of a table, each with its case; half a line at the end is not a row.
 pub(super) fn rows<'a>(
     plan: &'a Plan,
     text: &'a str,
