@@ -11,7 +11,7 @@ import sys
 # a lower one.
 FOUNDATION = {
     "clock", "error", "report", "boundary", "grid", "field", "material", "parallel", "per_cell", "pool", "left_behind", "serial",
-    "gauss", "jacobi", "ranks", "share", "layout", "reduce",
+    "gauss", "jacobi", "ranks", "share", "shown", "layout", "reduce",
 }
 ENGINE = FOUNDATION | {"operator", "influence", "fft", "half_space", "cgm", "levels", "window", "trend"}
 LAYERS = [
@@ -26,13 +26,14 @@ LAYERS = [
         "layout": {"error", "report", "parallel", "ranks", "share"},
         "reduce": {"layout", "ranks"},
         "per_cell": set(),
+        "shown": set(),
         "pool": set(),
         "left_behind": set(),
         "gauss": set(),
         "jacobi": set(),
         "boundary": set(),
         "grid": {"error", "layout"},
-        "field": {"error", "grid", "layout", "parallel", "serial"},
+        "field": {"error", "grid", "layout", "parallel", "serial", "shown"},
         "material": {"error", "serial"},
         "coupling": {"material"},
     }),
@@ -72,7 +73,7 @@ LAYERS = [
         | {"contact_map", "coupling", "elastic", "passes", "cascade", "normal", "tangential", "coupled", "stiffness", "io"},
     }),
     ("what is told of all of these", {
-        "spots": {"contact_map", "error", "grid", "normal", "tangential", "history"},
+        "spots": {"contact_map", "error", "grid", "shown", "normal", "tangential", "history"},
         "subsurface": FOUNDATION | {"influence", "fft", "half_space", "io", "normal", "tangential", "coupled", "history"},
     }),
 ]

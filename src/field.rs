@@ -8,6 +8,7 @@ use crate::error::{Result, all_finite, finite, length};
 use crate::grid::Grid;
 use crate::layout::Layout;
 use crate::parallel;
+use crate::shown::shown;
 
 /// One number per cell of a [`Grid`], row-major with x fastest.
 ///
@@ -25,7 +26,7 @@ use crate::parallel;
 /// assert_eq!(field.as_slice()[5], 6.0);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
-#[derive(Debug, PartialEq)]
+#[derive(PartialEq)]
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
@@ -36,6 +37,8 @@ pub struct Field {
     #[cfg_attr(feature = "serde", serde(with = "crate::serial::numbers"))]
     samples: Vec<f64>,
 }
+
+shown!(Field: grid, min(), max());
 
 /// `Clone` field by field, so that `clone_from` keeps the memory that each field has; `derive` would give it up.
 macro_rules! clone_in_place {

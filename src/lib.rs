@@ -231,6 +231,7 @@ mod report;
 #[cfg(feature = "serde")]
 mod serial;
 mod share;
+mod shown;
 mod spots;
 pub mod stiffness;
 pub mod subsurface;

@@ -5,6 +5,7 @@ use crate::error::Result;
 use crate::grid::Grid;
 use crate::history::History;
 use crate::normal::NormalSolution;
+use crate::shown::shown;
 use crate::tangential::{TangentialSolution, Zone};
 
 /// The spots of a contact: sets of contact cells connected through their sides, across the edges of a periodic grid
@@ -27,7 +28,7 @@ use crate::tangential::{TangentialSolution, Zone};
 /// assert_eq!(spots.label(16 * 64 + 16), Some(0));
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ContactSpots {
     grid: Grid,
@@ -35,6 +36,8 @@ pub struct ContactSpots {
     labels: Vec<u32>,
     spots: Vec<Spot>,
 }
+
+shown!(ContactSpots: grid, largest());
 
 /// One contact spot.
 #[derive(Debug, Clone, Copy, PartialEq)]

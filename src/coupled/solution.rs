@@ -11,10 +11,11 @@ use crate::layout::Layout;
 use crate::normal::NormalSolution;
 #[cfg(feature = "serde")]
 use crate::serial::checked;
+use crate::shown::shown;
 use crate::tangential::TangentialSolution;
 
 /// Both halves of a coupled contact, with the displacements that they cause together.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct CoupledSolution {
     normal: NormalSolution,
@@ -25,6 +26,8 @@ pub struct CoupledSolution {
     #[cfg_attr(feature = "serde", serde(skip))]
     whole_energy: Option<f64>,
 }
+
+shown!(CoupledSolution: normal, shear, elastic_energy(), report());
 
 /// What is read, before it is checked.
 #[cfg(feature = "serde")]

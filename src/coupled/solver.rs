@@ -12,6 +12,7 @@ use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::normal::NormalControl;
 use crate::passes::with_memory;
+use crate::shown::shown;
 use crate::tangential::{Axis, Friction, Motion, TangentialLoad, TangentialModel};
 
 /// Solves coupled contacts again and again, each from rest in one step, beginning with the last answer.
@@ -37,11 +38,13 @@ use crate::tangential::{Axis, Friction, Motion, TangentialLoad, TangentialModel}
 /// assert!(shifts.is_sorted() && shifts[2] > 2.0 * shifts[1]);
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub struct CoupledSolver {
     problem: CoupledProblem,
     increment: CoupledIncrement,
 }
+
+shown!(CoupledSolver: problem);
 
 impl CoupledSolver {
     pub(super) fn new(problem: CoupledProblem) -> Result<Self> {

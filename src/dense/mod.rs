@@ -20,6 +20,7 @@ use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::influence::{Component, Samples, Table};
 use crate::operator::Operator;
+use crate::shown::shown;
 
 /// Largest number of unknowns accepted: a matrix of 128 MiB.
 const LIMIT: usize = 4096;
@@ -40,13 +41,15 @@ const LIMIT: usize = 4096;
 /// assert!(slow_u.iter().zip(&fast_u).all(|(a, b)| (a - b).abs() < 1e-12));
 /// # Ok::<(), stickslip::Error>(())
 /// ```
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub struct DenseOperator {
     len: usize,
     /// Row-major.
     entries: Vec<f64>,
     lower_bound: OnceLock<f64>,
 }
+
+shown!(DenseOperator: len);
 
 impl DenseOperator {
     /// A matrix of `len` x `len` entries, row-major.

@@ -17,6 +17,7 @@ use crate::material::ElasticPair;
 use crate::operator::Operator;
 use crate::ranks::Team;
 use crate::share::Share;
+use crate::shown::shown;
 
 /// `u_i = sum_j C_ij * t_j` on a grid: N displacement components of every cell from N traction components
 /// of all cells, by fast transforms: one each way for each component. Without periodic images
@@ -43,7 +44,7 @@ use crate::share::Share;
 /// assert!(displacement[4 * 16 + 8] > displacement[0]);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub struct Convolution<const N: usize = 1> {
     plan: Plan<f64>,
     symbol: Symbol<f64, N>,
@@ -53,6 +54,8 @@ pub struct Convolution<const N: usize = 1> {
     /// Whether single precision resolves the smallest eigenvalue beside the largest.
     is_single_enough: bool,
 }
+
+shown!(Convolution<const N: usize>: lower_bound, upper_bound);
 
 /// Ratio of the eigenvalues below which the smallest is lost in the error of single precision: that of long cells,
 /// and of squares of some 50 000 cells along a side.

@@ -21,6 +21,7 @@ use crate::influence::{Component, Direction, Kernel, Samples};
 use crate::material::ElasticPair;
 use crate::ranks::Team;
 use crate::share::Share;
+use crate::shown::shown;
 use crate::window::Window;
 
 use cache::Cache;
@@ -50,10 +51,12 @@ pub(crate) use region::Region;
 /// assert_eq!(bodies.grid().cells(), 4096);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub struct HalfSpace {
     shared: Arc<Shared>,
 }
+
+shown!(HalfSpace: grid(), pair(), boundary());
 
 #[derive(Debug)]
 struct Shared {

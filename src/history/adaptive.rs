@@ -4,6 +4,7 @@ use crate::cgm::reduce;
 use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::history::{History, LoadStep, State, StepResult};
+use crate::shown::shown;
 
 /// Shortest step, as a part of the load.
 const SHORTEST: f64 = 1.0 / 4096.0;
@@ -62,7 +63,7 @@ pub struct StepError {
 /// assert!((history.force()[1] - 20.0).abs() < 1e-9);
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub struct AdaptiveSteps {
     tolerance: f64,
     /// The state that the load began from.
@@ -74,6 +75,8 @@ pub struct AdaptiveSteps {
     /// Tractions after the step as a whole.
     whole: [Field; 2],
 }
+
+shown!(AdaptiveSteps: tolerance);
 
 impl AdaptiveSteps {
     /// For histories on the grid of this one, with the tolerance of [`StepError::traction`] for a whole load, in `(0,

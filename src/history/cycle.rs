@@ -12,6 +12,7 @@ use crate::history::{EnergyBalance, History, Regime};
 use crate::parallel::{self, Blocks, CHUNK, blocks};
 #[cfg(feature = "serde")]
 use crate::serial::checked;
+use crate::shown::shown;
 
 /// Slip, energy and the loop of force and shift, added up over the steps of a cycle.
 ///
@@ -48,7 +49,7 @@ use crate::serial::checked;
 /// assert!((energy.work / energy.mid_step_dissipated_energy - 1.0).abs() < 1e-6);
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Cycle {
     sums: Sums,
@@ -64,6 +65,8 @@ pub struct Cycle {
     /// The number of the last step in it, or of that it begins after.
     last_step: u64,
 }
+
+shown!(Cycle: steps(), regime, stick_ratios, energy);
 
 /// What the steps of a cycle add up to in every cell.
 #[derive(Debug, Clone, PartialEq)]

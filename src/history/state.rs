@@ -12,6 +12,7 @@ use crate::history::memory::Memory;
 use crate::history::relative::Relative;
 use crate::material::ElasticPair;
 use crate::normal::{Hardness, NormalControl, NormalSolution, PressureSolver};
+use crate::shown::shown;
 use crate::tangential::{Axis, Friction, Motion, Zone};
 use crate::trend::Trend;
 use crate::window::Window;
@@ -51,7 +52,6 @@ use crate::window::Window;
 /// ```
 ///
 /// With the feature `serde` a state is written as the bytes of [`State::to_bytes`], in any format.
-#[derive(Debug)]
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
@@ -96,6 +96,8 @@ pub struct State {
     /// What friction holds in all, where ranks share the contact.
     pub(super) capacity: Option<f64>,
 }
+
+shown!(State: grid(), steps(), approach(), force(), shift(), twist());
 
 clone_in_place!(State {
     axes,

@@ -10,12 +10,13 @@ use crate::history::remarks::Remarks;
 use crate::report::{Report, Status};
 #[cfg(feature = "serde")]
 use crate::serial::checked;
+use crate::shown::shown;
 
 /// Slip, energies, forces and reports of one step.
 ///
 /// Vectors are `[x, y]`; the scalar model leaves the component across its axis at zero. The state after
 /// the step is in the [`History`](crate::history::History).
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct StepResult {
     pub(super) slip: [Field; 2],
@@ -35,6 +36,8 @@ pub struct StepResult {
     pub(super) normal_report: Report,
     pub(super) tangential_report: Report,
 }
+
+shown!(StepResult: normal_force, approach, force, shift, twist, stick_ratio(), energy);
 
 /// What is read, before it is checked.
 #[cfg(feature = "serde")]

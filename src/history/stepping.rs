@@ -22,6 +22,7 @@ use crate::parallel;
 use crate::passes::with_memory;
 use crate::pool::Lease;
 use crate::report::{Report, Status};
+use crate::shown::shown;
 use crate::tangential::{Friction, Increment, Motion, TangentialModel};
 use crate::window::Window;
 
@@ -70,7 +71,7 @@ use crate::window::Window;
 /// assert!(history.shift()[0] > 0.0 && history.traction()[0].max() > 0.0);
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub struct History {
     pub(super) bodies: HalfSpace,
     pub(super) state: State,
@@ -86,6 +87,8 @@ pub struct History {
     /// Where the fields of the step are not all zero, if anywhere.
     written: Option<Window>,
 }
+
+shown!(History: bodies, state);
 
 const _: () = {
     const fn assert_send<T: Send>() {}

@@ -7,6 +7,7 @@ use crate::grid::Grid;
 use crate::influence::{Component, Samples};
 use crate::material::ElasticPair;
 use crate::share::Share;
+use crate::shown::shown;
 
 /// One influence coefficient at the cell distances `(i dx, j dy)`, `0 <= i < nx`, `0 <= j < ny`.
 ///
@@ -23,7 +24,7 @@ use crate::share::Share;
 /// assert_eq!(table.get(8, 0), None);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct Table {
     component: Component,
     nx: usize,
@@ -36,6 +37,8 @@ pub struct Table {
     /// Scale of the sum of the parts.
     scale: f64,
 }
+
+shown!(Table: component, nx, ny);
 
 impl Table {
     /// Samples a coefficient of the pair at every cell distance of the grid.

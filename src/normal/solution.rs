@@ -16,9 +16,10 @@ use crate::parallel;
 use crate::report::Report;
 #[cfg(feature = "serde")]
 use crate::serial::checked;
+use crate::shown::shown;
 
 /// Pressure, gap and approach of a normal contact.
-#[derive(Debug, PartialEq)]
+#[derive(PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct NormalSolution {
     pub(super) pressure: Field,
@@ -32,6 +33,8 @@ pub struct NormalSolution {
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(super) whole: Option<Box<Whole>>,
 }
+
+shown!(NormalSolution: grid(), approach(), force(), contact_cells(), report);
 
 clone_in_place!(NormalSolution {
     pressure,

@@ -12,6 +12,7 @@ use crate::normal::pressure::PressureSolver;
 use crate::normal::problem::check_gap;
 use crate::normal::{NormalControl, NormalProblem, NormalSolution};
 use crate::parallel;
+use crate::shown::shown;
 
 /// Solves normal contacts on one grid again and again, each time from the last answer, moved on along its trend where the
 /// load has changed.
@@ -32,7 +33,7 @@ use crate::parallel;
 /// }
 /// # Ok::<(), stickslip::Error>(())
 /// ```
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub struct NormalSolver {
     problem: NormalProblem,
     press: PressureSolver,
@@ -40,6 +41,8 @@ pub struct NormalSolver {
     pressure: Vec<f64>,
     least_gap: f64,
 }
+
+shown!(NormalSolver: problem);
 
 impl NormalSolver {
     pub(super) fn new(problem: NormalProblem) -> Result<Self> {

@@ -2,6 +2,7 @@
 
 use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
+use crate::shown::shown;
 use crate::subsurface::body::Body;
 use crate::subsurface::kernel::Component;
 use crate::subsurface::stress::Stress;
@@ -24,7 +25,7 @@ use crate::subsurface::stress::Stress;
 /// assert!(-zz.min() < 0.8 * pressure.max());
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Debug, PartialEq)]
+#[derive(PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Plane {
     body: Body,
@@ -33,6 +34,8 @@ pub struct Plane {
     shear: [Field; 3],
     displacement: Option<[Field; 3]>,
 }
+
+shown!(Plane: body, depth);
 
 clone_in_place!(Plane {
     body,

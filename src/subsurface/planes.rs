@@ -7,6 +7,7 @@ use crate::fft::{Superposition, Torus};
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::parallel;
+use crate::shown::shown;
 use crate::subsurface::body::{Body, Constants};
 use crate::subsurface::kernel::Load;
 use crate::subsurface::plane::{DISPLACEMENTS, Plane, STRESSES};
@@ -59,7 +60,7 @@ use crate::subsurface::tractions::Tractions;
 /// assert!((shear[1] - 0.310).abs() < 1e-3);
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub struct Planes {
     bodies: HalfSpace,
     depths: Arc<[f64]>,
@@ -68,6 +69,8 @@ pub struct Planes {
     torus: Torus,
     transforms: Superposition,
 }
+
+shown!(Planes: bodies, depths);
 
 impl Planes {
     /// Planes at these depths (lengths, zero or positive) below the surface of either body.

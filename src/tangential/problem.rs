@@ -4,6 +4,7 @@ use crate::cgm::{Method, Settings, settings_methods};
 use crate::coupling::Coupling;
 use crate::error::{Error, Result};
 use crate::half_space::HalfSpace;
+use crate::shown::shown;
 use crate::tangential::pressure::contact_window;
 use crate::tangential::{
     Friction, Pressed, PressureSource, RelativeDisplacement, TangentialLoad, TangentialModel,
@@ -37,7 +38,7 @@ use crate::tangential::{
 /// ```
 #[doc(alias = "partial slip")]
 #[doc(alias = "stick slip")]
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub struct TangentialProblem {
     pub(super) bodies: HalfSpace,
     pub(super) pressed: Pressed,
@@ -48,6 +49,8 @@ pub struct TangentialProblem {
     pub(super) relative: Option<RelativeDisplacement>,
     pub(super) settings: Settings,
 }
+
+shown!(TangentialProblem: bodies, friction, load, model, coupling, relative, settings);
 
 /// Options of a [`TangentialProblem`]; each has a default.
 #[derive(Debug, Clone)]

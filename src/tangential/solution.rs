@@ -12,6 +12,7 @@ use crate::half_space::HalfSpace;
 use crate::report::Report;
 #[cfg(feature = "serde")]
 use crate::serial::checked;
+use crate::shown::shown;
 use crate::tangential::motion::centre;
 use crate::tangential::whole::{Sums, Whole};
 use crate::tangential::{Answer, Axis, Zone, displacement};
@@ -19,7 +20,7 @@ use crate::tangential::{Answer, Axis, Zone, displacement};
 /// Traction, slip, zones and shift of a tangential contact.
 ///
 /// Vectors are `[x, y]`; the scalar model leaves the component across the load at zero.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct TangentialSolution {
     traction: [Field; 2],
@@ -34,6 +35,8 @@ pub struct TangentialSolution {
     #[cfg_attr(feature = "serde", serde(skip))]
     whole: Option<Box<Whole>>,
 }
+
+shown!(TangentialSolution: grid(), force(), shift(), twist(), stick_ratio(), report);
 
 /// What is read, before it is checked.
 #[cfg(feature = "serde")]

@@ -12,6 +12,7 @@ use crate::half_space::HalfSpace;
 use crate::parallel;
 use crate::passes::with_memory;
 use crate::report::Report;
+use crate::shown::shown;
 use crate::tangential::increment::{Increment, Start};
 use crate::tangential::motion::Motion;
 use crate::tangential::pressure::contact_window;
@@ -48,7 +49,7 @@ use crate::tangential::{
 /// assert!(stick[0] == 1.0 && stick.is_sorted_by(|a, b| a > b));
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub struct TangentialSolver {
     bodies: HalfSpace,
     friction: Friction,
@@ -64,6 +65,8 @@ pub struct TangentialSolver {
     /// Pressure and limits under examination, not yet in force.
     candidate: Pressed,
 }
+
+shown!(TangentialSolver: bodies, friction, load, model, coupling, relative, settings);
 
 impl TangentialSolver {
     pub(super) fn new(problem: TangentialProblem) -> Result<Self> {

@@ -4,6 +4,7 @@ use crate::error::{Error, Result, non_negative};
 use crate::field::Field;
 use crate::material::ElasticPair;
 use crate::normal::NormalSolution;
+use crate::shown::shown;
 use crate::tangential::Zone;
 
 /// The tangential contact under `F = mu (W - W_stick)`, from the normal contacts under `W` and
@@ -21,13 +22,15 @@ use crate::tangential::Zone;
 /// traction is off by 4 to 6 % for a ratio of 0.29 and the shift by 0.7 %. Jaeger, J. Tribology 120 (1998) 677,
 /// <https://doi.org/10.1115/1.2833765>; Ciavarella, Int. J. Solids Struct. 35 (1998) 2349,
 /// <https://doi.org/10.1016/S0020-7683(97)00154-6>.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct JaegerSuperposition {
     traction: Field,
     zones: Vec<Zone>,
     shift: f64,
     force: f64,
 }
+
+shown!(JaegerSuperposition: traction, shift, force);
 
 impl JaegerSuperposition {
     /// From the contact `full` under the load W, the contact `stick` under the load

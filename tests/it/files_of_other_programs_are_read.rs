@@ -263,6 +263,8 @@ fn missing_values_and_names_of_columns_of_a_matrix() {
     let named = b"# profile\nheight,height\n1,2\n3,4\n";
     let refused = io::csv::parse(named, [1.0, 1.0]).unwrap_err().to_string();
     assert!(refused.contains("skip_rows = 2"), "{refused}");
-    let heights = io::csv::Options::default().skip_rows = 2.parse(named, [1.0, 1.0]);
+    let heights = io::csv::Options::default()
+        .skip_rows(2)
+        .parse(named, [1.0, 1.0]);
     assert_eq!(heights.unwrap().as_slice(), [1.0, 2.0, 3.0, 4.0]);
 }

@@ -109,3 +109,4 @@ mod unchanged_problems_stop_at_once;
 mod units_do_not_matter;
 mod warnings_name_the_trap;
 mod wear_laws_sum_up;
+mod what_is_shown_is_short;
