@@ -4,7 +4,7 @@ use std::sync::Mutex;
 
 use pyo3::prelude::*;
 use stickslip::history::{StepResult as Step, TouchRule};
-use stickslip::{Axis, Coupling, TangentialModel, cgm};
+use stickslip::{Axis, Coupling, Error, TangentialModel, cgm};
 
 use crate::choice::Choice;
 use crate::field::Samples;
@@ -75,6 +75,16 @@ pub(crate) struct Work {
     pub(crate) history: stickslip::History,
     /// Counts what changes the last step.
     pub(crate) taken: u64,
+}
+
+impl Work {
+    /// Counts steps that were tried in parts: unless the grid was refused, the last step is that of the last attempt, also
+    /// where the load failed.
+    pub(super) fn tried<T>(&mut self, outcome: &stickslip::Result<T>) {
+        if !matches!(outcome, Err(Error::GridMismatch { .. })) {
+            self.taken += 1;
+        }
+    }
 }
 
 /// What a history is called in messages.

@@ -38,8 +38,8 @@ enum Fields {
     Kept(Arc<stickslip::history::StepResult>),
 }
 
-/// What a step of a history did: its numbers, and its fields for as long as it is the last one; :meth:`keep` copies
-/// them, for good. Vectors are (x, y).
+/// What a step of a history did: its numbers, and its fields for as long as it is the last one, also after a step that
+/// failed; :meth:`keep` copies them, for good. Vectors are (x, y).
 #[pyclass(frozen, module = "stickslip.history")]
 pub(crate) struct StepResult {
     numbers: Numbers,

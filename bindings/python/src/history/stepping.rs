@@ -9,7 +9,7 @@ use stickslip::Error;
 
 use crate::error::{OrRaise, raised};
 use crate::held::lock;
-use crate::history::builder::NAME;
+use crate::history::builder::{NAME, Work};
 use crate::history::{History, StepResult};
 use crate::load::{self, Keywords, LoadStep};
 use crate::progress::Progress;
@@ -74,15 +74,15 @@ impl History {
         let progress = Progress::of(progress.as_ref())?;
         let own = slf.get();
         let mut work = lock(&own.work, NAME)?;
-        work.taken += 1;
-        let number = work.taken;
-        let history = &mut work.history;
+        let Work { history, taken } = &mut *work;
         let outcome = solve(py, own.cells(), progress, |observer| {
             let seen = |iteration: &_| observer(Some(iteration));
-            history.step_observed(&load, seen).map(|_| ())
+            history.step_observed(&load, seen)?;
+            *taken += 1;
+            Ok(())
         })?;
         outcome.or_raise(py)?;
-        let step = StepResult::last(work.history.last_step(), slf.clone().unbind(), number);
+        let step = StepResult::last(work.history.last_step(), slf.clone().unbind(), work.taken);
         drop(work);
         self::warn(py, warn, || step.warnings_of())?;
         Ok(step)
@@ -126,23 +126,22 @@ impl History {
         let mut places = Vec::with_capacity(histories.len());
         for history in &histories {
             // One that is named twice is in use by its first step.
-            let mut place = lock(&history.get().work, NAME)?;
-            place.taken += 1;
-            places.push(place);
+            places.push(lock(&history.get().work, NAME)?);
         }
         let cells = histories.iter().map(|history| history.get().cells()).sum();
-        let contacts = places.iter_mut().map(|place| &mut place.history);
+        let contacts = places.iter_mut().map(|place| &mut **place);
         let mut contacts: Vec<_> = contacts.zip(&loads).enumerate().collect();
         let failed = solve(py, cells, Progress::none(), |observer| {
             let observer = Mutex::new(observer);
             let step =
-                |(index, (history, load)): &mut (usize, (&mut stickslip::History, &LoadStep))| {
+                |(index, (Work { history, taken }, load)): &mut (usize, (&mut Work, &LoadStep))| {
                     let seen = |_: &_| {
                         observer
                             .lock()
                             .map_or(ControlFlow::Continue(()), |mut seen| seen(None))
                     };
                     let outcome = history.step_observed(&load.0, seen);
+                    *taken += u64::from(outcome.is_ok());
                     outcome.err().map(|error| (*index, error))
                 };
             Ok(contacts.par_iter_mut().filter_map(step).collect::<Vec<_>>())
