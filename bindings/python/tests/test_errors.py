@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import stickslip as ss
-from conftest import FORCE
+from conftest import FORCE, Scene
 
 
 @pytest.mark.parametrize(
@@ -139,6 +139,11 @@ def test_a_step_that_fails_leaves_the_fields_of_the_step_before_readable(scene):
     assert np.array_equal(step.keep().slip_distance, slip)
     with pytest.raises(RuntimeError, match="keep"):
         of_other.slip_distance
+    adaptive = ss.history.AdaptiveSteps(Scene(16).history(), 0.01)
+    for attempt in (adaptive.step, adaptive.error):
+        with pytest.raises(ss.errors.GridMismatch):
+            attempt(history, ss.LoadStep(force_x=20.0))
+    assert np.array_equal(step.slip_distance, slip)
 
 
 def test_a_solver_that_is_refused_a_load_keeps_the_old_one(scene):

@@ -4,10 +4,12 @@ use std::sync::Mutex;
 
 use pyo3::prelude::*;
 
+use crate::digits::short;
 use crate::error::OrRaise;
 use crate::held::lock;
 use crate::history::{Cycle, History, builder};
 use crate::load::LoadStep;
+use crate::pickle::picklable;
 use crate::progress::Progress;
 use crate::sequence::pair;
 use crate::work::{solve, unless_broken_off, unobserved};
@@ -45,11 +47,14 @@ impl StepError {
 
     fn __repr__(&self) -> String {
         format!(
-            "StepError(traction={:.2e}, dissipated_energy={:.2e})",
-            self.0.traction, self.0.dissipated_energy
+            "StepError(traction={}, dissipated_energy={})",
+            short(self.0.traction),
+            short(self.0.dissipated_energy)
         )
     }
 }
+
+picklable!(StepError: stickslip::history::StepError);
 
 /// Takes a load in steps short enough for a tolerance, and tells the error of a step. Its buffers take the memory of four
 /// states.

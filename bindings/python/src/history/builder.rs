@@ -14,7 +14,7 @@ use crate::held::lock;
 use crate::normal::AnyHardness;
 use crate::settings::{Settings, chosen};
 use crate::tangential::RelativeDisplacement;
-use crate::work::unobserved;
+use crate::work::unobserved_on;
 
 /// Two bodies in contact that remember their load: pressure, traction, slip and energy, step by step.
 ///
@@ -127,7 +127,7 @@ impl History {
     ) -> PyResult<()> {
         let mut work = lock(&self.work, NAME)?;
         let history = &mut work.history;
-        unobserved(py, self.cells(), || change(history))
+        unobserved_on(py, self.grid(), || change(history))
     }
 }
 
@@ -160,7 +160,7 @@ impl History {
         let gap = gap.on(py, "gap", grid)?;
         let friction = friction.on(py, grid)?;
         let hardness = hardness.map(|hardness| hardness.on(py, grid)).transpose()?;
-        let history = unobserved(py, grid.cells(), || {
+        let history = unobserved_on(py, grid, || {
             let builder = stickslip::History::builder(&bodies.0, &gap, friction);
             let mut builder = builder.settings(settings).permanent_set(permanent_set);
             if let Some(axis) = axis {

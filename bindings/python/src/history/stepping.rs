@@ -7,6 +7,7 @@ use pyo3::prelude::*;
 use rayon::prelude::*;
 use stickslip::Error;
 
+use crate::due;
 use crate::error::{OrRaise, raised};
 use crate::held::lock;
 use crate::history::builder::{NAME, Work};
@@ -47,15 +48,15 @@ impl History {
         load: Option<LoadStep>,
         normal_force: Option<f64>,
         approach: Option<f64>,
-        force: Option<[f64; 2]>,
-        shift: Option<[f64; 2]>,
-        spring: Option<([f64; 2], f64)>,
+        force: Option<due::Force>,
+        shift: Option<due::Shift>,
+        spring: Option<due::Springs>,
         force_x: Option<f64>,
         force_y: Option<f64>,
         shift_x: Option<f64>,
         shift_y: Option<f64>,
-        spring_x: Option<(f64, f64)>,
-        spring_y: Option<(f64, f64)>,
+        spring_x: Option<due::Spring>,
+        spring_y: Option<due::Spring>,
         twist: Option<f64>,
         relative_displacement: Option<f64>,
         progress: Option<Bound<'py, PyAny>>,
