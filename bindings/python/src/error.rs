@@ -29,7 +29,7 @@ impl<T> OrRaise<T> for stickslip::Result<T> {
 }
 
 /// Fields whose samples may be missing, as where nothing was measured.
-const MEASURED: [&str; 3] = ["gap", "heights", "height"];
+const MEASURED: [&str; 4] = ["gap", "heights", "upper surface", "lower surface"];
 
 /// The sentence of an error on a sample, with its row and column and what to do where they are known; they are put among
 /// the attributes.

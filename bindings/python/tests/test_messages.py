@@ -58,6 +58,15 @@ def test_a_sample_is_told_by_row_and_column_and_a_missing_height_by_what_fills_i
             ss.NormalProblem(scene.bodies, given, force=1.0)
         with pytest.raises(ss.errors.Sample, match=r"row 3, column 5 .* \(surface.fill_missing"):
             ss.surface.gap_from_heights(ss.Field(scene.grid, given))
+    holed = ss.Field(scene.grid, gap)
+    for call in (
+        lambda: ss.surface.gap_between(scene.ball, holed),
+        lambda: ss.surface.resample(holed, ss.Grid.square(7, 0.1e-3)),
+        lambda: ss.surface.Statistics(holed),
+        lambda: scene.history().set_gap(holed),
+    ):
+        with pytest.raises(ss.errors.Sample, match=r"row 3, column 5 .*\(surface.fill_missing"):
+            call()
     with pytest.raises(ss.errors.Sample, match="row 0, column 0"):
         ss.Friction(np.full(scene.grid.shape, -1.0), grid=scene.grid)
     with pytest.raises(ss.errors.Sample, match="at index 1 ") as refused:

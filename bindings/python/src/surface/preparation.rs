@@ -9,7 +9,8 @@ use crate::due;
 use crate::error::OrRaise;
 use crate::field::{Field, Samples};
 use crate::grid::Grid;
-use crate::work::unobserved_on;
+use crate::progress::Progress;
+use crate::work::{solve, unobserved_on};
 
 /// The sum of fields on one grid, cell by cell: the gap between two bodies is the sum of both shapes.
 #[pyfunction]
@@ -82,7 +83,11 @@ pub(crate) fn crop(
 #[pyfunction]
 pub(crate) fn resample(py: Python<'_>, heights: Samples<'_>, grid: &Grid) -> PyResult<Field> {
     let heights = heights.alone("heights")?;
-    unobserved_on(py, grid.0, || surface::resample(&heights, grid.0)).map(Into::into)
+    // The work is that of the cells made, and what is wrong lies in those given.
+    let outcome = solve(py, grid.0.cells(), Progress::none(), |_| {
+        surface::resample(&heights, grid.0)
+    })?;
+    outcome.or_raise_on(py, heights.grid()).map(Into::into)
 }
 
 /// A surface whose missing heights (NaN) are filled smoothly.

@@ -43,8 +43,9 @@ impl RelativeDisplacement {
             along_x.on(py, "along_x", grid)?,
             along_y.on(py, "along_y", grid)?,
         ];
+        let own_grid = fields[1].grid();
         let relative = Relative::new(fields.map(Arc::unwrap_or_clone));
-        relative.or_raise_on(py, grid).map(Self)
+        relative.or_raise_on(py, own_grid).map(Self)
     }
 
     /// That of a uniform strain ``[[xx, xy], [yx, yy]]`` of body 1 less that of body 2 (dimensionless, positive where body
