@@ -93,6 +93,13 @@ pub(crate) fn bytes(
     shaped(&array, grid)
 }
 
+/// Which cells carry pressure: those of the contact, as the crate counts its area.
+pub(crate) fn contact<'py>(py: Python<'py>, pressure: &stickslip::Field) -> Array<'py> {
+    let touching = pressure.as_slice().iter().map(|&pressure| pressure > 0.0);
+    let array = touching.collect::<Vec<_>>().into_pyarray(py);
+    shaped(&array, pressure.grid())
+}
+
 /// Labels per cell, as an array of the grid.
 pub(crate) fn labels<'py>(py: Python<'py>, grid: stickslip::Grid, labels: &[u32]) -> Array<'py> {
     shaped(&PyArray1::from_slice(py, labels), grid)

@@ -5,6 +5,7 @@ use pyo3::prelude::*;
 #[cfg(feature = "stubs")]
 use pyo3::{PyTypeInfo, inspect::PyStaticExpr, type_hint_identifier, type_hint_union};
 
+use crate::digits::short;
 use crate::pickle::picklable;
 
 /// What lies beyond the edge of the grid.
@@ -51,12 +52,12 @@ impl Boundary {
         }
     }
 
-    fn __repr__(&self) -> String {
+    pub(crate) fn __repr__(&self) -> String {
         match self.0 {
             stickslip::Boundary::NonPeriodic => "Boundary.NON_PERIODIC".into(),
             stickslip::Boundary::Periodic => "Boundary.PERIODIC".into(),
             stickslip::Boundary::PeriodicAlongY { datum } => {
-                format!("Boundary.periodic_along_y({datum})")
+                format!("Boundary.periodic_along_y({})", short(datum))
             }
         }
     }

@@ -11,6 +11,8 @@ use stickslip::{Iteration, Operator};
 
 use crate::array::Array;
 use crate::choice::Choice;
+use crate::digits::short;
+use crate::due;
 use crate::error::with_iterate;
 use crate::operator::{LinearOperator, Product, numbers};
 use crate::progress::Progress;
@@ -135,8 +137,9 @@ impl Minimum {
 
     fn __repr__(&self) -> String {
         format!(
-            "Minimum(multiplier={:.6e}, {})",
-            self.multiplier, self.report
+            "Minimum(multiplier={}, {})",
+            short(self.multiplier),
+            self.report
         )
     }
 }
@@ -195,7 +198,7 @@ pub(crate) fn minimise<'py>(
     lower: Option<Bound<'py, PyAny>>,
     upper: Option<Bound<'py, PyAny>>,
     total: Option<f64>,
-    spring: Option<(f64, f64)>,
+    spring: Option<due::FarEnd>,
     preconditioner: Option<&LinearOperator>,
     lower_bound: f64,
     start: Option<Bound<'py, PyAny>>,
@@ -211,7 +214,7 @@ pub(crate) fn minimise<'py>(
     let total = match (total, spring) {
         (None, None) => Total::Free,
         (Some(total), None) => Total::Sum(total),
-        (None, Some((far_end, compliance))) => Total::Spring {
+        (None, Some(due::FarEnd((far_end, compliance)))) => Total::Spring {
             far_end,
             compliance,
         },

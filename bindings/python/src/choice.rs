@@ -5,9 +5,13 @@ use pyo3::prelude::*;
 #[cfg(feature = "stubs")]
 use pyo3::{inspect::PyStaticExpr, type_hint_identifier, type_hint_union};
 
+use crate::due::kind_of;
+
 /// An enumeration of the crate whose variants have names.
 pub(crate) trait Named: Copy + PartialEq + 'static {
     const ENUMERATION: &'static str;
+    /// The module in which users find it.
+    const MODULE: &'static str;
     const ALL: &'static [(&'static str, Self)];
     #[cfg(feature = "stubs")]
     const HINT: PyStaticExpr;
@@ -38,18 +42,22 @@ impl<T: Named> FromPyObject<'_, '_> for Choice<T> {
         };
         let given: String = object.extract().map_err(|_| {
             PyTypeError::new_err(format!(
-                "{} is given by name ({}) or as a member of stickslip.{}",
+                "{} is one of {}, or a member of {}.{}, got {}",
                 T::ENUMERATION,
                 names(),
-                T::ENUMERATION
+                T::MODULE,
+                T::ENUMERATION,
+                kind_of(&object)
             ))
         })?;
         let named = T::ALL.iter().find(|(name, _)| *name == given);
         named.map(|(_, variant)| Self(*variant)).ok_or_else(|| {
             PyValueError::new_err(format!(
-                "{} must be one of {}, got '{given}'",
+                "{} is one of {}, or a member of {}.{}, got '{given}'",
                 T::ENUMERATION,
-                names()
+                names(),
+                T::MODULE,
+                T::ENUMERATION
             ))
         })
     }
@@ -70,9 +78,10 @@ impl<'py, T: Named> IntoPyObject<'py> for Choice<T> {
 }
 
 macro_rules! named {
-    ($($enumeration:literal: $type:ty { $($name:literal = $variant:ident),+ })+) => {$(
+    ($($module:literal $enumeration:literal: $type:ty { $($name:literal = $variant:ident),+ })+) => {$(
         impl Named for $type {
             const ENUMERATION: &'static str = $enumeration;
+            const MODULE: &'static str = $module;
             const ALL: &'static [(&'static str, Self)] = &[$(($name, <$type>::$variant)),+];
             #[cfg(feature = "stubs")]
             const HINT: PyStaticExpr = type_hint_identifier!("stickslip._enums", $enumeration);
@@ -81,25 +90,25 @@ macro_rules! named {
 }
 
 named! {
-    "Axis": stickslip::Axis { "x" = X, "y" = Y }
-    "TangentialModel": stickslip::TangentialModel { "scalar" = Scalar, "vector" = Vector }
-    "Coupling": stickslip::Coupling { "full" = Full, "one_way" = OneWay, "neglected" = Neglected }
-    "TouchRule": stickslip::history::TouchRule { "growth" = Growth, "whole_step" = WholeStep }
-    "Method": stickslip::cgm::Method { "active_set" = ActiveSet, "polonsky_keer" = PolonskyKeer }
-    "Status": stickslip::Status {
+    "stickslip" "Axis": stickslip::Axis { "x" = X, "y" = Y }
+    "stickslip" "TangentialModel": stickslip::TangentialModel { "scalar" = Scalar, "vector" = Vector }
+    "stickslip" "Coupling": stickslip::Coupling { "full" = Full, "one_way" = OneWay, "neglected" = Neglected }
+    "stickslip.history" "TouchRule": stickslip::history::TouchRule { "growth" = Growth, "whole_step" = WholeStep }
+    "stickslip" "Method": stickslip::cgm::Method { "active_set" = ActiveSet, "polonsky_keer" = PolonskyKeer }
+    "stickslip" "Status": stickslip::Status {
         "unsolved" = Unsolved, "converged" = Converged, "iteration_limit" = IterationLimit,
         "time_limit" = TimeLimit, "stalled" = Stalled, "cancelled" = Cancelled
     }
-    "Regime": stickslip::history::Regime {
+    "stickslip.history" "Regime": stickslip::history::Regime {
         "full_stick" = FullStick, "partial_slip" = PartialSlip, "gross_slip" = GrossSlip
     }
-    "LoopEnding": stickslip::history::LoopEnding {
+    "stickslip.history" "LoopEnding": stickslip::history::LoopEnding {
         "steady" = Steady, "cycle_limit" = CycleLimit, "stopped" = Stopped
     }
-    "Body": stickslip::subsurface::Body { "one" = One, "two" = Two }
-    "Amplitudes": stickslip::surface::Amplitudes { "exact" = Exact, "gaussian" = Gaussian }
-    "Direction": stickslip::influence::Direction { "x" = X, "y" = Y, "z" = Z }
-    "Component": stickslip::influence::Component {
+    "stickslip.subsurface" "Body": stickslip::subsurface::Body { "one" = One, "two" = Two }
+    "stickslip.surface" "Amplitudes": stickslip::surface::Amplitudes { "exact" = Exact, "gaussian" = Gaussian }
+    "stickslip.influence" "Direction": stickslip::influence::Direction { "x" = X, "y" = Y, "z" = Z }
+    "stickslip.influence" "Component": stickslip::influence::Component {
         "xx" = XX, "xy" = XY, "xz" = XZ, "yx" = YX, "yy" = YY, "yz" = YZ, "zx" = ZX, "zy" = ZY, "zz" = ZZ
     }
 }

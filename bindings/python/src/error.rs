@@ -2,24 +2,69 @@
 
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use stickslip::{Error, ranks::RankFailure};
+use stickslip::{Error, Grid, ranks::RankFailure};
 
 use crate::report::Report;
 
 /// The exception of an error.
 pub(crate) fn raised(py: Python<'_>, error: Error) -> PyErr {
-    exception(py, error).unwrap_or_else(|failure| failure)
+    exception(py, error, None).unwrap_or_else(|failure| failure)
 }
 
-/// The value or the exception.
+/// The value or the exception; that of a sample tells its row and column where the grid is known.
 pub(crate) trait OrRaise<T> {
     fn or_raise(self, py: Python<'_>) -> PyResult<T>;
+
+    fn or_raise_on(self, py: Python<'_>, grid: Grid) -> PyResult<T>;
 }
 
 impl<T> OrRaise<T> for stickslip::Result<T> {
     fn or_raise(self, py: Python<'_>) -> PyResult<T> {
         self.map_err(|error| raised(py, error))
     }
+
+    fn or_raise_on(self, py: Python<'_>, grid: Grid) -> PyResult<T> {
+        self.map_err(|error| exception(py, error, Some(grid)).unwrap_or_else(|failure| failure))
+    }
+}
+
+/// Fields whose samples may be missing, as where nothing was measured.
+const MEASURED: [&str; 4] = ["gap", "heights", "upper surface", "lower surface"];
+
+/// The sentence of an error on a sample, with its row and column and what to do where they are known; they are put among
+/// the attributes.
+fn of_sample(
+    error: &Error,
+    grid: Option<Grid>,
+    attributes: &Bound<'_, PyDict>,
+) -> PyResult<String> {
+    let Error::Sample {
+        quantity,
+        index,
+        value,
+        rule,
+    } = error
+    else {
+        return Ok(error.to_string());
+    };
+    let place = grid
+        .filter(|grid| *index < grid.cells())
+        .map(|grid| (index / grid.nx(), index % grid.nx()));
+    let (row, column) = place.unzip();
+    attributes.set_item("row", row)?;
+    attributes.set_item("column", column)?;
+    let is_missing = value.is_nan() && MEASURED.contains(quantity);
+    let remedy = if is_missing {
+        " (surface.fill_missing fills missing heights)"
+    } else {
+        ""
+    };
+    Ok(match place {
+        None => format!("{error}{remedy}"),
+        Some((row, column)) => format!(
+            "{quantity} at row {row}, column {column} (index {index}) is {value}: {rule}{remedy}"
+        ),
+    })
 }
 
 /// An exception of ``stickslip.errors`` by its name, with a message and attributes.
@@ -68,9 +113,9 @@ macro_rules! numbered {
     };
 }
 
-fn exception(py: Python<'_>, error: Error) -> PyResult<PyErr> {
+fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr> {
     let attributes = PyDict::new(py);
-    let message = error.to_string();
+    let message = of_sample(&error, grid, &attributes)?;
     let name = numbered!(&error, attributes, {
         GridSize { nx, ny }
         Memory { quantity, bytes }

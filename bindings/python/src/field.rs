@@ -6,17 +6,21 @@ use numpy::{AllowTypeChange, PyArrayLike2};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use stickslip::Error;
 
 use crate::argument::argument;
 use crate::array::{Array, view};
-use crate::error::{OrRaise, named};
+use crate::digits::short;
+use crate::due::kind_of;
+use crate::error::{OrRaise, named, raised};
 use crate::grid::{Grid, size};
 use crate::pickle::picklable;
 
 /// Samples at the cells of a grid, one number a cell: gaps, heights, pressures. It is never changed.
 ///
 /// Whatever takes a field takes an array of shape (ny, nx) too, and copies it; a Field is made once and shared, so that
-/// repeated calls copy nothing. ``numpy.asarray(field)`` is a read-only view of it.
+/// repeated calls copy nothing. ``numpy.asarray(field)`` is a read-only view of it, and ``field[iy, ix]`` a sample. Sums,
+/// differences, products and quotients with fields, arrays and numbers, cell by cell, are fields.
 ///
 /// Parameters
 /// ----------
@@ -57,6 +61,12 @@ impl Field {
         Grid(self.0.grid())
     }
 
+    /// Its shape as an array, (ny, nx).
+    #[getter]
+    fn shape(&self) -> (usize, usize) {
+        self.grid().shape()
+    }
+
     /// A read-only array of shape (ny, nx) on the memory of the field, without a copy.
     #[getter]
     fn array<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
@@ -76,6 +86,14 @@ impl Field {
     /// The sum of the samples times the area of a cell.
     fn integral(&self) -> f64 {
         self.0.integral()
+    }
+
+    /// As of :attr:`array`: ``field[iy, ix]`` is a sample, ``field[iy]`` a row.
+    fn __getitem__<'py>(
+        slf: &Bound<'py, Self>,
+        index: Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        Self::array(slf).0.get_item(index)
     }
 
     /// The sample of a cell, by column and row; ``None`` beyond the grid.
@@ -103,27 +121,35 @@ impl Field {
     }
 
     fn __add__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
-        self.plus(py, 1.0, &other)
+        self.by_cell(py, &other, |own, other| own + other)
     }
 
     fn __radd__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
-        self.plus(py, 1.0, &other)
+        self.by_cell(py, &other, |own, other| other + own)
     }
 
     fn __sub__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
-        self.plus(py, -1.0, &other)
+        self.by_cell(py, &other, |own, other| own - other)
     }
 
     fn __rsub__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
-        self.__neg__().plus(py, 1.0, &other)
+        self.by_cell(py, &other, |own, other| other - own)
     }
 
-    fn __mul__(&self, factor: f64) -> Self {
-        self.0.scaled(factor).into()
+    fn __mul__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
+        self.by_cell(py, &other, |own, other| own * other)
     }
 
-    fn __rmul__(&self, factor: f64) -> Self {
-        self.0.scaled(factor).into()
+    fn __rmul__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
+        self.by_cell(py, &other, |own, other| own * other)
+    }
+
+    fn __truediv__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
+        self.by_cell(py, &other, |own, other| own / other)
+    }
+
+    fn __rtruediv__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
+        self.by_cell(py, &other, |own, other| other / own)
     }
 
     fn __neg__(&self) -> Self {
@@ -132,18 +158,46 @@ impl Field {
 
     fn __repr__(&self) -> String {
         let size = size(self.0.grid());
-        format!("Field({size}, {} to {})", self.0.min(), self.0.max())
+        if self.0.min() > self.0.max() {
+            return format!("Field({size}, all NaN)");
+        }
+        format!(
+            "Field({size}, {} to {})",
+            short(self.0.min()),
+            short(self.0.max())
+        )
     }
 }
 
 picklable!(Field: stickslip::Field);
 
 impl Field {
-    fn plus(&self, py: Python<'_>, factor: f64, other: &Samples<'_>) -> PyResult<Self> {
-        let other = other.on(py, "other field", self.0.grid())?;
-        let mut sum = (*self.0).clone();
-        sum.add_scaled(factor, &other).or_raise(py)?;
-        Ok(sum.into())
+    /// An operation of each cell with that of another field.
+    fn by_cell(
+        &self,
+        py: Python<'_>,
+        other: &Samples<'_>,
+        operation: fn(f64, f64) -> f64,
+    ) -> PyResult<Self> {
+        let grid = self.0.grid();
+        let other = other.on(py, "other field", grid)?;
+        let found = other.grid();
+        if found != grid {
+            return Err(raised(
+                py,
+                Error::GridMismatch {
+                    quantity: "other field",
+                    expected_cells: [grid.nx(), grid.ny()],
+                    expected_sides: [grid.dx(), grid.dy()],
+                    found_cells: [found.nx(), found.ny()],
+                    found_sides: [found.dx(), found.dy()],
+                },
+            ));
+        }
+        let pairs = self.0.as_slice().iter().zip(other.as_slice());
+        let samples = pairs.map(|(own, other)| operation(*own, *other)).collect();
+        let result = stickslip::Field::from_vec(grid, samples).or_raise(py)?;
+        Ok(result.into())
     }
 }
 
@@ -168,6 +222,13 @@ impl Samples<'_> {
             return Err(PyTypeError::new_err(format!(
                 "{quantity} is a topography, whose heights point out of its body: \
                  surface.gap_from_heights(topography) makes a gap of them"
+            )));
+        }
+        if self.has_heights() {
+            return Err(PyTypeError::new_err(format!(
+                "{quantity} is a {}, which has heights: give its .heights, or \
+                 surface.gap_from_heights(rough.heights), the gap under them",
+                kind_of(&self.0)
             )));
         }
         if let Some(value) = self.number() {
@@ -198,6 +259,11 @@ impl Samples<'_> {
         self.0.extract().ok()
     }
 
+    /// The shape of an array.
+    pub(crate) fn shape(&self) -> Option<(usize, usize)> {
+        self.0.getattr("shape").ok()?.extract().ok()
+    }
+
     /// As one number, or a field on this grid; without one, on the field's own.
     pub(crate) fn spread(
         &self,
@@ -216,8 +282,13 @@ impl Samples<'_> {
     /// As a field on a grid of its own.
     pub(crate) fn alone(&self, quantity: &str) -> PyResult<Arc<stickslip::Field>> {
         self.known()?.ok_or_else(|| {
+            let instead = if self.has_heights() {
+                format!(", got {}: give its .heights", kind_of(&self.0))
+            } else {
+                ": Field(grid, array)".into()
+            };
             PyTypeError::new_err(format!(
-                "{quantity} must be a Field or a topography, which know their grid: Field(grid, array)"
+                "{quantity} must be a Field or a topography, which know their grid{instead}"
             ))
         })
     }
@@ -225,6 +296,12 @@ impl Samples<'_> {
     fn field(&self) -> Option<Arc<stickslip::Field>> {
         let field = self.0.cast::<Field>().ok()?;
         Some(Arc::clone(&field.get().0))
+    }
+
+    /// Whether it is an object of the package that has heights: a rough, a filled or a levelled surface.
+    fn has_heights(&self) -> bool {
+        let heights = self.0.getattr("heights");
+        heights.is_ok_and(|heights| heights.is_instance_of::<Field>())
     }
 
     fn is_topography(&self) -> PyResult<bool> {
@@ -279,6 +356,6 @@ pub(crate) fn grid_of(grid: Option<&Grid>, fields: &[&Samples<'_>]) -> PyResult<
         }
     }
     Err(PyTypeError::new_err(
-        "an array does not know its grid: give grid=, or a Field",
+        "an array does not know the sides of its cells: give grid= (history.grid, solution.grid), or a Field",
     ))
 }

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use pyo3::prelude::*;
 
 use crate::argument::argument;
+use crate::digits::short;
 use crate::error::OrRaise;
 use crate::field::{Samples, Spread};
 use crate::grid::Grid;
@@ -40,10 +41,12 @@ impl Friction {
         grid: Option<&Grid>,
     ) -> PyResult<Self> {
         let friction = match coefficient.spread(py, "coefficient of friction", grid)? {
-            Spread::Uniform(coefficient) => stickslip::Friction::coulomb(coefficient),
-            Spread::PerCell(field) => stickslip::Friction::per_cell(Arc::unwrap_or_clone(field)),
-        };
-        let friction = friction.or_raise(py)?;
+            Spread::Uniform(coefficient) => stickslip::Friction::coulomb(coefficient).or_raise(py),
+            Spread::PerCell(field) => {
+                let grid = field.grid();
+                stickslip::Friction::per_cell(Arc::unwrap_or_clone(field)).or_raise_on(py, grid)
+            }
+        }?;
         match max_shear_stress {
             None => Ok(Self(friction)),
             Some(cap) => friction.max_shear_stress(cap).or_raise(py).map(Self),
@@ -60,12 +63,12 @@ impl Friction {
         let (first, cap) = (self.0.limit(0, 1.0), self.0.limit(0, f64::INFINITY));
         let is_uniform = !self.0.limit(usize::MAX, 1.0).is_nan();
         let coefficient = if is_uniform {
-            first.to_string()
+            short(first)
         } else {
             "<per cell>".into()
         };
         if cap.is_finite() {
-            format!("Friction({coefficient}, max_shear_stress={cap})")
+            format!("Friction({coefficient}, max_shear_stress={})", short(cap))
         } else {
             format!("Friction({coefficient})")
         }

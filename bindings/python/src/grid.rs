@@ -1,9 +1,12 @@
 //! Grids.
 
+use std::hash::{DefaultHasher, Hash, Hasher};
+
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 
 use crate::array::Array;
+use crate::digits::short;
 use crate::error::OrRaise;
 use crate::pickle::picklable;
 
@@ -75,7 +78,7 @@ impl Grid {
 
     /// Shape of the arrays on it, (ny, nx).
     #[getter]
-    fn shape(&self) -> (usize, usize) {
+    pub(crate) fn shape(&self) -> (usize, usize) {
         (self.0.ny(), self.0.nx())
     }
 
@@ -125,9 +128,24 @@ impl Grid {
             "Grid(nx={}, ny={}, dx={}, dy={})",
             grid.nx(),
             grid.ny(),
-            grid.dx(),
-            grid.dy()
+            short(grid.dx()),
+            short(grid.dy())
         )
+    }
+
+    /// Equal grids have equal ones.
+    pub(crate) fn __hash__(&self) -> u64 {
+        let grid = self.0;
+        let mut hasher = DefaultHasher::new();
+        // Sides are positive: equal ones have equal bits.
+        (
+            grid.nx(),
+            grid.ny(),
+            grid.dx().to_bits(),
+            grid.dy().to_bits(),
+        )
+            .hash(&mut hasher);
+        hasher.finish()
     }
 }
 

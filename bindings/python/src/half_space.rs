@@ -3,11 +3,13 @@
 use pyo3::prelude::*;
 
 use crate::boundary::{Boundary, Surroundings};
+use crate::digits::short;
 use crate::error::OrRaise;
 use crate::grid::{Grid, size};
 use crate::material::{Bodies, ElasticPair};
 
-/// A pair of half-spaces on a grid. What problems need of it is made when first needed, and shared.
+/// A pair of half-spaces on a grid. What problems need of it is made when first needed, and shared. Two of equal grid,
+/// bodies and boundary are equal.
 ///
 /// Parameters
 /// ----------
@@ -66,6 +68,18 @@ impl HalfSpace {
         Boundary(self.0.boundary())
     }
 
+    fn __eq__(&self, other: &Self) -> bool {
+        let (own, other) = (&self.0, &other.0);
+        own.grid() == other.grid()
+            && own.pair() == other.pair()
+            && own.boundary() == other.boundary()
+    }
+
+    /// Equal bodies have equal ones.
+    fn __hash__(&self) -> u64 {
+        self.grid().__hash__()
+    }
+
     fn __reduce__<'py>(
         slf: &Bound<'py, Self>,
     ) -> (
@@ -82,12 +96,12 @@ impl HalfSpace {
     fn __repr__(&self) -> String {
         let grid = self.0.grid();
         format!(
-            "HalfSpace({} of {} x {}, {:?}, E* = {})",
+            "HalfSpace({} of {} x {}, {}, E* = {})",
             size(grid),
-            grid.dx(),
-            grid.dy(),
-            self.0.boundary(),
-            self.0.pair().contact_modulus()
+            short(grid.dx()),
+            short(grid.dy()),
+            self.boundary().__repr__(),
+            short(self.0.pair().contact_modulus())
         )
     }
 }

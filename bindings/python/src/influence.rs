@@ -4,10 +4,11 @@ use pyo3::prelude::*;
 use stickslip::influence;
 
 use crate::choice::Choice;
+use crate::digits::short;
 use crate::error::OrRaise;
 use crate::grid::Grid;
 use crate::material::{ElasticPair, Material};
-use crate::work::unobserved;
+use crate::work::unobserved_on;
 
 /// The nine influence coefficients at a point, displacement first, traction second (lengths over pressures).
 #[pyclass(frozen, eq, module = "stickslip.influence")]
@@ -38,7 +39,7 @@ macro_rules! components {
             }
 
             fn __repr__(&self) -> String {
-                let parts = [$(format!("{}={:.6e}", stringify!($component), self.0.$component)),+];
+                let parts = [$(format!("{}={}", stringify!($component), short(self.0.$component))),+];
                 format!("Tensor({})", parts.join(", "))
             }
         }
@@ -58,27 +59,34 @@ components!(xx, xy, xz, yx, yy, yz, zx, zy, zz);
 /// ------
 /// NotPositive
 #[pyclass(frozen, module = "stickslip.influence")]
-pub(crate) struct Rectangle(influence::Rectangle);
+pub(crate) struct Rectangle {
+    cell: influence::Rectangle,
+    /// Half sides.
+    half: [f64; 2],
+}
 
 #[pymethods]
 impl Rectangle {
     #[new]
     fn new(py: Python<'_>, a: f64, b: f64) -> PyResult<Self> {
-        influence::Rectangle::new(a, b).or_raise(py).map(Self)
+        let cell = influence::Rectangle::new(a, b).or_raise(py)?;
+        let half = [a, b];
+        Ok(Self { cell, half })
     }
 
     /// The coefficients of a body at a position from the centre (lengths).
     fn tensor(&self, material: &Material, x: f64, y: f64) -> Tensor {
-        Tensor(self.0.tensor(&material.0, x, y))
+        Tensor(self.cell.tensor(&material.0, x, y))
     }
 
     /// The coefficients of a pair at a position from the centre (lengths).
     fn pair_tensor(&self, pair: &ElasticPair, x: f64, y: f64) -> Tensor {
-        Tensor(self.0.pair_tensor(&pair.0, x, y))
+        Tensor(self.cell.pair_tensor(&pair.0, x, y))
     }
 
     fn __repr__(&self) -> String {
-        format!("{:?}", self.0)
+        let [a, b] = self.half.map(short);
+        format!("Rectangle(a={a}, b={b})")
     }
 }
 
@@ -105,7 +113,7 @@ impl Table {
         component: Choice<influence::Component>,
     ) -> PyResult<Self> {
         let sample = || influence::Table::sample(grid.0, &pair.0, component.0);
-        unobserved(py, grid.0.cells(), sample).map(Self)
+        unobserved_on(py, grid.0, sample).map(Self)
     }
 
     /// The component.

@@ -8,16 +8,18 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use stickslip::io::{self, Sides, vti};
 
+use crate::digits::counted;
+use crate::due;
 use crate::error::OrRaise;
 use crate::field::{Field, Samples};
 use crate::grid::Grid;
 use crate::held::lock;
 
 /// Sides of a cell or of the grid, of files that do not say.
-fn sides(cell: Option<[f64; 2]>, size: Option<[f64; 2]>) -> PyResult<Sides> {
+fn sides(cell: Option<due::CellSides>, size: Option<due::GridSides>) -> PyResult<Sides> {
     match (cell, size) {
-        (Some(cell), None) => Ok(Sides::OfCell(cell)),
-        (None, Some(size)) => Ok(Sides::OfGrid(size)),
+        (Some(cell), None) => Ok(Sides::OfCell(cell.0)),
+        (None, Some(size)) => Ok(Sides::OfGrid(size.0)),
         _ => Err(PyTypeError::new_err(
             "give the sides of a cell, cell=(dx, dy), or of the grid, size=(x, y)",
         )),
@@ -103,8 +105,8 @@ fn options(missing: Option<f64>, skip_rows: usize) -> io::csv::Options {
 pub(crate) fn csv_read(
     py: Python<'_>,
     path: PathBuf,
-    cell: Option<[f64; 2]>,
-    size: Option<[f64; 2]>,
+    cell: Option<due::CellSides>,
+    size: Option<due::GridSides>,
     missing: Option<f64>,
     skip_rows: usize,
 ) -> PyResult<Field> {
@@ -120,8 +122,8 @@ pub(crate) fn csv_read(
 pub(crate) fn csv_parse(
     py: Python<'_>,
     bytes: &[u8],
-    cell: Option<[f64; 2]>,
-    size: Option<[f64; 2]>,
+    cell: Option<due::CellSides>,
+    size: Option<due::GridSides>,
     missing: Option<f64>,
     skip_rows: usize,
 ) -> PyResult<Field> {
@@ -154,8 +156,8 @@ pub(crate) fn csv_to_bytes<'py>(
 pub(crate) fn npy_read(
     py: Python<'_>,
     path: PathBuf,
-    cell: Option<[f64; 2]>,
-    size: Option<[f64; 2]>,
+    cell: Option<due::CellSides>,
+    size: Option<due::GridSides>,
 ) -> PyResult<Field> {
     let sides = sides(cell, size)?;
     py.detach(|| io::npy::read(&path, sides))
@@ -169,8 +171,8 @@ pub(crate) fn npy_read(
 pub(crate) fn npy_parse(
     py: Python<'_>,
     bytes: &[u8],
-    cell: Option<[f64; 2]>,
-    size: Option<[f64; 2]>,
+    cell: Option<due::CellSides>,
+    size: Option<due::GridSides>,
 ) -> PyResult<Field> {
     let sides = sides(cell, size)?;
     py.detach(|| io::npy::parse(bytes, sides))
@@ -184,8 +186,8 @@ pub(crate) fn npy_parse(
 pub(crate) fn npy_grid(
     py: Python<'_>,
     path: PathBuf,
-    cell: Option<[f64; 2]>,
-    size: Option<[f64; 2]>,
+    cell: Option<due::CellSides>,
+    size: Option<due::GridSides>,
 ) -> PyResult<Grid> {
     io::npy::grid(&path, sides(cell, size)?)
         .or_raise(py)
@@ -322,6 +324,7 @@ impl Series {
     }
 
     fn __repr__(&self) -> PyResult<String> {
-        Ok(format!("Series({} images)", lock(&self.0, "series")?.len()))
+        let images = counted(lock(&self.0, "series")?.len(), "image");
+        Ok(format!("Series({images})"))
     }
 }

@@ -8,6 +8,8 @@ mod boundary;
 mod cgm;
 mod choice;
 mod coupled;
+mod digits;
+mod due;
 mod error;
 mod field;
 mod friction;

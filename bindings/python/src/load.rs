@@ -5,7 +5,9 @@ use pyo3::prelude::*;
 use stickslip::{Axis, LoadStep as Step, NormalControl, TangentialControl, TangentialLoad as Load};
 
 use crate::choice::Choice;
-use crate::pickle::picklable;
+use crate::digits::{short, tuple};
+use crate::due;
+use crate::pickle::{parts, picklable};
 
 /// The normal half: a force or an approach, or neither.
 pub(crate) fn normal(force: Option<f64>, approach: Option<f64>) -> PyResult<Option<NormalControl>> {
@@ -26,7 +28,7 @@ pub(crate) fn needed(force: Option<f64>, approach: Option<f64>) -> PyResult<Norm
 }
 
 /// A force, a shift or a spring along both axes.
-pub(crate) type Both = (Option<[f64; 2]>, Option<[f64; 2]>, Option<([f64; 2], f64)>);
+pub(crate) type Both = (Option<due::Force>, Option<due::Shift>, Option<due::Springs>);
 
 /// The keywords of the tangential load, as every function that takes one has them.
 pub(crate) struct Keywords {
@@ -42,14 +44,14 @@ impl Keywords {
         both: Both,
         force: [Option<f64>; 2],
         shift: [Option<f64>; 2],
-        spring: [Option<(f64, f64)>; 2],
+        spring: [Option<due::Spring>; 2],
         twist: Option<f64>,
     ) -> Self {
         Self {
             both,
             force,
             shift,
-            spring,
+            spring: spring.map(|spring| spring.map(|spring| spring.0)),
             twist,
         }
     }
@@ -60,16 +62,22 @@ impl Keywords {
 
     /// What is prescribed along x and y, if anything.
     fn controls(&self) -> PyResult<[Option<TangentialControl>; 2]> {
-        let (force, shift, spring) = self.both;
+        let (force, shift, spring) = &self.both;
         let spring_to = |(position, stiffness)| TangentialControl::Spring {
             position,
             stiffness,
         };
         let along = |axis: usize| {
             let given = [
-                force.map(|force| TangentialControl::Force(force[axis])),
-                shift.map(|shift| TangentialControl::Shift(shift[axis])),
-                spring.map(|(position, stiffness)| spring_to((position[axis], stiffness))),
+                force
+                    .as_ref()
+                    .map(|force| TangentialControl::Force(force.0[axis])),
+                shift
+                    .as_ref()
+                    .map(|shift| TangentialControl::Shift(shift.0[axis])),
+                spring.as_ref().map(|due::Springs((position, stiffness))| {
+                    spring_to((position[axis], *stiffness))
+                }),
                 self.force[axis].map(TangentialControl::Force),
                 self.shift[axis].map(TangentialControl::Shift),
                 self.spring[axis].map(spring_to),
@@ -187,15 +195,15 @@ impl TangentialLoad {
     #[pyo3(signature = (*, force=None, shift=None, spring=None, force_x=None, force_y=None, shift_x=None,
         shift_y=None, spring_x=None, spring_y=None, twist=None))]
     fn new(
-        force: Option<[f64; 2]>,
-        shift: Option<[f64; 2]>,
-        spring: Option<([f64; 2], f64)>,
+        force: Option<due::Force>,
+        shift: Option<due::Shift>,
+        spring: Option<due::Springs>,
         force_x: Option<f64>,
         force_y: Option<f64>,
         shift_x: Option<f64>,
         shift_y: Option<f64>,
-        spring_x: Option<(f64, f64)>,
-        spring_y: Option<(f64, f64)>,
+        spring_x: Option<due::Spring>,
+        spring_y: Option<due::Spring>,
         twist: Option<f64>,
     ) -> PyResult<Self> {
         let keywords = Keywords::new(
@@ -230,12 +238,57 @@ impl TangentialLoad {
         })
     }
 
-    fn __repr__(&self) -> String {
-        format!("{:?}", self.0)
+    fn __repr__(&self) -> PyResult<String> {
+        #[derive(serde::Deserialize)]
+        struct Parts {
+            controls: [TangentialControl; 2],
+            twist: f64,
+        }
+        let Parts { controls, twist } = parts(&self.0)?;
+        let twist = (twist != 0.0).then_some(twist);
+        Ok(format!(
+            "TangentialLoad({})",
+            keywords(NormalControl::Hold, controls, twist, None)
+        ))
     }
 }
 
 picklable!(TangentialLoad: Load);
+
+/// A load as its keywords.
+fn keywords(
+    normal: NormalControl,
+    tangential: [TangentialControl; 2],
+    twist: Option<f64>,
+    relative_displacement: Option<f64>,
+) -> String {
+    let mut shown = Vec::new();
+    match normal {
+        NormalControl::Force(force) => shown.push(format!("normal_force={}", short(force))),
+        NormalControl::Approach(approach) => shown.push(format!("approach={}", short(approach))),
+        _ => {}
+    }
+    for (axis, control) in ["x", "y"].into_iter().zip(tangential) {
+        match control {
+            TangentialControl::Force(force) => {
+                shown.push(format!("force_{axis}={}", short(force)));
+            }
+            TangentialControl::Shift(shift) => {
+                shown.push(format!("shift_{axis}={}", short(shift)));
+            }
+            TangentialControl::Spring {
+                position,
+                stiffness,
+            } => shown.push(format!("spring_{axis}={}", tuple(&[position, stiffness]))),
+            _ => {}
+        }
+    }
+    shown.extend(twist.map(|twist| format!("twist={}", short(twist))));
+    shown.extend(
+        relative_displacement.map(|amount| format!("relative_displacement={}", short(amount))),
+    );
+    shown.join(", ")
+}
 
 /// What a step of a history prescribes at its end; all that is not named is held.
 ///
@@ -276,15 +329,15 @@ impl LoadStep {
     fn new(
         normal_force: Option<f64>,
         approach: Option<f64>,
-        force: Option<[f64; 2]>,
-        shift: Option<[f64; 2]>,
-        spring: Option<([f64; 2], f64)>,
+        force: Option<due::Force>,
+        shift: Option<due::Shift>,
+        spring: Option<due::Springs>,
         force_x: Option<f64>,
         force_y: Option<f64>,
         shift_x: Option<f64>,
         shift_y: Option<f64>,
-        spring_x: Option<(f64, f64)>,
-        spring_y: Option<(f64, f64)>,
+        spring_x: Option<due::Spring>,
+        spring_y: Option<due::Spring>,
         twist: Option<f64>,
         relative_displacement: Option<f64>,
     ) -> PyResult<Self> {
@@ -305,8 +358,22 @@ impl LoadStep {
         Self(load.0.into())
     }
 
-    fn __repr__(&self) -> String {
-        format!("{:?}", self.0)
+    fn __repr__(&self) -> PyResult<String> {
+        #[derive(serde::Deserialize)]
+        struct Parts {
+            normal: NormalControl,
+            tangential: [TangentialControl; 2],
+            twist: Option<f64>,
+            relative_displacement: Option<f64>,
+        }
+        let Parts {
+            normal,
+            tangential,
+            twist,
+            relative_displacement,
+        } = parts(&self.0)?;
+        let shown = keywords(normal, tangential, twist, relative_displacement);
+        Ok(format!("LoadStep({shown})"))
     }
 }
 

@@ -5,6 +5,7 @@ use pyo3::prelude::*;
 #[cfg(feature = "stubs")]
 use pyo3::{PyTypeInfo, inspect::PyStaticExpr, type_hint_union};
 
+use crate::digits::short;
 use crate::error::OrRaise;
 use crate::pickle::picklable;
 
@@ -109,13 +110,13 @@ impl Material {
             return "Material.rigid()".into();
         }
         let hardness = match self.0.hardness() {
-            hardness if hardness.is_finite() => format!(", hardness={hardness}"),
+            hardness if hardness.is_finite() => format!(", hardness={}", short(hardness)),
             _ => String::new(),
         };
         format!(
             "Material(youngs_modulus={}, poisson_ratio={}{hardness})",
-            self.0.youngs_modulus(),
-            self.0.poisson_ratio()
+            short(self.0.youngs_modulus()),
+            short(self.0.poisson_ratio())
         )
     }
 }

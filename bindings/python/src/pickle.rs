@@ -45,6 +45,13 @@ pub(crate) fn _from_bytes<'py>(
     kind.call_method1("from_bytes", arguments)
 }
 
+/// The parts of a content of the crate that it shows in its serialised form alone, in their order.
+pub(crate) fn parts<T: DeserializeOwned>(content: &impl Serialize) -> PyResult<T> {
+    let refused = |error: postcard::Error| PyValueError::new_err(error.to_string());
+    let bytes = postcard::to_stdvec(content).map_err(refused)?;
+    postcard::from_bytes(&bytes).map_err(refused)
+}
+
 /// How an object of this content is pickled.
 pub(crate) fn reduced<'py, T: Stored>(
     py: Python<'py>,
@@ -138,4 +145,14 @@ kinds!(
     crate::coupled::CoupledReport,
     crate::coupled::CoupledSolution,
     crate::tangential::TangentialSolution,
+    crate::report::Iteration,
+    crate::report::Report,
+    crate::report::Warning,
+    crate::spots::Spot,
+    crate::history::LoopPoint,
+    crate::history::StepError,
+    crate::coupled::ErrorEstimate,
+    crate::subsurface::Stress,
+    crate::subsurface::Principal,
+    crate::subsurface::Response,
 );

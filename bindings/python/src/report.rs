@@ -5,6 +5,8 @@ use std::time::Duration;
 use pyo3::prelude::*;
 
 use crate::choice::Choice;
+use crate::digits::{counted, rough};
+use crate::pickle::picklable;
 
 /// One step of an iteration, as a progress callback receives it.
 ///
@@ -47,11 +49,15 @@ impl Iteration {
 
     fn __repr__(&self) -> String {
         format!(
-            "Iteration(iteration={}, residual={:.2e}, free={})",
-            self.0.iteration, self.0.residual, self.0.free
+            "Iteration(iteration={}, residual={}, free={})",
+            self.0.iteration,
+            rough(self.0.residual),
+            self.0.free
         )
     }
 }
+
+picklable!(Iteration: stickslip::Iteration);
 
 /// How a solve ended, what it cost and how large its error can be.
 ///
@@ -141,9 +147,11 @@ impl Report {
     }
 
     fn __repr__(&self) -> String {
-        format!("{:?}", self.0)
+        format!("Report({})", self.0)
     }
 }
+
+picklable!(Report: stickslip::Report);
 
 /// A remark on a converged solution that may mislead.
 ///
@@ -202,6 +210,8 @@ impl Warning {
     }
 }
 
+picklable!(Warning: stickslip::Warning);
+
 /// Passes the remarks on to ``warnings.warn``, if that is wanted; only then are they looked for.
 pub(crate) fn warn(
     py: Python<'_>,
@@ -220,11 +230,18 @@ pub(crate) fn warn(
     Ok(())
 }
 
-/// How a solve ended, and how many remarks there are on its answer: for the ``repr`` of a solution.
+/// How a solve ended, and what is to be remarked: for the ``repr`` of a solution.
 pub(crate) fn ending(report: &stickslip::Report, warnings: &[stickslip::Warning]) -> String {
+    format!("{}{}", report.status, remarks(warnings))
+}
+
+/// That nothing touches, or else how many remarks there are, if any: the end of a ``repr``.
+pub(crate) fn remarks(warnings: &[stickslip::Warning]) -> String {
+    if warnings.contains(&stickslip::Warning::NoContact) {
+        return ", no contact".into();
+    }
     match warnings.len() {
-        0 => report.status.to_string(),
-        1 => format!("{}, 1 warning", report.status),
-        several => format!("{}, {several} warnings", report.status),
+        0 => String::new(),
+        count => format!(", {}", counted(count, "warning")),
     }
 }

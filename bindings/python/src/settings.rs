@@ -6,6 +6,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::choice::Choice;
+use crate::digits::short;
 use crate::error::OrRaise;
 use crate::pickle::picklable;
 
@@ -71,12 +72,10 @@ impl Settings {
     }
 
     fn __repr__(&self) -> String {
-        let limit = self
-            .time_limit()
-            .map_or("None".into(), |limit| limit.to_string());
+        let limit = self.time_limit().map_or("None".into(), short);
         format!(
-            "Settings(tolerance={:e}, method='{}', max_iterations={}, time_limit={limit})",
-            self.0.tolerance,
+            "Settings(tolerance={}, method='{}', max_iterations={}, time_limit={limit})",
+            short(self.0.tolerance),
             self.method().name(),
             self.0.max_iterations
         )

@@ -12,7 +12,7 @@ use crate::error::with_iterate;
 use crate::held::{Spare, lock};
 use crate::progress::Progress;
 use crate::report::warn;
-use crate::work::{solve, unobserved};
+use crate::work::{solve, unobserved_on};
 
 /// A solver of the crate.
 pub(crate) trait Solver: Send + Sized {
@@ -82,7 +82,7 @@ impl<S: Solver> Reused<S> {
         grid: stickslip::Grid,
         solver: impl FnOnce() -> Result<S> + Send,
     ) -> PyResult<Self> {
-        let solver = unobserved(py, grid.cells(), solver)?;
+        let solver = unobserved_on(py, grid, solver)?;
         Ok(Self {
             work: Mutex::new((solver, Spare::new())),
             grid,
@@ -110,7 +110,7 @@ impl<S: Solver> Reused<S> {
     ) -> PyResult<()> {
         let mut work = self.lock()?;
         let solver = &mut work.0;
-        unobserved(py, self.grid.cells(), || change(solver))
+        unobserved_on(py, self.grid, || change(solver))
     }
 
     /// Solves, once what the solve is for is set.

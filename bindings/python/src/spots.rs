@@ -3,6 +3,8 @@
 use pyo3::prelude::*;
 
 use crate::array::{Array, labels};
+use crate::digits::{counted, short, tuple};
+use crate::pickle::picklable;
 use crate::sequence::{entry, pair};
 
 /// A connected spot of contact cells.
@@ -62,13 +64,17 @@ impl Spot {
 
     fn __repr__(&self) -> String {
         format!(
-            "Spot(cells={}, load={:.4e}, centroid=({:.4e}, {:.4e}))",
-            self.0.cells, self.0.load, self.0.centroid[0], self.0.centroid[1]
+            "Spot(cells={}, load={}, centroid={})",
+            self.0.cells,
+            short(self.0.load),
+            tuple(&self.0.centroid)
         )
     }
 }
 
-/// The connected spots of a contact: a sequence of :class:`Spot`.
+picklable!(Spot: stickslip::Spot);
+
+/// The connected spots of a contact: a sequence of :class:`Spot`. ``list(spots)`` can be pickled.
 #[pyclass(frozen, module = "stickslip", sequence)]
 pub(crate) struct ContactSpots(stickslip::ContactSpots);
 
@@ -101,6 +107,6 @@ impl ContactSpots {
     }
 
     fn __repr__(&self) -> String {
-        format!("ContactSpots({} spots)", self.0.as_slice().len())
+        format!("ContactSpots({})", counted(self.0.as_slice().len(), "spot"))
     }
 }

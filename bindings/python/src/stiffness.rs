@@ -2,12 +2,14 @@
 
 use pyo3::prelude::*;
 
+use crate::digits::{rough, short, tuple};
+use crate::due;
 use crate::error::OrRaise;
 use crate::friction::AnyFriction;
 use crate::half_space::HalfSpace;
 use crate::normal::NormalSolution;
 use crate::tangential::TangentialSolution;
-use crate::work::unobserved;
+use crate::work::unobserved_on;
 
 /// The slope of the normal force by the approach (a force over a length), with a bound of its relative error.
 #[pyclass(frozen, eq, module = "stickslip.stiffness")]
@@ -34,8 +36,9 @@ impl NormalStiffness {
 
     fn __repr__(&self) -> String {
         format!(
-            "NormalStiffness(value={:e}, bound={:.1e})",
-            self.0.value, self.0.bound
+            "NormalStiffness(value={}, bound={})",
+            short(self.0.value),
+            rough(self.0.bound)
         )
     }
 }
@@ -68,14 +71,16 @@ impl TangentialStiffness {
     }
 
     /// The stiffness behind springs along x and y (forces over lengths).
-    fn through_springs(&self, py: Python<'_>, springs: [f64; 2]) -> PyResult<Self> {
-        self.0.through_springs(springs).or_raise(py).map(Self)
+    fn through_springs(&self, py: Python<'_>, springs: due::Stiffnesses) -> PyResult<Self> {
+        self.0.through_springs(springs.0).or_raise(py).map(Self)
     }
 
     fn __repr__(&self) -> String {
         format!(
-            "TangentialStiffness(loading={:?}, reversal={:?}, bound={:.1e})",
-            self.0.loading, self.0.reversal, self.0.bound
+            "TangentialStiffness(loading={}, reversal={}, bound={})",
+            rows(&self.0.loading),
+            rows(&self.0.reversal),
+            rough(self.0.bound)
         )
     }
 }
@@ -113,7 +118,7 @@ impl ContactStiffness {
         let bodies = &bodies.0;
         let friction = friction.on(py, bodies.grid())?;
         let (normal, shear) = (normal.get(), shear.get());
-        let found = unobserved(py, bodies.grid().cells(), || {
+        let found = unobserved_on(py, bodies.grid(), || {
             stickslip::stiffness::ContactStiffness::new(bodies, normal, &friction, shear)
         });
         found.map(Self)
@@ -139,8 +144,16 @@ impl ContactStiffness {
 
     fn __repr__(&self) -> String {
         format!(
-            "ContactStiffness(normal={:e}, tangential={:?}, by_approach={:?})",
-            self.0.normal.value, self.0.tangential.loading, self.0.by_approach
+            "ContactStiffness(normal={}, tangential={}, by_approach={})",
+            short(self.0.normal.value),
+            rows(&self.0.tangential.loading),
+            tuple(&self.0.by_approach)
         )
     }
+}
+
+/// A matrix as its rows.
+fn rows(matrix: &[[f64; 3]; 3]) -> String {
+    let [x, y, turn] = matrix.each_ref().map(|row| tuple(row));
+    format!("({x}, {y}, {turn})")
 }

@@ -10,6 +10,7 @@ use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError};
 use pyo3::prelude::*;
 use stickslip::{Error, Iteration, Result};
 
+use crate::error::OrRaise;
 use crate::pool;
 use crate::progress::Progress;
 
@@ -77,7 +78,17 @@ pub(crate) fn unobserved<T: Send>(
     work: impl FnOnce() -> Result<T> + Send,
 ) -> PyResult<T> {
     let outcome = solve(py, cells, Progress::none(), |_| work())?;
-    outcome.map_err(|error| crate::error::raised(py, error))
+    outcome.or_raise(py)
+}
+
+/// The same on the cells of a grid, by which what is wrong with a sample is told.
+pub(crate) fn unobserved_on<T: Send>(
+    py: Python<'_>,
+    grid: stickslip::Grid,
+    work: impl FnOnce() -> Result<T> + Send,
+) -> PyResult<T> {
+    let outcome = solve(py, grid.cells(), Progress::none(), |_| work())?;
+    outcome.or_raise_on(py, grid)
 }
 
 /// What a solve came to, and what interrupted it.

@@ -113,6 +113,29 @@ def public(module):
     return {name: getattr(module, name) for name in dir(module) if not name.startswith("_")}
 
 
+def test_modules_show_what_they_are_for_alone():
+    for module in (ss, ss.history, ss.surface, ss.plot):
+        assert dir(module) == sorted(module.__all__)
+        assert all(hasattr(module, name) for name in dir(module))
+    assert all(issubclass(getattr(ss.errors, name), Exception) for name in dir(ss.errors)) and len(dir(ss.errors)) > 50
+    import stickslip.history.wear as wear
+
+    assert wear is ss.wear is ss.history.wear
+
+
+def test_equal_grids_and_bodies_are_equal_and_hash_alike(scene):
+    grid, pair = ss.Grid.square(64, 0.3e-3), scene.bodies.pair
+    assert grid == scene.grid and hash(grid) == hash(scene.grid) and len({grid, scene.grid, ss.Grid.square(64, 1.0)}) == 2
+    bodies = ss.HalfSpace(grid, pair)
+    assert bodies == scene.bodies and {scene.bodies: "known"}[bodies] == "known"
+    others = [
+        ss.HalfSpace(ss.Grid.square(64, 1.0), pair),
+        ss.HalfSpace(grid, pair, boundary="periodic"),
+        ss.HalfSpace(grid, (ss.Material(1.0, 0.3), ss.Material.rigid())),
+    ]
+    assert all(other != bodies for other in others)
+
+
 def test_everything_is_documented():
     undocumented = []
     for name, item in public(_stickslip).items():

@@ -116,6 +116,57 @@ def test_arithmetic_of_fields(scene):
     assert np.allclose((2.0 * field - field + 0.0).array, field.array)
     assert (-field).max() == -field.min() and (1.0 - field).max() == 1.0 - field.min()
     assert ss.surface.sum([field, field]) == field * 2.0
+    values = np.asarray(field)
+    for ours, plain in [
+        (field / 2.0, values / 2.0), (1.0 / (field + 1.0), 1.0 / (values + 1.0)), (field * field, values * values),
+        (field / (field + 1.0), values / (values + 1.0)), (field * values, values * values), (values[0] - 1.0, field[0] - 1.0),
+    ]:  # fmt: skip
+        assert np.array_equal(ours, plain)
+    assert isinstance(field / field, ss.Field) and np.isnan((field * 0.0 / 0.0)[0, 0])
+    with pytest.raises(ss.errors.GridMismatch):
+        field * ss.Field(ss.Grid.square(64, 1.0), 1.0)
+    with pytest.raises(TypeError):
+        field / "2"
+
+
+def test_a_field_has_the_shape_and_the_samples_of_its_array(scene):
+    field = scene.ball
+    assert field.shape == field.array.shape == scene.grid.shape
+    assert field[3, 4] == field.array[3, 4] == field.get(4, 3)
+    assert np.array_equal(field[2], field.array[2]) and np.array_equal(field[:, -1], field.array[:, -1])
+    with pytest.raises(IndexError):
+        field[64, 0]
+
+
+def test_contact_masks_are_what_the_contact_area_counts(scene):
+    contact = scene.normal()
+    assert contact.contact.dtype == bool and contact.contact.shape == scene.grid.shape
+    assert contact.contact.sum() == contact.contact_cells
+    assert np.array_equal(contact.contact, contact.pressure > 0.0)
+    history = scene.history()
+    history.step(normal_force=FORCE)
+    assert np.array_equal(history.contact, history.state().contact) and history.contact.sum() == contact.contact_cells
+    assert np.array_equal(history.contact, history.zones != ss.Zone.SEPARATED)
+    pair = (ss.Material(70e3, 0.33), ss.Material(210e3, 0.3))
+    grid = ss.Grid.square(16, 0.3)
+    both = ss.CoupledProblem(ss.HalfSpace(grid, pair), ss.surface.sphere(grid, 3.5), 0.1, normal_force=60.0).solve()
+    assert both.contact.sum() == both.normal.contact_cells > 0
+
+
+def test_laws_of_wear_take_the_arrays_of_a_cycle(scene):
+    history = scene.history()
+    history.step(normal_force=FORCE)
+    cycle = ss.history.Cycle(history)
+    for force in (30.0, -30.0):
+        history.step(force_x=force)
+        cycle.add(history)
+    depth = ss.wear.archard(1e-14, cycle.slip_pressure, cycle.slip_distance)
+    assert np.allclose(depth, 1e-14 * cycle.slip_pressure * cycle.slip_distance, rtol=1e-12, atol=0.0) and depth.max() > 0.0
+    assert np.array_equal(depth, ss.wear.archard(1e-14, cycle.slip_pressure, cycle.slip_distance, grid=history.grid))
+    with pytest.raises(TypeError, match=r"sides of its cells: give grid= \(history.grid"):
+        ss.wear.energy(1e-14, cycle.dissipated_energy)
+    depth = ss.wear.energy(1e-14, cycle.dissipated_energy, grid=history.grid)
+    assert np.allclose(depth, 1e-14 * cycle.dissipated_energy / history.grid.cell_area, rtol=1e-12, atol=0.0)
 
 
 def test_a_topography_is_transposed_and_its_holes_are_missing(scene):

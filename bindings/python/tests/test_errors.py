@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import stickslip as ss
-from conftest import FORCE
+from conftest import FORCE, Scene
 
 
 @pytest.mark.parametrize(
@@ -123,6 +123,27 @@ def test_a_step_that_fails_leaves_the_history_as_it_was(scene):
     with pytest.raises(ss.errors.Sample):
         history.set_gap(np.full(scene.grid.shape, math.nan))
     assert history.to_bytes() == before
+
+
+def test_a_step_that_fails_leaves_the_fields_of_the_step_before_readable(scene):
+    history, other = scene.history(), scene.history()
+    for contact in (history, other):
+        contact.step(normal_force=FORCE)
+    step, of_other = history.step(force_x=30.0), other.step(force_x=30.0)
+    slip = step.slip_distance
+    with pytest.raises(ss.BeyondFrictionCapacity):
+        history.step(force_x=60.0)
+    assert np.array_equal(step.slip_distance, slip)
+    [(place, error)] = ss.History.step_all([history, other], [ss.LoadStep(force_x=60.0), ss.LoadStep(force_x=20.0)])
+    assert place == 0 and isinstance(error, ss.BeyondFrictionCapacity)
+    assert np.array_equal(step.keep().slip_distance, slip)
+    with pytest.raises(RuntimeError, match="keep"):
+        of_other.slip_distance
+    adaptive = ss.history.AdaptiveSteps(Scene(16).history(), 0.01)
+    for attempt in (adaptive.step, adaptive.error):
+        with pytest.raises(ss.errors.GridMismatch):
+            attempt(history, ss.LoadStep(force_x=20.0))
+    assert np.array_equal(step.slip_distance, slip)
 
 
 def test_a_solver_that_is_refused_a_load_keeps_the_old_one(scene):

@@ -82,6 +82,44 @@ def test_histories_go_on_to_the_same_bits(scene, tmp_path):
         pickle.dumps(step)
 
 
+@pytest.mark.parametrize("name", dir(ss.errors))
+def test_every_exception_comes_back_with_its_numbers(scene, name):
+    kind = getattr(ss.errors, name)
+    numbers = {"report": scene.normal().report, "last_iterate": scene.normal(), "sides": [1.0, 2.0], "value": 0.1}
+    error = kind("what is wrong")
+    for attribute in kind.__dict__.get("__annotations__", {}):
+        setattr(error, attribute, numbers.get(attribute, attribute))
+    back = same(error)
+    assert type(back) is kind and str(back) == str(error) and vars(back) == vars(error)
+
+
+def test_a_solve_that_has_not_converged_comes_back_with_report_and_iterate(scene):
+    with pytest.raises(ss.NotConverged) as stopped:
+        scene.normal(max_iterations=1)
+    back = same(stopped.value)
+    assert back.report == stopped.value.report and back.last_iterate == stopped.value.last_iterate
+
+
+def test_reports_remarks_and_results_come_back(scene):
+    contact = ss.NormalProblem(scene.bodies, scene.ball, force=0.01).solve()
+    [response] = ss.subsurface.at_points(scene.bodies, "one", contact, [(0.0, 0.0, 1e-5)])
+    history = scene.history()
+    history.step(normal_force=FORCE)
+    error = ss.history.AdaptiveSteps(history, 0.01).error(history, ss.LoadStep(force_x=10.0))
+    for value in [
+        contact.report,
+        *contact.report.history,
+        *contact.warnings,
+        *contact.spots,
+        response,
+        response.stress,
+        response.stress.principal,
+        error,
+        ss.history.Cycle(history).points[0],
+    ]:
+        assert same(value) == value and type(same(value)) is type(value)
+
+
 def test_a_pickle_of_another_version_is_refused(scene):
     restore, (kind, version, content) = scene.grid.__reduce__()
     assert version == ss.__version__ and restore(kind, version, content) == scene.grid

@@ -21,6 +21,11 @@ Arrays of solutions are read-only views of their memory. Whatever takes a field 
 :class:`Field`, which is made once and shared. The GIL is released while anything is solved; Ctrl-C ends a solve at its
 next product, and leaves the state of solvers and histories as it was.
 
+A contact is a :class:`Grid`, two :class:`Material` in a :class:`HalfSpace`, and a gap: a shape of
+:mod:`~stickslip.surface` or an array. :class:`NormalProblem` presses, :class:`TangentialProblem` shears once under the
+pressure found, :class:`CoupledProblem` does both at once for different materials, :class:`History` goes step by step.
+``help`` of each has its parameters, units, defaults and exceptions.
+
 Submodules are those of the Rust crate: :mod:`~stickslip.analytical`, :mod:`~stickslip.cgm`, :mod:`~stickslip.coupled`,
 :mod:`~stickslip.dense`, :mod:`~stickslip.errors`, :mod:`~stickslip.fft`, :mod:`~stickslip.history`,
 :mod:`~stickslip.influence`, :mod:`~stickslip.io`, :mod:`~stickslip.normal`, :mod:`~stickslip.stiffness`,
@@ -144,3 +149,7 @@ __all__ = [
     "tangential",
     "wear",
 ]
+
+
+def __dir__() -> list[str]:
+    return __all__

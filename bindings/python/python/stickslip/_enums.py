@@ -31,6 +31,9 @@ class Coupling(_Name):
     "full": both are found together. "one_way": pressure moves the surfaces tangentially, shear does not change the
     pressure (Goodman). "neglected": neither moves the other. Of bodies that are not coupled, such as equal materials, all
     three are the same. Stick ratios depend on the choice, and on whether the load comes in one step or in many.
+
+    A history has "full" by default. A tangential problem, whose pressure is given, has "one_way" and refuses "full"; a coupled
+    problem is always "full".
     """
 
     FULL = "full"

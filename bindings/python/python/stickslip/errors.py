@@ -81,7 +81,11 @@ class Sample(StickslipError, ValueError):
     quantity: str
     """The field, in words."""
     index: int
-    """Index into the row-major samples."""
+    """Index into the row-major samples, row * nx + column."""
+    row: int | None
+    """Its row, the first index of an array of shape (ny, nx); ``None`` of samples that are no field."""
+    column: int | None
+    """Its column, the second index."""
     value: float
     """The value found there."""
     rule: str
@@ -459,3 +463,7 @@ class NotConverged(StickslipError):
     """The solution as the solve left it, feasible but not converged; ``None`` of a history, which remains as it was
     before the step.
     """
+
+
+def __dir__() -> list[str]:
+    return [name for name, item in globals().items() if isinstance(item, type) and issubclass(item, Exception)]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -20,6 +21,9 @@ from ._stickslip import (
     StepResult,
 )
 from .errors import Tolerance
+
+# `import stickslip.history.wear` finds it under this name too.
+sys.modules[f"{__name__}.wear"] = wear
 
 
 @dataclass(frozen=True)
@@ -156,3 +160,7 @@ __all__ = [
     "TouchRule",
     "wear",
 ]
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -93,7 +93,11 @@ macro_rules! closed_form {
 
             fn __repr__(&self) -> String {
                 let numbers: Vec<String> =
-                    vec![$(format!("{}={:.6e}", stringify!($number), self.0.$number())),*];
+                    vec![$(format!(
+                        "{}={}",
+                        stringify!($number),
+                        crate::digits::short(self.0.$number())
+                    )),*];
                 format!("{}({})", stringify!($class), numbers.join(", "))
             }
         }

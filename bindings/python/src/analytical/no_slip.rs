@@ -100,6 +100,9 @@ impl SpencePressing {
     }
 
     fn __repr__(&self) -> String {
-        format!("SpencePressing(stick_radius={:.6e})", self.0.stick_radius())
+        format!(
+            "SpencePressing(stick_radius={})",
+            crate::digits::short(self.0.stick_radius())
+        )
     }
 }

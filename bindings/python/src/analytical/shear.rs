@@ -71,7 +71,7 @@ closed_form! {
     /// Raises
     /// ------
     /// Negative, NotFinite, BeyondFrictionCapacity
-    MindlinDeresiewicz(hertz: HertzSphere => hertz.0, friction; path: Vec<f64> => &path)
+    MindlinDeresiewicz(hertz: HertzSphere => hertz.0, friction; path: crate::due::ForcePath => &path.0)
     objects {
         /// The normal contact.
         hertz: HertzSphere,

@@ -5,6 +5,7 @@ use stickslip::cgm;
 
 use crate::choice::Choice;
 use crate::coupled::{CoupledSolution, CoupledSolver};
+use crate::due;
 use crate::field::Samples;
 use crate::friction::AnyFriction;
 use crate::grid::size;
@@ -13,7 +14,7 @@ use crate::load::{self, Keywords, TangentialLoad};
 use crate::settings::{Settings, chosen};
 use crate::solver::solve_once;
 use crate::tangential::RelativeDisplacement;
-use crate::work::unobserved;
+use crate::work::unobserved_on;
 
 /// Bodies, gap, friction and loads of a contact whose pressure and shear are found together: from rest, in one step.
 ///
@@ -72,15 +73,15 @@ impl CoupledProblem {
         load: Option<TangentialLoad>,
         normal_force: Option<f64>,
         approach: Option<f64>,
-        force: Option<[f64; 2]>,
-        shift: Option<[f64; 2]>,
-        spring: Option<([f64; 2], f64)>,
+        force: Option<due::Force>,
+        shift: Option<due::Shift>,
+        spring: Option<due::Springs>,
         force_x: Option<f64>,
         force_y: Option<f64>,
         shift_x: Option<f64>,
         shift_y: Option<f64>,
-        spring_x: Option<(f64, f64)>,
-        spring_y: Option<(f64, f64)>,
+        spring_x: Option<due::Spring>,
+        spring_y: Option<due::Spring>,
         twist: Option<f64>,
         relative_displacement: Option<RelativeDisplacement>,
         settings: Option<Settings>,
@@ -104,7 +105,7 @@ impl CoupledProblem {
         let grid = bodies.0.grid();
         let gap = gap.on(py, "gap", grid)?;
         let friction = friction.on(py, grid)?;
-        let built = unobserved(py, grid.cells(), || {
+        let built = unobserved_on(py, grid, || {
             let builder =
                 stickslip::CoupledProblem::builder(&bodies.0, &gap, friction, normal, load);
             let builder = builder.settings(settings);

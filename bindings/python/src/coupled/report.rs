@@ -2,6 +2,7 @@
 
 use pyo3::prelude::*;
 
+use crate::digits::rough;
 use crate::pickle::picklable;
 use crate::report::Report;
 use crate::sequence::pair;
@@ -27,11 +28,14 @@ impl ErrorEstimate {
 
     fn __repr__(&self) -> String {
         format!(
-            "ErrorEstimate(pressure={:.1e}, traction={:.1e})",
-            self.0.pressure, self.0.traction
+            "ErrorEstimate(pressure={}, traction={})",
+            rough(self.0.pressure),
+            rough(self.0.traction)
         )
     }
 }
+
+picklable!(ErrorEstimate: stickslip::coupled::ErrorEstimate);
 
 /// How a coupled solve ended, what it cost, and what its halves certify.
 #[pyclass(frozen, eq, module = "stickslip.coupled")]
@@ -96,8 +100,10 @@ impl CoupledReport {
 
     fn __repr__(&self) -> String {
         format!(
-            "CoupledReport({}, pressure error <= {:.1e}, traction error <= {:.1e} as halves)",
-            self.0.work, self.0.pressure_error_bound, self.0.traction_error_bound
+            "CoupledReport({}, pressure error <= {}, traction error <= {} as halves)",
+            self.0.work,
+            rough(self.0.pressure_error_bound),
+            rough(self.0.traction_error_bound)
         )
     }
 }

@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 
-use crate::array::{Array, view};
+use crate::array::{Array, contact, view};
 use crate::coupled::CoupledReport;
+use crate::digits::{short, tuple};
 use crate::normal::NormalSolution;
 use crate::pickle::picklable;
 use crate::report::{Warning, ending};
@@ -37,6 +38,12 @@ impl CoupledSolution {
         TangentialSolution::of_coupled(&self.0)
     }
 
+    /// Whether a cell is in contact, booleans of shape (ny, nx): its pressure is positive; a copy.
+    #[getter]
+    fn contact<'py>(&self, py: Python<'py>) -> Array<'py> {
+        contact(py, self.0.normal().pressure())
+    }
+
     /// Displacements of all cells along x, y and z (lengths).
     #[getter]
     fn displacement<'py>(slf: &Bound<'py, Self>) -> (Array<'py>, Array<'py>, Array<'py>) {
@@ -66,11 +73,12 @@ impl CoupledSolution {
     }
 
     fn __repr__(&self) -> String {
-        let (normal, [x, y]) = (self.0.normal(), self.0.shear().force());
+        let (normal, shear) = (self.0.normal(), self.0.shear());
         format!(
-            "CoupledSolution(normal_force={:.6e}, force=({x:.6e}, {y:.6e}), stick_ratio={:.4}, {})",
-            normal.force(),
-            self.0.shear().stick_ratio(),
+            "CoupledSolution(normal_force={}, force={}, stick_ratio={}, {})",
+            short(normal.force()),
+            tuple(&shear.force()),
+            short(shear.stick_ratio()),
             ending(&self.0.report().work, &self.0.warnings())
         )
     }

@@ -4,10 +4,12 @@ use std::sync::Mutex;
 
 use pyo3::prelude::*;
 
+use crate::digits::short;
 use crate::error::OrRaise;
 use crate::held::lock;
 use crate::history::{Cycle, History, builder};
 use crate::load::LoadStep;
+use crate::pickle::picklable;
 use crate::progress::Progress;
 use crate::sequence::pair;
 use crate::work::{solve, unless_broken_off, unobserved};
@@ -45,11 +47,14 @@ impl StepError {
 
     fn __repr__(&self) -> String {
         format!(
-            "StepError(traction={:.2e}, dissipated_energy={:.2e})",
-            self.0.traction, self.0.dissipated_energy
+            "StepError(traction={}, dissipated_energy={})",
+            short(self.0.traction),
+            short(self.0.dissipated_energy)
         )
     }
 }
+
+picklable!(StepError: stickslip::history::StepError);
 
 /// Takes a load in steps short enough for a tolerance, and tells the error of a step. Its buffers take the memory of four
 /// states.
@@ -82,9 +87,13 @@ impl AdaptiveSteps {
     /// The error that a single step makes with this load; the history is then as it was, but for its last step.
     fn error(&self, py: Python<'_>, history: &History, load: LoadStep) -> PyResult<StepError> {
         let (mut steps, mut work) = (lock(&self.0, NAME)?, lock(&history.work, builder::NAME)?);
-        work.taken += 1;
-        let (steps, own) = (&mut *steps, &mut work.history);
-        unobserved(py, history.cells(), || steps.error(own, &load.0)).map(StepError)
+        let (steps, work) = (&mut *steps, &mut *work);
+        unobserved(py, history.cells(), || {
+            let outcome = steps.error(&mut work.history, &load.0);
+            work.tried(&outcome);
+            outcome
+        })
+        .map(StepError)
     }
 
     /// Takes a load, in as many steps as it needs, and returns how many. Ctrl-C ends it after the part under way; the
@@ -113,16 +122,17 @@ impl AdaptiveSteps {
     ) -> PyResult<usize> {
         let (mut steps, mut work) = (lock(&self.0, NAME)?, lock(&history.work, builder::NAME)?);
         let mut cycle = cycle.map(Cycle::lock).transpose()?;
-        work.taken += 1;
-        let (steps, own) = (&mut *steps, &mut work.history);
+        let (steps, work) = (&mut *steps, &mut *work);
         let mut cycle = cycle.as_deref_mut();
         let outcome = solve(py, history.cells(), Progress::none(), |observer| {
-            steps.step_observed(own, &load.0, |history| {
+            let outcome = steps.step_observed(&mut work.history, &load.0, |history| {
                 if let Some(cycle) = &mut cycle {
                     cycle.add(history)?;
                 }
                 unless_broken_off(observer)
-            })
+            });
+            work.tried(&outcome);
+            outcome
         })?;
         outcome.or_raise(py)
     }

@@ -2,6 +2,7 @@
 
 use pyo3::prelude::*;
 
+use crate::digits::{rough, short};
 use crate::pickle::picklable;
 
 /// Where the work of the tangential load in a step went, or in the steps of a cycle (energies).
@@ -61,11 +62,12 @@ impl EnergyBalance {
 
     fn __repr__(&self) -> String {
         format!(
-            "EnergyBalance(work={:.6e}, dissipated_energy={:.6e}, elastic_after={:.6e}, imbalance={:.1e})",
-            self.0.work,
-            self.0.dissipated_energy,
-            self.0.elastic_after,
-            self.0.imbalance()
+            "EnergyBalance(work={}, dissipated_energy={}, mid_step_dissipated_energy={}, elastic_after={}, imbalance={})",
+            short(self.0.work),
+            short(self.0.dissipated_energy),
+            short(self.0.mid_step_dissipated_energy),
+            short(self.0.elastic_after),
+            rough(self.0.imbalance())
         )
     }
 }

@@ -4,7 +4,7 @@ use std::sync::Mutex;
 
 use pyo3::prelude::*;
 use stickslip::history::{StepResult as Step, TouchRule};
-use stickslip::{Axis, Coupling, TangentialModel, cgm};
+use stickslip::{Axis, Coupling, Error, TangentialModel, cgm};
 
 use crate::choice::Choice;
 use crate::field::Samples;
@@ -14,7 +14,7 @@ use crate::held::lock;
 use crate::normal::AnyHardness;
 use crate::settings::{Settings, chosen};
 use crate::tangential::RelativeDisplacement;
-use crate::work::unobserved;
+use crate::work::unobserved_on;
 
 /// Two bodies in contact that remember their load: pressure, traction, slip and energy, step by step.
 ///
@@ -77,6 +77,16 @@ pub(crate) struct Work {
     pub(crate) taken: u64,
 }
 
+impl Work {
+    /// Counts steps that were tried in parts: unless the grid was refused, the last step is that of the last attempt, also
+    /// where the load failed.
+    pub(super) fn tried<T>(&mut self, outcome: &stickslip::Result<T>) {
+        if !matches!(outcome, Err(Error::GridMismatch { .. })) {
+            self.taken += 1;
+        }
+    }
+}
+
 /// What a history is called in messages.
 pub(crate) const NAME: &str = "history";
 
@@ -117,7 +127,7 @@ impl History {
     ) -> PyResult<()> {
         let mut work = lock(&self.work, NAME)?;
         let history = &mut work.history;
-        unobserved(py, self.cells(), || change(history))
+        unobserved_on(py, self.grid(), || change(history))
     }
 }
 
@@ -150,7 +160,7 @@ impl History {
         let gap = gap.on(py, "gap", grid)?;
         let friction = friction.on(py, grid)?;
         let hardness = hardness.map(|hardness| hardness.on(py, grid)).transpose()?;
-        let history = unobserved(py, grid.cells(), || {
+        let history = unobserved_on(py, grid, || {
             let builder = stickslip::History::builder(&bodies.0, &gap, friction);
             let mut builder = builder.settings(settings).permanent_set(permanent_set);
             if let Some(axis) = axis {

@@ -6,11 +6,12 @@ use pyo3::prelude::*;
 
 use crate::array::{Array, copy};
 use crate::choice::Choice;
+use crate::digits::{rough, short, tuple};
 use crate::error::OrRaise;
 use crate::held::lock;
 use crate::history::{EnergyBalance, History};
-use crate::pickle::{Reduced, Stored, reduced};
-use crate::report::Warning;
+use crate::pickle::{Reduced, Stored, picklable, reduced};
+use crate::report::{Warning, remarks};
 use crate::sequence::pair;
 
 /// A point of the loop of force and shift.
@@ -45,10 +46,15 @@ impl LoopPoint {
     }
 
     fn __repr__(&self) -> String {
-        let ([force_x, force_y], [x, y]) = (self.0.force, self.0.shift);
-        format!("LoopPoint(force=({force_x:.6e}, {force_y:.6e}), shift=({x:.6e}, {y:.6e}))")
+        format!(
+            "LoopPoint(force={}, shift={})",
+            tuple(&self.0.force),
+            tuple(&self.0.shift)
+        )
     }
 }
+
+picklable!(LoopPoint: stickslip::history::LoopPoint);
 
 /// Slip, energy and the loop of force and shift, added up over the steps of a cycle, from where the history is. Its arrays
 /// are copies.
@@ -212,11 +218,13 @@ impl Cycle {
     fn __repr__(&self) -> PyResult<String> {
         let cycle = self.lock()?;
         Ok(format!(
-            "Cycle(steps={}, dissipated_energy={:.6e}, energy_ratio={:.4}, cyclic_residual={:.1e})",
+            "Cycle(steps={}, regime='{}', dissipated_energy={}, energy_ratio={}, cyclic_residual={}{})",
             cycle.steps(),
-            cycle.energy().dissipated_energy,
-            cycle.energy_ratio(),
-            cycle.cyclic_residual()
+            Choice(cycle.regime()).name(),
+            short(cycle.energy().dissipated_energy),
+            short(cycle.energy_ratio()),
+            rough(cycle.cyclic_residual()),
+            remarks(&cycle.warnings())
         ))
     }
 }

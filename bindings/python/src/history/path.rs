@@ -4,6 +4,8 @@ use numpy::PyArray2;
 use pyo3::prelude::*;
 
 use crate::array::Array;
+use crate::digits::{counted, tuple};
+use crate::due;
 use crate::error::OrRaise;
 use crate::pickle::picklable;
 use crate::sequence::{entry, pair};
@@ -35,27 +37,33 @@ type Path = stickslip::history::LoadPath;
 #[pymethods]
 impl LoadPath {
     #[new]
-    fn new(py: Python<'_>, steps: Vec<[f64; 2]>) -> PyResult<Self> {
-        Path::table(steps).or_raise(py).map(Self)
+    fn new(py: Python<'_>, steps: due::PathSteps) -> PyResult<Self> {
+        Path::table(steps.0).or_raise(py).map(Self)
     }
 
-    /// To and fro along a line, the amplitude (x, y) times sin(2 pi t), in a multiple of four steps.
+    /// To and fro along a line, the amplitude (x, y) times sin(2 pi t), in a multiple of four steps: from zero to the
+    /// amplitude, to its negative, and back to zero. A path along x has the amplitude (a, 0).
     #[staticmethod]
-    fn sine(py: Python<'_>, amplitude: [f64; 2], steps: usize) -> PyResult<Self> {
-        Path::sine(amplitude, steps).or_raise(py).map(Self)
+    fn sine(py: Python<'_>, amplitude: due::Amplitude, steps: usize) -> PyResult<Self> {
+        Path::sine(amplitude.0, steps).or_raise(py).map(Self)
     }
 
     /// To and fro along a line at a constant rate, in a multiple of four steps.
     #[staticmethod]
-    fn triangle(py: Python<'_>, amplitude: [f64; 2], steps: usize) -> PyResult<Self> {
-        Path::triangle(amplitude, steps).or_raise(py).map(Self)
+    fn triangle(py: Python<'_>, amplitude: due::Amplitude, steps: usize) -> PyResult<Self> {
+        Path::triangle(amplitude.0, steps).or_raise(py).map(Self)
     }
 
     /// Around an ellipse of amplitudes (A_x, A_y), A_x sin(2 pi t) along x and A_y sin(2 pi t + phase) along y (the phase in
     /// radians), in a multiple of four steps.
     #[staticmethod]
-    fn ellipse(py: Python<'_>, amplitudes: [f64; 2], phase: f64, steps: usize) -> PyResult<Self> {
-        Path::ellipse(amplitudes, phase, steps)
+    fn ellipse(
+        py: Python<'_>,
+        amplitudes: due::EllipseAmplitudes,
+        phase: f64,
+        steps: usize,
+    ) -> PyResult<Self> {
+        Path::ellipse(amplitudes.0, phase, steps)
             .or_raise(py)
             .map(Self)
     }
@@ -87,8 +95,8 @@ impl LoadPath {
     }
 
     fn __repr__(&self) -> String {
-        let (x, y) = self.end();
-        format!("LoadPath({} steps, end=({x}, {y}))", self.0.steps().len())
+        let steps = counted(self.0.steps().len(), "step");
+        format!("LoadPath({steps}, end={})", tuple(&self.0.end()))
     }
 }
 

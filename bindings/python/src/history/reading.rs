@@ -5,9 +5,10 @@ use std::sync::Arc;
 use pyo3::prelude::*;
 use stickslip::Axis;
 
-use crate::array::{Array, copy, zones};
+use crate::array::{Array, contact, copy, zones};
 use crate::boundary::Boundary;
 use crate::choice::Choice;
+use crate::digits::{short, tuple};
 use crate::friction::Friction;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
@@ -18,7 +19,7 @@ use crate::normal::NormalSolution;
 use crate::sequence::pair;
 use crate::spots::ContactSpots;
 use crate::stiffness::ContactStiffness;
-use crate::work::unobserved;
+use crate::work::unobserved_on;
 
 #[pymethods]
 impl History {
@@ -70,6 +71,12 @@ impl History {
         self.read(|history| copy(py, history.pressure()))
     }
 
+    /// Whether a cell is in contact, booleans of shape (ny, nx): its pressure is positive; a copy.
+    #[getter]
+    fn contact<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        self.read(|history| contact(py, history.pressure()))
+    }
+
     /// Approach of the bodies from the datum of the gap (a length).
     #[getter]
     fn approach(&self) -> PyResult<f64> {
@@ -104,7 +111,7 @@ impl History {
     fn displacement<'py>(&self, py: Python<'py>) -> PyResult<(Array<'py>, Array<'py>)> {
         let mut work = lock(&self.work, NAME)?;
         let history = &mut work.history;
-        let moved = unobserved(py, self.cells(), || history.displacement())?;
+        let moved = unobserved_on(py, self.grid(), || history.displacement())?;
         Ok(moved.each_ref().map(|field| copy(py, field)).into())
     }
 
@@ -160,16 +167,17 @@ impl History {
     fn stiffness(&self, py: Python<'_>) -> PyResult<ContactStiffness> {
         let mut work = lock(&self.work, NAME)?;
         let history = &mut work.history;
-        unobserved(py, self.cells(), || history.stiffness()).map(ContactStiffness)
+        unobserved_on(py, self.grid(), || history.stiffness()).map(ContactStiffness)
     }
 
     fn __repr__(&self) -> PyResult<String> {
         self.read(|history| {
-            let ([force_x, force_y], [x, y]) = (history.force(), history.shift());
             format!(
-                "History(steps={}, normal_force={:.6e}, force=({force_x:.6e}, {force_y:.6e}), shift=({x:.6e}, {y:.6e}))",
+                "History(steps={}, normal_force={}, force={}, shift={})",
                 history.steps(),
-                history.normal().force()
+                short(history.normal().force()),
+                tuple(&history.force()),
+                tuple(&history.shift())
             )
         })
     }

@@ -10,7 +10,7 @@ use crate::error::OrRaise;
 use crate::half_space::HalfSpace;
 use crate::history::{History, State};
 use crate::pickle::{ByItself, by_itself};
-use crate::work::unobserved;
+use crate::work::unobserved_on;
 
 /// The class, the bodies and the bytes of a history.
 type Saved<'py> = (Bound<'py, PyType>, HalfSpace, Bound<'py, PyBytes>);
@@ -30,7 +30,7 @@ impl History {
     /// A history that continues from a state, on the bodies it belongs to.
     #[staticmethod]
     fn from_state(py: Python<'_>, bodies: &HalfSpace, state: &State) -> PyResult<Self> {
-        let history = unobserved(py, bodies.0.grid().cells(), || {
+        let history = unobserved_on(py, bodies.0.grid(), || {
             stickslip::History::from_state(&bodies.0, (*state.0).clone())
         })?;
         Ok(Self::of(history, bodies))
@@ -45,7 +45,7 @@ impl History {
     /// A history from its bytes, on the bodies it had; it continues to the same bits.
     #[staticmethod]
     fn from_bytes(py: Python<'_>, bodies: &HalfSpace, bytes: &[u8]) -> PyResult<Self> {
-        let history = unobserved(py, bodies.0.grid().cells(), || {
+        let history = unobserved_on(py, bodies.0.grid(), || {
             stickslip::History::from_bytes(&bodies.0, bytes)
         })?;
         Ok(Self::of(history, bodies))
@@ -59,7 +59,7 @@ impl History {
     /// A history from a file of :meth:`save`, on the bodies it had.
     #[staticmethod]
     fn load(py: Python<'_>, bodies: &HalfSpace, path: PathBuf) -> PyResult<Self> {
-        let history = unobserved(py, bodies.0.grid().cells(), || {
+        let history = unobserved_on(py, bodies.0.grid(), || {
             stickslip::History::load(&bodies.0, &path)
         })?;
         Ok(Self::of(history, bodies))

@@ -5,9 +5,10 @@ use std::sync::Arc;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyType};
 
-use crate::array::{Array, copy, view, zones};
+use crate::array::{Array, contact, copy, view, zones};
 use crate::boundary::Boundary;
 use crate::choice::Choice;
+use crate::digits::{short, tuple};
 use crate::error::OrRaise;
 use crate::friction::Friction;
 use crate::grid::Grid;
@@ -132,6 +133,12 @@ impl State {
         view(slf, |state| state.0.pressure())
     }
 
+    /// Whether a cell is in contact, booleans of shape (ny, nx): its pressure is positive; a copy.
+    #[getter]
+    fn contact<'py>(&self, py: Python<'py>) -> Array<'py> {
+        contact(py, self.0.pressure())
+    }
+
     /// Approach of the bodies from the datum of the gap (a length).
     #[getter]
     fn approach(&self) -> f64 {
@@ -210,11 +217,12 @@ impl State {
     }
 
     fn __repr__(&self) -> String {
-        let ([force_x, force_y], [x, y]) = (self.0.force(), self.0.shift());
         format!(
-            "State(steps={}, normal_force={:.6e}, force=({force_x:.6e}, {force_y:.6e}), shift=({x:.6e}, {y:.6e}))",
+            "State(steps={}, normal_force={}, force={}, shift={})",
             self.0.steps(),
-            self.0.normal().force()
+            short(self.0.normal().force()),
+            tuple(&self.0.force()),
+            tuple(&self.0.shift())
         )
     }
 }

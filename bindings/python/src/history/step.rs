@@ -7,9 +7,10 @@ use pyo3::prelude::*;
 use stickslip::Field;
 
 use crate::array::{Array, copy, view};
+use crate::digits::{short, tuple};
 use crate::history::{EnergyBalance, History};
 use crate::pickle::{Reduced, Stored, reduced};
-use crate::report::{Report, Warning};
+use crate::report::{Report, Warning, remarks};
 use crate::sequence::pair;
 
 /// The numbers of a step.
@@ -38,8 +39,8 @@ enum Fields {
     Kept(Arc<stickslip::history::StepResult>),
 }
 
-/// What a step of a history did: its numbers, and its fields for as long as it is the last one; :meth:`keep` copies
-/// them, for good. Vectors are (x, y).
+/// What a step of a history did: its numbers, and its fields for as long as it is the last one, also after a step that
+/// failed; :meth:`keep` copies them, for good. Vectors are (x, y).
 #[pyclass(frozen, module = "stickslip.history")]
 pub(crate) struct StepResult {
     numbers: Numbers,
@@ -223,7 +224,8 @@ impl StepResult {
         self.numbers.tangential_report.clone().map(Report)
     }
 
-    /// Remarks on the step.
+    /// Remarks on the step: ``no_contact``, ``contact_at_edge``, ``beyond_hardness``, ``stale_pressure``. Those on the contact
+    /// spots, which are not looked for in every step, are in ``history.normal.warnings``.
     #[getter]
     fn warnings(&self) -> Vec<Warning> {
         Warning::all(self.warnings_of())
@@ -236,13 +238,19 @@ impl StepResult {
     fn __repr__(&self) -> String {
         let Numbers {
             normal_force,
-            force: [force_x, force_y],
-            shift: [x, y],
+            force,
+            shift,
             stick_ratio,
+            warnings,
             ..
-        } = self.numbers;
+        } = &self.numbers;
         format!(
-            "StepResult(normal_force={normal_force:.6e}, force=({force_x:.6e}, {force_y:.6e}), shift=({x:.6e}, {y:.6e}), stick_ratio={stick_ratio:.4})"
+            "StepResult(normal_force={}, force={}, shift={}, stick_ratio={}{})",
+            short(*normal_force),
+            tuple(force),
+            tuple(shift),
+            short(*stick_ratio),
+            remarks(warnings)
         )
     }
 }

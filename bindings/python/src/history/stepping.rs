@@ -7,9 +7,10 @@ use pyo3::prelude::*;
 use rayon::prelude::*;
 use stickslip::Error;
 
+use crate::due;
 use crate::error::{OrRaise, raised};
 use crate::held::lock;
-use crate::history::builder::NAME;
+use crate::history::builder::{NAME, Work};
 use crate::history::{History, StepResult};
 use crate::load::{self, Keywords, LoadStep};
 use crate::progress::Progress;
@@ -47,15 +48,15 @@ impl History {
         load: Option<LoadStep>,
         normal_force: Option<f64>,
         approach: Option<f64>,
-        force: Option<[f64; 2]>,
-        shift: Option<[f64; 2]>,
-        spring: Option<([f64; 2], f64)>,
+        force: Option<due::Force>,
+        shift: Option<due::Shift>,
+        spring: Option<due::Springs>,
         force_x: Option<f64>,
         force_y: Option<f64>,
         shift_x: Option<f64>,
         shift_y: Option<f64>,
-        spring_x: Option<(f64, f64)>,
-        spring_y: Option<(f64, f64)>,
+        spring_x: Option<due::Spring>,
+        spring_y: Option<due::Spring>,
         twist: Option<f64>,
         relative_displacement: Option<f64>,
         progress: Option<Bound<'py, PyAny>>,
@@ -74,15 +75,15 @@ impl History {
         let progress = Progress::of(progress.as_ref())?;
         let own = slf.get();
         let mut work = lock(&own.work, NAME)?;
-        work.taken += 1;
-        let number = work.taken;
-        let history = &mut work.history;
+        let Work { history, taken } = &mut *work;
         let outcome = solve(py, own.cells(), progress, |observer| {
             let seen = |iteration: &_| observer(Some(iteration));
-            history.step_observed(&load, seen).map(|_| ())
+            history.step_observed(&load, seen)?;
+            *taken += 1;
+            Ok(())
         })?;
         outcome.or_raise(py)?;
-        let step = StepResult::last(work.history.last_step(), slf.clone().unbind(), number);
+        let step = StepResult::last(work.history.last_step(), slf.clone().unbind(), work.taken);
         drop(work);
         self::warn(py, warn, || step.warnings_of())?;
         Ok(step)
@@ -126,23 +127,22 @@ impl History {
         let mut places = Vec::with_capacity(histories.len());
         for history in &histories {
             // One that is named twice is in use by its first step.
-            let mut place = lock(&history.get().work, NAME)?;
-            place.taken += 1;
-            places.push(place);
+            places.push(lock(&history.get().work, NAME)?);
         }
         let cells = histories.iter().map(|history| history.get().cells()).sum();
-        let contacts = places.iter_mut().map(|place| &mut place.history);
+        let contacts = places.iter_mut().map(|place| &mut **place);
         let mut contacts: Vec<_> = contacts.zip(&loads).enumerate().collect();
         let failed = solve(py, cells, Progress::none(), |observer| {
             let observer = Mutex::new(observer);
             let step =
-                |(index, (history, load)): &mut (usize, (&mut stickslip::History, &LoadStep))| {
+                |(index, (Work { history, taken }, load)): &mut (usize, (&mut Work, &LoadStep))| {
                     let seen = |_: &_| {
                         observer
                             .lock()
                             .map_or(ControlFlow::Continue(()), |mut seen| seen(None))
                     };
                     let outcome = history.step_observed(&load.0, seen);
+                    *taken += u64::from(outcome.is_ok());
                     outcome.err().map(|error| (*index, error))
                 };
             Ok(contacts.par_iter_mut().filter_map(step).collect::<Vec<_>>())

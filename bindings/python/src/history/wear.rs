@@ -7,12 +7,13 @@ use stickslip::Field;
 use stickslip::history::wear::{self, Coefficient};
 
 use crate::array::{Array, copy};
+use crate::digits::short;
 use crate::error::OrRaise;
 use crate::field::{Samples, Spread, grid_of};
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::history::Cycle;
-use crate::work::unobserved;
+use crate::work::unobserved_on;
 
 /// A coefficient of wear as the crate takes it.
 fn coefficient_of(given: &Spread) -> Coefficient<'_> {
@@ -33,6 +34,18 @@ fn before(py: Python<'_>, depth: Option<&Samples<'_>>, grid: stickslip::Grid) ->
     }
 }
 
+/// The grid of fields whose cells do not matter: that which is known, or else one of unit cells.
+fn of_any_cells(
+    py: Python<'_>,
+    grid: Option<&Grid>,
+    fields: &[&Samples<'_>],
+) -> PyResult<stickslip::Grid> {
+    match (grid_of(grid, fields), fields[0].shape()) {
+        (Err(_), Some((ny, nx))) => stickslip::Grid::new(nx, ny, 1.0, 1.0).or_raise(py),
+        (known, _) => known,
+    }
+}
+
 /// Archard's law: the depth ``coefficient * pressure * slip_distance`` (lengths).
 ///
 /// Parameters
@@ -45,7 +58,7 @@ fn before(py: Python<'_>, depth: Option<&Samples<'_>>, grid: stickslip::Grid) ->
 /// depth : Field or array_like of shape (ny, nx), optional
 ///     What has been removed before (lengths), which is added; zero by default.
 /// grid : Grid, optional
-///     Needed where no Field is given.
+///     That of arrays, which do not know theirs; the law does not depend on the size of the cells, and needs none.
 ///
 /// Returns
 /// -------
@@ -65,12 +78,12 @@ pub(crate) fn archard<'py>(
     depth: Option<Samples<'py>>,
     grid: Option<&Grid>,
 ) -> PyResult<Array<'py>> {
-    let grid = grid_of(grid, &[&pressure, &slip_distance])?;
+    let grid = of_any_cells(py, grid, &[&pressure, &slip_distance, &coefficient])?;
     let mut worn = before(py, depth.as_ref(), grid)?;
     let given = coefficient.spread(py, COEFFICIENT, Some(&Grid(grid)))?;
     let pressure = pressure.on(py, "pressure", grid)?;
     let distance = slip_distance.on(py, "slip length", grid)?;
-    unobserved(py, grid.cells(), || {
+    unobserved_on(py, grid, || {
         wear::archard(coefficient_of(&given), &pressure, &distance, &mut worn)
     })?;
     Ok(copy(py, &worn))
@@ -84,8 +97,10 @@ pub(crate) fn archard<'py>(
 ///     Volume removed per energy dissipated, of the body or the sum of both (one over a pressure), not negative.
 /// energy : Field or array_like of shape (ny, nx)
 ///     Dissipated by each cell in a step or a cycle (forces times lengths), not negative.
-/// depth, grid : optional
+/// depth : optional
 ///     As of :func:`archard`.
+/// grid : Grid, optional
+///     Needed where no Field is given, for the area of a cell: ``history.grid``.
 ///
 /// Returns
 /// -------
@@ -108,7 +123,7 @@ pub(crate) fn energy<'py>(
     let mut worn = before(py, depth.as_ref(), grid)?;
     let given = coefficient.spread(py, COEFFICIENT, Some(&Grid(grid)))?;
     let energy = energy.on(py, "energy", grid)?;
-    unobserved(py, grid.cells(), || {
+    unobserved_on(py, grid, || {
         wear::energy(coefficient_of(&given), &energy, &mut worn)
     })?;
     Ok(copy(py, &worn))
@@ -126,8 +141,10 @@ pub(crate) fn energy<'py>(
 /// accumulated, energy : Field or array_like of shape (ny, nx)
 ///     Dissipated by each cell since the start, this step or cycle included, and in this one (forces times lengths), not
 ///     negative.
-/// depth, grid : optional
+/// depth : optional
 ///     As of :func:`archard`.
+/// grid : Grid, optional
+///     Needed where no Field is given, for the area of a cell: ``history.grid``.
 ///
 /// Returns
 /// -------
@@ -153,7 +170,7 @@ pub(crate) fn threshold_energy<'py>(
     let given = coefficient.spread(py, COEFFICIENT, Some(&Grid(grid)))?;
     let accumulated = accumulated.on(py, "accumulated energy", grid)?;
     let energy = energy.on(py, "energy", grid)?;
-    unobserved(py, grid.cells(), || {
+    unobserved_on(py, grid, || {
         wear::threshold_energy(
             coefficient_of(&given),
             threshold,
@@ -165,21 +182,37 @@ pub(crate) fn threshold_energy<'py>(
     Ok(copy(py, &worn))
 }
 
-/// Cycles whose wear by Archard's law may be taken off at once before the pressure swings without end: infinite where nothing
-/// slips.
+/// Cycles whose wear by Archard's law may be taken off at once before the pressure swings without end:
+/// ``1.16 h / (E* k s)`` on square cells of side h (0.90 on a periodic grid), with coefficient of wear k and slip s.
 ///
 /// Parameters
 /// ----------
 /// bodies : HalfSpace
 ///     The two bodies and the grid.
 /// coefficient : float, Field or array_like of shape (ny, nx)
-///     As of :func:`archard`, of both bodies together.
+///     As of :func:`archard`, the sum of both bodies (one over a pressure); for the energy law its coefficient times that of
+///     friction.
 /// slip_distance : Field or array_like of shape (ny, nx)
-///     The length that each cell slips in one cycle (lengths), not negative.
+///     The length that each cell slips in one cycle (lengths), not negative: :attr:`Cycle.slip_distance`.
+///
+/// Returns
+/// -------
+/// float
+///     A number of cycles, not rounded; infinite where nothing slips. No pattern of pressure changes sign below half of it,
+///     where :class:`CycleJump` stays.
 ///
 /// Raises
 /// ------
 /// Negative, Sample, GridMismatch, Shape
+///
+/// Examples
+/// --------
+/// >>> import numpy as np, stickslip
+/// >>> grid = stickslip.Grid.square(64, 64e-6)  # cells of a micrometre
+/// >>> bodies = stickslip.HalfSpace(grid, (stickslip.Material(115e9, 0.0), stickslip.Material.rigid()))
+/// >>> cycles = stickslip.wear.max_stable_cycles(bodies, 1e-14, np.full(grid.shape, 40e-6))
+/// >>> round(cycles, 1)
+/// 25.2
 #[pyfunction]
 pub(crate) fn max_stable_cycles(
     py: Python<'_>,
@@ -190,7 +223,7 @@ pub(crate) fn max_stable_cycles(
     let grid = bodies.0.grid();
     let given = coefficient.spread(py, COEFFICIENT, Some(&Grid(grid)))?;
     let distance = slip_distance.on(py, "slip length", grid)?;
-    unobserved(py, grid.cells(), || {
+    unobserved_on(py, grid, || {
         wear::max_stable_cycles(&bodies.0, coefficient_of(&given), &distance)
     })
 }
@@ -234,9 +267,7 @@ impl CycleJump {
         let grid = bodies.0.grid();
         let depth = depth.on(py, "depth of the cycle", grid)?;
         let cycle = &*cycle.lock()?;
-        let mut jump = unobserved(py, grid.cells(), || {
-            wear::CycleJump::new(&bodies.0, cycle, &depth)
-        })?;
+        let mut jump = unobserved_on(py, grid, || wear::CycleJump::new(&bodies.0, cycle, &depth))?;
         if let Some(depth) = largest_depth {
             jump = jump.largest_depth(depth);
         }
@@ -260,7 +291,7 @@ impl CycleJump {
 
     fn __repr__(&self) -> String {
         match self.0.cycles() {
-            Ok(cycles) => format!("CycleJump(cycles={cycles})"),
+            Ok(cycles) => format!("CycleJump(cycles={})", short(cycles)),
             Err(error) => format!("CycleJump({error})"),
         }
     }

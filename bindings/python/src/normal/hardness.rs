@@ -6,6 +6,7 @@ use pyo3::prelude::*;
 use stickslip::normal::Hardness as Limit;
 
 use crate::argument::argument;
+use crate::digits::short;
 use crate::error::OrRaise;
 use crate::field::{Field, Samples, Spread};
 use crate::grid::Grid;
@@ -35,10 +36,13 @@ impl Hardness {
     #[pyo3(signature = (limit, *, grid=None))]
     fn new(py: Python<'_>, limit: Samples<'_>, grid: Option<&Grid>) -> PyResult<Self> {
         let hardness = match limit.spread(py, "hardness", grid)? {
-            Spread::Uniform(limit) => Limit::uniform(limit),
-            Spread::PerCell(field) => Limit::per_cell(Arc::unwrap_or_clone(field)),
+            Spread::Uniform(limit) => Limit::uniform(limit).or_raise(py),
+            Spread::PerCell(field) => {
+                let grid = field.grid();
+                Limit::per_cell(Arc::unwrap_or_clone(field)).or_raise_on(py, grid)
+            }
         };
-        hardness.or_raise(py).map(Self)
+        hardness.map(Self)
     }
 
     /// The largest pressure of a cell (row-major index); NaN beyond the limits.
@@ -60,7 +64,7 @@ impl Hardness {
         if self.0.of_cell(usize::MAX).is_nan() {
             "Hardness(<per cell>)".into()
         } else {
-            format!("Hardness({})", self.0.of_cell(0))
+            format!("Hardness({})", short(self.0.of_cell(0)))
         }
     }
 }

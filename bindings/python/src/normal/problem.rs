@@ -13,7 +13,7 @@ use crate::load;
 use crate::normal::{AnyHardness, NormalSolution, NormalSolver};
 use crate::settings::{Settings, chosen};
 use crate::solver::solve_once;
-use crate::work::unobserved;
+use crate::work::unobserved_on;
 
 /// Bodies, gap and load of a normal contact.
 ///
@@ -25,7 +25,8 @@ use crate::work::unobserved;
 ///     The gap before loading (lengths). An array is copied, a Field is shared.
 /// force, approach : float
 ///     One of the two: the normal force (not negative), or the approach of the bodies from the datum of the gap (a length,
-///     positive when they come together; below the mean gap on a periodic grid).
+///     positive when they come together). On a grid that repeats along x and y the approach is the mean of the initial gap
+///     less that of the gap under load, and must stay below the mean gap.
 /// hardness : Hardness, float or array_like of shape (ny, nx), optional
 ///     The largest pressure that the cells carry; no limit by default.
 /// settings : Settings, optional
@@ -78,7 +79,7 @@ impl NormalProblem {
         let gap = gap.on(py, "gap", grid)?;
         let load = load::needed(force, approach)?;
         let hardness = hardness.map(|hardness| hardness.on(py, grid)).transpose()?;
-        let problem = unobserved(py, grid.cells(), || {
+        let problem = unobserved_on(py, grid, || {
             let gap = Arc::clone(&gap);
             let builder = stickslip::NormalProblem::builder(&bodies.0, gap, load);
             let builder = builder.settings(settings);

@@ -13,7 +13,7 @@ use crate::load;
 use crate::normal::{AnyHardness, NormalProblem, NormalSolution};
 use crate::settings::Settings;
 use crate::solver::{Reused, solver};
-use crate::work::unobserved;
+use crate::work::unobserved_on;
 
 /// Solves normal contacts on one grid again and again, each time from the last answer. Takes what
 /// :class:`NormalProblem` takes; load and gap may change between calls.
@@ -180,8 +180,8 @@ impl NormalSolver {
         let given = &mut *given;
         let set = |solver: &mut stickslip::NormalSolver| {
             if load.is_some() || gap.is_some() {
-                let cells = self.0.grid().cells();
-                unobserved(py, cells, || given.set(solver, load, gap))?;
+                let grid = self.0.grid();
+                unobserved_on(py, grid, || given.set(solver, load, gap))?;
             }
             Ok(())
         };

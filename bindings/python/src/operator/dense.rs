@@ -8,10 +8,11 @@ use stickslip::influence::Component;
 
 use crate::array::{Array, view_slice};
 use crate::choice::Choice;
+use crate::digits::{counted, short};
 use crate::error::OrRaise;
 use crate::half_space::HalfSpace;
 use crate::operator::{LinearOperator, numbers};
-use crate::work::unobserved;
+use crate::work::{unobserved, unobserved_on};
 
 /// An explicit square matrix, of at most 4096 unknowns.
 ///
@@ -43,7 +44,7 @@ impl DenseOperator {
         bodies: &HalfSpace,
         component: Choice<Component>,
     ) -> PyResult<Py<Self>> {
-        let matrix = unobserved(py, bodies.0.grid().cells(), || {
+        let matrix = unobserved_on(py, bodies.0.grid(), || {
             stickslip::dense::DenseOperator::of_half_space(&bodies.0, component.0)
         })?;
         Py::new(py, Self::of(matrix))
@@ -122,9 +123,9 @@ impl DenseMinimum {
 
     fn __repr__(&self) -> String {
         format!(
-            "DenseMinimum({} unknowns, multiplier={:.6e})",
-            self.0.x.len(),
-            self.0.multiplier
+            "DenseMinimum({}, multiplier={})",
+            counted(self.0.x.len(), "unknown"),
+            short(self.0.multiplier)
         )
     }
 }

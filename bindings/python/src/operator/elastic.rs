@@ -14,7 +14,7 @@ use crate::half_space::HalfSpace;
 use crate::held::lock;
 use crate::material::ElasticPair;
 use crate::operator::{LinearOperator, numbers, target};
-use crate::work::unobserved;
+use crate::work::{unobserved, unobserved_on};
 
 #[pymethods]
 impl HalfSpace {
@@ -135,7 +135,7 @@ impl Convolution {
         component: Choice<Component>,
         periodic: bool,
     ) -> PyResult<PyClassInitializer<Self>> {
-        let made = unobserved(py, grid.0.cells(), || {
+        let made = unobserved_on(py, grid.0, || {
             if periodic {
                 Ok(fft::Convolution::periodic(grid.0, &pair.0, component.0))
             } else {

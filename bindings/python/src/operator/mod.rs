@@ -14,6 +14,7 @@ use pyo3::prelude::*;
 use stickslip::Operator;
 
 use crate::array::Array;
+use crate::digits::counted;
 use crate::work::unobserved;
 
 /// An operator of one component a cell, whatever its kind.
@@ -187,9 +188,9 @@ impl LinearOperator {
 
     fn __repr__(&self) -> String {
         format!(
-            "LinearOperator({}, {} cells)",
+            "LinearOperator({}, {})",
             self.kind,
-            self.product.cells()
+            counted(self.product.cells(), "cell")
         )
     }
 }

@@ -9,12 +9,15 @@ use stickslip::subsurface::{self, Body, Tractions};
 
 use crate::array::{Array, copy, view};
 use crate::choice::Choice;
+use crate::digits::{counted, short};
+use crate::due;
 use crate::error::OrRaise;
 use crate::grid::{Grid, size};
 use crate::half_space::HalfSpace;
 use crate::held::lock;
+use crate::sequence::place;
 use crate::subsurface::{Loaded, Stress};
-use crate::work::unobserved;
+use crate::work::unobserved_on;
 
 /// Stress, and displacement if it was asked for, at the cell centres of a plane below the surface. Arrays are views,
 /// those of derived stresses are new.
@@ -27,8 +30,7 @@ impl Plane {
         py: Python<'py>,
         of: impl Fn(subsurface::Stress) -> f64 + Send + Sync,
     ) -> PyResult<Array<'py>> {
-        let cells = self.0.grid().cells();
-        let field = unobserved(py, cells, || Ok(self.0.map(of)))?;
+        let field = unobserved_on(py, self.0.grid(), || Ok(self.0.map(of)))?;
         Ok(copy(py, &field))
     }
 }
@@ -110,7 +112,7 @@ impl Plane {
     }
 
     fn __repr__(&self) -> String {
-        format!("Plane({}, z={:.6e})", size(self.0.grid()), self.0.z())
+        format!("Plane({}, z={})", size(self.0.grid()), short(self.0.z()))
     }
 }
 
@@ -149,8 +151,8 @@ pub(crate) struct Planes {
 }
 
 impl Planes {
-    fn cells(&self) -> usize {
-        self.bodies.0.grid().cells()
+    fn grid(&self) -> stickslip::Grid {
+        self.bodies.0.grid()
     }
 
     /// Works with the planes and the tractions on their grid.
@@ -160,7 +162,7 @@ impl Planes {
         tractions: &Loaded<'_>,
         work: impl FnOnce(&mut subsurface::Planes, Tractions<'_>) -> PyResult<T>,
     ) -> PyResult<T> {
-        let held = tractions.held(py, self.bodies.0.grid())?;
+        let held = tractions.held(py, self.grid())?;
         work(&mut *lock(&self.planes, "planes")?, held.tractions())
     }
 }
@@ -172,10 +174,10 @@ impl Planes {
     fn new(
         py: Python<'_>,
         bodies: HalfSpace,
-        depths: Vec<f64>,
+        depths: due::Depths,
         displacements: bool,
     ) -> PyResult<Self> {
-        let planes = subsurface::Planes::new(&bodies.0, &depths).or_raise(py)?;
+        let planes = subsurface::Planes::new(&bodies.0, &depths.0).or_raise(py)?;
         let planes = if displacements {
             planes.with_displacements()
         } else {
@@ -194,16 +196,24 @@ impl Planes {
         Ok(Array(depths.into_pyarray(py).into_any()))
     }
 
-    /// The plane of this number in a body; the tractions as of :func:`at_points`.
+    /// The plane at the depth of this index, which counts from the end if it is negative, in a body; the tractions as of
+    /// :func:`at_points`.
+    ///
+    /// Raises
+    /// ------
+    /// IndexError
+    ///     If there is no such depth.
+    /// RigidBody, Memory, GridMismatch, BoundaryMismatch, MaterialMismatch, Sample
     fn solve(
         &self,
         py: Python<'_>,
-        index: usize,
+        index: isize,
         body: Choice<Body>,
         tractions: Loaded<'_>,
     ) -> PyResult<Plane> {
         self.with(py, &tractions, |planes, tractions| {
-            unobserved(py, self.cells(), || planes.solve(index, body.0, tractions)).map(Plane)
+            let index = place(planes.depths(), index, "depth")?;
+            unobserved_on(py, self.grid(), || planes.solve(index, body.0, tractions)).map(Plane)
         })
     }
 
@@ -217,7 +227,7 @@ impl Planes {
         self.with(py, &tractions, |planes, tractions| {
             let depths = 0..planes.depths().len();
             let solve = |index| {
-                unobserved(py, self.cells(), || planes.solve(index, body.0, tractions)).map(Plane)
+                unobserved_on(py, self.grid(), || planes.solve(index, body.0, tractions)).map(Plane)
             };
             depths.map(solve).collect()
         })
@@ -232,7 +242,7 @@ impl Planes {
         tractions: Loaded<'_>,
     ) -> PyResult<()> {
         self.with(py, &tractions, |planes, tractions| {
-            unobserved(py, self.cells(), || {
+            unobserved_on(py, self.grid(), || {
                 planes.write_vti(&path, body.0, tractions)
             })
         })
@@ -240,6 +250,9 @@ impl Planes {
 
     fn __repr__(&self) -> PyResult<String> {
         let planes = lock(&self.planes, "planes")?;
-        Ok(format!("Planes({} depths)", planes.depths().len()))
+        Ok(format!(
+            "Planes({})",
+            counted(planes.depths().len(), "depth")
+        ))
     }
 }

@@ -5,8 +5,11 @@ use pyo3::prelude::*;
 use stickslip::subsurface::{self, Body};
 
 use crate::choice::Choice;
+use crate::digits::{short, tuple};
+use crate::due;
 use crate::error::OrRaise;
 use crate::half_space::HalfSpace;
+use crate::pickle::picklable;
 use crate::progress::Progress;
 use crate::subsurface::{Loaded, Stress};
 use crate::work::{solve, unless_broken_off};
@@ -32,12 +35,14 @@ impl Response {
 
     fn __repr__(&self) -> String {
         format!(
-            "Response(displacement={:?}, von_mises={:.6e})",
-            self.0.displacement,
-            self.0.stress.von_mises()
+            "Response(displacement={}, von_mises={})",
+            tuple(&self.0.displacement),
+            short(self.0.stress.von_mises())
         )
     }
 }
+
+picklable!(Response: subsurface::Response);
 
 /// Cells times points after which signals are looked for again.
 const PORTION: usize = 1 << 22;
@@ -66,9 +71,9 @@ pub(crate) fn at_points(
     bodies: &HalfSpace,
     body: Choice<Body>,
     tractions: Loaded<'_>,
-    points: Vec<[f64; 3]>,
+    points: due::Points,
 ) -> PyResult<Vec<Response>> {
-    let grid = bodies.0.grid();
+    let (grid, points) = (bodies.0.grid(), points.0);
     let held = tractions.held(py, grid)?;
     let portion = (PORTION / grid.cells()).max(1);
     let work = grid.cells().saturating_mul(points.len());

@@ -2,6 +2,9 @@
 
 use pyo3::prelude::*;
 
+use crate::digits::{short, tuple};
+use crate::pickle::picklable;
+
 /// Principal stresses, the largest first, and the unit vector of each.
 #[pyclass(frozen, eq, module = "stickslip.subsurface")]
 #[derive(Clone, Copy, PartialEq)]
@@ -22,9 +25,11 @@ impl Principal {
     }
 
     fn __repr__(&self) -> String {
-        format!("Principal(values={:?})", self.0.values)
+        format!("Principal(values={})", tuple(&self.0.values))
     }
 }
+
+picklable!(Principal: stickslip::subsurface::Principal);
 
 /// The symmetric stress tensor at a point (pressures), tensile positive, with z into body 1.
 ///
@@ -120,8 +125,15 @@ impl Stress {
     fn __repr__(&self) -> String {
         let stress = self.0;
         format!(
-            "Stress(xx={:.6e}, yy={:.6e}, zz={:.6e}, xy={:.6e}, xz={:.6e}, yz={:.6e})",
-            stress.xx, stress.yy, stress.zz, stress.xy, stress.xz, stress.yz
+            "Stress(xx={}, yy={}, zz={}, xy={}, xz={}, yz={})",
+            short(stress.xx),
+            short(stress.yy),
+            short(stress.zz),
+            short(stress.xy),
+            short(stress.xz),
+            short(stress.yz)
         )
     }
 }
+
+picklable!(Stress: stickslip::subsurface::Stress);

@@ -11,6 +11,7 @@ use stickslip::Field;
 use stickslip::subsurface::Tractions;
 
 use crate::coupled::CoupledSolution;
+use crate::due::kind_of;
 use crate::field::Samples;
 use crate::history::{History, State};
 use crate::normal::NormalSolution;
@@ -68,11 +69,14 @@ impl Loaded<'_> {
         };
         match &self.0[..] {
             [normal, shear] if normal.is_instance_of::<NormalSolution>() => {
+                let shear = shear.cast::<TangentialSolution>().map_err(|_| {
+                    PyTypeError::new_err(format!(
+                        "expected (normal, shear), a NormalSolution and a TangentialSolution, got {} as shear",
+                        kind_of(shear)
+                    ))
+                })?;
                 let normal = normal.cast::<NormalSolution>()?.get().get();
-                Ok(Held::Sheared(
-                    normal,
-                    shear.cast::<TangentialSolution>()?.get().get(),
-                ))
+                Ok(Held::Sheared(normal, shear.get().get()))
             }
             [one] => {
                 if let Ok(normal) = one.cast::<NormalSolution>() {
@@ -84,12 +88,22 @@ impl Loaded<'_> {
                 } else if let Ok(history) = one.cast::<History>() {
                     let state = history.get().read(|history| history.state().clone())?;
                     Ok(Held::State(Arc::new(state)))
+                } else if one.is_instance_of::<TangentialSolution>() {
+                    Err(PyTypeError::new_err(
+                        "a TangentialSolution has no pressure: give the normal solution too, (normal, shear)",
+                    ))
                 } else {
                     Ok(Held::Fields(field(one, "pressure")?, None))
                 }
             }
             [pressure, shear] => {
-                let [x, y]: [Bound<'_, PyAny>; 2] = shear.extract()?;
+                let [x, y]: [Bound<'_, PyAny>; 2] = shear.extract().map_err(|_| {
+                    PyTypeError::new_err(format!(
+                        "expected (normal, shear) of two solutions or (pressure, (x, y)) of fields, got ({}, {})",
+                        kind_of(pressure),
+                        kind_of(shear)
+                    ))
+                })?;
                 let shear = [field(&x, "traction")?, field(&y, "traction")?];
                 Ok(Held::Fields(field(pressure, "pressure")?, Some(shear)))
             }

@@ -5,9 +5,10 @@ use pyo3::prelude::*;
 use stickslip::surface;
 
 use crate::array::{Array, view_slice};
+use crate::digits::short;
 use crate::field::Samples;
 use crate::surface::numbers;
-use crate::work::unobserved;
+use crate::work::unobserved_on;
 
 /// The radial average of the power spectrum of a surface that repeats.
 ///
@@ -31,25 +32,23 @@ impl PowerSpectrum {
     #[new]
     fn new(py: Python<'_>, heights: Samples<'_>) -> PyResult<Self> {
         let heights = heights.alone("heights")?;
-        unobserved(py, heights.grid().cells(), || {
-            surface::PowerSpectrum::of(&heights)
-        })
-        .map(Self)
+        unobserved_on(py, heights.grid(), || surface::PowerSpectrum::of(&heights)).map(Self)
     }
 
-    /// Wave numbers of the rings (one over a length).
+    /// Mean wave number ``2 pi / wavelength`` of the waves of each ring (radians over lengths), in ascending order.
     #[getter]
     fn wave_numbers<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
         view_slice(slf, |spectrum| spectrum.0.wave_numbers())
     }
 
-    /// Their mean spectral density (a length to the fourth).
+    /// Mean spectral density C of the waves of each ring (a length to the fourth): ``2 pi`` times the integral of ``C q`` over
+    /// the wave numbers q is the square of the rms height.
     #[getter]
     fn values<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
         view_slice(slf, |spectrum| spectrum.0.values())
     }
 
-    /// Waves in each ring.
+    /// Wave vectors in each ring; q and -q are two.
     #[getter]
     fn modes<'py>(&self, py: Python<'py>) -> Array<'py> {
         let modes: Vec<u64> = self.0.modes().iter().map(|&modes| modes as u64).collect();
@@ -65,8 +64,8 @@ impl PowerSpectrum {
     fn __repr__(&self) -> String {
         let rings = self.0.values().len();
         format!(
-            "PowerSpectrum({rings} rings, nayak_parameter={:.4})",
-            self.0.nayak_parameter()
+            "PowerSpectrum({rings} rings, nayak_parameter={})",
+            short(self.0.nayak_parameter())
         )
     }
 }

@@ -4,10 +4,13 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use stickslip::surface;
 
+use crate::digits::short;
+use crate::due;
 use crate::error::OrRaise;
 use crate::field::{Field, Samples};
 use crate::grid::Grid;
-use crate::work::unobserved;
+use crate::progress::Progress;
+use crate::work::{solve, unobserved_on};
 
 /// The sum of fields on one grid, cell by cell: the gap between two bodies is the sum of both shapes.
 #[pyfunction]
@@ -37,7 +40,7 @@ pub(crate) fn mirror_x(heights: Samples<'_>) -> PyResult<Field> {
 pub(crate) fn gap_from_heights(py: Python<'_>, heights: Samples<'_>) -> PyResult<Field> {
     let heights = heights.alone("heights")?;
     surface::gap_from_heights(&heights)
-        .or_raise(py)
+        .or_raise_on(py, heights.grid())
         .map(Into::into)
 }
 
@@ -50,7 +53,7 @@ pub(crate) fn gap_between(
 ) -> PyResult<Field> {
     let (upper, lower) = (upper.alone("upper")?, lower.alone("lower")?);
     surface::gap_between(&upper, &lower)
-        .or_raise(py)
+        .or_raise_on(py, upper.grid())
         .map(Into::into)
 }
 
@@ -64,11 +67,11 @@ pub(crate) fn gap_between(
 pub(crate) fn crop(
     py: Python<'_>,
     heights: Samples<'_>,
-    columns: (usize, usize),
-    rows: (usize, usize),
+    columns: due::Columns,
+    rows: due::Rows,
 ) -> PyResult<Field> {
     let heights = heights.alone("heights")?;
-    let cropped = surface::crop(&heights, columns.0..columns.1, rows.0..rows.1);
+    let cropped = surface::crop(&heights, columns.0.0..columns.0.1, rows.0.0..rows.0.1);
     cropped.or_raise(py).map(Into::into)
 }
 
@@ -80,7 +83,11 @@ pub(crate) fn crop(
 #[pyfunction]
 pub(crate) fn resample(py: Python<'_>, heights: Samples<'_>, grid: &Grid) -> PyResult<Field> {
     let heights = heights.alone("heights")?;
-    unobserved(py, grid.0.cells(), || surface::resample(&heights, grid.0)).map(Into::into)
+    // The work is that of the cells made, and what is wrong lies in those given.
+    let outcome = solve(py, grid.0.cells(), Progress::none(), |_| {
+        surface::resample(&heights, grid.0)
+    })?;
+    outcome.or_raise_on(py, heights.grid()).map(Into::into)
 }
 
 /// A surface whose missing heights (NaN) are filled smoothly.
@@ -118,10 +125,7 @@ impl Filled {
 #[pyfunction]
 pub(crate) fn fill_missing(py: Python<'_>, heights: Samples<'_>) -> PyResult<Filled> {
     let heights = heights.alone("heights")?;
-    unobserved(py, heights.grid().cells(), || {
-        surface::fill_missing(&heights)
-    })
-    .map(Filled)
+    unobserved_on(py, heights.grid(), || surface::fill_missing(&heights)).map(Filled)
 }
 
 /// A surface without its form.
@@ -144,7 +148,7 @@ impl Levelled {
 
     fn __repr__(&self) -> String {
         let (low, high) = (self.0.heights().min(), self.0.heights().max());
-        format!("Levelled(heights from {low:.4e} to {high:.4e})")
+        format!("Levelled(heights from {} to {})", short(low), short(high))
     }
 }
 
@@ -181,8 +185,5 @@ pub(crate) fn level(
     form: Bound<'_, PyAny>,
 ) -> PyResult<Levelled> {
     let (heights, form) = (heights.alone("heights")?, form_of(&form)?);
-    unobserved(py, heights.grid().cells(), || {
-        surface::level(&heights, form)
-    })
-    .map(Levelled)
+    unobserved_on(py, heights.grid(), || surface::level(&heights, form)).map(Levelled)
 }

@@ -6,12 +6,13 @@ use stickslip::surface;
 
 use crate::array::{Array, view};
 use crate::choice::Choice;
+use crate::digits::short;
 use crate::field::Field;
 use crate::grid::{Grid, size};
 use crate::half_space::HalfSpace;
-use crate::pickle::picklable;
+use crate::pickle::{parts, picklable};
 use crate::surface::numbers;
-use crate::work::unobserved;
+use crate::work::{unobserved, unobserved_on};
 
 /// A recipe of self-affine roughness. With a cut-off wavelength it stays the same surface when the grid is refined.
 ///
@@ -108,7 +109,7 @@ impl SelfAffine {
     /// ------
     /// NotPositive, NotFinite, Hurst, Below, EmptyBand, HeightsNotReached, Memory
     fn generate(&self, py: Python<'_>, grid: &Grid) -> PyResult<RoughSurface> {
-        unobserved(py, grid.0.cells(), || self.0.generate(grid.0)).map(RoughSurface)
+        unobserved_on(py, grid.0, || self.0.generate(grid.0)).map(RoughSurface)
     }
 
     /// The heights on the grid of bodies (lengths).
@@ -117,8 +118,49 @@ impl SelfAffine {
         unobserved(py, cells, || self.0.generate_on(&bodies.0)).map(Into::into)
     }
 
-    fn __repr__(&self) -> String {
-        format!("{:?}", self.0)
+    fn __repr__(&self) -> PyResult<String> {
+        #[derive(serde::Deserialize)]
+        enum Target {
+            RmsHeight(f64),
+            RmsSlope(f64),
+        }
+        #[derive(serde::Deserialize)]
+        struct Parts {
+            target: Target,
+            hurst: f64,
+            longest_wavelength: Option<f64>,
+            roll_off_wavelength: Option<f64>,
+            cut_off_wavelength: Option<f64>,
+            amplitudes: surface::Amplitudes,
+            cropped: bool,
+            skewness: Option<f64>,
+            kurtosis: Option<f64>,
+            seed: u64,
+        }
+        let parts: Parts = parts(&self.0)?;
+        let (name, target) = match parts.target {
+            Target::RmsHeight(height) => ("rms_height", height),
+            Target::RmsSlope(slope) => ("rms_slope", slope),
+        };
+        let numbers = [
+            (name, Some(target)),
+            ("hurst", Some(parts.hurst)),
+            ("longest_wavelength", parts.longest_wavelength),
+            ("roll_off_wavelength", parts.roll_off_wavelength),
+            ("cut_off_wavelength", parts.cut_off_wavelength),
+            ("skewness", parts.skewness),
+            ("kurtosis", parts.kurtosis),
+        ];
+        let given = |(name, number): (&str, Option<f64>)| {
+            number.map(|number| format!("{name}={}", short(number)))
+        };
+        let mut shown: Vec<_> = numbers.into_iter().filter_map(given).collect();
+        shown.push(format!("amplitudes='{}'", Choice(parts.amplitudes).name()));
+        if parts.cropped {
+            shown.push("cropped=True".into());
+        }
+        shown.push(format!("seed={}", parts.seed));
+        Ok(format!("SelfAffine({})", shown.join(", ")))
     }
 }
 
@@ -162,10 +204,10 @@ impl RoughSurface {
 
     fn __repr__(&self) -> String {
         format!(
-            "RoughSurface({}, rms_height={:.4e}, rms_slope={:.4e})",
+            "RoughSurface({}, rms_height={}, rms_slope={})",
             size(self.0.heights().grid()),
-            self.0.rms_height(),
-            self.0.rms_slope()
+            short(self.0.rms_height()),
+            short(self.0.rms_slope())
         )
     }
 }

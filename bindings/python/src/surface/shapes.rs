@@ -3,17 +3,18 @@
 use pyo3::prelude::*;
 use stickslip::surface;
 
+use crate::due;
 use crate::field::Field;
 use crate::grid::Grid;
-use crate::work::unobserved;
+use crate::work::unobserved_on;
 
 /// Shapes whose parameters are numbers.
 macro_rules! shapes {
-    ($($(#[$doc:meta])* $shape:ident($($parameter:ident: $type:ty),+);)+) => {$(
+    ($($(#[$doc:meta])* $shape:ident($($parameter:ident $(. $part:tt)?: $type:ty),+);)+) => {$(
         $(#[$doc])*
         #[pyfunction]
         pub(crate) fn $shape(py: Python<'_>, grid: &Grid, $($parameter: $type),+) -> PyResult<Field> {
-            let made = unobserved(py, grid.0.cells(), || surface::$shape(grid.0, $($parameter),+));
+            let made = unobserved_on(py, grid.0, || surface::$shape(grid.0, $($parameter $(. $part)?),+));
             made.map(Into::into)
         }
     )+};
@@ -29,7 +30,7 @@ shapes! {
     cylinder(radius: f64);
     /// The gap ``(k_xx x^2 + 2 k_xy x y + k_yy y^2) / 2`` under a paraboloid of curvatures ``(k_xx, k_xy, k_yy)``
     /// (one over lengths), of which no principal curvature is negative.
-    paraboloid(curvatures: [f64; 3]);
+    paraboloid(curvatures.0: due::Curvatures);
     /// The gap ``slope * r`` under a cone; the slope is the tangent of the angle between cone and plane.
     cone(slope: f64);
     /// The gap under a flat punch of this radius: zero in the cells whose centre is below it, the recess in the others
@@ -39,5 +40,5 @@ shapes! {
     sinusoidal(amplitude: f64, wavelength: f64);
     /// The gap ``amplitude * (1 - cos(2 pi x / wavelengths[0]) * cos(2 pi y / wavelengths[1]))`` under a product of waves
     /// (lengths), zero on its crests.
-    bisinusoidal(amplitude: f64, wavelengths: [f64; 2]);
+    bisinusoidal(amplitude: f64, wavelengths.0: due::Wavelengths);
 }

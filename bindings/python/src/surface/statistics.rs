@@ -6,7 +6,7 @@ use stickslip::surface;
 use crate::field::Samples;
 use crate::sequence::pair;
 use crate::surface::numbers;
-use crate::work::unobserved;
+use crate::work::unobserved_on;
 
 /// Parameters of a surface after ISO 25178-2.
 ///
@@ -48,10 +48,7 @@ impl Statistics {
     #[new]
     fn new(py: Python<'_>, heights: Samples<'_>) -> PyResult<Self> {
         let heights = heights.alone("heights")?;
-        unobserved(py, heights.grid().cells(), || {
-            surface::Statistics::of(&heights)
-        })
-        .map(Self)
+        unobserved_on(py, heights.grid(), || surface::Statistics::of(&heights)).map(Self)
     }
 
     /// Root mean square slopes of profiles along x and y.

@@ -4,6 +4,8 @@ use pyo3::prelude::*;
 use stickslip::{Coupling, TangentialModel, cgm};
 
 use crate::choice::Choice;
+use crate::digits::short;
+use crate::due;
 use crate::friction::AnyFriction;
 use crate::grid::size;
 use crate::half_space::HalfSpace;
@@ -12,7 +14,7 @@ use crate::settings::{Settings, chosen};
 use crate::solver::solve_once;
 use crate::tangential::pressure::Pressure;
 use crate::tangential::{RelativeDisplacement, TangentialSolution, TangentialSolver};
-use crate::work::unobserved;
+use crate::work::unobserved_on;
 
 /// Bodies, pressure, friction and tangential load: one monotonic step from the unsheared state.
 ///
@@ -74,15 +76,15 @@ impl TangentialProblem {
         pressure: Pressure<'_>,
         friction: AnyFriction<'_>,
         load: Option<TangentialLoad>,
-        force: Option<[f64; 2]>,
-        shift: Option<[f64; 2]>,
-        spring: Option<([f64; 2], f64)>,
+        force: Option<due::Force>,
+        shift: Option<due::Shift>,
+        spring: Option<due::Springs>,
         force_x: Option<f64>,
         force_y: Option<f64>,
         shift_x: Option<f64>,
         shift_y: Option<f64>,
-        spring_x: Option<(f64, f64)>,
-        spring_y: Option<(f64, f64)>,
+        spring_x: Option<due::Spring>,
+        spring_y: Option<due::Spring>,
         twist: Option<f64>,
         model: Option<Choice<TangentialModel>>,
         coupling: Option<Choice<Coupling>>,
@@ -105,7 +107,7 @@ impl TangentialProblem {
         let grid = bodies.0.grid();
         let friction = friction.on(py, grid)?;
         let pressure = pressure.given(py, grid)?;
-        let built = unobserved(py, grid.cells(), || {
+        let built = unobserved_on(py, grid, || {
             let builder =
                 stickslip::TangentialProblem::builder(&bodies.0, pressure.source(), friction, load);
             let mut builder = builder.settings(settings);
@@ -150,7 +152,7 @@ impl TangentialProblem {
         format!(
             "TangentialProblem({}, friction_capacity={})",
             size(self.1),
-            self.0.friction_capacity()
+            short(self.0.friction_capacity())
         )
     }
 }

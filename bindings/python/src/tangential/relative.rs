@@ -7,6 +7,7 @@ use pyo3::types::PyType;
 use stickslip::tangential::RelativeDisplacement as Relative;
 
 use crate::array::{Array, view};
+use crate::due;
 use crate::error::OrRaise;
 use crate::field::{Field, Samples, grid_of};
 use crate::grid::{Grid, size};
@@ -42,15 +43,18 @@ impl RelativeDisplacement {
             along_x.on(py, "along_x", grid)?,
             along_y.on(py, "along_y", grid)?,
         ];
+        let own_grid = fields[1].grid();
         let relative = Relative::new(fields.map(Arc::unwrap_or_clone));
-        relative.or_raise(py).map(Self)
+        relative.or_raise_on(py, own_grid).map(Self)
     }
 
     /// That of a uniform strain ``[[xx, xy], [yx, yy]]`` of body 1 less that of body 2 (dimensionless, positive where body
     /// 1 is stretched); zero at the origin of the grid.
     #[staticmethod]
-    fn bulk_strain(py: Python<'_>, grid: &Grid, strain: [[f64; 2]; 2]) -> PyResult<Self> {
-        Relative::bulk_strain(grid.0, strain).or_raise(py).map(Self)
+    fn bulk_strain(py: Python<'_>, grid: &Grid, strain: due::Strain) -> PyResult<Self> {
+        Relative::bulk_strain(grid.0, strain.0)
+            .or_raise(py)
+            .map(Self)
     }
 
     /// Its components along x and y (lengths).

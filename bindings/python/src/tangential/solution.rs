@@ -7,6 +7,7 @@ use pyo3::prelude::*;
 use crate::array::{Array, copy, view, zones};
 use crate::boundary::Boundary;
 use crate::choice::Choice;
+use crate::digits::{short, tuple};
 use crate::error::OrRaise;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
@@ -16,7 +17,7 @@ use crate::report::{Report, Warning, ending};
 use crate::sequence::pair;
 use crate::spots::ContactSpots;
 use crate::stiffness::TangentialStiffness;
-use crate::work::unobserved;
+use crate::work::unobserved_on;
 
 /// What owns a tangential solution.
 enum Source {
@@ -183,26 +184,20 @@ impl TangentialSolution {
         bodies: &HalfSpace,
     ) -> PyResult<(Array<'py>, Array<'py>)> {
         let solution = self.get();
-        let moved = unobserved(py, solution.grid().cells(), || {
-            solution.displacement(&bodies.0)
-        })?;
+        let moved = unobserved_on(py, solution.grid(), || solution.displacement(&bodies.0))?;
         Ok(moved.each_ref().map(|field| copy(py, field)).into())
     }
 
     /// Elastic energy of shear (a force times a length): one product.
     fn elastic_energy(&self, py: Python<'_>, bodies: &HalfSpace) -> PyResult<f64> {
         let solution = self.get();
-        unobserved(py, solution.grid().cells(), || {
-            solution.elastic_energy(&bodies.0)
-        })
+        unobserved_on(py, solution.grid(), || solution.elastic_energy(&bodies.0))
     }
 
     /// The tangential stiffness, on loading and at reversal.
     fn stiffness(&self, py: Python<'_>, bodies: &HalfSpace) -> PyResult<TangentialStiffness> {
         let solution = self.get();
-        let found = unobserved(py, solution.grid().cells(), || {
-            solution.stiffness(&bodies.0)
-        });
+        let found = unobserved_on(py, solution.grid(), || solution.stiffness(&bodies.0));
         found.map(TangentialStiffness)
     }
 
@@ -216,10 +211,11 @@ impl TangentialSolution {
 
     fn __repr__(&self) -> String {
         let solution = self.get();
-        let ([force_x, force_y], [x, y]) = (solution.force(), solution.shift());
         format!(
-            "TangentialSolution(force=({force_x:.6e}, {force_y:.6e}), shift=({x:.6e}, {y:.6e}), stick_ratio={:.4}, {})",
-            solution.stick_ratio(),
+            "TangentialSolution(force={}, shift={}, stick_ratio={}, {})",
+            tuple(&solution.force()),
+            tuple(&solution.shift()),
+            short(solution.stick_ratio()),
             ending(solution.report(), &solution.warnings())
         )
     }

@@ -2,13 +2,14 @@
 
 use pyo3::prelude::*;
 
+use crate::due;
 use crate::error::OrRaise;
 use crate::friction::AnyFriction;
 use crate::load::{Keywords, TangentialLoad};
 use crate::solver::{Reused, solver};
 use crate::tangential::pressure::Pressure;
 use crate::tangential::{RelativeDisplacement, TangentialSolution};
-use crate::work::unobserved;
+use crate::work::unobserved_on;
 
 /// Solves tangential contacts again and again, each time from the last answer; made by
 /// :meth:`TangentialProblem.solver`. Load, friction and pressure may change between calls. It does not remember slip.
@@ -54,15 +55,15 @@ impl TangentialSolver {
         &self,
         py: Python<'py>,
         load: Option<TangentialLoad>,
-        force: Option<[f64; 2]>,
-        shift: Option<[f64; 2]>,
-        spring: Option<([f64; 2], f64)>,
+        force: Option<due::Force>,
+        shift: Option<due::Shift>,
+        spring: Option<due::Springs>,
         force_x: Option<f64>,
         force_y: Option<f64>,
         shift_x: Option<f64>,
         shift_y: Option<f64>,
-        spring_x: Option<(f64, f64)>,
-        spring_y: Option<(f64, f64)>,
+        spring_x: Option<due::Spring>,
+        spring_y: Option<due::Spring>,
         twist: Option<f64>,
         progress: Option<Bound<'py, PyAny>>,
         warn: bool,
@@ -78,7 +79,7 @@ impl TangentialSolver {
         let load = keywords.load_or(load)?;
         let set = |solver: &mut stickslip::TangentialSolver| {
             if is_new {
-                unobserved(py, self.0.grid().cells(), || solver.set_load(load))?;
+                unobserved_on(py, self.0.grid(), || solver.set_load(load))?;
             }
             Ok(())
         };

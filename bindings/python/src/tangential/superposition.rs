@@ -3,6 +3,7 @@
 use pyo3::prelude::*;
 
 use crate::array::{Array, view, zones};
+use crate::digits::short;
 use crate::error::OrRaise;
 use crate::material::ElasticPair;
 use crate::normal::NormalSolution;
@@ -67,8 +68,8 @@ impl JaegerSuperposition {
     fn __repr__(&self) -> String {
         format!(
             "JaegerSuperposition(force={}, shift={})",
-            self.0.force(),
-            self.0.shift()
+            short(self.0.force()),
+            short(self.0.shift())
         )
     }
 }

@@ -1,0 +1,87 @@
+//! Arguments of a given form, refused by what is due there.
+
+use pyo3::exceptions::PyTypeError;
+#[cfg(feature = "stubs")]
+use pyo3::inspect::PyStaticExpr;
+use pyo3::prelude::*;
+
+/// Declares the class of such an argument: what it holds, what it is by the name of the argument, and what to do instead
+/// where that helps.
+macro_rules! due {
+    ($($(#[$doc:meta])* $name:ident($type:ty): $due:literal $(, $instead:literal)?;)+) => {$(
+        $(#[$doc])*
+        #[derive(Clone)]
+        pub(crate) struct $name(pub(crate) $type);
+
+        impl FromPyObject<'_, '_> for $name {
+            type Error = PyErr;
+
+            #[cfg(feature = "stubs")]
+            const INPUT_TYPE: PyStaticExpr = <$type as FromPyObject<'_, '_>>::INPUT_TYPE;
+
+            fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
+                let instead = concat!("" $(, ": ", $instead)?);
+                object
+                    .extract()
+                    .map(Self)
+                    .map_err(|_| refused(&object, $due, instead))
+            }
+        }
+    )+};
+}
+
+due! {
+    /// A force along both axes.
+    Force([f64; 2]): "force is a pair (x, y)", "for a force along one axis give force_x= or force_y=";
+    /// A shift along both axes.
+    Shift([f64; 2]): "shift is a pair (x, y)", "for a shift along one axis give shift_x= or shift_y=";
+    /// Springs along both axes.
+    Springs(([f64; 2], f64)): "spring is ((x, y), stiffness)", "for a spring along one axis give spring_x= or spring_y=";
+    /// A spring along one axis.
+    Spring((f64, f64)): "spring_x and spring_y are pairs (position, stiffness)";
+    /// A spring of a minimum.
+    FarEnd((f64, f64)): "spring is a pair (far_end, compliance)";
+    /// Springs by their stiffness alone.
+    Stiffnesses([f64; 2]): "springs is a pair of stiffnesses (x, y)";
+    /// The amplitude of a load to and fro.
+    Amplitude([f64; 2]): "amplitude is a pair (x, y)", "to and fro along x it is (amplitude, 0.0)";
+    /// The amplitudes of an ellipse.
+    EllipseAmplitudes([f64; 2]): "amplitudes is a pair (x, y)";
+    /// The values of a load path.
+    PathSteps(Vec<[f64; 2]>): "steps is a sequence of pairs (x, y)";
+    /// The forces of a load path along one axis.
+    ForcePath(Vec<f64>): "path is a sequence of forces";
+    /// Wavelengths along both axes.
+    Wavelengths([f64; 2]): "wavelengths is a pair (x, y)";
+    /// Curvatures of a paraboloid.
+    Curvatures([f64; 3]): "curvatures is (k_xx, k_xy, k_yy)";
+    /// A strain of the plane.
+    Strain([[f64; 2]; 2]): "strain is [[xx, xy], [yx, yy]]";
+    /// The columns of a part of a grid.
+    Columns((usize, usize)): "columns is a pair (first, end) of whole numbers";
+    /// The rows of a part of a grid.
+    Rows((usize, usize)): "rows is a pair (first, end) of whole numbers";
+    /// Depths below the surface.
+    Depths(Vec<f64>): "depths is a sequence of numbers", "a single depth is [depth]";
+    /// Points below the surface.
+    Points(Vec<[f64; 3]>): "points is a sequence of (x, y, depth)", "a single point is [(x, y, depth)]";
+    /// Sides of a cell.
+    CellSides([f64; 2]): "cell is a pair (dx, dy)";
+    /// Sides of a grid.
+    GridSides([f64; 2]): "size is a pair (x, y)";
+}
+
+/// The exception that says what is due.
+fn refused(object: &Bound<'_, PyAny>, due: &str, instead: &str) -> PyErr {
+    let length = object
+        .len()
+        .map_or_else(|_| String::new(), |len| format!(" of length {len}"));
+    let kind = kind_of(object);
+    PyTypeError::new_err(format!("{due}, got {kind}{length}{instead}"))
+}
+
+/// What an object is, in words.
+pub(crate) fn kind_of(object: &Bound<'_, PyAny>) -> String {
+    let name = object.get_type().name();
+    name.map_or_else(|_| "another object".into(), |name| name.to_string())
+}

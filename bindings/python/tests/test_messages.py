@@ -1,0 +1,165 @@
+"""What messages and representations say: the argument, the place, and what to do instead."""
+
+import importlib
+import math
+import re
+
+import numpy as np
+import pytest
+
+import stickslip as ss
+from conftest import FORCE
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda scene: ss.LoadStep(force=1.0), r"force is a pair \(x, y\), got float: .* force_x="),
+        (lambda scene: ss.LoadStep(shift=(1.0, 2.0, 3.0)), r"shift is a pair \(x, y\), got tuple of length 3: .* shift_x="),
+        (lambda scene: ss.LoadStep(spring=(1.0, 2.0)), r"spring is \(\(x, y\), stiffness\), got tuple of length 2: .* spring_x="),
+        (lambda scene: ss.LoadStep(spring_x=1.0), r"spring_x and spring_y are pairs \(position, stiffness\), got float"),
+        (lambda scene: ss.TangentialProblem(scene.bodies, scene.ball, 0.5, force=1.0), "force is a pair"),
+        (lambda scene: scene.history().step(force=1.0), "force is a pair"),
+        (lambda scene: ss.history.LoadPath.sine(2e-6, 20), r"amplitude is a pair \(x, y\), got float: .*\(amplitude, 0.0\)"),
+        (lambda scene: ss.history.LoadPath([1.0, 2.0]), r"steps is a sequence of pairs \(x, y\), got list of length 2"),
+        (lambda scene: ss.subsurface.Planes(scene.bodies, 1e-5), r"depths is a sequence of numbers, got float: .*\[depth\]"),
+        (
+            lambda scene: ss.subsurface.at_points(scene.bodies, "one", scene.ball, (0.0, 0.0, 1e-5)),
+            r"points is a sequence of \(x, y, depth\), got tuple of length 3: .*\[\(x, y, depth\)\]",
+        ),
+        (lambda scene: ss.surface.bisinusoidal(scene.grid, 1.0, 2.0), r"wavelengths is a pair \(x, y\), got float"),
+        (lambda scene: ss.surface.paraboloid(scene.grid, 2.0), r"curvatures is \(k_xx, k_xy, k_yy\), got float"),
+        (lambda scene: ss.surface.crop(scene.ball, 2, (0, 3)), r"columns is a pair \(first, end\)"),
+        (lambda scene: ss.io.npy.read("heights.npy", cell=1.0), r"cell is a pair \(dx, dy\), got float"),
+    ],
+)
+def test_what_is_no_pair_or_sequence_is_refused_by_the_name_of_the_argument_and_what_is_due(scene, call, message):
+    with pytest.raises(TypeError, match=message):
+        call(scene)
+
+
+def test_pairs_may_be_lists_and_arrays(scene):
+    for force in [(1.0, 2.0), [1, 2], np.array([1.0, 2.0])]:
+        assert ss.LoadStep(force=force) == ss.LoadStep(force_x=1.0, force_y=2.0)
+    assert len(ss.history.LoadPath(np.ones((4, 2)))) == 4
+
+
+def test_a_sample_is_told_by_row_and_column_and_a_missing_height_by_what_fills_it(scene):
+    gap = scene.ball.array.copy()
+    gap[3, 5] = math.inf
+    with pytest.raises(ss.errors.Sample, match=r"gap at row 3, column 5 \(index 197\) is inf") as refused:
+        ss.NormalProblem(scene.bodies, gap, force=1.0)
+    assert (refused.value.row, refused.value.column, refused.value.index) == (3, 5, 197)
+    assert "fill_missing" not in str(refused.value)
+    gap[3, 5] = math.nan
+    masked = np.ma.masked_invalid(gap)
+    for given in (gap, masked):
+        with pytest.raises(ss.errors.Sample, match=r"row 3, column 5 .* \(surface.fill_missing fills missing heights\)"):
+            ss.NormalProblem(scene.bodies, given, force=1.0)
+        with pytest.raises(ss.errors.Sample, match=r"row 3, column 5 .* \(surface.fill_missing"):
+            ss.surface.gap_from_heights(ss.Field(scene.grid, given))
+    holed = ss.Field(scene.grid, gap)
+    for call in (
+        lambda: ss.surface.gap_between(scene.ball, holed),
+        lambda: ss.surface.resample(holed, ss.Grid.square(7, 0.1e-3)),
+        lambda: ss.surface.Statistics(holed),
+        lambda: scene.history().set_gap(holed),
+    ):
+        with pytest.raises(ss.errors.Sample, match=r"row 3, column 5 .*\(surface.fill_missing"):
+            call()
+    with pytest.raises(ss.errors.Sample, match="row 0, column 0"):
+        ss.Friction(np.full(scene.grid.shape, -1.0), grid=scene.grid)
+    with pytest.raises(ss.errors.Sample, match="at index 1 ") as refused:
+        ss.subsurface.Planes(scene.bodies, [0.0, -1.0])
+    assert refused.value.row is None and refused.value.column is None
+
+
+def test_a_surface_where_a_field_is_due_is_refused_by_where_its_heights_are(scene):
+    rough = ss.surface.SelfAffine(rms_height=1e-6).generate(scene.grid)
+    with pytest.raises(TypeError, match=r"gap is a RoughSurface, .* \.heights, .*gap_from_heights"):
+        ss.NormalProblem(scene.bodies, rough, force=1.0)
+    with pytest.raises(TypeError, match=r"got RoughSurface: give its \.heights"):
+        ss.surface.gap_from_heights(rough)
+
+
+def test_what_is_below_the_surface_says_what_it_needs(scene):
+    contact = scene.normal()
+    shear = ss.TangentialProblem(scene.bodies, contact, 0.5, force_x=20.0).solve()
+    points = [(0.0, 0.0, 1e-5)]
+    with pytest.raises(TypeError, match=r"no pressure: give the normal solution too, \(normal, shear\)"):
+        ss.subsurface.at_points(scene.bodies, "one", shear, points)
+    for tractions in [(contact, contact), (shear, contact)]:
+        with pytest.raises(TypeError, match=r"expected \(normal, shear\)"):
+            ss.subsurface.at_points(scene.bodies, "one", tractions, points)
+    with pytest.raises(ValueError, match="Body is one of 'one', 'two', or a member of stickslip.subsurface.Body, got '1'"):
+        ss.subsurface.at_points(scene.bodies, "1", contact, points)
+    with pytest.raises(TypeError, match="'one', 'two', .* got int"):
+        ss.subsurface.at_points(scene.bodies, 1, contact, points)
+    planes = ss.subsurface.Planes(scene.bodies, [0.0, 1e-5])
+    with pytest.raises(IndexError, match="no depth of index 99 among 2"):
+        planes.solve(99, "one", contact)
+    assert planes.solve(-1, "one", contact).depth == 1e-5
+
+
+def test_enumerations_are_where_messages_say():
+    wrong = [
+        lambda: ss.Settings(method="no"),
+        lambda: ss.TangentialLoad(force_x=1.0).control("no"),
+        lambda: ss.surface.SelfAffine(rms_slope=0.1, amplitudes="no"),
+    ]
+    for call in wrong:
+        with pytest.raises(ValueError) as refused:
+            call()
+        module, name = re.search(r"member of ([a-z.]+)\.([A-Z]\w+)", str(refused.value)).groups()
+        assert hasattr(importlib.import_module(module), name)
+
+
+def test_what_is_made_of_numbers_shows_how_to_make_it_again(scene):
+    names = {**vars(ss), **vars(ss.surface), **vars(ss.influence), **vars(ss.normal), **vars(ss.tangential)}
+    for value in [
+        ss.Grid(4, 3, 0.5, 0.25),
+        ss.Material(210e9, 0.3),
+        ss.ElasticPair(ss.Material(1.0, 0.3), ss.Material.rigid()),
+        ss.Boundary.PERIODIC,
+        ss.Boundary.periodic_along_y(2.5),
+        ss.Settings(tolerance=1e-5, time_limit=2.5),
+        ss.TangentialLoad(force=(1.0, 2.0)),
+        ss.TangentialLoad(spring_x=(1e-6, 1e7), twist=0.1),
+        ss.LoadStep(),
+        ss.LoadStep(normal_force=100.0, shift_x=1e-6),
+        ss.LoadStep(approach=1e-6, spring_y=(1.0, 2.0), twist=0.5, relative_displacement=2.0),
+        ss.Friction(0.3, max_shear_stress=5.0),
+        ss.normal.Hardness(3.0),
+        ss.surface.SelfAffine(rms_slope=0.1, seed=7),
+        ss.surface.SelfAffine(rms_height=1e-6, hurst=0.7, cut_off_wavelength=0.1, skewness=-1.0, kurtosis=4.5,
+                              cropped=True, amplitudes="gaussian"),
+    ]:  # fmt: skip
+        assert eval(repr(value), names) == value
+
+
+def test_representations_count_and_round(scene):
+    contact = scene.normal()
+    assert repr(contact.spots) == "ContactSpots(1 spot)"
+    assert repr(scene.grid) == "Grid(nx=64, ny=64, dx=4.6875e-06, dy=4.6875e-06)"
+    assert "Boundary.NON_PERIODIC" in repr(scene.bodies)
+    assert repr(ss.influence.Rectangle(1.0 / 3.0, 2e-9)) == "Rectangle(a=0.333333, b=2e-09)"
+    assert repr(ss.Field(scene.grid, math.nan)) == "Field(64 x 64 cells, all NaN)"
+    assert "force=100," in repr(contact)
+    history = scene.history()
+    history.step(normal_force=FORCE)
+    energy = history.step(force_x=30.0).energy
+    assert f"mid_step_dissipated_energy={energy.mid_step_dissipated_energy:.6g}," in repr(energy)
+    for number in [0.0, -1.5, 1e5, 999999.7, 1e6, 1e-4, 9.99999e-5, 123456.789, -math.inf]:
+        assert repr(ss.LoadStep(shift_x=number)) == f"LoadStep(shift_x={number:.6g})"
+
+
+def test_steps_and_cycles_that_touch_nothing_say_so(scene):
+    history = scene.history()
+    step = history.step(shift_x=1e-6)
+    cycle = ss.history.Cycle(history)
+    history.step(shift_x=0.0)
+    cycle.add(history)
+    for free in (step, cycle):
+        assert repr(free).endswith(", no contact)")
+        assert [remark.kind for remark in free.warnings] == ["no_contact"]
+    assert "no contact" not in repr(history.step(normal_force=FORCE))
