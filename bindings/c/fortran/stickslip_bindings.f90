@@ -1042,7 +1042,7 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_history_new
 
-        ! Makes a copy of a history, which goes on by itself.
+        ! Makes a copy of a history, independent of it: steps of one do not change the other.
         function stickslip_history_clone(history, copy) result(answer) bind(c)
             import
             type(c_ptr), value :: history
@@ -1351,8 +1351,8 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_history_set_state
 
-        ! The state of a history as bytes, some 60 to 130 for each cell, from which stickslip_history_from_bytes goes on to the
-        ! same bits.
+        ! The state of a history as bytes, some 60 to 130 for each cell. A history made from them by stickslip_history_from_bytes
+        ! takes further steps with the same results, bit for bit.
         !
         ! length gets how many there are. With a NULL buffer and capacity 0 only that; a buffer that is too small is
         ! STICKSLIP_BUFFER_TOO_SMALL, and nothing is written to it. Each call takes about as long as a warm step.

@@ -502,8 +502,8 @@ typedef struct {
     size_t free;
 } stickslip_iteration;
 
-// Called before every product with the operator, also on the coarser grids of a start: return 0 to end the solve, anything
-// else to go on. It is called by one thread at a time, on more than 4096 cells possibly another than that which called the
+// Called before every product with the operator, also on the coarser grids of a start: returns 0 to end the solve, any other
+// number to continue. It is called by one thread at a time, on more than 4096 cells possibly another than that which called the
 // solve. It must not unwind or jump out, nor call functions with handles that the solve uses (STICKSLIP_BUSY).
 typedef int32_t (*stickslip_observe)(const stickslip_iteration *iteration, void *user);
 
@@ -958,7 +958,7 @@ stickslip_status stickslip_history_new(const stickslip_half_space *half_space,
                                        const stickslip_history_options *options,
                                        stickslip_history **history);
 
-// Makes a copy of a history, which goes on by itself.
+// Makes a copy of a history, independent of it: steps of one do not change the other.
 stickslip_status stickslip_history_clone(const stickslip_history *history, stickslip_history **copy);
 
 // Frees a history; nothing for NULL.
@@ -1103,8 +1103,8 @@ stickslip_status stickslip_state_keep(stickslip_state *state, const stickslip_hi
 // Returns a history to a state, one of its own or of another on equal bodies.
 stickslip_status stickslip_history_set_state(stickslip_history *history, const stickslip_state *state);
 
-// The state of a history as bytes, some 60 to 130 for each cell, from which stickslip_history_from_bytes goes on to the
-// same bits.
+// The state of a history as bytes, some 60 to 130 for each cell. A history made from them by stickslip_history_from_bytes
+// takes further steps with the same results, bit for bit.
 //
 // length gets how many there are. With a NULL buffer and capacity 0 only that; a buffer that is too small is
 // STICKSLIP_BUFFER_TOO_SMALL, and nothing is written to it. Each call takes about as long as a warm step.

@@ -5,8 +5,8 @@ use std::ffi::{CString, c_char};
 
 use stickslip_rs::Error;
 
-use crate::call::{Outcome, call};
-use crate::pointer::put;
+use crate::call::call;
+use crate::pointer::answer;
 use crate::results::stickslip_report;
 use crate::status::*;
 
@@ -65,7 +65,7 @@ impl Failure {
         )
     }
 
-    /// A number that is none of the constants.
+    /// A number that no constant of the kind has.
     pub(crate) fn option(name: &str, value: i32) -> Self {
         Self::new(
             STICKSLIP_NO_SUCH_OPTION,
@@ -246,10 +246,12 @@ pub extern "C" fn stickslip_last_error_message() -> *const c_char {
 /// The numbers of the last failure on this thread.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_last_error(error: *mut stickslip_error) -> stickslip_status {
-    call(|| {
-        let numbers = LAST.try_with(|last| last.borrow().numbers);
-        // SAFETY: the rule for pointers.
-        unsafe { put("error", error, numbers.unwrap_or_default()) }
+    // SAFETY: the rule for pointers.
+    call(|| unsafe {
+        answer("error", error, || {
+            let numbers = LAST.try_with(|last| last.borrow().numbers);
+            Ok(numbers.unwrap_or_default())
+        })
     })
 }
 
@@ -258,11 +260,12 @@ pub unsafe extern "C" fn stickslip_last_error(error: *mut stickslip_error) -> st
 pub unsafe extern "C" fn stickslip_last_error_report(
     report: *mut stickslip_report,
 ) -> stickslip_status {
-    call(|| {
-        let last = LAST.try_with(|last| last.borrow().report).ok().flatten();
-        let none = || Failure::new(STICKSLIP_REFUSED, "the last failure has no report".into());
-        let last: Outcome<_> = last.ok_or_else(none);
-        // SAFETY: the rule for pointers.
-        unsafe { put("report", report, last?) }
+    // SAFETY: the rule for pointers.
+    call(|| unsafe {
+        answer("report", report, || {
+            let last = LAST.try_with(|last| last.borrow().report).ok().flatten();
+            let none = || Failure::new(STICKSLIP_REFUSED, "the last failure has no report".into());
+            last.ok_or_else(none)
+        })
     })
 }

@@ -4,7 +4,7 @@ use stickslip_rs::{Field, Grid, Result, surface};
 
 use crate::call::{Outcome, call};
 use crate::inputs::stickslip_grid;
-use crate::pointer::{entries_mut, expect_cells, input};
+use crate::pointer::{cells_mut, input};
 use crate::status::stickslip_status;
 use crate::threads::enter;
 
@@ -20,9 +20,8 @@ unsafe fn shape(
 ) -> Outcome {
     // SAFETY: as of this function.
     let grid = unsafe { input("grid", grid)? }.checked()?;
-    expect_cells("gap", grid, count)?;
     // SAFETY: as of this function.
-    let gap = unsafe { entries_mut("gap", gap, count)? };
+    let gap = unsafe { cells_mut("gap", grid, gap, count)? };
     gap.copy_from_slice(enter(grid.cells(), || make(grid))?.as_slice());
     Ok(())
 }
