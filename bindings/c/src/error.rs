@@ -154,6 +154,11 @@ fn code_of(error: &Error) -> stickslip_status {
         Error::Method { .. } => STICKSLIP_METHOD,
         Error::Below { .. } => STICKSLIP_BELOW,
         Error::Format { .. } => STICKSLIP_FORMAT,
+        Error::RigidBody(_) => STICKSLIP_RIGID_BODY,
+        Error::Repeats(_) => STICKSLIP_REPEATS,
+        Error::Hurst(_) => STICKSLIP_HURST,
+        Error::EmptyBand { .. } => STICKSLIP_EMPTY_BAND,
+        Error::HeightsNotReached { .. } => STICKSLIP_HEIGHTS_NOT_REACHED,
         _ => STICKSLIP_REFUSED,
     }
 }
@@ -166,6 +171,7 @@ fn fill(numbers: &mut stickslip_error, error: &Error) {
         | Error::NotModelled { value, .. }
         | Error::PoissonRatio(value)
         | Error::Tolerance(value)
+        | Error::Hurst(value)
         | Error::CoupledMaterials { beta: value } => numbers.value = value,
         Error::BeyondFrictionCapacity {
             force: value,
@@ -180,6 +186,15 @@ fn fill(numbers: &mut stickslip_error, error: &Error) {
             mean_gap: limit,
         }
         | Error::ObliqueLoad { x: value, y: limit }
+        | Error::EmptyBand {
+            longest: value,
+            shortest: limit,
+        }
+        | Error::HeightsNotReached {
+            skewness: value,
+            kurtosis: limit,
+            ..
+        }
         | Error::Below {
             value,
             least: limit,

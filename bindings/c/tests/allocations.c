@@ -1,5 +1,5 @@
-/* Repeated calls allocate no more than in Rust: steps, solves into a solution, gaps, pressures and wear nothing, a friction of
- * each cell the one array that it keeps. Counts what goes through the allocator of glibc. */
+/* Repeated calls allocate no more than in Rust: steps, solves into a solution, gaps, pressures and wear nothing, planes below
+ * the surface nothing, a friction of each cell the one array that it keeps. Counts what goes through the allocator of glibc. */
 
 #define _GNU_SOURCE
 
@@ -115,6 +115,12 @@ static void solvers(const stickslip_half_space *bodies) {
     const double *pressure = stickslip_normal_solution_field(pressed, STICKSLIP_PRESSURE, &count);
     EXPECT(0, stickslip_tangential_solver_set_pressure(shearer, pressure, count));
     EXPECT(100, stickslip_tangential_solver_set_friction(shearer, &cells));
+    stickslip_tractions tractions = {pressure, pressure, pressure, count};
+    stickslip_planes *planes = NULL;
+    double below[] = {0.01e-3};
+    OK(stickslip_planes_new(bodies, below, 1, 0, &planes));
+    EXPECT(0, stickslip_planes_solve(planes, 0, STICKSLIP_BODY_1, &tractions));
+    OK(stickslip_planes_free(planes));
     OK(stickslip_normal_solver_free(presser));
     OK(stickslip_normal_solution_free(pressed));
     OK(stickslip_tangential_solver_free(shearer));

@@ -2,22 +2,10 @@
  * the same bits, batches, one user at a time. */
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <stickslip.h>
-
-static int failures = 0;
-
-#define CHECK(condition)                                                                                               \
-    do {                                                                                                               \
-        if (!(condition)) {                                                                                            \
-            fprintf(stderr, "line %d: %s (last error: %s)\n", __LINE__, #condition, stickslip_last_error_message());   \
-            failures++;                                                                                                \
-        }                                                                                                              \
-    } while (0)
-#define OK(call) CHECK((call) == STICKSLIP_OK)
+#include "check.h"
 
 #define N 16
 #define CELLS (N * N)
@@ -347,6 +335,5 @@ int main(void) {
     dissimilar_bodies_are_coupled();
     loads_are_cut_into_steps();
     OK(stickslip_set_num_threads(0));
-    printf("%s\n", failures == 0 ? "all promises kept" : "promises broken");
-    return failures == 0 ? 0 : 1;
+    return report("the promises of the header");
 }

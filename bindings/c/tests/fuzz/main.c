@@ -45,6 +45,12 @@ static void one_call(struct run *run) {
     case 12:
         field(run);
         break;
+    case 13:
+        below_the_surface(run);
+        break;
+    case 14:
+        below(run, 2) == 0 ? forms(run) : read_numbers(run);
+        break;
     default:
         read_numbers(run);
     }

@@ -35,10 +35,11 @@ RELEASE(history)
 RELEASE(state)
 RELEASE(adaptive_steps)
 RELEASE(cycle)
+RELEASE(planes)
 static stickslip_status (*const freed_by[KINDS])(void *) = {
     release_half_space,       release_normal_solver,  release_normal_solution,  release_tangential_solver,
     release_tangential_solution, release_coupled_solver, release_coupled_solution, release_history,
-    release_state,            release_adaptive_steps, release_cycle};
+    release_state,            release_adaptive_steps, release_cycle, release_planes};
 
 stickslip_status release(enum kind kind, void *object) { return freed_by[kind](object); }
 
@@ -83,12 +84,13 @@ uint64_t hash_of(enum kind kind, const void *object) {
         free(bytes);
         return hash;
     }
-    for (int32_t which = STICKSLIP_PRESSURE; which <= STICKSLIP_SLIP_AMPLITUDE_Y; which++) {
+    for (int32_t which = STICKSLIP_PRESSURE; which <= STICKSLIP_STRESS_YZ; which++) {
         size_t count = 0;
         const double *samples = kind == PRESSED   ? stickslip_normal_solution_field(object, which, &count)
                                 : kind == SHEARED ? stickslip_tangential_solution_field(object, which, &count)
                                 : kind == BOTH    ? stickslip_coupled_solution_field(object, which, &count)
                                 : kind == CYCLE   ? stickslip_cycle_field(object, which, &count)
+                                : kind == PLANES  ? stickslip_planes_field(object, which, &count)
                                                   : NULL;
         if (samples != NULL) {
             hash = mixed(hash, samples, count * sizeof *samples);

@@ -4,10 +4,10 @@
 
 /* A field or zones: read to the end if nobody else can change them. */
 void field(struct run *run) {
-    int32_t which = option(run, 21);
+    int32_t which = option(run, 27);
     size_t count = 0;
-    enum kind kinds[] = {PRESSED, SHEARED, BOTH, HISTORY, CYCLE};
-    enum kind kind = kinds[below(run, 5)];
+    enum kind kinds[] = {PRESSED, SHEARED, BOTH, HISTORY, CYCLE, PLANES};
+    enum kind kind = kinds[below(run, 6)];
     struct slot *slot = pick(run, kind);
     bool is_shared = slot >= &run->shared->slots[0][0] && slot <= &run->shared->slots[KINDS - 1][SLOTS - 1];
     const void *object = maybe(run, slot->object);
@@ -29,8 +29,11 @@ void field(struct run *run) {
         samples = stickslip_history_field(object, which, maybe_out(run, &count));
         zones = stickslip_history_zones(object, NULL);
         break;
-    default:
+    case CYCLE:
         samples = stickslip_cycle_field(object, which, maybe_out(run, &count));
+        break;
+    default:
+        samples = stickslip_planes_field(object, which, maybe_out(run, &count));
     }
     run->calls++;
     if (samples == NULL) {

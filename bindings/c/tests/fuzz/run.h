@@ -9,7 +9,7 @@
 
 #include <stickslip.h>
 
-enum kind { BODIES, NORMAL, PRESSED, TANGENTIAL, SHEARED, COUPLED, BOTH, HISTORY, STATE, ADAPTIVE, CYCLE, KINDS };
+enum kind { BODIES, NORMAL, PRESSED, TANGENTIAL, SHEARED, COUPLED, BOTH, HISTORY, STATE, ADAPTIVE, CYCLE, PLANES, KINDS };
 #define SLOTS 3
 #define CODES 128
 /* More than the cells of any grid here. */
@@ -87,6 +87,8 @@ void step(struct run *run);
 void change_history(struct run *run);
 void field(struct run *run);
 void read_numbers(struct run *run);
+void below_the_surface(struct run *run);
+void forms(struct run *run);
 void rest(struct run *run);
 
 #endif
