@@ -17,7 +17,10 @@ NUMBERS = {
     "char": "character(kind=c_char)",
 }
 # Parameters that point to many entries; all others point to one.
-ARRAYS = {"gap", "pressure", "depth", "buffer", "bytes", "histories", "loads", "codes"}
+ARRAYS = {
+    "gap", "pressure", "depth", "buffer", "bytes", "histories", "loads", "codes",
+    "depths", "points", "responses", "values", "heights",
+}
 # Fortran does not tell the constant from the function.
 RENAMED = {"STICKSLIP_ABI_VERSION": "STICKSLIP_ABI_VERSION_COMPILED"}
 WIDTH = 120

@@ -10,6 +10,8 @@ module stickslip_bindings
     public :: stickslip_adaptive_steps_free
     public :: stickslip_adaptive_steps_step
     public :: stickslip_adaptive_steps_error
+    public :: stickslip_hertz_sphere
+    public :: stickslip_cattaneo_mindlin_sphere
     public :: stickslip_history_step_all
     public :: stickslip_coupled_solver_new
     public :: stickslip_coupled_solver_free
@@ -74,12 +76,21 @@ module stickslip_bindings
     public :: stickslip_normal_solution_report
     public :: stickslip_normal_solution_warnings
     public :: stickslip_normal_solution_stiffness
+    public :: stickslip_planes_new
+    public :: stickslip_planes_free
+    public :: stickslip_planes_solve
+    public :: stickslip_planes_field
+    public :: stickslip_planes_measure
+    public :: stickslip_self_affine_default
+    public :: stickslip_surface_self_affine
+    public :: stickslip_surface_statistics
     public :: stickslip_state_new
     public :: stickslip_state_free
     public :: stickslip_state_keep
     public :: stickslip_history_set_state
     public :: stickslip_history_to_bytes
     public :: stickslip_history_from_bytes
+    public :: stickslip_stress_at_points
     public :: stickslip_surface_sphere
     public :: stickslip_surface_ellipsoid
     public :: stickslip_surface_cylinder
@@ -129,11 +140,12 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_SLIP_X = 4
     ! Slip along y.
     integer(c_int32_t), parameter, public :: STICKSLIP_SLIP_Y = 5
-    ! Displacement by pressure and tractions together along x (lengths); coupled solutions only.
+    ! Displacement by pressure and tractions together along x (lengths): of coupled solutions that of body 1 relative to body 2,
+    ! of planes below the surface that of the body.
     integer(c_int32_t), parameter, public :: STICKSLIP_DISPLACEMENT_X = 6
     ! The same along y.
     integer(c_int32_t), parameter, public :: STICKSLIP_DISPLACEMENT_Y = 7
-    ! The same along z, the sum of both bodies.
+    ! The same along z; of coupled solutions the sum of both bodies.
     integer(c_int32_t), parameter, public :: STICKSLIP_DISPLACEMENT_Z = 8
     ! Length of the path slipped, in all steps of a history or in those of a cycle (lengths).
     integer(c_int32_t), parameter, public :: STICKSLIP_SLIP_DISTANCE = 9
@@ -159,6 +171,24 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_SLIP_AMPLITUDE_X = 19
     ! Amplitude of the slip along y; cycles only.
     integer(c_int32_t), parameter, public :: STICKSLIP_SLIP_AMPLITUDE_Y = 20
+    ! Stress xx on a plane below the surface (pressures, positive in tension).
+    integer(c_int32_t), parameter, public :: STICKSLIP_STRESS_XX = 21
+    ! Stress yy on a plane.
+    integer(c_int32_t), parameter, public :: STICKSLIP_STRESS_YY = 22
+    ! Stress zz on a plane.
+    integer(c_int32_t), parameter, public :: STICKSLIP_STRESS_ZZ = 23
+    ! Stress xy on a plane.
+    integer(c_int32_t), parameter, public :: STICKSLIP_STRESS_XY = 24
+    ! Stress xz on a plane.
+    integer(c_int32_t), parameter, public :: STICKSLIP_STRESS_XZ = 25
+    ! Stress yz on a plane.
+    integer(c_int32_t), parameter, public :: STICKSLIP_STRESS_YZ = 26
+    ! Von Mises' equivalent stress (pressures), for stickslip_planes_measure.
+    integer(c_int32_t), parameter, public :: STICKSLIP_VON_MISES = 27
+    ! Largest shear stress (pressures), for stickslip_planes_measure: half the difference of the largest and the smallest principal stress.
+    integer(c_int32_t), parameter, public :: STICKSLIP_MAX_SHEAR = 28
+    ! Mean of the normal stresses (pressures, positive in tension), for stickslip_planes_measure.
+    integer(c_int32_t), parameter, public :: STICKSLIP_HYDROSTATIC = 29
     ! Zone of a cell out of contact.
     integer(c_int8_t), parameter, public :: STICKSLIP_SEPARATED = 0
     ! Zone of a cell in contact, below the friction limit.
@@ -233,6 +263,10 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_OTHER = 127
     ! Bytes of the message of a warning.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_LENGTH = 384
+    ! Each wave has the amplitude of the spectrum, and only its phase is random (default).
+    integer(c_int32_t), parameter, public :: STICKSLIP_EXACT = 0
+    ! The amplitudes are random too, as of filtered white noise.
+    integer(c_int32_t), parameter, public :: STICKSLIP_GAUSSIAN = 1
     ! Done.
     integer(c_int32_t), parameter, public :: STICKSLIP_OK = 0
     ! The tolerance was not reached, or the observer or a limit ended the solve. The solution holds the last feasible iterate
@@ -310,8 +344,22 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_BELOW = 81
     ! The bytes are no saved history, of another version, or damaged.
     integer(c_int32_t), parameter, public :: STICKSLIP_FORMAT = 82
+    ! The body is rigid: nothing determines its stress.
+    integer(c_int32_t), parameter, public :: STICKSLIP_RIGID_BODY = 83
+    ! A sum over images that does not converge on a grid that repeats along both axes.
+    integer(c_int32_t), parameter, public :: STICKSLIP_REPEATS = 84
+    ! The Hurst exponent (value) lies outside [0, 1].
+    integer(c_int32_t), parameter, public :: STICKSLIP_HURST = 85
+    ! No wave of the surface has a wavelength between the longest (value) and the shortest (limit).
+    integer(c_int32_t), parameter, public :: STICKSLIP_EMPTY_BAND = 86
+    ! No heights of this skewness (value) and kurtosis (limit) were found.
+    integer(c_int32_t), parameter, public :: STICKSLIP_HEIGHTS_NOT_REACHED = 87
     ! Any other refusal: the message says which.
     integer(c_int32_t), parameter, public :: STICKSLIP_REFUSED = 127
+    ! Body 1, into which z points.
+    integer(c_int32_t), parameter, public :: STICKSLIP_BODY_1 = 1
+    ! Body 2, above it.
+    integer(c_int32_t), parameter, public :: STICKSLIP_BODY_2 = 2
     ! Major version of the library.
     integer(c_int32_t), parameter, public :: STICKSLIP_VERSION_MAJOR = 0
     ! Minor version of the library.
@@ -372,6 +420,29 @@ module stickslip_bindings
         ! That of the energy dissipated.
         real(c_double) :: dissipated_energy
     end type stickslip_step_error
+
+    ! The contact of a sphere and a plane without friction, by Hertz.
+    type, bind(c), public :: stickslip_hertz
+        ! Radius of the contact (a length): a = (3 W R/(4 E*))^(1/3), with the force W and the radius R of the sphere.
+        real(c_double) :: contact_radius
+        ! Pressure at the centre: p0 = 3 W/(2 pi a^2). At the distance r from it the pressure is p0 (1 - r^2/a^2)^(1/2).
+        real(c_double) :: max_pressure
+        ! Approach of the bodies (a length): a^2/R.
+        real(c_double) :: approach
+    end type stickslip_hertz
+
+    ! The contact of a sphere and a plane that is pressed and then loaded tangentially, by Cattaneo and Mindlin.
+    type, bind(c), public :: stickslip_cattaneo_mindlin
+        ! The normal contact.
+        type(stickslip_hertz) :: hertz
+        ! Radius of the circle that sticks (a length): c = a (1 - |Q|/(mu W))^(1/3), with the tangential force Q.
+        real(c_double) :: stick_radius
+        ! Shift (a length), with the sign of the force: 3 mu W/(16 a G*) (1 - c^2/a^2), with G* of
+        ! stickslip_pair.
+        real(c_double) :: shift
+        ! Energy dissipated as the force grows from zero.
+        real(c_double) :: dissipated_energy
+    end type stickslip_cattaneo_mindlin
 
     ! A quantity of all cells: one value, or one for each.
     type, bind(c), public :: stickslip_per_cell
@@ -712,6 +783,95 @@ module stickslip_bindings
         type(stickslip_energy) :: energy
     end type stickslip_step_result
 
+    ! What acts on the surface: the fields of a solution or a history, or any others. It is up to the caller that they belong
+    ! to the same bodies.
+    type, bind(c), public :: stickslip_tractions
+        ! Pressure of each cell, positive in compression.
+        type(c_ptr) :: pressure
+        ! Traction along x on body 1 (pressures); NULL, like that along y, without shear.
+        type(c_ptr) :: x
+        ! Traction along y on body 1.
+        type(c_ptr) :: y
+        ! Number of cells.
+        integer(c_size_t) :: count
+    end type stickslip_tractions
+
+    ! A random surface with a self-affine power spectrum; stickslip_self_affine_default() has the defaults. Wavelengths are
+    ! lengths. A spectrum constant from the longest wavelength to the roll-off falls with the wave number q as q^(-2 - 2 H) from
+    ! there to the cut-off.
+    type, bind(c), public :: stickslip_self_affine
+        ! Root-mean-square height (a length); 0 if the slope is given.
+        real(c_double) :: rms_height
+        ! Root-mean-square slope; 0 if the height is given.
+        real(c_double) :: rms_slope
+        ! Hurst exponent H, in [0, 1] (default 0.8).
+        real(c_double) :: hurst
+        ! Longest wavelength, where the spectrum begins; 0 (default): the longer side of the grid.
+        real(c_double) :: longest_wavelength
+        ! Roll-off wavelength, where the spectrum begins to fall; 0 (default): the longest wavelength.
+        real(c_double) :: roll_off_wavelength
+        ! Cut-off wavelength, where the spectrum ends, at least two cells; 0 (default): eight cells, of their longer side.
+        real(c_double) :: cut_off_wavelength
+        ! STICKSLIP_EXACT (default) or STICKSLIP_GAUSSIAN.
+        integer(c_int32_t) :: amplitudes
+        ! Not zero: the middle of a larger surface, which does not repeat; else (default) the surface repeats along x and y.
+        integer(c_int32_t) :: cropped
+        ! Skewness of the heights; NaN (default): as it follows from the phases, or 0 if a kurtosis is given.
+        real(c_double) :: skewness
+        ! Kurtosis of the heights; NaN (default): as it follows from the phases, or 3 if a skewness is given.
+        real(c_double) :: kurtosis
+        ! Another seed is another surface (default 0).
+        integer(c_int64_t) :: seed
+    end type stickslip_self_affine
+
+    ! Statistics of heights about their mean, as in ISO 25178-2.
+    type, bind(c), public :: stickslip_statistics
+        ! Mean height (a length), from which all other heights count.
+        real(c_double) :: mean_height
+        ! Arithmetic mean height Sa (a length).
+        real(c_double) :: arithmetic_mean_height
+        ! Root-mean-square height Sq (a length).
+        real(c_double) :: rms_height
+        ! Skewness Ssk; NaN for a flat surface.
+        real(c_double) :: skewness
+        ! Kurtosis Sku, 3 for a Gaussian surface; NaN for a flat one.
+        real(c_double) :: kurtosis
+        ! Height of the highest peak Sp (a length).
+        real(c_double) :: highest_peak
+        ! Depth of the deepest valley Sv (a length, positive).
+        real(c_double) :: deepest_valley
+        ! Root-mean-square slope Sdq by finite differences, without those across the edge.
+        real(c_double) :: finite_difference_rms_slope
+        ! Root-mean-square slope of the waves of the surface, continued periodically.
+        real(c_double) :: spectral_rms_slope
+        ! Excess of the area over its projection, relative to the projection, Sdr.
+        real(c_double) :: developed_area_ratio
+    end type stickslip_statistics
+
+    ! A point in a body.
+    type, bind(c), public :: stickslip_point
+        ! Position along x, that of the grid (a length).
+        real(c_double) :: x
+        ! Position along y (a length).
+        real(c_double) :: y
+        ! Depth below the surface of the body (a length), zero or positive in both bodies.
+        real(c_double) :: depth
+    end type stickslip_point
+
+    ! Displacement and stress at a point, along x, y and z, with z into body 1.
+    type, bind(c), public :: stickslip_response
+        ! Displacement of the body along x, y and z (lengths), zero at infinity.
+        real(c_double) :: displacement(3)
+        ! Stresses xx, yy and zz (pressures, positive in tension).
+        real(c_double) :: normal_stress(3)
+        ! Stresses xy, xz and yz (pressures).
+        real(c_double) :: shear_stress(3)
+        ! Principal stresses (pressures, positive in tension), the largest first.
+        real(c_double) :: principal_stress(3)
+        ! Von Mises' equivalent stress (a pressure).
+        real(c_double) :: von_mises
+    end type stickslip_response
+
     ! Options of a tangential solver; stickslip_tangential_options_default() has the defaults.
     type, bind(c), public :: stickslip_tangential_options
         ! STICKSLIP_SCALAR (default) or STICKSLIP_VECTOR.
@@ -762,6 +922,32 @@ module stickslip_bindings
             type(stickslip_step_error), intent(out), optional :: error
             integer(c_int32_t) :: answer
         end function stickslip_adaptive_steps_error
+
+        ! Hertz' contact of a sphere of this radius (a length) under this normal force on the materials of the bodies; both must be
+        ! positive.
+        function stickslip_hertz_sphere(half_space, radius, force, hertz) result(answer) bind(c)
+            import
+            type(c_ptr), value :: half_space
+            real(c_double), value :: radius
+            real(c_double), value :: force
+            type(stickslip_hertz), intent(out), optional :: hertz
+            integer(c_int32_t) :: answer
+        end function stickslip_hertz_sphere
+
+        ! Cattaneo and Mindlin's contact of a sphere under a normal force, with a coefficient of friction, under a tangential force
+        ! of either sign; STICKSLIP_BEYOND_FRICTION_CAPACITY if friction does not carry it. The coupling of pressure and shear of
+        ! dissimilar bodies is neglected.
+        function stickslip_cattaneo_mindlin_sphere(half_space, radius, force, friction, tangential_force, &
+            found) result(answer) bind(c)
+            import
+            type(c_ptr), value :: half_space
+            real(c_double), value :: radius
+            real(c_double), value :: force
+            real(c_double), value :: friction
+            real(c_double), value :: tangential_force
+            type(stickslip_cattaneo_mindlin), intent(out), optional :: found
+            integer(c_int32_t) :: answer
+        end function stickslip_cattaneo_mindlin_sphere
 
         ! Takes a step of each of count histories, the i-th load for the i-th history, on the threads of stickslip_set_num_threads.
         ! Contacts of at most 4096 cells are solved on one thread each. Each comes to the bits that it has alone.
@@ -1042,7 +1228,7 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_history_new
 
-        ! Makes a copy of a history, which goes on by itself.
+        ! Makes a copy of a history, independent of it: steps of one do not change the other.
         function stickslip_history_clone(history, copy) result(answer) bind(c)
             import
             type(c_ptr), value :: history
@@ -1320,6 +1506,85 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_normal_solution_stiffness
 
+        ! Makes planes at count depths (lengths, zero or positive, copied) below the surface of either body; with displacements
+        ! if that is not zero. The kernels of a depth, 112 bytes for each cell (152 with displacements), are made when it is first
+        ! solved, and kept.
+        function stickslip_planes_new(half_space, depths, count, with_displacements, planes) result(answer) bind(c)
+            import
+            type(c_ptr), value :: half_space
+            real(c_double), intent(in) :: depths(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t), value :: with_displacements
+            type(c_ptr), intent(out) :: planes
+            integer(c_int32_t) :: answer
+        end function stickslip_planes_new
+
+        ! Frees planes; nothing for NULL.
+        function stickslip_planes_free(planes) result(answer) bind(c)
+            import
+            type(c_ptr), value :: planes
+            integer(c_int32_t) :: answer
+        end function stickslip_planes_free
+
+        ! Solves the plane at the depth of number index, counted from zero, in body STICKSLIP_BODY_1 or STICKSLIP_BODY_2, by fast
+        ! transforms. STICKSLIP_RIGID_BODY for a rigid body. After a failure the plane solved last is as it was.
+        function stickslip_planes_solve(planes, index, which, tractions) result(answer) bind(c)
+            import
+            type(c_ptr), value :: planes
+            integer(c_size_t), value :: index
+            integer(c_int32_t), value :: which
+            type(stickslip_tractions), intent(in), optional :: tractions
+            integer(c_int32_t) :: answer
+        end function stickslip_planes_solve
+
+        ! A field of the plane solved last, STICKSLIP_STRESS_XX to STICKSLIP_STRESS_YZ or, of planes made with displacements,
+        ! STICKSLIP_DISPLACEMENT_X to STICKSLIP_DISPLACEMENT_Z, and how many cells it has (count may be NULL); NULL on failure.
+        function stickslip_planes_field(planes, which, count) result(answer) bind(c)
+            import
+            type(c_ptr), value :: planes
+            integer(c_int32_t), value :: which
+            integer(c_size_t), intent(out), optional :: count
+            type(c_ptr) :: answer
+        end function stickslip_planes_field
+
+        ! Writes STICKSLIP_VON_MISES, STICKSLIP_MAX_SHEAR or STICKSLIP_HYDROSTATIC of each cell of the plane solved last to
+        ! values, which has count entries.
+        function stickslip_planes_measure(planes, which, values, count) result(answer) bind(c)
+            import
+            type(c_ptr), value :: planes
+            integer(c_int32_t), value :: which
+            real(c_double), intent(inout) :: values(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: answer
+        end function stickslip_planes_measure
+
+        ! The options of a self-affine surface by default; height or slope is to be given.
+        function stickslip_self_affine_default() result(answer) bind(c)
+            import
+            type(stickslip_self_affine) :: answer
+        end function stickslip_self_affine_default
+
+        ! Writes the heights of a random surface (lengths, positive out of the body, of zero mean) to heights, which has count
+        ! entries. The gap of this surface to a plane is any constant less the height.
+        function stickslip_surface_self_affine(grid, surface, heights, count) result(answer) bind(c)
+            import
+            type(stickslip_grid), intent(in), optional :: grid
+            type(stickslip_self_affine), intent(in), optional :: surface
+            real(c_double), intent(inout) :: heights(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: answer
+        end function stickslip_surface_self_affine
+
+        ! The statistics of count heights (lengths) on a grid.
+        function stickslip_surface_statistics(grid, heights, count, statistics) result(answer) bind(c)
+            import
+            type(stickslip_grid), intent(in), optional :: grid
+            real(c_double), intent(in) :: heights(*)
+            integer(c_size_t), value :: count
+            type(stickslip_statistics), intent(out), optional :: statistics
+            integer(c_int32_t) :: answer
+        end function stickslip_surface_statistics
+
         ! Keeps a copy of the state of a history.
         function stickslip_state_new(history, state) result(answer) bind(c)
             import
@@ -1351,8 +1616,8 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_history_set_state
 
-        ! The state of a history as bytes, some 60 to 130 for each cell, from which stickslip_history_from_bytes goes on to the
-        ! same bits.
+        ! The state of a history as bytes, some 60 to 130 for each cell. A history made from them by stickslip_history_from_bytes
+        ! takes further steps with the same results, bit for bit.
         !
         ! length gets how many there are. With a NULL buffer and capacity 0 only that; a buffer that is too small is
         ! STICKSLIP_BUFFER_TOO_SMALL, and nothing is written to it. Each call takes about as long as a warm step.
@@ -1374,6 +1639,21 @@ module stickslip_bindings
             type(c_ptr), intent(out) :: history
             integer(c_int32_t) :: answer
         end function stickslip_history_from_bytes
+
+        ! Displacement and stress of body STICKSLIP_BODY_1 or STICKSLIP_BODY_2 at count points, written to responses, by sums over
+        ! all loaded cells: exact for a uniform traction on each. STICKSLIP_RIGID_BODY for a rigid body, STICKSLIP_REPEATS on a grid
+        ! that repeats along both axes. For whole planes stickslip_planes_solve is faster.
+        function stickslip_stress_at_points(half_space, which, tractions, points, count, &
+            responses) result(answer) bind(c)
+            import
+            type(c_ptr), value :: half_space
+            integer(c_int32_t), value :: which
+            type(stickslip_tractions), intent(in), optional :: tractions
+            type(stickslip_point), intent(in), optional :: points(*)
+            integer(c_size_t), value :: count
+            type(stickslip_response), intent(out), optional :: responses(*)
+            integer(c_int32_t) :: answer
+        end function stickslip_stress_at_points
 
         ! The gap between a sphere and a plane that touch at the origin (lengths), written to gap, which has count entries.
         function stickslip_surface_sphere(grid, radius, gap, count) result(answer) bind(c)

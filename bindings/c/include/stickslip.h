@@ -55,13 +55,14 @@
 // Slip along y.
 #define STICKSLIP_SLIP_Y 5
 
-// Displacement by pressure and tractions together along x (lengths); coupled solutions only.
+// Displacement by pressure and tractions together along x (lengths): of coupled solutions that of body 1 relative to body 2,
+// of planes below the surface that of the body.
 #define STICKSLIP_DISPLACEMENT_X 6
 
 // The same along y.
 #define STICKSLIP_DISPLACEMENT_Y 7
 
-// The same along z, the sum of both bodies.
+// The same along z; of coupled solutions the sum of both bodies.
 #define STICKSLIP_DISPLACEMENT_Z 8
 
 // Length of the path slipped, in all steps of a history or in those of a cycle (lengths).
@@ -99,6 +100,33 @@
 
 // Amplitude of the slip along y; cycles only.
 #define STICKSLIP_SLIP_AMPLITUDE_Y 20
+
+// Stress xx on a plane below the surface (pressures, positive in tension).
+#define STICKSLIP_STRESS_XX 21
+
+// Stress yy on a plane.
+#define STICKSLIP_STRESS_YY 22
+
+// Stress zz on a plane.
+#define STICKSLIP_STRESS_ZZ 23
+
+// Stress xy on a plane.
+#define STICKSLIP_STRESS_XY 24
+
+// Stress xz on a plane.
+#define STICKSLIP_STRESS_XZ 25
+
+// Stress yz on a plane.
+#define STICKSLIP_STRESS_YZ 26
+
+// Von Mises' equivalent stress (pressures), for stickslip_planes_measure.
+#define STICKSLIP_VON_MISES 27
+
+// Largest shear stress (pressures), for stickslip_planes_measure: half the difference of the largest and the smallest principal stress.
+#define STICKSLIP_MAX_SHEAR 28
+
+// Mean of the normal stresses (pressures, positive in tension), for stickslip_planes_measure.
+#define STICKSLIP_HYDROSTATIC 29
 
 // Zone of a cell out of contact.
 #define STICKSLIP_SEPARATED 0
@@ -210,6 +238,12 @@
 
 // Bytes of the message of a warning.
 #define STICKSLIP_WARNING_LENGTH 384
+
+// Each wave has the amplitude of the spectrum, and only its phase is random (default).
+#define STICKSLIP_EXACT 0
+
+// The amplitudes are random too, as of filtered white noise.
+#define STICKSLIP_GAUSSIAN 1
 
 // Done.
 #define STICKSLIP_OK 0
@@ -326,8 +360,29 @@
 // The bytes are no saved history, of another version, or damaged.
 #define STICKSLIP_FORMAT 82
 
+// The body is rigid: nothing determines its stress.
+#define STICKSLIP_RIGID_BODY 83
+
+// A sum over images that does not converge on a grid that repeats along both axes.
+#define STICKSLIP_REPEATS 84
+
+// The Hurst exponent (value) lies outside [0, 1].
+#define STICKSLIP_HURST 85
+
+// No wave of the surface has a wavelength between the longest (value) and the shortest (limit).
+#define STICKSLIP_EMPTY_BAND 86
+
+// No heights of this skewness (value) and kurtosis (limit) were found.
+#define STICKSLIP_HEIGHTS_NOT_REACHED 87
+
 // Any other refusal: the message says which.
 #define STICKSLIP_REFUSED 127
+
+// Body 1, into which z points.
+#define STICKSLIP_BODY_1 1
+
+// Body 2, above it.
+#define STICKSLIP_BODY_2 2
 
 // Major version of the library.
 #define STICKSLIP_VERSION_MAJOR 0
@@ -373,6 +428,10 @@ typedef struct stickslip_normal_solution stickslip_normal_solution;
 
 // Solves normal contacts of two bodies again and again, each solve beginning with the last answer.
 typedef struct stickslip_normal_solver stickslip_normal_solver;
+
+// Planes at chosen depths below each body, and the one that was solved last. Its fields are read without a copy, and are
+// valid until the next solve, or until it is freed.
+typedef struct stickslip_planes stickslip_planes;
 
 // A state of a history, to which it may return: gap, friction and settings are part of it.
 typedef struct stickslip_state stickslip_state;
@@ -434,6 +493,29 @@ typedef struct {
     // That of the energy dissipated.
     double dissipated_energy;
 } stickslip_step_error;
+
+// The contact of a sphere and a plane without friction, by Hertz.
+typedef struct {
+    // Radius of the contact (a length): a = (3 W R/(4 E*))^(1/3), with the force W and the radius R of the sphere.
+    double contact_radius;
+    // Pressure at the centre: p0 = 3 W/(2 pi a^2). At the distance r from it the pressure is p0 (1 - r^2/a^2)^(1/2).
+    double max_pressure;
+    // Approach of the bodies (a length): a^2/R.
+    double approach;
+} stickslip_hertz;
+
+// The contact of a sphere and a plane that is pressed and then loaded tangentially, by Cattaneo and Mindlin.
+typedef struct {
+    // The normal contact.
+    stickslip_hertz hertz;
+    // Radius of the circle that sticks (a length): c = a (1 - |Q|/(mu W))^(1/3), with the tangential force Q.
+    double stick_radius;
+    // Shift (a length), with the sign of the force: 3 mu W/(16 a G*) (1 - c^2/a^2), with G* of
+    // stickslip_pair.
+    double shift;
+    // Energy dissipated as the force grows from zero.
+    double dissipated_energy;
+} stickslip_cattaneo_mindlin;
 
 // A quantity of all cells: one value, or one for each.
 typedef struct {
@@ -502,8 +584,8 @@ typedef struct {
     size_t free;
 } stickslip_iteration;
 
-// Called before every product with the operator, also on the coarser grids of a start: return 0 to end the solve, anything
-// else to go on. It is called by one thread at a time, on more than 4096 cells possibly another than that which called the
+// Called before every product with the operator, also on the coarser grids of a start: returns 0 to end the solve, any other
+// number to continue. It is called by one thread at a time, on more than 4096 cells possibly another than that which called the
 // solve. It must not unwind or jump out, nor call functions with handles that the solve uses (STICKSLIP_BUSY).
 typedef int32_t (*stickslip_observe)(const stickslip_iteration *iteration, void *user);
 
@@ -779,6 +861,95 @@ typedef struct {
     stickslip_energy energy;
 } stickslip_step_result;
 
+// What acts on the surface: the fields of a solution or a history, or any others. It is up to the caller that they belong
+// to the same bodies.
+typedef struct {
+    // Pressure of each cell, positive in compression.
+    const double *pressure;
+    // Traction along x on body 1 (pressures); NULL, like that along y, without shear.
+    const double *x;
+    // Traction along y on body 1.
+    const double *y;
+    // Number of cells.
+    size_t count;
+} stickslip_tractions;
+
+// A random surface with a self-affine power spectrum; stickslip_self_affine_default() has the defaults. Wavelengths are
+// lengths. A spectrum constant from the longest wavelength to the roll-off falls with the wave number q as q^(-2 - 2 H) from
+// there to the cut-off.
+typedef struct {
+    // Root-mean-square height (a length); 0 if the slope is given.
+    double rms_height;
+    // Root-mean-square slope; 0 if the height is given.
+    double rms_slope;
+    // Hurst exponent H, in [0, 1] (default 0.8).
+    double hurst;
+    // Longest wavelength, where the spectrum begins; 0 (default): the longer side of the grid.
+    double longest_wavelength;
+    // Roll-off wavelength, where the spectrum begins to fall; 0 (default): the longest wavelength.
+    double roll_off_wavelength;
+    // Cut-off wavelength, where the spectrum ends, at least two cells; 0 (default): eight cells, of their longer side.
+    double cut_off_wavelength;
+    // STICKSLIP_EXACT (default) or STICKSLIP_GAUSSIAN.
+    int32_t amplitudes;
+    // Not zero: the middle of a larger surface, which does not repeat; else (default) the surface repeats along x and y.
+    int32_t cropped;
+    // Skewness of the heights; NaN (default): as it follows from the phases, or 0 if a kurtosis is given.
+    double skewness;
+    // Kurtosis of the heights; NaN (default): as it follows from the phases, or 3 if a skewness is given.
+    double kurtosis;
+    // Another seed is another surface (default 0).
+    uint64_t seed;
+} stickslip_self_affine;
+
+// Statistics of heights about their mean, as in ISO 25178-2.
+typedef struct {
+    // Mean height (a length), from which all other heights count.
+    double mean_height;
+    // Arithmetic mean height Sa (a length).
+    double arithmetic_mean_height;
+    // Root-mean-square height Sq (a length).
+    double rms_height;
+    // Skewness Ssk; NaN for a flat surface.
+    double skewness;
+    // Kurtosis Sku, 3 for a Gaussian surface; NaN for a flat one.
+    double kurtosis;
+    // Height of the highest peak Sp (a length).
+    double highest_peak;
+    // Depth of the deepest valley Sv (a length, positive).
+    double deepest_valley;
+    // Root-mean-square slope Sdq by finite differences, without those across the edge.
+    double finite_difference_rms_slope;
+    // Root-mean-square slope of the waves of the surface, continued periodically.
+    double spectral_rms_slope;
+    // Excess of the area over its projection, relative to the projection, Sdr.
+    double developed_area_ratio;
+} stickslip_statistics;
+
+// A point in a body.
+typedef struct {
+    // Position along x, that of the grid (a length).
+    double x;
+    // Position along y (a length).
+    double y;
+    // Depth below the surface of the body (a length), zero or positive in both bodies.
+    double depth;
+} stickslip_point;
+
+// Displacement and stress at a point, along x, y and z, with z into body 1.
+typedef struct {
+    // Displacement of the body along x, y and z (lengths), zero at infinity.
+    double displacement[3];
+    // Stresses xx, yy and zz (pressures, positive in tension).
+    double normal_stress[3];
+    // Stresses xy, xz and yz (pressures).
+    double shear_stress[3];
+    // Principal stresses (pressures, positive in tension), the largest first.
+    double principal_stress[3];
+    // Von Mises' equivalent stress (a pressure).
+    double von_mises;
+} stickslip_response;
+
 // Options of a tangential solver; stickslip_tangential_options_default() has the defaults.
 typedef struct {
     // STICKSLIP_SCALAR (default) or STICKSLIP_VECTOR.
@@ -816,6 +987,23 @@ stickslip_status stickslip_adaptive_steps_error(stickslip_adaptive_steps *steps,
                                                 stickslip_history *history,
                                                 const stickslip_load_step *load,
                                                 stickslip_step_error *error);
+
+// Hertz' contact of a sphere of this radius (a length) under this normal force on the materials of the bodies; both must be
+// positive.
+stickslip_status stickslip_hertz_sphere(const stickslip_half_space *half_space,
+                                        double radius,
+                                        double force,
+                                        stickslip_hertz *hertz);
+
+// Cattaneo and Mindlin's contact of a sphere under a normal force, with a coefficient of friction, under a tangential force
+// of either sign; STICKSLIP_BEYOND_FRICTION_CAPACITY if friction does not carry it. The coupling of pressure and shear of
+// dissimilar bodies is neglected.
+stickslip_status stickslip_cattaneo_mindlin_sphere(const stickslip_half_space *half_space,
+                                                   double radius,
+                                                   double force,
+                                                   double friction,
+                                                   double tangential_force,
+                                                   stickslip_cattaneo_mindlin *found);
 
 // Takes a step of each of count histories, the i-th load for the i-th history, on the threads of stickslip_set_num_threads.
 // Contacts of at most 4096 cells are solved on one thread each. Each comes to the bits that it has alone.
@@ -958,7 +1146,7 @@ stickslip_status stickslip_history_new(const stickslip_half_space *half_space,
                                        const stickslip_history_options *options,
                                        stickslip_history **history);
 
-// Makes a copy of a history, which goes on by itself.
+// Makes a copy of a history, independent of it: steps of one do not change the other.
 stickslip_status stickslip_history_clone(const stickslip_history *history, stickslip_history **copy);
 
 // Frees a history; nothing for NULL.
@@ -1091,6 +1279,49 @@ stickslip_status stickslip_normal_solution_stiffness(const stickslip_normal_solu
                                                      const stickslip_half_space *half_space,
                                                      stickslip_normal_stiffness *stiffness);
 
+// Makes planes at count depths (lengths, zero or positive, copied) below the surface of either body; with displacements
+// if that is not zero. The kernels of a depth, 112 bytes for each cell (152 with displacements), are made when it is first
+// solved, and kept.
+stickslip_status stickslip_planes_new(const stickslip_half_space *half_space,
+                                      const double *depths,
+                                      size_t count,
+                                      int32_t with_displacements,
+                                      stickslip_planes **planes);
+
+// Frees planes; nothing for NULL.
+stickslip_status stickslip_planes_free(stickslip_planes *planes);
+
+// Solves the plane at the depth of number index, counted from zero, in body STICKSLIP_BODY_1 or STICKSLIP_BODY_2, by fast
+// transforms. STICKSLIP_RIGID_BODY for a rigid body. After a failure the plane solved last is as it was.
+stickslip_status stickslip_planes_solve(stickslip_planes *planes,
+                                        size_t index,
+                                        int32_t which,
+                                        const stickslip_tractions *tractions);
+
+// A field of the plane solved last, STICKSLIP_STRESS_XX to STICKSLIP_STRESS_YZ or, of planes made with displacements,
+// STICKSLIP_DISPLACEMENT_X to STICKSLIP_DISPLACEMENT_Z, and how many cells it has (count may be NULL); NULL on failure.
+const double *stickslip_planes_field(const stickslip_planes *planes, int32_t which, size_t *count);
+
+// Writes STICKSLIP_VON_MISES, STICKSLIP_MAX_SHEAR or STICKSLIP_HYDROSTATIC of each cell of the plane solved last to
+// values, which has count entries.
+stickslip_status stickslip_planes_measure(const stickslip_planes *planes, int32_t which, double *values, size_t count);
+
+// The options of a self-affine surface by default; height or slope is to be given.
+stickslip_self_affine stickslip_self_affine_default(void);
+
+// Writes the heights of a random surface (lengths, positive out of the body, of zero mean) to heights, which has count
+// entries. The gap of this surface to a plane is any constant less the height.
+stickslip_status stickslip_surface_self_affine(const stickslip_grid *grid,
+                                               const stickslip_self_affine *surface,
+                                               double *heights,
+                                               size_t count);
+
+// The statistics of count heights (lengths) on a grid.
+stickslip_status stickslip_surface_statistics(const stickslip_grid *grid,
+                                              const double *heights,
+                                              size_t count,
+                                              stickslip_statistics *statistics);
+
 // Keeps a copy of the state of a history.
 stickslip_status stickslip_state_new(const stickslip_history *history, stickslip_state **state);
 
@@ -1103,8 +1334,8 @@ stickslip_status stickslip_state_keep(stickslip_state *state, const stickslip_hi
 // Returns a history to a state, one of its own or of another on equal bodies.
 stickslip_status stickslip_history_set_state(stickslip_history *history, const stickslip_state *state);
 
-// The state of a history as bytes, some 60 to 130 for each cell, from which stickslip_history_from_bytes goes on to the
-// same bits.
+// The state of a history as bytes, some 60 to 130 for each cell. A history made from them by stickslip_history_from_bytes
+// takes further steps with the same results, bit for bit.
 //
 // length gets how many there are. With a NULL buffer and capacity 0 only that; a buffer that is too small is
 // STICKSLIP_BUFFER_TOO_SMALL, and nothing is written to it. Each call takes about as long as a warm step.
@@ -1118,6 +1349,16 @@ stickslip_status stickslip_history_from_bytes(const stickslip_half_space *half_s
                                               const uint8_t *bytes,
                                               size_t length,
                                               stickslip_history **history);
+
+// Displacement and stress of body STICKSLIP_BODY_1 or STICKSLIP_BODY_2 at count points, written to responses, by sums over
+// all loaded cells: exact for a uniform traction on each. STICKSLIP_RIGID_BODY for a rigid body, STICKSLIP_REPEATS on a grid
+// that repeats along both axes. For whole planes stickslip_planes_solve is faster.
+stickslip_status stickslip_stress_at_points(const stickslip_half_space *half_space,
+                                            int32_t which,
+                                            const stickslip_tractions *tractions,
+                                            const stickslip_point *points,
+                                            size_t count,
+                                            stickslip_response *responses);
 
 // The gap between a sphere and a plane that touch at the origin (lengths), written to gap, which has count entries.
 stickslip_status stickslip_surface_sphere(const stickslip_grid *grid, double radius, double *gap, size_t count);

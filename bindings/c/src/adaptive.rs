@@ -6,7 +6,7 @@ use crate::call::{call, call_on};
 use crate::handle::{Handle, changing, free, give, opaque, reading};
 use crate::history::stickslip_history;
 use crate::loads::stickslip_load_step;
-use crate::pointer::{input, put, put_if_asked, room};
+use crate::pointer::{Place, answer, input};
 use crate::status::stickslip_status;
 
 /// Takes loads in steps short enough for a tolerance of the tractions: a step is compared with the same in two halves. For
@@ -38,10 +38,11 @@ pub unsafe extern "C" fn stickslip_adaptive_steps_new(
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
     call_on(history, || unsafe {
-        room("steps", steps)?;
+        let place = Place::new("steps", steps)?;
         let history = reading(history)?;
         let made = AdaptiveSteps::new(&history, tolerance)?;
-        give(steps, made, history.grid().cells())
+        give(place, made, history.grid().cells());
+        Ok(())
     })
 }
 
@@ -65,11 +66,14 @@ pub unsafe extern "C" fn stickslip_adaptive_steps_step(
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
     call_on(steps, || unsafe {
+        let place = Place::if_asked("taken", taken)?;
         let load = input("load", load)?.checked()?;
         let (mut steps, mut history) = (changing(steps)?, changing(history)?);
-        let (steps, history) = (&mut *steps, &mut *history);
-        let count = steps.step(history, &load)?;
-        put_if_asked("taken", taken, count)
+        let count = steps.step(&mut history, &load)?;
+        if let Some(place) = place {
+            place.put(count);
+        }
+        Ok(())
     })
 }
 
@@ -84,17 +88,16 @@ pub unsafe extern "C" fn stickslip_adaptive_steps_error(
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
     call_on(steps, || unsafe {
-        room("error", error)?;
-        let load = input("load", load)?.checked()?;
-        let (mut steps, mut history) = (changing(steps)?, changing(history)?);
-        let (steps, history) = (&mut *steps, &mut *history);
-        let found = steps.error(history, &load)?;
-        let found = stickslip_step_error {
-            traction: found.traction,
-            force: found.force,
-            shift: found.shift,
-            dissipated_energy: found.dissipated_energy,
-        };
-        put("error", error, found)
+        answer("error", error, || {
+            let load = input("load", load)?.checked()?;
+            let (mut steps, mut history) = (changing(steps)?, changing(history)?);
+            let found = steps.error(&mut history, &load)?;
+            Ok(stickslip_step_error {
+                traction: found.traction,
+                force: found.force,
+                shift: found.shift,
+                dissipated_energy: found.dissipated_energy,
+            })
+        })
     })
 }

@@ -1,32 +1,27 @@
 //! Pressure and shear of dissimilar bodies found together.
 
-use stickslip_rs::{CoupledProblem, CoupledSolution, CoupledSolver, Grid};
+use stickslip_rs::coupled::CoupledReport;
+use stickslip_rs::{CoupledProblem, CoupledSolution, CoupledSolver, Field};
 
-use crate::call::{Outcome, call, call_for, call_on};
+use crate::call::{Outcome, call, call_on};
 use crate::fields::*;
 use crate::half_space::stickslip_half_space;
-use crate::handle::{Handle, changing, free, give, opaque, reading};
+use crate::handle::{Handle, free, give, opaque, reading};
 use crate::inputs::{stickslip_friction, stickslip_relative_displacement, stickslip_settings};
 use crate::loads::{stickslip_normal_load, stickslip_tangential_load};
-use crate::observer::{stickslip_observer, watch};
-use crate::pointer::{field, input, optional, put, room, samples};
+use crate::observer::stickslip_observer;
+use crate::pointer::{Place, field, input, optional};
+use crate::reading::{show, tell, warn};
 use crate::results::{
-    put_warnings, stickslip_normal_result, stickslip_report, stickslip_tangential_result,
-    stickslip_warning,
+    stickslip_normal_result, stickslip_report, stickslip_tangential_result, stickslip_warning,
 };
+use crate::solver::{self, Solver};
 use crate::status::stickslip_status;
 
 /// Solves coupled contacts again and again, each from rest in one step, beginning with the last answer.
-pub struct stickslip_coupled_solver(Handle<Solver>);
+pub struct stickslip_coupled_solver(Handle<Solver<CoupledSolver>>);
 
-opaque!(stickslip_coupled_solver holds Solver, named "coupled solver");
-
-/// A solver with what it does not tell of itself.
-#[derive(Debug)]
-pub struct Solver {
-    own: CoupledSolver,
-    grid: Grid,
-}
+opaque!(stickslip_coupled_solver holds Solver<CoupledSolver>, named "coupled solver");
 
 /// Pressure, tractions and displacements of a coupled contact. Its fields are read without a copy, and are valid until the
 /// next solve into it, or until it is freed.
@@ -50,6 +45,19 @@ pub struct stickslip_coupled_report {
     pub error_estimate: [f64; 2],
 }
 
+impl From<&CoupledReport> for stickslip_coupled_report {
+    fn from(report: &CoupledReport) -> Self {
+        let estimate = report.error_estimate.as_ref();
+        Self {
+            work: (&report.work).into(),
+            pressure_error_bound: report.pressure_error_bound,
+            traction_error_bound: report.traction_error_bound,
+            error_bounds: report.error_bounds.unwrap_or([f64::NAN; 2]),
+            error_estimate: estimate.map_or([f64::NAN; 2], |of| [of.pressure, of.traction]),
+        }
+    }
+}
+
 /// Makes a solver of a gap before loading (lengths, count entries, copied). relative (none) and settings (the defaults) may
 /// be NULL.
 #[unsafe(no_mangle)]
@@ -65,7 +73,8 @@ pub unsafe extern "C" fn stickslip_coupled_solver_new(
     solver: *mut *mut stickslip_coupled_solver,
 ) -> stickslip_status {
     call_on(half_space, || {
-        room("solver", solver)?;
+        // SAFETY: the rule for pointers.
+        let place = unsafe { Place::new("solver", solver)? };
         // SAFETY: the rule for pointers.
         let (bodies, gap, friction) = unsafe {
             let bodies = reading(half_space)?;
@@ -89,8 +98,8 @@ pub unsafe extern "C" fn stickslip_coupled_solver_new(
         }
         let problem = problem.build()?;
         let own = problem.into_solver()?;
-        // SAFETY: the rule for pointers.
-        unsafe { give(solver, Solver { own, grid }, grid.cells()) }
+        give(place, Solver { own, grid }, grid.cells());
+        Ok(())
     })
 }
 
@@ -110,10 +119,10 @@ pub unsafe extern "C" fn stickslip_coupled_solver_set_normal(
     normal: *const stickslip_normal_load,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(solver, || unsafe {
-        let normal = input("normal", normal)?.checked()?;
-        Ok(changing(solver)?.own.set_normal(normal)?)
-    })
+    unsafe {
+        let check = stickslip_normal_load::checked;
+        solver::change(solver, ("normal", normal), check, CoupledSolver::set_normal)
+    }
 }
 
 /// Changes the tangential load of the next solve.
@@ -123,10 +132,10 @@ pub unsafe extern "C" fn stickslip_coupled_solver_set_load(
     load: *const stickslip_tangential_load,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(solver, || unsafe {
-        let load = input("load", load)?.checked()?;
-        Ok(changing(solver)?.own.set_load(load)?)
-    })
+    unsafe {
+        let check = stickslip_tangential_load::checked;
+        solver::change(solver, ("load", load), check, CoupledSolver::set_load)
+    }
 }
 
 /// Changes the gap before loading of the next solve (lengths, count entries, copied).
@@ -137,11 +146,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_set_gap(
     count: usize,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(solver, || unsafe {
-        let mut solver = changing(solver)?;
-        let gap = field("gap", solver.grid, gap, count)?;
-        Ok(solver.own.set_gap(&gap)?)
-    })
+    unsafe { solver::change_cells(solver, ("gap", gap, count), CoupledSolver::set_gap) }
 }
 
 /// Changes the friction of the next solve.
@@ -151,11 +156,11 @@ pub unsafe extern "C" fn stickslip_coupled_solver_set_friction(
     friction: *const stickslip_friction,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(solver, || unsafe {
-        let mut solver = changing(solver)?;
-        let friction = input("friction", friction)?.checked(solver.grid)?;
-        Ok(solver.own.set_friction(&friction)?)
-    })
+    unsafe {
+        let check = |given: &stickslip_friction, grid| given.checked(grid);
+        let set = CoupledSolver::set_friction;
+        solver::change_on_grid(solver, ("friction", friction), check, set)
+    }
 }
 
 /// Changes method, tolerance and limits of the next solve.
@@ -165,10 +170,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_set_settings(
     settings: *const stickslip_settings,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(solver, || unsafe {
-        let settings = input("settings", settings)?.checked()?;
-        Ok(changing(solver)?.own.set_settings(settings)?)
-    })
+    unsafe { solver::set_settings(solver, settings) }
 }
 
 /// Forgets the last answer: the next solve starts as the first did.
@@ -177,10 +179,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_reset(
     solver: *mut stickslip_coupled_solver,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(solver, || unsafe {
-        changing(solver)?.own.reset();
-        Ok(())
-    })
+    unsafe { solver::reset(solver) }
 }
 
 /// Solves into a solution of stickslip_coupled_solution_new for the same bodies. observer may be NULL. With
@@ -191,14 +190,8 @@ pub unsafe extern "C" fn stickslip_coupled_solver_solve(
     solution: *mut stickslip_coupled_solution,
     observer: *const stickslip_observer,
 ) -> stickslip_status {
-    call_on(solver, || {
-        // SAFETY: the rule for pointers.
-        let (mut solver, mut solution, observer) = unsafe {
-            let observer = optional("observer", observer)?;
-            (changing(solver)?, changing(solution)?, observer)
-        };
-        Ok(solver.own.solve_observed(&mut solution, watch(observer))?)
-    })
+    // SAFETY: the rule for pointers.
+    unsafe { solver::solve(solver, solution, observer) }
 }
 
 /// Makes an empty solution of the right size for a solver.
@@ -208,11 +201,7 @@ pub unsafe extern "C" fn stickslip_coupled_solution_new(
     solution: *mut *mut stickslip_coupled_solution,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(solver, || unsafe {
-        room("solution", solution)?;
-        let solver = reading(solver)?;
-        give(solution, solver.own.new_solution(), solver.grid.cells())
-    })
+    unsafe { solver::new_solution(solver, solution) }
 }
 
 /// Frees a solution; nothing for NULL.
@@ -232,13 +221,10 @@ pub unsafe extern "C" fn stickslip_coupled_solution_field(
     count: *mut usize,
 ) -> *const f64 {
     // SAFETY: the rule for pointers.
-    call_for(|| unsafe {
-        let solution = reading(solution)?;
-        samples(own_field(&solution, which)?.as_slice(), count)
-    })
+    unsafe { show(solution, count, |of| Ok(own_field(of, which)?.as_slice())) }
 }
 
-fn own_field(solution: &CoupledSolution, which: i32) -> Outcome<&stickslip_rs::Field> {
+fn own_field(solution: &CoupledSolution, which: i32) -> Outcome<&Field> {
     match which {
         STICKSLIP_PRESSURE | STICKSLIP_GAP => of_normal(solution.normal(), which),
         STICKSLIP_DISPLACEMENT_X => Ok(solution.displacement()[0]),
@@ -255,7 +241,7 @@ pub unsafe extern "C" fn stickslip_coupled_solution_zones(
     count: *mut usize,
 ) -> *const u8 {
     // SAFETY: the rule for pointers.
-    call_for(|| unsafe { Ok(samples(reading(solution)?.shear().zones(), count)?.cast()) })
+    unsafe { show(solution, count, |of| Ok(of.shear().zones())).cast() }
 }
 
 /// The numbers of both halves; either may be NULL.
@@ -267,9 +253,16 @@ pub unsafe extern "C" fn stickslip_coupled_solution_results(
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
     call_on(solution, || unsafe {
+        let normal = Place::if_asked("normal", normal)?;
+        let tangential = Place::if_asked("tangential", tangential)?;
         let solution = reading(solution)?;
-        crate::pointer::put_if_asked("normal", normal, solution.normal().into())?;
-        crate::pointer::put_if_asked("tangential", tangential, solution.shear().into())
+        if let Some(place) = normal {
+            place.put(solution.normal().into());
+        }
+        if let Some(place) = tangential {
+            place.put(solution.shear().into());
+        }
+        Ok(())
     })
 }
 
@@ -280,19 +273,7 @@ pub unsafe extern "C" fn stickslip_coupled_solution_report(
     report: *mut stickslip_coupled_report,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(solution, || unsafe {
-        let solution = reading(solution)?;
-        let own = solution.report();
-        let estimate = own.error_estimate.as_ref();
-        let found = stickslip_coupled_report {
-            work: (&own.work).into(),
-            pressure_error_bound: own.pressure_error_bound,
-            traction_error_bound: own.traction_error_bound,
-            error_bounds: own.error_bounds.unwrap_or([f64::NAN; 2]),
-            error_estimate: estimate.map_or([f64::NAN; 2], |of| [of.pressure, of.traction]),
-        };
-        put("report", report, found)
-    })
+    unsafe { tell(solution, ("report", report), |of| Ok(of.report().into())) }
 }
 
 /// Diagnostics that may mislead: as stickslip_normal_solution_warnings.
@@ -304,7 +285,11 @@ pub unsafe extern "C" fn stickslip_coupled_solution_warnings(
     count: *mut usize,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(solution, || unsafe {
-        put_warnings(&reading(solution)?.warnings(), buffer, capacity, count)
-    })
+    unsafe {
+        warn(
+            solution,
+            (buffer, capacity, count),
+            CoupledSolution::warnings,
+        )
+    }
 }

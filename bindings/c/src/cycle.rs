@@ -3,12 +3,13 @@
 use stickslip_rs::Field;
 use stickslip_rs::history::{Cycle, Regime};
 
-use crate::call::{Outcome, call, call_for, call_on};
+use crate::call::{Outcome, call, call_on};
 use crate::fields::*;
 use crate::handle::{Handle, changing, free, give, opaque, reading};
 use crate::history::stickslip_history;
 use crate::history_reading::stickslip_energy;
-use crate::pointer::{put, room, samples};
+use crate::pointer::Place;
+use crate::reading::{show, tell};
 use crate::status::stickslip_status;
 
 /// What the steps of a history add up to since the cycle began.
@@ -72,9 +73,10 @@ pub unsafe extern "C" fn stickslip_cycle_new(
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
     call_on(history, || unsafe {
-        room("cycle", cycle)?;
+        let place = Place::new("cycle", cycle)?;
         let history = reading(history)?;
-        give(cycle, Cycle::new(&history), history.grid().cells())
+        give(place, Cycle::new(&history), history.grid().cells());
+        Ok(())
     })
 }
 
@@ -118,9 +120,7 @@ pub unsafe extern "C" fn stickslip_cycle_result_of(
     result: *mut stickslip_cycle_result,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(cycle, || unsafe {
-        put("result", result, (&*reading(cycle)?).into())
-    })
+    unsafe { tell(cycle, ("result", result), |of| Ok(of.into())) }
 }
 
 /// A field of the cycle: STICKSLIP_SLIP_DISTANCE, STICKSLIP_DISSIPATED_ENERGY, STICKSLIP_SLIP_PRESSURE,
@@ -132,10 +132,7 @@ pub unsafe extern "C" fn stickslip_cycle_field(
     count: *mut usize,
 ) -> *const f64 {
     // SAFETY: the rule for pointers.
-    call_for(|| unsafe {
-        let cycle = reading(cycle)?;
-        samples(field(&cycle, which)?.as_slice(), count)
-    })
+    unsafe { show(cycle, count, |of| Ok(field(of, which)?.as_slice())) }
 }
 
 fn field(cycle: &Cycle, which: i32) -> Outcome<&Field> {

@@ -5,8 +5,8 @@ use std::ffi::{CString, c_char};
 
 use stickslip_rs::Error;
 
-use crate::call::{Outcome, call};
-use crate::pointer::put;
+use crate::call::call;
+use crate::pointer::answer;
 use crate::results::stickslip_report;
 use crate::status::*;
 
@@ -65,7 +65,7 @@ impl Failure {
         )
     }
 
-    /// A number that is none of the constants.
+    /// A number that no constant of the kind has.
     pub(crate) fn option(name: &str, value: i32) -> Self {
         Self::new(
             STICKSLIP_NO_SUCH_OPTION,
@@ -154,6 +154,11 @@ fn code_of(error: &Error) -> stickslip_status {
         Error::Method { .. } => STICKSLIP_METHOD,
         Error::Below { .. } => STICKSLIP_BELOW,
         Error::Format { .. } => STICKSLIP_FORMAT,
+        Error::RigidBody(_) => STICKSLIP_RIGID_BODY,
+        Error::Repeats(_) => STICKSLIP_REPEATS,
+        Error::Hurst(_) => STICKSLIP_HURST,
+        Error::EmptyBand { .. } => STICKSLIP_EMPTY_BAND,
+        Error::HeightsNotReached { .. } => STICKSLIP_HEIGHTS_NOT_REACHED,
         _ => STICKSLIP_REFUSED,
     }
 }
@@ -166,6 +171,7 @@ fn fill(numbers: &mut stickslip_error, error: &Error) {
         | Error::NotModelled { value, .. }
         | Error::PoissonRatio(value)
         | Error::Tolerance(value)
+        | Error::Hurst(value)
         | Error::CoupledMaterials { beta: value } => numbers.value = value,
         Error::BeyondFrictionCapacity {
             force: value,
@@ -180,6 +186,15 @@ fn fill(numbers: &mut stickslip_error, error: &Error) {
             mean_gap: limit,
         }
         | Error::ObliqueLoad { x: value, y: limit }
+        | Error::EmptyBand {
+            longest: value,
+            shortest: limit,
+        }
+        | Error::HeightsNotReached {
+            skewness: value,
+            kurtosis: limit,
+            ..
+        }
         | Error::Below {
             value,
             least: limit,
@@ -246,10 +261,12 @@ pub extern "C" fn stickslip_last_error_message() -> *const c_char {
 /// The numbers of the last failure on this thread.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_last_error(error: *mut stickslip_error) -> stickslip_status {
-    call(|| {
-        let numbers = LAST.try_with(|last| last.borrow().numbers);
-        // SAFETY: the rule for pointers.
-        unsafe { put("error", error, numbers.unwrap_or_default()) }
+    // SAFETY: the rule for pointers.
+    call(|| unsafe {
+        answer("error", error, || {
+            let numbers = LAST.try_with(|last| last.borrow().numbers);
+            Ok(numbers.unwrap_or_default())
+        })
     })
 }
 
@@ -258,11 +275,12 @@ pub unsafe extern "C" fn stickslip_last_error(error: *mut stickslip_error) -> st
 pub unsafe extern "C" fn stickslip_last_error_report(
     report: *mut stickslip_report,
 ) -> stickslip_status {
-    call(|| {
-        let last = LAST.try_with(|last| last.borrow().report).ok().flatten();
-        let none = || Failure::new(STICKSLIP_REFUSED, "the last failure has no report".into());
-        let last: Outcome<_> = last.ok_or_else(none);
-        // SAFETY: the rule for pointers.
-        unsafe { put("report", report, last?) }
+    // SAFETY: the rule for pointers.
+    call(|| unsafe {
+        answer("report", report, || {
+            let last = LAST.try_with(|last| last.borrow().report).ok().flatten();
+            let none = || Failure::new(STICKSLIP_REFUSED, "the last failure has no report".into());
+            last.ok_or_else(none)
+        })
     })
 }

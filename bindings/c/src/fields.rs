@@ -17,11 +17,12 @@ pub const STICKSLIP_TRACTION_Y: i32 = 3;
 pub const STICKSLIP_SLIP_X: i32 = 4;
 /// Slip along y.
 pub const STICKSLIP_SLIP_Y: i32 = 5;
-/// Displacement by pressure and tractions together along x (lengths); coupled solutions only.
+/// Displacement by pressure and tractions together along x (lengths): of coupled solutions that of body 1 relative to body 2,
+/// of planes below the surface that of the body.
 pub const STICKSLIP_DISPLACEMENT_X: i32 = 6;
 /// The same along y.
 pub const STICKSLIP_DISPLACEMENT_Y: i32 = 7;
-/// The same along z, the sum of both bodies.
+/// The same along z; of coupled solutions the sum of both bodies.
 pub const STICKSLIP_DISPLACEMENT_Z: i32 = 8;
 /// Length of the path slipped, in all steps of a history or in those of a cycle (lengths).
 pub const STICKSLIP_SLIP_DISTANCE: i32 = 9;
@@ -47,6 +48,24 @@ pub const STICKSLIP_SLIP_PRESSURE: i32 = 18;
 pub const STICKSLIP_SLIP_AMPLITUDE_X: i32 = 19;
 /// Amplitude of the slip along y; cycles only.
 pub const STICKSLIP_SLIP_AMPLITUDE_Y: i32 = 20;
+/// Stress xx on a plane below the surface (pressures, positive in tension).
+pub const STICKSLIP_STRESS_XX: i32 = 21;
+/// Stress yy on a plane.
+pub const STICKSLIP_STRESS_YY: i32 = 22;
+/// Stress zz on a plane.
+pub const STICKSLIP_STRESS_ZZ: i32 = 23;
+/// Stress xy on a plane.
+pub const STICKSLIP_STRESS_XY: i32 = 24;
+/// Stress xz on a plane.
+pub const STICKSLIP_STRESS_XZ: i32 = 25;
+/// Stress yz on a plane.
+pub const STICKSLIP_STRESS_YZ: i32 = 26;
+/// Von Mises' equivalent stress (pressures), for stickslip_planes_measure.
+pub const STICKSLIP_VON_MISES: i32 = 27;
+/// Largest shear stress (pressures), for stickslip_planes_measure: half the difference of the largest and the smallest principal stress.
+pub const STICKSLIP_MAX_SHEAR: i32 = 28;
+/// Mean of the normal stresses (pressures, positive in tension), for stickslip_planes_measure.
+pub const STICKSLIP_HYDROSTATIC: i32 = 29;
 
 /// Zone of a cell out of contact.
 pub const STICKSLIP_SEPARATED: u8 = 0;

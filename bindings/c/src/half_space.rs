@@ -3,9 +3,10 @@
 use stickslip_rs::{Boundary, ElasticPair, HalfSpace};
 
 use crate::call::call;
-use crate::handle::{Handle, free, give, opaque, reading};
+use crate::handle::{Handle, free, give, opaque};
 use crate::inputs::{stickslip_boundary, stickslip_grid, stickslip_material};
-use crate::pointer::{input, optional, put, room};
+use crate::pointer::{Place, input, optional};
+use crate::reading::tell;
 use crate::status::stickslip_status;
 use crate::threads::enter;
 
@@ -39,7 +40,8 @@ pub unsafe extern "C" fn stickslip_half_space_new(
     half_space: *mut *mut stickslip_half_space,
 ) -> stickslip_status {
     call(|| {
-        room("half_space", half_space)?;
+        // SAFETY: the rule for pointers.
+        let place = unsafe { Place::new("half_space", half_space)? };
         // SAFETY: the rule for pointers.
         let (grid, bodies, boundary) = unsafe {
             let bodies = [input("body_1", body_1)?, input("body_2", body_2)?];
@@ -54,8 +56,8 @@ pub unsafe extern "C" fn stickslip_half_space_new(
         let grid = grid.checked()?;
         let make = || HalfSpace::with_boundary(grid, pair, boundary);
         let bodies = enter(grid.cells(), make)?;
-        // SAFETY: the rule for pointers.
-        unsafe { give(half_space, bodies, grid.cells()) }
+        give(place, bodies, grid.cells());
+        Ok(())
     })
 }
 
@@ -75,10 +77,7 @@ pub unsafe extern "C" fn stickslip_half_space_grid(
     grid: *mut stickslip_grid,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
-        let bodies = reading(half_space)?;
-        put("grid", grid, bodies.grid().into())
-    })
+    unsafe { tell(half_space, ("grid", grid), |of| Ok(of.grid().into())) }
 }
 
 /// The constants of the pair.
@@ -88,15 +87,15 @@ pub unsafe extern "C" fn stickslip_half_space_pair(
     pair: *mut stickslip_pair,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe {
-        let bodies = reading(half_space)?;
-        let own = bodies.pair();
-        let constants = stickslip_pair {
-            contact_modulus: own.contact_modulus(),
-            tangential_modulus: own.tangential_modulus(),
-            dundurs_beta: own.dundurs_beta(),
-            is_coupled: i32::from(own.is_coupled()),
-        };
-        put("pair", pair, constants)
-    })
+    unsafe {
+        tell(half_space, ("pair", pair), |of| {
+            let own = of.pair();
+            Ok(stickslip_pair {
+                contact_modulus: own.contact_modulus(),
+                tangential_modulus: own.tangential_modulus(),
+                dundurs_beta: own.dundurs_beta(),
+                is_coupled: i32::from(own.is_coupled()),
+            })
+        })
+    }
 }

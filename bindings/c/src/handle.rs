@@ -6,7 +6,8 @@ use std::sync::atomic::{AtomicIsize, Ordering};
 
 use crate::call::Outcome;
 use crate::error::Failure;
-use crate::pointer::{input, put};
+use crate::pointer::{Place, input};
+use crate::spare::Spare;
 
 /// A value that several may read at once, or one may change.
 #[derive(Debug)]
@@ -15,6 +16,8 @@ pub(crate) struct Handle<T> {
     users: AtomicIsize,
     /// Cells of its grid.
     cells: usize,
+    /// Memory for its calls.
+    spare: Spare,
     value: UnsafeCell<T>,
 }
 
@@ -42,6 +45,13 @@ impl<T> Handle<T> {
 #[derive(Debug)]
 pub(crate) struct Reading<'a, T>(&'a Handle<T>);
 
+impl<'a, T> Reading<'a, T> {
+    /// Memory for this call.
+    pub(crate) fn spare(&self) -> &'a Spare {
+        &self.0.spare
+    }
+}
+
 impl<T> Deref for Reading<'_, T> {
     type Target = T;
 
@@ -63,6 +73,13 @@ pub(crate) struct Changing<'a, T>(&'a Handle<T>);
 
 // SAFETY: it is the only way to the value while it lives, as a mutable reference is.
 unsafe impl<T: Send> Send for Changing<'_, T> {}
+
+impl<'a, T> Changing<'a, T> {
+    /// Memory for this call.
+    pub(crate) fn spare(&self) -> &'a Spare {
+        &self.0.spare
+    }
+}
 
 impl<T> Deref for Changing<'_, T> {
     type Target = T;
@@ -119,21 +136,14 @@ macro_rules! opaque {
 pub(crate) use opaque;
 
 /// Hands a new object over to C, with the number of cells of its grid.
-///
-/// # Safety
-/// The rule for pointers.
-pub(crate) unsafe fn give<T: Opaque>(out: *mut *mut T, value: T::Value, cells: usize) -> Outcome {
+pub(crate) fn give<T: Opaque>(place: Place<*mut T>, value: T::Value, cells: usize) {
     let object = Box::new(T::from(Handle {
         users: AtomicIsize::new(0),
         cells,
+        spare: Spare::default(),
         value: UnsafeCell::new(value),
     }));
-    let pointer = Box::into_raw(object);
-    // SAFETY: as of this function; where it fails, the pointer is still that of the box alone.
-    unsafe {
-        put("the place for the new handle", out, pointer)
-            .inspect_err(|_| drop(Box::from_raw(pointer)))
-    }
+    place.put(Box::into_raw(object));
 }
 
 /// Cells of the grid of an object, whoever uses it; none without one.

@@ -14,7 +14,8 @@ use crate::inputs::{
 use crate::loads::stickslip_load_step;
 use crate::model::{STICKSLIP_FULL, STICKSLIP_SCALAR, coupling, model};
 use crate::observer::{stickslip_observer, watch};
-use crate::pointer::{field, input, optional, put, room};
+use crate::pointer::{Place, cells, field, input, optional};
+use crate::reading::tell;
 use crate::status::stickslip_status;
 use crate::stiffness::stickslip_stiffness;
 
@@ -83,7 +84,8 @@ pub unsafe extern "C" fn stickslip_history_new(
     history: *mut *mut stickslip_history,
 ) -> stickslip_status {
     call_on(half_space, || {
-        room("history", history)?;
+        // SAFETY: the rule for pointers.
+        let place = unsafe { Place::new("history", history)? };
         // SAFETY: the rule for pointers.
         let (bodies, friction, options) = unsafe {
             let bodies = reading(half_space)?;
@@ -114,8 +116,8 @@ pub unsafe extern "C" fn stickslip_history_new(
             }
         }
         let made = builder.build()?;
-        // SAFETY: the rule for pointers.
-        unsafe { give(history, made, grid.cells()) }
+        give(place, made, grid.cells());
+        Ok(())
     })
 }
 
@@ -135,7 +137,7 @@ fn touch_rule(value: i32) -> Outcome<TouchRule> {
     }
 }
 
-/// Makes a copy of a history, which goes on by itself.
+/// Makes a copy of a history, independent of it: steps of one do not change the other.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_clone(
     history: *const stickslip_history,
@@ -143,9 +145,10 @@ pub unsafe extern "C" fn stickslip_history_clone(
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
     call_on(history, || unsafe {
-        room("copy", copy)?;
+        let place = Place::new("copy", copy)?;
         let history = reading(history)?;
-        give(copy, History::clone(&history), history.grid().cells())
+        give(place, History::clone(&history), history.grid().cells());
+        Ok(())
     })
 }
 
@@ -188,8 +191,10 @@ pub unsafe extern "C" fn stickslip_history_set_gap(
     // SAFETY: the rule for pointers.
     call_on(history, || unsafe {
         let mut history: Changing<'_, History> = changing(history)?;
-        let gap = field("gap", history.grid(), gap, count)?;
-        Ok(history.set_gap(&gap)?)
+        let samples = cells("gap", history.grid(), gap, count)?;
+        history
+            .spare()
+            .with_copy(history.grid(), samples, |gap| Ok(history.set_gap(gap)?))
     })
 }
 
@@ -240,13 +245,10 @@ pub unsafe extern "C" fn stickslip_history_stiffness(
     history: *const stickslip_history,
     stiffness: *mut stickslip_stiffness,
 ) -> stickslip_status {
-    call_on(history, || {
-        room("stiffness", stiffness)?;
-        // SAFETY: the rule for pointers.
-        let history = unsafe { reading(history)? };
-        let history = &*history;
-        let found = history.stiffness()?;
-        // SAFETY: the rule for pointers.
-        unsafe { put("stiffness", stiffness, found.into()) }
-    })
+    // SAFETY: the rule for pointers.
+    unsafe {
+        tell(history, ("stiffness", stiffness), |of| {
+            Ok(of.stiffness()?.into())
+        })
+    }
 }

@@ -3,15 +3,14 @@
 use stickslip_rs::history::EnergyBalance;
 use stickslip_rs::{Field, History};
 
-use crate::call::{Outcome, call_for, call_on};
+use crate::call::{Outcome, call_on};
 use crate::fields::*;
 use crate::handle::reading;
 use crate::history::stickslip_history;
 use crate::inputs::stickslip_grid;
-use crate::pointer::{put, samples};
-use crate::results::{
-    put_warnings, stickslip_normal_result, stickslip_report, stickslip_warning, unsolved,
-};
+use crate::pointer::Place;
+use crate::reading::{show, tell, warn};
+use crate::results::{stickslip_normal_result, stickslip_report, stickslip_warning, unsolved};
 use crate::status::stickslip_status;
 
 /// Work, elastic energy and dissipation of a step or a cycle.
@@ -103,9 +102,7 @@ pub unsafe extern "C" fn stickslip_history_result(
     result: *mut stickslip_step_result,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(history, || unsafe {
-        put("result", result, (&*reading(history)?).into())
-    })
+    unsafe { tell(history, ("result", result), |of| Ok(of.into())) }
 }
 
 /// The numbers of the normal contact.
@@ -115,9 +112,7 @@ pub unsafe extern "C" fn stickslip_history_normal_result(
     result: *mut stickslip_normal_result,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(history, || unsafe {
-        put("result", result, reading(history)?.normal().into())
-    })
+    unsafe { tell(history, ("result", result), |of| Ok(of.normal().into())) }
 }
 
 /// The grid of all fields.
@@ -127,9 +122,7 @@ pub unsafe extern "C" fn stickslip_history_grid(
     grid: *mut stickslip_grid,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(history, || unsafe {
-        put("grid", grid, reading(history)?.grid().into())
-    })
+    unsafe { tell(history, ("grid", grid), |of| Ok(of.grid().into())) }
 }
 
 /// The largest tangential force that friction holds at the present pressure.
@@ -139,9 +132,11 @@ pub unsafe extern "C" fn stickslip_history_friction_capacity(
     capacity: *mut f64,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(history, || unsafe {
-        put("capacity", capacity, reading(history)?.friction_capacity())
-    })
+    unsafe {
+        tell(history, ("capacity", capacity), |of| {
+            Ok(of.friction_capacity())
+        })
+    }
 }
 
 /// How pressure and traction of the last step were solved; STICKSLIP_UNSOLVED if the pressure was held, or before anything
@@ -154,11 +149,14 @@ pub unsafe extern "C" fn stickslip_history_reports(
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
     call_on(history, || unsafe {
+        let normal = Place::new("normal", normal)?;
+        let tangential = Place::new("tangential", tangential)?;
         let history = reading(history)?;
         let step = history.last_step();
         let report = |own: Option<_>| own.map_or_else(unsolved, stickslip_report::from);
-        put("normal", normal, report(step.normal_report()))?;
-        put("tangential", tangential, report(step.tangential_report()))
+        normal.put(report(step.normal_report()));
+        tangential.put(report(step.tangential_report()));
+        Ok(())
     })
 }
 
@@ -171,10 +169,11 @@ pub unsafe extern "C" fn stickslip_history_warnings(
     count: *mut usize,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(history, || unsafe {
-        let warnings = reading(history)?.last_step().warnings();
-        put_warnings(&warnings, buffer, capacity, count)
-    })
+    unsafe {
+        warn(history, (buffer, capacity, count), |of| {
+            of.last_step().warnings()
+        })
+    }
 }
 
 /// A field by its number, STICKSLIP_PRESSURE to STICKSLIP_YIELDED_DEPTH but displacements, and how many cells it has (count
@@ -186,10 +185,7 @@ pub unsafe extern "C" fn stickslip_history_field(
     count: *mut usize,
 ) -> *const f64 {
     // SAFETY: the rule for pointers.
-    call_for(|| unsafe {
-        let history = reading(history)?;
-        samples(field(&history, which)?.as_slice(), count)
-    })
+    unsafe { show(history, count, |of| Ok(field(of, which)?.as_slice())) }
 }
 
 fn field(history: &History, which: i32) -> Outcome<&Field> {
@@ -220,5 +216,5 @@ pub unsafe extern "C" fn stickslip_history_zones(
     count: *mut usize,
 ) -> *const u8 {
     // SAFETY: the rule for pointers.
-    call_for(|| unsafe { Ok(samples(reading(history)?.zones(), count)?.cast()) })
+    unsafe { show(history, count, |of| Ok(of.zones())).cast() }
 }

@@ -9,7 +9,7 @@ use stickslip_rs::{Boundary, Field, Friction, Grid, Material};
 
 use crate::call::Outcome;
 use crate::error::Failure;
-use crate::pointer::field;
+use crate::pointer::{cells, field};
 
 /// A grid of nx by ny rectangular cells of sides dx and dy (lengths), centred on the origin. An array of samples has
 /// nx * ny entries, row by row with x fastest: that of cell (ix, iy) is at iy * nx + ix.
@@ -110,16 +110,27 @@ pub struct stickslip_per_cell {
 }
 
 impl stickslip_per_cell {
-    /// The field, if there is one.
+    /// The values of the cells, if there are any.
     ///
     /// # Safety
     /// The rule for pointers.
-    pub(crate) unsafe fn field(&self, name: &str, grid: Grid) -> Outcome<Option<Field>> {
+    pub(crate) unsafe fn cells(&self, name: &str, grid: Grid) -> Outcome<Option<&[f64]>> {
         if self.cells.is_null() {
             return Ok(None);
         }
         // SAFETY: as of this function.
-        unsafe { field(name, grid, self.cells, self.count) }.map(Some)
+        unsafe { cells(name, grid, self.cells, self.count) }.map(Some)
+    }
+
+    /// The same, copied to keep.
+    ///
+    /// # Safety
+    /// The rule for pointers.
+    unsafe fn field(&self, name: &str, grid: Grid) -> Outcome<Option<Field>> {
+        // SAFETY: as of this function.
+        let samples = unsafe { self.cells(name, grid)? };
+        let field = samples.map(|samples| Field::from_vec(grid, samples.to_vec()));
+        Ok(field.transpose()?)
     }
 
     /// As the largest pressure that cells carry.

@@ -7,6 +7,7 @@
 #![allow(non_camel_case_types, reason = "names of types are those of C")]
 
 pub mod adaptive;
+pub mod analytical;
 pub mod batch;
 mod call;
 pub mod coupled;
@@ -22,11 +23,17 @@ pub mod loads;
 pub mod model;
 pub mod normal;
 pub mod observer;
+pub mod planes;
 mod pointer;
+mod reading;
 pub mod results;
+pub mod roughness;
+mod solver;
+mod spare;
 pub mod state;
 pub mod status;
 pub mod stiffness;
+pub mod stress;
 pub mod surface;
 pub mod tangential;
 pub mod threads;

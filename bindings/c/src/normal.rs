@@ -1,30 +1,25 @@
 //! Normal contact.
 
-use stickslip_rs::{Grid, NormalProblem, NormalSolution, NormalSolver};
+use stickslip_rs::{NormalProblem, NormalSolution, NormalSolver};
 
-use crate::call::{call, call_for, call_on};
+use crate::call::{call, call_on};
 use crate::fields::of_normal;
 use crate::half_space::stickslip_half_space;
-use crate::handle::{Handle, changing, free, give, opaque, reading};
+use crate::handle::{Handle, free, give, opaque, reading};
 use crate::inputs::{stickslip_per_cell, stickslip_settings};
 use crate::loads::stickslip_normal_load;
-use crate::observer::{stickslip_observer, watch};
-use crate::pointer::{field, input, optional, put, room, samples};
-use crate::results::{put_warnings, stickslip_normal_result, stickslip_report, stickslip_warning};
+use crate::observer::stickslip_observer;
+use crate::pointer::{Place, field, input, optional};
+use crate::reading::{show, tell, warn};
+use crate::results::{stickslip_normal_result, stickslip_report, stickslip_warning};
+use crate::solver::{self, Solver};
 use crate::status::stickslip_status;
 use crate::stiffness::stickslip_normal_stiffness;
 
 /// Solves normal contacts of two bodies again and again, each solve beginning with the last answer.
-pub struct stickslip_normal_solver(Handle<Solver>);
+pub struct stickslip_normal_solver(Handle<Solver<NormalSolver>>);
 
-opaque!(stickslip_normal_solver holds Solver, named "normal solver");
-
-/// A solver with what it does not tell of itself.
-#[derive(Debug)]
-pub struct Solver {
-    own: NormalSolver,
-    grid: Grid,
-}
+opaque!(stickslip_normal_solver holds Solver<NormalSolver>, named "normal solver");
 
 /// Pressure, gap and approach of a normal contact. Its fields are read without a copy, and are valid until the next solve
 /// into it, or until it is freed.
@@ -46,7 +41,8 @@ pub unsafe extern "C" fn stickslip_normal_solver_new(
     solver: *mut *mut stickslip_normal_solver,
 ) -> stickslip_status {
     call_on(half_space, || {
-        room("solver", solver)?;
+        // SAFETY: the rule for pointers.
+        let place = unsafe { Place::new("solver", solver)? };
         // SAFETY: the rule for pointers.
         let (bodies, load, hardness, settings) = unsafe {
             let hardness = optional("hardness", hardness)?;
@@ -71,8 +67,8 @@ pub unsafe extern "C" fn stickslip_normal_solver_new(
         }
         let problem = problem.build()?;
         let own = problem.into_solver()?;
-        // SAFETY: the rule for pointers.
-        unsafe { give(solver, Solver { own, grid }, grid.cells()) }
+        give(place, Solver { own, grid }, grid.cells());
+        Ok(())
     })
 }
 
@@ -92,10 +88,10 @@ pub unsafe extern "C" fn stickslip_normal_solver_set_load(
     load: *const stickslip_normal_load,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(solver, || unsafe {
-        let load = input("load", load)?.checked()?;
-        Ok(changing(solver)?.own.set_load(load)?)
-    })
+    unsafe {
+        let check = stickslip_normal_load::checked;
+        solver::change(solver, ("load", load), check, NormalSolver::set_load)
+    }
 }
 
 /// Changes the gap before loading of the next solve (lengths, count entries, copied).
@@ -106,11 +102,7 @@ pub unsafe extern "C" fn stickslip_normal_solver_set_gap(
     count: usize,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(solver, || unsafe {
-        let mut solver = changing(solver)?;
-        let gap = field("gap", solver.grid, gap, count)?;
-        Ok(solver.own.set_gap(&gap)?)
-    })
+    unsafe { solver::change_cells(solver, ("gap", gap, count), NormalSolver::set_gap) }
 }
 
 /// Changes method, tolerance and limits of the next solve.
@@ -120,10 +112,7 @@ pub unsafe extern "C" fn stickslip_normal_solver_set_settings(
     settings: *const stickslip_settings,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(solver, || unsafe {
-        let settings = input("settings", settings)?.checked()?;
-        Ok(changing(solver)?.own.set_settings(settings)?)
-    })
+    unsafe { solver::set_settings(solver, settings) }
 }
 
 /// Forgets the last answer: the next solve starts as the first did.
@@ -132,10 +121,7 @@ pub unsafe extern "C" fn stickslip_normal_solver_reset(
     solver: *mut stickslip_normal_solver,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(solver, || unsafe {
-        changing(solver)?.own.reset();
-        Ok(())
-    })
+    unsafe { solver::reset(solver) }
 }
 
 /// Solves into a solution of stickslip_normal_solution_new for the same bodies. observer may be NULL.
@@ -148,14 +134,8 @@ pub unsafe extern "C" fn stickslip_normal_solver_solve(
     solution: *mut stickslip_normal_solution,
     observer: *const stickslip_observer,
 ) -> stickslip_status {
-    call_on(solver, || {
-        // SAFETY: the rule for pointers.
-        let (mut solver, mut solution, observer) = unsafe {
-            let observer = optional("observer", observer)?;
-            (changing(solver)?, changing(solution)?, observer)
-        };
-        Ok(solver.own.solve_observed(&mut solution, watch(observer))?)
-    })
+    // SAFETY: the rule for pointers.
+    unsafe { solver::solve(solver, solution, observer) }
 }
 
 /// Makes an empty solution of the right size for a solver.
@@ -165,11 +145,7 @@ pub unsafe extern "C" fn stickslip_normal_solution_new(
     solution: *mut *mut stickslip_normal_solution,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(solver, || unsafe {
-        room("solution", solution)?;
-        let solver = reading(solver)?;
-        give(solution, solver.own.new_solution(), solver.grid.cells())
-    })
+    unsafe { solver::new_solution(solver, solution) }
 }
 
 /// Frees a solution; nothing for NULL.
@@ -189,10 +165,7 @@ pub unsafe extern "C" fn stickslip_normal_solution_field(
     count: *mut usize,
 ) -> *const f64 {
     // SAFETY: the rule for pointers.
-    call_for(|| unsafe {
-        let solution = reading(solution)?;
-        samples(of_normal(&solution, which)?.as_slice(), count)
-    })
+    unsafe { show(solution, count, |of| Ok(of_normal(of, which)?.as_slice())) }
 }
 
 /// The numbers of the contact.
@@ -202,9 +175,7 @@ pub unsafe extern "C" fn stickslip_normal_solution_result(
     result: *mut stickslip_normal_result,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(solution, || unsafe {
-        put("result", result, (&*reading(solution)?).into())
-    })
+    unsafe { tell(solution, ("result", result), |of| Ok(of.into())) }
 }
 
 /// How it was solved.
@@ -214,9 +185,7 @@ pub unsafe extern "C" fn stickslip_normal_solution_report(
     report: *mut stickslip_report,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(solution, || unsafe {
-        put("report", report, reading(solution)?.report().into())
-    })
+    unsafe { tell(solution, ("report", report), |of| Ok(of.report().into())) }
 }
 
 /// Diagnostics that may mislead: writes them to a buffer of capacity entries, and how many there are to count. With
@@ -229,9 +198,13 @@ pub unsafe extern "C" fn stickslip_normal_solution_warnings(
     count: *mut usize,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(solution, || unsafe {
-        put_warnings(&reading(solution)?.warnings(), buffer, capacity, count)
-    })
+    unsafe {
+        warn(
+            solution,
+            (buffer, capacity, count),
+            NormalSolution::warnings,
+        )
+    }
 }
 
 /// The stiffness of a normal contact on the bodies it was solved for.
@@ -241,13 +214,10 @@ pub unsafe extern "C" fn stickslip_normal_solution_stiffness(
     half_space: *const stickslip_half_space,
     stiffness: *mut stickslip_normal_stiffness,
 ) -> stickslip_status {
-    call_on(solution, || {
-        room("stiffness", stiffness)?;
-        // SAFETY: the rule for pointers.
-        let (solution, bodies) = unsafe { (reading(solution)?, reading(half_space)?) };
-        let (solution, bodies) = (&*solution, &*bodies);
-        let found = solution.stiffness(bodies)?;
-        // SAFETY: the rule for pointers.
-        unsafe { put("stiffness", stiffness, found.into()) }
-    })
+    // SAFETY: the rule for pointers.
+    unsafe {
+        tell(solution, ("stiffness", stiffness), |of| {
+            Ok(of.stiffness(&*reading(half_space)?)?.into())
+        })
+    }
 }

@@ -21,8 +21,8 @@ pub struct stickslip_iteration {
     pub free: usize,
 }
 
-/// Called before every product with the operator, also on the coarser grids of a start: return 0 to end the solve, anything
-/// else to go on. It is called by one thread at a time, on more than 4096 cells possibly another than that which called the
+/// Called before every product with the operator, also on the coarser grids of a start: returns 0 to end the solve, any other
+/// number to continue. It is called by one thread at a time, on more than 4096 cells possibly another than that which called the
 /// solve. It must not unwind or jump out, nor call functions with handles that the solve uses (STICKSLIP_BUSY).
 pub type stickslip_observe =
     Option<unsafe extern "C" fn(iteration: *const stickslip_iteration, user: *mut c_void) -> i32>;

@@ -31,35 +31,52 @@ pub(crate) unsafe fn optional<'a, T>(name: &str, pointer: *const T) -> Outcome<O
     Ok(unsafe { pointer.as_ref() })
 }
 
-/// `Ok` if there is a place to write to: asked before any work, so that nothing is done in vain.
-pub(crate) fn room<T>(name: &str, pointer: *mut T) -> Outcome {
-    if pointer.is_null() || !pointer.is_aligned() {
-        return Err(Failure::pointer(name));
+/// A place for an answer. It is checked when it is made, before any work, so that to write to it cannot fail: a call that
+/// has changed something does not fail for want of a place.
+#[derive(Debug)]
+pub(crate) struct Place<T>(*mut T);
+
+impl<T> Place<T> {
+    /// A place that is needed.
+    ///
+    /// # Safety
+    /// The rule for pointers, until the answer is put there.
+    pub(crate) unsafe fn new(name: &str, pointer: *mut T) -> Outcome<Self> {
+        // SAFETY: as of this function.
+        unsafe { Self::if_asked(name, pointer)? }.ok_or_else(|| Failure::pointer(name))
     }
-    Ok(())
+
+    /// A place that may be left out.
+    ///
+    /// # Safety
+    /// The rule for pointers, until the answer is put there.
+    pub(crate) unsafe fn if_asked(name: &str, pointer: *mut T) -> Outcome<Option<Self>> {
+        if !pointer.is_aligned() {
+            return Err(Failure::pointer(name));
+        }
+        Ok((!pointer.is_null()).then_some(Self(pointer)))
+    }
+
+    /// Writes the answer.
+    pub(crate) fn put(self, value: T) {
+        // SAFETY: neither NULL nor misaligned, so valid by the rule.
+        unsafe { self.0.write(value) };
+    }
 }
 
-/// Writes an answer.
+/// Writes what is found to a place that is checked before.
 ///
 /// # Safety
 /// The rule for pointers.
-pub(crate) unsafe fn put<T>(name: &str, pointer: *mut T, value: T) -> Outcome {
-    room(name, pointer)?;
-    // SAFETY: neither NULL nor misaligned, so valid by the rule.
-    unsafe { pointer.write(value) };
-    Ok(())
-}
-
-/// Writes an answer that is not needed, if there is a place for it.
-///
-/// # Safety
-/// The rule for pointers.
-pub(crate) unsafe fn put_if_asked<T>(name: &str, pointer: *mut T, value: T) -> Outcome {
-    if pointer.is_null() {
-        return Ok(());
-    }
+pub(crate) unsafe fn answer<T>(
+    name: &str,
+    pointer: *mut T,
+    find: impl FnOnce() -> Outcome<T>,
+) -> Outcome {
     // SAFETY: as of this function.
-    unsafe { put(name, pointer, value) }
+    let place = unsafe { Place::new(name, pointer)? };
+    place.put(find()?);
+    Ok(())
 }
 
 /// An array of so many entries.
@@ -102,7 +119,37 @@ pub(crate) unsafe fn entries_mut<'a, T>(
     Ok(unsafe { std::slice::from_raw_parts_mut(pointer, count) })
 }
 
-/// A number for each cell of a grid, copied.
+/// A number for each cell of a grid.
+///
+/// # Safety
+/// The rule for pointers.
+pub(crate) unsafe fn cells<'a>(
+    name: &str,
+    grid: Grid,
+    pointer: *const f64,
+    count: usize,
+) -> Outcome<&'a [f64]> {
+    expect_cells(name, grid, count)?;
+    // SAFETY: as of this function.
+    unsafe { entries(name, pointer, count) }
+}
+
+/// The same, to be written to.
+///
+/// # Safety
+/// The rule for pointers.
+pub(crate) unsafe fn cells_mut<'a>(
+    name: &str,
+    grid: Grid,
+    pointer: *mut f64,
+    count: usize,
+) -> Outcome<&'a mut [f64]> {
+    expect_cells(name, grid, count)?;
+    // SAFETY: as of this function.
+    unsafe { entries_mut(name, pointer, count) }
+}
+
+/// The same, copied to keep.
 ///
 /// # Safety
 /// The rule for pointers.
@@ -112,14 +159,13 @@ pub(crate) unsafe fn field(
     pointer: *const f64,
     count: usize,
 ) -> Outcome<Field> {
-    expect_cells(name, grid, count)?;
     // SAFETY: as of this function.
-    let samples = unsafe { entries(name, pointer, count)? };
+    let samples = unsafe { cells(name, grid, pointer, count)? };
     Ok(Field::from_vec(grid, samples.to_vec())?)
 }
 
 /// `Ok` if an array has an entry for each cell.
-pub(crate) fn expect_cells(name: &str, grid: Grid, found: usize) -> Outcome {
+fn expect_cells(name: &str, grid: Grid, found: usize) -> Outcome {
     let expected = grid.cells();
     if found != expected {
         return Err(Failure::length(STICKSLIP_LENGTH, name, [expected, found]));
@@ -133,6 +179,8 @@ pub(crate) fn expect_cells(name: &str, grid: Grid, found: usize) -> Outcome {
 /// The rule for pointers.
 pub(crate) unsafe fn samples<T>(samples: &[T], count: *mut usize) -> Outcome<*const T> {
     // SAFETY: as of this function.
-    unsafe { put_if_asked("count", count, samples.len())? };
+    if let Some(place) = unsafe { Place::if_asked("count", count)? } {
+        place.put(samples.len());
+    }
     Ok(samples.as_ptr())
 }

@@ -6,7 +6,7 @@ use stickslip_rs::{NormalSolution, Report, Status, TangentialSolution, Warning};
 
 use crate::call::Outcome;
 use crate::error::Failure;
-use crate::pointer::{entries_mut, room};
+use crate::pointer::{Place, entries_mut};
 use crate::status::STICKSLIP_BUFFER_TOO_SMALL;
 
 /// Nothing has been solved yet.
@@ -155,27 +155,25 @@ impl From<&Warning> for stickslip_warning {
 /// # Safety
 /// The rule for pointers.
 pub(crate) unsafe fn put_warnings(
-    warnings: &[Warning],
     buffer: *mut stickslip_warning,
     capacity: usize,
     count: *mut usize,
+    find: impl FnOnce() -> Outcome<Vec<Warning>>,
 ) -> Outcome {
-    room("count", count)?;
-    // SAFETY: as of this function; there is room for the count.
-    let buffer = unsafe {
-        count.write(warnings.len());
-        entries_mut("buffer of warnings", buffer, capacity)?
+    let name = "buffer of warnings";
+    // SAFETY: as of this function.
+    let (count, buffer) = unsafe {
+        let count = Place::new("count", count)?;
+        (count, entries_mut(name, buffer, capacity)?)
     };
+    let warnings = find()?;
+    count.put(warnings.len());
     if capacity > 0 && capacity < warnings.len() {
         let lengths = [warnings.len(), capacity];
-        return Err(Failure::length(
-            STICKSLIP_BUFFER_TOO_SMALL,
-            "buffer of warnings",
-            lengths,
-        ));
+        return Err(Failure::length(STICKSLIP_BUFFER_TOO_SMALL, name, lengths));
     }
-    for (to, warning) in buffer.iter_mut().zip(warnings) {
-        *to = stickslip_warning::from(warning);
+    for (to, warning) in buffer.iter_mut().zip(&warnings) {
+        *to = warning.into();
     }
     Ok(())
 }

@@ -8,7 +8,7 @@ use crate::error::Failure;
 use crate::half_space::stickslip_half_space;
 use crate::handle::{Handle, changing, free, give, opaque, reading};
 use crate::history::stickslip_history;
-use crate::pointer::{entries, entries_mut, room};
+use crate::pointer::{Place, entries, entries_mut};
 use crate::status::{STICKSLIP_BUFFER_TOO_SMALL, stickslip_status};
 
 /// A state of a history, to which it may return: gap, friction and settings are part of it.
@@ -24,9 +24,10 @@ pub unsafe extern "C" fn stickslip_state_new(
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
     call_on(history, || unsafe {
-        room("state", state)?;
+        let place = Place::new("state", state)?;
         let history = reading(history)?;
-        give(state, history.state().clone(), history.grid().cells())
+        give(place, history.state().clone(), history.grid().cells());
+        Ok(())
     })
 }
 
@@ -64,8 +65,8 @@ pub unsafe extern "C" fn stickslip_history_set_state(
     })
 }
 
-/// The state of a history as bytes, some 60 to 130 for each cell, from which stickslip_history_from_bytes goes on to the
-/// same bits.
+/// The state of a history as bytes, some 60 to 130 for each cell. A history made from them by stickslip_history_from_bytes
+/// takes further steps with the same results, bit for bit.
 ///
 /// length gets how many there are. With a NULL buffer and capacity 0 only that; a buffer that is too small is
 /// STICKSLIP_BUFFER_TOO_SMALL, and nothing is written to it. Each call takes about as long as a warm step.
@@ -76,26 +77,19 @@ pub unsafe extern "C" fn stickslip_history_to_bytes(
     capacity: usize,
     length: *mut usize,
 ) -> stickslip_status {
-    call_on(history, || {
-        room("length", length)?;
-        // SAFETY: the rule for pointers.
-        let (history, buffer) =
-            unsafe { (reading(history)?, entries_mut("buffer", buffer, capacity)?) };
-        let bytes = history.to_bytes();
-        // SAFETY: there is room.
-        unsafe { length.write(bytes.len()) };
+    // SAFETY: the rule for pointers.
+    call_on(history, || unsafe {
+        let length = Place::new("length", length)?;
+        let buffer = entries_mut("buffer", buffer, capacity)?;
+        let bytes = reading(history)?.to_bytes();
+        length.put(bytes.len());
         if capacity == 0 {
             return Ok(());
         }
-        let Some(place) = buffer.get_mut(..bytes.len()) else {
-            let lengths = [bytes.len(), capacity];
-            return Err(Failure::length(
-                STICKSLIP_BUFFER_TOO_SMALL,
-                "buffer",
-                lengths,
-            ));
-        };
-        place.copy_from_slice(&bytes);
+        let lengths = [bytes.len(), capacity];
+        let place = buffer.get_mut(..bytes.len());
+        let short = || Failure::length(STICKSLIP_BUFFER_TOO_SMALL, "buffer", lengths);
+        place.ok_or_else(short)?.copy_from_slice(&bytes);
         Ok(())
     })
 }
@@ -108,13 +102,12 @@ pub unsafe extern "C" fn stickslip_history_from_bytes(
     length: usize,
     history: *mut *mut stickslip_history,
 ) -> stickslip_status {
-    call_on(half_space, || {
-        room("history", history)?;
-        // SAFETY: the rule for pointers.
-        let (bodies, bytes) = unsafe { (reading(half_space)?, entries("bytes", bytes, length)?) };
-        let bodies = &*bodies;
-        let made = History::from_bytes(bodies, bytes)?;
-        // SAFETY: the rule for pointers.
-        unsafe { give(history, made, bodies.grid().cells()) }
+    // SAFETY: the rule for pointers.
+    call_on(half_space, || unsafe {
+        let place = Place::new("history", history)?;
+        let (bodies, bytes) = (reading(half_space)?, entries("bytes", bytes, length)?);
+        let made = History::from_bytes(&bodies, bytes)?;
+        give(place, made, bodies.grid().cells());
+        Ok(())
     })
 }

@@ -82,5 +82,15 @@ pub const STICKSLIP_METHOD: i32 = 80;
 pub const STICKSLIP_BELOW: i32 = 81;
 /// The bytes are no saved history, of another version, or damaged.
 pub const STICKSLIP_FORMAT: i32 = 82;
+/// The body is rigid: nothing determines its stress.
+pub const STICKSLIP_RIGID_BODY: i32 = 83;
+/// A sum over images that does not converge on a grid that repeats along both axes.
+pub const STICKSLIP_REPEATS: i32 = 84;
+/// The Hurst exponent (value) lies outside [0, 1].
+pub const STICKSLIP_HURST: i32 = 85;
+/// No wave of the surface has a wavelength between the longest (value) and the shortest (limit).
+pub const STICKSLIP_EMPTY_BAND: i32 = 86;
+/// No heights of this skewness (value) and kurtosis (limit) were found.
+pub const STICKSLIP_HEIGHTS_NOT_REACHED: i32 = 87;
 /// Any other refusal: the message says which.
 pub const STICKSLIP_REFUSED: i32 = 127;

@@ -4,7 +4,7 @@ use stickslip_rs::{Field, Grid, Result, surface};
 
 use crate::call::{Outcome, call};
 use crate::inputs::stickslip_grid;
-use crate::pointer::{entries_mut, expect_cells, input};
+use crate::pointer::{cells_mut, input};
 use crate::status::stickslip_status;
 use crate::threads::enter;
 
@@ -12,18 +12,16 @@ use crate::threads::enter;
 ///
 /// # Safety
 /// The rule for pointers.
-unsafe fn shape(
+pub(crate) unsafe fn shape(
     grid: *const stickslip_grid,
     make: impl FnOnce(Grid) -> Result<Field> + Send,
-    gap: *mut f64,
-    count: usize,
+    (name, heights, count): (&str, *mut f64, usize),
 ) -> Outcome {
     // SAFETY: as of this function.
     let grid = unsafe { input("grid", grid)? }.checked()?;
-    expect_cells("gap", grid, count)?;
     // SAFETY: as of this function.
-    let gap = unsafe { entries_mut("gap", gap, count)? };
-    gap.copy_from_slice(enter(grid.cells(), || make(grid))?.as_slice());
+    let heights = unsafe { cells_mut(name, grid, heights, count)? };
+    heights.copy_from_slice(enter(grid.cells(), || make(grid))?.as_slice());
     Ok(())
 }
 
@@ -36,7 +34,13 @@ pub unsafe extern "C" fn stickslip_surface_sphere(
     count: usize,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe { shape(grid, |grid| surface::sphere(grid, radius), gap, count) })
+    call(|| unsafe {
+        shape(
+            grid,
+            |grid| surface::sphere(grid, radius),
+            ("gap", gap, count),
+        )
+    })
 }
 
 /// The gap between an ellipsoid, of the radii of curvature radius_x and radius_y at the origin, and a plane.
@@ -50,7 +54,7 @@ pub unsafe extern "C" fn stickslip_surface_ellipsoid(
 ) -> stickslip_status {
     let make = |grid| surface::ellipsoid(grid, radius_x, radius_y);
     // SAFETY: the rule for pointers.
-    call(|| unsafe { shape(grid, make, gap, count) })
+    call(|| unsafe { shape(grid, make, ("gap", gap, count)) })
 }
 
 /// The gap between a cylinder along y and a plane.
@@ -62,5 +66,11 @@ pub unsafe extern "C" fn stickslip_surface_cylinder(
     count: usize,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call(|| unsafe { shape(grid, |grid| surface::cylinder(grid, radius), gap, count) })
+    call(|| unsafe {
+        shape(
+            grid,
+            |grid| surface::cylinder(grid, radius),
+            ("gap", gap, count),
+        )
+    })
 }

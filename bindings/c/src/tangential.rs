@@ -1,10 +1,8 @@
 //! Tangential contact under a pressure that is given.
 
-use stickslip_rs::{
-    Grid, PressureSource, TangentialProblem, TangentialSolution, TangentialSolver, Zone,
-};
+use stickslip_rs::{PressureSource, TangentialProblem, TangentialSolution, TangentialSolver, Zone};
 
-use crate::call::{Outcome, call, call_for, call_on};
+use crate::call::{Outcome, call, call_on};
 use crate::fields::of_tangential;
 use crate::half_space::stickslip_half_space;
 use crate::handle::{Handle, changing, free, give, opaque, reading};
@@ -15,11 +13,11 @@ use crate::inputs::{
 use crate::loads::stickslip_tangential_load;
 use crate::model::{STICKSLIP_ONE_WAY, STICKSLIP_SCALAR, coupling, model};
 use crate::normal::stickslip_normal_solution;
-use crate::observer::{stickslip_observer, watch};
-use crate::pointer::{field, input, optional, put, room, samples};
-use crate::results::{
-    put_warnings, stickslip_report, stickslip_tangential_result, stickslip_warning,
-};
+use crate::observer::stickslip_observer;
+use crate::pointer::{Place, field, input, optional};
+use crate::reading::{show, tell, warn};
+use crate::results::{stickslip_report, stickslip_tangential_result, stickslip_warning};
+use crate::solver::{self, Solver};
 use crate::status::stickslip_status;
 use crate::stiffness::stickslip_tangential_stiffness;
 
@@ -49,16 +47,9 @@ pub extern "C" fn stickslip_tangential_options_default() -> stickslip_tangential
 }
 
 /// Solves tangential contacts again and again, each from rest, beginning with the last answer.
-pub struct stickslip_tangential_solver(Handle<Solver>);
+pub struct stickslip_tangential_solver(Handle<Solver<TangentialSolver>>);
 
-opaque!(stickslip_tangential_solver holds Solver, named "tangential solver");
-
-/// A solver with what it does not tell of itself.
-#[derive(Debug)]
-pub struct Solver {
-    own: TangentialSolver,
-    grid: Grid,
-}
+opaque!(stickslip_tangential_solver holds Solver<TangentialSolver>, named "tangential solver");
 
 /// Traction, slip and shift of a tangential contact. Its fields are read without a copy, and are valid until the next solve
 /// into it, or until it is freed.
@@ -119,7 +110,8 @@ unsafe fn new(
     (friction, load, options): Given,
     solver: *mut *mut stickslip_tangential_solver,
 ) -> Outcome {
-    room("solver", solver)?;
+    // SAFETY: as of this function.
+    let place = unsafe { Place::new("solver", solver)? };
     // SAFETY: as of this function.
     let (bodies, friction, load, options) = unsafe {
         let bodies = reading(half_space)?;
@@ -143,8 +135,8 @@ unsafe fn new(
     }
     let problem = problem.build()?;
     let own = problem.into_solver()?;
-    // SAFETY: as of this function.
-    unsafe { give(solver, Solver { own, grid }, grid.cells()) }
+    give(place, Solver { own, grid }, grid.cells());
+    Ok(())
 }
 
 /// Frees a solver; nothing for NULL.
@@ -163,11 +155,10 @@ pub unsafe extern "C" fn stickslip_tangential_solver_set_load(
     load: *const stickslip_tangential_load,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(solver, || unsafe {
-        let load = input("load", load)?.checked()?;
-        let mut solver = changing(solver)?;
-        Ok(solver.own.set_load(load)?)
-    })
+    unsafe {
+        let check = stickslip_tangential_load::checked;
+        solver::change(solver, ("load", load), check, TangentialSolver::set_load)
+    }
 }
 
 /// Changes the friction of the next solve.
@@ -177,11 +168,11 @@ pub unsafe extern "C" fn stickslip_tangential_solver_set_friction(
     friction: *const stickslip_friction,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(solver, || unsafe {
-        let mut solver = changing(solver)?;
-        let friction = input("friction", friction)?.checked(solver.grid)?;
-        Ok(solver.own.set_friction(&friction)?)
-    })
+    unsafe {
+        let check = |given: &stickslip_friction, grid| given.checked(grid);
+        let set = TangentialSolver::set_friction;
+        solver::change_on_grid(solver, ("friction", friction), check, set)
+    }
 }
 
 /// Changes the pressure of the next solve to that of a solved normal contact.
@@ -205,11 +196,11 @@ pub unsafe extern "C" fn stickslip_tangential_solver_set_pressure(
     count: usize,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(solver, || unsafe {
-        let mut solver = changing(solver)?;
-        let pressure = field("pressure", solver.grid, pressure, count)?;
-        Ok(solver.own.set_pressure(&pressure)?)
-    })
+    unsafe {
+        solver::change_cells(solver, ("pressure", pressure, count), |own, field| {
+            own.set_pressure(field)
+        })
+    }
 }
 
 /// Changes the relative displacement of the next solve.
@@ -219,11 +210,11 @@ pub unsafe extern "C" fn stickslip_tangential_solver_set_relative_displacement(
     relative: *const stickslip_relative_displacement,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(solver, || unsafe {
-        let mut solver = changing(solver)?;
-        let relative = input("relative", relative)?.checked(solver.grid)?;
-        Ok(solver.own.set_relative_displacement(&relative)?)
-    })
+    unsafe {
+        let check = |given: &stickslip_relative_displacement, grid| given.checked(grid);
+        let set = TangentialSolver::set_relative_displacement;
+        solver::change_on_grid(solver, ("relative", relative), check, set)
+    }
 }
 
 /// Changes method, tolerance and limits of the next solve.
@@ -233,10 +224,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_set_settings(
     settings: *const stickslip_settings,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(solver, || unsafe {
-        let settings = input("settings", settings)?.checked()?;
-        Ok(changing(solver)?.own.set_settings(settings)?)
-    })
+    unsafe { solver::set_settings(solver, settings) }
 }
 
 /// Forgets the last answer: the next solve starts as the first did.
@@ -245,10 +233,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_reset(
     solver: *mut stickslip_tangential_solver,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(solver, || unsafe {
-        changing(solver)?.own.reset();
-        Ok(())
-    })
+    unsafe { solver::reset(solver) }
 }
 
 /// The largest tangential force that friction holds.
@@ -258,13 +243,11 @@ pub unsafe extern "C" fn stickslip_tangential_solver_friction_capacity(
     capacity: *mut f64,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(solver, || unsafe {
-        put(
-            "capacity",
-            capacity,
-            reading(solver)?.own.friction_capacity(),
-        )
-    })
+    unsafe {
+        tell(solver, ("capacity", capacity), |of| {
+            Ok(of.own.friction_capacity())
+        })
+    }
 }
 
 /// Solves into a solution of stickslip_tangential_solution_new for the same bodies. observer may be NULL.
@@ -277,14 +260,8 @@ pub unsafe extern "C" fn stickslip_tangential_solver_solve(
     solution: *mut stickslip_tangential_solution,
     observer: *const stickslip_observer,
 ) -> stickslip_status {
-    call_on(solver, || {
-        // SAFETY: the rule for pointers.
-        let (mut solver, mut solution, observer) = unsafe {
-            let observer = optional("observer", observer)?;
-            (changing(solver)?, changing(solution)?, observer)
-        };
-        Ok(solver.own.solve_observed(&mut solution, watch(observer))?)
-    })
+    // SAFETY: the rule for pointers.
+    unsafe { solver::solve(solver, solution, observer) }
 }
 
 /// Makes an empty solution of the right size for a solver.
@@ -294,11 +271,7 @@ pub unsafe extern "C" fn stickslip_tangential_solution_new(
     solution: *mut *mut stickslip_tangential_solution,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(solver, || unsafe {
-        room("solution", solution)?;
-        let solver = reading(solver)?;
-        give(solution, solver.own.new_solution(), solver.grid.cells())
-    })
+    unsafe { solver::new_solution(solver, solution) }
 }
 
 /// Frees a solution; nothing for NULL.
@@ -318,10 +291,11 @@ pub unsafe extern "C" fn stickslip_tangential_solution_field(
     count: *mut usize,
 ) -> *const f64 {
     // SAFETY: the rule for pointers.
-    call_for(|| unsafe {
-        let solution = reading(solution)?;
-        samples(of_tangential(&solution, which)?.as_slice(), count)
-    })
+    unsafe {
+        show(solution, count, |of| {
+            Ok(of_tangential(of, which)?.as_slice())
+        })
+    }
 }
 
 /// The zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; NULL on failure.
@@ -331,7 +305,7 @@ pub unsafe extern "C" fn stickslip_tangential_solution_zones(
     count: *mut usize,
 ) -> *const u8 {
     // SAFETY: the rule for pointers.
-    call_for(|| unsafe { Ok(samples(reading(solution)?.zones(), count)?.cast()) })
+    unsafe { show(solution, count, |of| Ok(of.zones())).cast() }
 }
 
 // Zones are read as bytes.
@@ -344,9 +318,7 @@ pub unsafe extern "C" fn stickslip_tangential_solution_result(
     result: *mut stickslip_tangential_result,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(solution, || unsafe {
-        put("result", result, (&*reading(solution)?).into())
-    })
+    unsafe { tell(solution, ("result", result), |of| Ok(of.into())) }
 }
 
 /// How it was solved.
@@ -356,9 +328,7 @@ pub unsafe extern "C" fn stickslip_tangential_solution_report(
     report: *mut stickslip_report,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(solution, || unsafe {
-        put("report", report, reading(solution)?.report().into())
-    })
+    unsafe { tell(solution, ("report", report), |of| Ok(of.report().into())) }
 }
 
 /// Diagnostics that may mislead: as stickslip_normal_solution_warnings.
@@ -370,9 +340,13 @@ pub unsafe extern "C" fn stickslip_tangential_solution_warnings(
     count: *mut usize,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    call_on(solution, || unsafe {
-        put_warnings(&reading(solution)?.warnings(), buffer, capacity, count)
-    })
+    unsafe {
+        warn(
+            solution,
+            (buffer, capacity, count),
+            TangentialSolution::warnings,
+        )
+    }
 }
 
 /// The stiffness of a tangential contact on the bodies it was solved for.
@@ -382,13 +356,10 @@ pub unsafe extern "C" fn stickslip_tangential_solution_stiffness(
     half_space: *const stickslip_half_space,
     stiffness: *mut stickslip_tangential_stiffness,
 ) -> stickslip_status {
-    call_on(solution, || {
-        room("stiffness", stiffness)?;
-        // SAFETY: the rule for pointers.
-        let (solution, bodies) = unsafe { (reading(solution)?, reading(half_space)?) };
-        let (solution, bodies) = (&*solution, &*bodies);
-        let found = solution.stiffness(bodies)?;
-        // SAFETY: the rule for pointers.
-        unsafe { put("stiffness", stiffness, found.into()) }
-    })
+    // SAFETY: the rule for pointers.
+    unsafe {
+        tell(solution, ("stiffness", stiffness), |of| {
+            Ok(of.stiffness(&*reading(half_space)?)?.into())
+        })
+    }
 }

@@ -7,7 +7,7 @@ use crate::call::{Outcome, call_on};
 use crate::handle::reading;
 use crate::history::stickslip_history;
 use crate::inputs::stickslip_per_cell;
-use crate::pointer::{entries_mut, field, input};
+use crate::pointer::{cells_mut, input};
 use crate::status::stickslip_status;
 
 /// Adds what a law removes to a depth of the caller.
@@ -22,21 +22,22 @@ unsafe fn wear(
 ) -> Outcome {
     // SAFETY: as of this function.
     let (history, coefficient) = unsafe { (reading(history)?, input("coefficient", coefficient)?) };
-    let grid = history.grid();
+    let (grid, spare) = (history.grid(), history.spare());
     // SAFETY: as of this function.
-    let (cells, mut worn) = unsafe {
-        let cells = coefficient.field("wear coefficient", grid)?;
-        (cells, field("depth", grid, depth, count)?)
+    let (coefficients, depth) = unsafe {
+        let coefficients = coefficient.cells("wear coefficient", grid)?;
+        (coefficients, cells_mut("depth", grid, depth, count)?)
     };
-    let uniform = Coefficient::Uniform(coefficient.value);
-    law(
-        cells.as_ref().map_or(uniform, Coefficient::PerCell),
-        &history,
-        &mut worn,
-    )?;
-    // SAFETY: as of this function.
-    unsafe { entries_mut("depth", depth, count)? }.copy_from_slice(worn.as_slice());
-    Ok(())
+    spare.change(grid, depth, |worn| match coefficients {
+        None => Ok(law(
+            Coefficient::Uniform(coefficient.value),
+            &history,
+            worn,
+        )?),
+        Some(samples) => spare.with_copy(grid, samples, |coefficients| {
+            Ok(law(Coefficient::PerCell(coefficients), &history, worn)?)
+        }),
+    })
 }
 
 /// Adds to depth (lengths, count entries) what Archard's law removes in the last step: coefficient (one over a pressure)

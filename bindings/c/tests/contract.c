@@ -2,22 +2,10 @@
  * the same bits, batches, one user at a time. */
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <stickslip.h>
-
-static int failures = 0;
-
-#define CHECK(condition)                                                                                               \
-    do {                                                                                                               \
-        if (!(condition)) {                                                                                            \
-            fprintf(stderr, "line %d: %s (last error: %s)\n", __LINE__, #condition, stickslip_last_error_message());   \
-            failures++;                                                                                                \
-        }                                                                                                              \
-    } while (0)
-#define OK(call) CHECK((call) == STICKSLIP_OK)
+#include "check.h"
 
 #define N 16
 #define CELLS (N * N)
@@ -25,6 +13,8 @@ static int failures = 0;
 static const stickslip_grid GRID = {N, N, 0.3e-3 / N, 0.3e-3 / N};
 static const stickslip_material STEEL = {213e9, 0.29, 0.0};
 static double ball[CELLS];
+
+static void *misaligned(void *pointer) { return (char *)pointer + 1; }
 
 static stickslip_half_space *make_bodies(void) {
     stickslip_half_space *bodies = NULL;
@@ -134,7 +124,25 @@ static void failed_steps_leave_no_trace(void) {
     OK(stickslip_history_to_bytes(history, after, length, &again));
     CHECK(again == length && memcmp(before, after, length) == 0);
 
-    /* From the bytes it goes on to the same bits. */
+    /* Nor is anything written, or the history changed, if one of the places for answers is none. */
+    stickslip_adaptive_steps *steps = NULL;
+    OK(stickslip_adaptive_steps_new(history, 0.01, &steps));
+    size_t taken[2] = {77, 77};
+    load = drag(10.0);
+    CHECK(stickslip_adaptive_steps_step(steps, history, &load, misaligned(taken)) == STICKSLIP_BAD_POINTER);
+    OK(stickslip_adaptive_steps_free(steps));
+    stickslip_report reports[2];
+    reports[0].status = 77;
+    CHECK(stickslip_history_reports(history, &reports[0], misaligned(reports)) == STICKSLIP_BAD_POINTER);
+    CHECK(stickslip_history_reports(history, &reports[0], NULL) == STICKSLIP_BAD_POINTER);
+    stickslip_warning warning;
+    size_t warned = 77;
+    CHECK(stickslip_history_warnings(history, misaligned(&warning), 1, &warned) == STICKSLIP_BAD_POINTER);
+    CHECK(taken[0] == 77 && reports[0].status == 77 && warned == 77);
+    OK(stickslip_history_to_bytes(history, after, length, &again));
+    CHECK(again == length && memcmp(before, after, length) == 0);
+
+    /* A history from the bytes takes the next step with the same results, bit for bit. */
     stickslip_history *restored = NULL;
     OK(stickslip_history_from_bytes(bodies, before, length, &restored));
     load = drag(20.0);
@@ -252,6 +260,9 @@ static void dissimilar_bodies_are_coupled(void) {
     OK(stickslip_coupled_solution_new(solver, &solution));
     OK(stickslip_coupled_solver_solve(solver, solution, NULL));
     stickslip_normal_result normal;
+    normal.force = 77.0;
+    CHECK(stickslip_coupled_solution_results(solution, &normal, misaligned(&normal)) == STICKSLIP_BAD_POINTER);
+    CHECK(normal.force == 77.0);
     OK(stickslip_coupled_solution_results(solution, &normal, NULL));
     CHECK(normal.force > 0.0 && normal.approach == 2e-6);
     CHECK(stickslip_coupled_solution_field(solution, STICKSLIP_DISPLACEMENT_Z, NULL) != NULL);
@@ -324,6 +335,5 @@ int main(void) {
     dissimilar_bodies_are_coupled();
     loads_are_cut_into_steps();
     OK(stickslip_set_num_threads(0));
-    printf("%s\n", failures == 0 ? "all promises kept" : "promises broken");
-    return failures == 0 ? 0 : 1;
+    return report("the promises of the header");
 }

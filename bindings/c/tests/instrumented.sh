@@ -9,6 +9,6 @@ folder=${CARGO_TARGET_DIR:-$PWD/../../target}/instrumented
 RUSTC_BOOTSTRAP=1 RUSTFLAGS=-Zsanitizer=address \
     cargo build --release --package stickslip-c --lib --target "$target" --target-dir "$folder"
 runtime=$(find "$(rustc --print sysroot)/lib/rustlib/$target/lib" -name 'librustc*_rt.asan.a')
-cc -std=c11 -g -O1 -Iinclude tests/fuzz.c "$folder/$target/release/libstickslip.a" \
+cc -std=c11 -g -O1 -Iinclude tests/fuzz/*.c "$folder/$target/release/libstickslip.a" \
     -Wl,--whole-archive "$runtime" -Wl,--no-whole-archive -lm -lpthread -ldl -lrt -lstdc++ -o "$folder/fuzz"
 "$folder/fuzz" "$calls" 4

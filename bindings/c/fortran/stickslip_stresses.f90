@@ -1,0 +1,113 @@
+! Stress and displacement below the surface.
+module stickslip_stresses
+    use, intrinsic :: iso_c_binding
+    use stickslip_bindings
+    use stickslip_objects
+    implicit none
+    private
+
+    public :: stress_planes, stress_at_points
+
+    ! Planes at chosen depths below each body; its fields are those of the plane solved last.
+    type, extends(stickslip_object) :: stress_planes
+    contains
+        procedure :: new => planes_new
+        procedure :: solve => planes_solve
+        procedure :: field => planes_field
+        procedure :: measure => planes_measure
+        procedure :: free => planes_free
+        final :: planes_final
+    end type stress_planes
+
+contains
+
+    ! Where the arrays are: of use within one call, as a pointer to them may be handed on as a copy.
+    function tractions_of(pressure, x, y) result(tractions)
+        real(c_double), intent(in), target, contiguous :: pressure(:, :)
+        real(c_double), intent(in), target, contiguous, optional :: x(:, :), y(:, :)
+        type(stickslip_tractions) :: tractions
+        tractions = stickslip_tractions(c_loc(pressure), c_null_ptr, c_null_ptr, size(pressure, kind=c_size_t))
+        ! No cells are refused by the library, as of another grid.
+        if (present(x)) then
+            tractions%x = c_loc(x)
+            if (size(x) /= size(pressure)) tractions%count = 0
+        end if
+        if (present(y)) then
+            tractions%y = c_loc(y)
+            if (size(y) /= size(pressure)) tractions%count = 0
+        end if
+    end function tractions_of
+
+    ! Displacement and stress of STICKSLIP_BODY_1 or STICKSLIP_BODY_2 at points, one response for each, under a pressure,
+    ! with tractions x and y or without.
+    subroutine stress_at_points(bodies, body, points, responses, pressure, x, y, status)
+        class(half_space), intent(in) :: bodies
+        integer(c_int32_t), intent(in) :: body
+        type(stickslip_point), intent(in), contiguous :: points(:)
+        type(stickslip_response), allocatable, intent(out) :: responses(:)
+        real(c_double), intent(in), target, contiguous :: pressure(:, :)
+        real(c_double), intent(in), target, contiguous, optional :: x(:, :), y(:, :)
+        integer(c_int32_t), intent(out), optional :: status
+        allocate (responses(size(points)))
+        call report_status(stickslip_stress_at_points(bodies%handle, body, tractions_of(pressure, x, y), points, &
+            size(points, kind=c_size_t), responses), status)
+    end subroutine stress_at_points
+
+    subroutine planes_new(this, bodies, depths, with_displacements, status)
+        class(stress_planes), intent(inout) :: this
+        class(half_space), intent(in) :: bodies
+        real(c_double), intent(in), contiguous :: depths(:)
+        logical, intent(in), optional :: with_displacements
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: asked
+        asked = 0
+        if (present(with_displacements)) asked = merge(1_c_int32_t, 0_c_int32_t, with_displacements)
+        call this%free()
+        call report_status(stickslip_planes_new(bodies%handle, depths, size(depths, kind=c_size_t), asked, &
+            this%handle), status)
+    end subroutine planes_new
+
+    ! The plane at the depth of number index, counted from one, under a pressure, with tractions x and y or without.
+    subroutine planes_solve(this, index, body, pressure, x, y, status)
+        class(stress_planes), intent(in) :: this
+        integer, intent(in) :: index
+        integer(c_int32_t), intent(in) :: body
+        real(c_double), intent(in), target, contiguous :: pressure(:, :)
+        real(c_double), intent(in), target, contiguous, optional :: x(:, :), y(:, :)
+        integer(c_int32_t), intent(out), optional :: status
+        call report_status(stickslip_planes_solve(this%handle, int(index - 1, c_size_t), body, &
+            tractions_of(pressure, x, y)), status)
+    end subroutine planes_solve
+
+    ! STICKSLIP_STRESS_XX to STICKSLIP_STRESS_YZ or a displacement, on the grid of the bodies.
+    function planes_field(this, which, bodies, status) result(samples)
+        class(stress_planes), intent(in) :: this
+        integer(c_int32_t), intent(in) :: which
+        class(half_space), intent(in) :: bodies
+        integer(c_int32_t), intent(out), optional :: status
+        real(c_double), pointer :: samples(:, :)
+        type(stickslip_grid) :: grid
+        integer(c_int32_t) :: code
+        code = stickslip_half_space_grid(bodies%handle, grid)
+        samples => plane(stickslip_planes_field(this%handle, which), grid, code, status)
+    end function planes_field
+
+    ! STICKSLIP_VON_MISES, STICKSLIP_MAX_SHEAR or STICKSLIP_HYDROSTATIC of each cell.
+    subroutine planes_measure(this, which, values, status)
+        class(stress_planes), intent(in) :: this
+        integer(c_int32_t), intent(in) :: which
+        real(c_double), intent(inout), contiguous :: values(:, :)
+        integer(c_int32_t), intent(out), optional :: status
+        call report_status(stickslip_planes_measure(this%handle, which, values, size(values, kind=c_size_t)), status)
+    end subroutine planes_measure
+
+    subroutine planes_free(this)
+        class(stress_planes), intent(inout) :: this
+        call freed(this, stickslip_planes_free(this%handle))
+    end subroutine planes_free
+
+    subroutine planes_final(this)
+        type(stress_planes), intent(inout) :: this
+        call this%free()
+    end subroutine planes_final
+end module stickslip_stresses

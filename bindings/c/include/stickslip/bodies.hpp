@@ -1,0 +1,35 @@
+// Materials, and two bodies on a grid.
+
+#ifndef STICKSLIP_BODIES_HPP
+#define STICKSLIP_BODIES_HPP
+
+#include "core.hpp"
+
+namespace stickslip {
+
+/// A material of Young's modulus and Poisson's ratio.
+inline Material elastic(double youngs_modulus, double poisson_ratio) { return {youngs_modulus, poisson_ratio, 0.0}; }
+
+/// Two bodies on a grid.
+class HalfSpace {
+  public:
+    HalfSpace(const Grid &grid, const Material &body_1, const Material &body_2, const Boundary *boundary = nullptr)
+        : own_(detail::made<Own>(
+              [&](auto **out) { return stickslip_half_space_new(&grid, &body_1, &body_2, boundary, out); })) {}
+
+    Grid grid() const {
+        return detail::asked<Grid>([&](Grid *out) { return stickslip_half_space_grid(get(), out); });
+    }
+    stickslip_pair pair() const {
+        return detail::asked<stickslip_pair>([&](auto *out) { return stickslip_half_space_pair(get(), out); });
+    }
+    stickslip_half_space *get() const { return own_.get(); }
+
+  private:
+    using Own = detail::Owned<stickslip_half_space, stickslip_half_space_free>;
+    Own own_;
+};
+
+} // namespace stickslip
+
+#endif // STICKSLIP_BODIES_HPP

@@ -1,0 +1,161 @@
+// Views, errors, observers: what all objects are made with.
+
+#ifndef STICKSLIP_CORE_HPP
+#define STICKSLIP_CORE_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "../stickslip.h"
+
+namespace stickslip {
+
+using Grid = stickslip_grid;
+using Material = stickslip_material;
+using Boundary = stickslip_boundary;
+using Settings = stickslip_settings;
+using Report = stickslip_report;
+using Iteration = stickslip_iteration;
+
+/// A view of samples, row by row with x fastest; of an array of the caller, or of what an object holds.
+template <class T> class View {
+  public:
+    View(const T *data, std::size_t size) : data_(data), size_(size) {}
+    View(const std::vector<T> &samples) : View(samples.data(), samples.size()) {}
+
+    const T *data() const { return data_; }
+    std::size_t size() const { return size_; }
+    const T *begin() const { return data_; }
+    const T *end() const { return data_ + size_; }
+    const T &operator[](std::size_t i) const { return data_[i]; }
+
+  private:
+    const T *data_;
+    std::size_t size_;
+};
+
+using Field = View<double>;
+using Zones = View<std::uint8_t>;
+
+/// A call that failed.
+class Error : public std::runtime_error {
+  public:
+    Error() : Error(numbers_of_last()) {}
+
+    /// What the C function returned.
+    stickslip_status code() const { return numbers_.code; }
+    /// Offending value, limit, index ...
+    const stickslip_error &numbers() const { return numbers_; }
+    /// The report of a solve that did not converge, else of status STICKSLIP_UNSOLVED.
+    const Report &report() const { return report_; }
+
+  private:
+    explicit Error(const stickslip_error &numbers)
+        : std::runtime_error(stickslip_last_error_message()), numbers_(numbers), report_{} {
+        if (numbers_.code == STICKSLIP_NOT_CONVERGED) {
+            stickslip_last_error_report(&report_);
+        }
+    }
+
+    static stickslip_error numbers_of_last() {
+        stickslip_error numbers{};
+        stickslip_last_error(&numbers);
+        return numbers;
+    }
+
+    stickslip_error numbers_;
+    Report report_;
+};
+
+/// Throws unless a call succeeded.
+inline void check(stickslip_status status) {
+    if (status != STICKSLIP_OK) {
+        throw Error();
+    }
+}
+
+/// Sees every iteration of a solve; false ends it. What it throws leaves the solve.
+using Observe = std::function<bool(const Iteration &)>;
+
+namespace detail {
+
+/// Frees an object by its C function.
+template <class T, stickslip_status (*Free)(T *)> struct Freer {
+    void operator()(T *object) const { Free(object); }
+};
+
+template <class T, stickslip_status (*Free)(T *)> using Owned = std::unique_ptr<T, Freer<T, Free>>;
+
+/// Takes over what a C function makes.
+template <class Owner, class Make> Owner made(Make make) {
+    typename Owner::pointer object = nullptr;
+    check(make(&object));
+    return Owner(object);
+}
+
+/// The answer of a C function.
+template <class T, class Ask> T asked(Ask ask) {
+    T answer{};
+    check(ask(&answer));
+    return answer;
+}
+
+/// What a C function tells of a field.
+template <class T, class Ask> View<T> viewed(Ask ask) {
+    std::size_t size = 0;
+    const T *data = ask(&size);
+    if (data == nullptr) {
+        throw Error();
+    }
+    return View<T>(data, size);
+}
+
+template <class Ask> std::vector<stickslip_warning> listed(Ask ask) {
+    std::size_t count = 0;
+    check(ask(nullptr, 0, &count));
+    std::vector<stickslip_warning> warnings(count);
+    check(ask(warnings.data(), count, &count));
+    return warnings;
+}
+
+/// An observer for C, which lets no exception through: it ends the solve, and is thrown again after it.
+class Watch {
+  public:
+    explicit Watch(const Observe &observe) : observe_(observe) {}
+
+    template <class Solve> void run(Solve solve) {
+        stickslip_observer observer = {&Watch::call, this};
+        stickslip_status status = solve(observe_ ? &observer : nullptr);
+        if (thrown_) {
+            std::rethrow_exception(thrown_);
+        }
+        check(status);
+    }
+
+  private:
+    static std::int32_t call(const Iteration *iteration, void *user) noexcept {
+        auto *self = static_cast<Watch *>(user);
+        try {
+            return self->observe_(*iteration) ? 1 : 0;
+        } catch (...) {
+            self->thrown_ = std::current_exception();
+            return 0;
+        }
+    }
+
+    const Observe &observe_;
+    std::exception_ptr thrown_;
+};
+
+} // namespace detail
+
+} // namespace stickslip
+
+#endif // STICKSLIP_CORE_HPP

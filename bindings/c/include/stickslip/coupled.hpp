@@ -1,0 +1,92 @@
+// Pressure and shear of dissimilar bodies found together.
+
+#ifndef STICKSLIP_COUPLED_HPP
+#define STICKSLIP_COUPLED_HPP
+
+#include <utility>
+#include <vector>
+
+#include "bodies.hpp"
+#include "loads.hpp"
+
+namespace stickslip {
+
+/// A solved contact of dissimilar bodies.
+class CoupledSolution {
+  public:
+    /// STICKSLIP_PRESSURE to STICKSLIP_DISPLACEMENT_Z.
+    Field field(std::int32_t which) const {
+        return detail::viewed<double>(
+            [&](std::size_t *size) { return stickslip_coupled_solution_field(get(), which, size); });
+    }
+    Zones zones() const {
+        return detail::viewed<std::uint8_t>(
+            [&](std::size_t *size) { return stickslip_coupled_solution_zones(get(), size); });
+    }
+    stickslip_normal_result normal() const {
+        return detail::asked<stickslip_normal_result>(
+            [&](auto *out) { return stickslip_coupled_solution_results(get(), out, nullptr); });
+    }
+    stickslip_tangential_result shear() const {
+        return detail::asked<stickslip_tangential_result>(
+            [&](auto *out) { return stickslip_coupled_solution_results(get(), nullptr, out); });
+    }
+    stickslip_coupled_report report() const {
+        return detail::asked<stickslip_coupled_report>(
+            [&](auto *out) { return stickslip_coupled_solution_report(get(), out); });
+    }
+    std::vector<stickslip_warning> warnings() const {
+        return detail::listed([&](stickslip_warning *to, std::size_t capacity, std::size_t *count) {
+            return stickslip_coupled_solution_warnings(get(), to, capacity, count);
+        });
+    }
+    stickslip_coupled_solution *get() const { return own_.get(); }
+
+  private:
+    friend class CoupledSolver;
+    using Own = detail::Owned<stickslip_coupled_solution, stickslip_coupled_solution_free>;
+    explicit CoupledSolution(Own own) : own_(std::move(own)) {}
+    Own own_;
+};
+
+/// Solves contacts of dissimilar bodies, pressure and shear together.
+class CoupledSolver {
+  public:
+    CoupledSolver(const HalfSpace &bodies, Field gap, const stickslip_friction &friction, stickslip_normal_load normal,
+                  const stickslip_tangential_load &load, const Settings *settings = nullptr,
+                  const stickslip_relative_displacement *relative = nullptr)
+        : own_(detail::made<Own>([&](auto **out) {
+              return stickslip_coupled_solver_new(bodies.get(), gap.data(), gap.size(), &friction, &normal, &load,
+                                                  relative, settings, out);
+          })) {}
+
+    void set_normal(stickslip_normal_load normal) { check(stickslip_coupled_solver_set_normal(get(), &normal)); }
+    void set_load(const stickslip_tangential_load &load) { check(stickslip_coupled_solver_set_load(get(), &load)); }
+    void set_gap(Field gap) { check(stickslip_coupled_solver_set_gap(get(), gap.data(), gap.size())); }
+    void set_friction(const stickslip_friction &friction) {
+        check(stickslip_coupled_solver_set_friction(get(), &friction));
+    }
+    void set_settings(const Settings &settings) { check(stickslip_coupled_solver_set_settings(get(), &settings)); }
+    void reset() { check(stickslip_coupled_solver_reset(get())); }
+
+    CoupledSolution solve(const Observe &observe = nullptr) {
+        CoupledSolution solution(detail::made<CoupledSolution::Own>(
+            [&](auto **out) { return stickslip_coupled_solution_new(get(), out); }));
+        solve_into(solution, observe);
+        return solution;
+    }
+    void solve_into(CoupledSolution &solution, const Observe &observe = nullptr) {
+        detail::Watch(observe).run([&](const stickslip_observer *observer) {
+            return stickslip_coupled_solver_solve(get(), solution.get(), observer);
+        });
+    }
+    stickslip_coupled_solver *get() const { return own_.get(); }
+
+  private:
+    using Own = detail::Owned<stickslip_coupled_solver, stickslip_coupled_solver_free>;
+    Own own_;
+};
+
+} // namespace stickslip
+
+#endif // STICKSLIP_COUPLED_HPP

@@ -1,0 +1,132 @@
+// Histories: steps with memory of slip, and states to return to.
+
+#ifndef STICKSLIP_HISTORY_HPP
+#define STICKSLIP_HISTORY_HPP
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "bodies.hpp"
+#include "loads.hpp"
+
+namespace stickslip {
+
+using Stiffness = stickslip_stiffness;
+
+class History;
+
+/// A state that a history may return to.
+class State {
+  public:
+    explicit State(const History &history);
+    void keep(const History &history);
+    stickslip_state *get() const { return own_.get(); }
+
+  private:
+    using Own = detail::Owned<stickslip_state, stickslip_state_free>;
+    Own own_;
+};
+
+/// A contact that is loaded step by step.
+class History {
+  public:
+    History(const HalfSpace &bodies, Field gap, const stickslip_friction &friction,
+            const stickslip_history_options &options = stickslip_history_options_default())
+        : own_(detail::made<Own>([&](auto **out) {
+              return stickslip_history_new(bodies.get(), gap.data(), gap.size(), &friction, &options, out);
+          })) {}
+
+    static History from_bytes(const HalfSpace &bodies, const std::vector<std::uint8_t> &bytes) {
+        return History(detail::made<Own>([&](auto **out) {
+            return stickslip_history_from_bytes(bodies.get(), bytes.data(), bytes.size(), out);
+        }));
+    }
+    std::vector<std::uint8_t> to_bytes() const {
+        std::size_t length = 0;
+        check(stickslip_history_to_bytes(get(), nullptr, 0, &length));
+        std::vector<std::uint8_t> bytes(length);
+        check(stickslip_history_to_bytes(get(), bytes.data(), length, &length));
+        return bytes;
+    }
+    History clone() const {
+        return History(detail::made<Own>([&](auto **out) { return stickslip_history_clone(get(), out); }));
+    }
+
+    /// Takes a step, and returns what it came to.
+    stickslip_step_result step(const LoadStep &load, const Observe &observe = nullptr) {
+        detail::Watch(observe).run([&](const stickslip_observer *observer) {
+            return stickslip_history_step(get(), &load, observer);
+        });
+        return result();
+    }
+    void set_gap(Field gap) { check(stickslip_history_set_gap(get(), gap.data(), gap.size())); }
+    void set_friction(const stickslip_friction &friction) { check(stickslip_history_set_friction(get(), &friction)); }
+    void set_settings(const Settings &settings) { check(stickslip_history_set_settings(get(), &settings)); }
+    void set_relative_displacement(const stickslip_relative_displacement &pattern) {
+        check(stickslip_history_set_relative_displacement(get(), &pattern));
+    }
+    void set_state(const State &state) { check(stickslip_history_set_state(get(), state.get())); }
+
+    stickslip_step_result result() const {
+        return detail::asked<stickslip_step_result>([&](auto *out) { return stickslip_history_result(get(), out); });
+    }
+    stickslip_normal_result normal() const {
+        return detail::asked<stickslip_normal_result>(
+            [&](auto *out) { return stickslip_history_normal_result(get(), out); });
+    }
+    Stiffness stiffness() const {
+        return detail::asked<Stiffness>([&](auto *out) { return stickslip_history_stiffness(get(), out); });
+    }
+    double friction_capacity() const {
+        return detail::asked<double>([&](double *out) { return stickslip_history_friction_capacity(get(), out); });
+    }
+    /// Those of pressure and traction.
+    std::pair<Report, Report> reports() const {
+        std::pair<Report, Report> both{};
+        check(stickslip_history_reports(get(), &both.first, &both.second));
+        return both;
+    }
+    std::vector<stickslip_warning> warnings() const {
+        return detail::listed([&](stickslip_warning *to, std::size_t capacity, std::size_t *count) {
+            return stickslip_history_warnings(get(), to, capacity, count);
+        });
+    }
+    /// STICKSLIP_PRESSURE to STICKSLIP_YIELDED_DEPTH.
+    Field field(std::int32_t which) const {
+        return detail::viewed<double>([&](std::size_t *size) { return stickslip_history_field(get(), which, size); });
+    }
+    Field pressure() const { return field(STICKSLIP_PRESSURE); }
+    Field traction_x() const { return field(STICKSLIP_TRACTION_X); }
+    Field traction_y() const { return field(STICKSLIP_TRACTION_Y); }
+    Zones zones() const {
+        return detail::viewed<std::uint8_t>([&](std::size_t *size) { return stickslip_history_zones(get(), size); });
+    }
+
+    /// Adds to depth what the energy law removes in the last step.
+    void wear_energy(const stickslip_per_cell &coefficient, std::vector<double> &depth) const {
+        check(stickslip_wear_energy(get(), &coefficient, depth.data(), depth.size()));
+    }
+    /// Adds to depth what Archard's law removes in the last step.
+    void wear_archard(const stickslip_per_cell &coefficient, std::vector<double> &depth) const {
+        check(stickslip_wear_archard(get(), &coefficient, depth.data(), depth.size()));
+    }
+    /// Adds to depth what the energy law removes beyond a threshold of the energy dissipated per area.
+    void wear_threshold_energy(const stickslip_per_cell &coefficient, double threshold, std::vector<double> &depth) const {
+        check(stickslip_wear_threshold_energy(get(), &coefficient, threshold, depth.data(), depth.size()));
+    }
+    stickslip_history *get() const { return own_.get(); }
+
+  private:
+    using Own = detail::Owned<stickslip_history, stickslip_history_free>;
+    explicit History(Own own) : own_(std::move(own)) {}
+    Own own_;
+};
+
+inline State::State(const History &history)
+    : own_(detail::made<Own>([&](auto **out) { return stickslip_state_new(history.get(), out); })) {}
+inline void State::keep(const History &history) { check(stickslip_state_keep(get(), history.get())); }
+
+} // namespace stickslip
+
+#endif // STICKSLIP_HISTORY_HPP

@@ -1,0 +1,35 @@
+// Friction and loads.
+
+#ifndef STICKSLIP_LOADS_HPP
+#define STICKSLIP_LOADS_HPP
+
+#include "../stickslip.h"
+
+namespace stickslip {
+
+using LoadStep = stickslip_load_step;
+
+inline stickslip_friction coulomb(double coefficient) { return stickslip_coulomb(coefficient); }
+
+inline stickslip_normal_load press_by_force(double force) { return {STICKSLIP_FORCE, force}; }
+inline stickslip_normal_load press_by_approach(double approach) { return {STICKSLIP_APPROACH, approach}; }
+inline stickslip_normal_load held_pressure() { return {STICKSLIP_HOLD, 0.0}; }
+
+inline stickslip_control held() { return {STICKSLIP_HOLD, 0.0, 0.0}; }
+inline stickslip_control force(double value) { return {STICKSLIP_FORCE, value, 0.0}; }
+inline stickslip_control shift(double value) { return {STICKSLIP_SHIFT, value, 0.0}; }
+inline stickslip_control spring(double position, double stiffness) { return {STICKSLIP_SPRING, position, stiffness}; }
+
+/// A tangential load from rest.
+inline stickslip_tangential_load tangential(stickslip_control x, stickslip_control y = held(), double twist = 0.0) {
+    return {x, y, twist};
+}
+
+/// A step of a history that holds what it does not name.
+inline LoadStep step(stickslip_normal_load normal, stickslip_control x = held(), stickslip_control y = held()) {
+    return {normal, x, y, 0, 0.0, 0, 0.0};
+}
+
+} // namespace stickslip
+
+#endif // STICKSLIP_LOADS_HPP

@@ -1,0 +1,82 @@
+// Stress and displacement below the surface, and closed forms.
+
+#ifndef STICKSLIP_STRESS_HPP
+#define STICKSLIP_STRESS_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
+#include "bodies.hpp"
+
+namespace stickslip {
+
+using Tractions = stickslip_tractions;
+using Point = stickslip_point;
+using Response = stickslip_response;
+
+/// A pressure without shear; the samples are not copied.
+inline Tractions tractions(Field pressure) { return {pressure.data(), nullptr, nullptr, pressure.size()}; }
+
+/// A pressure with tractions along x and y; the samples are not copied.
+inline Tractions tractions(Field pressure, Field x, Field y) {
+    if (x.size() != pressure.size() || y.size() != pressure.size()) {
+        throw std::invalid_argument("pressure and tractions have different lengths");
+    }
+    return {pressure.data(), x.data(), y.data(), pressure.size()};
+}
+
+/// Displacement and stress of STICKSLIP_BODY_1 or STICKSLIP_BODY_2 at points.
+inline std::vector<Response> stress_at(const HalfSpace &bodies, std::int32_t body, const Tractions &tractions,
+                                       const std::vector<Point> &points) {
+    std::vector<Response> responses(points.size());
+    check(stickslip_stress_at_points(bodies.get(), body, &tractions, points.data(), points.size(), responses.data()));
+    return responses;
+}
+
+/// Planes at chosen depths below each body. Its fields are those of the plane solved last.
+class Planes {
+  public:
+    Planes(const HalfSpace &bodies, const std::vector<double> &depths, bool with_displacements = false)
+        : own_(detail::made<Own>([&](auto **out) {
+              return stickslip_planes_new(bodies.get(), depths.data(), depths.size(), with_displacements ? 1 : 0, out);
+          })) {}
+
+    void solve(std::size_t index, std::int32_t body, const Tractions &tractions) {
+        check(stickslip_planes_solve(own_.get(), index, body, &tractions));
+    }
+    /// STICKSLIP_STRESS_XX to STICKSLIP_STRESS_YZ, or STICKSLIP_DISPLACEMENT_X to STICKSLIP_DISPLACEMENT_Z.
+    Field field(std::int32_t which) const {
+        return detail::viewed<double>(
+            [&](std::size_t *size) { return stickslip_planes_field(own_.get(), which, size); });
+    }
+    /// STICKSLIP_VON_MISES, STICKSLIP_MAX_SHEAR or STICKSLIP_HYDROSTATIC of each cell.
+    std::vector<double> measure(std::int32_t which) const {
+        std::vector<double> values(field(STICKSLIP_STRESS_XX).size());
+        check(stickslip_planes_measure(own_.get(), which, values.data(), values.size()));
+        return values;
+    }
+
+  private:
+    using Own = detail::Owned<stickslip_planes, stickslip_planes_free>;
+    Own own_;
+};
+
+/// Hertz' contact of a sphere under a normal force.
+inline stickslip_hertz hertz_sphere(const HalfSpace &bodies, double radius, double force) {
+    return detail::asked<stickslip_hertz>(
+        [&](auto *out) { return stickslip_hertz_sphere(bodies.get(), radius, force, out); });
+}
+
+/// Cattaneo and Mindlin's contact of a sphere under a normal and a tangential force.
+inline stickslip_cattaneo_mindlin cattaneo_mindlin_sphere(const HalfSpace &bodies, double radius, double force,
+                                                          double friction, double tangential_force) {
+    return detail::asked<stickslip_cattaneo_mindlin>([&](auto *out) {
+        return stickslip_cattaneo_mindlin_sphere(bodies.get(), radius, force, friction, tangential_force, out);
+    });
+}
+
+} // namespace stickslip
+
+#endif // STICKSLIP_STRESS_HPP

@@ -1,0 +1,147 @@
+//! Stress and displacement below the surface, on planes.
+
+use stickslip_rs::subsurface::{Plane, Planes, Stress};
+use stickslip_rs::{Field, Grid};
+
+use crate::call::{Outcome, call, call_on};
+use crate::error::Failure;
+use crate::fields::*;
+use crate::half_space::stickslip_half_space;
+use crate::handle::{Handle, changing, free, give, opaque, reading};
+use crate::pointer::{Place, cells_mut, entries, input};
+use crate::reading::show;
+use crate::status::{STICKSLIP_REFUSED, stickslip_status};
+use crate::stress::{body, stickslip_tractions};
+
+/// Planes at chosen depths below each body, and the one that was solved last. Its fields are read without a copy, and are
+/// valid until the next solve, or until it is freed.
+pub struct stickslip_planes(Handle<Solved>);
+
+opaque!(stickslip_planes holds Solved, named "planes");
+
+/// Planes with the last of them.
+#[derive(Debug)]
+pub struct Solved {
+    own: Planes,
+    grid: Grid,
+    last: Option<Plane>,
+}
+
+impl Solved {
+    fn last(&self) -> Outcome<&Plane> {
+        let unsolved = || Failure::new(STICKSLIP_REFUSED, "no plane has been solved yet".into());
+        self.last.as_ref().ok_or_else(unsolved)
+    }
+}
+
+/// Makes planes at count depths (lengths, zero or positive, copied) below the surface of either body; with displacements
+/// if that is not zero. The kernels of a depth, 112 bytes for each cell (152 with displacements), are made when it is first
+/// solved, and kept.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_planes_new(
+    half_space: *const stickslip_half_space,
+    depths: *const f64,
+    count: usize,
+    with_displacements: i32,
+    planes: *mut *mut stickslip_planes,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(half_space, || unsafe {
+        let place = Place::new("planes", planes)?;
+        let (depths, bodies) = (entries("depths", depths, count)?, reading(half_space)?);
+        let grid = bodies.grid();
+        let mut own = Planes::new(&bodies, depths)?;
+        if with_displacements != 0 {
+            own = own.with_displacements();
+        }
+        let last = None;
+        give(place, Solved { own, grid, last }, grid.cells());
+        Ok(())
+    })
+}
+
+/// Frees planes; nothing for NULL.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_planes_free(planes: *mut stickslip_planes) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call(|| unsafe { free(planes) })
+}
+
+/// Solves the plane at the depth of number index, counted from zero, in body STICKSLIP_BODY_1 or STICKSLIP_BODY_2, by fast
+/// transforms. STICKSLIP_RIGID_BODY for a rigid body. After a failure the plane solved last is as it was.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_planes_solve(
+    planes: *mut stickslip_planes,
+    index: usize,
+    which: i32,
+    tractions: *const stickslip_tractions,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(planes, || unsafe {
+        let (body, tractions) = (body(which)?, input("tractions", tractions)?);
+        let mut planes = changing(planes)?;
+        let spare = planes.spare();
+        let Solved { own, grid, last } = &mut *planes;
+        tractions.with(*grid, spare, |tractions| {
+            match last {
+                Some(plane) => own.solve_into(index, body, tractions, plane)?,
+                none => *none = Some(own.solve(index, body, tractions)?),
+            }
+            Ok(())
+        })
+    })
+}
+
+/// A field of the plane solved last, STICKSLIP_STRESS_XX to STICKSLIP_STRESS_YZ or, of planes made with displacements,
+/// STICKSLIP_DISPLACEMENT_X to STICKSLIP_DISPLACEMENT_Z, and how many cells it has (count may be NULL); NULL on failure.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_planes_field(
+    planes: *const stickslip_planes,
+    which: i32,
+    count: *mut usize,
+) -> *const f64 {
+    // SAFETY: the rule for pointers.
+    unsafe { show(planes, count, |of| Ok(field(of.last()?, which)?.as_slice())) }
+}
+
+fn field(plane: &Plane, which: i32) -> Outcome<&Field> {
+    let displacement = || plane.displacement().ok_or_else(|| none(which));
+    Ok(match which {
+        STICKSLIP_STRESS_XX => plane.normal_stress()[0],
+        STICKSLIP_STRESS_YY => plane.normal_stress()[1],
+        STICKSLIP_STRESS_ZZ => plane.normal_stress()[2],
+        STICKSLIP_STRESS_XY => plane.shear_stress()[0],
+        STICKSLIP_STRESS_XZ => plane.shear_stress()[1],
+        STICKSLIP_STRESS_YZ => plane.shear_stress()[2],
+        STICKSLIP_DISPLACEMENT_X => displacement()?[0],
+        STICKSLIP_DISPLACEMENT_Y => displacement()?[1],
+        STICKSLIP_DISPLACEMENT_Z => displacement()?[2],
+        other => return Err(none(other)),
+    })
+}
+
+/// Writes STICKSLIP_VON_MISES, STICKSLIP_MAX_SHEAR or STICKSLIP_HYDROSTATIC of each cell of the plane solved last to
+/// values, which has count entries.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_planes_measure(
+    planes: *const stickslip_planes,
+    which: i32,
+    values: *mut f64,
+    count: usize,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(planes, || unsafe {
+        let planes = reading(planes)?;
+        let values = cells_mut("values", planes.grid, values, count)?;
+        let measure = match which {
+            STICKSLIP_VON_MISES => Stress::von_mises,
+            STICKSLIP_MAX_SHEAR => Stress::max_shear,
+            STICKSLIP_HYDROSTATIC => Stress::hydrostatic,
+            other => return Err(none(other)),
+        };
+        for (value, stress) in values.iter_mut().zip(planes.last()?.stresses()) {
+            *value = measure(&stress);
+        }
+        Ok(())
+    })
+}

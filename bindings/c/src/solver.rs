@@ -1,0 +1,197 @@
+//! What the solvers of all contacts have in common.
+
+use std::ops::ControlFlow;
+
+use stickslip_rs::cgm::Settings;
+use stickslip_rs::{
+    CoupledSolution, CoupledSolver, Field, Grid, Iteration, NormalSolution, NormalSolver, Result,
+    TangentialSolution, TangentialSolver,
+};
+
+use crate::call::{Outcome, call_on};
+use crate::handle::{Opaque, changing, give, reading};
+use crate::inputs::stickslip_settings;
+use crate::observer::{stickslip_observer, watch};
+use crate::pointer::{Place, cells, input, optional};
+use crate::status::stickslip_status;
+
+/// A solver with its grid, which it does not tell of itself.
+#[derive(Debug)]
+pub struct Solver<S> {
+    pub(crate) own: S,
+    pub(crate) grid: Grid,
+}
+
+/// A solver of the crate.
+pub(crate) trait Solve {
+    type Solution;
+
+    fn set_settings(&mut self, settings: Settings) -> Result<()>;
+    fn reset(&mut self);
+    fn new_solution(&self) -> Self::Solution;
+    fn solve_observed(
+        &mut self,
+        solution: &mut Self::Solution,
+        observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
+    ) -> Result<()>;
+}
+
+macro_rules! solve {
+    ($($solver:ty => $solution:ty),* $(,)?) => {$(
+        impl Solve for $solver {
+            type Solution = $solution;
+
+            fn set_settings(&mut self, settings: Settings) -> Result<()> {
+                self.set_settings(settings)
+            }
+
+            fn reset(&mut self) {
+                self.reset();
+            }
+
+            fn new_solution(&self) -> $solution {
+                self.new_solution()
+            }
+
+            fn solve_observed(
+                &mut self,
+                solution: &mut $solution,
+                observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
+            ) -> Result<()> {
+                self.solve_observed(solution, observer)
+            }
+        }
+    )*};
+}
+
+solve! {
+    NormalSolver => NormalSolution,
+    TangentialSolver => TangentialSolution,
+    CoupledSolver => CoupledSolution,
+}
+
+/// Changes a solver by a struct of C, which is checked first.
+///
+/// # Safety
+/// The rule for pointers.
+pub(crate) unsafe fn change<T: Opaque<Value = Solver<S>>, S, A, B>(
+    solver: *mut T,
+    (name, given): (&str, *const A),
+    check: impl FnOnce(&A) -> Outcome<B>,
+    set: impl FnOnce(&mut S, B) -> Result<()>,
+) -> stickslip_status {
+    // SAFETY: as of this function.
+    call_on(solver, || unsafe {
+        let given = check(input(name, given)?)?;
+        Ok(set(&mut changing(solver)?.own, given)?)
+    })
+}
+
+/// The same by a struct that is checked against the grid.
+///
+/// # Safety
+/// The rule for pointers.
+pub(crate) unsafe fn change_on_grid<T: Opaque<Value = Solver<S>>, S, A, B>(
+    solver: *mut T,
+    (name, given): (&str, *const A),
+    check: impl FnOnce(&A, Grid) -> Outcome<B>,
+    set: impl FnOnce(&mut S, &B) -> Result<()>,
+) -> stickslip_status {
+    // SAFETY: as of this function.
+    call_on(solver, || unsafe {
+        let mut solver = changing(solver)?;
+        let given = check(input(name, given)?, solver.grid)?;
+        Ok(set(&mut solver.own, &given)?)
+    })
+}
+
+/// The same by a number for each cell.
+///
+/// # Safety
+/// The rule for pointers.
+pub(crate) unsafe fn change_cells<T: Opaque<Value = Solver<S>>, S>(
+    solver: *mut T,
+    (name, pointer, count): (&str, *const f64, usize),
+    set: impl FnOnce(&mut S, &Field) -> Result<()>,
+) -> stickslip_status {
+    // SAFETY: as of this function.
+    call_on(solver, || unsafe {
+        let mut solver = changing(solver)?;
+        let samples = cells(name, solver.grid, pointer, count)?;
+        solver.spare().with_copy(solver.grid, samples, |field| {
+            Ok(set(&mut solver.own, field)?)
+        })
+    })
+}
+
+/// Changes the settings.
+///
+/// # Safety
+/// The rule for pointers.
+pub(crate) unsafe fn set_settings<T: Opaque<Value = Solver<S>>, S: Solve>(
+    solver: *mut T,
+    settings: *const stickslip_settings,
+) -> stickslip_status {
+    let check = stickslip_settings::checked;
+    // SAFETY: as of this function.
+    unsafe { change(solver, ("settings", settings), check, S::set_settings) }
+}
+
+/// Forgets the last answer.
+///
+/// # Safety
+/// The rule for pointers.
+pub(crate) unsafe fn reset<T: Opaque<Value = Solver<S>>, S: Solve>(
+    solver: *mut T,
+) -> stickslip_status {
+    // SAFETY: as of this function.
+    call_on(solver, || unsafe {
+        changing(solver)?.own.reset();
+        Ok(())
+    })
+}
+
+/// Makes an empty solution.
+///
+/// # Safety
+/// The rule for pointers.
+pub(crate) unsafe fn new_solution<T, S, U>(
+    solver: *const T,
+    solution: *mut *mut U,
+) -> stickslip_status
+where
+    T: Opaque<Value = Solver<S>>,
+    S: Solve,
+    U: Opaque<Value = S::Solution>,
+{
+    // SAFETY: as of this function.
+    call_on(solver, || unsafe {
+        let place = Place::new("solution", solution)?;
+        let solver = reading(solver)?;
+        give(place, solver.own.new_solution(), solver.grid.cells());
+        Ok(())
+    })
+}
+
+/// Solves into a solution.
+///
+/// # Safety
+/// The rule for pointers.
+pub(crate) unsafe fn solve<T, S, U>(
+    solver: *mut T,
+    solution: *mut U,
+    observer: *const stickslip_observer,
+) -> stickslip_status
+where
+    T: Opaque<Value = Solver<S>>,
+    S: Solve,
+    U: Opaque<Value = S::Solution>,
+{
+    // SAFETY: as of this function.
+    call_on(solver, || unsafe {
+        let observer = optional("observer", observer)?;
+        let mut solver = changing(solver)?;
+        let mut solution = changing(solution)?;
+        Ok(solver.own.solve_observed(&mut solution, watch(observer))?)
+    })
+}

@@ -1,0 +1,146 @@
+//! Stress and displacement below the surface, at points.
+
+use stickslip_rs::Grid;
+use stickslip_rs::subsurface::{self, Body, Response, Stress, Tractions};
+
+use crate::call::{Outcome, call};
+use crate::error::Failure;
+use crate::half_space::stickslip_half_space;
+use crate::handle::reading;
+use crate::pointer::{cells, entries, entries_mut, input};
+use crate::spare::Spare;
+use crate::status::stickslip_status;
+use crate::threads::enter;
+
+/// Body 1, into which z points.
+pub const STICKSLIP_BODY_1: i32 = 1;
+/// Body 2, above it.
+pub const STICKSLIP_BODY_2: i32 = 2;
+
+pub(crate) fn body(value: i32) -> Outcome<Body> {
+    match value {
+        STICKSLIP_BODY_1 => Ok(Body::One),
+        STICKSLIP_BODY_2 => Ok(Body::Two),
+        other => Err(Failure::option("body", other)),
+    }
+}
+
+/// What acts on the surface: the fields of a solution or a history, or any others. It is up to the caller that they belong
+/// to the same bodies.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_tractions {
+    /// Pressure of each cell, positive in compression.
+    pub pressure: *const f64,
+    /// Traction along x on body 1 (pressures); NULL, like that along y, without shear.
+    pub x: *const f64,
+    /// Traction along y on body 1.
+    pub y: *const f64,
+    /// Number of cells.
+    pub count: usize,
+}
+
+impl stickslip_tractions {
+    /// Runs work on the tractions.
+    ///
+    /// # Safety
+    /// The rule for pointers.
+    pub(crate) unsafe fn with<T>(
+        &self,
+        grid: Grid,
+        spare: &Spare,
+        work: impl FnOnce(Tractions<'_>) -> Outcome<T>,
+    ) -> Outcome<T> {
+        let has_shear = !self.x.is_null() || !self.y.is_null();
+        // SAFETY: as of this function.
+        let field = |name, pointer| unsafe { cells(name, grid, pointer, self.count) };
+        let pressure = field("pressure", self.pressure)?;
+        if !has_shear {
+            return spare.with_copy(grid, pressure, |pressure| work(Tractions::new(pressure)));
+        }
+        let (x, y) = (
+            field("traction along x", self.x)?,
+            field("traction along y", self.y)?,
+        );
+        spare.with_copy(grid, pressure, |pressure| {
+            spare.with_copy(grid, x, |x| {
+                spare.with_copy(grid, y, |y| {
+                    work(Tractions::new(pressure).with_shear([x, y]))
+                })
+            })
+        })
+    }
+}
+
+/// A point in a body.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_point {
+    /// Position along x, that of the grid (a length).
+    pub x: f64,
+    /// Position along y (a length).
+    pub y: f64,
+    /// Depth below the surface of the body (a length), zero or positive in both bodies.
+    pub depth: f64,
+}
+
+/// Displacement and stress at a point, along x, y and z, with z into body 1.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_response {
+    /// Displacement of the body along x, y and z (lengths), zero at infinity.
+    pub displacement: [f64; 3],
+    /// Stresses xx, yy and zz (pressures, positive in tension).
+    pub normal_stress: [f64; 3],
+    /// Stresses xy, xz and yz (pressures).
+    pub shear_stress: [f64; 3],
+    /// Principal stresses (pressures, positive in tension), the largest first.
+    pub principal_stress: [f64; 3],
+    /// Von Mises' equivalent stress (a pressure).
+    pub von_mises: f64,
+}
+
+impl From<Response> for stickslip_response {
+    fn from(at: Response) -> Self {
+        let stress: Stress = at.stress;
+        Self {
+            displacement: at.displacement,
+            normal_stress: [stress.xx, stress.yy, stress.zz],
+            shear_stress: [stress.xy, stress.xz, stress.yz],
+            principal_stress: stress.principal().values,
+            von_mises: stress.von_mises(),
+        }
+    }
+}
+
+/// Displacement and stress of body STICKSLIP_BODY_1 or STICKSLIP_BODY_2 at count points, written to responses, by sums over
+/// all loaded cells: exact for a uniform traction on each. STICKSLIP_RIGID_BODY for a rigid body, STICKSLIP_REPEATS on a grid
+/// that repeats along both axes. For whole planes stickslip_planes_solve is faster.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_stress_at_points(
+    half_space: *const stickslip_half_space,
+    which: i32,
+    tractions: *const stickslip_tractions,
+    points: *const stickslip_point,
+    count: usize,
+    responses: *mut stickslip_response,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call(|| unsafe {
+        let places = entries_mut("responses", responses, count)?;
+        let points = entries("points", points, count)?;
+        let points: Vec<[f64; 3]> = points.iter().map(|at| [at.x, at.y, at.depth]).collect();
+        let (body, tractions) = (body(which)?, input("tractions", tractions)?);
+        let bodies = reading(half_space)?;
+        let bodies = &*bodies;
+        let grid = bodies.grid();
+        let found = tractions.with(grid, &Spare::default(), |tractions| {
+            let sum = || subsurface::at_points(bodies, body, tractions, &points);
+            Ok(enter(grid.cells().saturating_mul(points.len()), sum)?)
+        })?;
+        for (place, response) in places.iter_mut().zip(found) {
+            *place = response.into();
+        }
+        Ok(())
+    })
+}

@@ -1,0 +1,83 @@
+/* Calls below the surface, on rough surfaces, and of closed forms. */
+
+#include <math.h>
+
+#include "run.h"
+
+#define POINTS 3
+
+void below_the_surface(struct run *run) {
+    struct slot *bodies = pick(run, BODIES), *planes = pick(run, PLANES);
+    const stickslip_half_space *on = GET(stickslip_half_space, bodies);
+    size_t at = below(run, 3) == 0 ? bodies->cells : planes->cells, count = at == 0 ? 4 : at, depth_count = 2;
+    double *pressure = array(run, &count, 0.2), *depths = array(run, &depth_count, 1.0);
+    bool has_shear = below(run, 2) == 0;
+    stickslip_tractions tractions = {maybe(run, pressure), has_shear ? maybe(run, pressure) : NULL,
+                                     has_shear ? maybe(run, pressure) : NULL, count};
+    int32_t body = 1 + option(run, 2);
+    switch (below(run, 4)) {
+    case 0: {
+        stickslip_planes *made = NULL;
+        SEEN(stickslip_planes_new(on, maybe(run, depths), depth_count, option(run, 2), maybe_out(run, &made)));
+        put(run, PLANES, made, bodies->cells);
+        break;
+    }
+    case 1: {
+        stickslip_point points[POINTS];
+        stickslip_response responses[POINTS];
+        for (int i = 0; i < POINTS; i++) {
+            points[i] = (stickslip_point){number(run, 1.0), number(run, 1.0), number(run, 1.0)};
+        }
+        SEEN(stickslip_stress_at_points(on, body, maybe(run, &tractions), maybe(run, points), below(run, POINTS + 1),
+                                        maybe_out(run, responses)));
+        break;
+    }
+    case 2:
+        SEEN(stickslip_planes_solve(GET(stickslip_planes, planes), below(run, 3), body, maybe(run, &tractions)));
+        break;
+    default:
+        SEEN(stickslip_planes_measure(GET(stickslip_planes, planes), 27 + option(run, 3), maybe_out(run, pressure), count));
+    }
+    free(pressure), free(depths);
+}
+
+/* Zero and NaN are defaults. */
+static double left_out(struct run *run, double nothing, double scale) {
+    return below(run, 2) == 0 ? nothing : number(run, scale);
+}
+
+void forms(struct run *run) {
+    const stickslip_half_space *bodies = GET(stickslip_half_space, pick(run, BODIES));
+    stickslip_grid grid = {1 + below(run, 12), 1 + below(run, 12), number(run, 1.0), number(run, 1.0)};
+    size_t count = grid.nx * grid.ny;
+    double *heights = array(run, &count, 0.1);
+    stickslip_hertz hertz;
+    stickslip_cattaneo_mindlin found;
+    stickslip_statistics statistics;
+    switch (below(run, 4)) {
+    case 0:
+        SEEN(stickslip_hertz_sphere(bodies, number(run, 5.0), number(run, 1.0), maybe_out(run, &hertz)));
+        break;
+    case 1:
+        SEEN(stickslip_cattaneo_mindlin_sphere(bodies, number(run, 5.0), number(run, 1.0), number(run, 0.5),
+                                               number(run, 0.3), maybe_out(run, &found)));
+        break;
+    case 2:
+        SEEN(stickslip_surface_statistics(maybe(run, &grid), maybe(run, heights), count, maybe_out(run, &statistics)));
+        break;
+    default: {
+        stickslip_self_affine recipe = stickslip_self_affine_default();
+        bool has_height = below(run, 2) == 0;
+        recipe.rms_height = has_height ? number(run, 0.1) : 0.0;
+        recipe.rms_slope = has_height && !rarely(run) ? 0.0 : number(run, 0.2);
+        recipe.hurst = unit(run), recipe.seed = next(run), recipe.amplitudes = option(run, 2);
+        recipe.longest_wavelength = left_out(run, 0.0, 12.0), recipe.roll_off_wavelength = left_out(run, 0.0, 6.0);
+        recipe.cut_off_wavelength = left_out(run, 0.0, 4.0), recipe.cropped = option(run, 2);
+        if (below(run, 8) == 0) {
+            recipe.skewness = left_out(run, NAN, 0.5), recipe.kurtosis = left_out(run, NAN, 4.0);
+        }
+        SEEN(stickslip_surface_self_affine(maybe(run, &grid), maybe(run, &recipe), maybe_out(run, heights), count));
+    }
+    }
+    free(heights);
+}

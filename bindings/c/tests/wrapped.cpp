@@ -1,0 +1,59 @@
+// What C++ has of surfaces, stresses and closed forms, and its exceptions.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <stickslip.hpp>
+
+namespace ss = stickslip;
+
+static int failures = 0;
+
+static void check(bool condition, const char *what) {
+    if (!condition) {
+        std::fprintf(stderr, "%s\n", what);
+        failures++;
+    }
+}
+
+template <class Call> static void fails(stickslip_status code, Call call) {
+    try {
+        call();
+        check(false, "no exception");
+    } catch (const ss::Error &error) {
+        check(error.code() == code, error.what());
+    }
+}
+
+int main() {
+    const std::size_t n = 48;
+    const ss::Grid grid{n, n, 0.4 / n, 0.4 / n};
+    const ss::Material steel = ss::elastic(210e3, 0.3);
+    const ss::HalfSpace bodies(grid, steel, steel);
+    const ss::NormalSolution pressed = ss::NormalSolver(bodies, ss::sphere(grid, 5.0), ss::press_by_force(100.0)).solve();
+    const stickslip_hertz hertz = ss::hertz_sphere(bodies, 5.0, 100.0);
+    check(std::fabs(pressed.result().approach / hertz.approach - 1.0) < 5e-3, "approach");
+    check(ss::cattaneo_mindlin_sphere(bodies, 5.0, 100.0, 0.5, 50.0).stick_radius < 1e-4, "gross slip");
+    fails(STICKSLIP_BEYOND_FRICTION_CAPACITY, [&] { ss::cattaneo_mindlin_sphere(bodies, 5.0, 100.0, 0.5, 60.0); });
+
+    // The largest shear stress is 0.310 p0, at the depth 0.481 a.
+    const double depth = 0.481 * hertz.contact_radius;
+    const ss::Tractions load = ss::tractions(pressed.pressure());
+    ss::Planes planes(bodies, {depth});
+    fails(STICKSLIP_REFUSED, [&] { planes.field(STICKSLIP_STRESS_ZZ); });
+    planes.solve(0, STICKSLIP_BODY_1, load);
+    const std::vector<double> shear = planes.measure(STICKSLIP_MAX_SHEAR);
+    const double largest = *std::max_element(shear.begin(), shear.end());
+    check(std::fabs(largest / hertz.max_pressure - 0.310) < 2e-3, "largest shear stress");
+    const ss::Response at = ss::stress_at(bodies, STICKSLIP_BODY_1, load, {{0.5 * grid.dx, 0.5 * grid.dy, depth}}).front();
+    check(std::fabs(planes.field(STICKSLIP_STRESS_ZZ)[n * n / 2 + n / 2] / at.normal_stress[2] - 1.0) < 1e-9, "szz");
+    fails(STICKSLIP_NO_SUCH_OPTION, [&] { planes.solve(0, 0, load); });
+
+    ss::SelfAffine recipe = stickslip_self_affine_default();
+    recipe.rms_height = 1e-3;
+    check(std::fabs(ss::statistics(grid, ss::self_affine(grid, recipe)).rms_height / 1e-3 - 1.0) < 1e-12, "rms height");
+    recipe.hurst = 2.0;
+    fails(STICKSLIP_HURST, [&] { ss::self_affine(grid, recipe); });
+    return failures == 0 ? 0 : 1;
+}
