@@ -184,39 +184,30 @@ impl Linearised<2> for Disc {
         })
     }
 
-    /// `q_i = P_i(q_i + t)`, with one `t` for all. The sums are the gradient of a convex function of `t`: Newton's
-    /// method, damped.
+    /// The cells at their limits stay there if the others suffice: moved a little off the circle they would count as
+    /// sticking.
     fn restore(
         layout: &Layout,
         mut q: [&mut [f64]; 2],
         constraint: &impl Constraint<2, Set = Self>,
-        _: impl Fn(usize) -> bool + Sync,
+        preferred: impl Fn(usize) -> bool + Sync,
         sums: [Option<f64>; 2],
     ) -> bool {
-        let mut t = [0.0; 2];
-        if sums != [None, None] {
-            let old = slices(&q);
-            let mut best = shifted(layout, &old, constraint, sums, t);
-            for _ in 0..100 {
-                if norm(best.missing) <= 1e-14 * best.size {
-                    break;
-                }
-                let step = best.step(sums);
-                // Half as far until the sums come nearer.
-                let parts = std::iter::successors(Some(1.0), |part| Some(0.5 * part));
-                let nearer = parts.take_while(|part| *part >= 1e-9).find_map(|part| {
-                    let next = plus(t, part, step);
-                    let found = shifted(layout, &old, constraint, sums, next);
-                    (norm(found.missing) < norm(best.missing)).then_some((next, found))
-                });
-                match nearer {
-                    Some(found) => (t, best) = found,
-                    None => break,
-                }
-            }
+        let old = slices(&q);
+        let inside = |i: usize, q| preferred(i) || !constraint.of(i).is_at_limit(q);
+        let (mut shift, suffices) = shift_to_sums(layout, &old, constraint, sums, inside);
+        if !suffices {
+            (shift, _) = shift_to_sums(layout, &old, constraint, sums, |_, _| true);
         }
-        update_cells(&mut q, |i, q| constraint.of(i).project(plus(q, 1.0, t)));
-        // All cells move, and their sets follow from where they are.
+        update_cells(&mut q, |i, q| {
+            let shift = if suffices && !inside(i, q) {
+                [0.0; 2]
+            } else {
+                shift
+            };
+            constraint.of(i).project(plus(q, 1.0, shift))
+        });
+        // All cells move on, each as it did.
         true
     }
 
@@ -228,7 +219,43 @@ impl Linearised<2> for Disc {
     }
 }
 
-/// What the sums become when every vector is moved by the same amount and projected.
+/// The `t` at which the vectors `P_i(q_i + t)` of the selected cells, and the others as they are, have the sums, and
+/// whether they have them: the selected cells may not suffice. The sums are the gradient of a convex function of `t`:
+/// Newton's method, damped.
+fn shift_to_sums(
+    layout: &Layout,
+    q: &[&[f64]; 2],
+    constraint: &impl Constraint<2, Set = Disc>,
+    sums: [Option<f64>; 2],
+    selected: impl Fn(usize, [f64; 2]) -> bool + Sync,
+) -> ([f64; 2], bool) {
+    let moved = |t: [f64; 2]| shifted(layout, q, constraint, sums, &selected, t);
+    let mut t = [0.0; 2];
+    if sums == [None, None] {
+        return (t, true);
+    }
+    let mut best = moved(t);
+    for _ in 0..100 {
+        if norm(best.missing) <= 1e-14 * best.size {
+            break;
+        }
+        let step = best.step(sums);
+        // Half as far until the sums come nearer.
+        let parts = std::iter::successors(Some(1.0), |part| Some(0.5 * part));
+        let nearer = parts.take_while(|part| *part >= 1e-9).find_map(|part| {
+            let next = plus(t, part, step);
+            let found = moved(next);
+            (norm(found.missing) < norm(best.missing)).then_some((next, found))
+        });
+        match nearer {
+            Some(found) => (t, best) = found,
+            None => break,
+        }
+    }
+    (t, norm(best.missing) <= 1e-12 * best.size)
+}
+
+/// What the sums become when the selected vectors are moved by the same amount and projected.
 struct Shifted {
     /// What is left to the prescribed sums.
     missing: [f64; 2],
@@ -243,10 +270,15 @@ fn shifted(
     q: &[&[f64]; 2],
     constraint: &impl Constraint<2, Set = Disc>,
     sums: [Option<f64>; 2],
+    selected: impl Fn(usize, [f64; 2]) -> bool + Sync,
     t: [f64; 2],
 ) -> Shifted {
     let (found, slope, size) = reduce::sum(layout, |i| {
-        let moved = plus(at(q, i), 1.0, t);
+        let held = at(q, i);
+        if !selected(i, held) {
+            return (held, [[0.0; 2]; 2], norm(held));
+        }
+        let moved = plus(held, 1.0, t);
         let (disc, length) = (constraint.of(i), norm(moved));
         let nearest = disc.project(moved);
         // The derivative of the projection: along the circle, shrunk, once outside.

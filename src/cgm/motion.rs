@@ -120,8 +120,9 @@ pub trait Linearised<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'st
     where
         Self: Admissible<N>;
 
-    /// Moves the cells within their sets to the nearest points that have the sums, those of `preferred` alone if
-    /// they suffice; says whether they did.
+    /// Moves the cells within their sets to the nearest points that have the sums: those of `preferred`, and where
+    /// all cells [move](Motion::IS_STEADY) those inside their bounds, alone if they suffice. Says whether the cells keep
+    /// the way they move.
     fn restore(
         layout: &Layout,
         x: [&mut [f64]; N],

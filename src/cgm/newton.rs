@@ -98,7 +98,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         self.mark_start();
         if MotionOf::<K, N>::IS_CURVED {
             if !self.is_fresh {
-                self.restore_totals(false);
+                self.restore_totals(true);
                 self.ask()?;
                 self.refresh_f32();
             }

@@ -149,11 +149,12 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         });
     }
 
-    /// Moves the cells to their sums: those that move, if they suffice, or `all` alike. Says whether they sufficed.
+    /// Moves the cells to their sums: those that move, or are inside their bounds, if they suffice, or `all` alike. Says
+    /// whether the cells keep the way they move.
     pub(super) fn restore_totals(&mut self, all: bool) -> bool {
         let motions = &self.workspace.motions;
         let is_steady = MotionOf::<K, N>::IS_STEADY;
-        let preferred = |i: usize| all || is_steady || motions[i].moves();
+        let preferred = |i: usize| all || !is_steady && motions[i].moves();
         let (constraint, sums) = (
             &self.problem.constraint,
             self.problem.totals.map(Total::sum),

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use crate::cascade::{Levels, Scene};
-use crate::cgm::vector::{at, norm, slices};
+use crate::cgm::vector::{at, norm, slices, slices_mut};
 use crate::cgm::{Admissible, Ball, Constraint, Linearised, Magnitude, Total, Within, reduce};
 use crate::influence::Direction;
 use crate::layout::Layout;
@@ -104,6 +104,13 @@ where
             for (part, value) in start.iter_mut().zip(traction) {
                 part[cell] = value;
             }
+        }
+        if N > 1 {
+            // Else what is missing of the sums would move the slipping cells too, and they would count as sticking.
+            let sums = self.totals.map(|total| total.sum());
+            let sticks = |cell: usize| !slips[cell];
+            let parts = slices_mut(&mut start);
+            Self::Set::restore(&self.layout, parts, &self.constraint(), sticks, sums);
         }
         start
     }
