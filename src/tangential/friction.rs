@@ -96,6 +96,29 @@ impl Friction {
         Ok(self)
     }
 
+    /// The coefficients of the cells, given back; `None` where one holds for all. A loop in which friction changes from
+    /// step to step so needs one array for all steps.
+    ///
+    /// ```
+    /// use stickslip::{Field, Friction, Grid};
+    /// let mut coefficients = Field::constant(Grid::square(32, 1.0)?, 0.3);
+    /// for _ in 0..3 {
+    ///     let friction = Friction::per_cell(coefficients)?;
+    ///     // `history.set_friction(&friction)?`, a step, and what it wears ...
+    ///     coefficients = friction.into_coefficients().expect("friction per cell");
+    ///     coefficients.as_mut_slice()[0] += 0.1;
+    /// }
+    /// assert!((Friction::per_cell(coefficients)?.limit(0, 2.0) - 1.2).abs() < 1e-12);
+    /// # Ok::<(), stickslip::Error>(())
+    /// ```
+    #[must_use]
+    pub fn into_coefficients(self) -> Option<Field> {
+        match self.coefficient {
+            PerCell::Cells(coefficients) => Some(coefficients),
+            PerCell::Uniform(_) => None,
+        }
+    }
+
     /// The friction limit of cell `index` (row-major) under pressure `pressure`; NaN for a cell
     /// beyond the field of coefficients.
     #[must_use]

@@ -107,7 +107,7 @@ where
         }
         if N > 1 {
             // Else what is missing of the sums would move the slipping cells too, and they would count as sticking.
-            let sums = self.totals.map(|total| total.sum());
+            let sums = self.totals.map(Total::sum);
             let sticks = |cell: usize| !slips[cell];
             let parts = slices_mut(&mut start);
             Self::Set::restore(&self.layout, parts, &self.constraint(), sticks, sums);

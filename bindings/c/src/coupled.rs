@@ -156,11 +156,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_set_friction(
     friction: *const stickslip_friction,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    unsafe {
-        let check = |given: &stickslip_friction, grid| given.checked(grid);
-        let set = CoupledSolver::set_friction;
-        solver::change_on_grid(solver, ("friction", friction), check, set)
-    }
+    unsafe { solver::set_friction(solver, friction, CoupledSolver::set_friction) }
 }
 
 /// Changes method, tolerance and limits of the next solve.

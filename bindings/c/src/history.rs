@@ -207,8 +207,9 @@ pub unsafe extern "C" fn stickslip_history_set_friction(
     // SAFETY: the rule for pointers.
     call_on(history, || unsafe {
         let mut history = changing(history)?;
-        let friction = input("friction", friction)?.checked(history.grid())?;
-        Ok(history.set_friction(&friction)?)
+        let (grid, spare) = (history.grid(), history.spare());
+        let set = |friction: &_| history.set_friction(friction);
+        input("friction", friction)?.lend(grid, spare, set)
     })
 }
 

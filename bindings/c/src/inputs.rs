@@ -10,6 +10,7 @@ use stickslip_rs::{Boundary, Field, Friction, Grid, Material};
 use crate::call::Outcome;
 use crate::error::Failure;
 use crate::pointer::{cells, field};
+use crate::spare::Spare;
 
 /// A grid of nx by ny rectangular cells of sides dx and dy (lengths), centred on the origin. An array of samples has
 /// nx * ny entries, row by row with x fastest: that of cell (ix, iy) is at iy * nx + ix.
@@ -122,15 +123,14 @@ impl stickslip_per_cell {
         unsafe { cells(name, grid, self.cells, self.count) }.map(Some)
     }
 
-    /// The same, copied to keep.
+    /// The same, copied into what `spare` has.
     ///
     /// # Safety
     /// The rule for pointers.
-    unsafe fn field(&self, name: &str, grid: Grid) -> Outcome<Option<Field>> {
+    unsafe fn field(&self, name: &str, grid: Grid, spare: &Spare) -> Outcome<Option<Field>> {
         // SAFETY: as of this function.
         let samples = unsafe { self.cells(name, grid)? };
-        let field = samples.map(|samples| Field::from_vec(grid, samples.to_vec()));
-        Ok(field.transpose()?)
+        samples.map(|samples| spare.copy(grid, samples)).transpose()
     }
 
     /// As the largest pressure that cells carry.
@@ -139,10 +139,12 @@ impl stickslip_per_cell {
     /// The rule for pointers.
     pub(crate) unsafe fn hardness(&self, grid: Grid) -> Outcome<Hardness> {
         // SAFETY: as of this function.
-        Ok(match unsafe { self.field("hardness", grid)? } {
-            None => Hardness::uniform(self.value)?,
-            Some(limits) => Hardness::per_cell(limits)?,
-        })
+        Ok(
+            match unsafe { self.field("hardness", grid, &Spare::default())? } {
+                None => Hardness::uniform(self.value)?,
+                Some(limits) => Hardness::per_cell(limits)?,
+            },
+        )
     }
 }
 
@@ -161,7 +163,34 @@ impl stickslip_friction {
     /// The rule for pointers.
     pub(crate) unsafe fn checked(&self, grid: Grid) -> Outcome<Friction> {
         // SAFETY: as of this function.
-        let friction = match unsafe { self.coefficient.field("coefficient of friction", grid)? } {
+        unsafe { self.checked_in(grid, &Spare::default()) }
+    }
+
+    /// Runs work on it, in memory that is kept for the next call.
+    ///
+    /// # Safety
+    /// The rule for pointers.
+    pub(crate) unsafe fn lend<T>(
+        &self,
+        grid: Grid,
+        spare: &Spare,
+        work: impl FnOnce(&Friction) -> stickslip_rs::Result<T>,
+    ) -> Outcome<T> {
+        // SAFETY: as of this function.
+        let friction = unsafe { self.checked_in(grid, spare)? };
+        let outcome = work(&friction);
+        if let Some(coefficients) = friction.into_coefficients() {
+            spare.keep(coefficients);
+        }
+        Ok(outcome?)
+    }
+
+    /// # Safety
+    /// The rule for pointers.
+    unsafe fn checked_in(&self, grid: Grid, spare: &Spare) -> Outcome<Friction> {
+        let name = "coefficient of friction";
+        // SAFETY: as of this function.
+        let friction = match unsafe { self.coefficient.field(name, grid, spare)? } {
             None => Friction::coulomb(self.coefficient.value)?,
             Some(coefficients) => Friction::per_cell(coefficients)?,
         };

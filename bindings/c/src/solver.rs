@@ -4,13 +4,13 @@ use std::ops::ControlFlow;
 
 use stickslip_rs::cgm::Settings;
 use stickslip_rs::{
-    CoupledSolution, CoupledSolver, Field, Grid, Iteration, NormalSolution, NormalSolver, Result,
-    TangentialSolution, TangentialSolver,
+    CoupledSolution, CoupledSolver, Field, Friction, Grid, Iteration, NormalSolution, NormalSolver,
+    Result, TangentialSolution, TangentialSolver,
 };
 
 use crate::call::{Outcome, call_on};
 use crate::handle::{Opaque, changing, give, reading};
-use crate::inputs::stickslip_settings;
+use crate::inputs::{stickslip_friction, stickslip_settings};
 use crate::observer::{stickslip_observer, watch};
 use crate::pointer::{Place, cells, input, optional};
 use crate::status::stickslip_status;
@@ -87,21 +87,21 @@ pub(crate) unsafe fn change<T: Opaque<Value = Solver<S>>, S, A, B>(
     })
 }
 
-/// The same by a struct that is checked against the grid.
+/// Changes the friction.
 ///
 /// # Safety
 /// The rule for pointers.
-pub(crate) unsafe fn change_on_grid<T: Opaque<Value = Solver<S>>, S, A, B>(
+pub(crate) unsafe fn set_friction<T: Opaque<Value = Solver<S>>, S>(
     solver: *mut T,
-    (name, given): (&str, *const A),
-    check: impl FnOnce(&A, Grid) -> Outcome<B>,
-    set: impl FnOnce(&mut S, &B) -> Result<()>,
+    friction: *const stickslip_friction,
+    set: impl FnOnce(&mut S, &Friction) -> Result<()>,
 ) -> stickslip_status {
     // SAFETY: as of this function.
     call_on(solver, || unsafe {
         let mut solver = changing(solver)?;
-        let given = check(input(name, given)?, solver.grid)?;
-        Ok(set(&mut solver.own, &given)?)
+        let (grid, spare) = (solver.grid, solver.spare());
+        let set = |friction: &_| set(&mut solver.own, friction);
+        input("friction", friction)?.lend(grid, spare, set)
     })
 }
 

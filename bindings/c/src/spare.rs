@@ -41,7 +41,8 @@ impl Spare {
         outcome
     }
 
-    fn copy(&self, grid: Grid, samples: &[f64]) -> Outcome<Field> {
+    /// A copy of the samples of all cells, to be [kept](Self::keep) when it is done with.
+    pub(crate) fn copy(&self, grid: Grid, samples: &[f64]) -> Outcome<Field> {
         // Calls on one object at the same time each have an array of their own.
         let mut array = self.arrays().pop().unwrap_or_default();
         array.clear();
@@ -49,7 +50,8 @@ impl Spare {
         Ok(Field::from_vec(grid, array)?)
     }
 
-    fn keep(&self, copy: Field) {
+    /// Takes the memory of a copy back.
+    pub(crate) fn keep(&self, copy: Field) {
         self.arrays().push(copy.into_vec());
     }
 

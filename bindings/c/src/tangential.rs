@@ -168,11 +168,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_set_friction(
     friction: *const stickslip_friction,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    unsafe {
-        let check = |given: &stickslip_friction, grid| given.checked(grid);
-        let set = TangentialSolver::set_friction;
-        solver::change_on_grid(solver, ("friction", friction), check, set)
-    }
+    unsafe { solver::set_friction(solver, friction, TangentialSolver::set_friction) }
 }
 
 /// Changes the pressure of the next solve to that of a solved normal contact.
@@ -210,11 +206,11 @@ pub unsafe extern "C" fn stickslip_tangential_solver_set_relative_displacement(
     relative: *const stickslip_relative_displacement,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    unsafe {
-        let check = |given: &stickslip_relative_displacement, grid| given.checked(grid);
-        let set = TangentialSolver::set_relative_displacement;
-        solver::change_on_grid(solver, ("relative", relative), check, set)
-    }
+    call_on(solver, || unsafe {
+        let mut solver = changing(solver)?;
+        let relative = input("relative", relative)?.checked(solver.grid)?;
+        Ok(solver.own.set_relative_displacement(&relative)?)
+    })
 }
 
 /// Changes method, tolerance and limits of the next solve.

@@ -4,6 +4,7 @@ use std::process::id;
 use std::sync::{Arc, PoisonError, RwLock};
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
+use stickslip_rs::CELLS_ON_ONE_THREAD;
 
 use crate::call::call;
 use crate::error::Failure;
@@ -12,12 +13,9 @@ use crate::status::{STICKSLIP_NO_THREADS, stickslip_status};
 /// The pool that was asked for, with the process that made it; `None` for rayon's own.
 static POOL: RwLock<Option<(u32, Arc<ThreadPool>)>> = RwLock::new(None);
 
-/// Cells of a contact that the crate solves on the thread that calls: to hand it to a pool would only take time.
-const SHORT: usize = 4096;
-
 /// Runs work on so many cells where its threads are.
 pub(crate) fn enter<T: Send>(cells: usize, work: impl FnOnce() -> T + Send) -> T {
-    if cells <= SHORT {
+    if cells <= CELLS_ON_ONE_THREAD {
         return work();
     }
     enter_always(work)

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError};
 use pyo3::prelude::*;
-use stickslip::{Error, Iteration, Result};
+use stickslip::{CELLS_ON_ONE_THREAD, Error, Iteration, Result};
 
 use crate::error::OrRaise;
 use crate::pool;
@@ -28,9 +28,6 @@ pub(crate) fn unless_broken_off(observer: Observer<'_>) -> Result<()> {
 
 /// How often signals are looked for.
 const SIGNAL_INTERVAL: Duration = Duration::from_millis(5);
-
-/// Cells up to which the crate works in the calling thread.
-const SHORT: usize = 4096;
 
 thread_local! {
     /// Whether this thread is in a callback of a solve, which occupies the pool.
@@ -54,7 +51,7 @@ pub(crate) fn solve<T: Send>(
         ));
     }
     let callback = progress.callback();
-    let (outcome, interruption) = if cells <= SHORT {
+    let (outcome, interruption) = if cells <= CELLS_ON_ONE_THREAD {
         in_place(py, callback, work)
     } else {
         in_pool(py, callback, work)?
