@@ -238,9 +238,10 @@ impl fmt::Display for Report {
         if self.status == Status::Unsolved {
             return write!(formatter, "{}", self.status);
         }
+        let plural = if self.iterations == 1 { "" } else { "s" };
         write!(
             formatter,
-            "{} in {} iterations, {} + {} convolutions (double + single), {:.3} s: residual {:.1e}, ",
+            "{} in {} iteration{plural}, {} + {} convolutions (double + single), {:.3} s: residual {:.1e}, ",
             self.status,
             self.iterations,
             self.double_precision_products,
