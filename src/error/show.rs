@@ -20,7 +20,7 @@ pub(super) fn beyond_capacity(force: f64, limit: f64) -> String {
     let remedy = if limit > 0.0 {
         "prescribe a shift or a spring to let the body slide"
     } else {
-        "nothing is pressed, or without friction: give the normal load first, and a friction coefficient above zero"
+        "nothing is pressed, or there is no friction: give a normal load and a coefficient of friction above zero"
     };
     format!("a tangential force of {force:e} exceeds the friction limit {limit:e}: {remedy}")
 }

@@ -146,7 +146,7 @@ impl Planes {
     ) -> Result<()> {
         let constants = body.constants(self.bodies.pair())?;
         if index >= self.depths.len() {
-            length("list of depths", index + 1, self.depths.len())?;
+            length("list of depths", index.saturating_add(1), self.depths.len())?;
         }
         self.bodies.grid().expect("plane", plane.grid())?;
         let fields = tractions.into().checked(&self.bodies)?;

@@ -712,18 +712,16 @@ fn bad_planes_are_refused() {
     }
     let mut planes = Planes::new(&bodies, &[0.0, 1.0]).unwrap();
     let p = Field::constant(grid, 1.0);
-    let refused = planes.solve(2, Body::One, Tractions::new(&p)).unwrap_err();
-    assert!(
-        matches!(
-            refused,
-            Error::Length {
-                expected: 3,
-                found: 2,
-                ..
-            }
-        ),
-        "{refused}"
-    );
+    for (index, needed) in [(2, 3), (usize::MAX, usize::MAX)] {
+        let refused = planes.solve(index, Body::One, Tractions::new(&p));
+        let Err(Error::Length {
+            expected, found, ..
+        }) = refused
+        else {
+            panic!("{refused:?}")
+        };
+        assert_eq!((expected, found), (needed, 2));
+    }
     let refused = planes.solve(0, Body::Two, Tractions::new(&p)).unwrap_err();
     assert!(matches!(refused, Error::RigidBody("body 2")));
     let other = HalfSpace::new(Grid::new(3, 4, 1.0, 1.0).unwrap(), on_rigid).unwrap();
