@@ -66,7 +66,8 @@ contains
         type(stickslip_friction) :: friction
         type(stickslip_control) :: held
         type(stickslip_step_result) :: result
-        type(told_and_seen), target :: seen
+        ! Changed through the pointer that the observer has, which compilers may not see.
+        type(told_and_seen), target, volatile :: seen
         type(c_ptr) :: before
         real(c_double) :: ball(n, n)
         real(c_double), pointer :: samples(:, :)
