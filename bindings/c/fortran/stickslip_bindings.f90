@@ -435,12 +435,13 @@ module stickslip_bindings
     type, bind(c), public :: stickslip_cattaneo_mindlin
         ! The normal contact.
         type(stickslip_hertz) :: hertz
-        ! Radius of the circle that sticks (a length): c = a (1 - |Q|/(mu W))^(1/3), with the tangential force Q.
+        ! Radius of the circle that sticks (a length): c = a (1 - |Q|/(mu W))^(1/3), with the tangential force Q; 0 without
+        ! friction.
         real(c_double) :: stick_radius
         ! Shift (a length), with the sign of the force: 3 mu W/(16 a G*) (1 - c^2/a^2), with G* of
         ! stickslip_pair.
         real(c_double) :: shift
-        ! Energy dissipated as the force grows from zero.
+        ! Energy dissipated as the force grows from zero (a force times a length), zero or positive.
         real(c_double) :: dissipated_energy
     end type stickslip_cattaneo_mindlin
 
@@ -923,8 +924,8 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_adaptive_steps_error
 
-        ! Hertz' contact of a sphere of this radius (a length) under this normal force on the materials of the bodies; both must be
-        ! positive.
+        ! Hertz' contact of a sphere of this radius (a length) under this normal force on the materials of the bodies.
+        ! STICKSLIP_NOT_POSITIVE if radius, force or a result is not positive and finite.
         function stickslip_hertz_sphere(half_space, radius, force, hertz) result(answer) bind(c)
             import
             type(c_ptr), value :: half_space
@@ -1527,7 +1528,8 @@ module stickslip_bindings
         end function stickslip_planes_free
 
         ! Solves the plane at the depth of number index, counted from zero, in body STICKSLIP_BODY_1 or STICKSLIP_BODY_2, by fast
-        ! transforms. STICKSLIP_RIGID_BODY for a rigid body. After a failure the plane solved last is as it was.
+        ! transforms. STICKSLIP_LENGTH for an index that is not less than the number of depths, STICKSLIP_RIGID_BODY for a rigid
+        ! body. After a failure the plane solved last is as it was.
         function stickslip_planes_solve(planes, index, which, tractions) result(answer) bind(c)
             import
             type(c_ptr), value :: planes
@@ -1566,6 +1568,12 @@ module stickslip_bindings
 
         ! Writes the heights of a random surface (lengths, positive out of the body, of zero mean) to heights, which has count
         ! entries. The gap of this surface to a plane is any constant less the height.
+        !
+        ! STICKSLIP_REFUSED if height and slope are both given, STICKSLIP_NOT_POSITIVE for height, slope or a wavelength,
+        ! STICKSLIP_HURST for the exponent, STICKSLIP_NOT_FINITE for skewness or kurtosis; STICKSLIP_BELOW for a cut-off of less
+        ! than two cells, a wavelength less than the next shorter one or a kurtosis less than the squared skewness plus one;
+        ! STICKSLIP_EMPTY_BAND if no wave fits the wavelengths, STICKSLIP_HEIGHTS_NOT_REACHED if no heights of such skewness and
+        ! kurtosis are found; STICKSLIP_SAMPLE for the first height that overflows. heights is then as it was.
         function stickslip_surface_self_affine(grid, surface, heights, count) result(answer) bind(c)
             import
             type(stickslip_grid), intent(in), optional :: grid
@@ -1575,7 +1583,8 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_surface_self_affine
 
-        ! The statistics of count heights (lengths) on a grid.
+        ! The statistics of count heights (lengths) on a grid. STICKSLIP_SAMPLE for the first height that is NaN or infinite,
+        ! STICKSLIP_NOT_FINITE if their range or the square of their slopes overflows.
         function stickslip_surface_statistics(grid, heights, count, statistics) result(answer) bind(c)
             import
             type(stickslip_grid), intent(in), optional :: grid

@@ -61,9 +61,11 @@ contains
         type(stickslip_per_cell), intent(in), optional :: hardness
         type(stickslip_settings), intent(in), optional :: settings
         integer(c_int32_t), intent(out), optional :: status
-        call this%free()
-        call report_status(stickslip_normal_solver_new(bodies%handle, gap, size(gap, kind=c_size_t), load, hardness, &
-            settings, this%handle), status)
+        type(c_ptr) :: made
+        integer(c_int32_t) :: code
+        code = stickslip_normal_solver_new(bodies%handle, gap, size(gap, kind=c_size_t), load, hardness, &
+            settings, made)
+        call take_over(this, code, made, stickslip_normal_solver_free, status)
     end subroutine normal_solver_new
 
     subroutine normal_solver_set_load(this, load, status)
@@ -92,7 +94,7 @@ contains
         call report_status(code, status)
     end subroutine normal_solver_solve
 
-    ! STICKSLIP_PRESSURE or STICKSLIP_GAP, on the grid of the bodies.
+    ! STICKSLIP_PRESSURE or STICKSLIP_GAP, on the grid of the bodies; STICKSLIP_LENGTH for bodies with another number of cells.
     function normal_solution_field(this, which, bodies, status) result(samples)
         class(normal_solution), intent(in) :: this
         integer(c_int32_t), intent(in) :: which
@@ -100,9 +102,12 @@ contains
         integer(c_int32_t), intent(out), optional :: status
         real(c_double), pointer :: samples(:, :)
         type(stickslip_grid) :: grid
+        type(c_ptr) :: first
+        integer(c_size_t) :: count
         integer(c_int32_t) :: code
         code = stickslip_half_space_grid(bodies%handle, grid)
-        samples => plane(stickslip_normal_solution_field(this%handle, which), grid, code, status)
+        first = stickslip_normal_solution_field(this%handle, which, count)
+        samples => plane(first, count, grid, code, status)
     end function normal_solution_field
 
     function normal_solution_result(this, status) result(found)
@@ -127,9 +132,10 @@ contains
         type(stickslip_tangential_load), intent(in) :: load
         type(stickslip_tangential_options), intent(in), optional :: options
         integer(c_int32_t), intent(out), optional :: status
-        call this%free()
-        call report_status(stickslip_tangential_solver_new(bodies%handle, normal%handle, friction, load, options, &
-            this%handle), status)
+        type(c_ptr) :: made
+        integer(c_int32_t) :: code
+        code = stickslip_tangential_solver_new(bodies%handle, normal%handle, friction, load, options, made)
+        call take_over(this, code, made, stickslip_tangential_solver_free, status)
     end subroutine tangential_solver_new
 
     subroutine tangential_solver_set_load(this, load, status)
@@ -165,7 +171,8 @@ contains
         call report_status(code, status)
     end subroutine tangential_solver_solve
 
-    ! STICKSLIP_TRACTION_X, STICKSLIP_SLIP_X or those along y, on the grid of the bodies.
+    ! STICKSLIP_TRACTION_X, STICKSLIP_SLIP_X or those along y, on the grid of the bodies; STICKSLIP_LENGTH for bodies with
+    ! another number of cells.
     function tangential_solution_field(this, which, bodies, status) result(samples)
         class(tangential_solution), intent(in) :: this
         integer(c_int32_t), intent(in) :: which
@@ -173,9 +180,12 @@ contains
         integer(c_int32_t), intent(out), optional :: status
         real(c_double), pointer :: samples(:, :)
         type(stickslip_grid) :: grid
+        type(c_ptr) :: first
+        integer(c_size_t) :: count
         integer(c_int32_t) :: code
         code = stickslip_half_space_grid(bodies%handle, grid)
-        samples => plane(stickslip_tangential_solution_field(this%handle, which), grid, code, status)
+        first = stickslip_tangential_solution_field(this%handle, which, count)
+        samples => plane(first, count, grid, code, status)
     end function tangential_solution_field
 
     function tangential_solution_result(this, status) result(found)

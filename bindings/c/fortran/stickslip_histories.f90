@@ -53,9 +53,10 @@ contains
         type(stickslip_friction), intent(in) :: friction
         type(stickslip_history_options), intent(in), optional :: options
         integer(c_int32_t), intent(out), optional :: status
-        call this%free()
-        call report_status(stickslip_history_new(bodies%handle, gap, size(gap, kind=c_size_t), friction, options, &
-            this%handle), status)
+        type(c_ptr) :: made
+        integer(c_int32_t) :: code
+        code = stickslip_history_new(bodies%handle, gap, size(gap, kind=c_size_t), friction, options, made)
+        call take_over(this, code, made, stickslip_history_free, status)
     end subroutine history_new
 
     subroutine history_step(this, load, observer, status)
@@ -108,9 +109,12 @@ contains
         integer(c_int32_t), intent(out), optional :: status
         real(c_double), pointer :: samples(:, :)
         type(stickslip_grid) :: grid
+        type(c_ptr) :: first
+        integer(c_size_t) :: count
         integer(c_int32_t) :: code
         code = stickslip_history_grid(this%handle, grid)
-        samples => plane(stickslip_history_field(this%handle, which), grid, code, status)
+        first = stickslip_history_field(this%handle, which, count)
+        samples => plane(first, count, grid, code, status)
     end function history_field
 
     ! Adds to depth what the energy law removes in the last step.
@@ -143,9 +147,10 @@ contains
         class(half_space), intent(in) :: bodies
         integer(c_int8_t), intent(in), contiguous :: bytes(:)
         integer(c_int32_t), intent(out), optional :: status
-        call this%free()
-        call report_status(stickslip_history_from_bytes(bodies%handle, bytes, size(bytes, kind=c_size_t), &
-            this%handle), status)
+        type(c_ptr) :: made
+        integer(c_int32_t) :: code
+        code = stickslip_history_from_bytes(bodies%handle, bytes, size(bytes, kind=c_size_t), made)
+        call take_over(this, code, made, stickslip_history_free, status)
     end subroutine history_from_bytes
 
     ! Keeps the present state of a history.

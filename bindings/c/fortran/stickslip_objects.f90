@@ -21,9 +21,18 @@ module stickslip_objects
         final :: half_space_final
     end type half_space
 
+    abstract interface
+        ! One of the functions of C that free an object.
+        function freeing(object) result(answer) bind(c)
+            import
+            type(c_ptr), value :: object
+            integer(c_int32_t) :: answer
+        end function freeing
+    end interface
+
 contains
 
-    ! The message of the last failure on this thread.
+    ! The message of the last failure in C on this thread; the refusals of these modules have their code alone.
     function stickslip_message() result(message)
         character(len=:), allocatable :: message
         message = text_of(stickslip_last_error_message())
@@ -59,15 +68,25 @@ contains
         end if
     end subroutine report_status
 
+    ! Refuses what C does not see; the message is shown where there is no status.
+    subroutine refuse(code, message, status)
+        integer(c_int32_t), intent(in) :: code
+        character(len=*), intent(in) :: message
+        integer(c_int32_t), intent(out), optional :: status
+        if (.not. present(status)) error stop 'stickslip: ' // message
+        status = code
+    end subroutine refuse
+
     subroutine refuse_copy(this, other)
         class(stickslip_object), intent(inout) :: this
         class(stickslip_object), intent(in) :: other
         if (c_associated(this%handle) .or. c_associated(other%handle)) error stop 'stickslip: an object cannot be assigned'
     end subroutine refuse_copy
 
-    ! A field of nx by ny cells, not associated on failure.
-    function plane(first, grid, code, status) result(samples)
+    ! A field of count cells, nx by ny of the grid; not associated on failure.
+    function plane(first, count, grid, code, status) result(samples)
         type(c_ptr), intent(in) :: first
+        integer(c_size_t), intent(in) :: count
         type(stickslip_grid), intent(in) :: grid
         integer(c_int32_t), intent(in) :: code
         integer(c_int32_t), intent(out), optional :: status
@@ -78,11 +97,33 @@ contains
         if (code /= STICKSLIP_OK .or. .not. c_associated(first)) then
             told = stickslip_last_error(error)
             call report_status(error%code, status)
+        else if (count /= grid%nx * grid%ny) then
+            call refuse(STICKSLIP_LENGTH, 'the field has another number of cells than the half_space', status)
         else
             call c_f_pointer(first, samples, [grid%nx, grid%ny])
             call report_status(STICKSLIP_OK, status)
         end if
     end function plane
+
+    ! Puts an object that was made in the place of the one that was there, which stays if code is a failure or it is in use.
+    subroutine take_over(this, code, made, free, status)
+        class(stickslip_object), intent(inout) :: this
+        integer(c_int32_t), intent(in) :: code
+        type(c_ptr), intent(in) :: made
+        procedure(freeing) :: free
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: told, given_up
+        told = code
+        if (code == STICKSLIP_OK) then
+            told = free(this%handle)
+            if (told == STICKSLIP_OK) then
+                this%handle = made
+            else
+                given_up = free(made)
+            end if
+        end if
+        call report_status(told, status)
+    end subroutine take_over
 
     ! Forgets an object that was freed; one in use stays.
     subroutine freed(this, code)
@@ -98,8 +139,10 @@ contains
         type(stickslip_material), intent(in) :: body_1, body_2
         type(stickslip_boundary), intent(in), optional :: boundary
         integer(c_int32_t), intent(out), optional :: status
-        call this%free()
-        call report_status(stickslip_half_space_new(grid, body_1, body_2, boundary, this%handle), status)
+        type(c_ptr) :: made
+        integer(c_int32_t) :: code
+        code = stickslip_half_space_new(grid, body_1, body_2, boundary, made)
+        call take_over(this, code, made, stickslip_half_space_free, status)
     end subroutine half_space_new
 
     function half_space_pair(this, status) result(pair)

@@ -59,15 +59,17 @@ contains
         real(c_double), intent(in), contiguous :: depths(:)
         logical, intent(in), optional :: with_displacements
         integer(c_int32_t), intent(out), optional :: status
+        type(c_ptr) :: made
+        integer(c_int32_t) :: code
         integer(c_int32_t) :: asked
         asked = 0
         if (present(with_displacements)) asked = merge(1_c_int32_t, 0_c_int32_t, with_displacements)
-        call this%free()
-        call report_status(stickslip_planes_new(bodies%handle, depths, size(depths, kind=c_size_t), asked, &
-            this%handle), status)
+        code = stickslip_planes_new(bodies%handle, depths, size(depths, kind=c_size_t), asked, made)
+        call take_over(this, code, made, stickslip_planes_free, status)
     end subroutine planes_new
 
-    ! The plane at the depth of number index, counted from one, under a pressure, with tractions x and y or without.
+    ! The plane at the depth of number index, counted from one, under a pressure, with tractions x and y or without;
+    ! STICKSLIP_LENGTH for an index without a depth.
     subroutine planes_solve(this, index, body, pressure, x, y, status)
         class(stress_planes), intent(in) :: this
         integer, intent(in) :: index
@@ -75,11 +77,16 @@ contains
         real(c_double), intent(in), target, contiguous :: pressure(:, :)
         real(c_double), intent(in), target, contiguous, optional :: x(:, :), y(:, :)
         integer(c_int32_t), intent(out), optional :: status
+        if (index < 1) then
+            call refuse(STICKSLIP_LENGTH, 'depths are counted from one', status)
+            return
+        end if
         call report_status(stickslip_planes_solve(this%handle, int(index - 1, c_size_t), body, &
             tractions_of(pressure, x, y)), status)
     end subroutine planes_solve
 
-    ! STICKSLIP_STRESS_XX to STICKSLIP_STRESS_YZ or a displacement, on the grid of the bodies.
+    ! STICKSLIP_STRESS_XX to STICKSLIP_STRESS_YZ or a displacement, on the grid of the bodies; STICKSLIP_LENGTH for bodies with
+    ! another number of cells.
     function planes_field(this, which, bodies, status) result(samples)
         class(stress_planes), intent(in) :: this
         integer(c_int32_t), intent(in) :: which
@@ -87,9 +94,12 @@ contains
         integer(c_int32_t), intent(out), optional :: status
         real(c_double), pointer :: samples(:, :)
         type(stickslip_grid) :: grid
+        type(c_ptr) :: first
+        integer(c_size_t) :: count
         integer(c_int32_t) :: code
         code = stickslip_half_space_grid(bodies%handle, grid)
-        samples => plane(stickslip_planes_field(this%handle, which), grid, code, status)
+        first = stickslip_planes_field(this%handle, which, count)
+        samples => plane(first, count, grid, code, status)
     end function planes_field
 
     ! STICKSLIP_VON_MISES, STICKSLIP_MAX_SHEAR or STICKSLIP_HYDROSTATIC of each cell.

@@ -508,12 +508,13 @@ typedef struct {
 typedef struct {
     // The normal contact.
     stickslip_hertz hertz;
-    // Radius of the circle that sticks (a length): c = a (1 - |Q|/(mu W))^(1/3), with the tangential force Q.
+    // Radius of the circle that sticks (a length): c = a (1 - |Q|/(mu W))^(1/3), with the tangential force Q; 0 without
+    // friction.
     double stick_radius;
     // Shift (a length), with the sign of the force: 3 mu W/(16 a G*) (1 - c^2/a^2), with G* of
     // stickslip_pair.
     double shift;
-    // Energy dissipated as the force grows from zero.
+    // Energy dissipated as the force grows from zero (a force times a length), zero or positive.
     double dissipated_energy;
 } stickslip_cattaneo_mindlin;
 
@@ -988,8 +989,8 @@ stickslip_status stickslip_adaptive_steps_error(stickslip_adaptive_steps *steps,
                                                 const stickslip_load_step *load,
                                                 stickslip_step_error *error);
 
-// Hertz' contact of a sphere of this radius (a length) under this normal force on the materials of the bodies; both must be
-// positive.
+// Hertz' contact of a sphere of this radius (a length) under this normal force on the materials of the bodies.
+// STICKSLIP_NOT_POSITIVE if radius, force or a result is not positive and finite.
 stickslip_status stickslip_hertz_sphere(const stickslip_half_space *half_space,
                                         double radius,
                                         double force,
@@ -1292,7 +1293,8 @@ stickslip_status stickslip_planes_new(const stickslip_half_space *half_space,
 stickslip_status stickslip_planes_free(stickslip_planes *planes);
 
 // Solves the plane at the depth of number index, counted from zero, in body STICKSLIP_BODY_1 or STICKSLIP_BODY_2, by fast
-// transforms. STICKSLIP_RIGID_BODY for a rigid body. After a failure the plane solved last is as it was.
+// transforms. STICKSLIP_LENGTH for an index that is not less than the number of depths, STICKSLIP_RIGID_BODY for a rigid
+// body. After a failure the plane solved last is as it was.
 stickslip_status stickslip_planes_solve(stickslip_planes *planes,
                                         size_t index,
                                         int32_t which,
@@ -1311,12 +1313,19 @@ stickslip_self_affine stickslip_self_affine_default(void);
 
 // Writes the heights of a random surface (lengths, positive out of the body, of zero mean) to heights, which has count
 // entries. The gap of this surface to a plane is any constant less the height.
+//
+// STICKSLIP_REFUSED if height and slope are both given, STICKSLIP_NOT_POSITIVE for height, slope or a wavelength,
+// STICKSLIP_HURST for the exponent, STICKSLIP_NOT_FINITE for skewness or kurtosis; STICKSLIP_BELOW for a cut-off of less
+// than two cells, a wavelength less than the next shorter one or a kurtosis less than the squared skewness plus one;
+// STICKSLIP_EMPTY_BAND if no wave fits the wavelengths, STICKSLIP_HEIGHTS_NOT_REACHED if no heights of such skewness and
+// kurtosis are found; STICKSLIP_SAMPLE for the first height that overflows. heights is then as it was.
 stickslip_status stickslip_surface_self_affine(const stickslip_grid *grid,
                                                const stickslip_self_affine *surface,
                                                double *heights,
                                                size_t count);
 
-// The statistics of count heights (lengths) on a grid.
+// The statistics of count heights (lengths) on a grid. STICKSLIP_SAMPLE for the first height that is NaN or infinite,
+// STICKSLIP_NOT_FINITE if their range or the square of their slopes overflows.
 stickslip_status stickslip_surface_statistics(const stickslip_grid *grid,
                                               const double *heights,
                                               size_t count,

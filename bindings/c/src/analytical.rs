@@ -28,8 +28,8 @@ impl From<&HertzSphere> for stickslip_hertz {
     }
 }
 
-/// Hertz' contact of a sphere of this radius (a length) under this normal force on the materials of the bodies; both must be
-/// positive.
+/// Hertz' contact of a sphere of this radius (a length) under this normal force on the materials of the bodies.
+/// STICKSLIP_NOT_POSITIVE if radius, force or a result is not positive and finite.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_hertz_sphere(
     half_space: *const stickslip_half_space,
@@ -51,12 +51,13 @@ pub unsafe extern "C" fn stickslip_hertz_sphere(
 pub struct stickslip_cattaneo_mindlin {
     /// The normal contact.
     pub hertz: stickslip_hertz,
-    /// Radius of the circle that sticks (a length): c = a (1 - |Q|/(mu W))^(1/3), with the tangential force Q.
+    /// Radius of the circle that sticks (a length): c = a (1 - |Q|/(mu W))^(1/3), with the tangential force Q; 0 without
+    /// friction.
     pub stick_radius: f64,
     /// Shift (a length), with the sign of the force: 3 mu W/(16 a G*) (1 - c^2/a^2), with G* of
     /// stickslip_pair.
     pub shift: f64,
-    /// Energy dissipated as the force grows from zero.
+    /// Energy dissipated as the force grows from zero (a force times a length), zero or positive.
     pub dissipated_energy: f64,
 }
 

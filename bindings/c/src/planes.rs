@@ -68,7 +68,8 @@ pub unsafe extern "C" fn stickslip_planes_free(planes: *mut stickslip_planes) ->
 }
 
 /// Solves the plane at the depth of number index, counted from zero, in body STICKSLIP_BODY_1 or STICKSLIP_BODY_2, by fast
-/// transforms. STICKSLIP_RIGID_BODY for a rigid body. After a failure the plane solved last is as it was.
+/// transforms. STICKSLIP_LENGTH for an index that is not less than the number of depths, STICKSLIP_RIGID_BODY for a rigid
+/// body. After a failure the plane solved last is as it was.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_planes_solve(
     planes: *mut stickslip_planes,

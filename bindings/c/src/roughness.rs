@@ -102,6 +102,12 @@ impl stickslip_self_affine {
 
 /// Writes the heights of a random surface (lengths, positive out of the body, of zero mean) to heights, which has count
 /// entries. The gap of this surface to a plane is any constant less the height.
+///
+/// STICKSLIP_REFUSED if height and slope are both given, STICKSLIP_NOT_POSITIVE for height, slope or a wavelength,
+/// STICKSLIP_HURST for the exponent, STICKSLIP_NOT_FINITE for skewness or kurtosis; STICKSLIP_BELOW for a cut-off of less
+/// than two cells, a wavelength less than the next shorter one or a kurtosis less than the squared skewness plus one;
+/// STICKSLIP_EMPTY_BAND if no wave fits the wavelengths, STICKSLIP_HEIGHTS_NOT_REACHED if no heights of such skewness and
+/// kurtosis are found; STICKSLIP_SAMPLE for the first height that overflows. heights is then as it was.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_surface_self_affine(
     grid: *const stickslip_grid,
@@ -160,7 +166,8 @@ impl From<Statistics> for stickslip_statistics {
     }
 }
 
-/// The statistics of count heights (lengths) on a grid.
+/// The statistics of count heights (lengths) on a grid. STICKSLIP_SAMPLE for the first height that is NaN or infinite,
+/// STICKSLIP_NOT_FINITE if their range or the square of their slopes overflows.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_surface_statistics(
     grid: *const stickslip_grid,

@@ -15,7 +15,8 @@ void *__libc_calloc(size_t count, size_t size);
 void *__libc_realloc(void *pointer, size_t size);
 void *__libc_memalign(size_t alignment, size_t size);
 
-static size_t allocations = 0;
+/* Of this thread, on which grids of this size are solved: those of the pool allocate when they start, which may be late. */
+static __thread size_t allocations = 0;
 
 /* Those of the program take the place of the C library's, also for the library. */
 void *malloc(size_t size) {
@@ -128,10 +129,11 @@ static void solvers(const stickslip_half_space *bodies) {
 }
 
 static void coupled(const stickslip_half_space *bodies) {
-    stickslip_friction friction = stickslip_coulomb(0.5);
+    stickslip_friction friction = stickslip_coulomb(0.5), cells = per_cell();
     stickslip_coupled_solver *solver = NULL;
     OK(stickslip_coupled_solver_new(bodies, ball, CELLS, &friction, &PRESS, &DRAG, NULL, NULL, &solver));
     EXPECT(0, stickslip_coupled_solver_set_gap(solver, ball, CELLS));
+    EXPECT(0, stickslip_coupled_solver_set_friction(solver, &cells));
     OK(stickslip_coupled_solver_free(solver));
 }
 

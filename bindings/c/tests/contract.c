@@ -124,7 +124,7 @@ static void failed_steps_leave_no_trace(void) {
     OK(stickslip_history_to_bytes(history, after, length, &again));
     CHECK(again == length && memcmp(before, after, length) == 0);
 
-    /* Nor is anything written, or the history changed, if one of the places for answers is none. */
+    /* Nor is anything written, or the history changed, if a pointer for an answer is NULL or misaligned. */
     stickslip_adaptive_steps *steps = NULL;
     OK(stickslip_adaptive_steps_new(history, 0.01, &steps));
     size_t taken[2] = {77, 77};

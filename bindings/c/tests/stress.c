@@ -14,7 +14,7 @@
 
 static const stickslip_grid GRID = {N, N, 0.4 / N, 0.4 / N};
 static const stickslip_material STEEL = {210e3, 0.3, 0.0}, RIGID = {INFINITY, 0.0, 0.0};
-static double ball[CELLS], values[CELLS];
+static double ball[CELLS], half[CELLS], values[CELLS];
 
 static double largest(const double *of) {
     double most = of[0];
@@ -104,20 +104,36 @@ static void stresses_are_those_of_hertz(const stickslip_half_space *bodies, cons
     /* A failure leaves the plane that was solved. */
     memcpy(values, szz, sizeof values);
     CHECK(stickslip_planes_solve(planes, 2, STICKSLIP_BODY_1, &tractions) == STICKSLIP_LENGTH);
+    CHECK(stickslip_planes_solve(planes, SIZE_MAX, STICKSLIP_BODY_1, &tractions) == STICKSLIP_LENGTH);
     CHECK(stickslip_planes_solve(planes, 0, 3, &tractions) == STICKSLIP_NO_SUCH_OPTION);
     tractions.x = pressure;
     CHECK(stickslip_planes_solve(planes, 0, STICKSLIP_BODY_1, &tractions) == STICKSLIP_BAD_POINTER);
     CHECK(memcmp(values, stickslip_planes_field(planes, STICKSLIP_STRESS_ZZ, NULL), sizeof values) == 0);
-    /* Shear of the size of the pressure along both axes: on the surface sxz = -qx and syz = -qy. */
-    tractions.y = pressure, points[1].depth = 0.0;
+    /* Shear of the size of the pressure along x, and of half of it along y. */
+    for (int i = 0; i < CELLS; i++) {
+        half[i] = 0.5 * pressure[i];
+    }
+    tractions.y = half;
+    OK(stickslip_stress_at_points(bodies, STICKSLIP_BODY_1, &tractions, &points[1], 1, at));
+    OK(stickslip_planes_solve(planes, 1, STICKSLIP_BODY_1, &tractions));
+    for (int i = 0; i < 3; i++) {
+        CLOSE(stickslip_planes_field(planes, STICKSLIP_STRESS_XX + i, NULL)[middle], at[0].normal_stress[i], 1e-9);
+        CLOSE(stickslip_planes_field(planes, STICKSLIP_STRESS_XY + i, NULL)[middle], at[0].shear_stress[i], 1e-9);
+    }
+    /* On the surface sxz = -qx and syz = -qy. */
+    points[1].depth = 0.0;
     OK(stickslip_stress_at_points(bodies, STICKSLIP_BODY_1, &tractions, &points[1], 1, at));
     CLOSE(at[0].shear_stress[1], -pressure[middle], 1e-9);
-    CLOSE(at[0].shear_stress[2], -pressure[middle], 1e-9);
+    CLOSE(at[0].shear_stress[2], -half[middle], 1e-9);
     points[1].depth = -1.0;
     stickslip_error error;
     CHECK(stickslip_stress_at_points(bodies, STICKSLIP_BODY_1, &tractions, points, 3, at) == STICKSLIP_SAMPLE);
     OK(stickslip_last_error(&error));
     CHECK(error.index == 1 && error.value == -1.0);
+    OK(stickslip_planes_free(planes));
+    /* Of no depths none has an index. */
+    OK(stickslip_planes_new(bodies, NULL, 0, 0, &planes));
+    CHECK(stickslip_planes_solve(planes, SIZE_MAX, STICKSLIP_BODY_1, &tractions) == STICKSLIP_LENGTH);
     OK(stickslip_planes_free(planes));
 }
 

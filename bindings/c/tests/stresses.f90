@@ -59,6 +59,12 @@ contains
             [stickslip_point(grid%dx / 2, grid%dy / 2, depth), stickslip_point(0, 0, depth)], at, pressure, 0 * pressure, &
             0 * pressure)
         call check(abs(szz(n / 2 + 1, n / 2 + 1) / at(1)%normal_stress(3) - 1) < 1d-9, 'szz')
+        ! On the surface sxz = -qx and syz = -qy.
+        call stress_at_points(bodies, STICKSLIP_BODY_1, [stickslip_point(grid%dx / 2, grid%dy / 2, 0)], at, pressure, pressure, &
+            pressure / 2)
+        associate (peak => pressure(n / 2 + 1, n / 2 + 1))
+            call check(maxval(abs(at(1)%shear_stress(2:) / [peak, peak / 2] + 1)) < 1d-9, 'sxz and syz')
+        end associate
         call planes%solve(2, STICKSLIP_BODY_1, pressure, status=status)
         call check(status == STICKSLIP_LENGTH, 'no such depth')
         call planes%solve(1, STICKSLIP_BODY_1, pressure, pressure, status=status)

@@ -49,6 +49,16 @@ int main() {
     const ss::Response at = ss::stress_at(bodies, STICKSLIP_BODY_1, load, {{0.5 * grid.dx, 0.5 * grid.dy, depth}}).front();
     check(std::fabs(planes.field(STICKSLIP_STRESS_ZZ)[n * n / 2 + n / 2] / at.normal_stress[2] - 1.0) < 1e-9, "szz");
     fails(STICKSLIP_NO_SUCH_OPTION, [&] { planes.solve(0, 0, load); });
+    // On the surface sxz = -qx and syz = -qy.
+    const std::size_t middle = n * n / 2 + n / 2;
+    std::vector<double> half(pressed.pressure().begin(), pressed.pressure().end());
+    for (double &traction : half) {
+        traction *= 0.5;
+    }
+    const ss::Tractions sheared = ss::tractions(pressed.pressure(), pressed.pressure(), half);
+    const ss::Response on = ss::stress_at(bodies, STICKSLIP_BODY_1, sheared, {{0.5 * grid.dx, 0.5 * grid.dy, 0.0}}).front();
+    check(std::fabs(on.shear_stress[1] / pressed.pressure()[middle] + 1.0) < 1e-9, "sxz");
+    check(std::fabs(on.shear_stress[2] / half[middle] + 1.0) < 1e-9, "syz");
 
     ss::SelfAffine recipe = stickslip_self_affine_default();
     recipe.rms_height = 1e-3;

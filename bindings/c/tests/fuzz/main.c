@@ -1,6 +1,7 @@
 /* Random calls of every function: NULL and misaligned pointers, wrong lengths, NaN and infinities, constants that do not exist,
  * objects of other grids, several threads at the same objects. Every call must return a code; none may crash, leak, or
- * be STICKSLIP_PANIC; what fails has a message, and leaves the objects that it was given as they were.
+ * be STICKSLIP_PANIC; what fails has a message, and leaves the objects that it was given as they were, as far as can be read:
+ * fields of solutions, cycles and planes, histories as bytes, the friction capacity of tangential solvers.
  * fuzz [calls, default 20000] [threads, default 3] [seed, default 1] */
 
 #define _POSIX_C_SOURCE 200809L

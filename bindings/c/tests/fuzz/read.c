@@ -48,7 +48,7 @@ void field(struct run *run) {
     }
     for (size_t i = 0; zones != NULL && samples != NULL && i < count; i++) {
         if (zones[i] > STICKSLIP_SLIP) {
-            broken(run, __LINE__, "a zone that is none");
+            broken(run, __LINE__, "a number that is no zone");
         }
     }
 }

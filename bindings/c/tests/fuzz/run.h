@@ -71,9 +71,9 @@ struct slot *pick(struct run *run, enum kind kind);
 void put(struct run *run, enum kind kind, void *object, size_t cells);
 stickslip_status release(enum kind kind, void *object);
 
-/* Compares the objects that the last call was given with what they were before, if it failed. */
+/* Compares what can be read of the objects that the last call was given with what it was before, if the call failed. */
 void compare(struct run *run);
-/* What can be read of an object. */
+/* A number for what can be read of an object. */
 uint64_t hash_of(enum kind kind, const void *object);
 /* A history as bytes; NULL if it has none to give. */
 uint8_t *bytes_of(struct run *run, const stickslip_history *history, size_t *length);

@@ -6,6 +6,12 @@
 
 #define POINTS 3
 
+/* One of count constants from first, or rarely none. */
+static int32_t constant(struct run *run, int32_t first, int32_t count) {
+    int32_t chosen = option(run, count);
+    return chosen > INT32_MAX - first ? chosen : first + chosen;
+}
+
 void below_the_surface(struct run *run) {
     struct slot *bodies = pick(run, BODIES), *planes = pick(run, PLANES);
     const stickslip_half_space *on = GET(stickslip_half_space, bodies);
@@ -14,7 +20,7 @@ void below_the_surface(struct run *run) {
     bool has_shear = below(run, 2) == 0;
     stickslip_tractions tractions = {maybe(run, pressure), has_shear ? maybe(run, pressure) : NULL,
                                      has_shear ? maybe(run, pressure) : NULL, count};
-    int32_t body = 1 + option(run, 2);
+    int32_t body = constant(run, STICKSLIP_BODY_1, 2);
     switch (below(run, 4)) {
     case 0: {
         stickslip_planes *made = NULL;
@@ -32,11 +38,14 @@ void below_the_surface(struct run *run) {
                                         maybe_out(run, responses)));
         break;
     }
-    case 2:
-        SEEN(stickslip_planes_solve(GET(stickslip_planes, planes), below(run, 3), body, maybe(run, &tractions)));
+    case 2: {
+        size_t index = rarely(run) ? SIZE_MAX : below(run, 3);
+        SEEN(stickslip_planes_solve(GET(stickslip_planes, planes), index, body, maybe(run, &tractions)));
         break;
+    }
     default:
-        SEEN(stickslip_planes_measure(GET(stickslip_planes, planes), 27 + option(run, 3), maybe_out(run, pressure), count));
+        SEEN(stickslip_planes_measure(GET(stickslip_planes, planes), constant(run, STICKSLIP_VON_MISES, 3),
+                                      maybe_out(run, pressure), count));
     }
     free(pressure), free(depths);
 }
