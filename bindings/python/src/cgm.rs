@@ -3,18 +3,20 @@
 use std::ops::ControlFlow;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use numpy::{IntoPyArray, PyArray1};
+use numpy::PyArray1;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
+use serde::{Deserialize, Serialize};
 use stickslip::cgm::{self, Bounds, Problem, Total};
 use stickslip::{Iteration, Operator};
 
-use crate::array::Array;
+use crate::array::{Array, view_slice};
 use crate::choice::Choice;
 use crate::digits::short;
 use crate::due;
 use crate::error::with_iterate;
 use crate::operator::{LinearOperator, Product, numbers};
+use crate::pickle::picklable;
 use crate::progress::Progress;
 use crate::report::Report;
 use crate::settings::{Settings, chosen};
@@ -109,40 +111,46 @@ pub(crate) fn bounds(
 
 /// A constrained minimum.
 #[pyclass(frozen, module = "stickslip.cgm")]
-pub(crate) struct Minimum {
-    x: Py<PyAny>,
+pub(crate) struct Minimum(Found);
+
+/// What a minimum is made of.
+#[derive(Serialize, Deserialize)]
+pub(crate) struct Found {
+    x: Vec<f64>,
     multiplier: f64,
     report: stickslip::Report,
 }
 
 #[pymethods]
 impl Minimum {
-    /// The unknowns.
+    /// The unknowns, a read-only view.
     #[getter]
-    fn x<'py>(&self, py: Python<'py>) -> Array<'py> {
-        Array(self.x.bind(py).clone())
+    fn x<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
+        view_slice(slf, |minimum| &minimum.0.x)
     }
 
     /// The multiplier of the total; zero without one.
     #[getter]
     fn multiplier(&self) -> f64 {
-        self.multiplier
+        self.0.multiplier
     }
 
     /// How the solve ended.
     #[getter]
     fn report(&self) -> Report {
-        Report::of(&self.report)
+        Report::of(&self.0.report)
     }
 
     fn __repr__(&self) -> String {
         format!(
             "Minimum(multiplier={}, {})",
-            short(self.multiplier),
-            self.report
+            short(self.0.multiplier),
+            self.0.report
         )
     }
 }
+
+picklable!(Minimum: Found);
 
 /// Minimises ``x'Cx/2 + linear'x`` within bounds, with ``sum(x) = total`` if given.
 ///
@@ -286,11 +294,11 @@ pub(crate) fn minimise<'py>(
         }
         Err(error) => return Err(crate::error::raised(py, error)),
     };
-    let found = Minimum {
-        x: x.into_pyarray(py).into_any().unbind(),
+    let found = Minimum(Found {
+        x,
         multiplier,
         report,
-    };
+    });
     match error {
         None => Ok(found),
         Some(error) => {

@@ -1,6 +1,6 @@
 //! Arguments of a given form, refused by what is due there.
 
-use pyo3::exceptions::PyTypeError;
+use pyo3::exceptions::{PyOverflowError, PyTypeError, PyValueError};
 #[cfg(feature = "stubs")]
 use pyo3::inspect::PyStaticExpr;
 use pyo3::prelude::*;
@@ -24,7 +24,7 @@ macro_rules! due {
                 object
                     .extract()
                     .map(Self)
-                    .map_err(|_| refused(&object, $due, instead))
+                    .map_err(|error: PyErr| refused(&object, &error, $due, instead))
             }
         }
     )+};
@@ -71,13 +71,35 @@ due! {
     GridSides([f64; 2]): "size is a pair (x, y)";
 }
 
-/// The exception that says what is due.
-fn refused(object: &Bound<'_, PyAny>, due: &str, instead: &str) -> PyErr {
+/// The exception that says what is due, or which number of the right form is out of range.
+fn refused(object: &Bound<'_, PyAny>, error: &PyErr, due: &str, instead: &str) -> PyErr {
+    if error.is_instance_of::<PyOverflowError>(object.py()) {
+        let number = overflowing::<f64>(object).or_else(|| overflowing::<usize>(object));
+        if let Some(number) = number {
+            let range = if number.lt(0).unwrap_or(false) {
+                "negative"
+            } else {
+                "too large"
+            };
+            return PyValueError::new_err(format!("{due}, got {number}, which is {range}"));
+        }
+    }
     let length = object
         .len()
         .map_or_else(|_| String::new(), |len| format!(" of length {len}"));
     let kind = kind_of(object);
     PyTypeError::new_err(format!("{due}, got {kind}{length}{instead}"))
+}
+
+/// The first number of a sequence that does not fit a type.
+fn overflowing<'py, T>(object: &Bound<'py, PyAny>) -> Option<Bound<'py, PyAny>>
+where
+    T: for<'a> FromPyObject<'a, 'py, Error = PyErr>,
+{
+    object.try_iter().ok()?.map_while(Result::ok).find(|entry| {
+        let error = entry.extract::<T>().err();
+        error.is_some_and(|error| error.is_instance_of::<PyOverflowError>(object.py()))
+    })
 }
 
 /// What an object is, in words.

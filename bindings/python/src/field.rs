@@ -5,14 +5,14 @@ use std::sync::Arc;
 use numpy::{AllowTypeChange, PyArrayLike2};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyTuple};
 use stickslip::Error;
 
 use crate::argument::argument;
 use crate::array::{Array, view};
 use crate::digits::short;
 use crate::due::kind_of;
-use crate::error::{OrRaise, named, raised};
+use crate::error::{OrRaise, named};
 use crate::grid::{Grid, size};
 use crate::pickle::picklable;
 
@@ -20,7 +20,8 @@ use crate::pickle::picklable;
 ///
 /// Whatever takes a field takes an array of shape (ny, nx) too, and copies it; a Field is made once and shared, so that
 /// repeated calls copy nothing. ``numpy.asarray(field)`` is a read-only view of it, and ``field[iy, ix]`` a sample. Sums,
-/// differences, products and quotients with fields, arrays and numbers, cell by cell, are fields.
+/// differences, products and quotients with fields, arrays and numbers, in either order and cell by cell, are fields; other
+/// functions of NumPy take it as its array.
 ///
 /// Parameters
 /// ----------
@@ -120,6 +121,36 @@ impl Field {
         array.call_method("astype", (dtype,), Some(&kwargs))
     }
 
+    /// What NumPy calls instead of its function where one of the operands is a field.
+    #[pyo3(signature = (ufunc, method, *inputs, **kwargs))]
+    fn __array_ufunc__<'py>(
+        slf: &Bound<'py, Self>,
+        ufunc: Bound<'py, PyAny>,
+        method: &str,
+        inputs: Vec<Bound<'py, PyAny>>,
+        kwargs: Option<Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let name: String = ufunc.getattr("__name__")?.extract()?;
+        if let ("__call__", [left, right], None) = (method, &inputs[..], &kwargs) {
+            let reflected = match &name[..] {
+                "add" => Some("__radd__"),
+                "subtract" => Some("__rsub__"),
+                "multiply" => Some("__rmul__"),
+                "divide" | "true_divide" => Some("__rtruediv__"),
+                _ => None,
+            };
+            if let Some(reflected) = reflected.filter(|_| right.is(slf)) {
+                return slf.call_method1(reflected, (left,));
+            }
+        }
+        let arrays = inputs.into_iter().map(|input| match input.cast::<Self>() {
+            Ok(field) => Self::array(field).0,
+            Err(_) => input,
+        });
+        let arrays = PyTuple::new(slf.py(), arrays.collect::<Vec<_>>())?;
+        ufunc.getattr(method)?.call(arrays, kwargs.as_ref())
+    }
+
     fn __add__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
         self.by_cell(py, &other, |own, other| own + other)
     }
@@ -181,22 +212,18 @@ impl Field {
     ) -> PyResult<Self> {
         let grid = self.0.grid();
         let other = other.on(py, "other field", grid)?;
-        let found = other.grid();
-        if found != grid {
-            return Err(raised(
-                py,
-                Error::GridMismatch {
-                    quantity: "other field",
-                    expected_cells: [grid.nx(), grid.ny()],
-                    expected_sides: [grid.dx(), grid.dy()],
-                    found_cells: [found.nx(), found.ny()],
-                    found_sides: [found.dx(), found.dy()],
-                },
-            ));
-        }
+        // Whether both are on one grid is for the crate to say: its difference is then overwritten.
+        let difference = self.0.minus(&other).map_err(|mut error| {
+            if let Error::GridMismatch { quantity, .. } = &mut error {
+                *quantity = "other field";
+            }
+            error
+        });
+        let mut result = difference.or_raise(py)?;
         let pairs = self.0.as_slice().iter().zip(other.as_slice());
-        let samples = pairs.map(|(own, other)| operation(*own, *other)).collect();
-        let result = stickslip::Field::from_vec(grid, samples).or_raise(py)?;
+        for (sample, (own, other)) in result.as_mut_slice().iter_mut().zip(pairs) {
+            *sample = operation(*own, *other);
+        }
         Ok(result.into())
     }
 }

@@ -126,6 +126,7 @@ macro_rules! kinds {
 }
 
 kinds!(
+    crate::cgm::Minimum,
     crate::grid::Grid,
     crate::material::Material,
     crate::material::ElasticPair,

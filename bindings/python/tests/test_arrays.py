@@ -123,10 +123,45 @@ def test_arithmetic_of_fields(scene):
     ]:  # fmt: skip
         assert np.array_equal(ours, plain)
     assert isinstance(field / field, ss.Field) and np.isnan((field * 0.0 / 0.0)[0, 0])
-    with pytest.raises(ss.errors.GridMismatch):
+    with pytest.raises(ss.errors.GridMismatch, match="other field"):
         field * ss.Field(ss.Grid.square(64, 1.0), 1.0)
     with pytest.raises(TypeError):
         field / "2"
+
+
+def test_grids_that_differ_by_round_off_are_one_in_arithmetic():
+    ours, theirs = ss.Grid(8, 8, 0.1 * 3, 1.0), ss.Grid(8, 8, 0.3, 1.0)
+    assert ours.dx != theirs.dx
+    product = ss.Field(ours, 2.0) * ss.Field(theirs, 3.0)
+    assert product == ss.Field(ours, 6.0)
+    with pytest.raises(ss.errors.GridMismatch):
+        ss.Field(ours, 2.0) - ss.Field(ss.Grid(8, 8, 0.3 + 1e-9, 1.0), 3.0)
+
+
+def test_arithmetic_with_an_array_or_a_number_of_numpy_on_the_left(scene):
+    field = scene.ball + 1.0
+    for left in (np.full(scene.grid.shape, 3.0), np.arange(4096.0).reshape(64, 64), np.float64(3.0), np.int32(3)):
+        values = field.array
+        for ours, plain in [
+            (left + field, left + values), (left - field, left - values), (left * field, left * values),
+            (left / field, left / values),
+        ]:  # fmt: skip
+            assert isinstance(ours, ss.Field) and np.array_equal(ours, plain)
+    with pytest.raises(ss.errors.Shape):
+        np.ones((64, 1)) + field
+
+
+def test_other_functions_of_numpy_take_a_field_as_its_array(scene):
+    field = scene.ball + 1.0
+    for ours, plain in [
+        (np.sqrt(field), np.sqrt(field.array)), (np.add.reduce(field, axis=0), field.array.sum(axis=0)),
+        (field.array == field, np.ones((64, 64), bool)), (np.hypot(field, field), np.hypot(field.array, field.array)),
+        (field > np.zeros((64, 64)), field.array > 0.0),
+    ]:  # fmt: skip
+        assert type(ours) is np.ndarray and np.array_equal(ours, plain)
+    total = np.ones((64, 64))
+    total += field
+    assert type(total) is np.ndarray and np.array_equal(total, 1.0 + field.array)
 
 
 def test_a_field_has_the_shape_and_the_samples_of_its_array(scene):

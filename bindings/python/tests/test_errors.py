@@ -146,6 +146,40 @@ def test_a_step_that_fails_leaves_the_fields_of_the_step_before_readable(scene):
     assert np.array_equal(step.slip_distance, slip)
 
 
+def test_adaptive_steps_that_are_refused_leave_the_fields_and_those_that_fail_on_the_way_do_not():
+    history = Scene(16).history()
+    history.step(normal_force=FORCE)
+    step = history.step(force_x=30.0)
+    slip, before = step.slip_distance, history.to_bytes()
+    adaptive = ss.history.AdaptiveSteps(history, 1e-9)
+    for load, kind in [(ss.LoadStep(force_x=math.nan), ss.errors.NotFinite), (ss.LoadStep(force_x=60.0), ss.BeyondFrictionCapacity)]:
+        for attempt in (adaptive.step, adaptive.error):
+            with pytest.raises(kind):
+                attempt(history, load)
+    assert np.array_equal(step.slip_distance, slip) and np.array_equal(step.keep().slip_distance, slip)
+    with pytest.raises(ss.errors.StepTooLong):
+        adaptive.step(history, ss.LoadStep(normal_force=150.0, force_x=-20.0))
+    with pytest.raises(RuntimeError, match="has taken another step since: keep"):
+        step.slip_distance
+    assert history.to_bytes() == before and history.last_step.normal_force > FORCE
+
+
+def test_a_bad_point_is_told_by_its_own_index_and_a_bad_pressure_by_row_and_column(scene):
+    points = np.full((5000, 3), 1e-5)
+    for index, axis, value in [(4000, 2, -1e-5), (4999, 0, math.nan)]:
+        wrong = points.copy()
+        wrong[index, axis] = value
+        with pytest.raises(ss.errors.Sample, match=f"points.*{index}") as refused:
+            ss.subsurface.at_points(scene.bodies, "one", scene.normal(), wrong)
+        assert (refused.value.index, refused.value.row, refused.value.column) == (index, None, None)
+    pressure = np.zeros(scene.grid.shape)
+    pressure[3, 5] = math.nan
+    for asked in (points, np.empty((0, 3))):
+        with pytest.raises(ss.errors.Sample, match="pressure at row 3, column 5") as refused:
+            ss.subsurface.at_points(scene.bodies, "one", pressure, asked)
+        assert (refused.value.row, refused.value.column) == (3, 5)
+
+
 def test_a_solver_that_is_refused_a_load_keeps_the_old_one(scene):
     solver = ss.NormalSolver(scene.bodies, scene.ball, force=FORCE)
     with pytest.raises(ss.errors.Negative):

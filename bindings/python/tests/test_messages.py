@@ -38,6 +38,23 @@ def test_what_is_no_pair_or_sequence_is_refused_by_the_name_of_the_argument_and_
         call(scene)
 
 
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (
+            lambda scene: ss.surface.crop(scene.ball, (0, -1), (0, 3)),
+            r"columns is a pair \(first, end\) of whole numbers, got -1, which is negative",
+        ),
+        (lambda scene: ss.surface.crop(scene.ball, (0, 3), (np.int64(-2), 3)), "rows is .*, got -2, which is negative"),
+        (lambda scene: ss.surface.crop(scene.ball, (0, 2**70), (0, 3)), f"columns is .*, got {2**70}, which is too large"),
+        (lambda scene: ss.LoadStep(force=(-1, 10**400)), "force is a pair .*, got 1000.*, which is too large"),
+    ],
+)
+def test_a_number_out_of_range_in_a_pair_is_named(scene, call, message):
+    with pytest.raises(ValueError, match=message):
+        call(scene)
+
+
 def test_pairs_may_be_lists_and_arrays(scene):
     for force in [(1.0, 2.0), [1, 2], np.array([1.0, 2.0])]:
         assert ss.LoadStep(force=force) == ss.LoadStep(force_x=1.0, force_y=2.0)

@@ -100,6 +100,19 @@ def test_a_solve_that_has_not_converged_comes_back_with_report_and_iterate(scene
     assert back.report == stopped.value.report and back.last_iterate == stopped.value.last_iterate
 
 
+def test_a_minimum_comes_back_also_as_the_last_iterate(scene):
+    bed = np.array([1.0, 2.0, 400.0])
+    found = ss.cgm.minimise(lambda x: bed * x, [-1.0, -1.0, -1.0], total=2.0, lower_bound=1.0)
+    with pytest.raises(ss.NotConverged) as stopped:
+        ss.cgm.minimise(lambda x: bed * x, [-1.0, -1.0, -1.0], lower_bound=1.0, max_iterations=1)
+    error = same(stopped.value)
+    assert error.report == stopped.value.report and np.isnan(error.last_iterate.multiplier)
+    assert same(found).multiplier == found.multiplier != 0.0
+    for minimum, back in [(found, same(found)), (stopped.value.last_iterate, error.last_iterate)]:
+        assert type(back) is type(minimum) and back.report == minimum.report
+        assert back.x.shape == (3,) and np.array_equal(back.x, minimum.x) and not minimum.x.flags.writeable
+
+
 def test_reports_remarks_and_results_come_back(scene):
     contact = ss.NormalProblem(scene.bodies, scene.ball, force=0.01).solve()
     [response] = ss.subsurface.at_points(scene.bodies, "one", contact, [(0.0, 0.0, 1e-5)])

@@ -89,15 +89,13 @@ impl AdaptiveSteps {
         let (mut steps, mut work) = (lock(&self.0, NAME)?, lock(&history.work, builder::NAME)?);
         let (steps, work) = (&mut *steps, &mut *work);
         unobserved(py, history.cells(), || {
-            let outcome = steps.error(&mut work.history, &load.0);
-            work.tried(&outcome);
-            outcome
+            work.tried(|history| steps.error(history, &load.0))
         })
         .map(StepError)
     }
 
     /// Takes a load, in as many steps as it needs, and returns how many. Ctrl-C ends it after the part under way; the
-    /// history is then as it was.
+    /// history is then as it was, but for its last step.
     ///
     /// Parameters
     /// ----------
@@ -125,14 +123,13 @@ impl AdaptiveSteps {
         let (steps, work) = (&mut *steps, &mut *work);
         let mut cycle = cycle.as_deref_mut();
         let outcome = solve(py, history.cells(), Progress::none(), |observer| {
-            let outcome = steps.step_observed(&mut work.history, &load.0, |history| {
+            let seen = |history: &_| {
                 if let Some(cycle) = &mut cycle {
                     cycle.add(history)?;
                 }
                 unless_broken_off(observer)
-            });
-            work.tried(&outcome);
-            outcome
+            };
+            work.tried(|history| steps.step_observed(history, &load.0, seen))
         })?;
         outcome.or_raise(py)
     }

@@ -4,13 +4,14 @@ use std::sync::Mutex;
 
 use pyo3::prelude::*;
 use stickslip::history::{StepResult as Step, TouchRule};
-use stickslip::{Axis, Coupling, Error, TangentialModel, cgm};
+use stickslip::{Axis, Coupling, TangentialModel, cgm};
 
 use crate::choice::Choice;
 use crate::field::Samples;
 use crate::friction::AnyFriction;
 use crate::half_space::HalfSpace;
 use crate::held::lock;
+use crate::history::step::Numbers;
 use crate::normal::AnyHardness;
 use crate::settings::{Settings, chosen};
 use crate::tangential::RelativeDisplacement;
@@ -78,12 +79,17 @@ pub(crate) struct Work {
 }
 
 impl Work {
-    /// Counts steps that were tried in parts: unless the grid was refused, the last step is that of the last attempt, also
-    /// where the load failed.
-    pub(super) fn tried<T>(&mut self, outcome: &stickslip::Result<T>) {
-        if !matches!(outcome, Err(Error::GridMismatch { .. })) {
-            self.taken += 1;
-        }
+    /// Tries steps and counts them where they have changed the last step, as those of an attempt that failed may have too.
+    pub(super) fn tried<T>(
+        &mut self,
+        attempt: impl FnOnce(&mut stickslip::History) -> stickslip::Result<T>,
+    ) -> stickslip::Result<T> {
+        let before = Numbers::of(self.history.last_step());
+        let outcome = attempt(&mut self.history);
+        // Two steps differ at least in the time that they took.
+        let is_same = outcome.is_err() && Numbers::of(self.history.last_step()) == before;
+        self.taken += u64::from(!is_same);
+        outcome
     }
 }
 

@@ -14,7 +14,8 @@ use crate::report::{Report, Warning, remarks};
 use crate::sequence::pair;
 
 /// The numbers of a step.
-struct Numbers {
+#[derive(PartialEq)]
+pub(super) struct Numbers {
     energy: stickslip::history::EnergyBalance,
     normal_force: f64,
     approach: f64,
@@ -29,6 +30,25 @@ struct Numbers {
     warnings: Vec<stickslip::Warning>,
 }
 
+impl Numbers {
+    pub(super) fn of(step: &stickslip::history::StepResult) -> Self {
+        Self {
+            energy: *step.energy(),
+            normal_force: step.normal_force(),
+            approach: step.approach(),
+            force: step.force(),
+            moment: step.moment(),
+            shift: step.shift(),
+            twist: step.twist(),
+            stick_ratio: step.stick_ratio(),
+            is_gross_slip: step.is_gross_slip(),
+            normal_report: step.normal_report().cloned(),
+            tangential_report: step.tangential_report().cloned(),
+            warnings: step.warnings(),
+        }
+    }
+}
+
 /// Where its fields are.
 enum Fields {
     /// With the history, until it takes another step.
@@ -40,7 +60,8 @@ enum Fields {
 }
 
 /// What a step of a history did: its numbers, and its fields for as long as it is the last one, also after a step that
-/// failed; :meth:`keep` copies them, for good. Vectors are (x, y).
+/// failed; after an attempt of :class:`AdaptiveSteps` that failed, the last step is that of the attempt. :meth:`keep` copies
+/// them, for good. Vectors are (x, y).
 #[pyclass(frozen, module = "stickslip.history")]
 pub(crate) struct StepResult {
     numbers: Numbers,
@@ -58,20 +79,7 @@ impl StepResult {
     }
 
     fn of(step: &stickslip::history::StepResult, fields: Fields) -> Self {
-        let numbers = Numbers {
-            energy: *step.energy(),
-            normal_force: step.normal_force(),
-            approach: step.approach(),
-            force: step.force(),
-            moment: step.moment(),
-            shift: step.shift(),
-            twist: step.twist(),
-            stick_ratio: step.stick_ratio(),
-            is_gross_slip: step.is_gross_slip(),
-            normal_report: step.normal_report().cloned(),
-            tangential_report: step.tangential_report().cloned(),
-            warnings: step.warnings(),
-        };
+        let numbers = Numbers::of(step);
         Self { numbers, fields }
     }
 
@@ -89,7 +97,7 @@ impl StepResult {
             Fields::Kept(step) => Ok(read(step)),
             Fields::Last { history, number } => history.bind(py).get().read_step(*number, read)?.ok_or_else(|| {
                 PyRuntimeError::new_err(
-                    "the history has gone on since this step: keep() its fields before the next one",
+                    "the history has taken another step since: keep() its fields before the next one",
                 )
             }),
         }

@@ -2,7 +2,8 @@
 
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
-use stickslip::subsurface::{self, Body};
+use stickslip::subsurface::{self, Body, Tractions};
+use stickslip::{Error, Field};
 
 use crate::choice::Choice;
 use crate::digits::{short, tuple};
@@ -78,23 +79,25 @@ pub(crate) fn at_points(
     let portion = (PORTION / grid.cells()).max(1);
     let work = grid.cells().saturating_mul(points.len());
     let mut found = Vec::with_capacity(points.len());
-    // What is refused is refused without any point too.
-    let portions: Vec<&[[f64; 3]]> = if points.is_empty() {
-        vec![&[]]
-    } else {
-        points.chunks(portion).collect()
-    };
+    let nothing = Field::zeros(grid);
     let outcome = solve(py, work, Progress::none(), |observer| {
-        for portion in portions {
-            let tractions = held.tractions();
-            found.extend(subsurface::at_points(
-                &bodies.0, body.0, tractions, portion,
-            )?);
+        let of = |tractions, points| subsurface::at_points(&bodies.0, body.0, tractions, points);
+        // The crate refuses what is wrong before any sum: tractions without points, then all points without tractions.
+        of(held.tractions(), &[])?;
+        of(Tractions::new(&nothing), &points)?;
+        for portion in points.chunks(portion) {
+            found.extend(of(held.tractions(), portion)?);
             unless_broken_off(observer)?;
         }
         Ok(())
     })?;
-    outcome.or_raise(py)?;
+    // The index of a point is none of a cell.
+    match outcome {
+        Err(Error::Sample {
+            quantity: "points", ..
+        }) => outcome.or_raise(py)?,
+        _ => outcome.or_raise_on(py, grid)?,
+    }
     if found.len() != points.len() {
         return Err(PyRuntimeError::new_err("not all points were reached"));
     }
