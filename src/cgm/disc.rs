@@ -314,3 +314,41 @@ impl Shifted {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cgm::Magnitude;
+
+    /// Restores the sums of three cells of limit one, two of them at their limits, as when the engine ends.
+    fn restored(sums: [f64; 2]) -> [[f64; 3]; 2] {
+        let [mut x, mut y] = [[1.0, 0.0, 0.2], [0.0, 1.0, 0.3]];
+        let layout = Layout::of([3, 1]);
+        let limits = Magnitude(&[1.0; 3]);
+        Disc::restore(
+            &layout,
+            [&mut x, &mut y],
+            &limits,
+            |_| false,
+            sums.map(Some),
+        );
+        [x, y]
+    }
+
+    #[test]
+    fn cells_at_their_limits_stay_there_if_others_suffice() {
+        let [x, y] = restored([1.1, 1.4]);
+        assert!(x[..2] == [1.0, 0.0] && y[..2] == [0.0, 1.0]);
+        assert!((x[2] - 0.1).abs() < 1e-12 && (y[2] - 0.4).abs() < 1e-12);
+    }
+
+    #[test]
+    fn all_cells_move_where_they_must() {
+        let sums = [-0.5, 0.5];
+        let found = restored(sums);
+        for (part, sum) in found.iter().zip(sums) {
+            assert!((part.iter().sum::<f64>() - sum).abs() < 1e-12);
+        }
+        assert!(found[0][0] < 0.9);
+    }
+}
