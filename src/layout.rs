@@ -119,7 +119,6 @@ impl Layout {
     }
 
     /// `Ok` without ranks, of what they cannot do together.
-    #[cfg(feature = "dense")]
     pub(crate) fn check_alone(&self, quantity: &'static str) -> Result<()> {
         Team::check_alone(self.team.as_deref(), quantity)
     }

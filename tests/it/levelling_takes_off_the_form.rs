@@ -44,10 +44,7 @@ fn form(degree: usize) -> Form {
     match degree {
         0 => Form::Mean,
         1 => Form::Plane,
-        #[cfg(feature = "dense")]
         _ => Form::Polynomial(degree),
-        #[cfg(not(feature = "dense"))]
-        _ => panic!("a polynomial takes the feature dense"),
     }
 }
 
@@ -102,7 +99,6 @@ fn the_mean_is_that_of_the_known_heights() {
     assert!(difference(found.form(), &Field::constant(grid, mean)) < 1e-15);
 }
 
-#[cfg(feature = "dense")]
 #[test]
 fn a_polynomial_is_found_exactly() {
     for (degree, nx, ny, share) in [
@@ -127,7 +123,6 @@ fn a_polynomial_is_found_exactly() {
     }
 }
 
-#[cfg(feature = "dense")]
 #[test]
 fn a_distant_datum_and_a_corner_of_the_grid_cost_no_digits() {
     let grid = Grid::new(200, 100, 1.0, 1.0).unwrap();
@@ -147,7 +142,6 @@ fn a_distant_datum_and_a_corner_of_the_grid_cost_no_digits() {
 }
 
 /// Found by another factor, to round-off.
-#[cfg(feature = "dense")]
 #[test]
 fn the_named_forms_are_polynomials() {
     for (nx, ny, share, seed) in [(20, 30, 0.2, 1), (130, 90, 0.9, 2), (1, 40, 0.3, 3)] {
@@ -163,7 +157,6 @@ fn the_named_forms_are_polynomials() {
     }
 }
 
-#[cfg(feature = "dense")]
 #[test]
 fn profiles_are_levelled_along_themselves() {
     let line = Grid::new(1, 40, 1.0, 0.1).unwrap();
@@ -200,16 +193,13 @@ fn a_form_that_is_not_determined_is_refused() {
     // All on one line, on one column, on one circle about the middle of a square of four.
     assert_eq!(refused(&only(&|ix, iy| ix == iy), Form::Plane), (3, 9));
     assert_eq!(refused(&only(&|ix, _| ix == 4), Form::Plane), (3, 9));
-    #[cfg(feature = "dense")]
-    {
-        let corners = only(&|ix, iy| (3..5).contains(&ix) && (3..5).contains(&iy));
-        assert_eq!(refused(&corners, Form::Polynomial(2)), (6, 4));
-        let ring = only(&|ix, iy| {
-            let squared = [ix.abs_diff(5), iy.abs_diff(4)].map(|side| side * side);
-            squared.iter().sum::<usize>() == 10
-        });
-        assert_eq!(refused(&ring, Form::Polynomial(2)), (6, 8));
-    }
+    let corners = only(&|ix, iy| (3..5).contains(&ix) && (3..5).contains(&iy));
+    assert_eq!(refused(&corners, Form::Polynomial(2)), (6, 4));
+    let ring = only(&|ix, iy| {
+        let squared = [ix.abs_diff(5), iy.abs_diff(4)].map(|side| side * side);
+        squared.iter().sum::<usize>() == 10
+    });
+    assert_eq!(refused(&ring, Form::Polynomial(2)), (6, 8));
     assert!(
         level(
             &only(&|ix, iy| ix + iy == 1 || ix == 7 && iy == 7),
@@ -222,12 +212,9 @@ fn a_form_that_is_not_determined_is_refused() {
 #[test]
 fn bad_input_is_refused() {
     let grid = Grid::new(6, 6, 1.0, 1.0).unwrap();
-    #[cfg(feature = "dense")]
-    {
-        let error = level(&Field::zeros(grid), Form::Polynomial(21)).err();
-        let limit = 20;
-        assert_eq!(error, Some(Error::Degree { degree: 21, limit }));
-    }
+    let error = level(&Field::zeros(grid), Form::Polynomial(21)).err();
+    let limit = 20;
+    assert_eq!(error, Some(Error::Degree { degree: 21, limit }));
     let mut infinite = Field::zeros(grid);
     infinite.as_mut_slice()[8] = f64::INFINITY;
     let error = level(&infinite, Form::Mean).err();
@@ -243,7 +230,7 @@ proptest! {
     fn laws(
         nx in 8..40_usize,
         ny in 8..40_usize,
-        degree in 0..if cfg!(feature = "dense") { 5 } else { 2_usize },
+        degree in 0..5_usize,
         share in 0.0..0.4_f64,
         seed: u64,
     ) {

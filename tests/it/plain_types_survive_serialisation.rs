@@ -133,11 +133,13 @@ fn surfaces() {
     survives(&PowerSpectrum::of(&heights).unwrap());
     // A flat surface has no skewness.
     read_back(&Statistics::of(&Field::zeros(grid())).unwrap());
-    for form in [surface::Form::Mean, surface::Form::Plane] {
+    for form in [
+        surface::Form::Mean,
+        surface::Form::Plane,
+        surface::Form::Polynomial(3),
+    ] {
         survives(&form);
     }
-    #[cfg(feature = "dense")]
-    survives(&surface::Form::Polynomial(3));
 }
 
 /// A contact, pressed and not yet sheared.

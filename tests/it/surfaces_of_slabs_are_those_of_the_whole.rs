@@ -107,9 +107,7 @@ fn surfaces_of_slabs_are_refused_alike() {
         let mut heights = Field::from_fn(bodies.grid(), height);
         let nothing = heights.map(|_| f64::NAN);
         let few = bodies.level(&nothing, Form::Mean).map(drop);
-        #[cfg(feature = "dense")]
         let polynomial = bodies.level(&heights, Form::Polynomial(2)).map(drop);
-        #[cfg(feature = "dense")]
         assert!(matches!(
             polynomial,
             Err(Error::Ranks(RankFailure::NotShared(_)))

@@ -2,14 +2,9 @@
 
 use std::ops::Range;
 
-#[cfg(feature = "dense")]
-use faer::Mat;
-
-#[cfg(feature = "dense")]
-use super::triangle::Triangle;
+use super::triangle::{Triangle, reduced};
 use crate::field::Field;
 use crate::layout::Layout;
-#[cfg(feature = "dense")]
 use crate::parallel;
 use crate::reduce::Tally;
 use crate::surface::level::HIGHEST_DEGREE;
@@ -105,36 +100,22 @@ impl<'a> Basis<'a> {
     }
 
     /// `R` of `A = QR`, by reduction of blocks of rows.
-    #[cfg(feature = "dense")]
     pub(super) fn reduced(&self, z: &[f64]) -> Triangle {
         let count = self.terms();
-        let reduced = |matrix: Mat<f64>| {
-            if matrix.nrows() > count {
-                matrix.qr().thin_R().to_owned()
-            } else {
-                matrix
-            }
-        };
         let rows = parallel::fold(
             z.len(),
             |range| {
-                let known: Vec<usize> = range.filter(|&cell| !z[cell].is_nan()).collect();
-                let entry = |row: usize, term| self.at(known[row], term);
-                reduced(Mat::from_fn(known.len(), count, entry))
+                let known = range.filter(|&cell| !z[cell].is_nan());
+                let entries =
+                    known.flat_map(|cell| (0..count).map(move |term| self.at(cell, term)));
+                reduced(count, entries.collect())
             },
-            |a, b| {
-                let height = a.nrows();
-                reduced(Mat::from_fn(height + b.nrows(), count, |row, term| {
-                    if row < height {
-                        a[(row, term)]
-                    } else {
-                        b[(row - height, term)]
-                    }
-                }))
+            |mut above, below| {
+                above.extend(below);
+                reduced(count, above)
             },
         );
-        let triangle = rows.qr().thin_R().to_owned();
-        Triangle::from_fn(count, |row, term| triangle[(row, term)])
+        Triangle::from_fn(count, |row, term| rows[row * count + term])
     }
 
     /// `A' (z - A c)`: the projection of the residual of the known heights onto the terms.

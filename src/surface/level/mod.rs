@@ -27,8 +27,7 @@ pub enum Form {
     /// The plane $`c_0 + c_1 x + c_2 y`$: the tilt of the specimen.
     Plane,
     /// A polynomial in x and y of this total degree, at most 20; degree 2 removes the curvature of a
-    /// ball or a cylinder. With the feature `dense`.
-    #[cfg(feature = "dense")]
+    /// ball or a cylinder.
     Polynomial(usize),
 }
 
@@ -37,7 +36,6 @@ impl Form {
         match self {
             Self::Mean => 0,
             Self::Plane => 1,
-            #[cfg(feature = "dense")]
             Self::Polynomial(degree) => degree,
         }
     }
@@ -46,7 +44,6 @@ impl Form {
     fn triangle(self, basis: &Basis<'_>, z: &[f64]) -> Triangle {
         match self {
             Self::Mean | Self::Plane => Triangle::of_products(basis.terms(), &basis.products(z)),
-            #[cfg(feature = "dense")]
             Self::Polynomial(_) => basis.reduced(z),
         }
     }
@@ -122,7 +119,6 @@ pub fn level(heights: &Field, form: Form) -> Result<Levelled> {
 
 /// The same of a surface of which ranks may hold a slab each.
 pub(crate) fn level_slab(heights: &Field, slab: &Slab, form: Form) -> Result<Levelled> {
-    #[cfg(feature = "dense")]
     if let Form::Polynomial(_) = form {
         slab.layout().check_alone("the removal of a polynomial")?;
     }

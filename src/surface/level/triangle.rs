@@ -3,6 +3,41 @@
 /// Smallest fraction of a column that must be independent of the columns before it.
 const INDEPENDENT: f64 = 1e-5;
 
+/// `R` of `A = QR`, row by row, for the rows of `A`, of `count` entries each: no more rows than columns, and zeros below the
+/// diagonal. By Householder's reflections `1 - v v'/h`, `h = v'v/2`, each of which leaves the first entry of what is left of a column.
+pub(super) fn reduced(count: usize, mut rows: Vec<f64>) -> Vec<f64> {
+    let height = rows.len() / count;
+    let mut along = vec![0.0; count];
+    for column in 0..count.min(height) {
+        let rest = &mut rows[column * count..];
+        let squares: f64 = rest
+            .chunks_exact(count)
+            .map(|row| row[column].powi(2))
+            .sum();
+        if squares == 0.0 {
+            continue;
+        }
+        let reflected = -squares.sqrt().copysign(rest[column]);
+        rest[column] -= reflected;
+        let half_square = -reflected * rest[column];
+        along.fill(0.0);
+        for row in rest.chunks_exact(count) {
+            for (sum, entry) in along.iter_mut().zip(row).skip(column + 1) {
+                *sum += row[column] * entry;
+            }
+        }
+        for row in rest.chunks_exact_mut(count) {
+            let part = std::mem::take(&mut row[column]) / half_square;
+            for (entry, sum) in row.iter_mut().zip(&along).skip(column + 1) {
+                *entry -= part * sum;
+            }
+        }
+        rest[column] = reflected;
+    }
+    rows.truncate(count.min(height) * count);
+    rows
+}
+
 /// An upper triangle `R`.
 pub(super) struct Triangle {
     count: usize,

@@ -3,6 +3,7 @@
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
+#[path = "../../../examples/support/mod.rs"]
 mod support;
 
 use std::error::Error;
