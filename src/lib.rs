@@ -134,14 +134,15 @@
 //!
 //! On two shared cores, with 512 x 512 cells and a cold start, the pressure of the sphere took 26 ms to 1e-4 and 39 ms
 //! to 1e-10, and the shear traction 22 and 33 ms; on a rough surface at 10 % contact they took 65 and 53 ms to 1e-4,
-//! and 85 and 70 ms to 1e-6. The example `speed_against_error` measures this on your machine.
+//! and 85 and 70 ms to 1e-6. The example `speed_against_error` of the package `stickslip-kit` measures this on your
+//! machine.
 //!
 //! # Features
 //!
 //! | feature | default | adds |
 //! |---|---|---|
 //! | `parallel` | yes | threads, in the caller's rayon pool; the same bits on any number of them |
-//! | `dense` | yes | explicit matrices, the direct solution of small scenes and the removal of polynomials from surfaces, through faer |
+//! | `dense` | no | explicit matrices and the direct solution of small scenes, through faer |
 //! | `x3p` | no | surfaces in X3P files, through `miniz_oxide` and `quick-xml` |
 //! | `serde` | no | grids, materials, friction, loads, options, fields and solutions in any format of `serde` |
 //! | `mpi` | no | [`ranks`] that are processes of an MPI program, through `mpi`; needs libclang and an MPI where it is built |
@@ -152,8 +153,8 @@
 //! | features | other crates | release | debug |
 //! |---|---|---|---|
 //! | none (`default-features = false`): transforms, solvers, histories, surfaces, plain files | 16 | 50 s | 33 s |
-//! | `parallel` | 22 | 71 s | 42 s |
-//! | `parallel`, `dense` (default) | 63 | 169 s | 120 s |
+//! | `parallel` (default) | 22 | 71 s | 42 s |
+//! | `parallel`, `dense` | 63 | 169 s | 120 s |
 //! | all but `mpi` | 71 | 182 s | 127 s |
 //!
 //! With `serde`, values that a constructor would refuse are refused on reading, with the same message, and numbers keep

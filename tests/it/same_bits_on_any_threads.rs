@@ -1,4 +1,4 @@
-//! The same bits on any number of threads, in any pool, beside any other work, and without.
+//! The same bits on any number of threads, in any pool and beside any other work. Without threads: `tests/bits`.
 
 use kit::{rough, unit_bodies};
 use stickslip::{
@@ -21,33 +21,6 @@ fn solve_on(bodies: &HalfSpace, gap: &Field) -> (NormalSolution, [TangentialSolu
         shear.model(lateral).build().unwrap().solve().unwrap()
     });
     (normal, shear)
-}
-
-/// Leaves the bits of a solve behind, in a file for each way to build the crate: `.ci/run` compares them.
-#[test]
-fn with_threads_and_without() {
-    let (normal, shear) = solve();
-    let tractions = shear.iter().flat_map(TangentialSolution::traction);
-    let fields = [normal.pressure(), normal.gap()]
-        .into_iter()
-        .chain(tractions);
-    let samples = fields.flat_map(Field::as_slice);
-    let scalars = [normal.approach(), shear[0].shift()[0], shear[1].shift()[0]];
-    let bits: Vec<u8> = samples
-        .chain(&scalars)
-        .flat_map(|value| value.to_bits().to_le_bytes())
-        .collect();
-    let way = if cfg!(feature = "parallel") {
-        "bits_with_threads"
-    } else {
-        "bits_without_threads"
-    };
-    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR"));
-    std::fs::write(folder.join(way), &bits).unwrap();
-
-    // Here at least: again the same.
-    let (again, _) = solve();
-    assert_eq!(normal.pressure(), again.pressure());
 }
 
 /// Many threads at once over one half-space, whose operators the first to come makes for all.

@@ -355,7 +355,7 @@ fn long_names_around_many_elements() {
 
 /// Files of other programs, with random changes.
 fn files() -> Vec<Vec<u8>> {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/files/");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../data/files/");
     let names = ["I.x3p", "surfalize.x3p", "list.x3p"];
     let mut files: Vec<_> = names
         .map(|name| fs::read(folder.to_owned() + name).unwrap())

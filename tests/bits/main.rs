@@ -1,0 +1,46 @@
+//! The same bits with threads and without: what the crate says of one rough contact is left behind in a file for each way to
+//! build it, and `.ci/run` compares the files. A program of its own, so that little is compiled twice.
+
+#![allow(clippy::unwrap_used, reason = "a test fails loudly")]
+
+use kit::{rough, unit_bodies};
+use stickslip::{
+    Field, Friction, Grid, NormalControl, NormalProblem, Result, TangentialLoad, TangentialModel,
+    TangentialProblem,
+};
+
+/// The bits of pressure, gap, tractions, approach and shifts.
+fn bits_of_a_contact() -> Result<Vec<u8>> {
+    let grid = Grid::new(150, 133, 1.0, 1.1)?;
+    let (bodies, gap) = (unit_bodies(grid, 0.3), rough(grid, 21));
+    let normal = NormalProblem::builder(&bodies, &gap, NormalControl::Force(60.0));
+    let normal = normal.build()?.solve()?;
+    let mut fields = vec![normal.pressure().clone(), normal.gap().clone()];
+    let mut numbers = vec![normal.approach()];
+    for model in [TangentialModel::Scalar, TangentialModel::Vector] {
+        let load = TangentialLoad::force([12.0, 0.0]);
+        let shear = TangentialProblem::builder(&bodies, &normal, Friction::coulomb(0.4)?, load);
+        let shear = shear.model(model).build()?.solve()?;
+        fields.extend(shear.traction().into_iter().cloned());
+        numbers.push(shear.shift()[0]);
+    }
+    let samples = fields.iter().flat_map(Field::as_slice);
+    Ok(samples
+        .chain(&numbers)
+        .flat_map(|value| value.to_bits().to_le_bytes())
+        .collect())
+}
+
+#[test]
+fn with_threads_and_without() {
+    let bits = bits_of_a_contact().unwrap();
+    let way = if cfg!(feature = "parallel") {
+        "bits_with_threads"
+    } else {
+        "bits_without_threads"
+    };
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR"));
+    std::fs::write(folder.join(way), &bits).unwrap();
+    // Here at least: again the same.
+    assert!(bits == bits_of_a_contact().unwrap());
+}
