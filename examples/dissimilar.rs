@@ -1,7 +1,7 @@
 //! An aluminium ball on steel: pressed in steps, then sheared to and fro, with pressure and shear found together.
 //!
-//! `cargo run --release --example dissimilar [cells]` (default 96) prints what the coupling of the two materials
-//! changes, and writes `target/gallery/dissimilar.csv` and `.svg`.
+//! `cargo run --release -p stickslip --example dissimilar [cells]` (default 96) prints what the coupling of the two
+//! materials changes, and writes `target/gallery/dissimilar.csv` and `.svg`.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 

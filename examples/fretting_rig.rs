@@ -1,9 +1,9 @@
 //! A fretting rig: a cylinder of Ti-6Al-4V on a flat specimen of the same, 200 N/mm, sheared to and fro while the bulk
 //! stress of the specimen follows, until the loop repeats; then the stresses below the surface of the specimen.
 //!
-//! `cargo run --release --example fretting_rig [cells]` (default 512) prints contact, stick zone, loop and largest stresses
-//! beside closed forms, and writes `target/gallery/fretting_rig.csv`, `.svg` and `.vti` (ParaView; the stress of the contact,
-//! to which that of the bulk is to be added).
+//! `cargo run --release -p stickslip --example fretting_rig [cells]` (default 512) prints contact, stick zone, loop
+//! and largest stresses beside closed forms, and writes `target/gallery/fretting_rig.csv`, `.svg` and `.vti`
+//! (ParaView; the stress of the contact, to which that of the bulk is to be added).
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 

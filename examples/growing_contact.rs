@@ -1,7 +1,8 @@
 //! A contact that grows while it is sheared, in few steps and in many: what the touch rule is worth.
 //!
-//! `cargo run --release --example growing_contact [reference]` prints, for a ball and a rough ball, the error of the
-//! traction field with and without the rule, in 1, 4 and 8 steps a leg. The reference takes 64 steps a leg.
+//! `cargo run --release -p stickslip --example growing_contact [reference]` prints, for a ball and a rough ball, the
+//! error of the traction field with and without the rule, in 1, 4 and 8 steps a leg. The reference takes 64 steps a
+//! leg.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 

@@ -1,7 +1,7 @@
 //! Rough steel on steel, elastic and with a hardness: pressed, released and pressed again.
 //!
-//! `cargo run --release --example hardness [cells]` (default 192) prints area, largest pressure and approach, and writes
-//! `target/gallery/hardness.csv` and `.svg`.
+//! `cargo run --release -p stickslip --example hardness [cells]` (default 192) prints area, largest pressure and
+//! approach, and writes `target/gallery/hardness.csv` and `.svg`.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 

@@ -1,7 +1,7 @@
 //! A surface from a file: levelled, its holes filled, characterised, pressed on a plane, sheared, and every
 //! field written for other programs.
 //!
-//! `cargo run --release --example measured_surface [file]` reads SDF, SUR, XYZ, and X3P with
+//! `cargo run --release -p stickslip --example measured_surface [file]` reads SDF, SUR, XYZ, and X3P with
 //! `--features x3p`, lengths in metres. Without a file it generates one, tilted, bent and with holes, as
 //! `target/gallery/measured.sdf`. Results: `target/gallery/measured.vti` (ParaView), `.npy`, `.csv`
 //! and `.svg`.

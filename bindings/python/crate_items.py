@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Writes tests/crate_items.txt, the public items of the crate as rustdoc lists them: run `cargo doc --no-deps` first.
-With --check it fails if the list has changed."""
+"""Writes tests/crate_items.txt, the public items of the crate as rustdoc lists them: run
+`cargo doc --no-deps -p stickslip --features dense` first. With --check it fails if the list has changed."""
 
 import html.parser
 import os

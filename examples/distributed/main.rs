@@ -1,11 +1,11 @@
 //! One rough surface pressed and sheared by several ranks: the report, and a hash of the bits of pressure and traction,
 //! which are the same on any number of ranks.
 //!
-//! `cargo run --release --example distributed -- [cells] [--press] [--threads-as-ranks N]` (default 256 cells along a
-//! side, pressed and sheared, two ranks that are threads). Built with the feature `mpi` the ranks are processes:
-//! `mpirun -n 4 target/release/examples/distributed 1024`. Pressing alone takes a fifth of the memory. With
-//! `--history FOLDER` twenty steps with wear follow instead, and the slabs of the ranks are saved in the folder, which must
-//! be there, after ten; `--from FOLDER` continues from these on any number of ranks, to the same hash.
+//! `cargo run --release -p stickslip --example distributed -- [cells] [--press] [--threads-as-ranks N]` (default 256
+//! cells along a side, pressed and sheared, two ranks that are threads). Built with the feature `mpi` the ranks are
+//! processes: `mpirun -n 4 target/release/examples/distributed 1024`. Pressing alone takes a fifth of the memory. With
+//! `--history FOLDER` twenty steps with wear follow instead, and the slabs of the ranks are saved in the folder, which
+//! must be there, after ten; `--from FOLDER` continues from these on any number of ranks, to the same hash.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 

@@ -1,5 +1,5 @@
-//! The same bits with threads and without: what the crate says of one rough contact is left behind in a file for each way to
-//! build it, and `.ci/run` compares the files. A program of its own, so that little is compiled twice.
+//! The same bits with threads and without: the answer for one rough contact is written to a file for each way to build
+//! the crate, and `.ci/run` compares the files. A program of its own, so that little is compiled twice.
 
 #![allow(clippy::unwrap_used, reason = "a test fails loudly")]
 

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::triangle::{Triangle, reduced};
+use super::triangle::Triangle;
 use crate::field::Field;
 use crate::layout::Layout;
 use crate::parallel;
@@ -16,6 +16,9 @@ const MOST: usize = (HIGHEST_DEGREE + 1) * (HIGHEST_DEGREE + 2) / 2;
 /// Terms whose sums follow the rows, as ranks share them; ranks have no more than the three of a plane. Sums over more
 /// terms follow equal chunks of cells.
 const IN_ROWS: usize = 9;
+
+/// Rows that are reduced at once: those of the highest degree take 120 kB.
+const ROWS_AT_ONCE: usize = 64;
 
 /// Products of Legendre polynomials up to a total degree.
 pub(super) struct Basis<'a> {
@@ -102,20 +105,16 @@ impl<'a> Basis<'a> {
     /// `R` of `A = QR`, by reduction of blocks of rows.
     pub(super) fn reduced(&self, z: &[f64]) -> Triangle {
         let count = self.terms();
-        let rows = parallel::fold(
-            z.len(),
-            |range| {
-                let known = range.filter(|&cell| !z[cell].is_nan());
-                let entries =
-                    known.flat_map(|cell| (0..count).map(move |term| self.at(cell, term)));
-                reduced(count, entries.collect())
-            },
-            |mut above, below| {
-                above.extend(below);
-                reduced(count, above)
-            },
-        );
-        Triangle::from_fn(count, |row, term| rows[row * count + term])
+        let leaf = |range: Range<usize>| {
+            let known: Vec<usize> = range.filter(|&cell| !z[cell].is_nan()).collect();
+            let mut triangle = Triangle::from_fn(count, |_, _| 0.0);
+            for cells in known.chunks(ROWS_AT_ONCE) {
+                let row = |&cell: &usize| (0..count).map(move |term| self.at(cell, term));
+                triangle.absorb(&mut cells.iter().flat_map(row).collect::<Vec<_>>());
+            }
+            triangle
+        };
+        parallel::fold(z.len(), leaf, Triangle::with)
     }
 
     /// `A' (z - A c)`: the projection of the residual of the known heights onto the terms.

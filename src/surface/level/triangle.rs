@@ -3,41 +3,6 @@
 /// Smallest fraction of a column that must be independent of the columns before it.
 const INDEPENDENT: f64 = 1e-5;
 
-/// `R` of `A = QR`, row by row, for the rows of `A`, of `count` entries each: no more rows than columns, and zeros below the
-/// diagonal. By Householder's reflections `1 - v v'/h`, `h = v'v/2`, each of which leaves the first entry of what is left of a column.
-pub(super) fn reduced(count: usize, mut rows: Vec<f64>) -> Vec<f64> {
-    let height = rows.len() / count;
-    let mut along = vec![0.0; count];
-    for column in 0..count.min(height) {
-        let rest = &mut rows[column * count..];
-        let squares: f64 = rest
-            .chunks_exact(count)
-            .map(|row| row[column].powi(2))
-            .sum();
-        if squares == 0.0 {
-            continue;
-        }
-        let reflected = -squares.sqrt().copysign(rest[column]);
-        rest[column] -= reflected;
-        let half_square = -reflected * rest[column];
-        along.fill(0.0);
-        for row in rest.chunks_exact(count) {
-            for (sum, entry) in along.iter_mut().zip(row).skip(column + 1) {
-                *sum += row[column] * entry;
-            }
-        }
-        for row in rest.chunks_exact_mut(count) {
-            let part = std::mem::take(&mut row[column]) / half_square;
-            for (entry, sum) in row.iter_mut().zip(&along).skip(column + 1) {
-                *entry -= part * sum;
-            }
-        }
-        rest[column] = reflected;
-    }
-    rows.truncate(count.min(height) * count);
-    rows
-}
-
 /// An upper triangle `R`.
 pub(super) struct Triangle {
     count: usize,
@@ -75,6 +40,51 @@ impl Triangle {
         factor
     }
 
+    /// `R` of `A = QR` for `A` with further rows, of an entry for each column, which are used up.
+    ///
+    /// Householder's reflections `1 - v v'/h`, `h = v'v/2`, one for each column, take what the rows have in it to the
+    /// diagonal. They touch one row of `R` each, so that few rows at a time stay in the cache.
+    pub(super) fn absorb(&mut self, rows: &mut [f64]) {
+        let count = self.count;
+        let mut sums = vec![0.0; count];
+        for column in 0..count {
+            let pivot = &mut self.entries[column * count..][..count];
+            let entries = rows.chunks_exact(count).map(|row| row[column]);
+            let squares: f64 = entries.map(|entry| entry * entry).sum();
+            if squares == 0.0 {
+                continue;
+            }
+            let reflected = -pivot[column].hypot(squares.sqrt()).copysign(pivot[column]);
+            let first = pivot[column] - reflected;
+            let half_square = -reflected * first;
+            sums.fill(0.0);
+            let rest = column + 1..count;
+            add(first, &pivot[rest.clone()], &mut sums[rest.clone()]);
+            for row in rows.chunks_exact(count) {
+                add(row[column], &row[rest.clone()], &mut sums[rest.clone()]);
+            }
+            add(
+                -first / half_square,
+                &sums[rest.clone()],
+                &mut pivot[rest.clone()],
+            );
+            for row in rows.chunks_exact_mut(count) {
+                add(
+                    -row[column] / half_square,
+                    &sums[rest.clone()],
+                    &mut row[rest.clone()],
+                );
+            }
+            pivot[column] = reflected;
+        }
+    }
+
+    /// `R` of the rows of both.
+    pub(super) fn with(mut self, mut other: Self) -> Self {
+        self.absorb(&mut other.entries);
+        self
+    }
+
     fn at(&self, row: usize, column: usize) -> f64 {
         self.entries[row * self.count + column]
     }
@@ -97,5 +107,12 @@ impl Triangle {
             let known: f64 = (row + 1..self.count).map(|k| self.at(row, k) * x[k]).sum();
             x[row] = (x[row] - known) / self.at(row, row);
         }
+    }
+}
+
+/// `y + a x` in `y`.
+fn add(a: f64, x: &[f64], y: &mut [f64]) {
+    for (y, x) in y.iter_mut().zip(x) {
+        *y += a * x;
     }
 }
