@@ -2,7 +2,6 @@
 
 use std::array::from_fn;
 
-use crate::boundary::Boundary;
 use crate::grid::Grid;
 
 /// A diagnostic on a converged solution that may mislead.
@@ -114,7 +113,8 @@ impl Bits {
 /// A map of the cells that belong to a set.
 pub(crate) struct ContactMap<F> {
     pub(crate) grid: Grid,
-    pub(crate) boundary: Boundary,
+    /// Whether it repeats along x and along y.
+    pub(crate) repeats: [bool; 2],
     pub(crate) contains: F,
 }
 
@@ -148,7 +148,7 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
         for i in (0..self.grid.cells()).filter(|&i| (self.contains)(i)) {
             (columns[i % nx], rows[i / nx]) = (true, true);
         }
-        let [along_x, along_y] = self.boundary.repeats();
+        let [along_x, along_y] = self.repeats;
         Some([span(&columns, along_x)?, span(&rows, along_y)?])
     }
 
@@ -176,7 +176,7 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
         }
         let (sizes, across) = self.survey_spots();
         let [columns, rows] = self.grid.size();
-        let repeats = self.boundary.repeats();
+        let repeats = self.repeats;
         let [along_x, along_y] = from_fn(|axis| across[axis] && !repeats[axis]);
         if repeats == [false; 2] && columns.min(rows) == 1 && columns.max(rows) > 1 {
             warnings.push(Warning::LineOfCells);
@@ -213,12 +213,12 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
     }
 
     fn neighbours(&self, i: usize) -> [Option<usize>; 4] {
-        neighbours(i, self.grid.size(), self.boundary.repeats())
+        neighbours(i, self.grid.size(), self.repeats)
     }
 
     /// Contact cells on the edge of a grid that has edges.
     pub(crate) fn cells_on_edge(&self) -> usize {
-        let ([along_x, along_y], [nx, ny]) = (self.boundary.repeats(), self.grid.size());
+        let ([along_x, along_y], [nx, ny]) = (self.repeats, self.grid.size());
         let edge = (0..ny).flat_map(|iy| {
             let is_end = !along_y && (iy == 0 || iy + 1 == ny);
             let inner = if along_x { nx } else { (nx - 1).max(1) };
@@ -315,7 +315,7 @@ mod tests {
         let cells: Vec<bool> = drawing.chars().map(|c| c == '#').collect();
         let mut map = ContactMap {
             grid: Grid::new(8, 4, 0.5, 0.5).unwrap(),
-            boundary: Boundary::NonPeriodic,
+            repeats: [false; 2],
             contains: |i: usize| cells[i],
         };
         assert_eq!(map.cells(), 9);
@@ -334,7 +334,7 @@ mod tests {
         );
 
         // On the periodic grid the row at the bottom meets the L at the top; two of its cells and one end do not.
-        map.boundary = Boundary::Periodic;
+        map.repeats = [true; 2];
         assert_eq!(map.survey_spots().0, [7, 2]);
         // Columns 4, 5 and 7 are free, and no row is.
         assert_eq!(map.extent(), Some([6, 4]));
@@ -350,7 +350,7 @@ mod tests {
     fn a_grid_of_one_row_wraps_onto_itself() {
         let map = ContactMap {
             grid: Grid::new(4, 1, 1.0, 1.0).unwrap(),
-            boundary: Boundary::Periodic,
+            repeats: [true; 2],
             contains: |i: usize| i == 0 || i == 3,
         };
         assert_eq!(map.survey_spots().0, [2]);

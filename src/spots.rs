@@ -54,8 +54,8 @@ pub struct Spot {
     pub mean_pressure: f64,
     /// Largest pressure of its cells (a pressure).
     pub max_pressure: f64,
-    /// Centre of the area (lengths). That of a spot across the edges of a periodic grid is given inside the grid; for
-    /// a spot that spans the whole period it is not meaningful.
+    /// Centre of the area, in the whole grid (lengths). That of a spot across the edges of a periodic grid is given inside the
+    /// grid; for a spot that spans the whole period it is not meaningful.
     pub centroid: [f64; 2],
     /// Length of its edge (a length), along the sides of its cells: longer than the edge of a round spot by a factor of 4/pi.
     pub perimeter: f64,
@@ -140,13 +140,12 @@ impl ContactSpots {
 impl Sums {
     fn spot<F: Fn(usize) -> bool>(&self, map: &ContactMap<F>, has_zones: bool) -> Spot {
         let (grid, cells) = (map.grid, self.cells as f64);
+        let whole = grid.whole().size();
         let (area, load) = (cells * grid.cell_area(), self.pressure * grid.cell_area());
         let centre = |axis: usize| {
-            let (count, side) = (
-                [grid.nx(), grid.ny()][axis] as f64,
-                [grid.dx(), grid.dy()][axis],
-            );
-            let place = (self.place[axis] / cells + 0.5).rem_euclid(count) - 0.5;
+            let (count, side) = (whole[axis] as f64, [grid.dx(), grid.dy()][axis]);
+            let first = [0, grid.rows().start][axis] as f64;
+            let place = (first + self.place[axis] / cells + 0.5).rem_euclid(count) - 0.5;
             (place - 0.5 * (count - 1.0)) * side
         };
         let [along_y, along_x] = self.open_sides.map(|sides| sides as f64);

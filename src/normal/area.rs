@@ -1,6 +1,5 @@
 //! Where a normal contact touches: area, extent, warnings.
 
-use crate::boundary::Boundary;
 use crate::contact_map::{ContactMap, Warning};
 use crate::normal::NormalSolution;
 
@@ -92,7 +91,7 @@ impl NormalSolution {
         let whole = self.whole.as_ref();
         ContactMap {
             grid: self.grid().whole(),
-            boundary: self.boundary,
+            repeats: self.boundary.repeats(),
             contains: move |i| match whole {
                 Some(whole) => whole.contact.contain(i),
                 None => pressure[i] > 0.0,
@@ -102,15 +101,12 @@ impl NormalSolution {
 
     /// The map of the cells held here, of a slab without what lies around it.
     pub(crate) fn own_map(&self) -> ContactMap<impl Fn(usize) -> bool + '_> {
-        let pressure = self.pressure.as_slice();
-        let is_slab = self.whole.is_some();
+        let (pressure, grid) = (self.pressure.as_slice(), self.grid());
+        let [along_x, along_y] = self.boundary.repeats();
         ContactMap {
-            grid: self.grid(),
-            boundary: if is_slab {
-                Boundary::NonPeriodic
-            } else {
-                self.boundary
-            },
+            grid,
+            // What follows the last row of a slab is not its first.
+            repeats: [along_x, along_y && grid == grid.whole()],
             contains: move |i| pressure[i] > 0.0,
         }
     }

@@ -269,7 +269,7 @@ impl TangentialSolution {
     pub fn warnings(&self) -> Vec<Warning> {
         let contact = ContactMap {
             grid: self.grid().whole(),
-            boundary: self.boundary,
+            repeats: self.boundary.repeats(),
             contains: |i: usize| match &self.whole {
                 Some(whole) => whole.contact.contain(i),
                 None => self.zones[i] != Zone::Separated,

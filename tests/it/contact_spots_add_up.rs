@@ -1,8 +1,11 @@
 //! Contact spots have the areas, loads and places of what they are cut out of.
 
+use std::sync::Arc;
+
+use stickslip::ranks::{Ranks, Threads};
 use stickslip::{
-    Boundary, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl, NormalProblem,
-    NormalSolution, TangentialLoad, TangentialProblem, Zone, surface,
+    Boundary, ContactSpots, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl,
+    NormalProblem, NormalSolution, TangentialLoad, TangentialProblem, Zone, surface,
 };
 
 fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
@@ -81,6 +84,52 @@ fn across_the_edges_of_a_grid_that_repeats() {
     // The sides of the cells of a disc measure its circumscribed square.
     let width = contact.contact_extent().unwrap();
     assert!((spot.perimeter - 2.0 * (width[0] + width[1])).abs() < 1e-9);
+}
+
+/// The spots of a slab that lie within it are those of the whole contact, also across the edge in x of a grid that
+/// repeats; a slab of all rows repeats along y too.
+#[test]
+fn of_slabs_of_a_grid_that_repeats() {
+    for (boundary, rows) in [
+        (Boundary::Periodic, 306),
+        (Boundary::NonPeriodic, 306),
+        (Boundary::Periodic, 60),
+    ] {
+        let grid = Grid::new(40, rows, 0.5, 0.5).unwrap();
+        let [width, length] = [20.0, 0.5 * rows as f64];
+        let near = |x: f64, centre: f64, period: f64| {
+            let x = x - centre;
+            (x - period * (x / period).round()).powi(2)
+        };
+        // Balls at the edge in x, one in the middle of each third of the rows; a single one at the corner of few rows.
+        let balls = if rows > 102 { 3_u8 } else { 1 };
+        let first = if rows > 102 { 0.0 } else { 0.5 * length };
+        let height = |x: f64, y: f64| {
+            (near(x, 9.8, width) + near(y, first, length / f64::from(balls))) / 20.0
+        };
+        let made = |bodies: &HalfSpace| press(bodies, &Field::from_fn(bodies.grid(), height), 2.0);
+        let alone = HalfSpace::with_boundary(grid, kit::unit_pair(0.3), boundary).unwrap();
+        let whole = made(&alone).spots();
+        let slabs = Threads::run(3, std::time::Duration::from_secs(60), |rank| {
+            let (pair, rank) = (kit::unit_pair(0.3), Arc::new(rank) as Arc<dyn Ranks>);
+            let bodies = HalfSpace::distributed(grid, pair, boundary, rank).unwrap();
+            made(&bodies).spots()
+        });
+        let spots: Vec<_> = slabs.iter().flat_map(|slab| slab.as_slice()).collect();
+        assert_eq!(spots, whole.as_slice().iter().collect::<Vec<_>>());
+        let count = if boundary == Boundary::Periodic {
+            balls
+        } else {
+            2 * balls
+        };
+        assert_eq!(whole.as_slice().len(), usize::from(count));
+        let label = |slab: &ContactSpots, cell: usize| slab.label(cell).is_some();
+        let labels = slabs
+            .iter()
+            .flat_map(|slab| (0..slab.grid().cells()).map(move |cell| label(slab, cell)));
+        let expected = (0..grid.cells()).map(|cell| label(&whole, cell));
+        assert!(labels.eq(expected));
+    }
 }
 
 #[test]
