@@ -81,6 +81,9 @@ impl<const N: usize> Trend<N> {
                 squares += square;
             }
         }
+        if squares == 0.0 {
+            return None;
+        }
         let parts: f64 = parts / squares;
         (NO_PART..=FARTHEST).contains(&parts.abs()).then_some(parts)
     }

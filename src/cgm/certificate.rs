@@ -166,6 +166,9 @@ pub(crate) fn measure<const N: usize>(
 /// What a spring takes from the bound `B^2` of a uniform gradient, whose parts add up to `pushed`: it is `1 / (n c)`
 /// times the square, where that is less than by the smallest eigenvalue.
 fn held_by_spring(pushed: f64, cells: usize, compliance: f64, lower_bound: f64) -> f64 {
+    if pushed == 0.0 {
+        return 0.0;
+    }
     let cells = cells as f64;
     let gain = 1.0 / lower_bound - 1.0 / (cells * compliance);
     // All parts are a little more than their mean.
@@ -311,7 +314,11 @@ impl<const N: usize> Findings<N> {
         if forbidden != 0.0 {
             // Either share is valid; each is taken where it is the smaller.
             let dual = set.duality_gap(x, g);
-            let square = forbidden * forbidden / lower_bound;
+            let square = if lower_bound > 0.0 {
+                forbidden * forbidden / lower_bound
+            } else {
+                f64::INFINITY
+            };
             if dual <= square {
                 self.dual += dual.max(0.0);
             } else {
@@ -334,11 +341,11 @@ impl<const N: usize> Findings<N> {
     }
 }
 
-/// `a / b`, zero when `a` is; NaN if either is, so that a broken product is seen.
+/// `a / b`, zero when `a` is, infinite where `b` is not positive; NaN if either is, so that a broken product is seen.
 fn ratio(a: f64, b: f64) -> f64 {
     if a == 0.0 && !b.is_nan() {
         0.0
-    } else if b < 0.0 {
+    } else if b <= 0.0 && !a.is_nan() {
         f64::INFINITY
     } else {
         a / b

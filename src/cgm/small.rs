@@ -34,14 +34,16 @@ impl<const N: usize> Small<N> {
         x
     }
 
-    /// One over the trace of the inverse among the active unknowns: about the least eigenvalue.
+    /// One over the trace of the inverse among the active unknowns: about the least eigenvalue; infinite without any.
     pub(super) fn least(&self, active: [bool; N]) -> f64 {
+        if active == [false; N] {
+            return f64::INFINITY;
+        }
         let inverse = (0..N).filter(|&a| active[a]).map(|a| {
             let mut unit = [0.0; N];
             unit[a] = 1.0;
             self.solve(unit, active)[a]
         });
-        // From zero, not from the minus zero of an empty sum.
         1.0 / inverse.fold(0.0, |sum, part| sum + part)
     }
 

@@ -6,8 +6,7 @@ program fretting_newmark
     implicit none
     real(c_double), parameter :: mass = 1, load = 100, amplitude = 20
     integer, parameter :: steps_per_cycle = 40
-    type(stickslip_material), parameter :: steel = stickslip_material(213d9, 0.29d0, 0)
-    type(stickslip_control), parameter :: held = stickslip_control(STICKSLIP_HOLD, 0, 0)
+    type(stickslip_material), parameter :: steel = stickslip_material(213d9, 0.29d0)
     character(len=16) :: argument
     integer(c_size_t) :: n = 48
     integer :: steps = 160
@@ -42,10 +41,9 @@ contains
         call bodies%new(grid, steel, steel)
         allocate (ball(n, n))
         if (stickslip_surface_sphere(grid, 3.5d-3, ball, size(ball, kind=c_size_t)) /= STICKSLIP_OK) error stop 1
-        options = stickslip_history_options_default()
         options%settings%tolerance = 1d-10
         call history%new(bodies, ball, stickslip_coulomb(0.5d0), options)
-        call history%step(stickslip_load_step(stickslip_normal_load(STICKSLIP_FORCE, load), held, held, 0, 0, 0, 0))
+        call history%step(stickslip_load_step(normal=stickslip_normal_load(STICKSLIP_FORCE, load)))
 
         ! Driven at half of the frequency that the contact has while it sticks.
         slope = history%stiffness()
@@ -60,8 +58,7 @@ contains
             do iteration = 0, 30
                 ! From the state before the time step, whatever the last iteration tried.
                 call history%set_state(before)
-                call history%step(stickslip_load_step(stickslip_normal_load(STICKSLIP_HOLD, 0), &
-                    stickslip_control(STICKSLIP_SHIFT, new_x, 0), held, 0, 0, 0, 0))
+                call history%step(stickslip_load_step(x=stickslip_control(STICKSLIP_SHIFT, new_x)))
                 now = history%result()
                 new_a = 4 / dt**2 * (new_x - x) - 4 / dt * v - a
                 missing = new_pull - now%force(1) - mass * new_a

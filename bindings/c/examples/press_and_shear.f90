@@ -4,8 +4,7 @@ program press_and_shear
     use stickslip
     implicit none
     real(c_double), parameter :: radius = 3.5d-3, load = 100, drag = 20, mu = 0.5d0, side = 0.40d-3
-    type(stickslip_material), parameter :: steel = stickslip_material(213d9, 0.29d0, 0)
-    type(stickslip_control), parameter :: held = stickslip_control(STICKSLIP_HOLD, 0, 0)
+    type(stickslip_material), parameter :: steel = stickslip_material(213d9, 0.29d0)
     character(len=16) :: argument
     integer(c_size_t) :: n = 128
     logical :: good
@@ -46,7 +45,7 @@ contains
         call shearer%new(bodies, pressed, stickslip_coulomb(mu), pull_of(drag))
         call shearer%solve(sheared)
 
-        pressure => pressed%field(STICKSLIP_PRESSURE, bodies) ! where the solution has it
+        pressure => pressed%field(STICKSLIP_PRESSURE) ! where the solution has it
         normal = pressed%result()
         shear = sheared%result()
         report = sheared%report()
@@ -73,7 +72,7 @@ contains
     function pull_of(force) result(pull)
         real(c_double), intent(in) :: force
         type(stickslip_tangential_load) :: pull
-        pull = stickslip_tangential_load(stickslip_control(STICKSLIP_FORCE, force, 0), held, 0)
+        pull = stickslip_tangential_load(x=stickslip_control(STICKSLIP_FORCE, force))
     end function pull_of
 
     ! Prints a number beside its closed form, and remembers if they do not agree.

@@ -19,7 +19,23 @@ NUMBERS = {
 # Parameters that point to many entries; all others point to one.
 ARRAYS = {
     "gap", "pressure", "depth", "buffer", "bytes", "histories", "loads", "codes",
-    "depths", "points", "responses", "values", "heights",
+    "depths", "points", "responses", "values", "heights", "labels", "slip_distance",
+}
+# Members of structs whose default is not zero, as ..._default() has them; tests/defaults.f90 compares the two.
+INFINITE = "transfer(int(z'7FF0000000000000', c_int64_t), 0.0_c_double)"
+NOT_A_NUMBER = "transfer(int(z'7FF8000000000000', c_int64_t), 0.0_c_double)"
+DEFAULTS = {
+    ("stickslip_settings", "tolerance"): "1e-8_c_double",
+    ("stickslip_settings", "max_iterations"): "10000",
+    ("stickslip_settings", "time_limit"): INFINITE,
+    ("stickslip_tangential_options", "coupling"): "STICKSLIP_ONE_WAY",
+    ("stickslip_friction", "max_shear_stress"): INFINITE,
+    ("stickslip_jump_limits", "largest_depth"): INFINITE,
+    ("stickslip_jump_limits", "cycles_left"): INFINITE,
+    ("stickslip_jump_limits", "closed_within"): "0.25_c_double",
+    ("stickslip_self_affine", "hurst"): "0.8_c_double",
+    ("stickslip_self_affine", "skewness"): NOT_A_NUMBER,
+    ("stickslip_self_affine", "kurtosis"): NOT_A_NUMBER,
 }
 # Fortran does not tell the constant from the function.
 RENAMED = {"STICKSLIP_ABI_VERSION": "STICKSLIP_ABI_VERSION_COMPILED"}
@@ -44,7 +60,7 @@ class Header:
         self.functions = {m for m in re.findall(r"^typedef \w+ \(\*(stickslip_\w+)\)", text, re.M)}
 
     def member(self, declared):
-        """A member of a struct."""
+        """A member of a struct: its type, its name, its shape."""
         found = re.fullmatch(r"(const )?(\w+) (\*?)(\w+)((?:\[\w+\])*)", declared)
         kind, pointer, name, shape = found[2], found[3], found[4], re.findall(r"\[(\w+)\]", found[5])
         if pointer:
@@ -54,7 +70,15 @@ class Header:
         else:
             kind = NUMBERS.get(kind) or self.struct(kind)
         # The first index is the fastest in Fortran, the last in C.
-        return f"{kind} :: {name}" + (f"({', '.join(reversed(shape))})" if shape else "")
+        return kind, name, f"({', '.join(reversed(shape))})" if shape else ""
+
+    def defaulted(self, struct, declared):
+        """A member with the value that it has where none is given; structs in structs have those of their own members."""
+        kind, name, shape = self.member(declared)
+        zeros = {"type(c_ptr)": "c_null_ptr", "type(c_funptr)": "c_null_funptr", NUMBERS["char"]: "c_null_char"}
+        zero = zeros.get(kind, "" if kind.startswith("type") else "0")
+        value = DEFAULTS.get((struct, name), zero)
+        return f"{kind} :: {name}{shape}" + (f" = {value}" if value else "")
 
     def struct(self, kind):
         if kind not in self.structs:
@@ -69,11 +93,13 @@ class Header:
         if not stars:
             return name, f"{NUMBERS[kind]}, value :: {name}"
         if kind in self.opaque or kind == "void":
+            handle = "type(c_ptr)" if kind == "void" else f"type({kind})"
             if stars == "*":
-                return name, f"type(c_ptr), value :: {name}"
-            return name, f"type(c_ptr), intent({'in' if many else 'out'}) :: {name}{many}"
+                return name, f"{handle}, value :: {name}"
+            return name, f"{handle}, intent({'in' if many else 'out'}) :: {name}{many}"
         base = NUMBERS.get(kind) or self.struct(kind)
-        intent = "in" if is_const else "inout" if kind == "double" and many else "out"
+        # An array of no known length cannot be given default values.
+        intent = "in" if is_const else "inout" if many else "out"
         # What is left out is NULL.
         optional = "" if kind == "double" and many else ", optional"
         return name, f"{base}, intent({intent}){optional} :: {name}{many}"
@@ -109,6 +135,10 @@ def main():
             kind = "c_int8_t" if name in ("STICKSLIP_SEPARATED", "STICKSLIP_STICK", "STICKSLIP_SLIP") else "c_int32_t"
             constants += [f"    ! {row}".rstrip() for row in note]
             constants += [f"    integer({kind}), parameter, public :: {name} = {found[2]}"]
+        elif found := re.fullmatch(r"typedef struct (stickslip_\w+) \1;", line):
+            name = found[1]
+            types[name] = [f"    ! {row}".rstrip() for row in note] + [f"    type, bind(c), public :: {name}"]
+            types[name] += ["        type(c_ptr) :: address = c_null_ptr", f"    end type {name}"]
         elif line == "typedef struct {":
             members, inner = [], []
             for row in lines:
@@ -119,10 +149,12 @@ def main():
                     name = row[2:-1]
                     break
                 else:
-                    members += inner + ["        " + header.member(row[:-1])]
+                    members.append((inner, row[:-1]))
                     inner = []
             types[name] = [f"    ! {row}".rstrip() for row in note] + [f"    type, bind(c), public :: {name}"]
-            types[name] += members + [f"    end type {name}"]
+            for notes, declared in members:
+                types[name] += notes + wrapped(header.defaulted(name, declared), 8)
+            types[name] += [f"    end type {name}"]
         elif re.match(r"(const )?\w+ \*?stickslip_\w+\(", line):
             while not here.endswith(";"):
                 here += " " + next(lines).strip()
@@ -132,8 +164,9 @@ def main():
             types.setdefault("public", []).append(f"    public :: {name}")
     public = types.pop("public")
     print("! The interface of stickslip.h for Fortran, made from it by make_bindings.py: do not edit. The rules at the head of")
-    print("! stickslip.h hold here too. Objects are of type(c_ptr); an optional argument that is left out is NULL; a matrix has")
-    print("! its column first. The module stickslip has types that free themselves.")
+    print("! stickslip.h hold here too. Each kind of object has a type, the pointer of C; an optional argument that is left out is")
+    print("! NULL; a matrix has its column first. Members of structs begin with their defaults. The module stickslip has types that")
+    print("! free themselves.")
     print("module stickslip_bindings")
     print("    use, intrinsic :: iso_c_binding")
     print("    implicit none")

@@ -1,6 +1,7 @@
 ! The interface of stickslip.h for Fortran, made from it by make_bindings.py: do not edit. The rules at the head of
-! stickslip.h hold here too. Objects are of type(c_ptr); an optional argument that is left out is NULL; a matrix has
-! its column first. The module stickslip has types that free themselves.
+! stickslip.h hold here too. Each kind of object has a type, the pointer of C; an optional argument that is left out is
+! NULL; a matrix has its column first. Members of structs begin with their defaults. The module stickslip has types that
+! free themselves.
 module stickslip_bindings
     use, intrinsic :: iso_c_binding
     implicit none
@@ -62,6 +63,9 @@ module stickslip_bindings
     public :: stickslip_history_zones
     public :: stickslip_settings_default
     public :: stickslip_coulomb
+    public :: stickslip_jump_limits_default
+    public :: stickslip_cycle_jump
+    public :: stickslip_max_stable_cycles
     public :: stickslip_normal_solver_new
     public :: stickslip_normal_solver_free
     public :: stickslip_normal_solver_set_load
@@ -84,6 +88,9 @@ module stickslip_bindings
     public :: stickslip_self_affine_default
     public :: stickslip_surface_self_affine
     public :: stickslip_surface_statistics
+    public :: stickslip_normal_solution_spots
+    public :: stickslip_tangential_solution_spots
+    public :: stickslip_history_spots
     public :: stickslip_state_new
     public :: stickslip_state_free
     public :: stickslip_state_keep
@@ -292,11 +299,14 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_YIELDED = 10
     ! A history that a cycle already counts, or of another step.
     integer(c_int32_t), parameter, public :: STICKSLIP_STEP_NOT_NEW = 11
+    ! The cycle does not close: the residual of its loop (value) is more than what stands for those that follow (limit).
+    integer(c_int32_t), parameter, public :: STICKSLIP_CYCLE_NOT_CLOSED = 12
     ! A handle or another pointer that is needed is NULL, or misaligned.
     integer(c_int32_t), parameter, public :: STICKSLIP_BAD_POINTER = 32
     ! The handle is in use by another thread; nothing was done.
     integer(c_int32_t), parameter, public :: STICKSLIP_BUSY = 33
-    ! The number (value) is no constant of the kind that is needed there.
+    ! The number (value) is no constant of the kind that is needed there, or a struct has a member that this library does not
+    ! know: reserved is not zero.
     integer(c_int32_t), parameter, public :: STICKSLIP_NO_SUCH_OPTION = 34
     ! The buffer has room for fewer entries (found) than there are (expected).
     integer(c_int32_t), parameter, public :: STICKSLIP_BUFFER_TOO_SMALL = 35
@@ -369,26 +379,93 @@ module stickslip_bindings
     ! Version of the binary interface: of functions, layouts of structs and meanings of constants.
     !
     ! It goes up whenever a program compiled with an older header could go wrong, and is part of the SONAME. A patch never
-    ! changes it, a minor version may before 1.0; functions and constants may be added without. A host that loads the
-    ! library at run time compares it with stickslip_abi_version() first.
-    integer(c_int32_t), parameter, public :: STICKSLIP_ABI_VERSION_COMPILED = 1
+    ! changes it, a minor version may before 1.0; functions, constants and members in the place of reserved ones may be added
+    ! without. A host that loads the library at run time compares it with stickslip_abi_version() first.
+    integer(c_int32_t), parameter, public :: STICKSLIP_ABI_VERSION_COMPILED = 2
+
+    ! Takes loads in steps short enough for a tolerance of the tractions: a step is compared with the same in two halves. For
+    ! histories on one grid.
+    type, bind(c), public :: stickslip_adaptive_steps
+        type(c_ptr) :: address = c_null_ptr
+    end type stickslip_adaptive_steps
+
+    ! Pressure, tractions and displacements of a coupled contact. Its fields are read without a copy, and are valid until the
+    ! next solve into it, or until it is freed.
+    type, bind(c), public :: stickslip_coupled_solution
+        type(c_ptr) :: address = c_null_ptr
+    end type stickslip_coupled_solution
+
+    ! Solves coupled contacts again and again, each from rest in one step, beginning with the last answer.
+    type, bind(c), public :: stickslip_coupled_solver
+        type(c_ptr) :: address = c_null_ptr
+    end type stickslip_coupled_solver
+
+    ! What the steps of a history add up to since the cycle began.
+    type, bind(c), public :: stickslip_cycle
+        type(c_ptr) :: address = c_null_ptr
+    end type stickslip_cycle
+
+    ! Two elastic half-spaces on a grid, with the operators that all contacts on them share. Solvers and histories keep what
+    ! they need of it: it may be freed before them. Many threads may use one at once.
+    type, bind(c), public :: stickslip_half_space
+        type(c_ptr) :: address = c_null_ptr
+    end type stickslip_half_space
+
+    ! A contact that is loaded step by step, with memory of slip. A step that fails leaves it bit for bit as it was. Its
+    ! fields are read without a copy, and are valid until the next call that changes it.
+    type, bind(c), public :: stickslip_history
+        type(c_ptr) :: address = c_null_ptr
+    end type stickslip_history
+
+    ! Pressure, gap and approach of a normal contact. Its fields are read without a copy, and are valid until the next solve
+    ! into it, or until it is freed.
+    type, bind(c), public :: stickslip_normal_solution
+        type(c_ptr) :: address = c_null_ptr
+    end type stickslip_normal_solution
+
+    ! Solves normal contacts of two bodies again and again, each solve beginning with the last answer.
+    type, bind(c), public :: stickslip_normal_solver
+        type(c_ptr) :: address = c_null_ptr
+    end type stickslip_normal_solver
+
+    ! Planes at chosen depths below each body, and the one that was solved last. Its fields are read without a copy, and are
+    ! valid until the next solve, or until it is freed.
+    type, bind(c), public :: stickslip_planes
+        type(c_ptr) :: address = c_null_ptr
+    end type stickslip_planes
+
+    ! A state of a history, to which it may return: gap, friction and settings are part of it.
+    type, bind(c), public :: stickslip_state
+        type(c_ptr) :: address = c_null_ptr
+    end type stickslip_state
+
+    ! Traction, slip and shift of a tangential contact. Its fields are read without a copy, and are valid until the next solve
+    ! into it, or until it is freed.
+    type, bind(c), public :: stickslip_tangential_solution
+        type(c_ptr) :: address = c_null_ptr
+    end type stickslip_tangential_solution
+
+    ! Solves tangential contacts again and again, each from rest, beginning with the last answer.
+    type, bind(c), public :: stickslip_tangential_solver
+        type(c_ptr) :: address = c_null_ptr
+    end type stickslip_tangential_solver
 
     ! A normal load.
     type, bind(c), public :: stickslip_normal_load
         ! STICKSLIP_HOLD, STICKSLIP_FORCE or STICKSLIP_APPROACH.
-        integer(c_int32_t) :: kind
+        integer(c_int32_t) :: kind = 0
         ! The force (zero or positive) or the approach (a length, positive when the bodies come together).
-        real(c_double) :: value
+        real(c_double) :: value = 0
     end type stickslip_normal_load
 
     ! What is prescribed along one axis.
     type, bind(c), public :: stickslip_control
         ! STICKSLIP_HOLD, STICKSLIP_FORCE, STICKSLIP_SHIFT or STICKSLIP_SPRING.
-        integer(c_int32_t) :: kind
+        integer(c_int32_t) :: kind = 0
         ! The force that body 2 exerts on body 1, the shift, or the position of the far end of the spring.
-        real(c_double) :: value
+        real(c_double) :: value = 0
         ! Stiffness of the spring (a force over a length).
-        real(c_double) :: stiffness
+        real(c_double) :: stiffness = 0
     end type stickslip_control
 
     ! A step of a history: what it prescribes at its end. All zero holds everything.
@@ -400,35 +477,41 @@ module stickslip_bindings
         ! Tangential load along y.
         type(stickslip_control) :: y
         ! Not zero: to this twist; else the twist is held.
-        integer(c_int32_t) :: has_twist
+        integer(c_int32_t) :: has_twist = 0
         ! Rotation of body 2 relative to body 1 since the start (radians, from x to y).
-        real(c_double) :: twist
+        real(c_double) :: twist = 0
         ! Not zero: to this amount of the relative displacement; else it is held.
-        integer(c_int32_t) :: has_relative_displacement
+        integer(c_int32_t) :: has_relative_displacement = 0
         ! Amount of the relative displacement, as a multiple of the pattern of the history.
-        real(c_double) :: relative_displacement
+        real(c_double) :: relative_displacement = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_load_step
 
     ! The error that one step makes with a load: its difference from the same in two halves.
     type, bind(c), public :: stickslip_step_error
         ! That of the traction, relative; what the tolerance is for.
-        real(c_double) :: traction
+        real(c_double) :: traction = 0
         ! That of the tangential force.
-        real(c_double) :: force(2)
+        real(c_double) :: force(2) = 0
         ! That of the shift (lengths).
-        real(c_double) :: shift(2)
+        real(c_double) :: shift(2) = 0
         ! That of the energy dissipated.
-        real(c_double) :: dissipated_energy
+        real(c_double) :: dissipated_energy = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_step_error
 
     ! The contact of a sphere and a plane without friction, by Hertz.
     type, bind(c), public :: stickslip_hertz
         ! Radius of the contact (a length): a = (3 W R/(4 E*))^(1/3), with the force W and the radius R of the sphere.
-        real(c_double) :: contact_radius
+        real(c_double) :: contact_radius = 0
         ! Pressure at the centre: p0 = 3 W/(2 pi a^2). At the distance r from it the pressure is p0 (1 - r^2/a^2)^(1/2).
-        real(c_double) :: max_pressure
+        real(c_double) :: max_pressure = 0
         ! Approach of the bodies (a length): a^2/R.
-        real(c_double) :: approach
+        real(c_double) :: approach = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_hertz
 
     ! The contact of a sphere and a plane that is pressed and then loaded tangentially, by Cattaneo and Mindlin.
@@ -437,22 +520,24 @@ module stickslip_bindings
         type(stickslip_hertz) :: hertz
         ! Radius of the circle that sticks (a length): c = a (1 - |Q|/(mu W))^(1/3), with the tangential force Q; 0 without
         ! friction.
-        real(c_double) :: stick_radius
+        real(c_double) :: stick_radius = 0
         ! Shift (a length), with the sign of the force: 3 mu W/(16 a G*) (1 - c^2/a^2), with G* of
         ! stickslip_pair.
-        real(c_double) :: shift
+        real(c_double) :: shift = 0
         ! Energy dissipated as the force grows from zero (a force times a length), zero or positive.
-        real(c_double) :: dissipated_energy
+        real(c_double) :: dissipated_energy = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_cattaneo_mindlin
 
     ! A quantity of all cells: one value, or one for each.
     type, bind(c), public :: stickslip_per_cell
         ! The value of all cells, if cells is NULL.
-        real(c_double) :: value
+        real(c_double) :: value = 0
         ! A value for each cell, copied by the call; or NULL.
-        type(c_ptr) :: cells
+        type(c_ptr) :: cells = c_null_ptr
         ! Number of cells, if cells is not NULL.
-        integer(c_size_t) :: count
+        integer(c_size_t) :: count = 0
     end type stickslip_per_cell
 
     ! Coulomb friction.
@@ -460,7 +545,9 @@ module stickslip_bindings
         ! Coefficient of friction, zero or positive.
         type(stickslip_per_cell) :: coefficient
         ! Largest shear traction (a pressure); 0 or infinite: no limit but that of the coefficient.
-        real(c_double) :: max_shear_stress
+        real(c_double) :: max_shear_stress = transfer(int(z'7FF0000000000000', c_int64_t), 0.0_c_double)
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_friction
 
     ! A tangential load from rest.
@@ -470,120 +557,132 @@ module stickslip_bindings
         ! Along y.
         type(stickslip_control) :: y
         ! Rotation of body 2 relative to body 1 about the origin of the grid (radians, from x to y); the vector model only.
-        real(c_double) :: twist
+        real(c_double) :: twist = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_tangential_load
 
     ! A tangential displacement of body 1 relative to body 2 in each cell that the contact does not cause, such as that of
     ! bulk strain; copied by the call.
     type, bind(c), public :: stickslip_relative_displacement
         ! That along x (lengths), for each cell.
-        type(c_ptr) :: x
+        type(c_ptr) :: x = c_null_ptr
         ! That along y (lengths), for each cell.
-        type(c_ptr) :: y
+        type(c_ptr) :: y = c_null_ptr
         ! Number of cells.
-        integer(c_size_t) :: count
+        integer(c_size_t) :: count = 0
     end type stickslip_relative_displacement
 
     ! Method, tolerance and limits of a solve; stickslip_settings_default() has the defaults.
     type, bind(c), public :: stickslip_settings
         ! STICKSLIP_ACTIVE_SET (default) or STICKSLIP_POLONSKY_KEER.
-        integer(c_int32_t) :: method
+        integer(c_int32_t) :: method = 0
         ! The error accepted, in (0, 1) (default 1e-8): certified in the energy norm, and as a residual relative to the largest
         ! displacement.
-        real(c_double) :: tolerance
+        real(c_double) :: tolerance = 1e-8_c_double
         ! Conjugate-gradient steps allowed (default 10000).
-        integer(c_size_t) :: max_iterations
+        integer(c_size_t) :: max_iterations = 10000
         ! Wall time allowed for a solve (seconds); infinite (default): any. A step of a history has two solves, pressure and
         ! traction.
-        real(c_double) :: time_limit
+        real(c_double) :: time_limit = transfer(int(z'7FF0000000000000', c_int64_t), 0.0_c_double)
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_settings
 
     ! One step of an iteration.
     type, bind(c), public :: stickslip_iteration
         ! Conjugate-gradient steps so far.
-        integer(c_size_t) :: iteration
+        integer(c_size_t) :: iteration = 0
         ! Products in double precision so far.
-        integer(c_size_t) :: double_precision_products
+        integer(c_size_t) :: double_precision_products = 0
         ! Products in single precision so far.
-        integer(c_size_t) :: single_precision_products
+        integer(c_size_t) :: single_precision_products = 0
         ! Largest complementarity residual, relative to the largest displacement, as last measured.
-        real(c_double) :: residual
+        real(c_double) :: residual = 0
         ! Contact cells of a normal problem, sticking cells of a tangential one.
-        integer(c_size_t) :: free
+        integer(c_size_t) :: free = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_iteration
 
     ! A function that watches a solve, with data of yours.
     type, bind(c), public :: stickslip_observer
         ! The function; NULL watches nothing.
-        type(c_funptr) :: observe
+        type(c_funptr) :: observe = c_null_funptr
         ! Passed to the function as it is.
-        type(c_ptr) :: user
+        type(c_ptr) :: user = c_null_ptr
     end type stickslip_observer
 
     ! Numbers of a normal contact.
     type, bind(c), public :: stickslip_normal_result
         ! Approach of the bodies from the datum of the gap (a length).
-        real(c_double) :: approach
+        real(c_double) :: approach = 0
         ! Normal force.
-        real(c_double) :: force
+        real(c_double) :: force = 0
         ! Area of the cells in contact.
-        real(c_double) :: contact_area
+        real(c_double) :: contact_area = 0
         ! The same, corrected for the steps of its perimeter.
-        real(c_double) :: contact_area_corrected
+        real(c_double) :: contact_area_corrected = 0
         ! Force over contact area; zero without contact.
-        real(c_double) :: mean_pressure
+        real(c_double) :: mean_pressure = 0
         ! Moments of the pressure about x and y at the origin of the grid (forces times lengths).
-        real(c_double) :: moments(2)
+        real(c_double) :: moments(2) = 0
         ! Centre of pressure (lengths); NaN without contact.
-        real(c_double) :: centre_of_pressure(2)
+        real(c_double) :: centre_of_pressure(2) = 0
         ! Cells in contact.
-        integer(c_size_t) :: contact_cells
+        integer(c_size_t) :: contact_cells = 0
         ! Cells at their hardness.
-        integer(c_size_t) :: yielded_cells
+        integer(c_size_t) :: yielded_cells = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_normal_result
 
     ! Numbers of a tangential contact.
     type, bind(c), public :: stickslip_tangential_result
         ! Shift of body 2 relative to body 1 (lengths).
-        real(c_double) :: shift(2)
+        real(c_double) :: shift(2) = 0
         ! Tangential force that body 2 exerts on body 1.
-        real(c_double) :: force(2)
+        real(c_double) :: force(2) = 0
         ! Rotation of body 2 relative to body 1 (radians).
-        real(c_double) :: twist
+        real(c_double) :: twist = 0
         ! Moment about z that the tractions exert on body 1 (a force times a length).
-        real(c_double) :: moment
+        real(c_double) :: moment = 0
         ! Stick cells over contact cells.
-        real(c_double) :: stick_ratio
+        real(c_double) :: stick_ratio = 0
         ! Area that sticks.
-        real(c_double) :: stick_area
+        real(c_double) :: stick_area = 0
         ! Area that slips.
-        real(c_double) :: slip_area
+        real(c_double) :: slip_area = 0
         ! Energy dissipated by slip.
-        real(c_double) :: dissipated_energy
+        real(c_double) :: dissipated_energy = 0
         ! Not zero if the whole contact is at its friction limit.
-        integer(c_int32_t) :: is_gross_slip
+        integer(c_int32_t) :: is_gross_slip = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_tangential_result
 
     ! How a solve ended, what it cost and how large its error can be.
     type, bind(c), public :: stickslip_report
         ! STICKSLIP_CONVERGED or why not, or STICKSLIP_UNSOLVED.
-        integer(c_int32_t) :: status
+        integer(c_int32_t) :: status = 0
         ! Conjugate-gradient steps.
-        integer(c_size_t) :: iterations
+        integer(c_size_t) :: iterations = 0
         ! Products with the operator in double precision.
-        integer(c_size_t) :: double_precision_products
+        integer(c_size_t) :: double_precision_products = 0
         ! Products in single precision.
-        integer(c_size_t) :: single_precision_products
+        integer(c_size_t) :: single_precision_products = 0
         ! Largest complementarity residual, relative to the largest displacement.
-        real(c_double) :: residual
+        real(c_double) :: residual = 0
         ! Certified bound on the squared relative error in the energy norm.
-        real(c_double) :: duality_gap
+        real(c_double) :: duality_gap = 0
         ! Certified bound on the relative error in the energy norm, the root of the above.
-        real(c_double) :: energy_error_bound
+        real(c_double) :: energy_error_bound = 0
         ! Relative error of the prescribed total force.
-        real(c_double) :: load_error
+        real(c_double) :: load_error = 0
         ! Wall time of the solve (seconds).
-        real(c_double) :: seconds
+        real(c_double) :: seconds = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_report
 
     ! How a coupled solve ended. The whole error is bounded where friction is weak; else its halves are certified.
@@ -591,163 +690,181 @@ module stickslip_bindings
         ! The work; its duality gap is infinite.
         type(stickslip_report) :: work
         ! Bound of the error of the pressure in the energy norm, at tractions as they are.
-        real(c_double) :: pressure_error_bound
+        real(c_double) :: pressure_error_bound = 0
         ! Bound of the error of the tractions, at the pressure as it is.
-        real(c_double) :: traction_error_bound
+        real(c_double) :: traction_error_bound = 0
         ! Bounds of the errors of pressure and traction as a whole; NaN where there are none.
-        real(c_double) :: error_bounds(2)
+        real(c_double) :: error_bounds(2) = 0
         ! What the errors of pressure and traction as a whole are likely to be; NaN where that is not known.
-        real(c_double) :: error_estimate(2)
+        real(c_double) :: error_estimate(2) = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_coupled_report
 
     ! A diagnostic on a converged solution that may mislead.
     type, bind(c), public :: stickslip_warning
         ! One of STICKSLIP_WARNING_NO_CONTACT and the others.
-        integer(c_int32_t) :: kind
+        integer(c_int32_t) :: kind = 0
         ! Cells or spots that it is about; else zero.
-        integer(c_size_t) :: cells
+        integer(c_size_t) :: cells = 0
         ! Spots in all; else zero.
-        integer(c_size_t) :: of
+        integer(c_size_t) :: of = 0
         ! What it means and what to do, in English; ends with a zero byte.
-        character(kind=c_char) :: message(STICKSLIP_WARNING_LENGTH)
+        character(kind=c_char) :: message(STICKSLIP_WARNING_LENGTH) = c_null_char
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_warning
 
     ! Work, elastic energy and dissipation of a step or a cycle.
     type, bind(c), public :: stickslip_energy
         ! Work of the tangential load.
-        real(c_double) :: work
+        real(c_double) :: work = 0
         ! Elastic energy of shear before.
-        real(c_double) :: elastic_before
+        real(c_double) :: elastic_before = 0
         ! Elastic energy of shear after.
-        real(c_double) :: elastic_after
+        real(c_double) :: elastic_after = 0
         ! Energy dissipated, by the tractions at the ends of steps.
-        real(c_double) :: dissipated_energy
+        real(c_double) :: dissipated_energy = 0
         ! Energy dissipated, by the mean tractions of steps, which closes the balance.
-        real(c_double) :: mid_step_dissipated_energy
+        real(c_double) :: mid_step_dissipated_energy = 0
         ! Energy that cells let go as they leave the contact.
-        real(c_double) :: released
+        real(c_double) :: released = 0
         ! Work on the motion that the tolerance leaves in stick cells.
-        real(c_double) :: residual
+        real(c_double) :: residual = 0
         ! What is missing in the balance: round-off.
-        real(c_double) :: imbalance
+        real(c_double) :: imbalance = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_energy
 
     ! Numbers of a cycle.
     type, bind(c), public :: stickslip_cycle_result
         ! Steps since it began.
-        integer(c_size_t) :: steps
+        integer(c_size_t) :: steps = 0
         ! STICKSLIP_FULL_STICK, STICKSLIP_PARTIAL_SLIP or STICKSLIP_GROSS_SLIP.
-        integer(c_int32_t) :: regime
+        integer(c_int32_t) :: regime = 0
         ! Energy dissipated over the area of the rectangle around the loop of force and shift.
-        real(c_double) :: energy_ratio
+        real(c_double) :: energy_ratio = 0
         ! How far the traction at the end is from that at the beginning, relative to the largest: zero if the loop repeats.
-        real(c_double) :: cyclic_residual
+        real(c_double) :: cyclic_residual = 0
         ! Amplitude of the tangential force.
-        real(c_double) :: force_amplitude(2)
+        real(c_double) :: force_amplitude(2) = 0
         ! Amplitude of the shift (lengths).
-        real(c_double) :: shift_amplitude(2)
+        real(c_double) :: shift_amplitude(2) = 0
         ! Least and largest stick ratio at the end of a step.
-        real(c_double) :: stick_ratios(2)
+        real(c_double) :: stick_ratios(2) = 0
         ! Energies of all its steps.
         type(stickslip_energy) :: energy
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_cycle_result
 
     ! The numbers of the last failure on this thread; zero where they have no meaning.
     type, bind(c), public :: stickslip_error
         ! What the function returned, STICKSLIP_OK before any failure.
-        integer(c_int32_t) :: code
+        integer(c_int32_t) :: code = 0
         ! The offending value.
-        real(c_double) :: value
+        real(c_double) :: value = 0
         ! The limit that it violates.
-        real(c_double) :: limit
+        real(c_double) :: limit = 0
         ! The index of the offending sample, or the place in a batch.
-        integer(c_size_t) :: index
+        integer(c_size_t) :: index = 0
         ! Entries needed.
-        integer(c_size_t) :: expected
+        integer(c_size_t) :: expected = 0
         ! Entries given.
-        integer(c_size_t) :: found
+        integer(c_size_t) :: found = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(4) = 0
     end type stickslip_error
 
     ! A grid of nx by ny rectangular cells of sides dx and dy (lengths), centred on the origin. An array of samples has
     ! nx * ny entries, row by row with x fastest: that of cell (ix, iy) is at iy * nx + ix.
     type, bind(c), public :: stickslip_grid
         ! Cells along x.
-        integer(c_size_t) :: nx
+        integer(c_size_t) :: nx = 0
         ! Cells along y.
-        integer(c_size_t) :: ny
+        integer(c_size_t) :: ny = 0
         ! Side of a cell along x (a length).
-        real(c_double) :: dx
+        real(c_double) :: dx = 0
         ! Side of a cell along y (a length).
-        real(c_double) :: dy
+        real(c_double) :: dy = 0
     end type stickslip_grid
 
     ! The material of a body.
     type, bind(c), public :: stickslip_material
         ! Young's modulus (a pressure); infinite for a rigid body.
-        real(c_double) :: youngs_modulus
+        real(c_double) :: youngs_modulus = 0
         ! Poisson's ratio, in (-1, 1/2]; of no meaning for a rigid body.
-        real(c_double) :: poisson_ratio
+        real(c_double) :: poisson_ratio = 0
         ! Indentation hardness (a pressure), for warnings only; 0 or infinite: not known.
-        real(c_double) :: hardness
+        real(c_double) :: hardness = 0
     end type stickslip_material
 
     ! What lies beyond the edge of the grid.
     type, bind(c), public :: stickslip_boundary
         ! STICKSLIP_NON_PERIODIC, STICKSLIP_PERIODIC or STICKSLIP_PERIODIC_ALONG_Y.
-        integer(c_int32_t) :: kind
+        integer(c_int32_t) :: kind = 0
         ! With STICKSLIP_PERIODIC_ALONG_Y: distance along x at which a line load moves nothing (a length).
-        real(c_double) :: datum
+        real(c_double) :: datum = 0
     end type stickslip_boundary
 
     ! Constants of a pair of materials.
     type, bind(c), public :: stickslip_pair
         ! E* (a pressure): 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2.
-        real(c_double) :: contact_modulus
+        real(c_double) :: contact_modulus = 0
         ! G* of Mindlin (a pressure): 1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2; a circle of radius a that sticks has 8 G* a.
-        real(c_double) :: tangential_modulus
+        real(c_double) :: tangential_modulus = 0
         ! Dundurs' second parameter; zero where pressure and shear are not coupled.
-        real(c_double) :: dundurs_beta
+        real(c_double) :: dundurs_beta = 0
         ! Not zero if pressure and shear are coupled.
-        integer(c_int32_t) :: is_coupled
+        integer(c_int32_t) :: is_coupled = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_pair
 
     ! Options of a history; stickslip_history_options_default() has the defaults.
     type, bind(c), public :: stickslip_history_options
         ! Axis of load and traction in the scalar model: STICKSLIP_X (default) or STICKSLIP_Y.
-        integer(c_int32_t) :: axis
+        integer(c_int32_t) :: axis = 0
         ! STICKSLIP_SCALAR (default) or STICKSLIP_VECTOR.
-        integer(c_int32_t) :: model
+        integer(c_int32_t) :: model = 0
         ! STICKSLIP_FULL (default), STICKSLIP_ONE_WAY or STICKSLIP_NEGLECTED; of meaning for dissimilar bodies only.
-        integer(c_int32_t) :: coupling
+        integer(c_int32_t) :: coupling = 0
         ! STICKSLIP_GROWTH (default) or STICKSLIP_WHOLE_STEP.
-        integer(c_int32_t) :: touch_rule
+        integer(c_int32_t) :: touch_rule = 0
         ! Largest pressure that the cells carry, or NULL (default).
-        type(c_ptr) :: hardness
+        type(c_ptr) :: hardness = c_null_ptr
         ! Not zero if what yields stays (default 0).
-        integer(c_int32_t) :: permanent_set
+        integer(c_int32_t) :: permanent_set = 0
         ! Pattern of a displacement that the contact does not cause, or NULL (default); steps reach an amount of it.
-        type(c_ptr) :: relative_displacement
+        type(c_ptr) :: relative_displacement = c_null_ptr
         ! Method, tolerance and limits.
         type(stickslip_settings) :: settings
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_history_options
 
     ! Normal force by approach.
     type, bind(c), public :: stickslip_normal_stiffness
         ! A force over a length; zero without contact.
-        real(c_double) :: value
+        real(c_double) :: value = 0
         ! Bound of its relative error.
-        real(c_double) :: bound
+        real(c_double) :: bound = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_normal_stiffness
 
     ! Forces along x and y and the moment, by shifts along x and y and the twist: rows are loads, columns motions. In C
     ! loading[row, column].
     type, bind(c), public :: stickslip_tangential_stiffness
         ! If the motion continues in its direction.
-        real(c_double) :: loading(3, 3)
+        real(c_double) :: loading(3, 3) = 0
         ! If the motion reverses: all cells of the contact stick.
-        real(c_double) :: reversal(3, 3)
+        real(c_double) :: reversal(3, 3) = 0
         ! Bound of the errors: none is larger than this times the root of the product of the two entries on the diagonal.
-        real(c_double) :: bound
+        real(c_double) :: bound = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_tangential_stiffness
 
     ! The stiffness of a contact.
@@ -757,44 +874,61 @@ module stickslip_bindings
         ! Tangential forces and moment by shift and twist.
         type(stickslip_tangential_stiffness) :: tangential
         ! Tangential forces and moment by the approach while slip continues.
-        real(c_double) :: by_approach(3)
+        real(c_double) :: by_approach(3) = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_stiffness
 
     ! Numbers of a history after its last step.
     type, bind(c), public :: stickslip_step_result
         ! Normal force.
-        real(c_double) :: normal_force
+        real(c_double) :: normal_force = 0
         ! Approach of the bodies (a length).
-        real(c_double) :: approach
+        real(c_double) :: approach = 0
         ! Tangential force that body 2 exerts on body 1.
-        real(c_double) :: force(2)
+        real(c_double) :: force(2) = 0
         ! Shift of body 2 relative to body 1 since the start (lengths).
-        real(c_double) :: shift(2)
+        real(c_double) :: shift(2) = 0
         ! Moment about z that the tractions exert on body 1.
-        real(c_double) :: moment
+        real(c_double) :: moment = 0
         ! Rotation of body 2 relative to body 1 since the start (radians).
-        real(c_double) :: twist
+        real(c_double) :: twist = 0
         ! Stick cells over contact cells after the last step; zero without contact.
-        real(c_double) :: stick_ratio
+        real(c_double) :: stick_ratio = 0
         ! Not zero if the whole contact is at its friction limit after the last step.
-        integer(c_int32_t) :: is_gross_slip
+        integer(c_int32_t) :: is_gross_slip = 0
         ! Steps taken since the start.
-        integer(c_int64_t) :: steps
+        integer(c_int64_t) :: steps = 0
         ! Energies of the last step.
         type(stickslip_energy) :: energy
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_step_result
+
+    ! What limits a jump besides the pressure; stickslip_jump_limits_default() has the defaults.
+    type, bind(c), public :: stickslip_jump_limits
+        ! Most depth that is worn off at once (a length); infinite (default): any. A hundredth of the approach keeps the shape
+        ! of a ball.
+        real(c_double) :: largest_depth = transfer(int(z'7FF0000000000000', c_int64_t), 0.0_c_double)
+        ! Cycles left to simulate; infinite (default): any number.
+        real(c_double) :: cycles_left = transfer(int(z'7FF0000000000000', c_int64_t), 0.0_c_double)
+        ! Largest cyclic_residual of a cycle that stands for those that follow (default 0.25).
+        real(c_double) :: closed_within = 0.25_c_double
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
+    end type stickslip_jump_limits
 
     ! What acts on the surface: the fields of a solution or a history, or any others. It is up to the caller that they belong
     ! to the same bodies.
     type, bind(c), public :: stickslip_tractions
         ! Pressure of each cell, positive in compression.
-        type(c_ptr) :: pressure
+        type(c_ptr) :: pressure = c_null_ptr
         ! Traction along x on body 1 (pressures); NULL, like that along y, without shear.
-        type(c_ptr) :: x
+        type(c_ptr) :: x = c_null_ptr
         ! Traction along y on body 1.
-        type(c_ptr) :: y
+        type(c_ptr) :: y = c_null_ptr
         ! Number of cells.
-        integer(c_size_t) :: count
+        integer(c_size_t) :: count = 0
     end type stickslip_tractions
 
     ! A random surface with a self-affine power spectrum; stickslip_self_affine_default() has the defaults. Wavelengths are
@@ -802,103 +936,131 @@ module stickslip_bindings
     ! there to the cut-off.
     type, bind(c), public :: stickslip_self_affine
         ! Root-mean-square height (a length); 0 if the slope is given.
-        real(c_double) :: rms_height
+        real(c_double) :: rms_height = 0
         ! Root-mean-square slope; 0 if the height is given.
-        real(c_double) :: rms_slope
+        real(c_double) :: rms_slope = 0
         ! Hurst exponent H, in [0, 1] (default 0.8).
-        real(c_double) :: hurst
+        real(c_double) :: hurst = 0.8_c_double
         ! Longest wavelength, where the spectrum begins; 0 (default): the longer side of the grid.
-        real(c_double) :: longest_wavelength
+        real(c_double) :: longest_wavelength = 0
         ! Roll-off wavelength, where the spectrum begins to fall; 0 (default): the longest wavelength.
-        real(c_double) :: roll_off_wavelength
+        real(c_double) :: roll_off_wavelength = 0
         ! Cut-off wavelength, where the spectrum ends, at least two cells; 0 (default): eight cells, of their longer side.
-        real(c_double) :: cut_off_wavelength
+        real(c_double) :: cut_off_wavelength = 0
         ! STICKSLIP_EXACT (default) or STICKSLIP_GAUSSIAN.
-        integer(c_int32_t) :: amplitudes
+        integer(c_int32_t) :: amplitudes = 0
         ! Not zero: the middle of a larger surface, which does not repeat; else (default) the surface repeats along x and y.
-        integer(c_int32_t) :: cropped
+        integer(c_int32_t) :: cropped = 0
         ! Skewness of the heights; NaN (default): as it follows from the phases, or 0 if a kurtosis is given.
-        real(c_double) :: skewness
+        real(c_double) :: skewness = transfer(int(z'7FF8000000000000', c_int64_t), 0.0_c_double)
         ! Kurtosis of the heights; NaN (default): as it follows from the phases, or 3 if a skewness is given.
-        real(c_double) :: kurtosis
+        real(c_double) :: kurtosis = transfer(int(z'7FF8000000000000', c_int64_t), 0.0_c_double)
         ! Another seed is another surface (default 0).
-        integer(c_int64_t) :: seed
+        integer(c_int64_t) :: seed = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_self_affine
 
     ! Statistics of heights about their mean, as in ISO 25178-2.
     type, bind(c), public :: stickslip_statistics
         ! Mean height (a length), from which all other heights count.
-        real(c_double) :: mean_height
+        real(c_double) :: mean_height = 0
         ! Arithmetic mean height Sa (a length).
-        real(c_double) :: arithmetic_mean_height
+        real(c_double) :: arithmetic_mean_height = 0
         ! Root-mean-square height Sq (a length).
-        real(c_double) :: rms_height
+        real(c_double) :: rms_height = 0
         ! Skewness Ssk; NaN for a flat surface.
-        real(c_double) :: skewness
+        real(c_double) :: skewness = 0
         ! Kurtosis Sku, 3 for a Gaussian surface; NaN for a flat one.
-        real(c_double) :: kurtosis
+        real(c_double) :: kurtosis = 0
         ! Height of the highest peak Sp (a length).
-        real(c_double) :: highest_peak
+        real(c_double) :: highest_peak = 0
         ! Depth of the deepest valley Sv (a length, positive).
-        real(c_double) :: deepest_valley
+        real(c_double) :: deepest_valley = 0
         ! Root-mean-square slope Sdq by finite differences, without those across the edge.
-        real(c_double) :: finite_difference_rms_slope
+        real(c_double) :: finite_difference_rms_slope = 0
         ! Root-mean-square slope of the waves of the surface, continued periodically.
-        real(c_double) :: spectral_rms_slope
+        real(c_double) :: spectral_rms_slope = 0
         ! Excess of the area over its projection, relative to the projection, Sdr.
-        real(c_double) :: developed_area_ratio
+        real(c_double) :: developed_area_ratio = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_statistics
+
+    ! A contact spot: contact cells connected through their sides, across the edges of a grid that repeats too.
+    type, bind(c), public :: stickslip_spot
+        ! Its cells.
+        integer(c_size_t) :: cells = 0
+        ! Area, by counting cells (a length squared).
+        real(c_double) :: area = 0
+        ! Normal force that it carries.
+        real(c_double) :: load = 0
+        ! Load over area (a pressure).
+        real(c_double) :: mean_pressure = 0
+        ! Largest pressure of its cells (a pressure).
+        real(c_double) :: max_pressure = 0
+        ! Centre of the area (lengths), inside the grid; of no meaning for a spot that spans the whole period.
+        real(c_double) :: centroid(2) = 0
+        ! Length of its edge along the sides of its cells (a length): longer than that of a round spot by a factor of 4/pi.
+        real(c_double) :: perimeter = 0
+        ! Stick cells over all its cells; NaN for a contact that is pressed only.
+        real(c_double) :: stick_ratio = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
+    end type stickslip_spot
 
     ! A point in a body.
     type, bind(c), public :: stickslip_point
         ! Position along x, that of the grid (a length).
-        real(c_double) :: x
+        real(c_double) :: x = 0
         ! Position along y (a length).
-        real(c_double) :: y
+        real(c_double) :: y = 0
         ! Depth below the surface of the body (a length), zero or positive in both bodies.
-        real(c_double) :: depth
+        real(c_double) :: depth = 0
     end type stickslip_point
 
     ! Displacement and stress at a point, along x, y and z, with z into body 1.
     type, bind(c), public :: stickslip_response
         ! Displacement of the body along x, y and z (lengths), zero at infinity.
-        real(c_double) :: displacement(3)
+        real(c_double) :: displacement(3) = 0
         ! Stresses xx, yy and zz (pressures, positive in tension).
-        real(c_double) :: normal_stress(3)
+        real(c_double) :: normal_stress(3) = 0
         ! Stresses xy, xz and yz (pressures).
-        real(c_double) :: shear_stress(3)
+        real(c_double) :: shear_stress(3) = 0
         ! Principal stresses (pressures, positive in tension), the largest first.
-        real(c_double) :: principal_stress(3)
+        real(c_double) :: principal_stress(3) = 0
         ! Von Mises' equivalent stress (a pressure).
-        real(c_double) :: von_mises
+        real(c_double) :: von_mises = 0
     end type stickslip_response
 
     ! Options of a tangential solver; stickslip_tangential_options_default() has the defaults.
     type, bind(c), public :: stickslip_tangential_options
         ! STICKSLIP_SCALAR (default) or STICKSLIP_VECTOR.
-        integer(c_int32_t) :: model
+        integer(c_int32_t) :: model = 0
         ! STICKSLIP_ONE_WAY (default) or STICKSLIP_NEGLECTED; of meaning for dissimilar bodies only.
-        integer(c_int32_t) :: coupling
+        integer(c_int32_t) :: coupling = STICKSLIP_ONE_WAY
         ! A displacement of body 1 relative to body 2 that the contact does not cause, or NULL (default).
-        type(c_ptr) :: relative_displacement
+        type(c_ptr) :: relative_displacement = c_null_ptr
         ! Method, tolerance and limits.
         type(stickslip_settings) :: settings
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_tangential_options
 
     interface
         ! Makes the buffers for histories on the grid of this one, with a tolerance in (0, 1) for a whole load.
         function stickslip_adaptive_steps_new(history, tolerance, steps) result(answer) bind(c)
             import
-            type(c_ptr), value :: history
+            type(stickslip_history), value :: history
             real(c_double), value :: tolerance
-            type(c_ptr), intent(out) :: steps
+            type(stickslip_adaptive_steps), intent(out) :: steps
             integer(c_int32_t) :: answer
         end function stickslip_adaptive_steps_new
 
         ! Frees the buffers; nothing for NULL.
         function stickslip_adaptive_steps_free(steps) result(answer) bind(c)
             import
-            type(c_ptr), value :: steps
+            type(stickslip_adaptive_steps), value :: steps
             integer(c_int32_t) :: answer
         end function stickslip_adaptive_steps_free
 
@@ -906,8 +1068,8 @@ module stickslip_bindings
         ! STICKSLIP_STEP_TOO_LONG, the state of the history is as it was; its last step is that of the last attempt.
         function stickslip_adaptive_steps_step(steps, history, load, taken) result(answer) bind(c)
             import
-            type(c_ptr), value :: steps
-            type(c_ptr), value :: history
+            type(stickslip_adaptive_steps), value :: steps
+            type(stickslip_history), value :: history
             type(stickslip_load_step), intent(in), optional :: load
             integer(c_size_t), intent(out), optional :: taken
             integer(c_int32_t) :: answer
@@ -917,8 +1079,8 @@ module stickslip_bindings
         ! the second half of this one.
         function stickslip_adaptive_steps_error(steps, history, load, error) result(answer) bind(c)
             import
-            type(c_ptr), value :: steps
-            type(c_ptr), value :: history
+            type(stickslip_adaptive_steps), value :: steps
+            type(stickslip_history), value :: history
             type(stickslip_load_step), intent(in), optional :: load
             type(stickslip_step_error), intent(out), optional :: error
             integer(c_int32_t) :: answer
@@ -928,7 +1090,7 @@ module stickslip_bindings
         ! STICKSLIP_NOT_POSITIVE if radius, force or a result is not positive and finite.
         function stickslip_hertz_sphere(half_space, radius, force, hertz) result(answer) bind(c)
             import
-            type(c_ptr), value :: half_space
+            type(stickslip_half_space), value :: half_space
             real(c_double), value :: radius
             real(c_double), value :: force
             type(stickslip_hertz), intent(out), optional :: hertz
@@ -941,7 +1103,7 @@ module stickslip_bindings
         function stickslip_cattaneo_mindlin_sphere(half_space, radius, force, friction, tangential_force, &
             found) result(answer) bind(c)
             import
-            type(c_ptr), value :: half_space
+            type(stickslip_half_space), value :: half_space
             real(c_double), value :: radius
             real(c_double), value :: force
             real(c_double), value :: friction
@@ -958,10 +1120,10 @@ module stickslip_bindings
         ! occurs twice is STICKSLIP_BUSY the second time.
         function stickslip_history_step_all(histories, loads, count, codes) result(answer) bind(c)
             import
-            type(c_ptr), intent(in) :: histories(*)
+            type(stickslip_history), intent(in) :: histories(*)
             type(stickslip_load_step), intent(in), optional :: loads(*)
             integer(c_size_t), value :: count
-            integer(c_int32_t), intent(out), optional :: codes(*)
+            integer(c_int32_t), intent(inout), optional :: codes(*)
             integer(c_int32_t) :: answer
         end function stickslip_history_step_all
 
@@ -970,7 +1132,7 @@ module stickslip_bindings
         function stickslip_coupled_solver_new(half_space, gap, count, friction, normal, load, relative, settings, &
             solver) result(answer) bind(c)
             import
-            type(c_ptr), value :: half_space
+            type(stickslip_half_space), value :: half_space
             real(c_double), intent(in) :: gap(*)
             integer(c_size_t), value :: count
             type(stickslip_friction), intent(in), optional :: friction
@@ -978,21 +1140,21 @@ module stickslip_bindings
             type(stickslip_tangential_load), intent(in), optional :: load
             type(stickslip_relative_displacement), intent(in), optional :: relative
             type(stickslip_settings), intent(in), optional :: settings
-            type(c_ptr), intent(out) :: solver
+            type(stickslip_coupled_solver), intent(out) :: solver
             integer(c_int32_t) :: answer
         end function stickslip_coupled_solver_new
 
         ! Frees a solver; nothing for NULL.
         function stickslip_coupled_solver_free(solver) result(answer) bind(c)
             import
-            type(c_ptr), value :: solver
+            type(stickslip_coupled_solver), value :: solver
             integer(c_int32_t) :: answer
         end function stickslip_coupled_solver_free
 
         ! Changes the normal load of the next solve.
         function stickslip_coupled_solver_set_normal(solver, normal) result(answer) bind(c)
             import
-            type(c_ptr), value :: solver
+            type(stickslip_coupled_solver), value :: solver
             type(stickslip_normal_load), intent(in), optional :: normal
             integer(c_int32_t) :: answer
         end function stickslip_coupled_solver_set_normal
@@ -1000,7 +1162,7 @@ module stickslip_bindings
         ! Changes the tangential load of the next solve.
         function stickslip_coupled_solver_set_load(solver, load) result(answer) bind(c)
             import
-            type(c_ptr), value :: solver
+            type(stickslip_coupled_solver), value :: solver
             type(stickslip_tangential_load), intent(in), optional :: load
             integer(c_int32_t) :: answer
         end function stickslip_coupled_solver_set_load
@@ -1008,7 +1170,7 @@ module stickslip_bindings
         ! Changes the gap before loading of the next solve (lengths, count entries, copied).
         function stickslip_coupled_solver_set_gap(solver, gap, count) result(answer) bind(c)
             import
-            type(c_ptr), value :: solver
+            type(stickslip_coupled_solver), value :: solver
             real(c_double), intent(in) :: gap(*)
             integer(c_size_t), value :: count
             integer(c_int32_t) :: answer
@@ -1017,7 +1179,7 @@ module stickslip_bindings
         ! Changes the friction of the next solve.
         function stickslip_coupled_solver_set_friction(solver, friction) result(answer) bind(c)
             import
-            type(c_ptr), value :: solver
+            type(stickslip_coupled_solver), value :: solver
             type(stickslip_friction), intent(in), optional :: friction
             integer(c_int32_t) :: answer
         end function stickslip_coupled_solver_set_friction
@@ -1025,7 +1187,7 @@ module stickslip_bindings
         ! Changes method, tolerance and limits of the next solve.
         function stickslip_coupled_solver_set_settings(solver, settings) result(answer) bind(c)
             import
-            type(c_ptr), value :: solver
+            type(stickslip_coupled_solver), value :: solver
             type(stickslip_settings), intent(in), optional :: settings
             integer(c_int32_t) :: answer
         end function stickslip_coupled_solver_set_settings
@@ -1033,7 +1195,7 @@ module stickslip_bindings
         ! Forgets the last answer: the next solve starts as the first did.
         function stickslip_coupled_solver_reset(solver) result(answer) bind(c)
             import
-            type(c_ptr), value :: solver
+            type(stickslip_coupled_solver), value :: solver
             integer(c_int32_t) :: answer
         end function stickslip_coupled_solver_reset
 
@@ -1041,8 +1203,8 @@ module stickslip_bindings
         ! STICKSLIP_NOT_CONVERGED the solution holds the last iterate and its report; after any other failure it is as it was.
         function stickslip_coupled_solver_solve(solver, solution, observer) result(answer) bind(c)
             import
-            type(c_ptr), value :: solver
-            type(c_ptr), value :: solution
+            type(stickslip_coupled_solver), value :: solver
+            type(stickslip_coupled_solution), value :: solution
             type(stickslip_observer), intent(in), optional :: observer
             integer(c_int32_t) :: answer
         end function stickslip_coupled_solver_solve
@@ -1050,22 +1212,22 @@ module stickslip_bindings
         ! Makes an empty solution of the right size for a solver.
         function stickslip_coupled_solution_new(solver, solution) result(answer) bind(c)
             import
-            type(c_ptr), value :: solver
-            type(c_ptr), intent(out) :: solution
+            type(stickslip_coupled_solver), value :: solver
+            type(stickslip_coupled_solution), intent(out) :: solution
             integer(c_int32_t) :: answer
         end function stickslip_coupled_solution_new
 
         ! Frees a solution; nothing for NULL.
         function stickslip_coupled_solution_free(solution) result(answer) bind(c)
             import
-            type(c_ptr), value :: solution
+            type(stickslip_coupled_solution), value :: solution
             integer(c_int32_t) :: answer
         end function stickslip_coupled_solution_free
 
         ! A field, STICKSLIP_PRESSURE to STICKSLIP_DISPLACEMENT_Z, and how many cells it has (count may be NULL); NULL on failure.
         function stickslip_coupled_solution_field(solution, which, count) result(answer) bind(c)
             import
-            type(c_ptr), value :: solution
+            type(stickslip_coupled_solution), value :: solution
             integer(c_int32_t), value :: which
             integer(c_size_t), intent(out), optional :: count
             type(c_ptr) :: answer
@@ -1074,7 +1236,7 @@ module stickslip_bindings
         ! The zone of every cell; NULL on failure.
         function stickslip_coupled_solution_zones(solution, count) result(answer) bind(c)
             import
-            type(c_ptr), value :: solution
+            type(stickslip_coupled_solution), value :: solution
             integer(c_size_t), intent(out), optional :: count
             type(c_ptr) :: answer
         end function stickslip_coupled_solution_zones
@@ -1082,7 +1244,7 @@ module stickslip_bindings
         ! The numbers of both halves; either may be NULL.
         function stickslip_coupled_solution_results(solution, normal, tangential) result(answer) bind(c)
             import
-            type(c_ptr), value :: solution
+            type(stickslip_coupled_solution), value :: solution
             type(stickslip_normal_result), intent(out), optional :: normal
             type(stickslip_tangential_result), intent(out), optional :: tangential
             integer(c_int32_t) :: answer
@@ -1091,7 +1253,7 @@ module stickslip_bindings
         ! How it was solved.
         function stickslip_coupled_solution_report(solution, report) result(answer) bind(c)
             import
-            type(c_ptr), value :: solution
+            type(stickslip_coupled_solution), value :: solution
             type(stickslip_coupled_report), intent(out), optional :: report
             integer(c_int32_t) :: answer
         end function stickslip_coupled_solution_report
@@ -1099,8 +1261,8 @@ module stickslip_bindings
         ! Diagnostics that may mislead: as stickslip_normal_solution_warnings.
         function stickslip_coupled_solution_warnings(solution, buffer, capacity, count) result(answer) bind(c)
             import
-            type(c_ptr), value :: solution
-            type(stickslip_warning), intent(out), optional :: buffer(*)
+            type(stickslip_coupled_solution), value :: solution
+            type(stickslip_warning), intent(inout), optional :: buffer(*)
             integer(c_size_t), value :: capacity
             integer(c_size_t), intent(out), optional :: count
             integer(c_int32_t) :: answer
@@ -1109,38 +1271,38 @@ module stickslip_bindings
         ! Begins a cycle at the present state of a history.
         function stickslip_cycle_new(history, cycle) result(answer) bind(c)
             import
-            type(c_ptr), value :: history
-            type(c_ptr), intent(out) :: cycle
+            type(stickslip_history), value :: history
+            type(stickslip_cycle), intent(out) :: cycle
             integer(c_int32_t) :: answer
         end function stickslip_cycle_new
 
         ! Frees a cycle; nothing for NULL.
         function stickslip_cycle_free(cycle) result(answer) bind(c)
             import
-            type(c_ptr), value :: cycle
+            type(stickslip_cycle), value :: cycle
             integer(c_int32_t) :: answer
         end function stickslip_cycle_free
 
         ! Begins the cycle anew, at the present state of a history.
         function stickslip_cycle_begin(cycle, history) result(answer) bind(c)
             import
-            type(c_ptr), value :: cycle
-            type(c_ptr), value :: history
+            type(stickslip_cycle), value :: cycle
+            type(stickslip_history), value :: history
             integer(c_int32_t) :: answer
         end function stickslip_cycle_begin
 
         ! Adds the last step of the history, which must be new (else STICKSLIP_STEP_NOT_NEW).
         function stickslip_cycle_add(cycle, history) result(answer) bind(c)
             import
-            type(c_ptr), value :: cycle
-            type(c_ptr), value :: history
+            type(stickslip_cycle), value :: cycle
+            type(stickslip_history), value :: history
             integer(c_int32_t) :: answer
         end function stickslip_cycle_add
 
         ! The numbers of the cycle.
         function stickslip_cycle_result_of(cycle, result) result(answer) bind(c)
             import
-            type(c_ptr), value :: cycle
+            type(stickslip_cycle), value :: cycle
             type(stickslip_cycle_result), intent(out), optional :: result
             integer(c_int32_t) :: answer
         end function stickslip_cycle_result_of
@@ -1149,7 +1311,7 @@ module stickslip_bindings
         ! STICKSLIP_SLIP_AMPLITUDE_X or _Y; NULL on failure. It is valid until the next call that changes the cycle.
         function stickslip_cycle_field(cycle, which, count) result(answer) bind(c)
             import
-            type(c_ptr), value :: cycle
+            type(stickslip_cycle), value :: cycle
             integer(c_int32_t), value :: which
             integer(c_size_t), intent(out), optional :: count
             type(c_ptr) :: answer
@@ -1183,21 +1345,21 @@ module stickslip_bindings
             type(stickslip_material), intent(in), optional :: body_1
             type(stickslip_material), intent(in), optional :: body_2
             type(stickslip_boundary), intent(in), optional :: boundary
-            type(c_ptr), intent(out) :: half_space
+            type(stickslip_half_space), intent(out) :: half_space
             integer(c_int32_t) :: answer
         end function stickslip_half_space_new
 
         ! Frees the bodies; nothing for NULL.
         function stickslip_half_space_free(half_space) result(answer) bind(c)
             import
-            type(c_ptr), value :: half_space
+            type(stickslip_half_space), value :: half_space
             integer(c_int32_t) :: answer
         end function stickslip_half_space_free
 
         ! The grid.
         function stickslip_half_space_grid(half_space, grid) result(answer) bind(c)
             import
-            type(c_ptr), value :: half_space
+            type(stickslip_half_space), value :: half_space
             type(stickslip_grid), intent(out), optional :: grid
             integer(c_int32_t) :: answer
         end function stickslip_half_space_grid
@@ -1205,7 +1367,7 @@ module stickslip_bindings
         ! The constants of the pair.
         function stickslip_half_space_pair(half_space, pair) result(answer) bind(c)
             import
-            type(c_ptr), value :: half_space
+            type(stickslip_half_space), value :: half_space
             type(stickslip_pair), intent(out), optional :: pair
             integer(c_int32_t) :: answer
         end function stickslip_half_space_pair
@@ -1220,27 +1382,27 @@ module stickslip_bindings
         ! may be NULL (the defaults).
         function stickslip_history_new(half_space, gap, count, friction, options, history) result(answer) bind(c)
             import
-            type(c_ptr), value :: half_space
+            type(stickslip_half_space), value :: half_space
             real(c_double), intent(in) :: gap(*)
             integer(c_size_t), value :: count
             type(stickslip_friction), intent(in), optional :: friction
             type(stickslip_history_options), intent(in), optional :: options
-            type(c_ptr), intent(out) :: history
+            type(stickslip_history), intent(out) :: history
             integer(c_int32_t) :: answer
         end function stickslip_history_new
 
         ! Makes a copy of a history, independent of it: steps of one do not change the other.
         function stickslip_history_clone(history, copy) result(answer) bind(c)
             import
-            type(c_ptr), value :: history
-            type(c_ptr), intent(out) :: copy
+            type(stickslip_history), value :: history
+            type(stickslip_history), intent(out) :: copy
             integer(c_int32_t) :: answer
         end function stickslip_history_clone
 
         ! Frees a history; nothing for NULL.
         function stickslip_history_free(history) result(answer) bind(c)
             import
-            type(c_ptr), value :: history
+            type(stickslip_history), value :: history
             integer(c_int32_t) :: answer
         end function stickslip_history_free
 
@@ -1248,7 +1410,7 @@ module stickslip_bindings
         ! stickslip_last_error_report has the report.
         function stickslip_history_step(history, load, observer) result(answer) bind(c)
             import
-            type(c_ptr), value :: history
+            type(stickslip_history), value :: history
             type(stickslip_load_step), intent(in), optional :: load
             type(stickslip_observer), intent(in), optional :: observer
             integer(c_int32_t) :: answer
@@ -1258,7 +1420,7 @@ module stickslip_bindings
         ! gives a normal load again.
         function stickslip_history_set_gap(history, gap, count) result(answer) bind(c)
             import
-            type(c_ptr), value :: history
+            type(stickslip_history), value :: history
             real(c_double), intent(in) :: gap(*)
             integer(c_size_t), value :: count
             integer(c_int32_t) :: answer
@@ -1267,7 +1429,7 @@ module stickslip_bindings
         ! Changes the friction from the next step on.
         function stickslip_history_set_friction(history, friction) result(answer) bind(c)
             import
-            type(c_ptr), value :: history
+            type(stickslip_history), value :: history
             type(stickslip_friction), intent(in), optional :: friction
             integer(c_int32_t) :: answer
         end function stickslip_history_set_friction
@@ -1275,7 +1437,7 @@ module stickslip_bindings
         ! Changes method, tolerance and limits from the next step on.
         function stickslip_history_set_settings(history, settings) result(answer) bind(c)
             import
-            type(c_ptr), value :: history
+            type(stickslip_history), value :: history
             type(stickslip_settings), intent(in), optional :: settings
             integer(c_int32_t) :: answer
         end function stickslip_history_set_settings
@@ -1283,7 +1445,7 @@ module stickslip_bindings
         ! Changes the pattern of the relative displacement from the next step on.
         function stickslip_history_set_relative_displacement(history, pattern) result(answer) bind(c)
             import
-            type(c_ptr), value :: history
+            type(stickslip_history), value :: history
             type(stickslip_relative_displacement), intent(in), optional :: pattern
             integer(c_int32_t) :: answer
         end function stickslip_history_set_relative_displacement
@@ -1291,7 +1453,7 @@ module stickslip_bindings
         ! The stiffness of the contact after the last step: normal, tangential on loading and at reversal.
         function stickslip_history_stiffness(history, stiffness) result(answer) bind(c)
             import
-            type(c_ptr), value :: history
+            type(stickslip_history), value :: history
             type(stickslip_stiffness), intent(out), optional :: stiffness
             integer(c_int32_t) :: answer
         end function stickslip_history_stiffness
@@ -1300,7 +1462,7 @@ module stickslip_bindings
         ! after the history was made from bytes.
         function stickslip_history_result(history, result) result(answer) bind(c)
             import
-            type(c_ptr), value :: history
+            type(stickslip_history), value :: history
             type(stickslip_step_result), intent(out), optional :: result
             integer(c_int32_t) :: answer
         end function stickslip_history_result
@@ -1308,7 +1470,7 @@ module stickslip_bindings
         ! The numbers of the normal contact.
         function stickslip_history_normal_result(history, result) result(answer) bind(c)
             import
-            type(c_ptr), value :: history
+            type(stickslip_history), value :: history
             type(stickslip_normal_result), intent(out), optional :: result
             integer(c_int32_t) :: answer
         end function stickslip_history_normal_result
@@ -1316,7 +1478,7 @@ module stickslip_bindings
         ! The grid of all fields.
         function stickslip_history_grid(history, grid) result(answer) bind(c)
             import
-            type(c_ptr), value :: history
+            type(stickslip_history), value :: history
             type(stickslip_grid), intent(out), optional :: grid
             integer(c_int32_t) :: answer
         end function stickslip_history_grid
@@ -1324,7 +1486,7 @@ module stickslip_bindings
         ! The largest tangential force that friction holds at the present pressure.
         function stickslip_history_friction_capacity(history, capacity) result(answer) bind(c)
             import
-            type(c_ptr), value :: history
+            type(stickslip_history), value :: history
             real(c_double), intent(out), optional :: capacity
             integer(c_int32_t) :: answer
         end function stickslip_history_friction_capacity
@@ -1333,7 +1495,7 @@ module stickslip_bindings
         ! has touched.
         function stickslip_history_reports(history, normal, tangential) result(answer) bind(c)
             import
-            type(c_ptr), value :: history
+            type(stickslip_history), value :: history
             type(stickslip_report), intent(out), optional :: normal
             type(stickslip_report), intent(out), optional :: tangential
             integer(c_int32_t) :: answer
@@ -1342,8 +1504,8 @@ module stickslip_bindings
         ! Diagnostics on the last step: as stickslip_normal_solution_warnings.
         function stickslip_history_warnings(history, buffer, capacity, count) result(answer) bind(c)
             import
-            type(c_ptr), value :: history
-            type(stickslip_warning), intent(out), optional :: buffer(*)
+            type(stickslip_history), value :: history
+            type(stickslip_warning), intent(inout), optional :: buffer(*)
             integer(c_size_t), value :: capacity
             integer(c_size_t), intent(out), optional :: count
             integer(c_int32_t) :: answer
@@ -1353,7 +1515,7 @@ module stickslip_bindings
         ! may be NULL); NULL on failure.
         function stickslip_history_field(history, which, count) result(answer) bind(c)
             import
-            type(c_ptr), value :: history
+            type(stickslip_history), value :: history
             integer(c_int32_t), value :: which
             integer(c_size_t), intent(out), optional :: count
             type(c_ptr) :: answer
@@ -1362,7 +1524,7 @@ module stickslip_bindings
         ! The zone of every cell after the last step; NULL on failure.
         function stickslip_history_zones(history, count) result(answer) bind(c)
             import
-            type(c_ptr), value :: history
+            type(stickslip_history), value :: history
             integer(c_size_t), intent(out), optional :: count
             type(c_ptr) :: answer
         end function stickslip_history_zones
@@ -1380,33 +1542,71 @@ module stickslip_bindings
             type(stickslip_friction) :: answer
         end function stickslip_coulomb
 
+        ! The limits that jumps have by default.
+        function stickslip_jump_limits_default() result(answer) bind(c)
+            import
+            type(stickslip_jump_limits) :: answer
+        end function stickslip_jump_limits_default
+
+        ! Writes how many cycles like this one may be jumped over to cycles, not rounded: as many as their wear may be taken off at
+        ! once without the pressure swinging, and no more than the limits (may be NULL: the defaults) allow; infinite if nothing
+        ! limits them.
+        !
+        ! depth (lengths, count entries) is what the cycle removed, of both bodies together. STICKSLIP_CYCLE_NOT_CLOSED for a cycle
+        ! that does not close, as the first from rest; STICKSLIP_NEGATIVE for a limit, STICKSLIP_SAMPLE for a depth.
+        function stickslip_cycle_jump(half_space, cycle, depth, count, limits, cycles) result(answer) bind(c)
+            import
+            type(stickslip_half_space), value :: half_space
+            type(stickslip_cycle), value :: cycle
+            real(c_double), intent(in) :: depth(*)
+            integer(c_size_t), value :: count
+            type(stickslip_jump_limits), intent(in), optional :: limits
+            real(c_double), intent(out), optional :: cycles
+            integer(c_int32_t) :: answer
+        end function stickslip_cycle_jump
+
+        ! Writes to cycles how many cycles of wear may be taken off at once without the pressure swinging up: explicit wear by
+        ! Archard's law is stable below. coefficient (one over a pressure) is the sum of both bodies, slip_distance (lengths, count
+        ! entries) that of one cycle; for the energy law the coefficient is that of the law times that of friction. Infinite if
+        ! nothing slips.
+        function stickslip_max_stable_cycles(half_space, coefficient, slip_distance, count, &
+            cycles) result(answer) bind(c)
+            import
+            type(stickslip_half_space), value :: half_space
+            type(stickslip_per_cell), intent(in), optional :: coefficient
+            real(c_double), intent(in) :: slip_distance(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(out), optional :: cycles
+            integer(c_int32_t) :: answer
+        end function stickslip_max_stable_cycles
+
         ! Makes a solver of a gap before loading (lengths, count entries, copied) under a load.
         !
         ! settings may be NULL (the defaults), as may hardness, the largest pressure that the cells carry (no limit).
         function stickslip_normal_solver_new(half_space, gap, count, load, hardness, settings, &
             solver) result(answer) bind(c)
             import
-            type(c_ptr), value :: half_space
+            type(stickslip_half_space), value :: half_space
             real(c_double), intent(in) :: gap(*)
             integer(c_size_t), value :: count
             type(stickslip_normal_load), intent(in), optional :: load
             type(stickslip_per_cell), intent(in), optional :: hardness
             type(stickslip_settings), intent(in), optional :: settings
-            type(c_ptr), intent(out) :: solver
+            type(stickslip_normal_solver), intent(out) :: solver
             integer(c_int32_t) :: answer
         end function stickslip_normal_solver_new
 
         ! Frees a solver; nothing for NULL.
         function stickslip_normal_solver_free(solver) result(answer) bind(c)
             import
-            type(c_ptr), value :: solver
+            type(stickslip_normal_solver), value :: solver
             integer(c_int32_t) :: answer
         end function stickslip_normal_solver_free
 
         ! Changes the load of the next solve.
         function stickslip_normal_solver_set_load(solver, load) result(answer) bind(c)
             import
-            type(c_ptr), value :: solver
+            type(stickslip_normal_solver), value :: solver
             type(stickslip_normal_load), intent(in), optional :: load
             integer(c_int32_t) :: answer
         end function stickslip_normal_solver_set_load
@@ -1414,7 +1614,7 @@ module stickslip_bindings
         ! Changes the gap before loading of the next solve (lengths, count entries, copied).
         function stickslip_normal_solver_set_gap(solver, gap, count) result(answer) bind(c)
             import
-            type(c_ptr), value :: solver
+            type(stickslip_normal_solver), value :: solver
             real(c_double), intent(in) :: gap(*)
             integer(c_size_t), value :: count
             integer(c_int32_t) :: answer
@@ -1423,7 +1623,7 @@ module stickslip_bindings
         ! Changes method, tolerance and limits of the next solve.
         function stickslip_normal_solver_set_settings(solver, settings) result(answer) bind(c)
             import
-            type(c_ptr), value :: solver
+            type(stickslip_normal_solver), value :: solver
             type(stickslip_settings), intent(in), optional :: settings
             integer(c_int32_t) :: answer
         end function stickslip_normal_solver_set_settings
@@ -1431,7 +1631,7 @@ module stickslip_bindings
         ! Forgets the last answer: the next solve starts as the first did.
         function stickslip_normal_solver_reset(solver) result(answer) bind(c)
             import
-            type(c_ptr), value :: solver
+            type(stickslip_normal_solver), value :: solver
             integer(c_int32_t) :: answer
         end function stickslip_normal_solver_reset
 
@@ -1441,8 +1641,8 @@ module stickslip_bindings
         ! as it was.
         function stickslip_normal_solver_solve(solver, solution, observer) result(answer) bind(c)
             import
-            type(c_ptr), value :: solver
-            type(c_ptr), value :: solution
+            type(stickslip_normal_solver), value :: solver
+            type(stickslip_normal_solution), value :: solution
             type(stickslip_observer), intent(in), optional :: observer
             integer(c_int32_t) :: answer
         end function stickslip_normal_solver_solve
@@ -1450,22 +1650,22 @@ module stickslip_bindings
         ! Makes an empty solution of the right size for a solver.
         function stickslip_normal_solution_new(solver, solution) result(answer) bind(c)
             import
-            type(c_ptr), value :: solver
-            type(c_ptr), intent(out) :: solution
+            type(stickslip_normal_solver), value :: solver
+            type(stickslip_normal_solution), intent(out) :: solution
             integer(c_int32_t) :: answer
         end function stickslip_normal_solution_new
 
         ! Frees a solution; nothing for NULL.
         function stickslip_normal_solution_free(solution) result(answer) bind(c)
             import
-            type(c_ptr), value :: solution
+            type(stickslip_normal_solution), value :: solution
             integer(c_int32_t) :: answer
         end function stickslip_normal_solution_free
 
         ! STICKSLIP_PRESSURE or STICKSLIP_GAP, and how many cells it has (count may be NULL); NULL on failure.
         function stickslip_normal_solution_field(solution, which, count) result(answer) bind(c)
             import
-            type(c_ptr), value :: solution
+            type(stickslip_normal_solution), value :: solution
             integer(c_int32_t), value :: which
             integer(c_size_t), intent(out), optional :: count
             type(c_ptr) :: answer
@@ -1474,7 +1674,7 @@ module stickslip_bindings
         ! The numbers of the contact.
         function stickslip_normal_solution_result(solution, result) result(answer) bind(c)
             import
-            type(c_ptr), value :: solution
+            type(stickslip_normal_solution), value :: solution
             type(stickslip_normal_result), intent(out), optional :: result
             integer(c_int32_t) :: answer
         end function stickslip_normal_solution_result
@@ -1482,7 +1682,7 @@ module stickslip_bindings
         ! How it was solved.
         function stickslip_normal_solution_report(solution, report) result(answer) bind(c)
             import
-            type(c_ptr), value :: solution
+            type(stickslip_normal_solution), value :: solution
             type(stickslip_report), intent(out), optional :: report
             integer(c_int32_t) :: answer
         end function stickslip_normal_solution_report
@@ -1491,8 +1691,8 @@ module stickslip_bindings
         ! capacity 0 only the number.
         function stickslip_normal_solution_warnings(solution, buffer, capacity, count) result(answer) bind(c)
             import
-            type(c_ptr), value :: solution
-            type(stickslip_warning), intent(out), optional :: buffer(*)
+            type(stickslip_normal_solution), value :: solution
+            type(stickslip_warning), intent(inout), optional :: buffer(*)
             integer(c_size_t), value :: capacity
             integer(c_size_t), intent(out), optional :: count
             integer(c_int32_t) :: answer
@@ -1501,8 +1701,8 @@ module stickslip_bindings
         ! The stiffness of a normal contact on the bodies it was solved for.
         function stickslip_normal_solution_stiffness(solution, half_space, stiffness) result(answer) bind(c)
             import
-            type(c_ptr), value :: solution
-            type(c_ptr), value :: half_space
+            type(stickslip_normal_solution), value :: solution
+            type(stickslip_half_space), value :: half_space
             type(stickslip_normal_stiffness), intent(out), optional :: stiffness
             integer(c_int32_t) :: answer
         end function stickslip_normal_solution_stiffness
@@ -1512,18 +1712,18 @@ module stickslip_bindings
         ! solved, and kept.
         function stickslip_planes_new(half_space, depths, count, with_displacements, planes) result(answer) bind(c)
             import
-            type(c_ptr), value :: half_space
+            type(stickslip_half_space), value :: half_space
             real(c_double), intent(in) :: depths(*)
             integer(c_size_t), value :: count
             integer(c_int32_t), value :: with_displacements
-            type(c_ptr), intent(out) :: planes
+            type(stickslip_planes), intent(out) :: planes
             integer(c_int32_t) :: answer
         end function stickslip_planes_new
 
         ! Frees planes; nothing for NULL.
         function stickslip_planes_free(planes) result(answer) bind(c)
             import
-            type(c_ptr), value :: planes
+            type(stickslip_planes), value :: planes
             integer(c_int32_t) :: answer
         end function stickslip_planes_free
 
@@ -1532,7 +1732,7 @@ module stickslip_bindings
         ! body. After a failure the plane solved last is as it was.
         function stickslip_planes_solve(planes, index, which, tractions) result(answer) bind(c)
             import
-            type(c_ptr), value :: planes
+            type(stickslip_planes), value :: planes
             integer(c_size_t), value :: index
             integer(c_int32_t), value :: which
             type(stickslip_tractions), intent(in), optional :: tractions
@@ -1543,7 +1743,7 @@ module stickslip_bindings
         ! STICKSLIP_DISPLACEMENT_X to STICKSLIP_DISPLACEMENT_Z, and how many cells it has (count may be NULL); NULL on failure.
         function stickslip_planes_field(planes, which, count) result(answer) bind(c)
             import
-            type(c_ptr), value :: planes
+            type(stickslip_planes), value :: planes
             integer(c_int32_t), value :: which
             integer(c_size_t), intent(out), optional :: count
             type(c_ptr) :: answer
@@ -1553,7 +1753,7 @@ module stickslip_bindings
         ! values, which has count entries.
         function stickslip_planes_measure(planes, which, values, count) result(answer) bind(c)
             import
-            type(c_ptr), value :: planes
+            type(stickslip_planes), value :: planes
             integer(c_int32_t), value :: which
             real(c_double), intent(inout) :: values(*)
             integer(c_size_t), value :: count
@@ -1594,34 +1794,78 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_surface_statistics
 
+        ! The contact spots, in the order of their first cells, and how many there are. With a NULL buffer and capacity 0 only
+        ! that; STICKSLIP_BUFFER_TOO_SMALL for a buffer that is too small, to which nothing is written.
+        !
+        ! labels, which has cells entries, gets the number of the spot of every cell, counted from one, and zero outside the
+        ! contact; it may be NULL.
+        function stickslip_normal_solution_spots(solution, buffer, capacity, count, labels, &
+            cells) result(answer) bind(c)
+            import
+            type(stickslip_normal_solution), value :: solution
+            type(stickslip_spot), intent(inout), optional :: buffer(*)
+            integer(c_size_t), value :: capacity
+            integer(c_size_t), intent(out), optional :: count
+            integer(c_int32_t), intent(inout), optional :: labels(*)
+            integer(c_size_t), value :: cells
+            integer(c_int32_t) :: answer
+        end function stickslip_normal_solution_spots
+
+        ! The contact spots under the pressure of a normal contact, with the part of each that sticks: as
+        ! stickslip_normal_solution_spots.
+        function stickslip_tangential_solution_spots(solution, normal, buffer, capacity, count, labels, &
+            cells) result(answer) bind(c)
+            import
+            type(stickslip_tangential_solution), value :: solution
+            type(stickslip_normal_solution), value :: normal
+            type(stickslip_spot), intent(inout), optional :: buffer(*)
+            integer(c_size_t), value :: capacity
+            integer(c_size_t), intent(out), optional :: count
+            integer(c_int32_t), intent(inout), optional :: labels(*)
+            integer(c_size_t), value :: cells
+            integer(c_int32_t) :: answer
+        end function stickslip_tangential_solution_spots
+
+        ! The contact spots after the last step, with the part of each that sticks: as stickslip_normal_solution_spots.
+        function stickslip_history_spots(history, buffer, capacity, count, labels, cells) result(answer) bind(c)
+            import
+            type(stickslip_history), value :: history
+            type(stickslip_spot), intent(inout), optional :: buffer(*)
+            integer(c_size_t), value :: capacity
+            integer(c_size_t), intent(out), optional :: count
+            integer(c_int32_t), intent(inout), optional :: labels(*)
+            integer(c_size_t), value :: cells
+            integer(c_int32_t) :: answer
+        end function stickslip_history_spots
+
         ! Keeps a copy of the state of a history.
         function stickslip_state_new(history, state) result(answer) bind(c)
             import
-            type(c_ptr), value :: history
-            type(c_ptr), intent(out) :: state
+            type(stickslip_history), value :: history
+            type(stickslip_state), intent(out) :: state
             integer(c_int32_t) :: answer
         end function stickslip_state_new
 
         ! Frees a state; nothing for NULL.
         function stickslip_state_free(state) result(answer) bind(c)
             import
-            type(c_ptr), value :: state
+            type(stickslip_state), value :: state
             integer(c_int32_t) :: answer
         end function stickslip_state_free
 
         ! Keeps the present state of a history in the place of an older one, whose memory it uses.
         function stickslip_state_keep(state, history) result(answer) bind(c)
             import
-            type(c_ptr), value :: state
-            type(c_ptr), value :: history
+            type(stickslip_state), value :: state
+            type(stickslip_history), value :: history
             integer(c_int32_t) :: answer
         end function stickslip_state_keep
 
         ! Returns a history to a state, one of its own or of another on equal bodies.
         function stickslip_history_set_state(history, state) result(answer) bind(c)
             import
-            type(c_ptr), value :: history
-            type(c_ptr), value :: state
+            type(stickslip_history), value :: history
+            type(stickslip_state), value :: state
             integer(c_int32_t) :: answer
         end function stickslip_history_set_state
 
@@ -1632,8 +1876,8 @@ module stickslip_bindings
         ! STICKSLIP_BUFFER_TOO_SMALL, and nothing is written to it. Each call takes about as long as a warm step.
         function stickslip_history_to_bytes(history, buffer, capacity, length) result(answer) bind(c)
             import
-            type(c_ptr), value :: history
-            integer(c_int8_t), intent(out), optional :: buffer(*)
+            type(stickslip_history), value :: history
+            integer(c_int8_t), intent(inout), optional :: buffer(*)
             integer(c_size_t), value :: capacity
             integer(c_size_t), intent(out), optional :: length
             integer(c_int32_t) :: answer
@@ -1642,10 +1886,10 @@ module stickslip_bindings
         ! Makes a history from bytes of stickslip_history_to_bytes, on the bodies it had. Damaged bytes are STICKSLIP_FORMAT.
         function stickslip_history_from_bytes(half_space, bytes, length, history) result(answer) bind(c)
             import
-            type(c_ptr), value :: half_space
+            type(stickslip_half_space), value :: half_space
             integer(c_int8_t), intent(in), optional :: bytes(*)
             integer(c_size_t), value :: length
-            type(c_ptr), intent(out) :: history
+            type(stickslip_history), intent(out) :: history
             integer(c_int32_t) :: answer
         end function stickslip_history_from_bytes
 
@@ -1655,12 +1899,12 @@ module stickslip_bindings
         function stickslip_stress_at_points(half_space, which, tractions, points, count, &
             responses) result(answer) bind(c)
             import
-            type(c_ptr), value :: half_space
+            type(stickslip_half_space), value :: half_space
             integer(c_int32_t), value :: which
             type(stickslip_tractions), intent(in), optional :: tractions
             type(stickslip_point), intent(in), optional :: points(*)
             integer(c_size_t), value :: count
-            type(stickslip_response), intent(out), optional :: responses(*)
+            type(stickslip_response), intent(inout), optional :: responses(*)
             integer(c_int32_t) :: answer
         end function stickslip_stress_at_points
 
@@ -1705,12 +1949,12 @@ module stickslip_bindings
         function stickslip_tangential_solver_new(half_space, normal, friction, load, options, &
             solver) result(answer) bind(c)
             import
-            type(c_ptr), value :: half_space
-            type(c_ptr), value :: normal
+            type(stickslip_half_space), value :: half_space
+            type(stickslip_normal_solution), value :: normal
             type(stickslip_friction), intent(in), optional :: friction
             type(stickslip_tangential_load), intent(in), optional :: load
             type(stickslip_tangential_options), intent(in), optional :: options
-            type(c_ptr), intent(out) :: solver
+            type(stickslip_tangential_solver), intent(out) :: solver
             integer(c_int32_t) :: answer
         end function stickslip_tangential_solver_new
 
@@ -1719,27 +1963,27 @@ module stickslip_bindings
         function stickslip_tangential_solver_new_under(half_space, pressure, count, friction, load, options, &
             solver) result(answer) bind(c)
             import
-            type(c_ptr), value :: half_space
+            type(stickslip_half_space), value :: half_space
             real(c_double), intent(in) :: pressure(*)
             integer(c_size_t), value :: count
             type(stickslip_friction), intent(in), optional :: friction
             type(stickslip_tangential_load), intent(in), optional :: load
             type(stickslip_tangential_options), intent(in), optional :: options
-            type(c_ptr), intent(out) :: solver
+            type(stickslip_tangential_solver), intent(out) :: solver
             integer(c_int32_t) :: answer
         end function stickslip_tangential_solver_new_under
 
         ! Frees a solver; nothing for NULL.
         function stickslip_tangential_solver_free(solver) result(answer) bind(c)
             import
-            type(c_ptr), value :: solver
+            type(stickslip_tangential_solver), value :: solver
             integer(c_int32_t) :: answer
         end function stickslip_tangential_solver_free
 
         ! Changes the load of the next solve.
         function stickslip_tangential_solver_set_load(solver, load) result(answer) bind(c)
             import
-            type(c_ptr), value :: solver
+            type(stickslip_tangential_solver), value :: solver
             type(stickslip_tangential_load), intent(in), optional :: load
             integer(c_int32_t) :: answer
         end function stickslip_tangential_solver_set_load
@@ -1747,7 +1991,7 @@ module stickslip_bindings
         ! Changes the friction of the next solve.
         function stickslip_tangential_solver_set_friction(solver, friction) result(answer) bind(c)
             import
-            type(c_ptr), value :: solver
+            type(stickslip_tangential_solver), value :: solver
             type(stickslip_friction), intent(in), optional :: friction
             integer(c_int32_t) :: answer
         end function stickslip_tangential_solver_set_friction
@@ -1755,15 +1999,15 @@ module stickslip_bindings
         ! Changes the pressure of the next solve to that of a solved normal contact.
         function stickslip_tangential_solver_set_normal(solver, normal) result(answer) bind(c)
             import
-            type(c_ptr), value :: solver
-            type(c_ptr), value :: normal
+            type(stickslip_tangential_solver), value :: solver
+            type(stickslip_normal_solution), value :: normal
             integer(c_int32_t) :: answer
         end function stickslip_tangential_solver_set_normal
 
         ! Changes the pressure of the next solve to one from elsewhere (count entries, copied).
         function stickslip_tangential_solver_set_pressure(solver, pressure, count) result(answer) bind(c)
             import
-            type(c_ptr), value :: solver
+            type(stickslip_tangential_solver), value :: solver
             real(c_double), intent(in) :: pressure(*)
             integer(c_size_t), value :: count
             integer(c_int32_t) :: answer
@@ -1772,7 +2016,7 @@ module stickslip_bindings
         ! Changes the relative displacement of the next solve.
         function stickslip_tangential_solver_set_relative_displacement(solver, relative) result(answer) bind(c)
             import
-            type(c_ptr), value :: solver
+            type(stickslip_tangential_solver), value :: solver
             type(stickslip_relative_displacement), intent(in), optional :: relative
             integer(c_int32_t) :: answer
         end function stickslip_tangential_solver_set_relative_displacement
@@ -1780,7 +2024,7 @@ module stickslip_bindings
         ! Changes method, tolerance and limits of the next solve.
         function stickslip_tangential_solver_set_settings(solver, settings) result(answer) bind(c)
             import
-            type(c_ptr), value :: solver
+            type(stickslip_tangential_solver), value :: solver
             type(stickslip_settings), intent(in), optional :: settings
             integer(c_int32_t) :: answer
         end function stickslip_tangential_solver_set_settings
@@ -1788,14 +2032,14 @@ module stickslip_bindings
         ! Forgets the last answer: the next solve starts as the first did.
         function stickslip_tangential_solver_reset(solver) result(answer) bind(c)
             import
-            type(c_ptr), value :: solver
+            type(stickslip_tangential_solver), value :: solver
             integer(c_int32_t) :: answer
         end function stickslip_tangential_solver_reset
 
         ! The largest tangential force that friction holds.
         function stickslip_tangential_solver_friction_capacity(solver, capacity) result(answer) bind(c)
             import
-            type(c_ptr), value :: solver
+            type(stickslip_tangential_solver), value :: solver
             real(c_double), intent(out), optional :: capacity
             integer(c_int32_t) :: answer
         end function stickslip_tangential_solver_friction_capacity
@@ -1806,8 +2050,8 @@ module stickslip_bindings
         ! as it was.
         function stickslip_tangential_solver_solve(solver, solution, observer) result(answer) bind(c)
             import
-            type(c_ptr), value :: solver
-            type(c_ptr), value :: solution
+            type(stickslip_tangential_solver), value :: solver
+            type(stickslip_tangential_solution), value :: solution
             type(stickslip_observer), intent(in), optional :: observer
             integer(c_int32_t) :: answer
         end function stickslip_tangential_solver_solve
@@ -1815,22 +2059,22 @@ module stickslip_bindings
         ! Makes an empty solution of the right size for a solver.
         function stickslip_tangential_solution_new(solver, solution) result(answer) bind(c)
             import
-            type(c_ptr), value :: solver
-            type(c_ptr), intent(out) :: solution
+            type(stickslip_tangential_solver), value :: solver
+            type(stickslip_tangential_solution), intent(out) :: solution
             integer(c_int32_t) :: answer
         end function stickslip_tangential_solution_new
 
         ! Frees a solution; nothing for NULL.
         function stickslip_tangential_solution_free(solution) result(answer) bind(c)
             import
-            type(c_ptr), value :: solution
+            type(stickslip_tangential_solution), value :: solution
             integer(c_int32_t) :: answer
         end function stickslip_tangential_solution_free
 
         ! STICKSLIP_TRACTION_X, STICKSLIP_SLIP_X or those along y, and how many cells it has (count may be NULL); NULL on failure.
         function stickslip_tangential_solution_field(solution, which, count) result(answer) bind(c)
             import
-            type(c_ptr), value :: solution
+            type(stickslip_tangential_solution), value :: solution
             integer(c_int32_t), value :: which
             integer(c_size_t), intent(out), optional :: count
             type(c_ptr) :: answer
@@ -1839,7 +2083,7 @@ module stickslip_bindings
         ! The zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; NULL on failure.
         function stickslip_tangential_solution_zones(solution, count) result(answer) bind(c)
             import
-            type(c_ptr), value :: solution
+            type(stickslip_tangential_solution), value :: solution
             integer(c_size_t), intent(out), optional :: count
             type(c_ptr) :: answer
         end function stickslip_tangential_solution_zones
@@ -1847,7 +2091,7 @@ module stickslip_bindings
         ! The numbers of the contact.
         function stickslip_tangential_solution_result(solution, result) result(answer) bind(c)
             import
-            type(c_ptr), value :: solution
+            type(stickslip_tangential_solution), value :: solution
             type(stickslip_tangential_result), intent(out), optional :: result
             integer(c_int32_t) :: answer
         end function stickslip_tangential_solution_result
@@ -1855,7 +2099,7 @@ module stickslip_bindings
         ! How it was solved.
         function stickslip_tangential_solution_report(solution, report) result(answer) bind(c)
             import
-            type(c_ptr), value :: solution
+            type(stickslip_tangential_solution), value :: solution
             type(stickslip_report), intent(out), optional :: report
             integer(c_int32_t) :: answer
         end function stickslip_tangential_solution_report
@@ -1863,8 +2107,8 @@ module stickslip_bindings
         ! Diagnostics that may mislead: as stickslip_normal_solution_warnings.
         function stickslip_tangential_solution_warnings(solution, buffer, capacity, count) result(answer) bind(c)
             import
-            type(c_ptr), value :: solution
-            type(stickslip_warning), intent(out), optional :: buffer(*)
+            type(stickslip_tangential_solution), value :: solution
+            type(stickslip_warning), intent(inout), optional :: buffer(*)
             integer(c_size_t), value :: capacity
             integer(c_size_t), intent(out), optional :: count
             integer(c_int32_t) :: answer
@@ -1873,8 +2117,8 @@ module stickslip_bindings
         ! The stiffness of a tangential contact on the bodies it was solved for.
         function stickslip_tangential_solution_stiffness(solution, half_space, stiffness) result(answer) bind(c)
             import
-            type(c_ptr), value :: solution
-            type(c_ptr), value :: half_space
+            type(stickslip_tangential_solution), value :: solution
+            type(stickslip_half_space), value :: half_space
             type(stickslip_tangential_stiffness), intent(out), optional :: stiffness
             integer(c_int32_t) :: answer
         end function stickslip_tangential_solution_stiffness
@@ -1906,7 +2150,7 @@ module stickslip_bindings
         ! times pressure times slip. After a failure depth is as it was.
         function stickslip_wear_archard(history, coefficient, depth, count) result(answer) bind(c)
             import
-            type(c_ptr), value :: history
+            type(stickslip_history), value :: history
             type(stickslip_per_cell), intent(in), optional :: coefficient
             real(c_double), intent(inout) :: depth(*)
             integer(c_size_t), value :: count
@@ -1917,7 +2161,7 @@ module stickslip_bindings
         ! per area.
         function stickslip_wear_energy(history, coefficient, depth, count) result(answer) bind(c)
             import
-            type(c_ptr), value :: history
+            type(stickslip_history), value :: history
             type(stickslip_per_cell), intent(in), optional :: coefficient
             real(c_double), intent(inout) :: depth(*)
             integer(c_size_t), value :: count
@@ -1927,7 +2171,7 @@ module stickslip_bindings
         ! The same beyond a threshold, an energy per area that wears nothing, of the energy dissipated since the start.
         function stickslip_wear_threshold_energy(history, coefficient, threshold, depth, count) result(answer) bind(c)
             import
-            type(c_ptr), value :: history
+            type(stickslip_history), value :: history
             type(stickslip_per_cell), intent(in), optional :: coefficient
             real(c_double), value :: threshold
             real(c_double), intent(inout) :: depth(*)

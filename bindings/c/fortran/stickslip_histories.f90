@@ -1,4 +1,4 @@
-! Contacts that are loaded step by step, their states and their cycles.
+! Contacts that are loaded step by step, and their states.
 module stickslip_histories
     use, intrinsic :: iso_c_binding
     use stickslip_bindings
@@ -6,43 +6,49 @@ module stickslip_histories
     implicit none
     private
 
-    public :: contact_history, contact_state, contact_cycle
+    public :: contact_history, contact_state
 
     ! A contact that is loaded step by step.
     type, extends(stickslip_object) :: contact_history
+        type(stickslip_history) :: handle
+        type(stickslip_grid) :: grid
     contains
         procedure :: new => history_new
+        procedure :: clone => history_clone
         procedure :: step => history_step
         procedure :: set_gap => history_set_gap
         procedure :: set_friction => history_set_friction
+        procedure :: set_settings => history_set_settings
+        procedure :: set_relative_displacement => history_set_relative_displacement
         procedure :: set_state => history_set_state
         procedure :: result => history_result
+        procedure :: normal_result => history_normal_result
+        procedure :: friction_capacity => history_friction_capacity
+        procedure :: reports => history_reports
+        procedure :: warnings => history_warnings
         procedure :: stiffness => history_stiffness
         procedure :: field => history_field
-        procedure :: wear_energy => history_wear_energy
+        procedure :: zones => history_zones
+        procedure :: spots => history_spots
         procedure :: to_bytes => history_to_bytes
         procedure :: from_bytes => history_from_bytes
+        procedure, private :: wear_archard_uniform, wear_archard_of_cells, wear_energy_uniform, wear_energy_of_cells
+        generic :: wear_archard => wear_archard_uniform, wear_archard_of_cells
+        generic :: wear_energy => wear_energy_uniform, wear_energy_of_cells
+        procedure :: address => history_address
         procedure :: free => history_free
         final :: history_final
     end type contact_history
 
     ! A state that a history may return to.
     type, extends(stickslip_object) :: contact_state
+        type(stickslip_state) :: handle
     contains
         procedure :: keep => state_keep
+        procedure :: address => state_address
         procedure :: free => state_free
         final :: state_final
     end type contact_state
-
-    ! What the steps of a history add up to.
-    type, extends(stickslip_object) :: contact_cycle
-    contains
-        procedure :: begin => cycle_begin
-        procedure :: add => cycle_add
-        procedure :: result => cycle_result
-        procedure :: free => cycle_free
-        final :: cycle_final
-    end type contact_cycle
 
 contains
 
@@ -53,11 +59,23 @@ contains
         type(stickslip_friction), intent(in) :: friction
         type(stickslip_history_options), intent(in), optional :: options
         integer(c_int32_t), intent(out), optional :: status
-        type(c_ptr) :: made
+        type(stickslip_history) :: made
         integer(c_int32_t) :: code
+        if (.not. fits('gap', shape(gap), bodies%grid, status)) return
         code = stickslip_history_new(bodies%handle, gap, size(gap, kind=c_size_t), friction, options, made)
-        call take_over(this, code, made, stickslip_history_free, status)
+        call history_take(this, made, bodies%grid, code, status)
     end subroutine history_new
+
+    ! Makes copy one of this history, independent of it.
+    subroutine history_clone(this, copy, status)
+        class(contact_history), intent(in) :: this
+        class(contact_history), intent(inout) :: copy
+        integer(c_int32_t), intent(out), optional :: status
+        type(stickslip_history) :: made
+        integer(c_int32_t) :: code
+        code = stickslip_history_clone(this%handle, made)
+        call history_take(copy, made, this%grid, code, status)
+    end subroutine history_clone
 
     subroutine history_step(this, load, observer, status)
         class(contact_history), intent(in) :: this
@@ -71,6 +89,7 @@ contains
         class(contact_history), intent(in) :: this
         real(c_double), intent(in), contiguous :: gap(:, :)
         integer(c_int32_t), intent(out), optional :: status
+        if (.not. fits('gap', shape(gap), this%grid, status)) return
         call report_status(stickslip_history_set_gap(this%handle, gap, size(gap, kind=c_size_t)), status)
     end subroutine history_set_gap
 
@@ -80,6 +99,25 @@ contains
         integer(c_int32_t), intent(out), optional :: status
         call report_status(stickslip_history_set_friction(this%handle, friction), status)
     end subroutine history_set_friction
+
+    subroutine history_set_settings(this, settings, status)
+        class(contact_history), intent(in) :: this
+        type(stickslip_settings), intent(in) :: settings
+        integer(c_int32_t), intent(out), optional :: status
+        call report_status(stickslip_history_set_settings(this%handle, settings), status)
+    end subroutine history_set_settings
+
+    ! A displacement of body 1 relative to body 2 that the contact does not cause, such as that of bulk strain.
+    subroutine history_set_relative_displacement(this, x, y, status)
+        class(contact_history), intent(in) :: this
+        real(c_double), intent(in), target, contiguous :: x(:, :), y(:, :)
+        integer(c_int32_t), intent(out), optional :: status
+        type(stickslip_relative_displacement) :: pattern
+        if (.not. fits('x', shape(x), this%grid, status)) return
+        if (.not. fits('y', shape(y), this%grid, status)) return
+        pattern = stickslip_relative_displacement(c_loc(x), c_loc(y), size(x, kind=c_size_t))
+        call report_status(stickslip_history_set_relative_displacement(this%handle, pattern), status)
+    end subroutine history_set_relative_displacement
 
     subroutine history_set_state(this, state, status)
         class(contact_history), intent(in) :: this
@@ -95,6 +133,43 @@ contains
         call report_status(stickslip_history_result(this%handle, found), status)
     end function history_result
 
+    function history_normal_result(this, status) result(found)
+        class(contact_history), intent(in) :: this
+        integer(c_int32_t), intent(out), optional :: status
+        type(stickslip_normal_result) :: found
+        call report_status(stickslip_history_normal_result(this%handle, found), status)
+    end function history_normal_result
+
+    function history_friction_capacity(this, status) result(capacity)
+        class(contact_history), intent(in) :: this
+        integer(c_int32_t), intent(out), optional :: status
+        real(c_double) :: capacity
+        call report_status(stickslip_history_friction_capacity(this%handle, capacity), status)
+    end function history_friction_capacity
+
+    ! How pressure and traction of the last step were solved; STICKSLIP_UNSOLVED if the pressure was held.
+    subroutine history_reports(this, normal, tangential, status)
+        class(contact_history), intent(in) :: this
+        type(stickslip_report), intent(out) :: normal, tangential
+        integer(c_int32_t), intent(out), optional :: status
+        call report_status(stickslip_history_reports(this%handle, normal, tangential), status)
+    end subroutine history_reports
+
+    ! Diagnostics that may mislead; warning_text has the message of each.
+    subroutine history_warnings(this, warnings, status)
+        class(contact_history), intent(in) :: this
+        type(stickslip_warning), allocatable, intent(out) :: warnings(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: code
+        code = stickslip_history_warnings(this%handle, capacity=0_c_size_t, count=count)
+        if (code == STICKSLIP_OK) then
+            allocate (warnings(count))
+            code = stickslip_history_warnings(this%handle, warnings, size(warnings, kind=c_size_t), count)
+        end if
+        call report_status(code, status)
+    end subroutine history_warnings
+
     function history_stiffness(this, status) result(stiffness)
         class(contact_history), intent(in) :: this
         integer(c_int32_t), intent(out), optional :: status
@@ -108,25 +183,89 @@ contains
         integer(c_int32_t), intent(in) :: which
         integer(c_int32_t), intent(out), optional :: status
         real(c_double), pointer :: samples(:, :)
-        type(stickslip_grid) :: grid
         type(c_ptr) :: first
         integer(c_size_t) :: count
-        integer(c_int32_t) :: code
-        code = stickslip_history_grid(this%handle, grid)
         first = stickslip_history_field(this%handle, which, count)
-        samples => plane(first, count, grid, code, status)
+        samples => plane(first, count, this%grid, status)
     end function history_field
 
-    ! Adds to depth what the energy law removes in the last step.
-    subroutine history_wear_energy(this, coefficient, depth, status)
+    ! The zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP.
+    function history_zones(this, status) result(zones)
+        class(contact_history), intent(in) :: this
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int8_t), pointer :: zones(:, :)
+        type(c_ptr) :: first
+        integer(c_size_t) :: count
+        first = stickslip_history_zones(this%handle, count)
+        zones => map_of_zones(first, count, this%grid, status)
+    end function history_zones
+
+    ! The contact spots, and the number of that of every cell: counted from one, zero outside the contact.
+    subroutine history_spots(this, spots, labels, status)
+        class(contact_history), intent(in) :: this
+        type(stickslip_spot), allocatable, intent(out) :: spots(:)
+        integer(c_int32_t), allocatable, intent(out), optional :: labels(:, :)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: code
+        code = stickslip_history_spots(this%handle, capacity=0_c_size_t, count=count, cells=0_c_size_t)
+        if (code == STICKSLIP_OK) then
+            allocate (spots(count))
+            if (present(labels)) then
+                allocate (labels(this%grid%nx, this%grid%ny))
+                code = stickslip_history_spots(this%handle, spots, &
+                    size(spots, kind=c_size_t), count, labels, size(labels, kind=c_size_t))
+            else
+                code = stickslip_history_spots(this%handle, spots, &
+                    size(spots, kind=c_size_t), count, cells=0_c_size_t)
+            end if
+        end if
+        call report_status(code, status)
+    end subroutine history_spots
+
+    ! Adds to depth what Archard's law removes in the last step: a coefficient for all cells, or one for each.
+    subroutine wear_archard_uniform(this, coefficient, depth, status)
         class(contact_history), intent(in) :: this
         real(c_double), intent(in) :: coefficient
         real(c_double), intent(inout), contiguous :: depth(:, :)
         integer(c_int32_t), intent(out), optional :: status
-        type(stickslip_per_cell) :: uniform
-        uniform = stickslip_per_cell(coefficient, c_null_ptr, 0)
-        call report_status(stickslip_wear_energy(this%handle, uniform, depth, size(depth, kind=c_size_t)), status)
-    end subroutine history_wear_energy
+        if (.not. fits('depth', shape(depth), this%grid, status)) return
+        call report_status(stickslip_wear_archard(this%handle, stickslip_per_cell(coefficient), depth, &
+            size(depth, kind=c_size_t)), status)
+    end subroutine wear_archard_uniform
+
+    subroutine wear_archard_of_cells(this, coefficients, depth, status)
+        class(contact_history), intent(in) :: this
+        real(c_double), intent(in), target, contiguous :: coefficients(:, :)
+        real(c_double), intent(inout), contiguous :: depth(:, :)
+        integer(c_int32_t), intent(out), optional :: status
+        if (.not. fits('coefficients', shape(coefficients), this%grid, status)) return
+        if (.not. fits('depth', shape(depth), this%grid, status)) return
+        call report_status(stickslip_wear_archard(this%handle, per_cell(coefficients), depth, size(depth, kind=c_size_t)), &
+            status)
+    end subroutine wear_archard_of_cells
+
+    ! The same of the energy law.
+    subroutine wear_energy_uniform(this, coefficient, depth, status)
+        class(contact_history), intent(in) :: this
+        real(c_double), intent(in) :: coefficient
+        real(c_double), intent(inout), contiguous :: depth(:, :)
+        integer(c_int32_t), intent(out), optional :: status
+        if (.not. fits('depth', shape(depth), this%grid, status)) return
+        call report_status(stickslip_wear_energy(this%handle, stickslip_per_cell(coefficient), depth, &
+            size(depth, kind=c_size_t)), status)
+    end subroutine wear_energy_uniform
+
+    subroutine wear_energy_of_cells(this, coefficients, depth, status)
+        class(contact_history), intent(in) :: this
+        real(c_double), intent(in), target, contiguous :: coefficients(:, :)
+        real(c_double), intent(inout), contiguous :: depth(:, :)
+        integer(c_int32_t), intent(out), optional :: status
+        if (.not. fits('coefficients', shape(coefficients), this%grid, status)) return
+        if (.not. fits('depth', shape(depth), this%grid, status)) return
+        call report_status(stickslip_wear_energy(this%handle, per_cell(coefficients), depth, size(depth, kind=c_size_t)), &
+            status)
+    end subroutine wear_energy_of_cells
 
     subroutine history_to_bytes(this, bytes, status)
         class(contact_history), intent(in) :: this
@@ -147,10 +286,10 @@ contains
         class(half_space), intent(in) :: bodies
         integer(c_int8_t), intent(in), contiguous :: bytes(:)
         integer(c_int32_t), intent(out), optional :: status
-        type(c_ptr) :: made
+        type(stickslip_history) :: made
         integer(c_int32_t) :: code
         code = stickslip_history_from_bytes(bodies%handle, bytes, size(bytes, kind=c_size_t), made)
-        call take_over(this, code, made, stickslip_history_free, status)
+        call history_take(this, made, bodies%grid, code, status)
     end subroutine history_from_bytes
 
     ! Keeps the present state of a history.
@@ -159,7 +298,7 @@ contains
         class(contact_history), intent(in) :: history
         integer(c_int32_t), intent(out), optional :: status
         integer(c_int32_t) :: code
-        if (c_associated(this%handle)) then
+        if (c_associated(this%address())) then
             code = stickslip_state_keep(this%handle, history%handle)
         else
             code = stickslip_state_new(history%handle, this%handle)
@@ -167,38 +306,35 @@ contains
         call report_status(code, status)
     end subroutine state_keep
 
-    ! Begins at the present state of a history.
-    subroutine cycle_begin(this, history, status)
-        class(contact_cycle), intent(inout) :: this
-        class(contact_history), intent(in) :: history
+    ! Puts what was made in the place of the one that was there, which stays if code is a failure or it is in use.
+    subroutine history_take(this, made, grid, made_with, status)
+        class(contact_history), intent(inout) :: this
+        type(stickslip_history), intent(in) :: made
+        type(stickslip_grid), intent(in) :: grid
+        integer(c_int32_t), intent(in) :: made_with
         integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: code
-        if (c_associated(this%handle)) then
-            code = stickslip_cycle_begin(this%handle, history%handle)
+        integer(c_int32_t) :: code, given_up
+        code = made_with
+        if (code == STICKSLIP_OK) code = stickslip_history_free(this%handle)
+        if (code == STICKSLIP_OK) then
+            this%handle = made
+            this%grid = grid
         else
-            code = stickslip_cycle_new(history%handle, this%handle)
+            given_up = stickslip_history_free(made)
         end if
         call report_status(code, status)
-    end subroutine cycle_begin
+    end subroutine history_take
 
-    ! Adds the last step of the history.
-    subroutine cycle_add(this, history, status)
-        class(contact_cycle), intent(in) :: this
-        class(contact_history), intent(in) :: history
-        integer(c_int32_t), intent(out), optional :: status
-        call report_status(stickslip_cycle_add(this%handle, history%handle), status)
-    end subroutine cycle_add
+    function history_address(this) result(address)
+        class(contact_history), intent(in) :: this
+        type(c_ptr) :: address
+        address = this%handle%address
+    end function history_address
 
-    function cycle_result(this, status) result(found)
-        class(contact_cycle), intent(in) :: this
-        integer(c_int32_t), intent(out), optional :: status
-        type(stickslip_cycle_result) :: found
-        call report_status(stickslip_cycle_result_of(this%handle, found), status)
-    end function cycle_result
-
+    ! One in use by another thread stays.
     subroutine history_free(this)
         class(contact_history), intent(inout) :: this
-        call freed(this, stickslip_history_free(this%handle))
+        if (stickslip_history_free(this%handle) == STICKSLIP_OK) this%handle = stickslip_history()
     end subroutine history_free
 
     subroutine history_final(this)
@@ -206,23 +342,20 @@ contains
         call this%free()
     end subroutine history_final
 
+    function state_address(this) result(address)
+        class(contact_state), intent(in) :: this
+        type(c_ptr) :: address
+        address = this%handle%address
+    end function state_address
+
+    ! One in use by another thread stays.
     subroutine state_free(this)
         class(contact_state), intent(inout) :: this
-        call freed(this, stickslip_state_free(this%handle))
+        if (stickslip_state_free(this%handle) == STICKSLIP_OK) this%handle = stickslip_state()
     end subroutine state_free
 
     subroutine state_final(this)
         type(contact_state), intent(inout) :: this
         call this%free()
     end subroutine state_final
-
-    subroutine cycle_free(this)
-        class(contact_cycle), intent(inout) :: this
-        call freed(this, stickslip_cycle_free(this%handle))
-    end subroutine cycle_free
-
-    subroutine cycle_final(this)
-        type(contact_cycle), intent(inout) :: this
-        call this%free()
-    end subroutine cycle_final
 end module stickslip_histories

@@ -4,31 +4,34 @@ module stickslip_objects
     use stickslip_bindings
     implicit none
 
-    ! What all objects have: a pointer of C.
+    ! What all objects have: an address, by which they are told to be made.
     type, abstract :: stickslip_object
-        type(c_ptr) :: handle = c_null_ptr
     contains
+        procedure(address_of), deferred :: address
         procedure, private :: refuse_copy
         generic :: assignment(=) => refuse_copy
     end type stickslip_object
 
+    abstract interface
+        ! The address of what C has made; NULL before.
+        function address_of(this) result(address)
+            import
+            class(stickslip_object), intent(in) :: this
+            type(c_ptr) :: address
+        end function address_of
+    end interface
+
     ! Two bodies on a grid.
     type, extends(stickslip_object) :: half_space
+        type(stickslip_half_space) :: handle
+        type(stickslip_grid) :: grid
     contains
         procedure :: new => half_space_new
         procedure :: pair => half_space_pair
+        procedure :: address => half_space_address
         procedure :: free => half_space_free
         final :: half_space_final
     end type half_space
-
-    abstract interface
-        ! One of the functions of C that free an object.
-        function freeing(object) result(answer) bind(c)
-            import
-            type(c_ptr), value :: object
-            integer(c_int32_t) :: answer
-        end function freeing
-    end interface
 
 contains
 
@@ -80,57 +83,87 @@ contains
     subroutine refuse_copy(this, other)
         class(stickslip_object), intent(inout) :: this
         class(stickslip_object), intent(in) :: other
-        if (c_associated(this%handle) .or. c_associated(other%handle)) error stop 'stickslip: an object cannot be assigned'
+        if (c_associated(this%address()) .or. c_associated(other%address())) &
+            error stop 'stickslip: an object cannot be assigned'
     end subroutine refuse_copy
 
-    ! A field of count cells, nx by ny of the grid; not associated on failure.
-    function plane(first, count, grid, code, status) result(samples)
+    ! Whether an array has the shape of the grid; if not, that is the failure. An object without a grid is refused by C.
+    function fits(name, found, grid, status) result(does)
+        character(len=*), intent(in) :: name
+        integer, intent(in) :: found(2)
+        type(stickslip_grid), intent(in) :: grid
+        integer(c_int32_t), intent(inout), optional :: status
+        logical :: does
+        character(len=160) :: message
+        does = grid%nx == 0 .or. all(found == [grid%nx, grid%ny])
+        if (does) return
+        write (message, '(a, 2(a, i0, a, i0, a))') name, ' has the shape (', found(1), ', ', found(2), ')', &
+            ', the grid (', grid%nx, ', ', grid%ny, ')'
+        call refuse(STICKSLIP_LENGTH, trim(message), status)
+    end function fits
+
+    ! A quantity with a value for each cell, such as a coefficient of friction or a hardness. The values are not copied: the
+    ! array, which has the attribute target, stays until the call that gets them.
+    function per_cell(values) result(quantity)
+        real(c_double), intent(in), target, contiguous :: values(:, :)
+        type(stickslip_per_cell) :: quantity
+        quantity = stickslip_per_cell(cells=c_loc(values), count=size(values, kind=c_size_t))
+    end function per_cell
+
+    ! The message of a warning.
+    function warning_text(warning) result(text)
+        type(stickslip_warning), intent(in) :: warning
+        character(len=:), allocatable :: text
+        integer :: i
+        text = ''
+        do i = 1, size(warning%message)
+            if (warning%message(i) == c_null_char) exit
+            text = text // warning%message(i)
+        end do
+    end function warning_text
+
+    ! A field on the grid; not associated on failure.
+    function plane(first, count, grid, status) result(samples)
         type(c_ptr), intent(in) :: first
         integer(c_size_t), intent(in) :: count
         type(stickslip_grid), intent(in) :: grid
-        integer(c_int32_t), intent(in) :: code
         integer(c_int32_t), intent(out), optional :: status
         real(c_double), pointer :: samples(:, :)
+        nullify (samples)
+        if (is_field(first, count, grid, status)) call c_f_pointer(first, samples, [grid%nx, grid%ny])
+    end function plane
+
+    ! The zones of all cells, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; not associated on failure.
+    function map_of_zones(first, count, grid, status) result(zones)
+        type(c_ptr), intent(in) :: first
+        integer(c_size_t), intent(in) :: count
+        type(stickslip_grid), intent(in) :: grid
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int8_t), pointer :: zones(:, :)
+        nullify (zones)
+        if (is_field(first, count, grid, status)) call c_f_pointer(first, zones, [grid%nx, grid%ny])
+    end function map_of_zones
+
+    ! Whether C has told where a field of all cells of the grid is.
+    function is_field(first, count, grid, status) result(is)
+        type(c_ptr), intent(in) :: first
+        integer(c_size_t), intent(in) :: count
+        type(stickslip_grid), intent(in) :: grid
+        integer(c_int32_t), intent(out), optional :: status
         type(stickslip_error) :: error
         integer(c_int32_t) :: told
-        nullify (samples)
-        if (code /= STICKSLIP_OK .or. .not. c_associated(first)) then
+        logical :: is
+        is = c_associated(first)
+        if (.not. is) then
             told = stickslip_last_error(error)
             call report_status(error%code, status)
         else if (count /= grid%nx * grid%ny) then
-            call refuse(STICKSLIP_LENGTH, 'the field has another number of cells than the half_space', status)
+            is = .false.
+            call refuse(STICKSLIP_LENGTH, 'the field has another number of cells than the grid of its object', status)
         else
-            call c_f_pointer(first, samples, [grid%nx, grid%ny])
             call report_status(STICKSLIP_OK, status)
         end if
-    end function plane
-
-    ! Puts an object that was made in the place of the one that was there, which stays if code is a failure or it is in use.
-    subroutine take_over(this, code, made, free, status)
-        class(stickslip_object), intent(inout) :: this
-        integer(c_int32_t), intent(in) :: code
-        type(c_ptr), intent(in) :: made
-        procedure(freeing) :: free
-        integer(c_int32_t), intent(out), optional :: status
-        integer(c_int32_t) :: told, given_up
-        told = code
-        if (code == STICKSLIP_OK) then
-            told = free(this%handle)
-            if (told == STICKSLIP_OK) then
-                this%handle = made
-            else
-                given_up = free(made)
-            end if
-        end if
-        call report_status(told, status)
-    end subroutine take_over
-
-    ! Forgets an object that was freed; one in use stays.
-    subroutine freed(this, code)
-        class(stickslip_object), intent(inout) :: this
-        integer(c_int32_t), intent(in) :: code
-        if (code == STICKSLIP_OK) this%handle = c_null_ptr
-    end subroutine freed
+    end function is_field
 
     ! Without a boundary the surroundings are unloaded half-space.
     subroutine half_space_new(this, grid, body_1, body_2, boundary, status)
@@ -139,10 +172,17 @@ contains
         type(stickslip_material), intent(in) :: body_1, body_2
         type(stickslip_boundary), intent(in), optional :: boundary
         integer(c_int32_t), intent(out), optional :: status
-        type(c_ptr) :: made
-        integer(c_int32_t) :: code
+        type(stickslip_half_space) :: made
+        integer(c_int32_t) :: code, given_up
         code = stickslip_half_space_new(grid, body_1, body_2, boundary, made)
-        call take_over(this, code, made, stickslip_half_space_free, status)
+        if (code == STICKSLIP_OK) code = stickslip_half_space_free(this%handle)
+        if (code == STICKSLIP_OK) then
+            this%handle = made
+            this%grid = grid
+        else
+            given_up = stickslip_half_space_free(made)
+        end if
+        call report_status(code, status)
     end subroutine half_space_new
 
     function half_space_pair(this, status) result(pair)
@@ -152,9 +192,16 @@ contains
         call report_status(stickslip_half_space_pair(this%handle, pair), status)
     end function half_space_pair
 
+    function half_space_address(this) result(address)
+        class(half_space), intent(in) :: this
+        type(c_ptr) :: address
+        address = this%handle%address
+    end function half_space_address
+
+    ! One in use by another thread stays.
     subroutine half_space_free(this)
         class(half_space), intent(inout) :: this
-        call freed(this, stickslip_half_space_free(this%handle))
+        if (stickslip_half_space_free(this%handle) == STICKSLIP_OK) this%handle = stickslip_half_space()
     end subroutine half_space_free
 
     subroutine half_space_final(this)

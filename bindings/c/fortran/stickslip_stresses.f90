@@ -10,11 +10,14 @@ module stickslip_stresses
 
     ! Planes at chosen depths below each body; its fields are those of the plane solved last.
     type, extends(stickslip_object) :: stress_planes
+        type(stickslip_planes) :: handle
+        type(stickslip_grid) :: grid
     contains
         procedure :: new => planes_new
         procedure :: solve => planes_solve
         procedure :: field => planes_field
         procedure :: measure => planes_measure
+        procedure :: address => planes_address
         procedure :: free => planes_free
         final :: planes_final
     end type stress_planes
@@ -26,17 +29,22 @@ contains
         real(c_double), intent(in), target, contiguous :: pressure(:, :)
         real(c_double), intent(in), target, contiguous, optional :: x(:, :), y(:, :)
         type(stickslip_tractions) :: tractions
-        tractions = stickslip_tractions(c_loc(pressure), c_null_ptr, c_null_ptr, size(pressure, kind=c_size_t))
-        ! No cells are refused by the library, as of another grid.
-        if (present(x)) then
-            tractions%x = c_loc(x)
-            if (size(x) /= size(pressure)) tractions%count = 0
-        end if
-        if (present(y)) then
-            tractions%y = c_loc(y)
-            if (size(y) /= size(pressure)) tractions%count = 0
-        end if
+        tractions = stickslip_tractions(pressure=c_loc(pressure), count=size(pressure, kind=c_size_t))
+        if (present(x)) tractions%x = c_loc(x)
+        if (present(y)) tractions%y = c_loc(y)
     end function tractions_of
+
+    ! Whether all of them have the shape of the grid.
+    function all_fit(grid, pressure, x, y, status) result(all_do)
+        type(stickslip_grid), intent(in) :: grid
+        real(c_double), intent(in) :: pressure(:, :)
+        real(c_double), intent(in), optional :: x(:, :), y(:, :)
+        integer(c_int32_t), intent(inout), optional :: status
+        logical :: all_do
+        all_do = fits('pressure', shape(pressure), grid, status)
+        if (all_do .and. present(x)) all_do = fits('x', shape(x), grid, status)
+        if (all_do .and. present(y)) all_do = fits('y', shape(y), grid, status)
+    end function all_fit
 
     ! Displacement and stress of STICKSLIP_BODY_1 or STICKSLIP_BODY_2 at points, one response for each, under a pressure,
     ! with tractions x and y or without.
@@ -49,6 +57,7 @@ contains
         real(c_double), intent(in), target, contiguous, optional :: x(:, :), y(:, :)
         integer(c_int32_t), intent(out), optional :: status
         allocate (responses(size(points)))
+        if (.not. all_fit(bodies%grid, pressure, x, y, status)) return
         call report_status(stickslip_stress_at_points(bodies%handle, body, tractions_of(pressure, x, y), points, &
             size(points, kind=c_size_t), responses), status)
     end subroutine stress_at_points
@@ -59,13 +68,19 @@ contains
         real(c_double), intent(in), contiguous :: depths(:)
         logical, intent(in), optional :: with_displacements
         integer(c_int32_t), intent(out), optional :: status
-        type(c_ptr) :: made
-        integer(c_int32_t) :: code
-        integer(c_int32_t) :: asked
+        type(stickslip_planes) :: made
+        integer(c_int32_t) :: code, asked, given_up
         asked = 0
         if (present(with_displacements)) asked = merge(1_c_int32_t, 0_c_int32_t, with_displacements)
         code = stickslip_planes_new(bodies%handle, depths, size(depths, kind=c_size_t), asked, made)
-        call take_over(this, code, made, stickslip_planes_free, status)
+        if (code == STICKSLIP_OK) code = stickslip_planes_free(this%handle)
+        if (code == STICKSLIP_OK) then
+            this%handle = made
+            this%grid = bodies%grid
+        else
+            given_up = stickslip_planes_free(made)
+        end if
+        call report_status(code, status)
     end subroutine planes_new
 
     ! The plane at the depth of number index, counted from one, under a pressure, with tractions x and y or without;
@@ -81,25 +96,21 @@ contains
             call refuse(STICKSLIP_LENGTH, 'depths are counted from one', status)
             return
         end if
+        if (.not. all_fit(this%grid, pressure, x, y, status)) return
         call report_status(stickslip_planes_solve(this%handle, int(index - 1, c_size_t), body, &
             tractions_of(pressure, x, y)), status)
     end subroutine planes_solve
 
-    ! STICKSLIP_STRESS_XX to STICKSLIP_STRESS_YZ or a displacement, on the grid of the bodies; STICKSLIP_LENGTH for bodies with
-    ! another number of cells.
-    function planes_field(this, which, bodies, status) result(samples)
+    ! STICKSLIP_STRESS_XX to STICKSLIP_STRESS_YZ or a displacement.
+    function planes_field(this, which, status) result(samples)
         class(stress_planes), intent(in) :: this
         integer(c_int32_t), intent(in) :: which
-        class(half_space), intent(in) :: bodies
         integer(c_int32_t), intent(out), optional :: status
         real(c_double), pointer :: samples(:, :)
-        type(stickslip_grid) :: grid
         type(c_ptr) :: first
         integer(c_size_t) :: count
-        integer(c_int32_t) :: code
-        code = stickslip_half_space_grid(bodies%handle, grid)
         first = stickslip_planes_field(this%handle, which, count)
-        samples => plane(first, count, grid, code, status)
+        samples => plane(first, count, this%grid, status)
     end function planes_field
 
     ! STICKSLIP_VON_MISES, STICKSLIP_MAX_SHEAR or STICKSLIP_HYDROSTATIC of each cell.
@@ -108,12 +119,20 @@ contains
         integer(c_int32_t), intent(in) :: which
         real(c_double), intent(inout), contiguous :: values(:, :)
         integer(c_int32_t), intent(out), optional :: status
+        if (.not. fits('values', shape(values), this%grid, status)) return
         call report_status(stickslip_planes_measure(this%handle, which, values, size(values, kind=c_size_t)), status)
     end subroutine planes_measure
 
+    function planes_address(this) result(address)
+        class(stress_planes), intent(in) :: this
+        type(c_ptr) :: address
+        address = this%handle%address
+    end function planes_address
+
+    ! One in use by another thread stays.
     subroutine planes_free(this)
         class(stress_planes), intent(inout) :: this
-        call freed(this, stickslip_planes_free(this%handle))
+        if (stickslip_planes_free(this%handle) == STICKSLIP_OK) this%handle = stickslip_planes()
     end subroutine planes_free
 
     subroutine planes_final(this)

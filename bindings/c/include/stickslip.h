@@ -282,13 +282,17 @@
 // A history that a cycle already counts, or of another step.
 #define STICKSLIP_STEP_NOT_NEW 11
 
+// The cycle does not close: the residual of its loop (value) is more than what stands for those that follow (limit).
+#define STICKSLIP_CYCLE_NOT_CLOSED 12
+
 // A handle or another pointer that is needed is NULL, or misaligned.
 #define STICKSLIP_BAD_POINTER 32
 
 // The handle is in use by another thread; nothing was done.
 #define STICKSLIP_BUSY 33
 
-// The number (value) is no constant of the kind that is needed there.
+// The number (value) is no constant of the kind that is needed there, or a struct has a member that this library does not
+// know: reserved is not zero.
 #define STICKSLIP_NO_SUCH_OPTION 34
 
 // The buffer has room for fewer entries (found) than there are (expected).
@@ -396,9 +400,9 @@
 // Version of the binary interface: of functions, layouts of structs and meanings of constants.
 //
 // It goes up whenever a program compiled with an older header could go wrong, and is part of the SONAME. A patch never
-// changes it, a minor version may before 1.0; functions and constants may be added without. A host that loads the
-// library at run time compares it with stickslip_abi_version() first.
-#define STICKSLIP_ABI_VERSION 1
+// changes it, a minor version may before 1.0; functions, constants and members in the place of reserved ones may be added
+// without. A host that loads the library at run time compares it with stickslip_abi_version() first.
+#define STICKSLIP_ABI_VERSION 2
 
 // Takes loads in steps short enough for a tolerance of the tractions: a step is compared with the same in two halves. For
 // histories on one grid.
@@ -480,6 +484,8 @@ typedef struct {
     int32_t has_relative_displacement;
     // Amount of the relative displacement, as a multiple of the pattern of the history.
     double relative_displacement;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
 } stickslip_load_step;
 
 // The error that one step makes with a load: its difference from the same in two halves.
@@ -492,6 +498,8 @@ typedef struct {
     double shift[2];
     // That of the energy dissipated.
     double dissipated_energy;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
 } stickslip_step_error;
 
 // The contact of a sphere and a plane without friction, by Hertz.
@@ -502,6 +510,8 @@ typedef struct {
     double max_pressure;
     // Approach of the bodies (a length): a^2/R.
     double approach;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
 } stickslip_hertz;
 
 // The contact of a sphere and a plane that is pressed and then loaded tangentially, by Cattaneo and Mindlin.
@@ -516,6 +526,8 @@ typedef struct {
     double shift;
     // Energy dissipated as the force grows from zero (a force times a length), zero or positive.
     double dissipated_energy;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
 } stickslip_cattaneo_mindlin;
 
 // A quantity of all cells: one value, or one for each.
@@ -534,6 +546,8 @@ typedef struct {
     stickslip_per_cell coefficient;
     // Largest shear traction (a pressure); 0 or infinite: no limit but that of the coefficient.
     double max_shear_stress;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
 } stickslip_friction;
 
 // A tangential load from rest.
@@ -544,6 +558,8 @@ typedef struct {
     stickslip_control y;
     // Rotation of body 2 relative to body 1 about the origin of the grid (radians, from x to y); the vector model only.
     double twist;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
 } stickslip_tangential_load;
 
 // A tangential displacement of body 1 relative to body 2 in each cell that the contact does not cause, such as that of
@@ -569,6 +585,8 @@ typedef struct {
     // Wall time allowed for a solve (seconds); infinite (default): any. A step of a history has two solves, pressure and
     // traction.
     double time_limit;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
 } stickslip_settings;
 
 // One step of an iteration.
@@ -583,6 +601,8 @@ typedef struct {
     double residual;
     // Contact cells of a normal problem, sticking cells of a tangential one.
     size_t free;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
 } stickslip_iteration;
 
 // Called before every product with the operator, also on the coarser grids of a start: returns 0 to end the solve, any other
@@ -618,6 +638,8 @@ typedef struct {
     size_t contact_cells;
     // Cells at their hardness.
     size_t yielded_cells;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
 } stickslip_normal_result;
 
 // Numbers of a tangential contact.
@@ -640,6 +662,8 @@ typedef struct {
     double dissipated_energy;
     // Not zero if the whole contact is at its friction limit.
     int32_t is_gross_slip;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
 } stickslip_tangential_result;
 
 // How a solve ended, what it cost and how large its error can be.
@@ -662,6 +686,8 @@ typedef struct {
     double load_error;
     // Wall time of the solve (seconds).
     double seconds;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
 } stickslip_report;
 
 // How a coupled solve ended. The whole error is bounded where friction is weak; else its halves are certified.
@@ -676,6 +702,8 @@ typedef struct {
     double error_bounds[2];
     // What the errors of pressure and traction as a whole are likely to be; NaN where that is not known.
     double error_estimate[2];
+    // Room for members to come: zero.
+    uint64_t reserved[8];
 } stickslip_coupled_report;
 
 // A diagnostic on a converged solution that may mislead.
@@ -688,6 +716,8 @@ typedef struct {
     size_t of;
     // What it means and what to do, in English; ends with a zero byte.
     char message[STICKSLIP_WARNING_LENGTH];
+    // Room for members to come: zero.
+    uint64_t reserved[8];
 } stickslip_warning;
 
 // Work, elastic energy and dissipation of a step or a cycle.
@@ -708,6 +738,8 @@ typedef struct {
     double residual;
     // What is missing in the balance: round-off.
     double imbalance;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
 } stickslip_energy;
 
 // Numbers of a cycle.
@@ -728,6 +760,8 @@ typedef struct {
     double stick_ratios[2];
     // Energies of all its steps.
     stickslip_energy energy;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
 } stickslip_cycle_result;
 
 // The numbers of the last failure on this thread; zero where they have no meaning.
@@ -744,6 +778,8 @@ typedef struct {
     size_t expected;
     // Entries given.
     size_t found;
+    // Room for members to come: zero.
+    uint64_t reserved[4];
 } stickslip_error;
 
 // A grid of nx by ny rectangular cells of sides dx and dy (lengths), centred on the origin. An array of samples has
@@ -787,6 +823,8 @@ typedef struct {
     double dundurs_beta;
     // Not zero if pressure and shear are coupled.
     int32_t is_coupled;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
 } stickslip_pair;
 
 // Options of a history; stickslip_history_options_default() has the defaults.
@@ -807,6 +845,8 @@ typedef struct {
     const stickslip_relative_displacement *relative_displacement;
     // Method, tolerance and limits.
     stickslip_settings settings;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
 } stickslip_history_options;
 
 // Normal force by approach.
@@ -815,6 +855,8 @@ typedef struct {
     double value;
     // Bound of its relative error.
     double bound;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
 } stickslip_normal_stiffness;
 
 // Forces along x and y and the moment, by shifts along x and y and the twist: rows are loads, columns motions. In C
@@ -826,6 +868,8 @@ typedef struct {
     double reversal[3][3];
     // Bound of the errors: none is larger than this times the root of the product of the two entries on the diagonal.
     double bound;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
 } stickslip_tangential_stiffness;
 
 // The stiffness of a contact.
@@ -836,6 +880,8 @@ typedef struct {
     stickslip_tangential_stiffness tangential;
     // Tangential forces and moment by the approach while slip continues.
     double by_approach[3];
+    // Room for members to come: zero.
+    uint64_t reserved[8];
 } stickslip_stiffness;
 
 // Numbers of a history after its last step.
@@ -860,7 +906,22 @@ typedef struct {
     uint64_t steps;
     // Energies of the last step.
     stickslip_energy energy;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
 } stickslip_step_result;
+
+// What limits a jump besides the pressure; stickslip_jump_limits_default() has the defaults.
+typedef struct {
+    // Most depth that is worn off at once (a length); infinite (default): any. A hundredth of the approach keeps the shape
+    // of a ball.
+    double largest_depth;
+    // Cycles left to simulate; infinite (default): any number.
+    double cycles_left;
+    // Largest cyclic_residual of a cycle that stands for those that follow (default 0.25).
+    double closed_within;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
+} stickslip_jump_limits;
 
 // What acts on the surface: the fields of a solution or a history, or any others. It is up to the caller that they belong
 // to the same bodies.
@@ -901,6 +962,8 @@ typedef struct {
     double kurtosis;
     // Another seed is another surface (default 0).
     uint64_t seed;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
 } stickslip_self_affine;
 
 // Statistics of heights about their mean, as in ISO 25178-2.
@@ -925,7 +988,31 @@ typedef struct {
     double spectral_rms_slope;
     // Excess of the area over its projection, relative to the projection, Sdr.
     double developed_area_ratio;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
 } stickslip_statistics;
+
+// A contact spot: contact cells connected through their sides, across the edges of a grid that repeats too.
+typedef struct {
+    // Its cells.
+    size_t cells;
+    // Area, by counting cells (a length squared).
+    double area;
+    // Normal force that it carries.
+    double load;
+    // Load over area (a pressure).
+    double mean_pressure;
+    // Largest pressure of its cells (a pressure).
+    double max_pressure;
+    // Centre of the area (lengths), inside the grid; of no meaning for a spot that spans the whole period.
+    double centroid[2];
+    // Length of its edge along the sides of its cells (a length): longer than that of a round spot by a factor of 4/pi.
+    double perimeter;
+    // Stick cells over all its cells; NaN for a contact that is pressed only.
+    double stick_ratio;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
+} stickslip_spot;
 
 // A point in a body.
 typedef struct {
@@ -961,6 +1048,8 @@ typedef struct {
     const stickslip_relative_displacement *relative_displacement;
     // Method, tolerance and limits.
     stickslip_settings settings;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
 } stickslip_tangential_options;
 
 #ifdef __cplusplus
@@ -1216,6 +1305,32 @@ stickslip_settings stickslip_settings_default(void);
 // Friction with one coefficient for all cells.
 stickslip_friction stickslip_coulomb(double coefficient);
 
+// The limits that jumps have by default.
+stickslip_jump_limits stickslip_jump_limits_default(void);
+
+// Writes how many cycles like this one may be jumped over to cycles, not rounded: as many as their wear may be taken off at
+// once without the pressure swinging, and no more than the limits (may be NULL: the defaults) allow; infinite if nothing
+// limits them.
+//
+// depth (lengths, count entries) is what the cycle removed, of both bodies together. STICKSLIP_CYCLE_NOT_CLOSED for a cycle
+// that does not close, as the first from rest; STICKSLIP_NEGATIVE for a limit, STICKSLIP_SAMPLE for a depth.
+stickslip_status stickslip_cycle_jump(const stickslip_half_space *half_space,
+                                      const stickslip_cycle *cycle,
+                                      const double *depth,
+                                      size_t count,
+                                      const stickslip_jump_limits *limits,
+                                      double *cycles);
+
+// Writes to cycles how many cycles of wear may be taken off at once without the pressure swinging up: explicit wear by
+// Archard's law is stable below. coefficient (one over a pressure) is the sum of both bodies, slip_distance (lengths, count
+// entries) that of one cycle; for the energy law the coefficient is that of the law times that of friction. Infinite if
+// nothing slips.
+stickslip_status stickslip_max_stable_cycles(const stickslip_half_space *half_space,
+                                             const stickslip_per_cell *coefficient,
+                                             const double *slip_distance,
+                                             size_t count,
+                                             double *cycles);
+
 // Makes a solver of a gap before loading (lengths, count entries, copied) under a load.
 //
 // settings may be NULL (the defaults), as may hardness, the largest pressure that the cells carry (no limit).
@@ -1330,6 +1445,36 @@ stickslip_status stickslip_surface_statistics(const stickslip_grid *grid,
                                               const double *heights,
                                               size_t count,
                                               stickslip_statistics *statistics);
+
+// The contact spots, in the order of their first cells, and how many there are. With a NULL buffer and capacity 0 only
+// that; STICKSLIP_BUFFER_TOO_SMALL for a buffer that is too small, to which nothing is written.
+//
+// labels, which has cells entries, gets the number of the spot of every cell, counted from one, and zero outside the
+// contact; it may be NULL.
+stickslip_status stickslip_normal_solution_spots(const stickslip_normal_solution *solution,
+                                                 stickslip_spot *buffer,
+                                                 size_t capacity,
+                                                 size_t *count,
+                                                 uint32_t *labels,
+                                                 size_t cells);
+
+// The contact spots under the pressure of a normal contact, with the part of each that sticks: as
+// stickslip_normal_solution_spots.
+stickslip_status stickslip_tangential_solution_spots(const stickslip_tangential_solution *solution,
+                                                     const stickslip_normal_solution *normal,
+                                                     stickslip_spot *buffer,
+                                                     size_t capacity,
+                                                     size_t *count,
+                                                     uint32_t *labels,
+                                                     size_t cells);
+
+// The contact spots after the last step, with the part of each that sticks: as stickslip_normal_solution_spots.
+stickslip_status stickslip_history_spots(const stickslip_history *history,
+                                         stickslip_spot *buffer,
+                                         size_t capacity,
+                                         size_t *count,
+                                         uint32_t *labels,
+                                         size_t cells);
 
 // Keeps a copy of the state of a history.
 stickslip_status stickslip_state_new(const stickslip_history *history, stickslip_state **state);

@@ -27,6 +27,8 @@ pub struct stickslip_step_error {
     pub shift: [f64; 2],
     /// That of the energy dissipated.
     pub dissipated_energy: f64,
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
 }
 
 /// Makes the buffers for histories on the grid of this one, with a tolerance in (0, 1) for a whole load.
@@ -97,6 +99,7 @@ pub unsafe extern "C" fn stickslip_adaptive_steps_error(
                 force: found.force,
                 shift: found.shift,
                 dissipated_energy: found.dissipated_energy,
+                reserved: [0; 8],
             })
         })
     })

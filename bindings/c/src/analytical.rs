@@ -16,6 +16,8 @@ pub struct stickslip_hertz {
     pub max_pressure: f64,
     /// Approach of the bodies (a length): a^2/R.
     pub approach: f64,
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
 }
 
 impl From<&HertzSphere> for stickslip_hertz {
@@ -24,6 +26,7 @@ impl From<&HertzSphere> for stickslip_hertz {
             contact_radius: hertz.contact_radius(),
             max_pressure: hertz.max_pressure(),
             approach: hertz.approach(),
+            reserved: [0; 8],
         }
     }
 }
@@ -59,6 +62,8 @@ pub struct stickslip_cattaneo_mindlin {
     pub shift: f64,
     /// Energy dissipated as the force grows from zero (a force times a length), zero or positive.
     pub dissipated_energy: f64,
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
 }
 
 /// Cattaneo and Mindlin's contact of a sphere under a normal force, with a coefficient of friction, under a tangential force
@@ -83,6 +88,7 @@ pub unsafe extern "C" fn stickslip_cattaneo_mindlin_sphere(
                 stick_radius: own.stick_radius(),
                 shift: own.shift(),
                 dissipated_energy: own.dissipated_energy(),
+                reserved: [0; 8],
             })
         })
     }

@@ -43,6 +43,8 @@ pub struct stickslip_coupled_report {
     pub error_bounds: [f64; 2],
     /// What the errors of pressure and traction as a whole are likely to be; NaN where that is not known.
     pub error_estimate: [f64; 2],
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
 }
 
 impl From<&CoupledReport> for stickslip_coupled_report {
@@ -54,6 +56,7 @@ impl From<&CoupledReport> for stickslip_coupled_report {
             traction_error_bound: report.traction_error_bound,
             error_bounds: report.error_bounds.unwrap_or([f64::NAN; 2]),
             error_estimate: estimate.map_or([f64::NAN; 2], |of| [of.pressure, of.traction]),
+            reserved: [0; 8],
         }
     }
 }

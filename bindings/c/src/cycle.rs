@@ -44,6 +44,8 @@ pub struct stickslip_cycle_result {
     pub stick_ratios: [f64; 2],
     /// Energies of all its steps.
     pub energy: stickslip_energy,
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
 }
 
 impl From<&Cycle> for stickslip_cycle_result {
@@ -61,6 +63,7 @@ impl From<&Cycle> for stickslip_cycle_result {
             shift_amplitude: cycle.shift_amplitude(),
             stick_ratios: cycle.stick_ratios(),
             energy: cycle.energy().into(),
+            reserved: [0; 8],
         }
     }
 }

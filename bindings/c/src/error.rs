@@ -26,6 +26,8 @@ pub struct stickslip_error {
     pub expected: usize,
     /// Entries given.
     pub found: usize,
+    /// Room for members to come: zero.
+    pub reserved: [u64; 4],
 }
 
 /// Why a function fails.
@@ -135,6 +137,7 @@ fn code_of(error: &Error) -> stickslip_status {
         Error::StepTooLong { .. } => STICKSLIP_STEP_TOO_LONG,
         Error::Yielded { .. } => STICKSLIP_YIELDED,
         Error::StepNotNew { .. } => STICKSLIP_STEP_NOT_NEW,
+        Error::CycleNotClosed { .. } => STICKSLIP_CYCLE_NOT_CLOSED,
         Error::GridSize { .. } => STICKSLIP_GRID_SIZE,
         Error::Memory { .. } => STICKSLIP_MEMORY,
         Error::NotPositive { .. } => STICKSLIP_NOT_POSITIVE,
@@ -175,6 +178,10 @@ fn fill(numbers: &mut stickslip_error, error: &Error) {
         | Error::CoupledMaterials { beta: value } => numbers.value = value,
         Error::BeyondFrictionCapacity {
             force: value,
+            limit,
+        }
+        | Error::CycleNotClosed {
+            residual: value,
             limit,
         }
         | Error::BeyondHardness {
@@ -232,7 +239,7 @@ struct Last {
 thread_local! {
     static LAST: RefCell<Last> = RefCell::new(Last {
         message: CString::default(),
-        numbers: stickslip_error { code: STICKSLIP_OK, value: 0.0, limit: 0.0, index: 0, expected: 0, found: 0 },
+        numbers: stickslip_error { code: STICKSLIP_OK, value: 0.0, limit: 0.0, index: 0, expected: 0, found: 0, reserved: [0; 4] },
         report: None,
     });
 }

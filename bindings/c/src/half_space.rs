@@ -28,6 +28,8 @@ pub struct stickslip_pair {
     pub dundurs_beta: f64,
     /// Not zero if pressure and shear are coupled.
     pub is_coupled: i32,
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
 }
 
 /// Makes the bodies: nothing is computed yet. A NULL boundary is STICKSLIP_NON_PERIODIC.
@@ -95,6 +97,7 @@ pub unsafe extern "C" fn stickslip_half_space_pair(
                 tangential_modulus: own.tangential_modulus(),
                 dundurs_beta: own.dundurs_beta(),
                 is_coupled: i32::from(own.is_coupled()),
+                reserved: [0; 8],
             })
         })
     }

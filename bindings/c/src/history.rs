@@ -16,6 +16,7 @@ use crate::model::{STICKSLIP_FULL, STICKSLIP_SCALAR, coupling, model};
 use crate::observer::{stickslip_observer, watch};
 use crate::pointer::{Place, cells, field, input, optional};
 use crate::reading::tell;
+use crate::reserved::known;
 use crate::status::stickslip_status;
 use crate::stiffness::stickslip_stiffness;
 
@@ -55,6 +56,8 @@ pub struct stickslip_history_options {
     pub relative_displacement: *const stickslip_relative_displacement,
     /// Method, tolerance and limits.
     pub settings: stickslip_settings,
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
 }
 
 /// The options that histories have by default.
@@ -69,6 +72,7 @@ pub extern "C" fn stickslip_history_options_default() -> stickslip_history_optio
         permanent_set: 0,
         relative_displacement: std::ptr::null(),
         settings: stickslip_settings_default(),
+        reserved: [0; 8],
     }
 }
 
@@ -97,6 +101,7 @@ pub unsafe extern "C" fn stickslip_history_new(
         let gap = unsafe { field("gap", grid, gap, count)? };
         let mut builder = History::builder(&bodies, &gap, friction);
         if let Some(options) = options {
+            known("the options", &options.reserved)?;
             builder = builder
                 .axis(axis(options.axis)?)
                 .model(model(options.model)?)

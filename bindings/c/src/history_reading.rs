@@ -33,6 +33,8 @@ pub struct stickslip_energy {
     pub residual: f64,
     /// What is missing in the balance: round-off.
     pub imbalance: f64,
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
 }
 
 impl From<&EnergyBalance> for stickslip_energy {
@@ -46,6 +48,7 @@ impl From<&EnergyBalance> for stickslip_energy {
             released: energy.released,
             residual: energy.residual,
             imbalance: energy.imbalance(),
+            reserved: [0; 8],
         }
     }
 }
@@ -74,6 +77,8 @@ pub struct stickslip_step_result {
     pub steps: u64,
     /// Energies of the last step.
     pub energy: stickslip_energy,
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
 }
 
 impl From<&History> for stickslip_step_result {
@@ -90,6 +95,7 @@ impl From<&History> for stickslip_step_result {
             is_gross_slip: i32::from(step.is_gross_slip()),
             steps: history.steps(),
             energy: step.energy().into(),
+            reserved: [0; 8],
         }
     }
 }

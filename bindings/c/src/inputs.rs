@@ -10,6 +10,7 @@ use stickslip_rs::{Boundary, Field, Friction, Grid, Material};
 use crate::call::Outcome;
 use crate::error::Failure;
 use crate::pointer::{cells, field};
+use crate::reserved::known;
 use crate::spare::Spare;
 
 /// A grid of nx by ny rectangular cells of sides dx and dy (lengths), centred on the origin. An array of samples has
@@ -156,6 +157,8 @@ pub struct stickslip_friction {
     pub coefficient: stickslip_per_cell,
     /// Largest shear traction (a pressure); 0 or infinite: no limit but that of the coefficient.
     pub max_shear_stress: f64,
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
 }
 
 impl stickslip_friction {
@@ -188,6 +191,7 @@ impl stickslip_friction {
     /// # Safety
     /// The rule for pointers.
     unsafe fn checked_in(&self, grid: Grid, spare: &Spare) -> Outcome<Friction> {
+        known("the friction", &self.reserved)?;
         let name = "coefficient of friction";
         // SAFETY: as of this function.
         let friction = match unsafe { self.coefficient.field(name, grid, spare)? } {
@@ -248,10 +252,13 @@ pub struct stickslip_settings {
     /// Wall time allowed for a solve (seconds); infinite (default): any. A step of a history has two solves, pressure and
     /// traction.
     pub time_limit: f64,
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
 }
 
 impl stickslip_settings {
     pub(crate) fn checked(&self) -> Outcome<Settings> {
+        known("the settings", &self.reserved)?;
         let method = match self.method {
             STICKSLIP_ACTIVE_SET => Method::ActiveSet,
             STICKSLIP_POLONSKY_KEER => Method::PolonskyKeer,
@@ -280,6 +287,7 @@ pub extern "C" fn stickslip_settings_default() -> stickslip_settings {
         tolerance: settings.tolerance,
         max_iterations: settings.max_iterations,
         time_limit: f64::INFINITY,
+        reserved: [0; 8],
     }
 }
 
@@ -293,5 +301,6 @@ pub extern "C" fn stickslip_coulomb(coefficient: f64) -> stickslip_friction {
             count: 0,
         },
         max_shear_stress: f64::INFINITY,
+        reserved: [0; 8],
     }
 }

@@ -4,6 +4,7 @@ use stickslip_rs::{Axis, LoadStep, NormalControl, TangentialControl, TangentialL
 
 use crate::call::Outcome;
 use crate::error::Failure;
+use crate::reserved::known;
 
 /// Hold: the pressure, the shift as it is.
 pub const STICKSLIP_HOLD: i32 = 0;
@@ -74,10 +75,13 @@ pub struct stickslip_tangential_load {
     pub y: stickslip_control,
     /// Rotation of body 2 relative to body 1 about the origin of the grid (radians, from x to y); the vector model only.
     pub twist: f64,
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
 }
 
 impl stickslip_tangential_load {
     pub(crate) fn checked(&self) -> Outcome<TangentialLoad> {
+        known("the tangential load", &self.reserved)?;
         Ok(TangentialLoad::shift([0.0; 2])
             .along(Axis::X, self.x.checked()?)
             .along(Axis::Y, self.y.checked()?)
@@ -103,10 +107,13 @@ pub struct stickslip_load_step {
     pub has_relative_displacement: i32,
     /// Amount of the relative displacement, as a multiple of the pattern of the history.
     pub relative_displacement: f64,
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
 }
 
 impl stickslip_load_step {
     pub(crate) fn checked(&self) -> Outcome<LoadStep> {
+        known("the load step", &self.reserved)?;
         let mut load = LoadStep::hold()
             .normal(self.normal.checked()?)
             .tangential(Axis::X, self.x.checked()?)

@@ -19,6 +19,8 @@ pub struct stickslip_iteration {
     pub residual: f64,
     /// Contact cells of a normal problem, sticking cells of a tangential one.
     pub free: usize,
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
 }
 
 /// Called before every product with the operator, also on the coarser grids of a start: returns 0 to end the solve, any other
@@ -56,6 +58,7 @@ pub(crate) fn watch(
             single_precision_products: iteration.single_precision_products,
             residual: iteration.residual,
             free: iteration.free,
+            reserved: [0; 8],
         };
         // SAFETY: the caller's function, called as its type says.
         match unsafe { observe(&raw const iteration, user) } {

@@ -165,7 +165,7 @@ pub(crate) unsafe fn field(
 }
 
 /// `Ok` if an array has an entry for each cell.
-fn expect_cells(name: &str, grid: Grid, found: usize) -> Outcome {
+pub(crate) fn expect_cells(name: &str, grid: Grid, found: usize) -> Outcome {
     let expected = grid.cells();
     if found != expected {
         return Err(Failure::length(STICKSLIP_LENGTH, name, [expected, found]));

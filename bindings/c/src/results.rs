@@ -44,6 +44,8 @@ pub struct stickslip_report {
     pub load_error: f64,
     /// Wall time of the solve (seconds).
     pub seconds: f64,
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
 }
 
 impl From<&Report> for stickslip_report {
@@ -65,6 +67,7 @@ impl From<&Report> for stickslip_report {
             energy_error_bound: report.energy_error_bound(),
             load_error: report.load_error,
             seconds: report.time.as_secs_f64(),
+            reserved: [0; 8],
         }
     }
 }
@@ -81,6 +84,7 @@ pub(crate) fn unsolved() -> stickslip_report {
         energy_error_bound: f64::INFINITY,
         load_error: 0.0,
         seconds: 0.0,
+        reserved: [0; 8],
     }
 }
 
@@ -116,6 +120,8 @@ pub struct stickslip_warning {
     pub of: usize,
     /// What it means and what to do, in English; ends with a zero byte.
     pub message: [c_char; STICKSLIP_WARNING_LENGTH],
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
 }
 
 impl From<&Warning> for stickslip_warning {
@@ -146,6 +152,7 @@ impl From<&Warning> for stickslip_warning {
             cells,
             of,
             message,
+            reserved: [0; 8],
         }
     }
 }
@@ -200,6 +207,8 @@ pub struct stickslip_normal_result {
     pub contact_cells: usize,
     /// Cells at their hardness.
     pub yielded_cells: usize,
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
 }
 
 impl From<&NormalSolution> for stickslip_normal_result {
@@ -214,6 +223,7 @@ impl From<&NormalSolution> for stickslip_normal_result {
             centre_of_pressure: solution.centre_of_pressure().unwrap_or([f64::NAN; 2]),
             contact_cells: solution.contact_cells(),
             yielded_cells: solution.yielded_cells(),
+            reserved: [0; 8],
         }
     }
 }
@@ -240,6 +250,8 @@ pub struct stickslip_tangential_result {
     pub dissipated_energy: f64,
     /// Not zero if the whole contact is at its friction limit.
     pub is_gross_slip: i32,
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
 }
 
 impl From<&TangentialSolution> for stickslip_tangential_result {
@@ -254,6 +266,7 @@ impl From<&TangentialSolution> for stickslip_tangential_result {
             slip_area: solution.slip_area(),
             dissipated_energy: solution.dissipated_energy(),
             is_gross_slip: i32::from(solution.is_gross_slip()),
+            reserved: [0; 8],
         }
     }
 }

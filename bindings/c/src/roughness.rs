@@ -6,6 +6,7 @@ use crate::call::{Outcome, call};
 use crate::error::Failure;
 use crate::inputs::stickslip_grid;
 use crate::pointer::{answer, field, input};
+use crate::reserved::known;
 use crate::status::{STICKSLIP_REFUSED, stickslip_status};
 use crate::surface::shape;
 use crate::threads::enter;
@@ -43,6 +44,8 @@ pub struct stickslip_self_affine {
     pub kurtosis: f64,
     /// Another seed is another surface (default 0).
     pub seed: u64,
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
 }
 
 /// The options of a self-affine surface by default; height or slope is to be given.
@@ -60,12 +63,14 @@ pub extern "C" fn stickslip_self_affine_default() -> stickslip_self_affine {
         skewness: f64::NAN,
         kurtosis: f64::NAN,
         seed: 0,
+        reserved: [0; 8],
     }
 }
 
 impl stickslip_self_affine {
     fn checked(&self) -> Outcome<SelfAffine> {
         type Choice = (f64, fn(SelfAffine, f64) -> SelfAffine);
+        known("the self-affine surface", &self.reserved)?;
         let mut recipe = match (self.rms_height, self.rms_slope) {
             (height, 0.0) => SelfAffine::with_rms_height(height),
             (0.0, slope) => SelfAffine::with_rms_slope(slope),
@@ -147,6 +152,8 @@ pub struct stickslip_statistics {
     pub spectral_rms_slope: f64,
     /// Excess of the area over its projection, relative to the projection, Sdr.
     pub developed_area_ratio: f64,
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
 }
 
 impl From<Statistics> for stickslip_statistics {
@@ -162,6 +169,7 @@ impl From<Statistics> for stickslip_statistics {
             finite_difference_rms_slope: of.finite_difference_rms_slope(),
             spectral_rms_slope: of.spectral_rms_slope(),
             developed_area_ratio: of.developed_area_ratio(),
+            reserved: [0; 8],
         }
     }
 }

@@ -28,12 +28,15 @@ pub const STICKSLIP_STEP_TOO_LONG: i32 = 9;
 pub const STICKSLIP_YIELDED: i32 = 10;
 /// A history that a cycle already counts, or of another step.
 pub const STICKSLIP_STEP_NOT_NEW: i32 = 11;
+/// The cycle does not close: the residual of its loop (value) is more than what stands for those that follow (limit).
+pub const STICKSLIP_CYCLE_NOT_CLOSED: i32 = 12;
 
 /// A handle or another pointer that is needed is NULL, or misaligned.
 pub const STICKSLIP_BAD_POINTER: i32 = 32;
 /// The handle is in use by another thread; nothing was done.
 pub const STICKSLIP_BUSY: i32 = 33;
-/// The number (value) is no constant of the kind that is needed there.
+/// The number (value) is no constant of the kind that is needed there, or a struct has a member that this library does not
+/// know: reserved is not zero.
 pub const STICKSLIP_NO_SUCH_OPTION: i32 = 34;
 /// The buffer has room for fewer entries (found) than there are (expected).
 pub const STICKSLIP_BUFFER_TOO_SMALL: i32 = 35;

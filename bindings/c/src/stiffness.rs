@@ -10,6 +10,8 @@ pub struct stickslip_normal_stiffness {
     pub value: f64,
     /// Bound of its relative error.
     pub bound: f64,
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
 }
 
 /// Forces along x and y and the moment, by shifts along x and y and the twist: rows are loads, columns motions. In C
@@ -23,6 +25,8 @@ pub struct stickslip_tangential_stiffness {
     pub reversal: [[f64; 3]; 3],
     /// Bound of the errors: none is larger than this times the root of the product of the two entries on the diagonal.
     pub bound: f64,
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
 }
 
 /// The stiffness of a contact.
@@ -35,6 +39,8 @@ pub struct stickslip_stiffness {
     pub tangential: stickslip_tangential_stiffness,
     /// Tangential forces and moment by the approach while slip continues.
     pub by_approach: [f64; 3],
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
 }
 
 impl From<NormalStiffness> for stickslip_normal_stiffness {
@@ -42,6 +48,7 @@ impl From<NormalStiffness> for stickslip_normal_stiffness {
         Self {
             value: of.value,
             bound: of.bound,
+            reserved: [0; 8],
         }
     }
 }
@@ -52,6 +59,7 @@ impl From<TangentialStiffness> for stickslip_tangential_stiffness {
             loading: of.loading,
             reversal: of.reversal,
             bound: of.bound,
+            reserved: [0; 8],
         }
     }
 }
@@ -62,6 +70,7 @@ impl From<ContactStiffness> for stickslip_stiffness {
             normal: of.normal.into(),
             tangential: of.tangential.into(),
             by_approach: of.by_approach,
+            reserved: [0; 8],
         }
     }
 }

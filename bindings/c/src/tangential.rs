@@ -16,6 +16,7 @@ use crate::normal::stickslip_normal_solution;
 use crate::observer::stickslip_observer;
 use crate::pointer::{Place, field, input, optional};
 use crate::reading::{show, tell, warn};
+use crate::reserved::known;
 use crate::results::{stickslip_report, stickslip_tangential_result, stickslip_warning};
 use crate::solver::{self, Solver};
 use crate::status::stickslip_status;
@@ -33,6 +34,8 @@ pub struct stickslip_tangential_options {
     pub relative_displacement: *const stickslip_relative_displacement,
     /// Method, tolerance and limits.
     pub settings: stickslip_settings,
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
 }
 
 /// The options that tangential solvers have by default.
@@ -43,6 +46,7 @@ pub extern "C" fn stickslip_tangential_options_default() -> stickslip_tangential
         coupling: STICKSLIP_ONE_WAY,
         relative_displacement: std::ptr::null(),
         settings: stickslip_settings_default(),
+        reserved: [0; 8],
     }
 }
 
@@ -122,6 +126,7 @@ unsafe fn new(
     let grid = bodies.grid();
     let mut problem = TangentialProblem::builder(&bodies, pressure, friction, load);
     if let Some(options) = options {
+        known("the options", &options.reserved)?;
         problem = problem
             .model(model(options.model)?)
             .coupling(coupling(options.coupling)?)

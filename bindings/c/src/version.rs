@@ -12,9 +12,9 @@ pub const STICKSLIP_VERSION_PATCH: u32 = 0;
 /// Version of the binary interface: of functions, layouts of structs and meanings of constants.
 ///
 /// It goes up whenever a program compiled with an older header could go wrong, and is part of the SONAME. A patch never
-/// changes it, a minor version may before 1.0; functions and constants may be added without. A host that loads the
-/// library at run time compares it with stickslip_abi_version() first.
-pub const STICKSLIP_ABI_VERSION: u32 = 1;
+/// changes it, a minor version may before 1.0; functions, constants and members in the place of reserved ones may be added
+/// without. A host that loads the library at run time compares it with stickslip_abi_version() first.
+pub const STICKSLIP_ABI_VERSION: u32 = 2;
 
 const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), "\0");
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what was built in a folder into a fresh prefix, and builds programs on it: by CMake against the shared and the
-# static library, and by pkg-config. installed.sh BUILD CMAKE CC CXX
+# static library, as plug-ins, and, from another folder, by pkg-config. installed.sh BUILD CMAKE CC CXX
 set -euo pipefail
 build=$1 cmake=$2 cc=$3 cxx=$4
 here=$(cd "$(dirname "$0")" && pwd)
@@ -13,11 +13,20 @@ trap 'rm -r "$work"' EXIT
 "$cmake" --build "$work/build" >/dev/null
 "$work/build/shared" 32 >/dev/null
 "$work/build/static" 32 >/dev/null
+# Names that shared libraries with the static library within show: their own, or those of the interface; none of Rust.
+shown() {
+    nm --dynamic --defined-only "$work/build/$1" | awk '{ print $3 }'
+}
+[[ $(shown libplugin.so) == plugin_modulus ]]
+[[ $(shown libwithin.so | grep -vc '^stickslip_') == 0 && $(shown libwithin.so) == *stickslip_history_step* ]]
 if command -v pkg-config >/dev/null; then
-    PKG_CONFIG_PATH=$(dirname "$(find "$work/prefix" -name stickslip.pc)")
+    # The folder is moved: the file tells where it lies, without a variable that is set from outside.
+    mv "$work/prefix" "$work/moved"
+    PKG_CONFIG_PATH=$(dirname "$(find "$work/moved" -name stickslip.pc)")
     export PKG_CONFIG_PATH
-    read -ra flags < <(pkg-config --define-variable=prefix="$work/prefix" --cflags --libs stickslip)
-    lib=$(pkg-config --define-variable=prefix="$work/prefix" --variable=libdir stickslip)
+    read -ra flags < <(pkg-config --cflags --libs stickslip)
+    lib=$(pkg-config --variable=libdir stickslip)
     "$cc" "$here/../examples/press_and_shear.c" "${flags[@]}" -lm -o "$work/program"
     LD_LIBRARY_PATH=$lib "$work/program" 32 >/dev/null
+    [[ -f $(pkg-config --variable=fortrandir stickslip)/stickslip.f90 ]]
 fi

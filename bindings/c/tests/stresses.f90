@@ -47,14 +47,14 @@ contains
         call check(status == STICKSLIP_OK .and. sheared%stick_radius == hertz%contact_radius, 'Cattaneo and Mindlin')
 
         depth = 0.481d0 * hertz%contact_radius
-        pressure => pressed%field(STICKSLIP_PRESSURE, bodies)
+        pressure => pressed%field(STICKSLIP_PRESSURE)
         call planes%new(bodies, [depth])
-        szz => planes%field(STICKSLIP_STRESS_ZZ, bodies, status)
+        szz => planes%field(STICKSLIP_STRESS_ZZ, status)
         call check(status == STICKSLIP_REFUSED .and. .not. associated(szz), 'no plane yet')
         call planes%solve(1, STICKSLIP_BODY_1, pressure)
         call planes%measure(STICKSLIP_MAX_SHEAR, shear)
         call check(abs(maxval(shear) / hertz%max_pressure - 0.310d0) < 2d-3, 'largest shear stress')
-        szz => planes%field(STICKSLIP_STRESS_ZZ, bodies)
+        szz => planes%field(STICKSLIP_STRESS_ZZ)
         call stress_at_points(bodies, STICKSLIP_BODY_1, &
             [stickslip_point(grid%dx / 2, grid%dy / 2, depth), stickslip_point(0, 0, depth)], at, pressure, 0 * pressure, &
             0 * pressure)
@@ -81,7 +81,6 @@ contains
         integer(c_int32_t) :: status
 
         grid = stickslip_grid(n, n, 1d0, 1d0)
-        recipe = stickslip_self_affine_default()
         recipe%rms_slope = 0.1d0
         status = stickslip_surface_self_affine(grid, recipe, heights, size(heights, kind=c_size_t))
         call check(status == STICKSLIP_OK, 'self-affine surface')

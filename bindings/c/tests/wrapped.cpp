@@ -1,4 +1,4 @@
-// What C++ has of surfaces, stresses and closed forms, and its exceptions.
+// What C++ has of surfaces, stresses, closed forms, spots and jumps, and its exceptions.
 
 #include <algorithm>
 #include <cmath>
@@ -59,6 +59,29 @@ int main() {
     const ss::Response on = ss::stress_at(bodies, STICKSLIP_BODY_1, sheared, {{0.5 * grid.dx, 0.5 * grid.dy, 0.0}}).front();
     check(std::fabs(on.shear_stress[1] / pressed.pressure()[middle] + 1.0) < 1e-9, "sxz");
     check(std::fabs(on.shear_stress[2] / half[middle] + 1.0) < 1e-9, "syz");
+
+    const ss::Spots one = pressed.spots();
+    check(one.spots.size() == 1 && one.labels[middle] == 1 && one.labels[0] == 0, "a spot");
+    check(one.spots[0].cells == pressed.result().contact_cells, "its cells");
+
+    ss::History history(bodies, ss::sphere(grid, 5.0), ss::coulomb(0.3));
+    history.step(ss::step(ss::press_by_force(100.0)));
+    const double amplitude = 0.2 * history.result().approach;
+    ss::Cycle cycle(history);
+    std::vector<double> worn(n * n);
+    for (const double shift : {amplitude, -amplitude, 0.0}) {
+        history.step(ss::step(ss::held_pressure(), ss::shift(shift)));
+        cycle.add(history);
+        history.wear_archard({1e-6, nullptr, 0}, worn);
+    }
+    check(history.spots().spots[0].stick_ratio == history.result().stick_ratio, "stick ratio of the spot");
+    stickslip_jump_limits limits = stickslip_jump_limits_default();
+    limits.cycles_left = 7.0;
+    limits.closed_within = 2.0;
+    check(cycle.jump(bodies, worn, limits) == 7.0, "all cycles that are left");
+    check(ss::max_stable_cycles(bodies, {1e-6, nullptr, 0}, cycle.field(STICKSLIP_SLIP_DISTANCE)) > 7.0, "stable");
+    limits.closed_within = 0.0;
+    fails(STICKSLIP_CYCLE_NOT_CLOSED, [&] { cycle.jump(bodies, worn, limits); });
 
     ss::SelfAffine recipe = stickslip_self_affine_default();
     recipe.rms_height = 1e-3;

@@ -63,7 +63,12 @@ impl Law {
 
     /// Power of a wave relative to that of the plateau.
     pub(super) fn power(&self, mode: &Mode) -> f64 {
-        let wavelength = TAU / mode.wave_number();
+        let number = mode.wave_number();
+        let wavelength = if number > 0.0 {
+            TAU / number
+        } else {
+            f64::INFINITY
+        };
         let is_short = wavelength < self.cut_off * (1.0 - ROUND_OFF);
         // In this form of the comparison the product cannot overflow: the mean is always too long.
         let is_long = wavelength * (1.0 - ROUND_OFF) > self.longest;

@@ -84,6 +84,12 @@ inline void check(stickslip_status status) {
 /// Sees every iteration of a solve; false ends it. What it throws leaves the solve.
 using Observe = std::function<bool(const Iteration &)>;
 
+/// Contact spots, and the number of that of every cell: counted from one, zero outside the contact.
+struct Spots {
+    std::vector<stickslip_spot> spots;
+    std::vector<std::uint32_t> labels;
+};
+
 namespace detail {
 
 /// Frees an object by its C function.
@@ -123,6 +129,15 @@ template <class Ask> std::vector<stickslip_warning> listed(Ask ask) {
     std::vector<stickslip_warning> warnings(count);
     check(ask(warnings.data(), count, &count));
     return warnings;
+}
+
+/// Spots and labels of so many cells, as a C function tells them.
+template <class Ask> Spots spotted(std::size_t cells, Ask ask) {
+    std::size_t count = 0;
+    check(ask(nullptr, 0, &count, nullptr, 0));
+    Spots found{std::vector<stickslip_spot>(count), std::vector<std::uint32_t>(cells)};
+    check(ask(found.spots.data(), count, &count, found.labels.data(), cells));
+    return found;
 }
 
 /// An observer for C, which lets no exception through: it ends the solve, and is thrown again after it.

@@ -103,6 +103,11 @@ class History {
         return detail::viewed<std::uint8_t>([&](std::size_t *size) { return stickslip_history_zones(get(), size); });
     }
 
+    /// Those after the last step, with the part of each that sticks.
+    Spots spots() const {
+        return detail::spotted(pressure().size(), [&](auto... to) { return stickslip_history_spots(get(), to...); });
+    }
+
     /// Adds to depth what the energy law removes in the last step.
     void wear_energy(const stickslip_per_cell &coefficient, std::vector<double> &depth) const {
         check(stickslip_wear_energy(get(), &coefficient, depth.data(), depth.size()));

@@ -22,12 +22,12 @@ inline stickslip_control spring(double position, double stiffness) { return {STI
 
 /// A tangential load from rest.
 inline stickslip_tangential_load tangential(stickslip_control x, stickslip_control y = held(), double twist = 0.0) {
-    return {x, y, twist};
+    return {x, y, twist, {}};
 }
 
 /// A step of a history that holds what it does not name.
 inline LoadStep step(stickslip_normal_load normal, stickslip_control x = held(), stickslip_control y = held()) {
-    return {normal, x, y, 0, 0.0, 0, 0.0};
+    return {normal, x, y, 0, 0.0, 0, 0.0, {}};
 }
 
 } // namespace stickslip

@@ -32,6 +32,9 @@ class NormalSolution {
         return detail::asked<stickslip_normal_stiffness>(
             [&](auto *out) { return stickslip_normal_solution_stiffness(get(), bodies.get(), out); });
     }
+    Spots spots() const {
+        return detail::spotted(pressure().size(), [&](auto... to) { return stickslip_normal_solution_spots(get(), to...); });
+    }
     stickslip_normal_solution *get() const { return own_.get(); }
 
   private:

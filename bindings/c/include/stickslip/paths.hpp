@@ -66,11 +66,25 @@ class Cycle {
         return detail::viewed<double>(
             [&](std::size_t *size) { return stickslip_cycle_field(own_.get(), which, size); });
     }
+    /// How many cycles like this one may be jumped over, not rounded, where it removed this depth.
+    double jump(const HalfSpace &bodies, Field depth,
+                const stickslip_jump_limits &limits = stickslip_jump_limits_default()) const {
+        return detail::asked<double>([&](double *out) {
+            return stickslip_cycle_jump(bodies.get(), own_.get(), depth.data(), depth.size(), &limits, out);
+        });
+    }
 
   private:
     using Own = detail::Owned<stickslip_cycle, stickslip_cycle_free>;
     Own own_;
 };
+
+/// Cycles of wear that may be taken off at once without the pressure swinging up.
+inline double max_stable_cycles(const HalfSpace &bodies, const stickslip_per_cell &coefficient, Field slip_distance) {
+    return detail::asked<double>([&](double *out) {
+        return stickslip_max_stable_cycles(bodies.get(), &coefficient, slip_distance.data(), slip_distance.size(), out);
+    });
+}
 
 } // namespace stickslip
 

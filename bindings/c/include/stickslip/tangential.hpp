@@ -37,6 +37,12 @@ class TangentialSolution {
         return detail::asked<stickslip_tangential_stiffness>(
             [&](auto *out) { return stickslip_tangential_solution_stiffness(get(), bodies.get(), out); });
     }
+    /// Those under this pressure, with the part of each that sticks.
+    Spots spots(const NormalSolution &normal) const {
+        return detail::spotted(traction_x().size(), [&](auto... to) {
+            return stickslip_tangential_solution_spots(get(), normal.get(), to...);
+        });
+    }
     stickslip_tangential_solution *get() const { return own_.get(); }
 
   private:

@@ -1,5 +1,7 @@
 /* Calls on histories, and on what is made from them. */
 
+#include <math.h>
+
 #include "run.h"
 
 uint8_t *bytes_of(struct run *run, const stickslip_history *history, size_t *length) {
@@ -35,7 +37,7 @@ void change_history(struct run *run) {
     stickslip_friction law = friction(run, numbers, count);
     stickslip_settings set = settings(run);
     stickslip_load_step load = load_step(run);
-    switch (below(run, 12)) {
+    switch (below(run, 13)) {
     case 0:
         SEEN(stickslip_history_set_gap(history, maybe(run, numbers), count));
         break;
@@ -108,6 +110,20 @@ void change_history(struct run *run) {
         struct slot *cycle = pick(run, CYCLE);
         SEEN(below(run, 4) == 0 ? stickslip_cycle_begin(GET(stickslip_cycle, cycle), history)
                                 : stickslip_cycle_add(GET(stickslip_cycle, cycle), history));
+        break;
+    }
+    case 11: {
+        stickslip_jump_limits limits = stickslip_jump_limits_default();
+        stickslip_per_cell alpha = {number(run, 0.1), below(run, 4) == 0 ? numbers : NULL, count};
+        const stickslip_half_space *bodies = GET(stickslip_half_space, pick(run, BODIES));
+        double cycles;
+        limits.largest_depth = below(run, 2) == 0 ? INFINITY : number(run, 0.1);
+        limits.closed_within = number(run, 1.0);
+        limits.reserved[0] = rarely(run);
+        SEEN(stickslip_cycle_jump(bodies, GET(stickslip_cycle, pick(run, CYCLE)), maybe(run, numbers), count,
+                                  maybe(run, &limits), maybe_out(run, &cycles)));
+        SEEN(stickslip_max_stable_cycles(bodies, maybe(run, &alpha), maybe(run, numbers), count,
+                                         maybe_out(run, &cycles)));
         break;
     }
     default: {

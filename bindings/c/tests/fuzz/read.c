@@ -65,6 +65,8 @@ void read_numbers(struct run *run) {
     stickslip_report report, other;
     stickslip_coupled_report coupled;
     stickslip_warning warnings[2];
+    stickslip_spot spots[2];
+    uint32_t labels[100];
     stickslip_stiffness stiffness;
     stickslip_normal_stiffness slope;
     stickslip_tangential_stiffness slopes;
@@ -74,7 +76,7 @@ void read_numbers(struct run *run) {
     stickslip_error error;
     double value;
     size_t count, capacity = below(run, 3);
-    switch (below(run, 22)) {
+    switch (below(run, 25)) {
     case 0:
         SEEN(stickslip_normal_solution_result(pressed, maybe_out(run, &normal)));
         break;
@@ -139,6 +141,18 @@ void read_numbers(struct run *run) {
     case 20:
         SEEN(stickslip_last_error(maybe_out(run, &error)));
         SEEN(stickslip_last_error_report(maybe_out(run, &report)));
+        break;
+    case 21:
+        SEEN(stickslip_normal_solution_spots(pressed, maybe_out(run, spots), capacity, maybe_out(run, &count),
+                                             maybe_out(run, labels), below(run, 101)));
+        break;
+    case 22:
+        SEEN(stickslip_tangential_solution_spots(sheared, pressed, maybe_out(run, spots), capacity,
+                                                 maybe_out(run, &count), maybe_out(run, labels), below(run, 101)));
+        break;
+    case 23:
+        SEEN(stickslip_history_spots(history, maybe_out(run, spots), capacity, maybe_out(run, &count),
+                                     maybe_out(run, labels), below(run, 101)));
         break;
     default:
         SEEN(stickslip_tangential_solver_friction_capacity(GET(stickslip_tangential_solver, pick(run, TANGENTIAL)),

@@ -1,0 +1,153 @@
+//! Contact spots.
+
+use stickslip_rs::{ContactSpots, Spot};
+
+use crate::call::{Outcome, call_on};
+use crate::error::Failure;
+use crate::handle::reading;
+use crate::history::stickslip_history;
+use crate::normal::stickslip_normal_solution;
+use crate::pointer::{Place, entries_mut, expect_cells};
+use crate::status::{STICKSLIP_BUFFER_TOO_SMALL, stickslip_status};
+use crate::tangential::stickslip_tangential_solution;
+
+/// A contact spot: contact cells connected through their sides, across the edges of a grid that repeats too.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_spot {
+    /// Its cells.
+    pub cells: usize,
+    /// Area, by counting cells (a length squared).
+    pub area: f64,
+    /// Normal force that it carries.
+    pub load: f64,
+    /// Load over area (a pressure).
+    pub mean_pressure: f64,
+    /// Largest pressure of its cells (a pressure).
+    pub max_pressure: f64,
+    /// Centre of the area (lengths), inside the grid; of no meaning for a spot that spans the whole period.
+    pub centroid: [f64; 2],
+    /// Length of its edge along the sides of its cells (a length): longer than that of a round spot by a factor of 4/pi.
+    pub perimeter: f64,
+    /// Stick cells over all its cells; NaN for a contact that is pressed only.
+    pub stick_ratio: f64,
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
+}
+
+impl From<&Spot> for stickslip_spot {
+    fn from(of: &Spot) -> Self {
+        Self {
+            cells: of.cells,
+            area: of.area,
+            load: of.load,
+            mean_pressure: of.mean_pressure,
+            max_pressure: of.max_pressure,
+            centroid: of.centroid,
+            perimeter: of.perimeter,
+            stick_ratio: of.stick_ratio.unwrap_or(f64::NAN),
+            reserved: [0; 8],
+        }
+    }
+}
+
+/// Where C wants spots: a buffer with its capacity, how many there are, and the labels of all cells with their number.
+type Wanted = ((*mut stickslip_spot, usize, *mut usize), (*mut u32, usize));
+
+/// Writes spots and labels.
+///
+/// # Safety
+/// The rule for pointers.
+unsafe fn put(
+    ((buffer, capacity, count), (labels, cells)): Wanted,
+    find: impl FnOnce() -> Outcome<ContactSpots>,
+) -> Outcome {
+    let name = "buffer of spots";
+    // SAFETY: as of this function.
+    let (count, buffer, labels) = unsafe {
+        let count = Place::new("count", count)?;
+        let labels = if labels.is_null() {
+            None
+        } else {
+            Some(entries_mut("labels", labels, cells)?)
+        };
+        (count, entries_mut(name, buffer, capacity)?, labels)
+    };
+    let found = find()?;
+    if labels.is_some() {
+        expect_cells("labels", found.grid(), cells)?;
+    }
+    let spots = found.as_slice();
+    count.put(spots.len());
+    if capacity > 0 && capacity < spots.len() {
+        let lengths = [spots.len(), capacity];
+        return Err(Failure::length(STICKSLIP_BUFFER_TOO_SMALL, name, lengths));
+    }
+    for (to, spot) in buffer.iter_mut().zip(spots) {
+        *to = spot.into();
+    }
+    if let Some(labels) = labels {
+        labels.copy_from_slice(found.labels());
+    }
+    Ok(())
+}
+
+/// The contact spots, in the order of their first cells, and how many there are. With a NULL buffer and capacity 0 only
+/// that; STICKSLIP_BUFFER_TOO_SMALL for a buffer that is too small, to which nothing is written.
+///
+/// labels, which has cells entries, gets the number of the spot of every cell, counted from one, and zero outside the
+/// contact; it may be NULL.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_normal_solution_spots(
+    solution: *const stickslip_normal_solution,
+    buffer: *mut stickslip_spot,
+    capacity: usize,
+    count: *mut usize,
+    labels: *mut u32,
+    cells: usize,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(solution, || unsafe {
+        let wanted = ((buffer, capacity, count), (labels, cells));
+        put(wanted, || Ok(reading(solution)?.spots()))
+    })
+}
+
+/// The contact spots under the pressure of a normal contact, with the part of each that sticks: as
+/// stickslip_normal_solution_spots.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_tangential_solution_spots(
+    solution: *const stickslip_tangential_solution,
+    normal: *const stickslip_normal_solution,
+    buffer: *mut stickslip_spot,
+    capacity: usize,
+    count: *mut usize,
+    labels: *mut u32,
+    cells: usize,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(solution, || unsafe {
+        let wanted = ((buffer, capacity, count), (labels, cells));
+        put(wanted, || {
+            let (solution, normal) = (reading(solution)?, reading(normal)?);
+            Ok(solution.spots(&normal)?)
+        })
+    })
+}
+
+/// The contact spots after the last step, with the part of each that sticks: as stickslip_normal_solution_spots.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_history_spots(
+    history: *const stickslip_history,
+    buffer: *mut stickslip_spot,
+    capacity: usize,
+    count: *mut usize,
+    labels: *mut u32,
+    cells: usize,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(history, || unsafe {
+        let wanted = ((buffer, capacity, count), (labels, cells));
+        put(wanted, || Ok(reading(history)?.spots()))
+    })
+}

@@ -1,0 +1,273 @@
+! What Fortran reaches besides loads and fields: shapes are checked, types begin with the defaults of the library, and zones,
+! warnings, reports, copies, settings, bulk strain, wear, spots and jumps are those of the library.
+program reach
+    use stickslip
+    implicit none
+    integer(c_size_t), parameter :: nx = 24, ny = 20
+    real(c_double), parameter :: side = 0.02d0, radius = 5
+    type(stickslip_material), parameter :: steel = stickslip_material(210d3, 0.3d0)
+    type(stickslip_grid), parameter :: grid = stickslip_grid(nx, ny, side, side)
+    logical :: good = .true.
+
+    call defaults()
+    call shapes()
+    call contacts()
+    call histories()
+    if (.not. good) error stop 1
+
+contains
+
+    subroutine check(condition, what)
+        logical, intent(in) :: condition
+        character(len=*), intent(in) :: what
+        if (.not. condition) print '(a)', what
+        good = good .and. condition
+    end subroutine check
+
+    function ball() result(gap)
+        real(c_double) :: gap(nx, ny)
+        if (stickslip_surface_sphere(grid, radius, gap, size(gap, kind=c_size_t)) /= STICKSLIP_OK) error stop 1
+    end function ball
+
+    function press(force) result(load)
+        real(c_double), intent(in) :: force
+        type(stickslip_load_step) :: load
+        load = stickslip_load_step(normal=stickslip_normal_load(STICKSLIP_FORCE, force))
+    end function press
+
+    function drag(shift) result(load)
+        real(c_double), intent(in) :: shift
+        type(stickslip_load_step) :: load
+        load = stickslip_load_step(x=stickslip_control(STICKSLIP_SHIFT, shift))
+    end function drag
+
+    ! Bit for bit.
+    subroutine defaults()
+        type(stickslip_settings) :: settings
+        type(stickslip_history_options) :: history
+        type(stickslip_tangential_options) :: tangential
+        type(stickslip_self_affine) :: surface
+        type(stickslip_jump_limits) :: limits
+        integer(c_int8_t), parameter :: mold(1) = 0
+        call check(all(transfer(settings, mold) == transfer(stickslip_settings_default(), mold)), 'settings')
+        call check(all(transfer(limits, mold) == transfer(stickslip_jump_limits_default(), mold)), 'limits of jumps')
+        ! Without the bytes between members.
+        associate (other => stickslip_history_options_default())
+            call check(all([history%axis, history%model, history%coupling, history%touch_rule, history%permanent_set] == &
+                [other%axis, other%model, other%coupling, other%touch_rule, other%permanent_set]), 'options of histories')
+        end associate
+        associate (other => stickslip_tangential_options_default())
+            call check(all([tangential%model, tangential%coupling] == [other%model, other%coupling]), 'options')
+        end associate
+        call check(all(transfer(surface, mold) == transfer(stickslip_self_affine_default(), mold)), 'surface')
+        associate (none => stickslip_friction(coefficient=stickslip_per_cell(0.5d0)), other => stickslip_coulomb(0.5d0))
+            call check(none%coefficient%value == other%coefficient%value .and. &
+                none%max_shear_stress == other%max_shear_stress, 'friction')
+        end associate
+    end subroutine defaults
+
+    subroutine shapes()
+        type(half_space) :: bodies
+        type(normal_solver) :: presser
+        type(normal_solution) :: pressed
+        type(contact_history) :: history
+        type(stress_planes) :: planes
+        real(c_double) :: gap(nx, ny), turned(ny, nx)
+        integer(c_int32_t) :: status
+        gap = ball()
+        turned = transpose(gap)
+        call bodies%new(grid, steel, steel)
+        ! As many cells, of another shape.
+        call presser%new(bodies, turned, stickslip_normal_load(STICKSLIP_FORCE, 100), status=status)
+        call check(status == STICKSLIP_LENGTH, 'a gap of shape (ny, nx)')
+        call presser%new(bodies, gap, stickslip_normal_load(STICKSLIP_FORCE, 100))
+        call presser%set_gap(turned, status)
+        call check(status == STICKSLIP_LENGTH, 'another gap of shape (ny, nx)')
+        call presser%solve(pressed)
+        call check(all(shape(pressed%field(STICKSLIP_PRESSURE)) == [nx, ny]), 'the shape of a field')
+        call history%new(bodies, turned, stickslip_coulomb(0.5d0), status=status)
+        call check(status == STICKSLIP_LENGTH .and. .not. c_associated(history%address()), 'a history of shape (ny, nx)')
+        call history%new(bodies, gap, stickslip_coulomb(0.5d0))
+        call history%set_gap(reshape(gap, [int(nx * ny), 1]), status)
+        call check(status == STICKSLIP_LENGTH, 'a gap of shape (nx ny, 1)')
+        call history%wear_archard(1d-9, turned, status)
+        call check(status == STICKSLIP_LENGTH, 'a depth of shape (ny, nx)')
+        call planes%new(bodies, [0.01d0])
+        call planes%solve(1, STICKSLIP_BODY_1, turned, status=status)
+        call check(status == STICKSLIP_LENGTH, 'a pressure of shape (ny, nx)')
+        call planes%solve(1, STICKSLIP_BODY_1, gap, gap, turned, status)
+        call check(status == STICKSLIP_LENGTH, 'a traction of shape (ny, nx)')
+    end subroutine shapes
+
+    subroutine contacts()
+        type(half_space) :: bodies
+        type(normal_solver) :: presser
+        type(normal_solution) :: pressed
+        type(tangential_solver) :: shearer
+        type(tangential_solution) :: sheared
+        type(stickslip_warning), allocatable :: warnings(:)
+        type(stickslip_spot), allocatable :: spots(:)
+        type(stickslip_normal_result) :: normal
+        type(stickslip_tangential_result) :: shear
+        type(stickslip_report) :: report
+        type(stickslip_normal_stiffness) :: slope
+        real(c_double), target :: mu(nx, ny)
+        real(c_double) :: gap(nx, ny), stretched(nx, ny)
+        real(c_double), pointer :: pressure(:, :)
+        integer(c_int8_t), pointer :: zones(:, :)
+        integer(c_int32_t), allocatable :: labels(:, :)
+        integer(c_int32_t) :: status
+        integer :: i
+        real(c_double) :: capacity
+
+        gap = ball()
+        call bodies%new(grid, steel, steel)
+        call presser%new(bodies, gap, stickslip_normal_load(STICKSLIP_FORCE, 100), settings=stickslip_settings(tolerance=1d-6))
+        call presser%solve(pressed)
+        report = pressed%report()
+        call check(report%status == STICKSLIP_CONVERGED .and. report%residual > 1d-12, 'a report')
+        call presser%set_settings(stickslip_settings(tolerance=1d-12))
+        call presser%solve(pressed)
+        report = pressed%report()
+        call check(report%residual <= 1d-12, 'settings')
+        normal = pressed%result()
+        slope = pressed%stiffness(bodies)
+        ! Of a Hertz contact the slope of the force is 3/2 of its secant.
+        call check(abs(slope%value * normal%approach / normal%force / 1.5d0 - 1) < 0.02d0, 'stiffness')
+        pressure => pressed%field(STICKSLIP_PRESSURE)
+        call pressed%spots(spots, labels)
+        call check(size(spots) == 1 .and. spots(1)%cells == normal%contact_cells, 'one spot')
+        call check(abs(spots(1)%load / 100 - 1) < 1d-9 .and. spots(1)%stick_ratio /= spots(1)%stick_ratio, 'its load')
+        call check(all((labels == 1) .eqv. (pressure > 0)) .and. all(labels >= 0 .and. labels <= 1), 'its cells')
+        call pressed%warnings(warnings)
+        call check(size(warnings) == 0, 'no warning')
+
+        ! Half of the cells hold twice as much.
+        mu = 0.3d0
+        mu(:, ny / 2 + 1:) = 0.6d0
+        call shearer%new(bodies, pressed, stickslip_friction(per_cell(mu)), &
+            stickslip_tangential_load(x=stickslip_control(STICKSLIP_FORCE, 20)))
+        capacity = shearer%friction_capacity()
+        call check(abs(capacity / 45 - 1) < 1d-6, 'friction for each cell')
+        call shearer%solve(sheared)
+        shear = sheared%result()
+        zones => sheared%zones()
+        call check(count(zones == STICKSLIP_STICK) > 0 .and. &
+            all((zones == STICKSLIP_SEPARATED) .eqv. (pressure <= 0)), 'zones')
+        call check(abs(count(zones == STICKSLIP_STICK) / real(count(pressure > 0), c_double) - shear%stick_ratio) < 1d-12, &
+            'stick ratio')
+        call sheared%spots(pressed, spots)
+        call check(abs(spots(1)%stick_ratio - shear%stick_ratio) < 1d-12, 'stick ratio of the spot')
+
+        ! Bulk strain alone drags no force, and makes cells slip.
+        do i = 1, int(nx)
+            stretched(i, :) = 1d-3 * side * (i - 0.5d0 * (nx + 1))
+        end do
+        call shearer%set_load(stickslip_tangential_load(x=stickslip_control(STICKSLIP_FORCE, 0)))
+        call shearer%set_relative_displacement(stretched, 0 * stretched)
+        call shearer%solve(sheared)
+        shear = sheared%result()
+        call check(abs(shear%force(1)) < 1d-6 .and. shear%stick_ratio < 1, 'bulk strain')
+
+        ! More than the grid holds.
+        call presser%set_load(stickslip_normal_load(STICKSLIP_FORCE, 4d4))
+        call presser%solve(pressed)
+        call pressed%warnings(warnings)
+        call check(any(warnings%kind == STICKSLIP_WARNING_CONTACT_AT_EDGE), 'a warning')
+        if (size(warnings) > 0) call check(index(warning_text(warnings(1)), 'edge') > 0, 'its text')
+        call presser%reset()
+        call presser%set_load(stickslip_normal_load(STICKSLIP_HOLD), status)
+        if (status == STICKSLIP_OK) call presser%solve(pressed, status=status)
+        call check(status == STICKSLIP_NOTHING_TO_HOLD, 'nothing is held after reset')
+    end subroutine contacts
+
+    subroutine histories()
+        type(half_space) :: bodies
+        type(contact_history) :: history, copy
+        type(contact_cycle) :: cycle
+        type(adaptive_steps) :: steps
+        type(stickslip_history_options) :: options
+        type(stickslip_step_result) :: now, then
+        type(stickslip_report) :: normal, tangential
+        type(stickslip_warning), allocatable :: warnings(:)
+        type(stickslip_spot), allocatable :: spots(:)
+        type(stickslip_cycle_result) :: loop
+        real(c_double) :: gap(nx, ny), depth(nx, ny), amplitude, jump, cycles
+        real(c_double), target :: k(nx, ny)
+        real(c_double), allocatable :: worn(:, :)
+        real(c_double), pointer :: slip(:, :), pressure(:, :)
+        integer(c_int8_t), pointer :: zones(:, :)
+        integer(c_size_t) :: taken
+        integer(c_int32_t) :: status
+        integer :: quarter, turn
+
+        gap = ball()
+        call bodies%new(grid, steel, steel)
+        options%settings%tolerance = 1d-9
+        call history%new(bodies, gap, stickslip_coulomb(0.3d0), options)
+        call history%step(press(100d0))
+        call history%reports(normal, tangential)
+        call check(normal%status == STICKSLIP_CONVERGED, 'the report of the pressure')
+        then = history%result()
+        amplitude = 0.2d0 * then%approach
+
+        ! A copy takes the same step to the same bits, and leaves the other.
+        call history%clone(copy)
+        call copy%step(drag(amplitude))
+        now = history%result()
+        call check(now%steps == then%steps, 'the history beside its copy')
+        call history%step(drag(amplitude))
+        now = history%result()
+        then = copy%result()
+        call check(now%force(1) == then%force(1) .and. now%force(1) > 0, 'the same force')
+        call history%reports(normal, tangential)
+        call check(normal%status == STICKSLIP_UNSOLVED .and. tangential%status == STICKSLIP_CONVERGED, 'reports')
+        zones => history%zones()
+        pressure => history%field(STICKSLIP_PRESSURE)
+        call check(count(zones == STICKSLIP_SLIP) > 0 .and. count(zones /= STICKSLIP_SEPARATED) == count(pressure > 0), 'zones')
+        call history%warnings(warnings)
+        call check(size(warnings) == 0, 'no warning')
+        call history%spots(spots)
+        call check(size(spots) == 1 .and. abs(spots(1)%stick_ratio - now%stick_ratio) < 1d-12, 'a spot')
+        call history%set_settings(stickslip_settings(tolerance=2d0), status)
+        call check(status == STICKSLIP_TOLERANCE, 'settings')
+        call check(abs(history%friction_capacity() / 30 - 1) < 1d-6, 'capacity')
+
+        ! Archard: coefficient times pressure times slip, and the same with a coefficient for each cell.
+        depth = 0
+        call history%wear_archard(1d-6, depth)
+        slip => history%field(STICKSLIP_STEP_SLIP_DISTANCE)
+        call check(maxval(abs(depth - 1d-6 * pressure * slip)) <= 1d-15 * maxval(depth) .and. maxval(depth) > 0, 'Archard')
+        k = 1d-6
+        call history%wear_archard(k, depth)
+        call check(maxval(abs(depth - 2d-6 * pressure * slip)) <= 1d-15 * maxval(depth), 'Archard for each cell')
+        worn = depth
+        call history%wear_energy(1d-6, worn)
+        call check(all(worn >= depth), 'energy law')
+
+        ! A cycle that closes may be jumped over, the first one not.
+        do turn = 1, 2
+            call cycle%begin(copy)
+            if (turn == 2) depth = 0
+            do quarter = 1, 2
+                call copy%step(drag(merge(-amplitude, amplitude, quarter == 1)))
+                call cycle%add(copy)
+                if (turn == 2) call copy%wear_archard(1d-6, depth)
+            end do
+        end do
+        loop = cycle%result()
+        jump = cycle%jump(bodies, depth, stickslip_jump_limits(largest_depth=0.5d0 * maxval(depth)))
+        call check(abs(jump - 0.5d0) < 1d-12, 'half a cycle')
+        jump = cycle%jump(bodies, depth)
+        slip => cycle%field(STICKSLIP_SLIP_DISTANCE)
+        status = stickslip_max_stable_cycles(bodies%handle, stickslip_per_cell(1d-6), slip, size(slip, kind=c_size_t), cycles)
+        call check(status == STICKSLIP_OK .and. abs(cycles / jump - 2) < 1d-6, 'half of what is stable')
+        jump = cycle%jump(bodies, depth, stickslip_jump_limits(closed_within=-1d0), status)
+        call check(status == STICKSLIP_NEGATIVE, 'a negative limit')
+        call check(loop%cyclic_residual < 0.25d0, 'a closed loop')
+
+        call steps%new(history, 0.01d0)
+        call steps%step(history, drag(0d0), taken)
+        call check(taken >= 1, 'short steps')
+    end subroutine histories
+end program reach
