@@ -154,7 +154,7 @@ impl Leaving {
 }
 
 fn draw(path: &Path, rows: &[[f64; 5]]) -> std::result::Result<(), Box<dyn Error>> {
-    let title = "A wear law of one's own: a surface that runs in";
+    let title = "A ball that wears fast while its surface runs in, then slowly: each cycle of the first twenty";
     let figure = support::figure(path, (1960, 900), title)?;
     let (left, right) = figure.split_horizontally(980);
     let cycles = 0.0..CYCLES as f64 + 1.0;

@@ -127,6 +127,9 @@ fn profiles(pressed: &History, uncoupled: &History) -> Vec<[f64; 4]> {
     (0..grid.nx()).map(sample).collect()
 }
 
+/// A quantity of a row of the profiles.
+type Value = fn(&[f64; 4]) -> f64;
+
 fn draw(
     path: &Path,
     pressed: &History,
@@ -143,30 +146,33 @@ fn draw(
         );
 
     let largest = profiles.iter().fold(0.0, |m: f64, row| m.max(row[1]));
-    let (x, y) = (-reach..reach, -0.15 * largest..1.55 * largest);
+    let (x, y) = (-reach..reach, -0.6 * largest..1.6 * largest);
     let mut chart = support::axes(&areas[0], (x, "x, µm"), (y, "MPa"))?;
-    let points = |column: usize, scale: f64| -> Vec<(f64, f64)> {
+    let points = |value: Value| -> Vec<(f64, f64)> {
         let seen = profiles.iter().filter(|row| row[0].abs() <= reach);
-        seen.map(|row| (row[0], scale * row[column])).collect()
+        seen.map(|row| (row[0], value(row))).collect()
     };
     let line = |colour: RGBColor| colour.stroke_width(3);
-    for (name, column, scale, colour) in [
-        ("pressure", 1, 1.0, support::BLUE),
-        ("pressure, not coupled", 2, 1.0, support::ORANGE),
-        ("traction left by pressing", 3, 1.0, support::GREEN),
+    let pressure: Value = |row| row[1];
+    let change: Value = |row| 20.0 * (row[1] - row[2]);
+    let traction: Value = |row| row[3];
+    for (name, value, colour) in [
+        ("pressure", pressure, support::BLUE),
+        ("20 × its change by coupling", change, support::ORANGE),
+        ("traction left by pressing", traction, support::GREEN),
     ] {
         chart
-            .draw_series(LineSeries::new(points(column, scale), line(colour)))?
+            .draw_series(LineSeries::new(points(value), line(colour)))?
             .label(name)
             .legend(move |(x, y)| PathElement::new([(x, y), (x + 40, y)], line(colour)));
     }
     support::legend(&mut chart, SeriesLabelPosition::UpperMiddle)?;
 
-    let mut chart = support::map_axes(
-        &areas[1],
-        (-reach..reach, "x, µm"),
-        (-reach..reach, "y, µm"),
+    let middle = areas[1].titled(
+        "pressed: blue sticks, orange slips, lines are tractions",
+        ("sans-serif", support::LETTERS),
     )?;
+    let mut chart = support::map_axes(&middle, (-reach..reach, "x, µm"), (-reach..reach, "y, µm"))?;
     let sight = [-reach..reach, -reach..reach];
     support::maps::zones(&mut chart, pressed.grid(), pressed.zones(), 1e-6, sight)?;
     arrows(&mut chart, pressed, reach)?;

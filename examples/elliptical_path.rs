@@ -197,13 +197,19 @@ fn draw(
     let panels = figure.split_evenly((2, 2));
     let limit = FRICTION * NORMAL_FORCE;
     let name = ["x", "y"].map(|axis| format!("F{axis} / μW"));
-    let mut chart = support::map_axes(&panels[0], (-1.0..1.0, &name[0]), (-1.0..1.0, &name[1]))?;
+    let [forces, shifts] = ["paths of the force", "paths of the shift, steady"];
+    let panel = panels[0].titled(forces, ("sans-serif", support::LETTERS))?;
+    let mut chart = support::map_axes(&panel, (-1.0..1.0, &name[0]), (-1.0..1.0, &name[1]))?;
     draw_paths(&mut chart, loops, |point| point.force.map(|f| f / limit))?;
     let scale = sliding.sliding_shift();
     let name = ["x", "y"].map(|axis| format!("δ{axis} / δ₀"));
-    let mut chart = support::map_axes(&panels[1], (-0.8..0.8, &name[0]), (-0.8..0.8, &name[1]))?;
+    let panel = panels[1].titled(shifts, ("sans-serif", support::LETTERS))?;
+    let mut chart = support::map_axes(&panel, (-0.8..0.8, &name[0]), (-0.8..0.8, &name[1]))?;
     draw_paths(&mut chart, loops, |point| point.shift.map(|x| x / scale))?;
-    draw_map(&panels[2], &loops[MAPPED], &sliding.hertz())?;
+    let (_, name, _) = SHOWN[1];
+    let title = format!("{name}, end of a cycle: traction, and path slipped");
+    let panel = panels[2].titled(&title, ("sans-serif", support::LETTERS))?;
+    draw_map(&panel, &loops[MAPPED], &sliding.hertz())?;
     draw_energy(&panels[3], loops)?;
     figure.present()?;
     Ok(())
@@ -276,7 +282,7 @@ fn arrow([x, y]: [f64; 2], [u, v]: [f64; 2]) -> PathElement<(f64, f64)> {
 fn draw_energy(area: &Area<'_>, loops: &[Loop]) -> std::result::Result<(), Box<dyn Error>> {
     let mut chart = support::axes(
         area,
-        (0.0..1.0, "aspect"),
+        (0.0..1.0, "aspect: amplitude along y over that along x"),
         (0.0..6.0, "over that of the line"),
     )?;
     let relative = |column: usize| -> Vec<(f64, f64)> {

@@ -101,12 +101,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     table.flush()?;
     let svg = support::gallery("hardness.svg")?;
-    draw(&svg, &points, &plastic)?;
+    draw(&svg, &points, [&elastic, &plastic])?;
     println!("\ntable: {}\nfigure: {}", csv.display(), svg.display());
     Ok(())
 }
 
-fn draw(path: &Path, points: &[(&str, [f64; 5])], plastic: &History) -> Result<(), Box<dyn Error>> {
+fn draw(
+    path: &Path,
+    points: &[(&str, [f64; 5])],
+    [elastic, plastic]: [&History; 2],
+) -> Result<(), Box<dyn Error>> {
     let title = "Rough steel, elastic and with a hardness of 6 GPa";
     let figure = support::figure(path, (2400, 860), title)?;
     let areas = figure.split_evenly((1, 3));
@@ -151,21 +155,40 @@ fn draw(path: &Path, points: &[(&str, [f64; 5])], plastic: &History) -> Result<(
         support::legend(&mut chart, SeriesLabelPosition::UpperLeft)?;
     }
 
-    // The pressure along the row of the highest one.
-    let (grid, pressure) = (plastic.grid(), plastic.pressure());
-    let at = |ix: usize, iy: usize| pressure.get(ix, iy).unwrap_or_default();
-    let loaded = |iy: usize| (0..grid.nx()).map(|ix| at(ix, iy)).sum::<f64>();
+    draw_profiles(&areas[2], elastic, plastic)?;
+    figure.present()?;
+    Ok(())
+}
+
+/// The pressures along the row that bears most, cut off at three times the hardness.
+fn draw_profiles(
+    area: &support::Area<'_>,
+    elastic: &History,
+    plastic: &History,
+) -> Result<(), Box<dyn Error>> {
+    let grid = plastic.grid();
+    let at = |of: &History, ix, iy| of.pressure().get(ix, iy).unwrap_or_default();
+    let loaded = |iy: usize| (0..grid.nx()).map(|ix| at(plastic, ix, iy)).sum::<f64>();
     let row = (0..grid.ny())
         .max_by(|a, b| loaded(*a).total_cmp(&loaded(*b)))
         .unwrap_or_default();
-    let reach = 1e6 * 0.5 * SIDE;
+    let (reach, highest) = (1e6 * 0.5 * SIDE, 3e-9 * HARDNESS);
     let (x, y) = (
         (-reach..reach, "x, µm"),
-        (0.0..1.2e-9 * HARDNESS, "GPa, at the largest load"),
+        (0.0..highest, "pressure at the largest load, GPa"),
     );
-    let mut chart = support::axes(&areas[2], x, y)?;
-    let profile = (0..grid.nx()).map(|ix| (1e6 * grid.x(ix), 1e-9 * at(ix, row)));
-    chart.draw_series(LineSeries::new(profile, line(support::ORANGE)))?;
-    figure.present()?;
-    Ok(())
+    let mut chart = support::axes(area, x, y)?;
+    for (name, of, colour) in [
+        ("elastic", elastic, support::BLUE),
+        ("limited", plastic, support::ORANGE),
+    ] {
+        let line = colour.stroke_width(3);
+        let profile =
+            (0..grid.nx()).map(|ix| (1e6 * grid.x(ix), (1e-9 * at(of, ix, row)).min(highest)));
+        chart
+            .draw_series(LineSeries::new(profile, line))?
+            .label(name)
+            .legend(move |(x, y)| PathElement::new([(x, y), (x + 40, y)], line));
+    }
+    support::legend(&mut chart, SeriesLabelPosition::UpperRight)
 }

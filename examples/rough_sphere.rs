@@ -28,6 +28,8 @@ const ROLL_OFFS: [f64; 3] = [192.0, 112.0, 64.0];
 const SEEDS: usize = 4;
 /// The paper's four loads, and one between each pair.
 const LOADS: [f64; 7] = [0.15e3, 0.5e3, 1.5e3, 5e3, 15e3, 50e3, 150e3];
+/// Contact cells from which the corrected area is within 10 % of the law.
+const RESOLVED: usize = 600;
 /// The discretisation error is far larger.
 const TOLERANCE: f64 = 1e-5;
 
@@ -215,10 +217,18 @@ fn draw(path: &Path, balls: &[Ball]) -> Result<(), Box<dyn Error>> {
         for (kind, colour) in colours.into_iter().enumerate() {
             let alike = || balls.iter().filter(|ball| ball.kind == kind);
             let height = alike().map(|ball| ball.rms_height).sum::<f64>() / SEEDS as f64;
-            let points = alike().flat_map(|ball| &ball.contacts);
-            let points = points.map(|c| (c.hertz.reduced_pressure().log10(), area(c).log10()));
-            let name = format!("rms height {height:.1} µm");
-            support::dots(&mut chart, &name, (colour, false), points)?;
+            for is_resolved in [true, false] {
+                let points = alike()
+                    .flat_map(|ball| &ball.contacts)
+                    .filter(|c| (c.cells >= RESOLVED) == is_resolved)
+                    .map(|c| (c.hertz.reduced_pressure().log10(), area(c).log10()));
+                let name = if is_resolved {
+                    format!("rms height {height:.1} µm")
+                } else {
+                    format!("  below {RESOLVED} cells")
+                };
+                support::dots(&mut chart, &name, (colour, is_resolved), points)?;
+            }
         }
         support::legend(&mut chart, SeriesLabelPosition::UpperLeft)?;
     }

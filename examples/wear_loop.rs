@@ -39,6 +39,8 @@ const CYCLES: f64 = 2e4;
 const APPROACH_FRACTION: f64 = 0.01;
 /// Profiles are drawn after these cycles, or the first that follow.
 const SHOWN: [f64; 4] = [0.0, 1000.0, 3000.0, CYCLES];
+/// Largest pressure drawn, over that of the unworn ball.
+const HIGHEST: f64 = 5.0;
 /// The discretisation error is far larger.
 const TOLERANCE: f64 = 1e-6;
 
@@ -296,8 +298,8 @@ fn draw(path: &Path, shown: &[&Stage], limit: &PopovLimitingShape) -> Result<(),
     })?;
     support::legend(&mut chart, SeriesLabelPosition::UpperLeft)?;
 
-    let mut chart = support::axes(&right, (0.0..1.4, "x / a"), (0.0..2.0, "p / p₀ unworn"))?;
-    let pressure = limit_at(&|r| (limit.pressure(r) / max_pressure).min(2.0));
+    let mut chart = support::axes(&right, (0.0..1.4, "x / a"), (0.0..HIGHEST, "p / p₀ unworn"))?;
+    let pressure = limit_at(&|r| (limit.pressure(r) / max_pressure).min(HIGHEST));
     support::law(&mut chart, "limiting shape", true, pressure)?;
     draw_stages(&mut chart, shown, colours, a, |&[_, _, pressure]| {
         pressure / max_pressure
@@ -318,7 +320,7 @@ fn draw_stages(
         let name = format!("{:.0} cycles", stage.cycles);
         let samples = stage.profile.iter();
         let points = samples.map(|sample| (sample[0] / a, of(sample)));
-        let in_sight = points.filter(|(x, y)| (0.0..1.4).contains(x) && (0.0..2.0).contains(y));
+        let in_sight = points.filter(|(x, y)| (0.0..1.4).contains(x) && (0.0..HIGHEST).contains(y));
         support::dots(chart, &name, (colour, true), in_sight)?;
     }
     Ok(())

@@ -22,7 +22,8 @@
 //!     ElasticPair, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
 //!     TangentialLoad, TangentialProblem, analytical, surface,
 //! };
-//! // A steel ball of radius 3.5 mm on steel: 128 x 128 cells on a square of side 0.40 mm. SI units.
+//! // A steel ball of radius 3.5 mm on steel, in SI units:
+//! // 128 x 128 cells on a square of side 0.40 mm.
 //! let grid = Grid::square(128, 0.40e-3)?;
 //! let steel = Material::new(213e9, 0.29)?;
 //! let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
@@ -30,14 +31,18 @@
 //!
 //! // A normal force of 100 N: Hertz.
 //! let load = NormalControl::Force(100.0);
-//! let normal = NormalProblem::builder(&bodies, &ball, load).build()?.solve()?;
+//! let normal = NormalProblem::builder(&bodies, &ball, load)
+//!     .build()?
+//!     .solve()?;
 //! let hertz = analytical::HertzSphere::new(bodies.pair(), 3.5e-3, 100.0)?;
 //! assert!((normal.approach() / hertz.approach() - 1.0).abs() < 1e-4);
 //! assert!((normal.pressure().max() / hertz.max_pressure() - 1.0).abs() < 1e-3);
 //!
 //! // A tangential force of 20 N, with a friction limit of 50 N: Cattaneo and Mindlin.
 //! let (friction, load) = (Friction::coulomb(0.5)?, TangentialLoad::force([20.0, 0.0]));
-//! let shear = TangentialProblem::builder(&bodies, &normal, friction, load).build()?.solve()?;
+//! let shear = TangentialProblem::builder(&bodies, &normal, friction, load)
+//!     .build()?
+//!     .solve()?;
 //! let exact = analytical::CattaneoMindlin::new(hertz, 0.5, 20.0)?;
 //! assert!((shear.stick_ratio() - exact.stick_ratio()).abs() < 0.01);
 //! assert!((shear.shift()[0] / exact.shift() - 1.0).abs() < 1e-3);
@@ -65,7 +70,9 @@
 //! | solve one large contact on several processes or machines | [`HalfSpace::distributed`], [`ranks`], the page on [more than one machine](guide::past_one_machine) |
 //! | solve the same contact for thousands of surfaces and loads | the page on [studies](guide::studies) |
 //! | embed contacts in a simulator | the page on [embedding](guide::embedding) |
+//! | begin, with no experience of the crate | the page of [first steps](guide::first_steps) |
 //! | assess the accuracy of a solution | its [`Report`] and its [`Warning`]s |
+//! | find out why a number looks wrong | the page [why is my answer wrong](guide::why_is_my_answer_wrong) |
 //! | generate a rough surface or a smooth shape | [`surface::SelfAffine`]; [`surface::sphere`], [`cone`](surface::cone), [`sum`](surface::sum()) ... |
 //! | characterise a surface, prepare a measured one | [`surface::Statistics`], [`fill_missing`](surface::fill_missing), [`gap_from_heights`](surface::gap_from_heights) ... and the page on [rough surfaces](guide::rough_surfaces) |
 //! | read surfaces, write fields for other programs | [`io`] |

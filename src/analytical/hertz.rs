@@ -235,6 +235,8 @@ impl HertzEllipse {
     }
 
     /// Semi-axes of the contact ellipse (lengths), along x and along y. Johnson (1985), 4.28-4.31.
+    #[doc(alias = "eccentricity")]
+    #[doc(alias = "ellipticity")]
     #[must_use]
     pub fn semi_axes(&self) -> [f64; 2] {
         self.semi_axes

@@ -37,6 +37,9 @@
 //! ([`CoupledReport::error_bounds`]): between aluminium and steel up to $`\mu = 0.29`$ on 64 x 64 cells, with a body of
 //! $`\nu = 0.3`$ on a rigid one up to 0.09, at $`\beta = 0.5`$ up to 0.026; these limits fall with the root of the cells along
 //! a side. Elsewhere there is an [`ErrorEstimate`], which is no bound.
+//!
+//! The example `dissimilar` draws:
+#![cfg_attr(doc, doc = include_str!("../pictures/dissimilar.html"))]
 
 mod contraction;
 mod engine;

@@ -26,7 +26,6 @@ use crate::tangential::{Axis, Friction, RelativeDisplacement, TangentialLoad, Ta
 /// assert!(stuck.approach() < free.approach() && stuck.pressure().max() > free.pressure().max());
 /// # Ok::<(), Error>(())
 /// ```
-#[doc(alias = "dissimilar")]
 #[derive(Debug, Clone)]
 pub struct CoupledProblem {
     pub(super) bodies: HalfSpace,
@@ -57,6 +56,7 @@ impl CoupledProblem {
     ///
     /// A tangential load of no force and one of no shift differ: the tractions of pressing alone add up to zero by
     /// symmetry only.
+    #[doc(alias = "dissimilar")]
     pub fn builder<'a>(
         bodies: &'a HalfSpace,
         gap: &'a Field,

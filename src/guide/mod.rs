@@ -2,6 +2,8 @@
 //!
 //! | page | contents |
 //! |---|---|
+//! | [`first_steps`] | from an empty folder to a stick zone, and to a number that can be trusted |
+//! | [`why_is_my_answer_wrong`] | symptoms, where to look, remedies: grid, load history, units, signs, tolerance |
 //! | [`rough_surfaces`] | a surface, generated or measured, pressed and sheared |
 //! | [`fretting_and_wear`] | cyclic loads, wear, cycle jumps |
 //! | [`growing_contacts`] | contacts that grow while they are sheared: the touch rule, steps of a given error |
@@ -14,6 +16,12 @@
 //! | [`errata`] | the formulas of Wang et al. (2021) that are misprinted, and how each correction was checked |
 //!
 //! The module contains no code except the examples, which run as tests.
+
+#[doc = include_str!("first_steps.md")]
+pub mod first_steps {}
+
+#[doc = include_str!("why_is_my_answer_wrong.md")]
+pub mod why_is_my_answer_wrong {}
 
 #[doc = include_str!("rough_surfaces.md")]
 pub mod rough_surfaces {}

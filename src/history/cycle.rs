@@ -310,6 +310,7 @@ impl Cycle {
 
     /// Energy that each cell dissipated in the cycle, by its traction at the end of each step (energies): what
     /// [`wear::energy`](crate::history::wear::energy) takes.
+    #[doc(alias = "dissipated energy")]
     #[must_use]
     pub fn dissipated_energy(&self) -> &Field {
         &self.sums.dissipated_energy
@@ -323,6 +324,9 @@ impl Cycle {
 
     /// The loop of force and shift: the beginning, and the end of each step. It encloses the
     /// [`work`](EnergyBalance::work).
+    #[doc(alias = "friction loop")]
+    #[doc(alias = "fretting loop")]
+    #[doc(alias = "hysteresis")]
     #[must_use]
     pub fn points(&self) -> &[LoopPoint] {
         &self.points
@@ -347,6 +351,7 @@ impl Cycle {
     }
 
     /// Whether the contact stuck, slipped in part, or slid.
+    #[doc(alias = "fretting map")]
     #[must_use]
     pub fn regime(&self) -> Regime {
         self.regime

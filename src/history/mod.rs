@@ -68,6 +68,9 @@
 //! # Wear
 //! [`wear`] turns the slip or the energy of steps or cycles into depth removed; [`History::set_gap`] gives it back,
 //! with tractions and slip kept.
+//!
+//! The example `fretting_loop` draws:
+#![cfg_attr(doc, doc = include_str!("../pictures/fretting_loop.html"))]
 
 mod adaptive;
 mod attempt;

@@ -113,6 +113,7 @@ impl History {
 
     /// Energy each cell has dissipated in all steps, the sum of [`StepResult::dissipated_energy`] (energies, force
     /// times length, non-negative).
+    #[doc(alias = "dissipated energy")]
     #[must_use]
     pub fn dissipated_energy(&self) -> &Field {
         self.state.dissipated_energy()
@@ -160,6 +161,10 @@ impl History {
     /// # Errors
     /// [`Error::NotFinite`] where a periodic contact is closed everywhere, [`Error::CoupledMaterials`] where pressure and
     /// shear are coupled and that is not [neglected](Coupling::Neglected), [`Error::NotConverged`], as [`HalfSpace::operator`](crate::HalfSpace::operator).
+    #[doc(alias = "tangential stiffness")]
+    #[doc(alias = "jacobian")]
+    #[doc(alias = "tangent")]
+    #[doc(alias = "slope")]
     pub fn stiffness(&self) -> Result<ContactStiffness> {
         let pair = self.bodies.pair();
         if pair.is_coupled() && self.state.coupling != Coupling::Neglected {

@@ -144,6 +144,7 @@ impl StepResult {
     }
 
     /// Energy each cell dissipates in the step by its traction at the end, `-A q s >= 0`.
+    #[doc(alias = "dissipated energy")]
     #[must_use]
     pub fn dissipated_energy(&self) -> &Field {
         &self.dissipated_energy

@@ -12,6 +12,9 @@
 //!
 //! [`NormalProblem`] checks and holds a scene; [`NormalSolver`] owns the buffers and starts from
 //! its last answer; [`NormalSolution`] is the answer.
+//!
+//! The example `hardness` draws:
+#![cfg_attr(doc, doc = include_str!("../pictures/hardness.html"))]
 
 mod area;
 mod engine;

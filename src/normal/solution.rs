@@ -219,6 +219,7 @@ impl NormalSolution {
     }
 
     /// Where the normal force acts (lengths); `None` without contact.
+    #[doc(alias = "eccentricity")]
     #[must_use]
     pub fn centre_of_pressure(&self) -> Option<[f64; 2]> {
         let force = self.force();

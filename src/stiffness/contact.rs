@@ -42,9 +42,6 @@ pub struct TangentialStiffness {
 }
 
 /// The stiffness of a contact in all directions.
-#[doc(alias = "tangent")]
-#[doc(alias = "slope")]
-#[doc(alias = "jacobian")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]

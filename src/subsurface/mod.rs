@@ -48,6 +48,9 @@
 //! A. E. H. Love, Phil. Trans. R. Soc. A 228 (1929) 377, <https://doi.org/10.1098/rsta.1929.0009>; N. Ahmadi, L. M.
 //! Keer, T. Mura, Int. J. Solids Struct. 19 (1983) 357, <https://doi.org/10.1016/0020-7683(83)90032-X>; K. L.
 //! Johnson, Contact Mechanics (1985), sections 3.1 and 3.2.
+//!
+//! The example `fretting_rig` draws:
+#![cfg_attr(doc, doc = include_str!("../pictures/fretting_rig.html"))]
 
 mod body;
 mod distances;

@@ -54,6 +54,8 @@ impl Stress {
     /// \sigma_v^2 = \tfrac12 \left[(\sigma_{xx} - \sigma_{yy})^2 + (\sigma_{yy} - \sigma_{zz})^2
     ///   + (\sigma_{zz} - \sigma_{xx})^2\right] + 3 (\sigma_{xy}^2 + \sigma_{xz}^2 + \sigma_{yz}^2).
     /// ```
+    #[doc(alias = "von Mises")]
+    #[doc(alias = "equivalent stress")]
     #[must_use]
     pub fn von_mises(&self) -> f64 {
         let Self {

@@ -180,6 +180,8 @@ impl Statistics {
     ///
     /// over the pairs of neighbours within the grid, without pairs across its edge: the definition for a
     /// measured surface, which is not periodic. An axis of one cell has no slope.
+    #[doc(alias = "rms slope")]
+    #[doc(alias = "rms gradient")]
     #[must_use]
     pub fn finite_difference_rms_slope(&self) -> f64 {
         let [along_x, along_y] = self.profile_rms_slope;
@@ -192,6 +194,7 @@ impl Statistics {
     /// A wave of two cells per period enters with the full mean square of its samples, although the samples
     /// do not determine its phase, and hence its slope. Heights that do not continue periodically have a step
     /// at the edge of the grid, which is included. See [`PowerSpectrum`](super::PowerSpectrum).
+    #[doc(alias = "rms slope")]
     #[must_use]
     pub fn spectral_rms_slope(&self) -> f64 {
         self.spectral_rms_slope

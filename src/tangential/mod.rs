@@ -30,6 +30,9 @@
 //! [`TangentialProblem`] checks and holds a scene; [`TangentialSolver`] owns the buffers and starts
 //! from its last answer; [`TangentialSolution`] is the answer, with one [`Zone`] per cell.
 //! [`JaegerSuperposition`] is the exact answer where the two compliances are proportional.
+//!
+//! The example `sphere` draws:
+#![cfg_attr(doc, doc = include_str!("../pictures/sphere.html"))]
 
 mod answer;
 mod control;

@@ -36,8 +36,6 @@ use crate::tangential::{
 /// assert!((shear.shift()[0] / exact.shift() - 1.0).abs() < 1e-3);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
-#[doc(alias = "partial slip")]
-#[doc(alias = "stick slip")]
 #[derive(Clone)]
 pub struct TangentialProblem {
     pub(super) bodies: HalfSpace,
@@ -69,6 +67,8 @@ pub struct TangentialProblemBuilder<'a, 'p> {
 impl TangentialProblem {
     /// Starts from what is required: bodies, a solved normal contact on them or a field of pressure, friction,
     /// load.
+    #[doc(alias = "partial slip")]
+    #[doc(alias = "stick slip")]
     pub fn builder<'a, 'p>(
         bodies: &'a HalfSpace,
         pressure: impl Into<PressureSource<'p>>,

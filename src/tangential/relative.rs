@@ -48,6 +48,7 @@ impl RelativeDisplacement {
     ///
     /// # Errors
     /// [`Error::Sample`] if a component is not finite.
+    #[doc(alias = "bulk stress")]
     pub fn bulk_strain(grid: Grid, strain: [[f64; 2]; 2]) -> Result<Self> {
         all_finite("bulk strain", strain.as_flattened())?;
         let along =

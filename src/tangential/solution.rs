@@ -252,6 +252,7 @@ impl TangentialSolution {
     }
 
     /// Energy dissipated by the step, `-Delta sum q s >= 0`, with the tractions at its end.
+    #[doc(alias = "dissipated energy")]
     #[must_use]
     pub fn dissipated_energy(&self) -> f64 {
         // Not the negative of it: full stick dissipates 0, not -0.

@@ -30,6 +30,9 @@
 //! assert!(history.pressure().max() < before);
 //! # Ok::<(), Error>(())
 //! ```
+//!
+//! The example `wear_loop` draws:
+#![cfg_attr(doc, doc = include_str!("../../pictures/wear_loop.html"))]
 
 mod coefficient;
 mod jump;

@@ -196,6 +196,7 @@ impl SelfAffine {
     }
 
     /// A surface of the given root-mean-square gradient $`|\nabla z|`$ of the sum of waves.
+    #[doc(alias = "rms slope")]
     #[must_use]
     pub fn with_rms_slope(rms_slope: f64) -> Self {
         Self::with(Target::RmsSlope(rms_slope))

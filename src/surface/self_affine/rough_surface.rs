@@ -75,6 +75,7 @@ impl RoughSurface {
 
     /// Root mean square of the gradient, $`\sqrt{\langle |\nabla z|^2\rangle}`$, of the sum of waves
     /// at the cell centres; finite differences of the samples give less.
+    #[doc(alias = "rms slope")]
     #[must_use]
     pub fn rms_slope(&self) -> f64 {
         self.rms_slope

@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# Makes the pictures of examples/README.md and those in the pages of the documentation from target/gallery, which
+# examples/run_all.sh fills. Needs rsvg-convert and pngquant (Debian: librsvg2-bin, pngquant).
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+picture() { # name, width, colours
+    rsvg-convert --width "$2" "target/gallery/$1.svg" | pngquant "$3" --speed 1 -
+}
+
+for drawing in target/gallery/*.svg; do
+    name=$(basename "$drawing" .svg)
+    picture "$name" 960 64 >"examples/gallery/$name.png"
+done
+cp target/gallery/speed_against_error.svg examples/gallery/ 2>/dev/null || true
+
+# In the pages, a picture is part of the text: the packaged crate has no other files.
+embed() { # name, description
+    printf '<img alt="%s" src="data:image/png;base64,%s">\n' "$2" "$(picture "$1" 800 32 | base64 --wrap=0)" \
+        >"src/pictures/$1.html"
+}
+mkdir -p src/pictures
+embed sphere "Pressure and traction of a ball along x beside the closed forms, and its stick and slip zones"
+embed fretting_loop "Loop of force and shift of a ball, and its tractions on the way"
+embed fretting_rig "Loop of load and shift of a cylinder under bulk stress, its tractions, and von Mises stress below it"
+embed dissimilar "Pressure of an aluminium ball on steel, the tractions that pressing leaves, and a loop of force and shift"
+embed hardness "Contact area, approach and pressure of rough steel, elastic and with a hardness"
+embed wear_loop "Gap and pressure of a ball in wear, towards the limiting shape"
+du --bytes --total src/pictures/*.html | tail -1
