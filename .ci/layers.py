@@ -11,7 +11,7 @@ import sys
 # a lower one.
 FOUNDATION = {
     "clock", "error", "report", "boundary", "grid", "field", "material", "parallel", "per_cell", "pool", "left_behind", "serial",
-    "gauss", "jacobi", "ranks", "share", "shown", "layout", "reduce",
+    "gauss", "jacobi", "digest", "ranks", "share", "shown", "layout", "reduce",
 }
 ENGINE = FOUNDATION | {"operator", "influence", "fft", "half_space", "cgm", "levels", "window", "trend"}
 LAYERS = [
@@ -21,7 +21,8 @@ LAYERS = [
         "report": {"error", "serial"},
         "error": {"report"},
         "parallel": {"error"},
-        "ranks": {"error", "parallel"},
+        "digest": set(),
+        "ranks": {"digest", "error", "parallel"},
         "share": {"parallel", "layout", "ranks"},
         "layout": {"error", "report", "parallel", "ranks", "share"},
         "reduce": {"layout", "ranks"},

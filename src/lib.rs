@@ -211,6 +211,7 @@ pub mod coupled;
 mod coupling;
 #[cfg(feature = "dense")]
 pub mod dense;
+mod digest;
 mod elastic;
 mod error;
 pub mod fft;

@@ -1,6 +1,6 @@
-//! Twenty steps of a contact that wears, saved in slabs after ten.
+//! Twenty steps of a contact that wears, saved by all ranks after ten.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use stickslip::history::{TouchRule, wear};
 use stickslip::ranks::Ranks;
@@ -10,18 +10,18 @@ use stickslip::{
 
 use crate::{FRICTION, Outcome, hash_of_all};
 
-/// Steps, and after how many of them the slabs are saved.
+/// Steps, and after how many of them the history is saved.
 const STEPS: u64 = 20;
 const SAVED: u64 = 10;
 /// Depth worn over pressure and slip (one over a pressure).
 const WEAR: f64 = 0.05;
 
-/// What is done with the slabs in a folder.
-pub(crate) enum Slabs {
-    /// They are saved on the way.
-    Save(PathBuf),
-    /// The history begins from them, whatever number of ranks saved them.
-    GoOnFrom(PathBuf),
+/// What is done with a file.
+pub(crate) enum Saved {
+    /// The history is saved in it on the way.
+    To(PathBuf),
+    /// The history begins from it, whatever number of ranks saved it.
+    From(PathBuf),
 }
 
 /// Presses surfaces to and fro and slides them under a force that grows to this, and shifts across it; returns a hash
@@ -30,12 +30,12 @@ pub(crate) fn fret(
     bodies: &HalfSpace,
     gap: &Field,
     force: f64,
-    slabs: &Slabs,
+    saved: &Saved,
     ranks: &dyn Ranks,
 ) -> Outcome<u64> {
-    let mut history = match slabs {
-        Slabs::Save(_) => begun(bodies, gap)?,
-        Slabs::GoOnFrom(folder) => History::load_slabs(bodies, saved(folder)?)?,
+    let mut history = match saved {
+        Saved::To(_) => begun(bodies, gap)?,
+        Saved::From(file) => History::load(bodies, file)?,
     };
     for step in history.steps()..STEPS {
         let k = step as f64;
@@ -49,9 +49,8 @@ pub(crate) fn fret(
         let slip = history.last_step().slip_distance();
         wear::archard(WEAR, history.pressure(), slip, &mut worn)?;
         history.set_gap(&worn)?;
-        if let (Slabs::Save(folder), SAVED) = (slabs, history.steps()) {
-            let name = format!("slab-{}-of-{}.state", ranks.rank(), ranks.size());
-            history.save(folder.join(name))?;
+        if let (Saved::To(file), SAVED) = (saved, history.steps()) {
+            history.save(file)?;
         }
     }
     let [x, y] = history.traction();
@@ -69,16 +68,4 @@ fn begun(bodies: &HalfSpace, gap: &Field) -> Outcome<History> {
     let builder = History::builder(bodies, gap, Friction::coulomb(FRICTION)?);
     let builder = builder.coupling(stickslip::Coupling::OneWay);
     Ok(builder.touch_rule(TouchRule::Growth).build()?)
-}
-
-/// The slabs in a folder, in the order of their names.
-fn saved(folder: &Path) -> Outcome<Vec<PathBuf>> {
-    let files = std::fs::read_dir(folder)?.map(|entry| entry.map(|entry| entry.path()));
-    let mut files = files.collect::<Result<Vec<_>, _>>()?;
-    files.retain(|file| {
-        file.extension()
-            .is_some_and(|extension| extension == "state")
-    });
-    files.sort();
-    Ok(files)
 }

@@ -4,8 +4,8 @@
 //! `cargo run --release -p stickslip --example distributed -- [cells] [--press] [--threads-as-ranks N]` (default 256
 //! cells along a side, pressed and sheared, two ranks that are threads). Built with the feature `mpi` the ranks are
 //! processes: `mpirun -n 4 target/release/examples/distributed 1024`. Pressing alone takes a fifth of the memory. With
-//! `--history FOLDER` twenty steps with wear follow instead, and the slabs of the ranks are saved in the folder, which
-//! must be there, after ten; `--from FOLDER` continues from these on any number of ranks, to the same hash.
+//! `--history FILE` twenty steps with wear follow instead, and all ranks save the history in the file after ten; `--from
+//! FILE` continues from it on any number of ranks, to the same hash.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -23,7 +23,7 @@ use stickslip::{
     TangentialSolution,
 };
 
-use history::{Slabs, fret};
+use history::{Saved, fret};
 
 /// Side of the grid, in units of the longest wave.
 const SIDE: f64 = 1.0;
@@ -42,7 +42,7 @@ struct Arguments {
     /// Whether that is all.
     is_pressed_alone: bool,
     /// Of a history instead, if there is to be one.
-    slabs: Option<Slabs>,
+    saved: Option<Saved>,
     /// How many threads, if ranks are threads.
     threads: Option<usize>,
 }
@@ -52,7 +52,7 @@ impl Arguments {
         let mut read = Self {
             cells: 256,
             is_pressed_alone: false,
-            slabs: None,
+            saved: None,
             threads: None,
         };
         let mut words = std::env::args().skip(1);
@@ -63,16 +63,14 @@ impl Arguments {
             } else if word == "--press" {
                 read.is_pressed_alone = true;
             } else if word == "--history" || word == "--from" {
-                let folder = words
-                    .next()
-                    .ok_or("--history and --from need a folder")?
-                    .into();
-                let slabs = if word == "--from" {
-                    Slabs::GoOnFrom
+                let file = words.next();
+                let file = file.ok_or("--history and --from need a file")?.into();
+                let saved = if word == "--from" {
+                    Saved::From
                 } else {
-                    Slabs::Save
+                    Saved::To
                 };
-                read.slabs = Some(slabs(folder));
+                read.saved = Some(saved(file));
             } else {
                 read.cells = word.parse()?;
             }
@@ -111,8 +109,8 @@ fn solve(arguments: &Arguments, ranks: &Arc<dyn Ranks>) -> Outcome<()> {
     let heights = rough.generate_on(&bodies)?;
     let pressure = REDUCED_PRESSURE * 0.1 * pair.contact_modulus();
     let force = pressure * grid.area();
-    if let Some(slabs) = &arguments.slabs {
-        let hash = fret(&bodies, &heights.map(|z| -z), force, slabs, &**ranks)?;
+    if let Some(saved) = &arguments.saved {
+        let hash = fret(&bodies, &heights.map(|z| -z), force, saved, &**ranks)?;
         if ranks.rank() == 0 {
             println!("hash {hash:016x}");
         }

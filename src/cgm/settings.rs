@@ -144,10 +144,10 @@ macro_rules! settings_methods {
     };
 }
 
-/// Reading and changing the settings of a solver, which keeps them in `$($path).+` and accepts those that pass
-/// `$check`.
+/// Reading and changing the settings of a solver, which keeps them in `$($path).+`, accepts those that pass `$check` and
+/// solves on the bodies `$($bodies).+`.
 macro_rules! solver_settings {
-    ($($path:ident).+, $check:expr) => {
+    ($($path:ident).+, $($bodies:ident).+, $check:expr) => {
         /// The settings of the next solve.
         #[must_use]
         pub fn settings(&self) -> &crate::cgm::Settings {
@@ -158,11 +158,11 @@ macro_rules! solver_settings {
         ///
         /// # Errors
         /// As [`Settings::check`](crate::cgm::Settings::check), and [`Error::Method`](crate::Error::Method) for a
-        /// method that the model does not have; the settings are then as they were.
+        /// method that the model does not have; [`Error::Ranks`](crate::Error::Ranks); the settings are then as they were.
         pub fn set_settings(&mut self, settings: crate::cgm::Settings) -> Result<()> {
-            settings.check()?;
             let check: fn(&Self, &crate::cgm::Settings) -> Result<()> = $check;
-            check(self, &settings)?;
+            let checked = settings.check().and_then(|()| check(self, &settings));
+            self.$($bodies).+.agreed_alike(checked, &[("settings", &settings)])?;
             self.$($path).+ = settings;
             Ok(())
         }

@@ -114,9 +114,17 @@ impl CoupledProblemBuilder<'_> {
     /// [`NotModelled`](crate::Error::NotModelled) for the loads; [`ApproachBeyondMeanGap`](crate::Error::ApproachBeyondMeanGap) on a periodic grid; [`Method`](crate::Error::Method) for
     /// [`Method::PolonskyKeer`](crate::cgm::Method::PolonskyKeer); [`Tolerance`](crate::Error::Tolerance), [`IterationLimit`](crate::Error::IterationLimit); [`Ranks`](crate::Error::Ranks).
     pub fn build(self) -> Result<CoupledProblem> {
-        self.bodies.agreed(self.check())?;
+        self.bodies.agreed_alike(
+            self.check(),
+            &[
+                ("normal load", &self.normal),
+                ("tangential load", &self.load),
+                ("friction", &self.friction.common()),
+                ("relative displacement", &self.relative.is_some()),
+                ("settings", &self.settings),
+            ],
+        )?;
         self.normal.check(self.bodies, self.gap)?;
-        self.friction.check_alike(self.bodies)?;
         Ok(CoupledProblem {
             bodies: self.bodies.clone(),
             gap: self.gap.clone(),

@@ -60,7 +60,9 @@ impl CoupledSolver {
     /// # Errors
     /// As [`CoupledProblemBuilder::build`](super::CoupledProblemBuilder::build) for the load, which is then as it was.
     pub fn set_normal(&mut self, normal: NormalControl) -> Result<()> {
-        normal.check(&self.problem.bodies, &self.problem.gap)?;
+        let bodies = &self.problem.bodies;
+        bodies.agreed_alike(Ok(()), &[("normal load", &normal)])?;
+        normal.check(bodies, &self.problem.gap)?;
         self.problem.normal = normal;
         Ok(())
     }
@@ -70,8 +72,9 @@ impl CoupledSolver {
     /// # Errors
     /// As [`CoupledProblemBuilder::build`](super::CoupledProblemBuilder::build) for the load, which is then as it was.
     pub fn set_load(&mut self, load: TangentialLoad) -> Result<()> {
-        let boundary = self.problem.bodies.boundary();
-        load.demand().check(Axis::BOTH, boundary)?;
+        let bodies = &self.problem.bodies;
+        bodies.agreed_alike(Ok(()), &[("tangential load", &load)])?;
+        load.demand().check(Axis::BOTH, bodies.boundary())?;
         self.problem.load = load;
         Ok(())
     }
@@ -99,7 +102,7 @@ impl CoupledSolver {
         Ok(())
     }
 
-    solver_settings!(problem.settings, |_, settings| {
+    solver_settings!(problem.settings, problem.bodies, |_, settings| {
         TangentialModel::Vector.check(settings)
     });
 

@@ -39,7 +39,7 @@ pub enum RankFailure {
         /// One whose block was of another length than expected.
         rank: usize,
     },
-    /// Ranks come with different values of what must be the same on all.
+    /// Ranks come with different values of what must be the same on all, which is named: all ranks refuse it.
     #[error("the ranks do not have the same {0}")]
     Different(&'static str),
     /// A rank has refused its part of the work; its own error says why.

@@ -5,13 +5,13 @@ use std::sync::Arc;
 
 use crate::boundary::Boundary;
 use crate::contact_map::Bits;
-use crate::error::{Error, RankFailure, Result};
+use crate::error::Result;
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::half_space::{HalfSpace, check};
 use crate::layout::Layout;
 use crate::material::ElasticPair;
-use crate::ranks::{Ranks, Team, Traffic, Words};
+use crate::ranks::{Input, Ranks, Team, Traffic, Words};
 use crate::share::Share;
 use crate::window::Window;
 
@@ -35,7 +35,14 @@ impl HalfSpace {
         let team = Arc::new(Team::new(ranks));
         let share = Arc::new(Share::new(&team, grid.size()));
         let own = [grid.nx(), share.own_rows().len()];
-        team.agreed(check(grid, boundary, own))?;
+        team.agreed_alike(
+            check(grid, boundary, own),
+            &[
+                ("grid", &grid),
+                ("pair of bodies", &pair),
+                ("boundary", &boundary),
+            ],
+        )?;
         let dealt = (Some(team), Some(share));
         Ok(Self::with_samples(grid, pair, boundary, None, dealt))
     }
@@ -98,14 +105,12 @@ impl HalfSpace {
         }
     }
 
-    /// `Ok` if all ranks that share the grid come with the same value.
-    pub(crate) fn alike<T: Words + Ord>(&self, quantity: &'static str, own: T) -> Result<()> {
-        let both = |one: [T; 2], other: [T; 2]| [one[0].min(other[0]), one[1].max(other[1])];
-        let [least, most] = self.over_ranks([own; 2], both);
-        if least == most {
-            return Ok(());
+    /// The same at the door of a call, of inputs that must be the same on all ranks; an error if any is not.
+    pub(crate) fn agreed_alike<T>(&self, result: Result<T>, inputs: &[Input<'_>]) -> Result<T> {
+        match self.team() {
+            Some(team) => team.agreed_alike(result, inputs),
+            None => result,
         }
-        Err(Error::Ranks(RankFailure::Different(quantity)))
     }
 
     /// What the first rank says of going on, for all; an error if any has one.

@@ -12,9 +12,10 @@ impl SelfAffine {
     ///
     /// # Errors
     /// As [`SelfAffine::generate`]; [`Error::Ranks`](crate::Error::Ranks) for a cropped surface or a given skewness or kurtosis on bodies that
-    /// ranks share.
+    /// ranks share, or for surfaces that are not the same on all.
     pub fn generate_on(&self, bodies: &HalfSpace) -> Result<Field> {
         let grid = bodies.grid().whole();
+        bodies.agreed_alike(Ok(()), &[("rough surface", self)])?;
         match bodies.share(grid.size()) {
             Some(rows) => bodies.agreed(self.generate_slab(grid, &rows)),
             None => Ok(self.generate(grid)?.into_heights()),

@@ -98,7 +98,8 @@ impl HalfSpace {
     /// [`Error::GridMismatch`](crate::Error::GridMismatch); as [`surface::level`](crate::surface::level()), where an
     /// index is one of the slab; [`Error::Ranks`](crate::Error::Ranks), also for a polynomial on bodies that ranks share.
     pub fn level(&self, heights: &Field, form: Form) -> Result<Levelled> {
-        self.checked(heights)?;
+        let checked = self.grid().expect("the field", heights.grid());
+        self.agreed_alike(checked, &[("form", &form)])?;
         level_slab(heights, &self.slab(), form)
     }
 

@@ -107,7 +107,7 @@ impl AdaptiveSteps {
     /// # Errors
     /// As [`History::step`], and [`Error::GridMismatch`] for a history on another grid.
     pub fn error(&mut self, history: &mut History, load: &LoadStep) -> Result<StepError> {
-        self.begin(history)?;
+        self.begin(history, load)?;
         let outcome = self.compare(history, load, [0.0, 1.0]);
         history.go_back(&self.beginning)?;
         outcome
@@ -134,7 +134,7 @@ impl AdaptiveSteps {
         load: &LoadStep,
         mut observer: impl FnMut(&History) -> Result<()>,
     ) -> Result<usize> {
-        self.begin(history)?;
+        self.begin(history, load)?;
         let outcome = self.advance(history, load, &mut observer);
         if outcome.is_err() {
             history.go_back(&self.beginning)?;
@@ -142,9 +142,15 @@ impl AdaptiveSteps {
         outcome
     }
 
-    fn begin(&mut self, history: &History) -> Result<()> {
+    fn begin(&mut self, history: &History, load: &LoadStep) -> Result<()> {
         let checked = self.whole[0].check("buffers of adaptive steps", history.grid());
-        history.bodies.agreed(checked)?;
+        history.bodies.agreed_alike(
+            checked,
+            &[
+                ("load", load),
+                ("tolerance of adaptive steps", &self.tolerance),
+            ],
+        )?;
         self.beginning.clone_from(history.state());
         self.kept.clone_from(history.state());
         Ok(())

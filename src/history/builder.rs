@@ -175,7 +175,20 @@ impl HistoryBuilder<'_> {
     /// [`Error::Tolerance`], [`Error::IterationLimit`]; [`Error::Ranks`].
     pub fn build(self) -> Result<History> {
         let bodies = self.bodies;
-        let axes = bodies.agreed(self.checked())?;
+        let axes = bodies.agreed_alike(
+            self.checked(),
+            &[
+                ("friction", &self.friction.common()),
+                ("axis", &self.axis),
+                ("model", &self.model),
+                ("coupling", &self.coupling),
+                ("touch rule", &self.touch_rule),
+                ("hardness", &self.hardness.as_ref().map(Hardness::common)),
+                ("permanent set", &self.is_set_permanent),
+                ("relative displacement", &self.relative.is_some()),
+                ("settings", &self.settings),
+            ],
+        )?;
         let (gap, boundary) = (self.gap.clone(), bodies.boundary());
         let (pair, settings) = (bodies.pair(), self.settings);
         let rule = self.touch_rule;

@@ -90,6 +90,9 @@ pub struct History {
 
 shown!(History: bodies, state);
 
+/// How the parts of a state that slabs have in common are called.
+const ALL_BUT_FIELDS: &str = "state but for its fields";
+
 const _: () = {
     const fn assert_send<T: Send>() {}
     assert_send::<History>();
@@ -115,8 +118,10 @@ impl History {
     /// [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) for other bodies;
     /// [`Error::Memory`](crate::Error::Memory); [`Error::Ranks`](crate::Error::Ranks).
     pub fn from_state(bodies: &HalfSpace, mut state: State) -> Result<Self> {
-        bodies.agreed(state.check_bodies(bodies))?;
-        bodies.alike("state but for its fields", state.digest_on(bodies))?;
+        bodies.agreed_alike(
+            state.check_bodies(bodies),
+            &[(ALL_BUT_FIELDS, &state.digest_on(bodies))],
+        )?;
         state.gather_whole(bodies);
         let mut press = PressureSolver::new();
         state.resume(bodies, &mut press)?;
@@ -148,9 +153,10 @@ impl History {
     /// # Errors
     /// As [`History::from_state`]; the history is then as it was.
     pub fn set_state(&mut self, state: &State) -> Result<()> {
-        self.bodies.agreed(state.check_bodies(&self.bodies))?;
-        self.bodies
-            .alike("state but for its fields", state.numbers_on(&self.bodies))?;
+        self.bodies.agreed_alike(
+            state.check_bodies(&self.bodies),
+            &[(ALL_BUT_FIELDS, &state.numbers_on(&self.bodies))],
+        )?;
         // Ranks that lose each other on the way keep what they have.
         let whole = self.bodies.is_shared().then(|| {
             let mut whole = state.clone();
@@ -210,7 +216,7 @@ impl History {
         let demand = load.demand(self.twist());
         let checked = demand.check(self.state.axes, self.boundary());
         let checked = checked.and_then(|()| self.state.check_relative(load));
-        self.bodies.agreed(checked)?;
+        self.bodies.agreed_alike(checked, &[("load", load)])?;
         let outcome = parallel::enter_with(self.grid().cells(), || {
             let outcome = self.take(load, &mut observer);
             if let Some(increment) = self.increment.take() {
@@ -341,7 +347,8 @@ impl History {
     pub fn set_settings(&mut self, settings: Settings) -> Result<()> {
         let model = TangentialModel::of(self.state.axes);
         let checked = settings.check().and_then(|()| model.check(&settings));
-        self.bodies.agreed(checked)?;
+        self.bodies
+            .agreed_alike(checked, &[("settings", &settings)])?;
         self.state.settings = settings;
         Ok(())
     }

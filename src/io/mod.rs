@@ -58,7 +58,7 @@ use crate::error::{Error, Result, positive};
 use crate::field::Field;
 use crate::grid::Grid;
 pub(crate) use bytes::Cursor;
-pub(crate) use part::replace_bytes;
+pub(crate) use part::{replace, replace_bytes};
 
 /// A surface from a file that carries its cell sides: SDF, SUR, ASC or X3P recognised by the first bytes, XYZ
 /// by the extension `.xyz`.
@@ -205,7 +205,7 @@ impl Sides {
 }
 
 /// What the bytes of a file say; an error in them names the file.
-pub(crate) fn parse_file<T>(path: &Path, parse: impl FnOnce(&[u8]) -> Result<T>) -> Result<T> {
+fn parse_file<T>(path: &Path, parse: impl FnOnce(&[u8]) -> Result<T>) -> Result<T> {
     let bytes = std::fs::read(path).map_err(|error| refused(path, &error))?;
     parse(&bytes).map_err(|error| in_file(path, error))
 }

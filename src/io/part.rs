@@ -87,7 +87,7 @@ pub(crate) fn replace_bytes(path: &Path, bytes: &[u8]) -> Result<()> {
 }
 
 /// The same of a file to which every rank writes its bytes.
-pub(super) fn replace(
+pub(crate) fn replace(
     path: &Path,
     team: Option<&Team>,
     write: impl FnOnce(&mut File) -> IoResult<()>,
@@ -110,4 +110,47 @@ fn shared_part<'a>(path: &'a Path, team: Option<&Team>) -> Result<Part<'a>> {
     team.check()?;
     // A number that did not arrive is that of no file.
     Ok(made.unwrap_or_else(|| Part::of_another(path, id.unwrap_or_default())))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+    use std::time::Duration;
+
+    use super::*;
+    use crate::error::{Error, RankFailure};
+    use crate::ranks::{Ranks, Threads};
+
+    /// A disk that is full for one rank, after the others have written all of their bytes.
+    #[test]
+    fn a_full_disk_leaves_the_old_file() {
+        let folder = format!("stickslip_full_disk_{}", std::process::id());
+        let folder = std::env::temp_dir().join(folder);
+        std::fs::create_dir_all(&folder).unwrap();
+        let path = folder.join("file");
+        std::fs::write(&path, "old").unwrap();
+        let outcomes = Threads::run(3, Duration::from_secs(60), |rank| {
+            let is_full = rank.rank() == 1;
+            let team = Team::new(Arc::new(rank));
+            replace(&path, Some(&team), |file| {
+                file.write_all(b"new")?;
+                if is_full {
+                    return Err(ErrorKind::StorageFull.into());
+                }
+                Ok(())
+            })
+        });
+        for (rank, outcome) in outcomes.iter().enumerate() {
+            let refused = Err(Error::Ranks(RankFailure::Refused { rank: 1 }));
+            let is_own = matches!(outcome, Err(Error::File { .. }));
+            assert!(if rank == 1 {
+                is_own
+            } else {
+                *outcome == refused
+            });
+        }
+        assert_eq!(std::fs::read(&path).unwrap(), b"old");
+        assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 1);
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
 }

@@ -153,14 +153,13 @@ impl Hardness {
         }
     }
 
-    /// `Ok` if the limits fit the grid and carry the load.
+    /// That of it which is the same on all ranks.
+    pub(crate) fn common(&self) -> PerCell<()> {
+        self.limit.map(|_| ())
+    }
+
+    /// `Ok` if the limits, which must have been checked, carry the load.
     pub(crate) fn check_load(&self, bodies: &HalfSpace, load: NormalControl) -> Result<()> {
-        bodies.agreed(self.check(bodies.grid()))?;
-        let uniform = match self.limit {
-            PerCell::Uniform(limit) => (0_u64, limit.to_bits()),
-            PerCell::Cells(_) => (1, 0),
-        };
-        bodies.alike("hardness", uniform)?;
         if let NormalControl::Force(force) = load {
             let capacity = match &self.limit {
                 PerCell::Uniform(_) => self.capacity(bodies.grid().whole()),

@@ -154,12 +154,19 @@ impl NormalProblemBuilder<'_> {
     /// [`Error::IterationLimit`]; [`Error::ApproachBeyondMeanGap`] on a periodic grid;
     /// [`Error::BeyondHardness`]; [`Error::Ranks`].
     pub fn build(self) -> Result<NormalProblem> {
-        self.bodies.agreed(check_gap(self.bodies, &self.gap))?;
+        let hardness = self.hardness.as_ref();
+        self.bodies.agreed_alike(
+            self.check(),
+            &[
+                ("normal load", &self.load),
+                ("hardness", &hardness.map(Hardness::common)),
+                ("settings", &self.settings),
+            ],
+        )?;
         self.load.check(self.bodies, &self.gap)?;
-        if let Some(hardness) = &self.hardness {
+        if let Some(hardness) = hardness {
             hardness.check_load(self.bodies, self.load)?;
         }
-        self.bodies.agreed(self.settings.check())?;
         Ok(NormalProblem {
             bodies: self.bodies.clone(),
             gap: self.gap,
@@ -167,6 +174,15 @@ impl NormalProblemBuilder<'_> {
             hardness: self.hardness,
             settings: self.settings,
         })
+    }
+
+    /// `Ok` if everything is right that a rank sees by itself.
+    fn check(&self) -> Result<()> {
+        check_gap(self.bodies, &self.gap)?;
+        if let Some(hardness) = &self.hardness {
+            hardness.check(self.bodies.grid())?;
+        }
+        self.settings.check()
     }
 }
 

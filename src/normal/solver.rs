@@ -63,7 +63,7 @@ impl NormalSolver {
     ///
     /// # Errors
     /// [`Error::Negative`], [`Error::NotFinite`], [`Error::BeyondHardness`] or, on a periodic grid,
-    /// [`Error::ApproachBeyondMeanGap`]; with a hardness [`Error::Ranks`]; the load is then as it was.
+    /// [`Error::ApproachBeyondMeanGap`]; [`Error::Ranks`]; the load is then as it was.
     pub fn set_load(&mut self, load: NormalControl) -> Result<()> {
         let NormalProblem {
             bodies,
@@ -71,6 +71,7 @@ impl NormalSolver {
             hardness,
             ..
         } = &self.problem;
+        bodies.agreed_alike(Ok(()), &[("normal load", &load)])?;
         load.check(bodies, gap)?;
         if let Some(hardness) = hardness {
             hardness.check_load(bodies, load)?;
@@ -95,7 +96,7 @@ impl NormalSolver {
         Ok(())
     }
 
-    solver_settings!(problem.settings, |_, _| Ok(()));
+    solver_settings!(problem.settings, problem.bodies, |_, _| Ok(()));
 
     /// Forgets the last answer: the next solve starts as the first did.
     pub fn reset(&mut self) {

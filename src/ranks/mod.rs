@@ -7,10 +7,18 @@
 //! them, with fields, problems and solutions of its own. Builders are those of any bodies. Whatever ranks do together
 //! every rank must do: build, solve and step, change what is solved, return to a state, displacements, energies, cycles
 //! (begin, add) and jumps over them ([`CycleJump::new`](crate::history::wear::CycleJump::new),
-//! [`max_stable_cycles`](crate::history::wear::max_stable_cycles)), statistics, files. A friction or hardness that is
-//! uniform, the state that a history starts from, its settings included, and the numbers of one that it returns to are
-//! compared; loads and later changes of the settings are not, and must be the same. What a solution says of the whole
+//! [`max_stable_cycles`](crate::history::wear::max_stable_cycles)), statistics, files. What a solution says of the whole
 //! contact (force, area, stick ratio, report, ...) every rank knows without asking; its fields are those of the slab.
+//!
+//! # The same inputs
+//!
+//! Ranks that came with different inputs would find the answer to no problem at all. What is one for the whole contact is
+//! therefore compared where a call begins, in one exchange of a word for each input: grid, pair and boundary of the bodies,
+//! parameters of a rough surface, loads, friction and hardness that are uniform, model, coupling and settings of a problem
+//! or a history, also where they are changed later, the load of each step, and the state that a history starts from or
+//! returns to. All ranks refuse what differs on any of them, by its name ([`RankFailure::Different`]), and stay as they were. Fields
+//! cannot be compared, since each rank has other rows of them: a gap, or a coefficient for each cell, must be made of the
+//! same numbers everywhere.
 //!
 //! Normal, tangential and coupled problems and histories of them can be shared, on all boundaries, with hardness, friction
 //! that differs from cell to cell, relative displacements and wear; what cannot is refused ([`RankFailure::NotShared`]):
@@ -36,9 +44,10 @@
 //!
 //! # Histories
 //!
-//! The state of a history is that of the rows of the slab. Each rank saves its own
-//! ([`History::save`](crate::History::save)), and any number of ranks continues from the files of all, to the same bits
-//! ([`History::load_slabs`](crate::History::load_slabs), [`State::of_slabs`](crate::history::State::of_slabs)). A step
+//! The state of a history is that of the rows of the slab. All ranks save it together, in one
+//! file that replaces the earlier one when every rank has written its rows ([`History::save`](crate::History::save)). Any
+//! number of ranks continues from it to the same bits ([`History::load`](crate::History::load)), or from the
+//! [bytes](crate::History::to_bytes) of the slabs ([`State::of_slabs`](crate::history::State::of_slabs)). A step
 //! brings tractions and offsets of the contact's window to the ranks that share its rows, and the answer back: about ten
 //! numbers per cell of the window and component. Gap, friction and settings are changed by all ranks alike; energies and
 //! sums of cycles are those of the whole contact, slip and wear those of the slab. An observer of a
@@ -76,8 +85,8 @@ use std::fmt::Debug;
 pub use crate::error::RankFailure;
 #[cfg(feature = "mpi")]
 pub use mpi::Mpi;
-pub(crate) use team::Team;
 pub use team::Traffic;
+pub(crate) use team::{Input, Team};
 pub use threads::Threads;
 pub(crate) use words::Words;
 

@@ -1,9 +1,11 @@
 //! The ranks as the crate uses them: calls cannot fail one by one, a failure stays, and traffic is counted.
 
+use std::fmt::Debug;
 use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
 
+use crate::digest;
 use crate::error::{Error, Result};
 use crate::ranks::{RankFailure, Ranks, Words};
 
@@ -19,6 +21,9 @@ pub(crate) struct Team {
     /// Agreements that some rank has refused.
     refusals: AtomicU64,
 }
+
+/// What must be the same on all ranks: its name and its value, which is compared as it is shown.
+pub(crate) type Input<'a> = (&'static str, &'a dyn Debug);
 
 /// What one rank has sent since its bodies were made.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -127,16 +132,28 @@ impl Team {
 
     /// The result of a step that every rank takes by itself; an error if any of them has failed.
     pub(crate) fn agreed<T>(&self, result: Result<T>) -> Result<T> {
-        let own = u64::from(result.is_err());
-        let Some(all) = self.gather(&[own], &vec![1; self.size()]) else {
+        self.agreed_alike(result, &[])
+    }
+
+    /// The same at the door of a call, of inputs that must be the same on all ranks; an error if any is not. All is found
+    /// in one exchange, of a digest of each.
+    pub(crate) fn agreed_alike<T>(&self, result: Result<T>, inputs: &[Input<'_>]) -> Result<T> {
+        let mut own = vec![u64::from(result.is_err())];
+        own.extend(inputs.iter().map(|(_, value)| digest::of_shown(*value)));
+        let Some(all) = self.gather(&own, &vec![own.len(); self.size()]) else {
             self.check()?;
             return result;
         };
-        let Some(rank) = all.iter().position(|&failed| failed != 0) else {
-            return result;
+        let mut ranks = all.chunks_exact(own.len());
+        let differs = |place: usize| ranks.clone().any(|rank| rank[1 + place] != own[1 + place]);
+        let different = (0..inputs.len()).find(|place| differs(*place));
+        let failure = match (ranks.position(|rank| rank[0] != 0), different) {
+            (Some(rank), _) => RankFailure::Refused { rank },
+            (None, Some(place)) => RankFailure::Different(inputs[place].0),
+            (None, None) => return result,
         };
         self.refusals.fetch_add(1, Ordering::Relaxed);
-        result.and(Err(Error::Ranks(RankFailure::Refused { rank })))
+        result.and(Err(Error::Ranks(failure)))
     }
 
     /// The same of a team, if there is one.

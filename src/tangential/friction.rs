@@ -197,17 +197,12 @@ impl Friction {
 
     /// `Ok` if the coefficients fit the cells held here, on all ranks, which must have the same but for these.
     pub(crate) fn check_on(&self, bodies: &HalfSpace) -> Result<()> {
-        bodies.agreed(self.check(bodies.grid()))?;
-        self.check_alike(bodies)
+        bodies.agreed_alike(self.check(bodies.grid()), &[("friction", &self.common())])
     }
 
-    /// `Ok` if all ranks have the same friction, but for the coefficients of cells.
-    pub(crate) fn check_alike(&self, bodies: &HalfSpace) -> Result<()> {
-        let uniform = match self.coefficient {
-            PerCell::Uniform(coefficient) => (0_u64, coefficient.to_bits()),
-            PerCell::Cells(_) => (1, 0),
-        };
-        bodies.alike("friction", (uniform, self.cap().to_bits()))
+    /// That of it which is the same on all ranks: coefficient, unless it is one per cell, and cap.
+    pub(crate) fn common(&self) -> (PerCell<()>, Option<f64>) {
+        (self.coefficient.map(|_| ()), self.max_shear_stress)
     }
 
     /// `Ok` if the coefficients fit the grid.

@@ -169,8 +169,17 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
     pub fn build(self) -> Result<TangentialProblem> {
         let grid = self.bodies.grid();
         let demand = self.load.demand();
-        let samples = self.bodies.agreed(self.check())?;
-        self.friction.check_alike(self.bodies)?;
+        let samples = self.bodies.agreed_alike(
+            self.check(),
+            &[
+                ("tangential load", &self.load),
+                ("friction", &self.friction.common()),
+                ("relative displacement", &self.relative.is_some()),
+                ("model", &self.model),
+                ("coupling", &self.coupling),
+                ("settings", &self.settings),
+            ],
+        )?;
         let mut pressed = Pressed::new(self.bodies, contact_window(self.bodies, samples)?);
         pressed.set(samples, &self.friction);
         pressed.limits.check(demand.force(), grid.cell_area())?;

@@ -104,8 +104,10 @@ impl TangentialSolver {
     /// # Errors
     /// [`Error::NotFinite`], [`Error::NotPositive`], [`Error::ObliqueLoad`], [`Error::NotModelled`] or
     /// [`Error::BeyondFrictionCapacity`]; for one along the other axis as
-    /// [`HalfSpace::operator`](crate::HalfSpace::operator); the load is then as it was.
+    /// [`HalfSpace::operator`](crate::HalfSpace::operator); [`Error::Ranks`]; the load is then as it was.
     pub fn set_load(&mut self, load: TangentialLoad) -> Result<()> {
+        self.bodies
+            .agreed_alike(Ok(()), &[("tangential load", &load)])?;
         let demand = load.demand();
         let mut axes = load.axes(self.model)?;
         // A solver at rest keeps its axis.
@@ -213,7 +215,9 @@ impl TangentialSolver {
         self.increment.pressed.limits.sum * self.bodies.grid().cell_area()
     }
 
-    solver_settings!(settings, |solver, settings| solver.model.check(settings));
+    solver_settings!(settings, bodies, |solver, settings| solver
+        .model
+        .check(settings));
 
     /// Forgets the last answer: the next solve starts as the first did.
     pub fn reset(&mut self) {

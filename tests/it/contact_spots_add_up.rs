@@ -115,7 +115,7 @@ fn of_slabs_of_a_grid_that_repeats() {
             let bodies = HalfSpace::distributed(grid, pair, boundary, rank).unwrap();
             made(&bodies).spots()
         });
-        let spots: Vec<_> = slabs.iter().flat_map(|slab| slab.as_slice()).collect();
+        let spots: Vec<_> = slabs.iter().flat_map(ContactSpots::as_slice).collect();
         assert_eq!(spots, whole.as_slice().iter().collect::<Vec<_>>());
         let count = if boundary == Boundary::Periodic {
             balls

@@ -163,6 +163,80 @@ fn a_rank_killed_in_the_middle_leaves_nothing_half() {
     });
 }
 
+/// A history on a gap of this factor, before its first step.
+fn history(bodies: &HalfSpace, factor: f64) -> History {
+    let gap = Field::from_fn(bodies.grid(), height).scaled(factor);
+    let friction = Friction::coulomb(0.3).unwrap();
+    History::builder(bodies, &gap, friction).build().unwrap()
+}
+
+/// The factor of the gap of the history in a file.
+fn factor_in(path: &Path, grid: Grid) -> f64 {
+    let bodies = HalfSpace::with_boundary(grid, pair(), Boundary::Periodic).unwrap();
+    let history = History::load(&bodies, path).unwrap();
+    let gap = Field::from_fn(grid, height);
+    let factor = history.gap().as_slice()[7] / gap.as_slice()[7];
+    assert_eq!(*history.gap(), gap.scaled(factor));
+    factor
+}
+
+/// The slabs of a history replace the earlier ones together.
+#[test]
+fn a_rank_killed_in_the_middle_leaves_a_whole_history() {
+    let folder = folder("killed_history");
+    let path = folder.join("run.state");
+    let grid = Grid::new(40, 300, 0.3, 0.2).unwrap();
+    let write = |bodies: &HalfSpace| {
+        let factor = if bodies.grid() == grid { 1.0 } else { 2.0 };
+        let gap = Field::from_fn(bodies.grid(), height).scaled(factor);
+        let friction = Friction::coulomb(0.3)?;
+        History::builder(bodies, &gap, friction)
+            .build()?
+            .save(&path)
+    };
+    assert_nothing_half(&folder, write, |_| {
+        let factor = factor_in(&path, grid);
+        factor == 1.0 || factor == 2.0
+    });
+}
+
+/// A rank that cannot write leaves the earlier slabs of all, whatever has been written by the others.
+#[test]
+fn a_history_that_one_rank_cannot_write_is_not_saved() {
+    let folder = folder("history_refused");
+    let path = folder.join("run.state");
+    let grid = Grid::new(40, 300, 0.3, 0.2).unwrap();
+    let save = |factor: f64, of: &(dyn Fn(usize) -> std::path::PathBuf + Sync)| {
+        on_ranks(3, grid, |bodies, rank| {
+            history(bodies, factor).save(of(rank))
+        })
+    };
+    let all = save(1.0, &|_| path.clone());
+    assert!(all.iter().all(Result::is_ok), "{all:?}");
+    assert_eq!(factor_in(&path, grid), 1.0);
+    // The folder of one rank is not there.
+    let nowhere = |rank| {
+        if rank == 1 {
+            folder.join("nowhere").join("run.state")
+        } else {
+            path.clone()
+        }
+    };
+    for (rank, outcome) in save(2.0, &nowhere).iter().enumerate() {
+        let refused = Error::Ranks(RankFailure::Refused { rank: 1 });
+        let is_told = rank != 1 && *outcome == Err(refused);
+        let is_own = rank == 1 && matches!(outcome, Err(Error::File { .. }));
+        assert!(is_told || is_own, "{outcome:?}");
+    }
+    assert_eq!(factor_in(&path, grid), 1.0);
+    // A folder has the name of the file.
+    let taken = folder.join("taken.state");
+    fs::create_dir(&taken).unwrap();
+    let outcomes = save(2.0, &|_| taken.clone());
+    assert!(outcomes.iter().all(Result::is_err), "{outcomes:?}");
+    assert_eq!(names_in(&folder), ["run.state", "taken.state"]);
+}
+
 /// And a list is that of the old images or of the new ones, if there is any.
 #[test]
 fn a_rank_killed_in_the_middle_leaves_no_mixture() {

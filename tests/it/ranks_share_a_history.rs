@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use stickslip::history::{AdaptiveSteps, FrettingLoop, LoadPath, State, wear};
 use stickslip::normal::Hardness;
-use stickslip::ranks::{Ranks, Threads};
+use stickslip::ranks::Threads;
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::*;
 
@@ -287,24 +287,23 @@ fn slabs_are_put_together_on_other_numbers_of_ranks() {
         run(&mut whole, 5..8);
         let expected = found(&whole, Vec::new());
         for (from, to) in [(1, 3), (3, 1), (2, 7), (7, 4)] {
-            let name = |rank: usize| folder.join(format!("{from}-{to}-{rank}.state"));
+            let file = folder.join(format!("{from}-{to}.state"));
             let states = Threads::run(from, PATIENCE, |rank| {
-                let number = rank.rank();
                 let bodies = HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank));
                 let history = begun(&bodies.unwrap(), is_rich);
-                history.save(name(number)).unwrap();
+                history.save(&file).unwrap();
                 history.state().clone()
             });
             let parts = Threads::run(to, PATIENCE, |rank| {
                 let bodies =
                     HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank)).unwrap();
-                // From files, or from what is in memory.
+                // From the file, or from what is in memory.
                 let mut history = if from == 7 {
                     let slabs = states.iter().map(|state| Ok(state.clone()));
                     let state = State::of_slabs(&bodies, slabs).unwrap();
                     History::from_state(&bodies, state).unwrap()
                 } else {
-                    History::load_slabs(&bodies, (0..from).map(name)).unwrap()
+                    History::load(&bodies, &file).unwrap()
                 };
                 assert_eq!(history.normal().yielded_cells(), yielded);
                 if to == 1 {

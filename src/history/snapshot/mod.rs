@@ -11,16 +11,16 @@
 //! Numbers are little-endian; counts take 8 bytes, samples are doubles.
 
 mod codec;
+mod file;
 mod layout;
 mod slabs;
 
-use std::path::Path;
-
+use crate::digest;
 use crate::error::Result;
 use crate::half_space::HalfSpace;
 use crate::history::History;
 use crate::history::state::State;
-use crate::io::{Cursor, Format, parse_file, replace_bytes};
+use crate::io::{Cursor, Format};
 
 use codec::{Reader, Writer};
 use layout::{Host, LEAST_PER_CELL};
@@ -58,7 +58,7 @@ impl State {
         let Writer(mut bytes) = writer;
         let length = (bytes.len() + SUM) as u64;
         bytes[HEADER - 8..HEADER].copy_from_slice(&length.to_le_bytes());
-        let sum = checksum(&bytes);
+        let sum = digest::of_bytes(&bytes);
         bytes.extend(sum.to_le_bytes());
         bytes
     }
@@ -136,26 +136,6 @@ impl History {
     pub fn from_bytes(bodies: &HalfSpace, bytes: &[u8]) -> Result<Self> {
         Self::from_state(bodies, bodies.agreed(State::from_bytes(bytes))?)
     }
-
-    /// Saves the [state](History::state) in a file, which is replaced as a whole or not at all: if the program is
-    /// interrupted while it saves, the previous file is kept. The bytes are on the disk when it returns. Each of the ranks
-    /// that share a contact saves its slab, in a file of its own, for [`History::load_slabs`].
-    ///
-    /// # Errors
-    /// [`Error::File`](crate::Error::File).
-    #[doc(alias = "checkpoint")]
-    pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
-        replace_bytes(path.as_ref(), &self.to_bytes())
-    }
-
-    /// A history from the file of [`History::save`], on the bodies it had; it continues to the same bits.
-    ///
-    /// # Errors
-    /// [`Error::File`](crate::Error::File) if the file cannot be read; as [`History::from_bytes`].
-    pub fn load(bodies: &HalfSpace, path: impl AsRef<Path>) -> Result<Self> {
-        let state = parse_file(path.as_ref(), State::from_bytes);
-        Self::from_state(bodies, bodies.agreed(state)?)
-    }
 }
 
 /// Passes the magic and the version, which must be those of this format.
@@ -181,16 +161,10 @@ fn opened(bytes: &[u8]) -> Result<Cursor<'_>> {
         return Err(FORMAT.at_byte(MAGIC.len() + 4, problem));
     }
     let (contents, sum) = bytes.split_at(found - SUM);
-    if checksum(contents).to_le_bytes() != sum {
+    if digest::of_bytes(contents).to_le_bytes() != sum {
         return Err(FORMAT.at_byte(found - SUM, "the checksum of the bytes is another"));
     }
     let mut contents = Cursor::new(FORMAT, contents);
     contents.take("the header", HEADER)?;
     Ok(contents)
-}
-
-/// FNV-1a of 64 bits: <https://datatracker.ietf.org/doc/html/rfc9923>.
-fn checksum(bytes: &[u8]) -> u64 {
-    let step = |sum: u64, &byte: &u8| (sum ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, step)
 }

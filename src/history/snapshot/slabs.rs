@@ -1,28 +1,18 @@
 //! The state of a contact that ranks share, put together from the slabs that others had.
 
-use std::fs::File;
-use std::io::Read;
-use std::path::Path;
-
+use crate::digest;
 use crate::error::{Error, RankFailure, Result};
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
-use crate::history::History;
 use crate::history::memory::Memory;
-use crate::history::snapshot::codec::{Reader, Writer};
-use crate::history::snapshot::layout::Host;
-use crate::history::snapshot::{FORMAT, HEADER, check_kind, checksum};
+use crate::history::snapshot::codec::Writer;
 use crate::history::state::State;
-use crate::io::{Cursor, in_file, parse_file, refused};
 use crate::normal::Hardness;
 use crate::per_cell::PerCell;
 use crate::ranks::Words;
 use crate::tangential::Zone;
 use crate::window::Window;
-
-/// Bytes at the beginning of a file that tell which rows it has.
-const BEGINNING: u64 = 256;
 
 impl State {
     /// The state of the cells held here of these bodies, put together from slabs: from the states that any number of ranks
@@ -121,7 +111,7 @@ impl State {
         let window = self.contact.as_ref().map(|memory| memory.window);
         (self.press_window, window).write(&mut words);
         let bytes = words.into_iter().flat_map(u64::to_le_bytes);
-        checksum(&bytes.collect::<Vec<_>>())
+        digest::of_bytes(&bytes.collect::<Vec<_>>())
     }
 
     fn digest(&self) -> u64 {
@@ -129,7 +119,7 @@ impl State {
         let mut writer = Writer::default();
         let mut rest = self.clone().blank_on(nothing);
         let Ok(()) = rest.visit(&mut writer);
-        checksum(&writer.0)
+        digest::of_bytes(&writer.0)
     }
 
     /// All fields of the grid.
@@ -241,48 +231,4 @@ fn copy_rows<T: Copy>(
         let source = &from[place(start, others.start)..place(end, others.start)];
         to[place(start, own.start)..place(end, own.start)].copy_from_slice(source);
     }
-}
-
-impl History {
-    /// A history from the files in which ranks have [saved](History::save) their slabs, on these bodies, which as many
-    /// ranks share or others, or none: see [`State::of_slabs`]. Of the files the first is read through, and those others that
-    /// have rows held here. All ranks call it.
-    ///
-    /// # Errors
-    /// [`Error::File`] if a file cannot be read; as [`State::from_bytes`], [`State::of_slabs`] and
-    /// [`History::from_state`].
-    pub fn load_slabs<P: AsRef<Path>>(
-        bodies: &HalfSpace,
-        paths: impl IntoIterator<Item = P>,
-    ) -> Result<Self> {
-        let held = bodies.grid().rows();
-        let mut is_first = true;
-        let slabs = paths.into_iter().filter_map(|path| {
-            let path = path.as_ref();
-            let is_of_use = std::mem::take(&mut is_first)
-                || match rows_of(path) {
-                    Ok(rows) => rows.start < held.end && held.start < rows.end,
-                    Err(error) => return Some(Err(error)),
-                };
-            is_of_use.then(|| parse_file(path, State::from_bytes))
-        });
-        Self::from_state(bodies, State::of_slabs(bodies, slabs)?)
-    }
-}
-
-/// The rows that a saved state has.
-fn rows_of(path: &Path) -> Result<std::ops::Range<usize>> {
-    let mut beginning = Vec::new();
-    File::open(path)
-        .and_then(|file| file.take(BEGINNING).read_to_end(&mut beginning))
-        .map_err(|error| refused(path, &error))?;
-    let rows = || {
-        let mut start = Cursor::new(FORMAT, &beginning);
-        check_kind(&mut start)?;
-        start.take("the length", HEADER - start.position())?;
-        let mut host = Host::default();
-        host.visit(&mut Reader(start))?;
-        Ok(host.rows())
-    };
-    rows().map_err(|error| in_file(path, error))
 }

@@ -40,6 +40,14 @@ impl<'a> From<&'a Field> for Coefficient<'a> {
 }
 
 impl Coefficient<'_> {
+    /// That of it which is the same on all ranks; none of one per cell.
+    pub(super) fn common(self) -> Option<f64> {
+        match self {
+            Self::Uniform(coefficient) => Some(coefficient),
+            Self::PerCell(_) => None,
+        }
+    }
+
     /// `Ok` if it is non-negative and finite in the cells of the grid.
     pub(super) fn check(self, grid: Grid) -> Result<()> {
         let quantity = "wear coefficient";

@@ -46,7 +46,10 @@ pub fn max_stable_cycles<'a>(
 ) -> Result<f64> {
     let coefficient = coefficient.into();
     let checked = coefficient.check(bodies.grid());
-    bodies.agreed(checked.and_then(|()| check("slip length", slip_distance, bodies.grid())))?;
+    bodies.agreed_alike(
+        checked.and_then(|()| check("slip length", slip_distance, bodies.grid())),
+        &[("wear coefficient", &coefficient.common())],
+    )?;
     let slip = slip_distance.as_slice();
     let rate = reduce::max(&bodies.grid_layout(), |i| coefficient.at(i) * slip[i]);
     Ok(2.0 * cycles_without_overshoot(bodies, rate)?)

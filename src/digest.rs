@@ -1,0 +1,60 @@
+//! Sums of 64 bits by which bytes and values are compared: FNV-1a, <https://datatracker.ietf.org/doc/html/rfc9923>.
+
+use std::fmt::{Debug, Result, Write};
+
+/// That of bytes, one after another.
+#[derive(Debug, Clone, Copy)]
+struct Digest(u64);
+
+impl Digest {
+    const START: Self = Self(0xcbf2_9ce4_8422_2325);
+
+    fn with(self, bytes: &[u8]) -> Self {
+        let step = |sum: u64, &byte: &u8| (sum ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+        Self(bytes.iter().fold(self.0, step))
+    }
+}
+
+impl Write for Digest {
+    fn write_str(&mut self, text: &str) -> Result {
+        *self = self.with(text.as_bytes());
+        Ok(())
+    }
+}
+
+/// The sum of some bytes.
+pub(crate) fn of_bytes(bytes: &[u8]) -> u64 {
+    Digest::START.with(bytes).0
+}
+
+/// The sum of a value as `Debug` shows it, with every bit of its numbers but for those of NaN: of a type that leaves out
+/// parts of itself there these are not compared.
+pub(crate) fn of_shown(value: &dyn Debug) -> u64 {
+    let mut digest = Digest::START;
+    write!(digest, "{value:?}").expect("writing to a digest cannot fail");
+    digest.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_bit_of_a_number_is_in_it() {
+        // Of the page above.
+        assert_eq!(of_bytes(b"foobar"), 0x8594_4171_f739_67e8);
+        let numbers = [
+            0.0,
+            -0.0,
+            1.0,
+            1.0 + f64::EPSILON,
+            f64::MIN_POSITIVE,
+            f64::NAN,
+        ];
+        for (i, one) in numbers.iter().enumerate() {
+            for (j, other) in numbers.iter().enumerate() {
+                assert_eq!(of_shown(one) == of_shown(other), i == j, "{one} {other}");
+            }
+        }
+    }
+}

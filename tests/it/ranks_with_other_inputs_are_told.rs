@@ -1,0 +1,339 @@
+//! Ranks that come with different inputs are told at once which of them differs: they never come to different answers.
+
+use std::fmt::Debug;
+use std::sync::Arc;
+use std::time::Duration;
+
+use stickslip::cgm::Settings;
+use stickslip::history::{AdaptiveSteps, TouchRule, wear};
+use stickslip::normal::Hardness;
+use stickslip::ranks::{RankFailure, Ranks, Threads};
+use stickslip::surface::{Form, SelfAffine};
+use stickslip::tangential::RelativeDisplacement;
+use stickslip::*;
+
+use crate::ranks_share_a_contact::pair;
+
+const RANKS: usize = 3;
+
+fn grid() -> Grid {
+    Grid::new(40, 306, 0.5, 0.5).unwrap()
+}
+
+/// What the ranks come to if the second of them is another than the others.
+fn outcomes<T: Send>(of: impl Fn(Arc<dyn Ranks>, bool) -> Result<T> + Sync) -> Vec<Result<T>> {
+    Threads::run(RANKS, Duration::from_secs(60), |rank| {
+        let is_odd = rank.rank() == 1;
+        of(Arc::new(rank), is_odd)
+    })
+}
+
+fn assert_told<T: Debug + Send>(
+    name: &'static str,
+    of: impl Fn(Arc<dyn Ranks>, bool) -> Result<T> + Sync,
+) {
+    for outcome in outcomes(of) {
+        let error = outcome.expect_err(name);
+        assert_eq!(error, Error::Ranks(RankFailure::Different(name)), "{name}");
+        assert_eq!(
+            error.to_string(),
+            format!("the ranks do not have the same {name}")
+        );
+    }
+}
+
+fn bodies(ranks: Arc<dyn Ranks>) -> HalfSpace {
+    HalfSpace::distributed(grid(), pair(), Boundary::NonPeriodic, ranks).unwrap()
+}
+
+fn ball(bodies: &HalfSpace) -> Field {
+    Field::from_fn(bodies.grid(), |x, y| 0.05 * (x * x + y * y))
+}
+
+fn coulomb(coefficient: f64) -> Friction {
+    Friction::coulomb(coefficient).unwrap()
+}
+
+/// One of two, whichever rank this is.
+fn one_of<T>(is_odd: bool, odd: T, even: T) -> T {
+    if is_odd { odd } else { even }
+}
+
+#[test]
+fn of_bodies() {
+    let periodic = Boundary::Periodic;
+    for odd in [
+        Grid::new(40, 306, 0.5 * (1.0 + f64::EPSILON), 0.5),
+        Grid::new(40, 306, 0.5, 0.6),
+        Grid::new(41, 306, 0.5, 0.5),
+        Grid::new(40, 300, 0.5, 0.5),
+    ] {
+        let odd = odd.unwrap();
+        assert_told("grid", |ranks, is_odd| {
+            HalfSpace::distributed(one_of(is_odd, odd, grid()), pair(), periodic, ranks)
+        });
+    }
+    let hard = Material::new(1.0, 0.3).unwrap().with_hardness(5.0).unwrap();
+    for odd in [
+        hard,
+        Material::new(1.1, 0.3).unwrap(),
+        Material::new(1.0, 0.31).unwrap(),
+    ] {
+        let odd = ElasticPair::new(odd, Material::rigid()).unwrap();
+        assert_told("pair of bodies", |ranks, is_odd| {
+            HalfSpace::distributed(grid(), one_of(is_odd, odd, pair()), periodic, ranks)
+        });
+    }
+    let along_y = |datum| Boundary::PeriodicAlongY { datum };
+    for [odd, even] in [
+        [periodic, Boundary::NonPeriodic],
+        [along_y(500.0), along_y(501.0)],
+    ] {
+        assert_told("boundary", |ranks, is_odd| {
+            HalfSpace::distributed(grid(), pair(), one_of(is_odd, odd, even), ranks)
+        });
+    }
+}
+
+#[test]
+fn of_surfaces() {
+    assert_told("rough surface", |ranks, is_odd| {
+        let rough = SelfAffine::with_rms_slope(0.1).seed(one_of(is_odd, 2, 1));
+        rough.generate_on(&bodies(ranks))
+    });
+    // One that a rank refuses by itself.
+    assert_told("rough surface", |ranks, is_odd| {
+        SelfAffine::with_rms_slope(one_of(is_odd, f64::NAN, 0.1)).generate_on(&bodies(ranks))
+    });
+    assert_told("form", |ranks, is_odd| {
+        let bodies = bodies(ranks);
+        let form = one_of(is_odd, Form::Plane, Form::Mean);
+        bodies.level(&ball(&bodies), form).map(drop)
+    });
+}
+
+#[test]
+fn of_normal_problems() {
+    let force = NormalControl::Force(2.0);
+    let build = |ranks, load, hardness: Option<f64>, settings| {
+        let bodies = bodies(ranks);
+        let mut builder = NormalProblem::builder(&bodies, ball(&bodies), load);
+        if let Some(limit) = hardness {
+            builder = builder.hardness(Hardness::uniform(limit)?);
+        }
+        builder.settings(settings).build()
+    };
+    let usual = Settings::default();
+    for odd in [
+        NormalControl::Force(2.1),
+        NormalControl::Force(-0.0),
+        NormalControl::Approach(2.0),
+    ] {
+        assert_told("normal load", |ranks, is_odd| {
+            build(ranks, one_of(is_odd, odd, force), None, usual)
+        });
+        assert_told("normal load", |ranks, is_odd| {
+            let mut solver = build(ranks, force, None, usual)?.into_solver()?;
+            solver.set_load(one_of(is_odd, odd, force))
+        });
+    }
+    for odd in [None, Some(0.6)] {
+        assert_told("hardness", |ranks, is_odd| {
+            build(ranks, force, one_of(is_odd, odd, Some(0.5)), usual)
+        });
+    }
+    let mut odd = usual;
+    odd.tolerance *= 0.5;
+    assert_told("settings", |ranks, is_odd| {
+        build(ranks, force, None, one_of(is_odd, odd, usual))
+    });
+    assert_told("settings", |ranks, is_odd| {
+        let mut solver = build(ranks, force, None, usual)?.into_solver()?;
+        solver.set_settings(one_of(is_odd, odd, usual))
+    });
+}
+
+/// What was refused has changed nothing: the ranks go on together.
+#[test]
+fn who_is_told_may_go_on() {
+    let alone = {
+        let bodies = HalfSpace::new(grid(), pair()).unwrap();
+        let problem = NormalProblem::builder(&bodies, ball(&bodies), NormalControl::Force(2.0));
+        problem.build().unwrap().solve().unwrap().approach()
+    };
+    let found = outcomes(|ranks, is_odd| {
+        let bodies = bodies(ranks);
+        let load = NormalControl::Force(2.0);
+        let problem = NormalProblem::builder(&bodies, ball(&bodies), load).build()?;
+        let mut solver = problem.into_solver()?;
+        let refused = solver.set_load(NormalControl::Force(one_of(is_odd, -1.0, 1.0)));
+        assert!(refused.is_err());
+        let mut contact = solver.new_solution();
+        solver.solve_into(&mut contact)?;
+        Ok(contact.approach())
+    });
+    for approach in found {
+        assert_eq!(approach.unwrap().to_bits(), alone.to_bits());
+    }
+}
+
+#[test]
+fn of_tangential_problems() {
+    let force = TangentialLoad::force([0.1, 0.0]);
+    let build = |ranks, odd: &str| {
+        let bodies = bodies(ranks);
+        let normal = NormalProblem::builder(&bodies, ball(&bodies), NormalControl::Force(2.0));
+        let normal = normal.build()?.solve()?;
+        let is = |name: &str| odd == name;
+        let load = one_of(
+            is("tangential load"),
+            TangentialLoad::force([0.11, 0.0]),
+            force,
+        );
+        let friction = coulomb(one_of(is("friction"), 0.31, 0.3));
+        let mut builder = TangentialProblem::builder(&bodies, &normal, friction, load);
+        if is("relative displacement") {
+            let none = RelativeDisplacement::bulk_strain(bodies.grid(), [[0.0; 2]; 2])?;
+            builder = builder.relative_displacement(none);
+        }
+        let (scalar, vector) = (TangentialModel::Scalar, TangentialModel::Vector);
+        builder
+            .model(one_of(is("model"), vector, scalar))
+            .coupling(one_of(
+                is("coupling"),
+                Coupling::Neglected,
+                Coupling::OneWay,
+            ))
+            .tolerance(one_of(is("settings"), 1e-7, 1e-8))
+            .build()
+    };
+    for name in [
+        "tangential load",
+        "friction",
+        "relative displacement",
+        "model",
+        "coupling",
+        "settings",
+    ] {
+        assert_told(name, |ranks, is_odd| build(ranks, one_of(is_odd, name, "")));
+    }
+    assert_told("tangential load", |ranks, is_odd| {
+        let mut solver = build(ranks, "")?.into_solver()?;
+        // Along the other axis, whose operator all ranks must make.
+        solver.set_load(TangentialLoad::force(one_of(
+            is_odd,
+            [0.0, 0.1],
+            [0.1, 0.0],
+        )))
+    });
+    assert_told("settings", |ranks, is_odd| {
+        let mut solver = build(ranks, "")?.into_solver()?;
+        let mut settings = *solver.settings();
+        settings.max_iterations -= usize::from(is_odd);
+        solver.set_settings(settings)
+    });
+}
+
+#[test]
+fn of_coupled_problems() {
+    let build = |ranks, odd: &str| {
+        let bodies = bodies(ranks);
+        let is = |name: &str| odd == name;
+        let friction = coulomb(one_of(is("friction"), 0.31, 0.3));
+        let press = NormalControl::Force(one_of(is("normal load"), 2.1, 2.0));
+        let load = TangentialLoad::shift([one_of(is("tangential load"), 0.1, 0.0), 0.0]);
+        let gap = ball(&bodies);
+        let builder = CoupledProblem::builder(&bodies, &gap, friction, press, load);
+        builder
+            .tolerance(one_of(is("settings"), 1e-7, 1e-8))
+            .build()
+    };
+    for name in ["friction", "normal load", "tangential load", "settings"] {
+        assert_told(name, |ranks, is_odd| build(ranks, one_of(is_odd, name, "")));
+    }
+    assert_told("normal load", |ranks, is_odd| {
+        let mut solver = build(ranks, "")?.into_solver()?;
+        solver.set_normal(NormalControl::Force(one_of(is_odd, 2.1, 2.0)))
+    });
+    assert_told("tangential load", |ranks, is_odd| {
+        let mut solver = build(ranks, "")?.into_solver()?;
+        solver.set_load(TangentialLoad::shift([one_of(is_odd, 0.1, 0.0), 0.0]))
+    });
+}
+
+#[test]
+fn of_histories() {
+    let build = |ranks, odd: &str| {
+        let bodies = bodies(ranks);
+        let gap = ball(&bodies);
+        let is = |name: &str| odd == name;
+        let friction = coulomb(one_of(is("friction"), 0.31, 0.3));
+        let mut builder = History::builder(&bodies, &gap, friction);
+        if is("relative displacement") {
+            let none = RelativeDisplacement::bulk_strain(bodies.grid(), [[0.0; 2]; 2])?;
+            builder = builder.relative_displacement(none);
+        }
+        let (scalar, vector) = (TangentialModel::Scalar, TangentialModel::Vector);
+        builder
+            .axis(one_of(is("axis"), Axis::Y, Axis::X))
+            .model(one_of(is("model"), vector, scalar))
+            .coupling(one_of(
+                is("coupling"),
+                Coupling::Neglected,
+                Coupling::OneWay,
+            ))
+            .touch_rule(one_of(
+                is("touch rule"),
+                TouchRule::WholeStep,
+                TouchRule::Growth,
+            ))
+            .hardness(Hardness::uniform(one_of(is("hardness"), 5.0, 4.0))?)
+            .permanent_set(is("permanent set"))
+            .tolerance(one_of(is("settings"), 1e-7, 1e-8))
+            .build()
+    };
+    for name in [
+        "friction",
+        "axis",
+        "model",
+        "coupling",
+        "touch rule",
+        "hardness",
+        "permanent set",
+        "relative displacement",
+        "settings",
+    ] {
+        assert_told(name, |ranks, is_odd| build(ranks, one_of(is_odd, name, "")));
+    }
+    let press = |force| LoadStep::force([0.0, 0.0]).normal(NormalControl::Force(force));
+    assert_told("load", |ranks, is_odd| {
+        let mut history = build(ranks, "")?;
+        history.step(&press(2.0))?;
+        let before = history.to_bytes();
+        let outcome = history.step(&press(one_of(is_odd, 2.1, 2.0))).map(drop);
+        assert!(history.to_bytes() == before);
+        outcome
+    });
+    assert_told("load", |ranks, is_odd| {
+        let load = LoadStep::hold().tangential(Axis::X, TangentialControl::Shift(0.1));
+        build(ranks, "")?
+            .step(&one_of(is_odd, LoadStep::hold(), load))
+            .map(drop)
+    });
+    assert_told("settings", |ranks, is_odd| {
+        let mut history = build(ranks, "")?;
+        let mut settings = *history.settings();
+        settings.max_iterations -= usize::from(is_odd);
+        history.set_settings(settings)
+    });
+    assert_told("tolerance of adaptive steps", |ranks, is_odd| {
+        let mut history = build(ranks, "")?;
+        let mut steps = AdaptiveSteps::new(&history, one_of(is_odd, 0.1, 0.2))?;
+        steps.step(&mut history, &press(2.0))
+    });
+    assert_told("wear coefficient", |ranks, is_odd| {
+        let bodies = bodies(ranks);
+        let slip = Field::from_fn(bodies.grid(), |_, _| 1.0);
+        wear::max_stable_cycles(&bodies, one_of(is_odd, 0.1, 0.2), &slip)
+    });
+}
