@@ -11,7 +11,7 @@ import sys
 # a lower one.
 FOUNDATION = {
     "clock", "error", "report", "boundary", "grid", "field", "material", "parallel", "per_cell", "pool", "left_behind", "serial",
-    "gauss", "jacobi", "digest", "ranks", "share", "shown", "layout", "reduce",
+    "gauss", "jacobi", "digest", "ranks", "share", "shown", "layout", "reduce", "watch",
 }
 ENGINE = FOUNDATION | {"operator", "influence", "fft", "half_space", "cgm", "levels", "window", "trend"}
 LAYERS = [
@@ -20,6 +20,7 @@ LAYERS = [
         "serial": {"error"},
         "report": {"error", "serial"},
         "error": {"report"},
+        "watch": {"error", "report"},
         "parallel": {"error"},
         "digest": set(),
         "ranks": {"digest", "error", "parallel"},
@@ -48,7 +49,7 @@ LAYERS = [
         "fft": FOUNDATION | {"operator", "influence"},
         "guide": set(),
         "analytical": {"error", "material", "grid", "field"},
-        "surface": {"error", "grid", "field", "layout", "parallel", "ranks", "reduce", "serial", "share"},
+        "surface": {"error", "grid", "field", "layout", "parallel", "ranks", "reduce", "report", "serial", "share", "watch"},
         "io": {"error", "grid", "field", "ranks", "share"},
     }),
     ("the engine, and what it works on", {

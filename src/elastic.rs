@@ -1,11 +1,9 @@
 //! The half-space posed to the engine: one operator, its preconditioner and the buffers of their solves.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::cgm::{
-    self, Admissible, Constraint, Iteration, Known, Problem, Settings, Total, Workspace,
-    WorkspaceOf,
+    self, Admissible, Constraint, Known, Problem, Settings, Total, Workspace, WorkspaceOf,
 };
 use crate::error::{Error, Result};
 use crate::fft::{CirculantInverse, Convolution};
@@ -16,8 +14,7 @@ use crate::operator::Operator;
 use crate::pool::Lease;
 use crate::report::Report;
 
-/// Who watches a solve and may cancel it.
-pub(crate) type Observer<'a> = &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send);
+pub(crate) use crate::watch::Observer;
 
 /// The engine on a rectangle of cells, for one kind of set. The buffers of its solves it has from the first solve until it
 /// gives them back; all engines of a rectangle that work one after the other have the same.

@@ -182,10 +182,12 @@ impl Field {
         finite("factor", factor)?;
         self.grid.expect("field to be added", other.grid)?;
         let other = other.as_slice();
-        parallel::update(&mut self.samples, |first, chunk| {
-            for (sample, other) in chunk.iter_mut().zip(&other[first..]) {
-                *sample += factor * other;
-            }
+        parallel::enter_with(other.len(), || {
+            parallel::update(&mut self.samples, |first, chunk| {
+                for (sample, other) in chunk.iter_mut().zip(&other[first..]) {
+                    *sample += factor * other;
+                }
+            });
         });
         Ok(())
     }
@@ -248,10 +250,11 @@ impl Field {
         self.extreme(f64::INFINITY, f64::min)
     }
 
-    fn extreme(&self, least: f64, of: impl Fn(f64, f64) -> f64 + Copy + Sync) -> f64 {
+    fn extreme(&self, least: f64, of: impl Fn(f64, f64) -> f64 + Copy + Send + Sync) -> f64 {
         let samples = &self.samples;
         let leaf = |range: Range<usize>| samples[range].iter().copied().fold(least, of);
-        parallel::fold(samples.len(), leaf, of)
+        let count = samples.len();
+        parallel::enter_with(count, || parallel::fold(count, leaf, of))
     }
 
     /// Integral over the grid, cell area times the sum of the samples.
@@ -263,6 +266,7 @@ impl Field {
     /// Integral over the grid of all ranks, whose cells lie so.
     pub(crate) fn integral_over(&self, layout: &Layout) -> f64 {
         let leaf = |range: Range<usize>| self.samples[range].iter().fold(0.0, |sum, x| sum + x);
-        self.grid.cell_area() * layout.fold(leaf, |a, b| a + b)
+        let sum = parallel::enter_with(self.samples.len(), || layout.fold(leaf, |a, b| a + b));
+        self.grid.cell_area() * sum
     }
 }

@@ -247,6 +247,7 @@ pub mod subsurface;
 pub mod surface;
 pub mod tangential;
 mod trend;
+mod watch;
 mod window;
 
 pub use boundary::Boundary;
@@ -262,7 +263,7 @@ pub use layout::Layout;
 pub use material::{ElasticPair, Material};
 pub use normal::{NormalControl, NormalProblem, NormalSolution, NormalSolver};
 pub use operator::{Identity, Operator};
-pub use parallel::CELLS_ON_ONE_THREAD;
+pub use parallel::{CELLS_ON_ONE_THREAD, avoid_global_pool};
 pub use report::{Iteration, Report, Status};
 pub use spots::{ContactSpots, Spot};
 pub use tangential::{

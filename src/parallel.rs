@@ -2,19 +2,27 @@
 //!
 //! Work is cut into tasks by index. Where a sum is formed, the cut does not depend on the number of
 //! threads, so the bits of a result do not depend on it either. Only `rayon::join` is used: it runs in
-//! the caller's pool and allocates nothing there ([`enter`] goes there once).
+//! the caller's pool and allocates nothing there.
+//!
+//! The way into a pool is [`enter`], and [`enter_with`] for work on more than [`CELLS_ON_ONE_THREAD`] cells. Everything
+//! else shares its tasks in the pool that its thread belongs to, and on a thread of no pool does them one after the other.
 
 use std::ops::Range;
 use std::sync::OnceLock;
+#[cfg(feature = "parallel")]
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::error::Result;
 
 /// Samples per task of vector work; the summation tree follows these chunks.
 pub(crate) const CHUNK: usize = 4096;
 
-/// Cells up to which a solve stays on the thread that calls: to share it would only take time.
+/// Cells up to which all work on a contact stays on the thread that calls, its operators, fields and stresses included: to
+/// share it would only take time.
 ///
-/// A program that hands solves to a pool of its own saves the way there for contacts of no more cells.
+/// A program that hands solves to a pool of its own saves the way there for contacts of no more cells. Many contacts in one
+/// call ([`History::step_all`](crate::History::step_all)) and stresses at more points than this
+/// ([`at_points`](crate::subsurface::at_points)) are shared.
 ///
 /// ```
 /// assert!(stickslip::Grid::square(64, 1.0)?.cells() <= stickslip::CELLS_ON_ONE_THREAD);
@@ -22,9 +30,70 @@ pub(crate) const CHUNK: usize = 4096;
 /// ```
 pub const CELLS_ON_ONE_THREAD: usize = CHUNK;
 
-/// Runs both, at once if a thread is free. What they are is hidden from rayon, whose part is then compiled once
-/// and not once for each of the many things that run.
+/// Whether work outside of pools stays on its thread.
+#[cfg(feature = "parallel")]
+static STAYS_OUTSIDE: AtomicBool = AtomicBool::new(false);
+
+/// Keeps work that is called outside of rayon's pools on the thread that calls, in this process from now on.
+///
+/// Without this, work on more than [`CELLS_ON_ONE_THREAD`] cells that is called outside of a pool goes to rayon's global
+/// pool, whose threads are made at its first use. They do not live on in a forked process, which would wait for them for
+/// ever: a program that forks, or that is to start no thread, calls this first. Work that is called in a pool, by
+/// `rayon::ThreadPool::install`, is shared there as before. Results have the same bits either way.
+///
+/// ```
+/// use stickslip::*;
+/// avoid_global_pool();
+/// let grid = Grid::square(80, 8.0)?;
+/// let steel = Material::new(1.0, 0.3)?;
+/// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
+/// let ball = surface::sphere(grid, 10.0)?;
+/// let contact = NormalProblem::builder(&bodies, &ball, NormalControl::Force(0.5)).build()?.solve()?;
+/// assert!((contact.force() / 0.5 - 1.0).abs() < 1e-9);
+/// # Ok::<(), Error>(())
+/// ```
+pub fn avoid_global_pool() {
+    #[cfg(feature = "parallel")]
+    STAYS_OUTSIDE.store(true, Ordering::Relaxed);
+}
+
+/// Whether tasks are shared: the thread belongs to a pool, which has others.
+fn is_in_pool() -> bool {
+    #[cfg(feature = "parallel")]
+    {
+        rayon::current_thread_index().is_some()
+    }
+    #[cfg(not(feature = "parallel"))]
+    {
+        false
+    }
+}
+
+/// Whether work on this thread has no pool to go to.
+fn is_alone() -> bool {
+    #[cfg(feature = "parallel")]
+    {
+        !is_in_pool() && STAYS_OUTSIDE.load(Ordering::Relaxed)
+    }
+    #[cfg(not(feature = "parallel"))]
+    {
+        true
+    }
+}
+
+/// Runs both, in a pool at once if a thread is free there.
 fn join<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + Send) -> (A, B) {
+    if is_in_pool() {
+        shared(a, b)
+    } else {
+        let a = a();
+        (a, b())
+    }
+}
+
+/// Runs both in the caller's pool. What they are is hidden from rayon, whose part is then compiled once
+/// and not once for each of the many things that run.
+fn shared<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + Send) -> (A, B) {
     let (mut a, mut b) = (Some(a), Some(b));
     let (mut from_a, mut from_b) = (None, None);
     join_tasks(
@@ -48,27 +117,28 @@ fn join_tasks(a: &mut (dyn FnMut() + Send), b: &mut (dyn FnMut() + Send)) {
     b();
 }
 
-/// Runs work inside the caller's pool, where cutting it further costs next to nothing; from outside
-/// the pool each cut would wake a thread and wait for it.
+/// Runs work inside the caller's pool, where cutting it further costs next to nothing; on a thread of no pool in the
+/// global one, unless the program [avoids](avoid_global_pool) it.
 pub(crate) fn enter<T: Send>(work: impl FnOnce() -> T + Send) -> T {
-    join(work, || ()).0
+    if is_in_pool() || is_alone() {
+        work()
+    } else {
+        shared(work, || ()).0
+    }
 }
 
 /// A useful number of simultaneous tasks; only for work whose result does not depend on how it is cut.
 pub(crate) fn lanes() -> usize {
-    4 * threads()
+    if is_in_pool() { 4 * threads() } else { 1 }
 }
 
-/// Threads of the caller's pool.
+/// Threads of the pool that [`enter`] goes to.
 pub(crate) fn threads() -> usize {
     #[cfg(feature = "parallel")]
-    {
-        rayon::current_num_threads()
+    if !is_alone() {
+        return rayon::current_num_threads();
     }
-    #[cfg(not(feature = "parallel"))]
-    {
-        1
-    }
+    1
 }
 
 /// Runs work on a pool of so many threads of its own, which it may block.
@@ -180,7 +250,7 @@ impl<A: Split, const N: usize> Split for [A; N] {
 }
 
 /// Runs `work(task, its part of data)` for every task and combines the results pairwise in a
-/// fixed tree, which gives the same bits on any number of threads.
+/// fixed tree, which gives the same bits on any number of threads. On a thread of no pool it stays there.
 pub(crate) fn sweep<D: Split, T: Send>(
     tasks: Range<usize>,
     data: D,
@@ -213,7 +283,7 @@ pub(crate) fn in_turn<D: Split, T>(
     combine(low, in_turn(second, high, work, combine))
 }
 
-/// [`sweep`] of work on so many cells, on the calling thread alone where it is too short to be worth the way into a pool.
+/// [`sweep`] of work on so many cells, on the calling thread alone where it is too short to share.
 pub(crate) fn sweep_cells<D: Split, T: Send>(
     cells: usize,
     tasks: Range<usize>,

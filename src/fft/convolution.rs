@@ -15,6 +15,7 @@ use crate::influence::{Component, Kernel, Samples, Symbols};
 use crate::layout::Layout;
 use crate::material::ElasticPair;
 use crate::operator::Operator;
+use crate::parallel;
 use crate::ranks::Team;
 use crate::share::Share;
 use crate::shown::shown;
@@ -68,12 +69,11 @@ impl Convolution {
     /// As [`Table::sample`](crate::influence::Table::sample).
     pub fn new(grid: Grid, pair: &ElasticPair, component: Component) -> Result<Self> {
         let reach = reach(grid.size(), Boundary::NonPeriodic);
-        let table = Samples::new(grid, reach)?.table(grid, pair, component)?;
-        Ok(Self::of_kernels(
-            grid.size(),
-            None,
-            [[&Kernel::Table(table)]],
-        ))
+        let samples = Samples::new(grid, reach)?;
+        parallel::enter_with(grid.cells(), || {
+            let table = Kernel::Table(samples.table(grid, pair, component)?);
+            Ok(Self::of_kernels(grid.size(), None, [[&table]]))
+        })
     }
 
     /// The same on a grid that repeats along x and y, with the symbols of the [`influence`](crate::influence)
@@ -98,8 +98,10 @@ impl Convolution {
     /// ```
     #[must_use]
     pub fn periodic(grid: Grid, pair: &ElasticPair, component: Component) -> Self {
-        let symbols = Symbols::new(grid, pair, component);
-        Self::of_kernels(grid.size(), None, [[&Kernel::Symbols(symbols)]])
+        let symbols = Kernel::Symbols(Symbols::new(grid, pair, component));
+        parallel::enter_with(grid.cells(), || {
+            Self::of_kernels(grid.size(), None, [[&symbols]])
+        })
     }
 }
 

@@ -170,6 +170,20 @@ impl<T: Real> Plan<T> {
         tiles: &mut Tiles<N>,
         scratch: &Scratch<T, N>,
     ) {
+        parallel::enter_with(self.cells(), || {
+            self.convolve_here(symbol, x, out, scales, tiles, scratch);
+        });
+    }
+
+    fn convolve_here<const N: usize>(
+        &self,
+        symbol: &Symbol<T, N>,
+        x: [&[f64]; N],
+        out: [&mut [f64]; N],
+        scales: [f64; 2],
+        tiles: &mut Tiles<N>,
+        scratch: &Scratch<T, N>,
+    ) {
         let (across, down) = (self.tiles_across(), self.tiles_down());
         let along = self.tiles_along();
         let (rows_tiles, columns_tiles) = (across * down, self.own_tile_columns().len() * along);

@@ -7,6 +7,7 @@ use crate::fft::{CirculantInverse, Convolution};
 use crate::half_space::HalfSpace;
 use crate::influence::{Component, Direction, Kernel};
 use crate::operator::Operator;
+use crate::parallel;
 use crate::pool::Pool;
 use crate::share::Share;
 
@@ -79,14 +80,16 @@ impl HalfSpace {
         &self,
         components: [[Component; N]; N],
         size: [usize; 2],
-        make: impl FnOnce([usize; 2], Option<Arc<Share>>, [[&Kernel; N]; N]) -> T,
+        make: impl FnOnce([usize; 2], Option<Arc<Share>>, [[&Kernel; N]; N]) -> T + Send,
     ) -> Result<Arc<T>> {
         let size = self.cut(size);
         let is_kept = size == self.size();
         let made = &self.shared.made;
         made.get_or_make(components.as_flattened(), size, is_kept, || {
-            self.with_kernels(components, size, |kernels| {
-                make(size, self.share(size), kernels)
+            parallel::enter_with(size.into_iter().product(), || {
+                self.with_kernels(components, size, |kernels| {
+                    make(size, self.share(size), kernels)
+                })
             })
         })
     }

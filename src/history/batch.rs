@@ -63,7 +63,7 @@ impl History {
         Ok(if is_shared {
             parallel::in_turn(0..count, contacts, &step, &both)
         } else {
-            parallel::sweep(0..count, contacts, &step, &both)
+            parallel::enter(|| parallel::sweep(0..count, contacts, &step, &both))
         })
     }
 }

@@ -1,5 +1,7 @@
 //! What a history tells of its state.
 
+use std::ops::ControlFlow;
+
 use crate::boundary::Boundary;
 use crate::cgm::Settings;
 use crate::coupling::Coupling;
@@ -8,8 +10,10 @@ use crate::field::Field;
 use crate::grid::Grid;
 use crate::history::{History, StepResult};
 use crate::normal::NormalSolution;
+use crate::report::Iteration;
 use crate::stiffness::{ContactStiffness, Sheared};
 use crate::tangential::{self, Axis, Friction, Zone};
+use crate::watch::unwatched;
 
 impl History {
     /// The settings of the next step.
@@ -166,6 +170,18 @@ impl History {
     #[doc(alias = "tangent")]
     #[doc(alias = "slope")]
     pub fn stiffness(&self) -> Result<ContactStiffness> {
+        self.stiffness_observed(unwatched)
+    }
+
+    /// [`stiffness`](Self::stiffness) with an observer that is asked before every product with an operator and may cancel;
+    /// the residual it sees is the root of the last bound.
+    ///
+    /// # Errors
+    /// As [`stiffness`](Self::stiffness).
+    pub fn stiffness_observed(
+        &self,
+        mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
+    ) -> Result<ContactStiffness> {
         let pair = self.bodies.pair();
         if pair.is_coupled() && self.state.coupling != Coupling::Neglected {
             let beta = pair.dundurs_beta();
@@ -177,7 +193,8 @@ impl History {
             slip: self.last_step().slip(),
         };
         let (normal, friction) = (self.normal(), self.friction());
-        ContactStiffness::of(&self.bodies, normal, friction, &sheared, self.axis())
+        let (bodies, axis) = (&self.bodies, self.axis());
+        ContactStiffness::of(bodies, normal, friction, &sheared, axis, &mut observer)
     }
 
     /// Moment about z, at the origin of the grid, that the tractions of body 2 exert on body 1.

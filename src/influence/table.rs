@@ -6,6 +6,7 @@ use crate::error::Result;
 use crate::grid::Grid;
 use crate::influence::{Component, Samples};
 use crate::material::ElasticPair;
+use crate::parallel;
 use crate::share::Share;
 use crate::shown::shown;
 
@@ -47,7 +48,8 @@ impl Table {
     /// [`Error::NotPositive`](crate::Error::NotPositive) if the sides of a cell cannot be halved or compared;
     /// [`Error::Memory`](crate::Error::Memory).
     pub fn sample(grid: Grid, pair: &ElasticPair, component: Component) -> Result<Self> {
-        Samples::new(grid, grid.size())?.table(grid, pair, component)
+        let samples = Samples::new(grid, grid.size())?;
+        parallel::enter_with(grid.cells(), || samples.table(grid, pair, component))
     }
 
     pub(super) fn new(

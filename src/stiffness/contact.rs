@@ -1,14 +1,19 @@
 //! The stiffness of a contact that is solved.
 
+use std::ops::ControlFlow;
+
 use crate::cgm::small::Small;
 use crate::error::{Result, positive};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
-use crate::influence::Direction;
 use crate::normal::NormalSolution;
+use crate::parallel;
+use crate::report::Iteration;
 use crate::stiffness::motions::Motions;
+use crate::stiffness::press::{Press, pressed};
 use crate::stiffness::system::{Freedom, Stiffness, System, Vector, times};
 use crate::tangential::{Axis, Friction, TangentialSolution, Zone};
+use crate::watch::{Observer, Watch, unwatched};
 use crate::window::Window;
 
 /// The normal stiffness of a contact.
@@ -100,14 +105,24 @@ impl NormalSolution {
     /// resists without limit; [`Error::NotConverged`](crate::Error::NotConverged); as [`HalfSpace::operator`];
     /// [`Error::Ranks`](crate::Error::Ranks).
     pub fn stiffness(&self, bodies: &HalfSpace) -> Result<NormalStiffness> {
+        self.stiffness_observed(bodies, unwatched)
+    }
+
+    /// [`stiffness`](Self::stiffness) with an observer that is asked before every product with the operator and may
+    /// cancel; the residual it sees is the root of the last bound.
+    ///
+    /// # Errors
+    /// As [`stiffness`](Self::stiffness).
+    pub fn stiffness_observed(
+        &self,
+        bodies: &HalfSpace,
+        mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
+    ) -> Result<NormalStiffness> {
         bodies.check_alone("a stiffness")?;
-        Ok(pressed(bodies, self)?.map_or(
-            NormalStiffness {
-                value: 0.0,
-                bound: 0.0,
-            },
-            |press| press.stiffness,
-        ))
+        let press = parallel::enter_with(bodies.grid().cells(), || {
+            pressed(bodies, self, &mut Watch::new(&mut observer))
+        });
+        Ok(stiffness_of(press?.as_ref()))
     }
 }
 
@@ -124,6 +139,19 @@ impl TangentialSolution {
     /// [`Error::NotConverged`](crate::Error::NotConverged); as [`HalfSpace::operator`];
     /// [`Error::Ranks`](crate::Error::Ranks).
     pub fn stiffness(&self, bodies: &HalfSpace) -> Result<TangentialStiffness> {
+        self.stiffness_observed(bodies, unwatched)
+    }
+
+    /// [`stiffness`](Self::stiffness) with an observer that is asked before every product with the operator and may
+    /// cancel; the residual it sees is the root of the last bound.
+    ///
+    /// # Errors
+    /// As [`stiffness`](Self::stiffness).
+    pub fn stiffness_observed(
+        &self,
+        bodies: &HalfSpace,
+        mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
+    ) -> Result<TangentialStiffness> {
         bodies.check_alone("a stiffness")?;
         bodies.check_host("tangential contact", self.grid(), self.boundary())?;
         let sheared = Sheared {
@@ -131,9 +159,11 @@ impl TangentialSolution {
             traction: self.traction(),
             slip: self.slip(),
         };
-        sheared
-            .stiffness(bodies, self.axis(), None)
-            .map(|found| found.0)
+        let found = parallel::enter_with(bodies.grid().cells(), || {
+            let watch = &mut Watch::new(&mut observer);
+            sheared.stiffness(bodies, self.axis(), None, watch)
+        });
+        found.map(|found| found.0)
     }
 }
 
@@ -149,13 +179,29 @@ impl ContactStiffness {
         friction: &Friction,
         shear: &TangentialSolution,
     ) -> Result<Self> {
+        Self::observed(bodies, normal, friction, shear, unwatched)
+    }
+
+    /// [`new`](Self::new) with an observer that is asked before every product with an operator and may cancel; the
+    /// residual it sees is the root of the last bound.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn observed(
+        bodies: &HalfSpace,
+        normal: &NormalSolution,
+        friction: &Friction,
+        shear: &TangentialSolution,
+        mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
+    ) -> Result<Self> {
         bodies.check_host("tangential contact", shear.grid(), shear.boundary())?;
         let sheared = Sheared {
             zones: shear.zones(),
             traction: shear.traction(),
             slip: shear.slip(),
         };
-        Self::of(bodies, normal, friction, &sheared, shear.axis())
+        let axis = shear.axis();
+        Self::of(bodies, normal, friction, &sheared, axis, &mut observer)
     }
 
     pub(crate) fn of(
@@ -164,9 +210,24 @@ impl ContactStiffness {
         friction: &Friction,
         sheared: &Sheared<'_>,
         axis: Option<Axis>,
+        observer: Observer<'_>,
     ) -> Result<Self> {
         friction.check(bodies.grid())?;
-        let press = pressed(bodies, normal)?;
+        parallel::enter_with(bodies.grid().cells(), || {
+            let watch = &mut Watch::new(observer);
+            Self::watched(bodies, normal, friction, sheared, axis, watch)
+        })
+    }
+
+    fn watched(
+        bodies: &HalfSpace,
+        normal: &NormalSolution,
+        friction: &Friction,
+        sheared: &Sheared<'_>,
+        axis: Option<Axis>,
+        watch: &mut Watch<'_>,
+    ) -> Result<Self> {
+        let press = pressed(bodies, normal, watch)?;
         let mut limits = vec![0.0; bodies.grid().cells()];
         if let Some(press) = &press {
             let pressure = normal.pressure().as_slice();
@@ -174,63 +235,21 @@ impl ContactStiffness {
                 limits[i] = friction.slope(i, pressure[i]) * growth;
             }
         }
-        let (tangential, by_approach) = sheared.stiffness(bodies, axis, Some(&limits))?;
+        let (tangential, by_approach) = sheared.stiffness(bodies, axis, Some(&limits), watch)?;
         Ok(Self {
-            normal: press.map_or(
-                NormalStiffness {
-                    value: 0.0,
-                    bound: 0.0,
-                },
-                |press| press.stiffness,
-            ),
+            normal: stiffness_of(press.as_ref()),
             tangential,
             by_approach,
         })
     }
 }
 
-/// How the pressure answers the approach.
-struct Press {
-    window: Window,
-    stiffness: NormalStiffness,
-    /// Growth of the pressure of the cells of the window, for each growth of the approach.
-    growth: Vec<f64>,
-}
-
-/// `None` without contact.
-fn pressed(bodies: &HalfSpace, normal: &NormalSolution) -> Result<Option<Press>> {
-    normal.check_bodies(bodies)?;
-    normal.check_elastic("the stiffness")?;
-    let pressure = normal.pressure().as_slice();
-    let Some(window) = Window::around(bodies.grid(), |i| pressure[i] > 0.0) else {
-        return Ok(None);
+fn stiffness_of(press: Option<&Press>) -> NormalStiffness {
+    let none = NormalStiffness {
+        value: 0.0,
+        bound: 0.0,
     };
-    let window = bodies.confined(window);
-    let freedom = |i: usize| {
-        if pressure[i] > 0.0 {
-            Freedom::Free
-        } else {
-            Freedom::Fixed
-        }
-    };
-    let compliance = bodies.compliance([Direction::Z], window.size)?;
-    let freedoms = window.indices().map(freedom).collect();
-    let system = System::new(bodies.boundary(), &compliance, freedoms)?;
-    let Stiffness {
-        matrix,
-        bound,
-        tractions,
-        ..
-    } = system.stiffness(&[[vec![1.0; window.cells()]]])?;
-    let cell_area = bodies.grid().cell_area();
-    let per_area = matrix[0][0];
-    let value = per_area * cell_area;
-    let unit = tractions.into_iter().flatten().flatten();
-    Ok(Some(Press {
-        window,
-        stiffness: NormalStiffness { value, bound },
-        growth: unit.map(|traction| traction * per_area).collect(),
-    }))
+    press.map_or(none, |press| press.stiffness)
 }
 
 /// What is known of a sheared contact.
@@ -248,6 +267,7 @@ impl Sheared<'_> {
         bodies: &HalfSpace,
         axis: Option<Axis>,
         limits: Option<&[f64]>,
+        watch: &mut Watch<'_>,
     ) -> Result<(TangentialStiffness, [f64; 3])> {
         let grid = bodies.grid();
         let Some(window) = Window::around(grid, |i| self.zones[i] != Zone::Separated) else {
@@ -262,8 +282,8 @@ impl Sheared<'_> {
         };
         let window = bodies.confined(window);
         match axis {
-            Some(axis) => self.along(bodies, window, [axis], limits),
-            None => self.along(bodies, window, [Axis::X, Axis::Y], limits),
+            Some(axis) => self.along(bodies, window, [axis], limits, watch),
+            None => self.along(bodies, window, [Axis::X, Axis::Y], limits, watch),
         }
     }
 
@@ -273,6 +293,7 @@ impl Sheared<'_> {
         window: Window,
         axes: [Axis; N],
         limits: Option<&[f64]>,
+        watch: &mut Watch<'_>,
     ) -> Result<(TangentialStiffness, [f64; 3])> {
         let grid = bodies.grid();
         let compliance = bodies.compliance(axes.map(Axis::direction), window.size)?;
@@ -292,14 +313,14 @@ impl Sheared<'_> {
         let boundary = bodies.boundary();
         let freedoms = window.indices().map(sticking).collect();
         let reversal = System::new(boundary, &compliance, freedoms)?;
-        let reversal = reversal.stiffness(&motions.cells)?;
+        let reversal = reversal.stiffness(&motions.cells, watch)?;
         let freedoms = window.indices().map(slipping).collect();
         let loading = System::new(boundary, &compliance, freedoms)?;
-        let found = loading.stiffness(&motions.cells)?;
+        let found = loading.stiffness(&motions.cells, watch)?;
         let mut by_approach = [0.0; 3];
         if let Some(limits) = limits {
             let forced = self.forced(axes, window, limits);
-            let displacement = loading.displacement(&forced);
+            let displacement = loading.displacement(&forced, watch)?;
             let own = motions
                 .cells
                 .iter()

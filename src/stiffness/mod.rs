@@ -42,6 +42,7 @@
 
 mod contact;
 mod motions;
+mod press;
 mod system;
 
 pub(crate) use contact::Sheared;

@@ -21,6 +21,7 @@ use crate::fft::ConvolutionWorkspace;
 use crate::half_space::Compliance;
 use crate::layout::Layout;
 use crate::operator::Operator;
+use crate::watch::Watch;
 
 /// Products of one motion after which a stiffness counts as not found.
 const LIMIT: usize = 2000;
@@ -116,7 +117,14 @@ impl<'a, const N: usize> System<'a, N> {
     }
 
     /// `A x`.
-    fn apply(&self, x: &Vector<N>, out: &mut Vector<N>, workspace: &mut ConvolutionWorkspace<N>) {
+    fn apply(
+        &self,
+        x: &Vector<N>,
+        out: &mut Vector<N>,
+        workspace: &mut ConvolutionWorkspace<N>,
+        watch: &mut Watch<'_>,
+    ) -> Result<()> {
+        watch.ask()?;
         let operator = &self.compliance.operator;
         operator.apply(slices(x), slices_mut(out), workspace);
         let x = slices(x);
@@ -124,13 +132,15 @@ impl<'a, const N: usize> System<'a, N> {
             let freedom = self.freedoms[i];
             plus(freedom.project(u), freedom.stiffness(), at(&x, i))
         });
+        Ok(())
     }
 
     /// `C x`, of any traction.
-    pub(super) fn displacement(&self, x: &Vector<N>) -> Vector<N> {
+    pub(super) fn displacement(&self, x: &Vector<N>, watch: &mut Watch<'_>) -> Result<Vector<N>> {
+        watch.ask()?;
         let (operator, mut out) = (&self.compliance.operator, self.zeros());
         operator.apply(slices(x), slices_mut(&mut out), &mut operator.workspace());
-        out
+        Ok(out)
     }
 
     /// Begins to solve `A y = P b`.
@@ -144,7 +154,7 @@ impl<'a, const N: usize> System<'a, N> {
     }
 
     /// Some steps of preconditioned conjugate gradients, from where the column is.
-    fn improve(&self, column: &mut Column<N>) {
+    fn improve(&self, column: &mut Column<N>, watch: &mut Watch<'_>) -> Result<()> {
         let Compliance { operator, inverse } = self.compliance;
         let (mut products, mut inverses) = (operator.workspace(), inverse.workspace());
         let (right, image) = (slices(&column.right), slices(&column.image));
@@ -170,7 +180,8 @@ impl<'a, const N: usize> System<'a, N> {
             before = along;
             let corrected = slices(&corrected);
             update_cells(&mut direction, |i, d| plus(at(&corrected, i), turn, d));
-            self.apply(&direction, &mut image, &mut products);
+            self.apply(&direction, &mut image, &mut products, watch)?;
+            watch.shown().iteration += 1;
             let curvature = self.product(&direction, &image);
             if curvature.is_nan() || curvature <= 0.0 {
                 break;
@@ -183,24 +194,31 @@ impl<'a, const N: usize> System<'a, N> {
             }
             update_cells(&mut residual, |i, r| plus(r, -length, at(&images, i)));
         }
-        self.apply(&column.y, &mut column.image, &mut products);
+        self.apply(&column.y, &mut column.image, &mut products, watch)
     }
 
     /// The stiffness against these motions of the cells, of which there are three at most.
     ///
     /// Motions that the cells follow alike, as all do that slip in one direction, are combinations `C` of independent
     /// ones, and their stiffness is `C'K C`.
-    pub(super) fn stiffness(&self, motions: &[Vector<N>]) -> Result<Stiffness<N>> {
+    pub(super) fn stiffness(
+        &self,
+        motions: &[Vector<N>],
+        watch: &mut Watch<'_>,
+    ) -> Result<Stiffness<N>> {
+        let is_free = |freedom: &&Freedom<N>| **freedom == Freedom::Free;
+        watch.shown().free = self.freedoms.iter().filter(is_free).count();
         let mut columns: Vec<_> = motions.iter().map(|b| self.column(b.clone())).collect();
         let Independent { active, parts } = self.independent(&columns, motions);
         let mut bound = f64::INFINITY;
         for _ in 0..LIMIT / ROUND {
             for (column, _) in columns.iter_mut().zip(active).filter(|(_, active)| *active) {
-                self.improve(column);
+                self.improve(column, watch)?;
             }
             let found = self.combine(&columns, active, parts);
             let is_best = found.bound <= ENOUGH || found.bound >= 0.5 * bound;
             bound = found.bound;
+            watch.shown().residual = bound.sqrt();
             if active == [false; 3] || (is_best && (0.0..=ALLOWED).contains(&bound)) {
                 return Ok(found);
             }

@@ -68,6 +68,6 @@ mod volume;
 pub use body::Body;
 pub use plane::Plane;
 pub use planes::Planes;
-pub use points::{Response, at_points};
+pub use points::{Response, at_points, at_points_observed};
 pub use stress::{Principal, Stress};
 pub use tractions::Tractions;

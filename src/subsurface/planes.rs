@@ -1,5 +1,6 @@
 //! Stress and displacement of whole planes, by fast convolution.
 
+use std::ops::ControlFlow;
 use std::sync::{Arc, OnceLock};
 
 use crate::error::{Result, length, samples_obey};
@@ -7,12 +8,14 @@ use crate::fft::{Superposition, Torus};
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::parallel;
+use crate::report::Iteration;
 use crate::shown::shown;
 use crate::subsurface::body::{Body, Constants};
 use crate::subsurface::kernel::Load;
 use crate::subsurface::plane::{DISPLACEMENTS, Plane, STRESSES};
 use crate::subsurface::spectra::Spectra;
 use crate::subsurface::tractions::Tractions;
+use crate::watch::{Watch, unwatched};
 
 /// Stress, and if asked for displacement, at the cell centres of planes at chosen depths below each body: the sum
 /// over all cells of [`at_points`](crate::subsurface::at_points), by fast transforms. Reusable for any tractions on
@@ -127,8 +130,23 @@ impl Planes {
         body: Body,
         tractions: impl Into<Tractions<'a>>,
     ) -> Result<Plane> {
-        let mut plane = self.plane(body);
-        self.solve_into(index, body, tractions, &mut plane)?;
+        self.solve_observed(index, body, tractions, unwatched)
+    }
+
+    /// [`solve`](Self::solve) with an observer that may cancel. It is asked before the kernels are sampled, and before each
+    /// transform of a kernel and of three components; they count as products.
+    ///
+    /// # Errors
+    /// As [`solve`](Self::solve); [`Error::NotConverged`](crate::Error::NotConverged) if it cancels.
+    pub fn solve_observed<'a>(
+        &mut self,
+        index: usize,
+        body: Body,
+        tractions: impl Into<Tractions<'a>>,
+        mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
+    ) -> Result<Plane> {
+        let (mut plane, mut watch) = (self.plane(body), Watch::new(&mut observer));
+        self.solve_watched(index, body, tractions.into(), &mut plane, &mut watch)?;
         Ok(plane)
     }
 
@@ -144,18 +162,30 @@ impl Planes {
         tractions: impl Into<Tractions<'a>>,
         plane: &mut Plane,
     ) -> Result<()> {
+        let mut observer = unwatched;
+        let watch = &mut Watch::new(&mut observer);
+        self.solve_watched(index, body, tractions.into(), plane, watch)
+    }
+
+    fn solve_watched(
+        &mut self,
+        index: usize,
+        body: Body,
+        tractions: Tractions<'_>,
+        plane: &mut Plane,
+        watch: &mut Watch<'_>,
+    ) -> Result<()> {
         let constants = body.constants(self.bodies.pair())?;
         if index >= self.depths.len() {
             length("list of depths", index.saturating_add(1), self.depths.len())?;
         }
         self.bodies.grid().expect("plane", plane.grid())?;
-        let fields = tractions.into().checked(&self.bodies)?;
+        let fields = tractions.checked(&self.bodies)?;
         let kernels = Arc::clone(&self.kernels);
-        let spectra = parallel::get_or_make(&kernels[index], || self.spectra(index))?;
+        let spectra = parallel::get_or_make(&kernels[index], || self.spectra(index, watch))?;
         plane.prepare(body, self.with_displacements);
-        self.load(fields, &constants);
-        self.fill(plane, spectra, &constants);
-        Ok(())
+        self.load(fields, &constants, watch)?;
+        self.fill(plane, spectra, &constants, watch)
     }
 
     /// Hands the planes of a body at all depths to `visit`, one after the other in the order given. The plane is
@@ -168,22 +198,37 @@ impl Planes {
         &mut self,
         body: Body,
         tractions: impl Into<Tractions<'a>>,
-        mut visit: impl FnMut(&Plane) -> Result<()>,
+        visit: impl FnMut(&Plane) -> Result<()>,
     ) -> Result<()> {
+        self.through_observed(body, tractions, visit, unwatched)
+    }
+
+    /// [`through`](Self::through) with an observer that is asked as by [`solve_observed`](Self::solve_observed).
+    ///
+    /// # Errors
+    /// As [`through`](Self::through); [`Error::NotConverged`](crate::Error::NotConverged) if it cancels.
+    pub fn through_observed<'a>(
+        &mut self,
+        body: Body,
+        tractions: impl Into<Tractions<'a>>,
+        mut visit: impl FnMut(&Plane) -> Result<()>,
+        mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
+    ) -> Result<()> {
+        let watch = &mut Watch::new(&mut observer);
         let constants = body.constants(self.bodies.pair())?;
         let fields = tractions.into().checked(&self.bodies)?;
         let mut plane = self.plane(body);
         let kernels = Arc::clone(&self.kernels);
-        self.load(fields, &constants);
+        self.load(fields, &constants, watch)?;
         for (index, kept) in kernels.iter().enumerate() {
             let made;
             let spectra = if let Some(spectra) = kept.get() {
                 spectra
             } else {
-                made = self.spectra(index)?;
+                made = self.spectra(index, watch)?;
                 &made
             };
-            self.fill(&mut plane, spectra, &constants);
+            self.fill(&mut plane, spectra, &constants, watch)?;
             visit(&plane)?;
         }
         Ok(())
@@ -202,34 +247,52 @@ impl Planes {
     }
 
     /// The kernels of a depth, made anew.
-    fn spectra(&self, index: usize) -> Result<Spectra> {
-        let depth = self.depths[index];
-        Spectra::new(&self.bodies, &self.torus, depth, self.with_displacements)
+    fn spectra(&self, index: usize, watch: &mut Watch<'_>) -> Result<Spectra> {
+        let (depth, with_displacements) = (self.depths[index], self.with_displacements);
+        parallel::enter_with(self.bodies.grid().cells(), || {
+            Spectra::new(&self.bodies, &self.torus, depth, with_displacements, watch)
+        })
     }
 
     /// Hands the transforms the tractions of a body.
-    fn load(&mut self, fields: [Option<&[f64]>; 3], constants: &Constants) {
+    fn load(
+        &mut self,
+        fields: [Option<&[f64]>; 3],
+        constants: &Constants,
+        watch: &mut Watch<'_>,
+    ) -> Result<()> {
+        watch.ask()?;
         let factors = Load::ALL.map(|load| constants.factor_in(load));
         self.transforms
             .enter(|transforms| transforms.load(fields, factors));
+        Ok(())
     }
 
     /// Computes the fields of a plane from the tractions that the transforms hold.
-    fn fill(&mut self, plane: &mut Plane, spectra: &Spectra, constants: &Constants) {
+    fn fill(
+        &mut self,
+        plane: &mut Plane,
+        spectra: &Spectra,
+        constants: &Constants,
+        watch: &mut Watch<'_>,
+    ) -> Result<()> {
         plane.set_depth(spectra.depth());
         self.transforms.enter(|transforms| {
             let mut convolve = |components, fields: [&mut [f64]; 3]| {
+                watch.ask()?;
                 let kernels = spectra.compose(components, constants.poisson_ratio);
                 let factors = components.map(|component| constants.factor_out(component));
                 transforms.convolve(&kernels, fields, factors);
+                Ok(())
             };
             let (normal, shear) = plane.stress_mut();
-            convolve(STRESSES[0], normal);
-            convolve(STRESSES[1], shear);
-            if let Some(displacement) = plane.displacement_mut() {
-                convolve(DISPLACEMENTS, displacement);
+            convolve(STRESSES[0], normal)?;
+            convolve(STRESSES[1], shear)?;
+            match plane.displacement_mut() {
+                Some(displacement) => convolve(DISPLACEMENTS, displacement),
+                None => Ok(()),
             }
-        });
+        })
     }
 }
 

@@ -1,13 +1,20 @@
 //! Stress and displacement at scattered points, by direct sum over the loaded cells.
 
+use std::ops::ControlFlow;
+
 use crate::boundary::Boundary;
 use crate::error::{Error, Result};
 use crate::half_space::HalfSpace;
 use crate::parallel::{self, Blocks};
+use crate::report::Iteration;
 use crate::subsurface::body::Body;
 use crate::subsurface::loaded::Loaded;
 use crate::subsurface::stress::Stress;
 use crate::subsurface::tractions::Tractions;
+use crate::watch::{Watch, unwatched};
+
+/// Pairs of a point and a cell between two questions to an observer.
+const PORTION: usize = 100_000;
 
 /// Displacement and stress of a body at a point.
 ///
@@ -49,8 +56,9 @@ pub struct Response {
 /// On a grid that repeats along y all images of the cells count too, and displacements are relative to the datum.
 ///
 /// The cost of a point is about 0.3 microseconds for each loaded cell (some fifty times that where several rows repeat along y).
-/// For a whole plane use [`Planes`](crate::subsurface::Planes). The points are shared by the threads of the caller's
-/// pool; the bits do not depend on their number.
+/// For a whole plane use [`Planes`](crate::subsurface::Planes). More than
+/// [`CELLS_ON_ONE_THREAD`](crate::CELLS_ON_ONE_THREAD) points, and those of as many cells, are shared by the threads of the
+/// caller's pool; the bits do not depend on their number.
 ///
 /// ```
 /// use stickslip::subsurface::{self, Body};
@@ -81,6 +89,21 @@ pub fn at_points<'a>(
     tractions: impl Into<Tractions<'a>>,
     points: &[[f64; 3]],
 ) -> Result<Vec<Response>> {
+    at_points_observed(bodies, body, tractions, points, unwatched)
+}
+
+/// [`at_points`] with an observer that may cancel. It is asked before each portion of the points: a few for each thread, or more
+/// where those take less than some 30 milliseconds; portions count as products.
+///
+/// # Errors
+/// As [`at_points`]; [`Error::NotConverged`] if it cancels.
+pub fn at_points_observed<'a>(
+    bodies: &HalfSpace,
+    body: Body,
+    tractions: impl Into<Tractions<'a>>,
+    points: &[[f64; 3]],
+    mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
+) -> Result<Vec<Response>> {
     bodies.check_alone("stresses at points")?;
     let constants = body.constants(bodies.pair())?;
     let fields = tractions.into().checked(bodies)?;
@@ -106,15 +129,21 @@ pub fn at_points<'a>(
     }
     let loaded = Loaded::new(bodies, fields);
     let mut responses = vec![Response::default(); points.len()];
-    let data = Blocks {
-        items: &mut responses,
-        width: 1,
-    };
-    let work = |point: usize, response: Blocks<'_, Response>| {
-        for response in response.items {
-            *response = loaded.response(points[point], &constants);
+    let cells = bodies.grid().cells();
+    let watch = &mut Watch::new(&mut observer);
+    parallel::enter_with(cells.max(points.len()), || {
+        let portion = (PORTION / cells).max(parallel::lanes());
+        for (first, items) in (0..).step_by(portion).zip(responses.chunks_mut(portion)) {
+            watch.ask()?;
+            let work = |point: usize, response: Blocks<'_, Response>| {
+                for response in response.items {
+                    *response = loaded.response(points[first + point], &constants);
+                }
+            };
+            let (count, width) = (items.len(), 1);
+            parallel::sweep(0..count, Blocks { items, width }, &work, &|(), ()| ());
         }
-    };
-    parallel::sweep(0..points.len(), data, &work, &|(), ()| ());
+        Ok(())
+    })?;
     Ok(responses)
 }

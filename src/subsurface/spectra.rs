@@ -10,6 +10,7 @@ use crate::half_space::HalfSpace;
 use crate::parallel::{self, Blocks};
 use crate::subsurface::kernel::{Component, Integral, Load, LoadedRectangle, Weights};
 use crate::subsurface::strip::Strips;
+use crate::watch::Watch;
 
 /// The spectra of the integrals at one depth: they depend on the cells, not on the materials, so both bodies have
 /// them in common.
@@ -33,9 +34,11 @@ impl Spectra {
         torus: &Torus,
         depth: f64,
         with_displacements: bool,
+        watch: &mut Watch<'_>,
     ) -> Result<Self> {
         memory("kernels of a depth", torus.quarter(), BYTES)?;
         let boundary = bodies.boundary();
+        watch.ask()?;
         let mut values = match boundary {
             Boundary::Periodic => waves(bodies.grid(), torus, depth),
             _ => samples(bodies.grid(), boundary, torus, depth),
@@ -45,6 +48,7 @@ impl Spectra {
             if integral.is_length() && !with_displacements {
                 *values = Vec::new();
             } else if boundary != Boundary::Periodic {
+                watch.ask()?;
                 *values = torus.spectrum(integral.is_odd(), |i, j| values[j * width + i]);
             }
         }

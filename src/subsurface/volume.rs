@@ -1,12 +1,16 @@
 //! The stress of a slab as a file.
 
+use std::ops::ControlFlow;
 use std::path::Path;
 
 use crate::error::{Error, Result, length};
 use crate::io::volume::{self, Array, Shape};
+use crate::report::Iteration;
 use crate::subsurface::body::Body;
+use crate::subsurface::plane::Plane;
 use crate::subsurface::planes::Planes;
 use crate::subsurface::tractions::Tractions;
+use crate::watch::unwatched;
 
 /// The arrays of the file; the order of the components is that of a symmetric tensor of VTK.
 const STRESS: Array = ("stress", &["XX", "YY", "ZZ", "XY", "YZ", "XZ"]);
@@ -53,6 +57,20 @@ impl Planes {
         body: Body,
         tractions: impl Into<Tractions<'a>>,
     ) -> Result<()> {
+        self.write_vti_observed(path, body, tractions, unwatched)
+    }
+
+    /// [`write_vti`](Self::write_vti) with an observer that is asked as by [`solve_observed`](Self::solve_observed).
+    ///
+    /// # Errors
+    /// As [`write_vti`](Self::write_vti); [`Error::NotConverged`] if it cancels.
+    pub fn write_vti_observed<'a>(
+        &mut self,
+        path: impl AsRef<Path>,
+        body: Body,
+        tractions: impl Into<Tractions<'a>>,
+        observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
+    ) -> Result<()> {
         let tractions = tractions.into();
         let depths = self.depths();
         let (first, step) = equal_steps(depths)?;
@@ -71,7 +89,7 @@ impl Planes {
         let arrays = &arrays[..if self.has_displacements() { 3 } else { 2 }];
         volume::write(path.as_ref(), &shape, arrays, |file| {
             let mut visited = 0;
-            self.through(body, tractions, |plane| {
+            let visit = |plane: &Plane| {
                 let index = match body {
                     Body::One => visited,
                     Body::Two => count - 1 - visited,
@@ -88,7 +106,8 @@ impl Planes {
                     file.write(index, 2, vectors)?;
                 }
                 Ok(())
-            })
+            };
+            self.through_observed(body, tractions, visit, observer)
         })
     }
 }

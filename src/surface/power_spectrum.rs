@@ -11,6 +11,7 @@ use crate::error::length;
 use crate::error::{Result, all_finite};
 use crate::field::Field;
 use crate::grid::Grid;
+use crate::parallel;
 use crate::ranks::Words;
 #[cfg(feature = "serde")]
 use crate::serial::checked;
@@ -114,8 +115,10 @@ impl PowerSpectrum {
     /// The spectrum of a surface of which ranks may hold a slab each.
     pub(crate) fn of_slab(heights: &Field, slab: &Slab) -> Result<Self> {
         slab.layout().agreed(complete("heights", heights))?;
-        let (deviations, _) = about_mean(heights, slab);
-        let waves = Waves::of_slab(&deviations, slab);
+        let waves = parallel::enter_with(heights.grid().cells(), || {
+            let (deviations, _) = about_mean(heights, slab);
+            Waves::of_slab(&deviations, slab)
+        });
         let grid = slab.whole();
         let rings = rings(&waves, slab);
         let density = grid.area() / (TAU * TAU);

@@ -56,10 +56,12 @@ pub fn resample(heights: &Field, grid: Grid) -> Result<Field> {
 
     let (z, width) = (heights.as_slice(), source.nx());
     let mut resampled = Field::zeros(grid);
-    parallel::rows(resampled.as_mut_slice(), grid.nx(), |row, out| {
-        for (value, column) in out.iter_mut().zip(&columns) {
-            *value = rows[row].apply(|iy| column.apply(|ix| z[iy * width + ix]));
-        }
+    parallel::enter_with(grid.cells(), || {
+        parallel::rows(resampled.as_mut_slice(), grid.nx(), |row, out| {
+            for (value, column) in out.iter_mut().zip(&columns) {
+                *value = rows[row].apply(|iy| column.apply(|ix| z[iy * width + ix]));
+            }
+        });
     });
     all_finite("resampled surface", resampled.as_slice())?;
     Ok(resampled)

@@ -9,6 +9,7 @@ use super::power_spectrum::moments;
 use super::slab::Slab;
 use crate::error::{Result, finite};
 use crate::field::Field;
+use crate::parallel;
 use crate::reduce;
 
 /// The S-parameters of a surface (ISO 25178-2:2021), computed from its heights about their mean.
@@ -87,7 +88,9 @@ impl Statistics {
             [z.abs(), z * z, z * z * z, (z * z) * (z * z)]
         })
         .map(|sum| sum / slab.whole().cells() as f64);
-        let [_, m2, _] = moments(&Waves::of_slab(&deviations, slab));
+        let [_, m2, _] = parallel::enter_with(heights.grid().cells(), || {
+            moments(&Waves::of_slab(&deviations, slab))
+        });
         let z = slab.with_next_row(&deviations);
         let profile_rms_slope = rms_slopes(&z, slab);
         let developed_area_ratio = developed_area_ratio(&z, slab);

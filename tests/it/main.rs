@@ -69,6 +69,7 @@ mod laws_hold;
 mod levelling_takes_off_the_form;
 mod lines_are_plane_strain;
 mod load_paths_close_and_turn_exactly;
+mod long_calls_stop_when_told;
 mod measured_surfaces_are_prepared;
 mod methods_agree;
 mod moments_and_energies_follow_from_the_fields;

@@ -1,7 +1,10 @@
-//! Steps too short to share stay off the pool: a program of their own, whose global pool nothing else may start.
+//! Work too short to share stays off the pool: a program of its own, whose global pool nothing else may start.
 
 #![allow(clippy::unwrap_used, reason = "a test fails loudly")]
 
+mod few_cells;
+
+use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::thread;
 use std::time::Duration;
@@ -38,9 +41,61 @@ fn run(history: &mut History) {
     thread::scope(|scope| scope.spawn(steps).join().unwrap());
 }
 
+/// Threads of this process, where the system tells them.
+fn threads() -> Option<usize> {
+    std::fs::read_dir("/proc/self/task")
+        .ok()
+        .map(Iterator::count)
+}
+
+/// On a thread of no pool, which would start the global one if anything shared its work.
+fn nothing_on_few_cells_enters_the_pool() {
+    let mut looks = 0;
+    for grid in [
+        Grid::square(64, 8.0).unwrap(),
+        Grid::new(9, 12, 0.8, 0.6).unwrap(),
+        Grid::new(1, 12, 0.8, 0.6).unwrap(),
+    ] {
+        assert!(grid.cells() <= CELLS_ON_ONE_THREAD);
+        let mut watch = |what: &str, work: &mut dyn FnMut() -> Result<()>| {
+            let before = threads();
+            work().unwrap_or_else(|error| panic!("{what} on {grid:?}: {error}"));
+            assert_eq!(threads(), before, "{what} on {grid:?} starts threads");
+            looks += 1;
+        };
+        few_cells::operators(grid, &mut watch);
+        if grid.nx() > 1 {
+            few_cells::surfaces(grid, &mut watch);
+            few_cells::solutions(grid, &mut watch);
+            few_cells::histories(grid, &mut watch);
+        }
+    }
+    assert!(looks > 30);
+}
+
+/// Whether a step on so many cells is taken by another thread than that which calls, and what it comes to.
+fn step_elsewhere(cells: usize) -> (bool, [f64; 2], Field) {
+    let bodies = HalfSpace::new(Grid::square(cells, 8.0).unwrap(), pair()).unwrap();
+    let mut history = begun(&bodies, TangentialModel::Scalar);
+    let own = thread::current().id();
+    let mut is_elsewhere = false;
+    let see = |_: &Iteration| {
+        is_elsewhere |= thread::current().id() != own;
+        ControlFlow::Continue(())
+    };
+    history.step_observed(&load(1), see).unwrap();
+    let energy = history.dissipated_energy().integral();
+    let stiffness = history.stiffness().unwrap().normal.value;
+    let pressure = history.pressure().clone();
+    (is_elsewhere, [energy, stiffness], pressure)
+}
+
 #[test]
-fn warm_steps_of_few_cells_do_not_enter_the_pool() {
-    // What is made first may be shared, on a pool of its own.
+fn work_on_few_cells_does_not_enter_the_pool() {
+    // First, while no other pool has threads that come or go.
+    nothing_on_few_cells_enters_the_pool();
+
+    // Nor do steps on the thread of no pool, of a contact that was begun in one.
     let apart = rayon::ThreadPoolBuilder::new()
         .num_threads(3)
         .build()
@@ -59,18 +114,13 @@ fn warm_steps_of_few_cells_do_not_enter_the_pool() {
     }
     // The global pool can be made once only, and whatever shares work outside of pools has it made.
     let global = rayon::ThreadPoolBuilder::new().num_threads(1);
-    assert!(global.build_global().is_ok(), "a step entered the pool");
+    assert!(global.build_global().is_ok(), "something entered the pool");
 
-    // Steps of more cells do share.
-    let grid = Grid::square(80, 8.0).unwrap();
-    let bodies = HalfSpace::new(grid, pair()).unwrap();
-    let mut history = begun(&bodies, TangentialModel::Scalar);
-    let own = thread::current().id();
-    let mut is_elsewhere = false;
-    let see = |_: &Iteration| {
-        is_elsewhere |= thread::current().id() != own;
-        std::ops::ControlFlow::Continue(())
-    };
-    history.step_observed(&load(1), see).unwrap();
+    // Steps of more cells do share, unless the global pool is avoided, with the same bits.
+    let (is_elsewhere, numbers, pressure) = step_elsewhere(80);
     assert!(is_elsewhere);
+    avoid_global_pool();
+    assert!((false, numbers, pressure.clone()) == step_elsewhere(80));
+    let in_own = apart.install(|| step_elsewhere(80));
+    assert_eq!((in_own.1, in_own.2), (numbers, pressure));
 }

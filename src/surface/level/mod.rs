@@ -141,14 +141,15 @@ pub(crate) fn level_slab(heights: &Field, slab: &Slab, form: Form) -> Result<Lev
     if known < unknowns {
         return Err(undetermined);
     }
-    let triangle = form.triangle(&basis, z);
+    let cells = z.len();
+    let triangle = parallel::enter_with(cells, || form.triangle(&basis, z));
     slab.layout().check()?;
     if !triangle.is_independent() {
         return Err(undetermined);
     }
     let mut coefficients = vec![0.0; unknowns];
     for _ in 0..REFINEMENTS {
-        let mut change = basis.projection_of_rest(z, &coefficients);
+        let mut change = parallel::enter_with(cells, || basis.projection_of_rest(z, &coefficients));
         triangle.solve_squared(&mut change);
         for (coefficient, change) in coefficients.iter_mut().zip(change) {
             *coefficient += change;
@@ -156,10 +157,12 @@ pub(crate) fn level_slab(heights: &Field, slab: &Slab, form: Form) -> Result<Lev
     }
     slab.layout().check()?;
     let mut form = Field::zeros(heights.grid());
-    parallel::update(form.as_mut_slice(), |first, chunk| {
-        for (cell, value) in (first..).zip(chunk) {
-            *value = basis.value(&coefficients, cell);
-        }
+    parallel::enter_with(cells, || {
+        parallel::update(form.as_mut_slice(), |first, chunk| {
+            for (cell, value) in (first..).zip(chunk) {
+                *value = basis.value(&coefficients, cell);
+            }
+        });
     });
     let mut heights = heights.clone();
     for (height, form) in heights.as_mut_slice().iter_mut().zip(form.as_slice()) {

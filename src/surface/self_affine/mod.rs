@@ -2,6 +2,7 @@
 
 mod cut;
 mod draw;
+mod generate;
 mod johnson;
 mod law;
 mod moments;
@@ -10,14 +11,8 @@ mod ranks;
 mod rough_surface;
 mod slab;
 
-use num_complex::Complex;
+use crate::error::{Result, positive};
 
-use crate::error::{Result, all_finite, at_least, finite, memory, positive};
-use crate::grid::Grid;
-use crate::surface::fourier::Waves;
-
-use cut::Cut;
-use law::Law;
 pub use rough_surface::RoughSurface;
 
 /// How the moduli of the waves are drawn.
@@ -294,85 +289,5 @@ impl SelfAffine {
     #[must_use]
     pub fn seed(self, seed: u64) -> Self {
         Self { seed, ..self }
-    }
-
-    /// The surface on a grid.
-    ///
-    /// # Errors
-    /// - [`Error::NotPositive`](crate::Error::NotPositive) for the target or a wavelength,
-    ///   [`Error::Hurst`](crate::Error::Hurst), [`Error::NotFinite`](crate::Error::NotFinite) for the
-    ///   skewness or kurtosis.
-    /// - [`Error::Below`](crate::Error::Below) if the cut-off is less than two cells, if a wavelength
-    ///   is less than the next shorter one, or if the kurtosis is less than the squared skewness plus
-    ///   one.
-    /// - [`Error::EmptyBand`](crate::Error::EmptyBand) if no wave of the surface lies within the band.
-    /// - [`Error::HeightsNotReached`](crate::Error::HeightsNotReached) if no phases were found for
-    ///   skewness and kurtosis.
-    /// - [`Error::Sample`](crate::Error::Sample) for the first height that overflows.
-    /// - [`Error::Memory`](crate::Error::Memory) if the memory for the surface, of four times the cells if it is
-    ///   cropped, cannot be allocated.
-    pub fn generate(&self, grid: Grid) -> Result<RoughSurface> {
-        let wanted = self.moments()?;
-        let target = self.target.checked()?;
-        let cut = if self.is_cropped {
-            Cut::middle(grid)?
-        } else {
-            Cut::all(grid)
-        };
-        memory("rough surface", cut.whole.size(), BYTES_PER_CELL)?;
-        let mut waves = self.waves(&cut, Waves::none(cut.whole))?;
-        let mut iterations = 0;
-        if let Some(wanted) = wanted {
-            (waves, iterations) = ranks::approach(&waves, wanted);
-            iterations += phases::turn(&mut waves, &cut, wanted)?;
-        }
-        let surface = RoughSurface::new(&waves, &cut, iterations);
-        let unit = if self.is_cropped && self.amplitudes == Amplitudes::Exact {
-            match self.target {
-                Target::RmsHeight(_) => surface.rms_height(),
-                Target::RmsSlope(_) => surface.rms_slope(),
-            }
-        } else {
-            1.0
-        };
-        let surface = surface.scaled(target / unit);
-        all_finite("height of the rough surface", surface.heights().as_slice())?;
-        Ok(surface)
-    }
-
-    /// Skewness and kurtosis, if at least one is given.
-    fn moments(&self) -> Result<Option<[f64; 2]>> {
-        if self.skewness.is_none() && self.kurtosis.is_none() {
-            return Ok(None);
-        }
-        let skewness = finite("skewness", self.skewness.unwrap_or(0.0))?;
-        let kurtosis = finite("kurtosis", self.kurtosis.unwrap_or(3.0))?;
-        let least = skewness * skewness + 1.0;
-        at_least("the squared skewness plus one", least, "kurtosis", kurtosis)?;
-        Ok(Some([skewness, kurtosis]))
-    }
-
-    /// The waves of the periodic surface with a target of one, so that no square is out of range.
-    fn waves(&self, cut: &Cut, mut waves: Waves) -> Result<Waves> {
-        let law = Law::new(self, cut.whole)?;
-        let total = match self.target {
-            Target::RmsHeight(_) => law.total(cut.whole, |_| 1.0)?,
-            Target::RmsSlope(_) => law.total(cut.whole, |mode| mode.wave_number().powi(2))?,
-        };
-        waves.update(|mode, _| {
-            let power = law.power(&mode);
-            if power == 0.0 {
-                return Complex::default();
-            }
-            // Of two opposite waves along y both are stored: one is drawn, the other is its conjugate.
-            let [i, j] = mode.numbers;
-            let is_mirrored = i == 0 && j < 0;
-            let numbers = [i, if is_mirrored { -j } else { j }];
-            let wave = draw::wave(self.seed, numbers, self.amplitudes)
-                * Complex::cis(cut.phase_of_first_cell(numbers))
-                * (power / total).sqrt();
-            if is_mirrored { wave.conj() } else { wave }
-        });
-        Ok(waves)
     }
 }

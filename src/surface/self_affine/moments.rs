@@ -49,3 +49,8 @@ impl Standardised {
         [self.skewness, self.kurtosis]
     }
 }
+
+/// The larger difference of skewness and kurtosis.
+pub(super) fn deviation([s, k]: [f64; 2], [other_s, other_k]: [f64; 2]) -> f64 {
+    (s - other_s).abs().max((k - other_k).abs())
+}

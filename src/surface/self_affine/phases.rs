@@ -15,9 +15,10 @@
 use num_complex::Complex;
 
 use super::cut::Cut;
-use super::moments::Standardised;
+use super::moments::{Standardised, deviation};
 use crate::error::{Error, Result};
 use crate::surface::fourier::Waves;
+use crate::watch::Watch;
 
 /// Largest deviation from the requested skewness and kurtosis.
 const TOLERANCE: f64 = 1e-9;
@@ -28,11 +29,18 @@ const LONGEST_STEP: f64 = 0.1;
 
 /// Turns the waves until the heights within a cut have the requested skewness and kurtosis; returns the
 /// number of steps.
-pub(super) fn turn(waves: &mut Waves, cut: &Cut, wanted: [f64; 2]) -> Result<usize> {
+pub(super) fn turn(
+    waves: &mut Waves,
+    cut: &Cut,
+    wanted: [f64; 2],
+    watch: &mut Watch<'_>,
+) -> Result<usize> {
     let mut reached = [f64::NAN; 2];
     for step in 0..=LIMIT {
+        watch.ask()?;
         let surface = Standardised::new(cut.of(&waves.clone().into_field()));
         reached = surface.moments();
+        watch.shown().residual = deviation(reached, wanted);
         let missing = [wanted[0] - reached[0], wanted[1] - reached[1]];
         if missing.iter().all(|missing| missing.abs() < TOLERANCE) {
             return Ok(step);
@@ -40,6 +48,7 @@ pub(super) fn turn(waves: &mut Waves, cut: &Cut, wanted: [f64; 2]) -> Result<usi
         if !newton_step(waves, cut, &surface, missing) {
             break;
         }
+        watch.shown().iteration += 1;
     }
     let [skewness, kurtosis] = wanted;
     Err(Error::HeightsNotReached {

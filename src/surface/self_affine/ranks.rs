@@ -6,9 +6,11 @@
 use num_complex::Complex;
 
 use super::johnson::sorted_heights;
-use super::moments::Standardised;
+use super::moments::{Standardised, deviation};
+use crate::error::Result;
 use crate::field::Field;
 use crate::surface::fourier::Waves;
+use crate::watch::Watch;
 
 /// Largest number of iterations; each costs two transforms and a sort.
 const LIMIT: usize = 20;
@@ -17,7 +19,14 @@ const SLOW: f64 = 0.01;
 
 /// Waves of the same moduli whose heights nearly follow a distribution of the given skewness and
 /// kurtosis, and the number of iterations.
-pub(super) fn approach(drawn: &Waves, wanted: [f64; 2]) -> (Waves, usize) {
+///
+/// # Errors
+/// [`Error::NotConverged`](crate::Error::NotConverged) if the observer cancels.
+pub(super) fn approach(
+    drawn: &Waves,
+    wanted: [f64; 2],
+    watch: &mut Watch<'_>,
+) -> Result<(Waves, usize)> {
     let mut waves = drawn.clone();
     let mut surface = Standardised::new(waves.clone().into_field());
     let sorted = sorted_heights(wanted, surface.heights.as_slice().len());
@@ -25,15 +34,17 @@ pub(super) fn approach(drawn: &Waves, wanted: [f64; 2]) -> (Waves, usize) {
     let mut change = f64::INFINITY;
     while iterations < LIMIT && change > SLOW {
         let last = surface.moments();
+        watch.shown().residual = deviation(last, wanted);
+        watch.ask()?;
         replace_by_rank(&mut surface.heights, &sorted);
         waves = Waves::of(&surface.heights);
         waves.update_with([drawn], |_, wave, [drawn]| with_modulus_of(drawn, wave));
         surface = Standardised::new(waves.clone().into_field());
-        let changes = last.into_iter().zip(surface.moments());
-        change = changes.map(|(a, b)| (b - a).abs()).fold(0.0, f64::max);
+        change = deviation(surface.moments(), last);
         iterations += 1;
+        watch.shown().iteration = iterations;
     }
-    (waves, iterations)
+    Ok((waves, iterations))
 }
 
 /// Gives every cell the height of its rank.

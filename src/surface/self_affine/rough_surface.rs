@@ -4,8 +4,10 @@ use num_complex::Complex;
 
 use super::cut::Cut;
 use super::moments::{Standardised, mean_of};
+use crate::error::Result;
 use crate::field::Field;
 use crate::surface::fourier::Waves;
+use crate::watch::Watch;
 
 /// A surface made by [`SelfAffine`](super::SelfAffine), with its parameters.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,26 +22,38 @@ pub struct RoughSurface {
 
 impl RoughSurface {
     /// The part of the waves within a cut, minus its mean.
-    pub(super) fn new(waves: &Waves, cut: &Cut, iterations: usize) -> Self {
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`](crate::Error::NotConverged) if the observer cancels.
+    pub(super) fn new(
+        waves: &Waves,
+        cut: &Cut,
+        iterations: usize,
+        watch: &mut Watch<'_>,
+    ) -> Result<Self> {
+        watch.ask()?;
         let mut heights = cut.of(&waves.clone().into_field());
         let mean = mean_of(&heights, |z| z);
         for height in heights.as_mut_slice() {
             *height -= mean;
         }
-        let square_slope = |axis: usize| {
+        let mut square_slope = |axis: usize| {
+            watch.ask()?;
             let mut slopes = waves.clone();
             slopes.update(|mode, wave| wave * Complex::i() * mode.wave_vector[axis]);
-            mean_of(&cut.of(&slopes.into_field()), |slope| slope * slope)
+            let slopes = cut.of(&slopes.into_field());
+            Ok(mean_of(&slopes, |slope| slope * slope))
         };
+        let rms_slope = (square_slope(0)? + square_slope(1)?).sqrt();
         let surface = Standardised::new(heights.clone());
-        Self {
+        Ok(Self {
             heights,
             rms_height: surface.deviation,
-            rms_slope: (square_slope(0) + square_slope(1)).sqrt(),
+            rms_slope,
             skewness: surface.skewness,
             kurtosis: surface.kurtosis,
             iterations,
-        }
+        })
     }
 
     /// All heights and slopes multiplied by a number.

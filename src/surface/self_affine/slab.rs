@@ -9,6 +9,7 @@ use crate::error::{Error, RankFailure, Result, all_finite};
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::layout::Layout;
+use crate::parallel;
 use crate::share::Share;
 use crate::surface::fourier::{Waves, shared_columns};
 
@@ -25,9 +26,12 @@ impl SelfAffine {
         }
         let target = self.target.checked()?;
         let columns = Arc::new(shared_columns(grid, rows.team()));
-        let waves = Waves::none_on(grid, Some(&columns));
-        let waves = self.waves(&Cut::all(grid), waves)?;
-        let mut heights = waves.into_slab(&columns, rows);
+        let cells = rows.own_rows().len() * grid.nx();
+        let mut heights = parallel::enter_with(cells, || -> Result<Field> {
+            let waves = Waves::none_on(grid, Some(&columns));
+            let waves = self.waves(&Cut::all(grid), waves)?;
+            Ok(waves.into_slab(&columns, rows))
+        })?;
         let layout = Layout::shared(Arc::clone(rows));
         let mean = mean_over(&layout, heights.as_slice(), |z| z);
         for height in heights.as_mut_slice() {

@@ -1,0 +1,124 @@
+//! The surface of a law, made on a grid.
+
+use std::ops::ControlFlow;
+
+use num_complex::Complex;
+
+use super::cut::Cut;
+use super::law::Law;
+use super::{Amplitudes, BYTES_PER_CELL, RoughSurface, SelfAffine, Target, draw, phases, ranks};
+use crate::error::{Result, all_finite, at_least, finite, memory};
+use crate::grid::Grid;
+use crate::parallel;
+use crate::report::Iteration;
+use crate::surface::fourier::Waves;
+use crate::watch::{Watch, unwatched};
+
+impl SelfAffine {
+    /// The surface on a grid.
+    ///
+    /// # Errors
+    /// - [`Error::NotPositive`](crate::Error::NotPositive) for the target or a wavelength,
+    ///   [`Error::Hurst`](crate::Error::Hurst), [`Error::NotFinite`](crate::Error::NotFinite) for the
+    ///   skewness or kurtosis.
+    /// - [`Error::Below`](crate::Error::Below) if the cut-off is less than two cells, if a wavelength
+    ///   is less than the next shorter one, or if the kurtosis is less than the squared skewness plus
+    ///   one.
+    /// - [`Error::EmptyBand`](crate::Error::EmptyBand) if no wave of the surface lies within the band.
+    /// - [`Error::HeightsNotReached`](crate::Error::HeightsNotReached) if no phases were found for
+    ///   skewness and kurtosis.
+    /// - [`Error::Sample`](crate::Error::Sample) for the first height that overflows.
+    /// - [`Error::Memory`](crate::Error::Memory) if the memory for the surface, of four times the cells if it is
+    ///   cropped, cannot be allocated.
+    pub fn generate(&self, grid: Grid) -> Result<RoughSurface> {
+        self.generate_observed(grid, unwatched)
+    }
+
+    /// [`generate`](Self::generate) with an observer that may cancel. It is asked before the waves are drawn, before each
+    /// iteration for skewness and kurtosis and before the heights and each slope are summed, which count as products; the
+    /// residual that it sees is the larger deviation of skewness and kurtosis.
+    ///
+    /// # Errors
+    /// As [`generate`](Self::generate); [`Error::NotConverged`](crate::Error::NotConverged) if it cancels.
+    pub fn generate_observed(
+        &self,
+        grid: Grid,
+        mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
+    ) -> Result<RoughSurface> {
+        let watch = &mut Watch::new(&mut observer);
+        let wanted = self.moments()?;
+        let target = self.target.checked()?;
+        let cut = if self.is_cropped {
+            Cut::middle(grid)?
+        } else {
+            Cut::all(grid)
+        };
+        memory("rough surface", cut.whole.size(), BYTES_PER_CELL)?;
+        parallel::enter_with(grid.cells(), || self.made(&cut, wanted, target, watch))
+    }
+
+    /// With what was asked for checked.
+    fn made(
+        &self,
+        cut: &Cut,
+        wanted: Option<[f64; 2]>,
+        target: f64,
+        watch: &mut Watch<'_>,
+    ) -> Result<RoughSurface> {
+        watch.ask()?;
+        let mut waves = self.waves(cut, Waves::none(cut.whole))?;
+        let mut iterations = 0;
+        if let Some(wanted) = wanted {
+            (waves, iterations) = ranks::approach(&waves, wanted, watch)?;
+            iterations += phases::turn(&mut waves, cut, wanted, watch)?;
+        }
+        let surface = RoughSurface::new(&waves, cut, iterations, watch)?;
+        let unit = if self.is_cropped && self.amplitudes == Amplitudes::Exact {
+            match self.target {
+                Target::RmsHeight(_) => surface.rms_height(),
+                Target::RmsSlope(_) => surface.rms_slope(),
+            }
+        } else {
+            1.0
+        };
+        let surface = surface.scaled(target / unit);
+        all_finite("height of the rough surface", surface.heights().as_slice())?;
+        Ok(surface)
+    }
+
+    /// Skewness and kurtosis, if at least one is given.
+    pub(super) fn moments(&self) -> Result<Option<[f64; 2]>> {
+        if self.skewness.is_none() && self.kurtosis.is_none() {
+            return Ok(None);
+        }
+        let skewness = finite("skewness", self.skewness.unwrap_or(0.0))?;
+        let kurtosis = finite("kurtosis", self.kurtosis.unwrap_or(3.0))?;
+        let least = skewness * skewness + 1.0;
+        at_least("the squared skewness plus one", least, "kurtosis", kurtosis)?;
+        Ok(Some([skewness, kurtosis]))
+    }
+
+    /// The waves of the periodic surface with a target of one, so that no square is out of range.
+    pub(super) fn waves(&self, cut: &Cut, mut waves: Waves) -> Result<Waves> {
+        let law = Law::new(self, cut.whole)?;
+        let total = match self.target {
+            Target::RmsHeight(_) => law.total(cut.whole, |_| 1.0)?,
+            Target::RmsSlope(_) => law.total(cut.whole, |mode| mode.wave_number().powi(2))?,
+        };
+        waves.update(|mode, _| {
+            let power = law.power(&mode);
+            if power == 0.0 {
+                return Complex::default();
+            }
+            // Of two opposite waves along y both are stored: one is drawn, the other is its conjugate.
+            let [i, j] = mode.numbers;
+            let is_mirrored = i == 0 && j < 0;
+            let numbers = [i, if is_mirrored { -j } else { j }];
+            let wave = draw::wave(self.seed, numbers, self.amplitudes)
+                * Complex::cis(cut.phase_of_first_cell(numbers))
+                * (power / total).sqrt();
+            if is_mirrored { wave.conj() } else { wave }
+        });
+        Ok(waves)
+    }
+}

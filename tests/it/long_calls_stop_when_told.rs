@@ -1,0 +1,148 @@
+//! Long work that is no solve asks its observer between products: it ends where the observer cancels, names that, and
+//! leaves everything as it was.
+
+use std::fmt::Debug;
+use std::ops::ControlFlow;
+
+use kit::unit_bodies;
+use stickslip::cgm::Iteration;
+use stickslip::stiffness::ContactStiffness;
+use stickslip::subsurface::{self, Body, Planes, Tractions};
+use stickslip::surface::SelfAffine;
+use stickslip::{
+    Axis, Coupling, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl,
+    NormalProblem, NormalSolution, Status, TangentialLoad, TangentialModel, TangentialProblem,
+    surface,
+};
+
+type Observer<'a> = &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send);
+
+/// Cancels at the first question, in the middle and at the last. The call has the same result before and after.
+fn stops<T: Debug + PartialEq>(mut call: impl FnMut(Observer<'_>) -> Result<T, Error>) {
+    let mut asked = 0;
+    let whole = call(&mut |seen| {
+        assert_eq!(seen.double_precision_products, asked);
+        asked += 1;
+        ControlFlow::Continue(())
+    });
+    let whole = whole.unwrap();
+    assert!(asked > 2, "asked {asked} times");
+    for last in [0, asked / 2, asked - 1] {
+        let mut count = 0;
+        let outcome = call(&mut |_| {
+            count += 1;
+            if count > last {
+                return ControlFlow::Break(());
+            }
+            ControlFlow::Continue(())
+        });
+        let Err(Error::NotConverged(report)) = outcome else {
+            panic!("cancelled at {last} of {asked}: {outcome:?}");
+        };
+        assert_eq!(report.status, Status::Cancelled);
+        assert_eq!(report.double_precision_products, last);
+        assert_eq!(count, last + 1, "asked again after it cancelled");
+    }
+    assert_eq!(call(&mut |_| ControlFlow::Continue(())).unwrap(), whole);
+}
+
+fn scene() -> (HalfSpace, Field, NormalSolution, Friction) {
+    let bodies = unit_bodies(Grid::square(24, 8.0).unwrap(), 0.3);
+    let ball = surface::sphere(bodies.grid(), 10.0).unwrap();
+    let load = NormalControl::Force(0.5);
+    let problem = NormalProblem::builder(&bodies, &ball, load)
+        .build()
+        .unwrap();
+    let pressed = problem.solve().unwrap();
+    (bodies, ball, pressed, Friction::coulomb(0.3).unwrap())
+}
+
+#[test]
+fn a_stiffness() {
+    let (bodies, ball, pressed, friction) = scene();
+    stops(|observer| pressed.stiffness_observed(&bodies, observer));
+    for model in [TangentialModel::Scalar, TangentialModel::Vector] {
+        let load = TangentialLoad::force([0.05, 0.0]);
+        let problem = TangentialProblem::builder(&bodies, &pressed, friction.clone(), load);
+        let problem = problem.model(model).coupling(Coupling::Neglected);
+        let shear = problem.build().unwrap().solve().unwrap();
+        stops(|observer| shear.stiffness_observed(&bodies, observer));
+        stops(|observer| {
+            ContactStiffness::observed(&bodies, &pressed, &friction, &shear, observer)
+        });
+    }
+    let builder = History::builder(&bodies, &ball, friction).axis(Axis::X);
+    let mut history = builder.coupling(Coupling::Neglected).build().unwrap();
+    let load = LoadStep::force([0.05, 0.0]).normal(NormalControl::Force(0.5));
+    history.step(&load).unwrap();
+    let state = history.to_bytes();
+    stops(|observer| history.stiffness_observed(observer));
+    assert_eq!(history.to_bytes(), state);
+}
+
+#[test]
+fn a_rough_surface() {
+    let grid = Grid::square(32, 1.0).unwrap();
+    let rough = SelfAffine::with_rms_height(0.1).seed(5);
+    for surface in [rough, rough.skewness(0.4), rough.kurtosis(3.5).cropped()] {
+        stops(|observer| surface.generate_observed(grid, observer));
+    }
+}
+
+#[test]
+fn stresses_below_the_surface() {
+    let (bodies, _, pressed, _) = scene();
+    let depths = [0.0, 0.3, 0.9];
+    let planes = Planes::new(&bodies, &depths).unwrap().with_displacements();
+    // With its kernels still to be made each time, and with those that there are.
+    let mut kept = planes.clone();
+    kept.solve(1, Body::One, &pressed).unwrap();
+    let stress = |plane: &subsurface::Plane| plane.stresses().collect::<Vec<_>>();
+    stops(|observer| {
+        let mut planes = Planes::new(&bodies, &depths).unwrap();
+        let plane = planes.solve_observed(1, Body::One, &pressed, observer);
+        plane.map(|plane| stress(&plane))
+    });
+    stops(|observer| {
+        let plane = kept.solve_observed(1, Body::One, &pressed, observer);
+        plane.map(|plane| stress(&plane))
+    });
+    let mut whole = planes.clone();
+    stops(|observer| {
+        let mut found = Vec::new();
+        let visit = |plane: &subsurface::Plane| {
+            found.push(stress(plane));
+            Ok(())
+        };
+        let outcome = whole.through_observed(Body::One, &pressed, visit, observer);
+        outcome.map(|()| found)
+    });
+    let points: Vec<_> = (0..1000_u32)
+        .map(|i| [0.0, 0.0, 1e-3 * f64::from(i)])
+        .collect();
+    let tractions = Tractions::new(pressed.pressure());
+    stops(|observer| {
+        subsurface::at_points_observed(&bodies, Body::One, tractions, &points, observer)
+    });
+}
+
+#[test]
+fn a_volume_that_is_written() {
+    let (bodies, _, pressed, _) = scene();
+    let mut planes = Planes::new(&bodies, &[0.0, 0.3, 0.6]).unwrap();
+    let path = std::env::temp_dir().join(format!("stickslip_{}.vti", std::process::id()));
+    std::fs::write(&path, b"before").unwrap();
+    let outcome = planes.write_vti_observed(&path, Body::One, &pressed, |seen| {
+        if seen.double_precision_products > 20 {
+            return ControlFlow::Break(());
+        }
+        ControlFlow::Continue(())
+    });
+    assert!(matches!(outcome, Err(Error::NotConverged(_))));
+    assert_eq!(std::fs::read(&path).unwrap(), b"before");
+    stops(|observer| {
+        planes.write_vti_observed(&path, Body::One, &pressed, observer)?;
+        Ok(std::fs::read(&path).unwrap())
+    });
+    std::fs::remove_file(&path).unwrap();
+}
