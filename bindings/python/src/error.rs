@@ -194,9 +194,9 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
             },
         ) => {
             attributes.set_item("path", path)?;
-            attributes.set_item("errno", code)?;
-            attributes.set_item("strerror", problem)?;
             attributes.set_item("filename", path)?;
+            attributes.set_item("strerror", problem)?;
+            attributes.set_item("errno", code)?;
             one(&attributes, "File", "problem", problem)?
         }
         (_, Error::NotConverged(report)) => {
@@ -212,19 +212,26 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         // The crate's error may grow.
         _ => "StickslipError",
     };
-    let message = match &error {
-        // Names of files are no numbers.
-        Error::File { .. } | Error::Format { .. } | Error::Sample { .. } => message,
-        _ => {
-            let floating: Vec<f64> = attributes
-                .values()
-                .iter()
-                .filter_map(|number| Some(number.cast::<PyFloat>().ok()?.value()))
-                .collect();
-            in_python(py, &message, &floating)?
-        }
-    };
+    let message = in_words(py, &error, message, &attributes)?;
     named(py, name, &message, &attributes)
+}
+
+/// The sentence of an error with its numbers as Python writes them.
+fn in_words(
+    py: Python<'_>,
+    error: &Error,
+    sentence: String,
+    attributes: &Bound<'_, PyDict>,
+) -> PyResult<String> {
+    // Names of files are no numbers, and a sample is written so already.
+    if let Error::File { .. } | Error::Format { .. } | Error::Sample { .. } = error {
+        return Ok(sentence);
+    }
+    let numbers = attributes.values();
+    let floating = numbers
+        .iter()
+        .filter_map(|number| Some(number.cast::<PyFloat>().ok()?.value()));
+    in_python(py, &sentence, &floating.collect::<Vec<_>>())
 }
 
 fn one<'py>(

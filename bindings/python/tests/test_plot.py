@@ -111,6 +111,8 @@ def test_every_bar_is_as_high_as_its_picture_and_as_wide_as_the_others(scene):
     plot.field(scene.grid, scene.ball, axes[1, 1])
     plot.stress_section(planes, axes[1, 2])
     assert figure.get_layout_engine() is not None
+    left, _ = pyplot.figure().subfigures(1, 2)
+    assert plot.field(scene.grid, scene.ball, left.subplots()).images and left.get_layout_engine() is not None
     for picture in axes.flat:
         of_bar, of_picture = drawn(bar(picture)), drawn(picture)
         assert (of_bar.y0, of_bar.y1) == pytest.approx((of_picture.y0, of_picture.y1), abs=1.0)

@@ -37,8 +37,9 @@ def _axes(axes: Axes | None) -> Axes:
         except ImportError as error:
             raise ImportError("stickslip.plot needs matplotlib: pip install 'stickslip[plot]'") from error
         axes = pyplot.subplots(layout="constrained")[1]
-    figure: Any = axes.figure
-    if hasattr(figure, "get_layout_engine") and figure.get_layout_engine() is None:
+    # Of a part of a figure, the whole.
+    figure: Any = getattr(axes.figure, "figure", axes.figure)
+    if figure.get_layout_engine() is None:
         figure.set_layout_engine("constrained")
     return axes
 

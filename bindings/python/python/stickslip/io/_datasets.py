@@ -65,7 +65,7 @@ def to_xarray(solution: Any) -> xarray.Dataset:
     >>> dataset = ss.io.to_xarray(contact)
     >>> dict(dataset.sizes), round(dataset.attrs["force"], 6)
     ({'y': 32, 'x': 32}, 100.0)
-    >>> float(dataset.pressure.sel(x=0.0, y=0.0, method="nearest")) == contact.pressure.max()
+    >>> bool(dataset.pressure.max() == contact.pressure.max())
     True
     """
     try:
