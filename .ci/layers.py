@@ -75,7 +75,7 @@ LAYERS = [
         | {"contact_map", "coupling", "elastic", "passes", "cascade", "normal", "tangential", "coupled", "stiffness", "io"},
     }),
     ("what is told of all of these", {
-        "spots": {"contact_map", "error", "grid", "shown", "normal", "tangential", "history"},
+        "spots": {"contact_map", "error", "grid", "serial", "shown", "normal", "tangential", "history"},
         "subsurface": FOUNDATION | {"influence", "fft", "half_space", "io", "normal", "tangential", "coupled", "history"},
     }),
 ]

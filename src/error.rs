@@ -94,8 +94,7 @@ pub enum Error {
         /// Dundurs' second parameter of the pair.
         beta: f64,
     },
-    /// The cells are so much longer than wide that the smallest eigenvalue of the compliance is round-off of the
-    /// largest: no error could be certified.
+    /// Cells so much longer than wide that the least eigenvalue of the compliance is round-off: no error is certified.
     #[error(
         "cells of sides {sides:?} are too long: double precision does not resolve the compliance of their short waves"
     )]
@@ -234,8 +233,7 @@ pub enum Error {
         /// The solution or the saved quantity, in words.
         quantity: &'static str,
     },
-    /// The approach is not below the mean gap of a periodic contact: the surfaces then touch everywhere, and the
-    /// pressure is undetermined.
+    /// The approach is not below the mean gap of a periodic contact: all touches, and the pressure is undetermined.
     #[error("{}", show::beyond_mean_gap(*approach, *mean_gap))]
     ApproachBeyondMeanGap {
         /// The approach requested.
@@ -341,6 +339,8 @@ pub enum Error {
         path: String,
         /// The message of the operating system.
         problem: String,
+        /// Its number of the error, if it has one.
+        code: Option<i32>,
     },
     /// A file violates the rules of its format, or uses an unsupported part of it.
     #[error("{}{format}, {place}: {problem}", show::prefix(.file.as_deref()))]

@@ -2,9 +2,13 @@
 
 use crate::contact_map::ContactMap;
 use crate::error::Result;
+#[cfg(feature = "serde")]
+use crate::error::length;
 use crate::grid::Grid;
 use crate::history::History;
 use crate::normal::NormalSolution;
+#[cfg(feature = "serde")]
+use crate::serial::checked;
 use crate::shown::shown;
 use crate::tangential::{TangentialSolution, Zone};
 
@@ -38,6 +42,27 @@ pub struct ContactSpots {
 }
 
 shown!(ContactSpots: grid, largest());
+
+/// What is read, before it is checked.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(remote = "ContactSpots")]
+struct Unchecked {
+    grid: Grid,
+    labels: Vec<u32>,
+    spots: Vec<Spot>,
+}
+
+#[cfg(feature = "serde")]
+impl<'de> serde::Deserialize<'de> for ContactSpots {
+    fn deserialize<D: serde::Deserializer<'de>>(
+        deserializer: D,
+    ) -> std::result::Result<Self, D::Error> {
+        checked(Unchecked::deserialize(deserializer)?, |read| {
+            length("labels", read.grid.cells(), read.labels.len())
+        })
+    }
+}
 
 /// One contact spot.
 #[derive(Debug, Clone, Copy, PartialEq)]

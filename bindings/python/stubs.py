@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Writes python/stickslip/_stickslip.pyi: the type hints that the module carries with the feature `stubs`, without its
-docstrings, which `help` shows. Needs maturin (`pip install maturin`), and compiles the crate for development."""
+"""Writes python/stickslip/_stickslip.pyi: the type hints that the module carries with the feature `stubs`, and its
+docstrings. Needs maturin (`pip install maturin`), and compiles the crate for development."""
 
 import pathlib
 import re
@@ -12,24 +12,29 @@ HEADER = "# Written by stubs.py from the hints of the module.\n"
 
 
 def readable(text: str) -> str:
-    """Hints as people write them."""
-    text = re.sub(r'^ *"""\n.*?^ *"""\n', "", text, flags=re.M | re.S)
+    """Hints as people write them, and docstrings as they are."""
+    parts = re.split(r'^( *"""\n.*?^ *"""\n)', text, flags=re.M | re.S)
+    parts[::2] = [hints(part) for part in parts[::2]]
+    imports = (
+        "from collections.abc import Sequence\nfrom typing import Any, Final, final\n\n"
+        "from numpy import bool_, float64, uint8, uint32, uint64\nfrom numpy.typing import ArrayLike, NDArray\n"
+    )
+    # The docstring of the module comes first.
+    text = "".join([*parts[:2], imports, *parts[2:]])
+    return HEADER + re.sub(r"\n{3,}", "\n\n", text)
+
+
+def hints(text: str) -> str:
     text = text.replace("SupportsFloat | SupportsIndex", "float").replace("SupportsIndex", "int")
     while (shorter := re.sub(r"Supports(?:LenAnd)?GetItem\[(?:int, )?", "Sequence[", text)) != text:
         text = shorter
     text = re.sub(r"(: (?:Sequence\[)+float\]+)", r"\1 | NDArray[Any]", text)
-    text = re.sub(r": dict(?!\[)", ": dict[str, Any]", text)
+    text = re.sub(r"\bdict(?!\[)", "dict[str, Any]", text)
+    text = re.sub(r"\btuple(?!\[)", "tuple[Any, ...]", text)
     text = re.sub(r"(\*\w+)(?=[,)])", r"\1: Any", text)
     text = re.sub(r"(?<!\w)ndarray", "NDArray[Any]", text)
-    # A function whose body was its docstring.
-    text = re.sub(r"^( *def .*):\n", r"\1: ...\n", text, flags=re.M)
     text = re.sub(r"^from (_typeshed|numpy|numpy\.typing|typing) import .*\n", "", text, flags=re.M)
-    text = re.sub(r"^def __getattr__.*\n", "", text, flags=re.M)
-    imports = (
-        "from collections.abc import Sequence\nfrom typing import Any, Final, final\n\n"
-        "from numpy.typing import ArrayLike, NDArray\n"
-    )
-    return HEADER + imports + re.sub(r"\n{3,}", "\n\n", text)
+    return re.sub(r"^def __getattr__.*\n", "", text, flags=re.M)
 
 
 def main() -> None:

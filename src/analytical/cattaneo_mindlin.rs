@@ -40,6 +40,7 @@ use crate::error::{Result, finite};
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CattaneoMindlin {
     hertz: HertzSphere,
     poisson_ratio: f64,
@@ -237,6 +238,7 @@ impl CattaneoMindlin {
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CattaneoMindlinEllipse {
     hertz: HertzEllipse,
     slip: PartialSlip,

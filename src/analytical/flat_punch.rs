@@ -29,6 +29,7 @@ use crate::material::ElasticPair;
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct FlatPunch {
     pair: ElasticPair,
     radius: f64,

@@ -33,6 +33,7 @@ use crate::material::ElasticPair;
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct MindlinFullStick {
     pair: ElasticPair,
     contact_radius: f64,

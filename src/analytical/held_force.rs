@@ -4,6 +4,7 @@ use crate::error::{Error, Result, finite, non_negative};
 
 /// A tangential force on a contact, and its distance from the friction limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct HeldForce {
     pub(super) friction: f64,
     pub(super) force: f64,

@@ -29,6 +29,7 @@ use crate::material::ElasticPair;
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct HertzSphere {
     pair: ElasticPair,
     radius: f64,
@@ -178,6 +179,7 @@ impl HertzSphere {
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct HertzEllipse {
     pair: ElasticPair,
     radii: [f64; 2],

@@ -35,6 +35,7 @@ use crate::material::ElasticPair;
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct HertzLine {
     pair: ElasticPair,
     radius: f64,
@@ -144,6 +145,7 @@ impl HertzLine {
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CattaneoMindlinLine {
     hertz: HertzLine,
     held: HeldForce,

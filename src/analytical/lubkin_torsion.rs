@@ -40,6 +40,7 @@ use crate::error::{Result, finite, positive};
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LubkinTorsion {
     hertz: HertzSphere,
     friction: f64,

@@ -41,6 +41,7 @@ use crate::error::Result;
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct MindlinDeresiewicz {
     force: f64,
     /// The first loading, up to the force of the greatest magnitude.

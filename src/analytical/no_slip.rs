@@ -28,6 +28,7 @@ const LENGTH: f64 = 20.0;
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct NoSlipPunch {
     radius: f64,
     load: f64,
@@ -88,6 +89,7 @@ impl NoSlipPunch {
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct NoSlipSphere {
     radius: f64,
     load: f64,

@@ -6,6 +6,7 @@ use crate::error::Result;
 
 /// Relations common to sphere and ellipse, as fractions of the values at gross sliding.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct PartialSlip {
     pub(super) held: HeldForce,
     /// $`c/a = (1-f)^{1/3}`$.

@@ -39,6 +39,7 @@ use crate::error::{Result, non_negative, positive};
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RoughSphere {
     hertz: HertzSphere,
     rms_slope: f64,

@@ -37,6 +37,7 @@ use crate::material::ElasticPair;
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RoundedPunch {
     load: f64,
     half_width: f64,

@@ -33,6 +33,7 @@ use crate::material::ElasticPair;
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Westergaard {
     pair: ElasticPair,
     amplitude: f64,
@@ -229,6 +230,7 @@ fn root(alpha: f64, beta: f64) -> f64 {
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct WestergaardPartialSlip {
     contact: Westergaard,
     held: HeldForce,

@@ -227,5 +227,6 @@ pub(crate) fn refused(path: &Path, error: &std::io::Error) -> Error {
     Error::File {
         path: path.display().to_string(),
         problem: error.to_string(),
+        code: error.raw_os_error(),
     }
 }

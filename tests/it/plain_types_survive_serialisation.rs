@@ -9,6 +9,7 @@ use kit::{Table2, postcard, rough, unit_bodies, unit_pair};
 use proptest::prelude::*;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+use stickslip::analytical::{CattaneoMindlin, HertzSphere, MindlinDeresiewicz};
 use stickslip::cgm::{Method, Settings};
 use stickslip::history::{Cycle, FrettingLoop, LoadPath};
 use stickslip::influence::{Component, Rectangle};
@@ -169,6 +170,7 @@ fn answers_and_what_is_said_about_them() {
     survives(&normal);
     survives(normal.report());
     survives(&normal.report().history[0]);
+    survives(&normal.spots());
     for zone in [Zone::Separated, Zone::Stick, Zone::Slip] {
         survives(&zone);
     }
@@ -209,6 +211,22 @@ fn answers_and_what_is_said_about_them() {
     }
     let rectangle = Rectangle::new(0.5, 0.6).unwrap();
     survives(&rectangle.pair_tensor(&unit_pair(0.3), 0.1, 0.2));
+}
+
+#[test]
+fn closed_forms() {
+    let hertz = HertzSphere::new(&unit_pair(0.3), 10.0, 0.1).unwrap();
+    survives(&hertz);
+    survives(&CattaneoMindlin::new(hertz, 0.3, 0.01).unwrap());
+    survives(&MindlinDeresiewicz::new(hertz, 0.3, &[0.01, -0.01, 0.005]).unwrap());
+}
+
+#[test]
+fn answers_are_equal_whatever_their_time() {
+    let (_, normal) = pressed();
+    let (_, again) = pressed();
+    assert_ne!(normal.report(), again.report());
+    assert_eq!(normal, again);
 }
 
 #[test]
@@ -376,6 +394,8 @@ fn answers_that_contradict_themselves_are_refused() {
     is(gap, "gap at index 3 is NaN");
 
     let shear = sheared(&bodies, &normal, TangentialModel::Scalar).unwrap();
+    let spots = spoilt(&normal.spots(), "/grid/ny", json!(19));
+    is(spots, "labels has 480 entries, expected 456");
     let slip = spoilt(&shear, "/slip/1/grid/ny", json!(19));
     is(slip, "field has 480 entries, expected 456");
     let zones = spoilt(&shear, "/zones", json!(["Stick", "Slip"]));

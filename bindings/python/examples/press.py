@@ -33,5 +33,12 @@ try:
 except ImportError:
     print("no matplotlib, no picture")
 else:
-    plot.pressure_map(contact, scale=1e3).set_title("pressure, Pa; lengths in mm")
+    _, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4), layout="constrained")
+    lengths, pressures = {"scale": 1e3, "length_unit": "mm"}, {"value_scale": 1e-9, "unit": "GPa"}
+    plot.pressure_map(contact, left, **lengths, **pressures)
+    plot.section(grid, contact.pressure, right, label="pressure", **lengths, **pressures)
+    plot.section(grid, exact, right, label="pressure", **lengths, **pressures, linestyle="--")
+    for line, name in zip(right.lines, ("computed", "Hertz")):
+        line.set_label(name)
+    right.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2)
     pyplot.savefig("press.png")

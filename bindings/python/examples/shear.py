@@ -51,7 +51,8 @@ try:
 except ImportError:
     print("no matplotlib, no picture")
 else:
-    _, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4))
-    plot.stick_map(shear, left, scale=1e3)
-    plot.hysteresis(cycle, right)
+    _, (zones, traction, loop) = pyplot.subplots(1, 3, figsize=(15, 4), layout="constrained")
+    plot.stick_map(shear, zones, scale=1e3, length_unit="mm")
+    plot.traction_map(shear, traction, scale=1e3, length_unit="mm", value_scale=1e-9, unit="GPa")
+    plot.hysteresis(cycle, loop, scale=1e6, length_unit="µm", unit="N")
     pyplot.savefig("shear.png")

@@ -27,8 +27,10 @@ deepest = max(pressed, key=lambda plane: plane.max_shear.max())
 assert abs(deepest.depth / hertz.contact_radius - 0.48) < 0.1
 assert abs(deepest.max_shear.max() / hertz.max_pressure - 0.31) < 0.01
 
-[below] = ss.subsurface.at_points(bodies, "one", contact, [(0.0, 0.0, deepest.depth)])
-print(f"on the axis: {below.stress}, principal {below.stress.principal.values}")
+below = ss.subsurface.at_points(bodies, "one", contact, [(0.0, 0.0, depth) for depth in depths[1:]])
+largest = int(below.max_shear.argmax())
+print(f"largest shear stress on the axis at the depth {depths[1 + largest]:.3f} mm: {below[largest].stress}")
+assert abs(below.max_shear.max() / deepest.max_shear.max() - 1.0) < 0.01
 
 with tempfile.TemporaryDirectory() as folder:
     file = pathlib.Path(folder) / "stress.vti"
@@ -41,9 +43,7 @@ try:
 except ImportError:
     print("no matplotlib, no picture")
 else:
-    section = np.array([plane.von_mises[grid.ny // 2] for plane in dragged])
-    figure, axes = pyplot.subplots()
-    image = axes.contourf(grid.x, depths, section)
-    axes.invert_yaxis()
-    figure.colorbar(image, label="von Mises, MPa")
+    _, axes = pyplot.subplots(2, 1, figsize=(7, 7), layout="constrained")
+    plot.stress_section(dragged, axes[0], length_unit="mm", unit="MPa")
+    plot.stress_section(dragged, axes[1], of="xx", length_unit="mm", unit="MPa", cmap="coolwarm", vmin=-1750, vmax=1750)
     pyplot.savefig("subsurface.png")

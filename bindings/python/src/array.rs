@@ -1,6 +1,7 @@
 //! Fields as NumPy arrays of shape (ny, nx): read-only views of what a frozen object holds, or copies.
 
 use std::convert::Infallible;
+use std::marker::PhantomData;
 
 use numpy::ndarray::{ArrayView, Dimension};
 use numpy::{Element, IntoPyArray, PyArray, PyArray1, PyArray2, PyArrayMethods};
@@ -8,18 +9,54 @@ use pyo3::PyClass;
 use pyo3::prelude::*;
 use pyo3::pyclass::boolean_struct::True;
 #[cfg(feature = "stubs")]
-use pyo3::{inspect::PyStaticExpr, type_hint_identifier};
+use pyo3::{inspect::PyStaticExpr, type_hint_identifier, type_hint_subscript};
+
+/// What arrays hold.
+pub(crate) trait Entry: Element {
+    #[cfg(feature = "stubs")]
+    const HINT: PyStaticExpr;
+}
+
+macro_rules! entries {
+    ($($entry:ty = $name:literal),+) => {$(
+        impl Entry for $entry {
+            #[cfg(feature = "stubs")]
+            const HINT: PyStaticExpr = type_hint_identifier!("numpy", $name);
+        }
+    )+};
+}
+
+entries!(
+    f64 = "float64",
+    bool = "bool_",
+    u8 = "uint8",
+    u32 = "uint32",
+    u64 = "uint64"
+);
 
 /// An array on its way to Python.
-pub(crate) struct Array<'py>(pub(crate) Bound<'py, PyAny>);
+pub(crate) struct Array<'py, E = f64>(pub(crate) Bound<'py, PyAny>, PhantomData<E>);
 
-impl<'py> IntoPyObject<'py> for Array<'py> {
+impl<'py, E: Entry> Array<'py, E> {
+    pub(crate) fn of<D>(array: Bound<'py, PyArray<E, D>>) -> Self {
+        Self(array.into_any(), PhantomData)
+    }
+
+    /// A new one of one dimension.
+    pub(crate) fn new(py: Python<'py>, entries: impl IntoIterator<Item = E>) -> Self {
+        let entries: Vec<_> = entries.into_iter().collect();
+        Self::of(entries.into_pyarray(py))
+    }
+}
+
+impl<'py, E: Entry> IntoPyObject<'py> for Array<'py, E> {
     type Target = PyAny;
     type Output = Bound<'py, PyAny>;
     type Error = Infallible;
 
     #[cfg(feature = "stubs")]
-    const OUTPUT_TYPE: PyStaticExpr = type_hint_identifier!("numpy", "ndarray");
+    const OUTPUT_TYPE: PyStaticExpr =
+        type_hint_subscript!(type_hint_identifier!("numpy.typing", "NDArray"), E::HINT);
 
     fn into_pyobject(self, _py: Python<'py>) -> Result<Self::Output, Infallible> {
         Ok(self.0)
@@ -28,10 +65,10 @@ impl<'py> IntoPyObject<'py> for Array<'py> {
 
 /// A read-only array over memory that a frozen object holds, and never changes or frees while it lives. The array holds
 /// the object.
-fn view_of<'py, T, E: Element, D: Dimension>(
+fn view_of<'py, T, E: Entry, D: Dimension>(
     owner: &Bound<'py, T>,
     samples: ArrayView<'_, E, D>,
-) -> Array<'py>
+) -> Array<'py, E>
 where
     T: PyClass<Frozen = True>,
 {
@@ -46,7 +83,7 @@ where
     let array = unsafe { PyArray::borrow_from_array(&samples, owner.clone().into_any()) };
     let read_only = array.readwrite().make_nonwriteable();
     drop(read_only);
-    Array(array.into_any())
+    Array::of(array)
 }
 
 /// A field of a frozen object, without a copy.
@@ -67,10 +104,10 @@ where
 }
 
 /// Numbers of a frozen object, without a copy.
-pub(crate) fn view_slice<'py, T, E: Element>(
+pub(crate) fn view_slice<'py, T, E: Entry>(
     owner: &Bound<'py, T>,
     numbers: impl for<'a> Fn(&'a T) -> &'a [E],
-) -> Array<'py>
+) -> Array<'py, E>
 where
     T: PyClass<Frozen = True> + Sync,
 {
@@ -88,26 +125,30 @@ pub(crate) fn bytes(
     py: Python<'_>,
     grid: stickslip::Grid,
     of_cells: impl Iterator<Item = u8>,
-) -> Array<'_> {
+) -> Array<'_, u8> {
     let array = of_cells.collect::<Vec<_>>().into_pyarray(py);
     shaped(&array, grid)
 }
 
 /// Which cells carry pressure: those of the contact, as the crate counts its area.
-pub(crate) fn contact<'py>(py: Python<'py>, pressure: &stickslip::Field) -> Array<'py> {
+pub(crate) fn contact<'py>(py: Python<'py>, pressure: &stickslip::Field) -> Array<'py, bool> {
     let touching = pressure.as_slice().iter().map(|&pressure| pressure > 0.0);
     let array = touching.collect::<Vec<_>>().into_pyarray(py);
     shaped(&array, pressure.grid())
 }
 
 /// Labels per cell, as an array of the grid.
-pub(crate) fn labels<'py>(py: Python<'py>, grid: stickslip::Grid, labels: &[u32]) -> Array<'py> {
+pub(crate) fn labels<'py>(
+    py: Python<'py>,
+    grid: stickslip::Grid,
+    labels: &[u32],
+) -> Array<'py, u32> {
     shaped(&PyArray1::from_slice(py, labels), grid)
 }
 
-fn shaped<'py, E: Element>(flat: &Bound<'py, PyArray1<E>>, grid: stickslip::Grid) -> Array<'py> {
+fn shaped<'py, E: Entry>(flat: &Bound<'py, PyArray1<E>>, grid: stickslip::Grid) -> Array<'py, E> {
     let shaped: PyResult<Bound<'py, PyArray2<E>>> = flat.reshape([grid.ny(), grid.nx()]);
-    Array(shaped.map_or_else(|_| flat.clone().into_any(), Bound::into_any))
+    shaped.map_or_else(|_| Array::of(flat.clone()), Array::of)
 }
 
 /// The zones of cells as numbers: 0 separated, 1 stick, 2 slip.
@@ -115,7 +156,7 @@ pub(crate) fn zones<'py>(
     py: Python<'py>,
     grid: stickslip::Grid,
     zones: &[stickslip::Zone],
-) -> Array<'py> {
+) -> Array<'py, u8> {
     use stickslip::Zone;
     let number = |zone: &Zone| match zone {
         Zone::Separated => 0,

@@ -6,6 +6,7 @@ use pyo3::prelude::*;
 use pyo3::{PyTypeInfo, inspect::PyStaticExpr, type_hint_identifier, type_hint_union};
 
 use crate::digits::short;
+use crate::due::entries;
 use crate::pickle::picklable;
 
 /// What lies beyond the edge of the grid.
@@ -82,7 +83,7 @@ impl FromPyObject<'_, '_> for Surroundings {
         if let Ok(boundary) = object.cast::<Boundary>() {
             return Ok(Self(boundary.get().0));
         }
-        let named = object.extract::<(String, f64)>().ok();
+        let named = entries(&object).and_then(|named| named.extract::<(String, f64)>().ok());
         if let Some((_, datum)) = named.filter(|(name, _)| name == "periodic_along_y") {
             return Ok(Self(stickslip::Boundary::PeriodicAlongY { datum }));
         }

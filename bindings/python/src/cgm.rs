@@ -12,7 +12,7 @@ use stickslip::{Iteration, Operator};
 
 use crate::array::{Array, view_slice};
 use crate::choice::Choice;
-use crate::digits::short;
+use crate::digits::{in_python, short};
 use crate::due;
 use crate::error::with_iterate;
 use crate::operator::{LinearOperator, Product, numbers};
@@ -141,12 +141,10 @@ impl Minimum {
         Report::of(&self.0.report)
     }
 
-    fn __repr__(&self) -> String {
-        format!(
-            "Minimum(multiplier={}, {})",
-            short(self.0.multiplier),
-            self.0.report
-        )
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let report = in_python(py, &self.0.report.to_string(), &[])?;
+        let multiplier = short(self.0.multiplier);
+        Ok(format!("Minimum(multiplier={multiplier}, {report})"))
     }
 }
 

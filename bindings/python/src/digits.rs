@@ -1,4 +1,7 @@
-//! Numbers as `repr` writes them: measures with six significant digits, in the form of Python's format `g`.
+//! Numbers as Python writes them: in `repr` with six significant digits, in the form of its format `g`; in messages whole.
+
+use pyo3::prelude::*;
+use pyo3::types::PyFloat;
 
 /// A number.
 pub(crate) fn short(value: f64) -> String {
@@ -47,4 +50,77 @@ fn trimmed(digits: &str) -> &str {
     } else {
         digits
     }
+}
+
+/// A number as Python writes it.
+pub(crate) fn as_python(py: Python<'_>, value: f64) -> PyResult<String> {
+    Ok(PyFloat::new(py, value).repr()?.to_string())
+}
+
+/// A sentence of the crate with its numbers as Python writes them. Those that are floating point although they are written
+/// without a point, such as one, are given too: the last of each in the sentence is the one meant.
+pub(crate) fn in_python(py: Python<'_>, sentence: &str, floating: &[f64]) -> PyResult<String> {
+    let mut parts = parts(sentence);
+    for &value in floating {
+        let written = value.to_string();
+        if let Some(part) = parts.iter_mut().rev().find(|part| **part == written) {
+            *part = as_python(py, value)?;
+        }
+    }
+    for part in &mut parts {
+        let is_number = part.ends_with(|last: char| last.is_ascii_digit());
+        let is_floating = is_number && part.contains(['.', 'e']);
+        if is_floating || part == "NaN" {
+            // Other words that look like numbers stay as they are.
+            if let Ok(value) = part.parse() {
+                *part = as_python(py, value)?;
+            }
+        }
+    }
+    Ok(parts.concat())
+}
+
+/// A sentence in parts: numbers, words and what is between them.
+fn parts(sentence: &str) -> Vec<String> {
+    let mut parts: Vec<String> = Vec::new();
+    let mut rest = sentence;
+    while let Some(first) = rest.chars().next() {
+        let before = parts.last().and_then(|part| part.chars().last());
+        let is_apart = !before.is_some_and(char::is_alphanumeric);
+        let number = if is_apart { number(rest) } else { 0 };
+        let word = rest.find(|letter: char| !letter.is_alphanumeric());
+        let length = match number {
+            0 => word.unwrap_or(rest.len()).max(first.len_utf8()),
+            length => length,
+        };
+        let (part, after) = rest.split_at(length);
+        parts.push(part.into());
+        rest = after;
+    }
+    parts
+}
+
+/// The length of the number that a text begins with; zero without one.
+fn number(text: &str) -> usize {
+    let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
+    let signed = |text: &str| {
+        let sign = usize::from(text.starts_with('-'));
+        match digits(&text[sign..]) {
+            0 => 0,
+            count => sign + count,
+        }
+    };
+    let mut length = signed(text);
+    if length == 0 {
+        return 0;
+    }
+    if text[length..].starts_with('.') {
+        let decimals = digits(&text[length + 1..]);
+        length += if decimals > 0 { decimals + 1 } else { 0 };
+    }
+    if text[length..].starts_with('e') {
+        let exponent = signed(&text[length + 1..]);
+        length += if exponent > 0 { exponent + 1 } else { 0 };
+    }
+    length
 }

@@ -1,9 +1,13 @@
 //! Arguments of a given form, refused by what is due there.
 
+use numpy::{AllowTypeChange, PyArrayLike2};
 use pyo3::exceptions::{PyOverflowError, PyTypeError, PyValueError};
-#[cfg(feature = "stubs")]
-use pyo3::inspect::PyStaticExpr;
 use pyo3::prelude::*;
+use pyo3::types::{PyList, PyTuple};
+#[cfg(feature = "stubs")]
+use pyo3::{inspect::PyStaticExpr, type_hint_identifier};
+
+use crate::real::is_real;
 
 /// Declares the class of such an argument: what it holds, what it is by the name of the argument, and what to do instead
 /// where that helps.
@@ -21,8 +25,8 @@ macro_rules! due {
 
             fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
                 let instead = concat!("" $(, ": ", $instead)?);
-                object
-                    .extract()
+                is_real(&object, named_in($due))?;
+                as_due(&object)
                     .map(Self)
                     .map_err(|error: PyErr| refused(&object, &error, $due, instead))
             }
@@ -63,12 +67,72 @@ due! {
     Rows((usize, usize)): "rows is a pair (first, end) of whole numbers";
     /// Depths below the surface.
     Depths(Vec<f64>): "depths is a sequence of numbers", "a single depth is [depth]";
-    /// Points below the surface.
-    Points(Vec<[f64; 3]>): "points is a sequence of (x, y, depth)", "a single point is [(x, y, depth)]";
     /// Sides of a cell.
     CellSides([f64; 2]): "cell is a pair (dx, dy)";
     /// Sides of a grid.
     GridSides([f64; 2]): "size is a pair (x, y)";
+}
+
+/// The name of the argument, before the verb of what is due.
+fn named_in(due: &str) -> &str {
+    let verb = due.find(" is ").or_else(|| due.find(" are "));
+    verb.map_or(due, |verb| &due[..verb])
+}
+
+/// The entries of a tuple or a list; `None` of what is neither.
+pub(crate) fn entries<'py>(object: &Bound<'py, PyAny>) -> Option<Bound<'py, PyTuple>> {
+    match object.cast::<PyList>() {
+        Ok(list) => Some(list.to_tuple()),
+        Err(_) => object.cast::<PyTuple>().ok().cloned(),
+    }
+}
+
+/// What is due, of which a pair may be a tuple, a list or an array.
+fn as_due<'py, T>(object: &Bound<'py, PyAny>) -> PyResult<T>
+where
+    T: for<'a> FromPyObject<'a, 'py, Error = PyErr>,
+{
+    object.extract().or_else(|error: PyErr| {
+        // PyO3 takes entries of several types from a tuple alone.
+        let listed = if object.hasattr("__array__")? {
+            object.call_method0("tolist")?
+        } else {
+            object.clone()
+        };
+        entries(&listed).map_or(Err(error), |tuple| tuple.extract())
+    })
+}
+
+/// Points below the surface.
+pub(crate) struct Points(pub(crate) Vec<[f64; 3]>);
+
+impl FromPyObject<'_, '_> for Points {
+    type Error = PyErr;
+
+    #[cfg(feature = "stubs")]
+    const INPUT_TYPE: PyStaticExpr = type_hint_identifier!("numpy.typing", "ArrayLike");
+
+    fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
+        const DUE: &str = "points is a sequence of (x, y, depth)";
+        is_real(&object, "points")?;
+        if object.len().is_ok_and(|length| length == 0) {
+            return Ok(Self(Vec::new()));
+        }
+        let refused =
+            |error: &PyErr| refused(&object, error, DUE, ": a single point is [(x, y, depth)]");
+        let points: PyArrayLike2<'_, f64, AllowTypeChange> =
+            object.extract().map_err(|error: PyErr| refused(&error))?;
+        let points = points.as_array();
+        if points.ncols() != 3 {
+            return Err(refused(&PyTypeError::new_err(DUE)));
+        }
+        let rows = points.rows();
+        Ok(Self(
+            rows.into_iter()
+                .map(|row| [row[0], row[1], row[2]])
+                .collect(),
+        ))
+    }
 }
 
 /// The exception that says what is due, or which number of the right form is out of range.

@@ -1,9 +1,10 @@
 //! Exceptions: those of the module ``stickslip.errors``, one for each variant of the crate's error, with its numbers.
 
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyFloat};
 use stickslip::{Error, Grid, ranks::RankFailure};
 
+use crate::digits::{as_python, in_python};
 use crate::report::Report;
 
 /// The exception of an error.
@@ -47,20 +48,21 @@ fn of_sample(
     else {
         return Ok(error.to_string());
     };
+    let value = as_python(attributes.py(), *value)?;
     let place = grid
         .filter(|grid| *index < grid.cells())
         .map(|grid| (index / grid.nx(), index % grid.nx()));
     let (row, column) = place.unzip();
     attributes.set_item("row", row)?;
     attributes.set_item("column", column)?;
-    let is_missing = value.is_nan() && MEASURED.contains(quantity);
+    let is_missing = value == "nan" && MEASURED.contains(quantity);
     let remedy = if is_missing {
         " (surface.fill_missing fills missing heights)"
     } else {
         ""
     };
     Ok(match place {
-        None => format!("{error}{remedy}"),
+        None => format!("{quantity} at index {index} is {value}: {rule}{remedy}"),
         Some((row, column)) => format!(
             "{quantity} at row {row}, column {column} (index {index}) is {value}: {rule}{remedy}"
         ),
@@ -147,7 +149,6 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         Below { quantity, value, least_is, least }
         EmptyBand { longest, shortest }
         HeightsNotReached { skewness, kurtosis, reached }
-        File { path, problem }
         StepNotNew { step, last }
         CycleNotClosed { residual, limit }
         StepTooLong { part, error, tolerance }
@@ -184,6 +185,20 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
             };
             one(&attributes, "Ranks", "rank", rank)?
         }
+        (
+            _,
+            Error::File {
+                path,
+                problem,
+                code,
+            },
+        ) => {
+            attributes.set_item("path", path)?;
+            attributes.set_item("filename", path)?;
+            attributes.set_item("strerror", problem)?;
+            attributes.set_item("errno", code)?;
+            one(&attributes, "File", "problem", problem)?
+        }
         (_, Error::NotConverged(report)) => {
             attributes.set_item("last_iterate", py.None())?;
             one(&attributes, "NotConverged", "report", Report::of(report))?
@@ -197,7 +212,26 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         // The crate's error may grow.
         _ => "StickslipError",
     };
+    let message = in_words(py, &error, message, &attributes)?;
     named(py, name, &message, &attributes)
+}
+
+/// The sentence of an error with its numbers as Python writes them.
+fn in_words(
+    py: Python<'_>,
+    error: &Error,
+    sentence: String,
+    attributes: &Bound<'_, PyDict>,
+) -> PyResult<String> {
+    // Names of files are no numbers, and a sample is written so already.
+    if let Error::File { .. } | Error::Format { .. } | Error::Sample { .. } = error {
+        return Ok(sentence);
+    }
+    let numbers = attributes.values();
+    let floating = numbers
+        .iter()
+        .filter_map(|number| Some(number.cast::<PyFloat>().ok()?.value()));
+    in_python(py, &sentence, &floating.collect::<Vec<_>>())
 }
 
 fn one<'py>(

@@ -2,8 +2,7 @@
 
 use std::sync::Arc;
 
-use numpy::{AllowTypeChange, PyArrayLike2};
-use pyo3::exceptions::PyTypeError;
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use stickslip::Error;
@@ -12,9 +11,10 @@ use crate::argument::argument;
 use crate::array::{Array, view};
 use crate::digits::short;
 use crate::due::kind_of;
-use crate::error::{OrRaise, named};
+use crate::error::OrRaise;
 use crate::grid::{Grid, size};
 use crate::pickle::picklable;
+use crate::real::{is_real, misshapen, plane};
 
 /// Samples at the cells of a grid, one number a cell: gaps, heights, pressures. It is never changed.
 ///
@@ -234,7 +234,7 @@ argument! {
     Samples: Field
 }
 
-impl Samples<'_> {
+impl<'py> Samples<'py> {
     /// As a field on this grid. A field on another one is passed on: the crate refuses it with both grids.
     pub(crate) fn on(
         &self,
@@ -258,20 +258,15 @@ impl Samples<'_> {
                 kind_of(&self.0)
             )));
         }
+        is_real(&self.0, quantity)?;
         if let Some(value) = self.number() {
             return Ok(Arc::new(stickslip::Field::constant(grid, value)));
         }
-        let samples = array(&self.0, quantity)?;
+        let samples = plane(&self.0, quantity, grid)?;
         let samples = samples.as_array();
         if samples.dim() != (grid.ny(), grid.nx()) {
-            let (expected, found) = ((grid.ny(), grid.nx()), samples.dim());
-            let numbers = PyDict::new(py);
-            numbers.set_item("quantity", quantity)?;
-            numbers.set_item("expected", expected)?;
-            numbers.set_item("found", found)?;
-            let message =
-                format!("{quantity} has shape {found:?}, expected (ny, nx) = {expected:?}");
-            return Err(named(py, "Shape", &message, &numbers)?);
+            let (rows, columns) = samples.dim();
+            return Err(misshapen(py, quantity, grid, &[rows, columns]));
         }
         let samples = match samples.as_slice() {
             Some(samples) => samples.to_vec(),
@@ -298,6 +293,7 @@ impl Samples<'_> {
         quantity: &str,
         grid: Option<&Grid>,
     ) -> PyResult<Spread> {
+        is_real(&self.0, quantity)?;
         match self.number() {
             Some(value) => Ok(Spread::Uniform(value)),
             None => self
@@ -318,6 +314,14 @@ impl Samples<'_> {
                 "{quantity} must be a Field or a topography, which know their grid{instead}"
             ))
         })
+    }
+
+    /// The unit of the lengths of a topography, if it states one.
+    fn unit(&self) -> PyResult<Option<Bound<'py, PyAny>>> {
+        if !self.is_topography()? || !self.0.hasattr("unit")? {
+            return Ok(None);
+        }
+        Ok(Some(self.0.getattr("unit")?).filter(|unit| !unit.is_none()))
     }
 
     fn field(&self) -> Option<Arc<stickslip::Field>> {
@@ -348,22 +352,21 @@ impl Samples<'_> {
     }
 }
 
-/// Numbers of two dimensions; masked ones are NaN.
-fn array<'py>(
-    object: &Bound<'py, PyAny>,
-    quantity: &str,
-) -> PyResult<PyArrayLike2<'py, f64, AllowTypeChange>> {
-    let filled = if object.hasattr("mask")? && object.hasattr("filled")? {
-        let real = object.call_method1("astype", ("float64",))?;
-        real.call_method1("filled", (f64::NAN,))?
-    } else {
-        object.clone()
-    };
-    filled.extract().map_err(|_| {
-        PyTypeError::new_err(format!(
-            "{quantity} must be a Field, a number, or an array of real numbers of shape (ny, nx)"
-        ))
-    })
+/// `Ok` unless topographies state units that differ.
+pub(crate) fn one_unit(fields: &[&Samples<'_>]) -> PyResult<()> {
+    let mut first: Option<Bound<'_, PyAny>> = None;
+    for field in fields {
+        match (&first, field.unit()?) {
+            (Some(first), Some(unit)) if !first.eq(&unit)? => {
+                return Err(PyValueError::new_err(format!(
+                    "one topography is in {first} and another in {unit}: give both in one unit, topography.to_unit(...)"
+                )));
+            }
+            (None, unit) => first = unit,
+            _ => {}
+        }
+    }
+    Ok(())
 }
 
 /// One number for all cells, or one of each.

@@ -2,7 +2,6 @@
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-use numpy::IntoPyArray;
 use pyo3::prelude::*;
 
 use crate::array::Array;
@@ -103,15 +102,13 @@ impl Grid {
     /// Coordinates of the cell centres along x (lengths).
     #[getter]
     fn x<'py>(&self, py: Python<'py>) -> Array<'py> {
-        let centres: Vec<_> = (0..self.0.nx()).map(|ix| self.0.x(ix)).collect();
-        Array(centres.into_pyarray(py).into_any())
+        Array::new(py, (0..self.0.nx()).map(|ix| self.0.x(ix)))
     }
 
     /// Coordinates of the cell centres along y (lengths).
     #[getter]
     fn y<'py>(&self, py: Python<'py>) -> Array<'py> {
-        let centres: Vec<_> = (0..self.0.ny()).map(|iy| self.0.y(iy)).collect();
-        Array(centres.into_pyarray(py).into_any())
+        Array::new(py, (0..self.0.ny()).map(|iy| self.0.y(iy)))
     }
 
     /// Edges of the grid ``(left, right, bottom, top)`` (lengths), as matplotlib's ``imshow`` takes them.

@@ -5,15 +5,16 @@ use std::sync::{Arc, Mutex};
 
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyDict};
+use pyo3::types::{PyBytes, PyDict, PyTuple};
 use stickslip::io::{self, Sides, vti};
 
 use crate::digits::counted;
-use crate::due;
+use crate::due::{self, entries};
 use crate::error::OrRaise;
 use crate::field::{Field, Samples};
 use crate::grid::Grid;
 use crate::held::lock;
+use crate::real::is_plane;
 
 /// Sides of a cell or of the grid, of files that do not say.
 fn sides(cell: Option<due::CellSides>, size: Option<due::GridSides>) -> PyResult<Sides> {
@@ -225,13 +226,17 @@ impl Arrays {
             }
         };
         for (name, value) in fields {
-            let parts = match value.cast::<pyo3::types::PyTuple>() {
-                Ok(vector) if vector.len() == 2 => vector
+            // A list may be one array too, of two rows.
+            let vector = entries(&value).filter(|parts| {
+                value.is_instance_of::<PyTuple>() || parts.iter().all(|part| is_plane(&part))
+            });
+            let parts = match vector {
+                Some(vector) if vector.len() == 2 => vector
                     .iter()
                     .map(|part| one(&part))
                     .collect::<PyResult<_>>()?,
-                Ok(_) => return Err(PyTypeError::new_err("a vector has two components")),
-                Err(_) => vec![one(&value)?],
+                Some(_) => return Err(PyTypeError::new_err("a vector has two components")),
+                None => vec![one(&value)?],
             };
             arrays.push((name.extract()?, parts));
         }

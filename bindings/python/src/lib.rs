@@ -26,6 +26,7 @@ mod operator;
 mod pickle;
 mod pool;
 mod progress;
+mod real;
 mod report;
 mod sequence;
 mod settings;
@@ -66,8 +67,9 @@ mod _stickslip {
         grid::Grid,
         half_space::HalfSpace,
         history::{
-            AdaptiveSteps, Cycle, CycleJump, EnergyBalance, History, LoadPath, LoopPoint, State,
-            StepError, StepResult, archard, energy, max_stable_cycles, threshold_energy,
+            AdaptiveSteps, Cycle, CycleJump, EnergyBalance, History, LoadPath, LoopPoint,
+            LoopPoints, State, StepError, StepResult, archard, energy, max_stable_cycles,
+            threshold_energy,
         },
         influence::{Rectangle, Table, Tensor},
         io::{
@@ -88,7 +90,7 @@ mod _stickslip {
         settings::Settings,
         spots::{ContactSpots, Spot},
         stiffness::{ContactStiffness, NormalStiffness, TangentialStiffness},
-        subsurface::{Plane, Planes, Principal, Response, Stress, at_points},
+        subsurface::{Plane, Planes, Principal, Response, Responses, Stress, at_points},
         surface::{
             Filled, Levelled, PowerSpectrum, RoughSurface, SelfAffine, Statistics, bisinusoidal,
             cone, crop, cylinder, ellipsoid, fill_missing, flat_punch, gap_between,

@@ -1,11 +1,14 @@
 //! Materials, and the pair of two.
 
+use std::hash::{DefaultHasher, Hash, Hasher};
+
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 #[cfg(feature = "stubs")]
 use pyo3::{PyTypeInfo, inspect::PyStaticExpr, type_hint_union};
 
 use crate::digits::short;
+use crate::due::entries;
 use crate::error::OrRaise;
 use crate::pickle::picklable;
 
@@ -105,6 +108,11 @@ impl Material {
         self.0.plane_strain_under(stress)
     }
 
+    /// Equal materials have equal ones.
+    fn __hash__(&self) -> u64 {
+        hash_of(&[self.0])
+    }
+
     fn __repr__(&self) -> String {
         if self.0.is_rigid() {
             return "Material.rigid()".into();
@@ -122,6 +130,21 @@ impl Material {
 }
 
 picklable!(Material: stickslip::Material);
+
+/// A hash of bodies; equal ones have equal ones.
+fn hash_of(bodies: &[stickslip::Material]) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    for body in bodies {
+        // Minus zero equals zero, and has other bits: the sum with zero is zero.
+        let numbers = [
+            body.youngs_modulus(),
+            body.poisson_ratio() + 0.0,
+            body.hardness(),
+        ];
+        numbers.map(f64::to_bits).hash(&mut hasher);
+    }
+    hasher.finish()
+}
 
 /// Two bodies, at most one of them rigid.
 ///
@@ -200,6 +223,11 @@ impl ElasticPair {
         self.0.is_coupled()
     }
 
+    /// Equal pairs have equal ones.
+    fn __hash__(&self) -> u64 {
+        hash_of(&self.0.bodies())
+    }
+
     fn __repr__(&self) -> String {
         let [body_1, body_2] = self.0.bodies().map(|body| Material(body).__repr__());
         format!("ElasticPair({body_1}, {body_2})")
@@ -224,9 +252,9 @@ impl FromPyObject<'_, '_> for Bodies {
         if let Ok(pair) = object.cast::<ElasticPair>() {
             return Ok(Self(pair.get().0));
         }
-        let (body_1, body_2): (Material, Material) = object
-            .extract()
-            .map_err(|_| PyTypeError::new_err("pair must be an ElasticPair or two Materials"))?;
+        let bodies = entries(&object).and_then(|bodies| bodies.extract().ok());
+        let (body_1, body_2): (Material, Material) = bodies
+            .ok_or_else(|| PyTypeError::new_err("pair must be an ElasticPair or two Materials"))?;
         ElasticPair::new(object.py(), body_1, body_2).map(|pair| Self(pair.0))
     }
 }

@@ -3,7 +3,7 @@
 use pyo3::PyClass;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyTuple, PyType};
+use pyo3::types::{PyBytes, PyDict, PyTuple, PyType};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
@@ -71,6 +71,62 @@ where
     let content = postcard::from_bytes(bytes)
         .map_err(|error| PyValueError::new_err(format!("not a pickled {}: {error}", T::KIND)))?;
     Ok(Bound::new(py, T::of_content(content))?.into_any())
+}
+
+/// What a problem is made from, by which it is pickled: the positional arguments and the keywords of its class.
+pub(crate) struct Recipe {
+    arguments: Py<PyTuple>,
+    keywords: Py<PyDict>,
+}
+
+impl Recipe {
+    pub(crate) fn new<'py>(
+        py: Python<'py>,
+        arguments: impl IntoPyObject<'py, Target = PyTuple, Output = Bound<'py, PyTuple>, Error = PyErr>,
+    ) -> PyResult<Self> {
+        Ok(Self {
+            arguments: arguments.into_pyobject(py)?.unbind(),
+            keywords: PyDict::new(py).unbind(),
+        })
+    }
+
+    /// With a keyword, unless it was not given.
+    pub(crate) fn with<'py>(
+        self,
+        py: Python<'py>,
+        name: &str,
+        value: Option<impl IntoPyObject<'py>>,
+    ) -> PyResult<Self> {
+        if let Some(value) = value {
+            self.keywords.bind(py).set_item(name, value)?;
+        }
+        Ok(self)
+    }
+
+    /// With the keywords of a normal load, of which the force may have another name.
+    pub(crate) fn with_normal(
+        self,
+        py: Python<'_>,
+        load: stickslip::NormalControl,
+        force: &str,
+    ) -> PyResult<Self> {
+        match load {
+            stickslip::NormalControl::Force(value) => self.with(py, force, Some(value)),
+            stickslip::NormalControl::Approach(value) => self.with(py, "approach", Some(value)),
+            _ => Ok(self),
+        }
+    }
+
+    /// Both, for ``__getnewargs_ex__``.
+    pub(crate) fn parts<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(Bound<'py, PyTuple>, Bound<'py, PyDict>)> {
+        Ok((
+            self.arguments.bind(py).clone(),
+            self.keywords.bind(py).copy()?,
+        ))
+    }
 }
 
 /// Makes a class of one serialisable field picklable.
@@ -143,6 +199,7 @@ kinds!(
     crate::history::Cycle,
     crate::normal::NormalSolution,
     crate::surface::SelfAffine,
+    crate::surface::Statistics,
     crate::coupled::CoupledReport,
     crate::coupled::CoupledSolution,
     crate::tangential::TangentialSolution,
@@ -150,10 +207,34 @@ kinds!(
     crate::report::Report,
     crate::report::Warning,
     crate::spots::Spot,
+    crate::spots::ContactSpots,
     crate::history::LoopPoint,
+    crate::history::LoopPoints,
     crate::history::StepError,
     crate::coupled::ErrorEstimate,
     crate::subsurface::Stress,
     crate::subsurface::Principal,
     crate::subsurface::Response,
+    crate::subsurface::Responses,
+    crate::analytical::CattaneoMindlin,
+    crate::analytical::CattaneoMindlinEllipse,
+    crate::analytical::CattaneoMindlinLine,
+    crate::analytical::Cone,
+    crate::analytical::ConePartialSlip,
+    crate::analytical::FlatPunch,
+    crate::analytical::HertzEllipse,
+    crate::analytical::HertzLine,
+    crate::analytical::HertzSphere,
+    crate::analytical::LubkinTorsion,
+    crate::analytical::MindlinDeresiewicz,
+    crate::analytical::MindlinFullStick,
+    crate::analytical::NoSlipPunch,
+    crate::analytical::NoSlipSphere,
+    crate::analytical::Persson,
+    crate::analytical::PopovLimitingShape,
+    crate::analytical::RoughSphere,
+    crate::analytical::RoundedPunch,
+    crate::analytical::SpencePressing,
+    crate::analytical::Westergaard,
+    crate::analytical::WestergaardPartialSlip,
 );

@@ -5,7 +5,7 @@ use std::time::Duration;
 use pyo3::prelude::*;
 
 use crate::choice::Choice;
-use crate::digits::{counted, rough};
+use crate::digits::{counted, in_python, rough};
 use crate::pickle::picklable;
 
 /// One step of an iteration, as a progress callback receives it.
@@ -146,8 +146,11 @@ impl Report {
         self.0.history.iter().copied().map(Iteration).collect()
     }
 
-    fn __repr__(&self) -> String {
-        format!("Report({})", self.0)
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        Ok(format!(
+            "Report({})",
+            in_python(py, &self.0.to_string(), &[])?
+        ))
     }
 }
 
@@ -212,7 +215,7 @@ impl Warning {
 
 picklable!(Warning: stickslip::Warning);
 
-/// Passes the remarks on to ``warnings.warn``, if that is wanted; only then are they looked for.
+/// Passes the remarks on to Python's ``warnings``, if that is wanted; only then are they looked for.
 pub(crate) fn warn(
     py: Python<'_>,
     is_wanted: bool,
@@ -221,11 +224,13 @@ pub(crate) fn warn(
     if !is_wanted {
         return Ok(());
     }
-    let category = py.import("stickslip.errors")?.getattr("ContactWarning")?;
-    let module = py.import("warnings")?;
-    for warning in warnings() {
-        // The innermost frame of Python is that of the caller.
-        module.call_method1("warn", (warning.to_string(), &category, 1))?;
+    let remarks: Vec<_> = Warning::all(warnings())
+        .iter()
+        .map(|warning| (warning.kind(), warning.message()))
+        .collect();
+    if !remarks.is_empty() {
+        let module = py.import("stickslip._remarks")?;
+        module.call_method1("warn", (remarks,))?;
     }
     Ok(())
 }

@@ -4,6 +4,7 @@ use pyo3::prelude::*;
 
 use crate::array::{Array, labels};
 use crate::digits::{counted, short, tuple};
+use crate::grid::Grid;
 use crate::pickle::picklable;
 use crate::sequence::{entry, pair};
 
@@ -74,9 +75,12 @@ impl Spot {
 
 picklable!(Spot: stickslip::Spot);
 
-/// The connected spots of a contact: a sequence of :class:`Spot`. ``list(spots)`` can be pickled.
-#[pyclass(frozen, module = "stickslip", sequence)]
+/// The connected spots of a contact: a sequence of :class:`Spot`.
+#[pyclass(frozen, eq, module = "stickslip", sequence)]
+#[derive(PartialEq)]
 pub(crate) struct ContactSpots(stickslip::ContactSpots);
+
+picklable!(ContactSpots: stickslip::ContactSpots);
 
 impl ContactSpots {
     pub(crate) fn of(spots: stickslip::ContactSpots) -> Self {
@@ -88,8 +92,14 @@ impl ContactSpots {
 impl ContactSpots {
     /// The number of the spot of every cell, counted from 1, of shape (ny, nx); 0 outside the contact.
     #[getter]
-    fn labels<'py>(&self, py: Python<'py>) -> Array<'py> {
+    fn labels<'py>(&self, py: Python<'py>) -> Array<'py, u32> {
         labels(py, self.0.grid(), self.0.labels())
+    }
+
+    /// The grid of the labels.
+    #[getter]
+    fn grid(&self) -> Grid {
+        Grid(self.0.grid())
     }
 
     /// The spot of the largest area.

@@ -1,11 +1,16 @@
 """That Python reaches what the crate has, that the stubs say what the module does, and that everything is documented."""
 
+import ast
+import builtins
 import importlib
 import inspect
 import pathlib
+import pkgutil
+import re
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 
 import stickslip as ss
@@ -114,13 +119,64 @@ def public(module):
 
 
 def test_modules_show_what_they_are_for_alone():
+    beside = {ss: ["Warning"], ss.surface: ["sum"]}  # of the name of a builtin
     for module in (ss, ss.history, ss.surface, ss.plot):
-        assert dir(module) == sorted(module.__all__)
+        assert dir(module) == sorted([*module.__all__, *beside.get(module, [])])
         assert all(hasattr(module, name) for name in dir(module))
     assert all(issubclass(getattr(ss.errors, name), Exception) for name in dir(ss.errors)) and len(dir(ss.errors)) > 50
     import stickslip.history.wear as wear
 
     assert wear is ss.wear is ss.history.wear
+
+
+def test_import_of_all_names_shadows_no_builtin():
+    for found in pkgutil.walk_packages(ss.__path__, "stickslip."):
+        if not found.name.split(".")[-1].startswith("_"):
+            module = importlib.import_module(found.name)
+            names = getattr(module, "__all__", [name for name in vars(module) if not name.startswith("_")])
+            assert not set(names) & set(dir(builtins)), found.name
+    assert not set(ss.__all__) & set(dir(builtins))
+    assert issubclass(ss.Warning, object) and ss.surface.sum and {"Warning"} < set(dir(ss)) and "sum" in dir(ss.surface)
+
+
+STUBS = ast.parse((pathlib.Path(_stickslip.__file__).parent / "_stickslip.pyi").read_text())
+
+
+def test_the_stubs_carry_the_docstrings():
+    def checked(nodes, owner):
+        for node in nodes:
+            item = getattr(owner, getattr(node, "name", ""), None)
+            if item is None or node.name.startswith("_"):
+                continue
+            setters = [ast.unparse(decorator).endswith(".setter") for decorator in getattr(node, "decorator_list", [])]
+            if not any(setters):
+                stub = ast.get_docstring(node)
+                assert stub is not None and inspect.cleandoc(item.__doc__).split() == stub.split(), node.name
+                seen.append(node.name)
+            if isinstance(node, ast.ClassDef):
+                checked(node.body, item)
+
+    seen = []
+    checked(STUBS.body, _stickslip)
+    assert len(seen) > 500
+
+
+def test_the_stubs_carry_the_types_of_the_entries_of_arrays(scene):
+    text = ast.unparse(STUBS)
+    assert "-> NDArray[Any]" not in text and "ndarray" not in text.replace("ndarray of", "").replace(": ndarray", "")
+    history = scene.history()
+    history.step(normal_force=100.0)
+    cycle = ss.history.Cycle(history)
+    objects = [scene.grid, scene.ball, scene.normal(), history, history.state(), history.spots, cycle, cycle.points]
+    for node in STUBS.body:
+        for item in (item for item in objects if type(item).__name__ == getattr(node, "name", "")):
+            for member in node.body:
+                returns = ast.unparse(member.returns) if getattr(member, "returns", None) else ""
+                stated = re.fullmatch(r"(?:tuple\[)?NDArray\[(\w+)\].*", returns)
+                if stated and any(ast.unparse(decorator) == "property" for decorator in member.decorator_list):
+                    value = getattr(item, member.name)
+                    first = value[0] if isinstance(value, tuple) else value
+                    assert first is None or first.dtype == getattr(np, stated[1]), member.name
 
 
 def test_equal_grids_and_bodies_are_equal_and_hash_alike(scene):

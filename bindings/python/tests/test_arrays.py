@@ -1,6 +1,8 @@
 """What is copied, what is not, and what can be read from where."""
 
 import gc
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -252,6 +254,88 @@ def test_surfaces_and_files_come_back(scene, tmp_path):
     contact = scene.normal()
     ss.subsurface.Planes(scene.bodies, [0.0, 1e-5, 2e-5]).write_vti(tmp_path / "stress.vti", "one", contact)
     assert (tmp_path / "stress.vti").stat().st_size > 3 * 8 * 4096
+
+
+def test_points_below_the_surface_give_arrays(scene):
+    contact = scene.normal()
+    points = np.column_stack([np.zeros(5), np.zeros(5), np.linspace(1e-6, 1e-4, 5)])
+    found = ss.subsurface.at_points(scene.bodies, "one", contact, points)
+    assert len(found) == 5 and list(found) == [found[place] for place in range(5)] and found[-1] == found[4]
+    assert ss.subsurface.at_points(scene.bodies, "one", contact, points.tolist()) == found
+    for axis, displacement in enumerate(found.displacement):
+        assert displacement.tolist() == [response.displacement[axis] for response in found]
+    for name, component in zip(("xx", "yy", "zz", "xy", "xz", "yz"), (*found.normal_stress, *found.shear_stress)):
+        assert component.tolist() == [getattr(response.stress, name) for response in found]
+    for name in ("von_mises", "hydrostatic", "max_shear"):
+        assert getattr(found, name).tolist() == [getattr(response.stress, name) for response in found]
+    assert found.von_mises.shape == (5,) and repr(found) == "Responses(5 points)"
+    assert len(ss.subsurface.at_points(scene.bodies, "one", contact, [])) == 0
+    with pytest.raises(IndexError, match="no point of index 5"):
+        found[5]
+
+
+def test_the_points_of_a_cycle_are_arrays(scene):
+    history = scene.history(model="vector")
+    history.step(normal_force=FORCE)
+    cycle = ss.history.Cycle(history)
+    for force in (20.0, -20.0):
+        history.step(force=(force, 5.0), twist=1e-5)
+        cycle.add(history)
+    points = cycle.points
+    assert points.force[0] == pytest.approx([0.0, 20.0, -20.0], abs=1e-6) and points.force[1].shape == (3,)
+    assert points.shift[1].tolist() == [point.shift[1] for point in points] and len(points) == 3
+    assert points.twist.tolist() == [0.0, 1e-5, 1e-5] and points.moment.tolist() == [point.moment for point in points]
+    assert (points.force[0].max(), points[-1].shift[0]) == (points[1].force[0], history.shift[0])
+
+
+def test_topographies_of_several_units_are_refused(scene):
+    class Topography:
+        physical_sizes = (4.0, 1.0)
+
+        def __init__(self, unit):
+            self.unit = unit
+
+        def heights(self):
+            return np.zeros((4, 2))
+
+    one, two, unknown = Topography("um"), Topography("nm"), Topography(None)
+    for call in (lambda *pair: ss.surface.gap_between(*pair), lambda *pair: ss.surface.sum([scene.ball, *pair][1:])):
+        with pytest.raises(ValueError, match="one topography is in um and another in nm"):
+            call(one, two)
+        assert call(one, Topography("um")) == call(one, unknown) == call(unknown, two)
+
+
+def test_a_solution_is_a_dataset_of_xarray(scene, tmp_path):
+    pytest.importorskip("xarray")
+    contact = scene.normal()
+    shear = ss.TangentialProblem(scene.bodies, contact, 0.5, force_x=20.0).solve()
+    both = ss.io.to_xarray((contact, shear))
+    assert dict(both.sizes) == {"y": 64, "x": 64} and np.array_equal(both.x, scene.grid.x)
+    assert np.array_equal(both.pressure, contact.pressure) and np.array_equal(both.traction_x, shear.traction[0])
+    assert both.attrs["normal_force"] == contact.force and both.attrs["force_x"] == shear.force[0]
+    assert both.pressure.attrs["long_name"].startswith("Pressure p >= 0")
+    assert "slip_y" in both and np.array_equal(both.zones, shear.zones)
+    history = scene.history()
+    history.step(normal_force=FORCE)
+    for solution in (history, history.state()):
+        dataset = ss.io.to_xarray(solution)
+        assert np.array_equal(dataset.accumulated_slip, history.accumulated_slip)
+        assert dataset.attrs["normal_force"] == pytest.approx(FORCE) and dataset.attrs["steps"] == 1
+    planes = ss.subsurface.Planes(scene.bodies, [0.0, 1e-5], displacements=True).solve_all("two", contact)
+    volume = ss.io.to_xarray(planes)
+    assert dict(volume.sizes) == {"depth": 2, "y": 64, "x": 64} and volume.attrs["body"] == "two"
+    assert volume.depth.values.tolist() == [0.0, 1e-5]
+    assert np.array_equal(volume.xz[1], planes[1].shear_stress[1]) and np.array_equal(volume.displacement_z[0], planes[0].displacement[2])
+    assert np.array_equal(ss.io.to_xarray(scene.ball)["values"], scene.ball)
+    with pytest.raises(TypeError, match="got float"):
+        ss.io.to_xarray(1.0)
+    with pytest.raises(ValueError, match="several bodies"):
+        ss.io.to_xarray([planes[0], *ss.subsurface.Planes(scene.bodies, [0.0]).solve_all("one", contact)])
+
+
+def test_xarray_is_imported_only_for_a_dataset():
+    code = "import sys, stickslip; assert not {'xarray', 'matplotlib', 'pandas'} & set(sys.modules)"
+    subprocess.run([sys.executable, "-c", code], check=True)
 
 
 def test_closed_forms_take_numbers_and_arrays(scene):

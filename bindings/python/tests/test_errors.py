@@ -1,6 +1,8 @@
 """What is refused: by which exception, with which numbers; and that nothing has changed."""
 
+import errno
 import math
+import os
 import pickle
 import warnings
 
@@ -79,6 +81,17 @@ def test_bad_input_is_a_value_error_and_files_are_os_errors():
         ss.Material(1.0, 0.7)
     with pytest.raises(OSError, match="nowhere"):
         ss.io.npy.read("/nowhere.npy", cell=(1.0, 1.0))
+
+
+@pytest.mark.parametrize("path", ["/nowhere/heights.sdf", "."])
+def test_what_the_system_refuses_of_a_file_has_its_errno(path, tmp_path):
+    number = errno.ENOENT if path != "." else errno.EISDIR
+    with pytest.raises(OSError) as refused:
+        ss.io.sdf.read(path)
+    back = pickle.loads(pickle.dumps(refused.value))
+    for error in (refused.value, back):
+        assert (error.errno, error.filename) == (number, path)
+        assert os.strerror(number) in error.strerror == error.problem and str(error).startswith(path)
 
 
 def test_wrong_types_and_names_say_what_is_right(scene):
@@ -207,22 +220,58 @@ def test_a_solver_takes_load_and_gap_together_or_neither():
     assert solver.solve(approach=0.005, gap=waves).approach == 0.005
 
 
-def test_warnings_are_objects_and_are_warned_of_on_request(scene):
+def test_warnings_are_objects_and_are_warned_of_by_default(scene):
     tiny = ss.NormalProblem(scene.bodies, scene.ball, force=0.01)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        contact = tiny.solve()
+        contact = tiny.solve(warn=False)
+        with pytest.raises(ss.ContactWarning):
+            tiny.solve()
     [remark] = contact.warnings
     assert repr(contact).endswith("converged, 1 warning)")
     assert remark.kind == "unresolved_spots" and "refine the grid" in repr(remark)
     with pytest.warns(ss.ContactWarning, match="refine the grid") as caught:
-        tiny.solve(warn=True)
+        tiny.solve()
     assert caught[0].filename == __file__
     history = scene.history()
     history.step(normal_force=FORCE)
     history.set_gap(scene.ball + 1e-9)
     with pytest.warns(ss.ContactWarning, match="old gap"):
-        history.step(force_x=1.0, warn=True)
+        history.step(force_x=1.0)
+    history.set_gap(scene.ball + 2e-9)
+    with pytest.warns(ss.ContactWarning, match="old gap"):
+        ss.History.step_all([history], [ss.LoadStep(force_x=2.0)])
+    history.set_gap(scene.ball + 3e-9)
+    with pytest.warns(ss.ContactWarning, match="old gap"):
+        ss.history.AdaptiveSteps(history, 0.1).step(history, ss.LoadStep(force_x=3.0))
+
+
+def test_a_kind_of_remark_is_warned_of_once_a_place_whatever_it_counts():
+    grid = ss.Grid.square(24, 1.0)
+    bodies = ss.HalfSpace(grid, (ss.Material(1.0, 0.3), ss.Material.rigid()))
+    x, y = np.meshgrid(grid.x, grid.y)
+    solver = ss.NormalSolver(bodies, (x - 0.3) ** 2 / 2.0 + y**2 / 2.0, force=0.0)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("default")
+        counts = {remark.cells for force in (0.02, 0.04, 0.06) for remark in solver.solve(force=force).warnings}
+        assert len(counts) == 3 and len(caught) == 1  # as many texts, one warning
+        solver.solve(force=0.05)
+        assert [warning.lineno for warning in caught] == sorted({warning.lineno for warning in caught}) and len(caught) == 2
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        for force in (0.02, 0.04, 0.06):
+            solver.solve(force=force)
+        assert len({str(warning.message) for warning in caught}) == 3
+
+
+def test_a_loop_warns_where_it_is_run(scene):
+    history = scene.history()
+    history.step(normal_force=FORCE)
+    history.set_gap(scene.ball + 1e-9)
+    loop = ss.history.FrettingLoop(ss.history.LoadPath.sine((1.0, 0.0), 4), lambda force: ss.LoadStep(force=force))
+    with pytest.warns(ss.ContactWarning, match="old gap") as caught:
+        loop.run(history, 1)
+    assert {warning.filename for warning in caught} == {__file__}
 
 
 def test_an_operator_that_raises_ends_the_solve():

@@ -18,7 +18,7 @@ OF_PEERS = {"against_peers.py"}  # needs what is compared with
 
 
 def run(arguments, folder):
-    environment = {**os.environ, "MPLBACKEND": "Agg"}
+    environment = {**os.environ, "MPLBACKEND": "Agg", "PYTHONWARNINGS": "error::UserWarning"}
     answer = subprocess.run(
         [sys.executable, *arguments], cwd=folder, env=environment, capture_output=True, text=True, timeout=300
     )

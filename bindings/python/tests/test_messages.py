@@ -3,6 +3,7 @@
 import importlib
 import math
 import re
+import warnings
 
 import numpy as np
 import pytest
@@ -55,7 +56,78 @@ def test_a_number_out_of_range_in_a_pair_is_named(scene, call, message):
         call(scene)
 
 
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda scene: ss.TangentialProblem(scene.bodies, scene.normal(), 0.5, force_x=60.0), r"force of 60\.0 exceeds"),
+        (lambda scene: ss.Grid.square(3, -1.0), r"got -1\.0$"),
+        (lambda scene: ss.Grid.square(3, math.nan), r"got nan$"),
+        (lambda scene: ss.Grid.square(3, -1e-12), r"got -1e-12$"),
+        (lambda scene: ss.Grid.square(3, -1e300), r"got -1e\+300$"),
+        (lambda scene: ss.Material(1.0, -math.inf), r"\(-1, 0\.5\], got -inf$"),
+        (lambda scene: ss.Settings(tolerance=2.0), r"between 0 and 1, got 2\.0$"),
+        (lambda scene: scene.ball - ss.Field(ss.Grid.square(64, 1e-6), 0.0), r"sides \[1\.5625e-08, 1\.5625e-08\], expected"),
+        (lambda scene: ss.surface.gap_from_heights(scene.ball * math.nan), r"index 0\) is nan: "),
+        (lambda scene: ss.NormalProblem(scene.bodies, scene.ball * 0.0 - math.inf, force=1.0), r"is -inf: "),
+        (lambda scene: ss.surface.crop(scene.ball, (3, 3), (0, 1)), r"range 3\.\.3 of"),
+        (lambda scene: ss.History(scene.bodies, scene.ball, 0.5).step(force=(1.0, 2.5)), r"2\.5"),
+    ],
+)
+def test_numbers_in_messages_are_as_python_writes_them(scene, call, message):
+    with pytest.raises(ss.StickslipError, match=message) as refused:
+        call(scene)
+    assert not re.search(r"\de-?\d\b|NaN|\b0\.00000|\d{17,}", str(refused.value))
+
+
+def test_a_report_has_its_numbers_as_python_writes_them(scene):
+    report = repr(scene.normal().report)
+    assert re.search(r"e-\d\d,", report) and not re.search(r"e-\d,", report)
+
+
+@pytest.mark.parametrize("shape", [(64,), (1, 64, 64), (3, 3)])
+def test_a_gap_of_another_shape_is_refused_with_it(scene, shape):
+    with pytest.raises(ss.errors.Shape, match=re.escape(f"gap has shape {shape}, expected (ny, nx) = (64, 64)")) as refused:
+        ss.NormalProblem(scene.bodies, np.zeros(shape), force=1.0)
+    assert (refused.value.quantity, refused.value.expected, refused.value.found) == ("gap", (64, 64), shape)
+    with pytest.raises(ss.errors.Shape, match=r"\(64,\)"):
+        scene.history().set_gap([0.0] * 64)
+
+
+@pytest.mark.parametrize("kind", [complex, str, "datetime64[s]"])
+def test_arrays_that_are_not_real_are_refused(scene, kind):
+    wrong = np.zeros(scene.grid.shape).astype(int).astype(kind)
+    for call in (
+        lambda: ss.NormalProblem(scene.bodies, wrong, force=1.0),
+        lambda: ss.Field(scene.grid, wrong),
+        lambda: scene.history().set_gap(wrong.tolist()),
+        lambda: scene.ball + wrong,
+        lambda: ss.Friction(wrong, grid=scene.grid),
+        lambda: ss.Friction(wrong[0, 0], grid=scene.grid),
+        lambda: scene.bodies.operator("zz").apply(wrong),
+        lambda: scene.hertz.pressure(wrong),
+        lambda: ss.LoadStep(force=wrong[0, :2]),
+        lambda: ss.subsurface.at_points(scene.bodies, "one", scene.ball, wrong[:, :3]),
+        lambda: ss.subsurface.Planes(scene.bodies, wrong[0, :3]),
+    ):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            with pytest.raises(TypeError, match="real numbers|of numbers|pair"):
+                call()
+
+
 def test_pairs_may_be_lists_and_arrays(scene):
+    contact = scene.normal()
+    shear = ss.TangentialProblem(scene.bodies, contact, 0.5, force_x=20.0).solve()
+    below = [ss.subsurface.at_points(scene.bodies, "one", both, [[0, 0, 1e-5]]) for both in ((contact, shear), [contact, shear])]
+    assert below[0] == below[1]
+    for kind in (list, np.array):
+        assert ss.LoadStep(spring_x=kind([1e-6, 1e7])) == ss.LoadStep(spring_x=(1e-6, 1e7))
+        assert ss.surface.crop(scene.ball, kind([2, 5]), kind([0, 3])).shape == (3, 3)
+    assert ss.LoadStep(spring=[[1e-6, 0.0], 1e7]) == ss.LoadStep(spring=((1e-6, 0.0), 1e7))
+    bodies = ss.HalfSpace(scene.grid, list(scene.bodies.pair.bodies), boundary=["periodic_along_y", 3.0])
+    assert bodies.pair == scene.bodies.pair and bodies.boundary == ss.Boundary.periodic_along_y(3.0)
+    vector = [scene.ball, scene.ball.array]
+    assert ss.io.vti.to_bytes({"v": vector}, grid=scene.grid) == ss.io.vti.to_bytes({"v": tuple(vector)}, grid=scene.grid)
     for force in [(1.0, 2.0), [1, 2], np.array([1.0, 2.0])]:
         assert ss.LoadStep(force=force) == ss.LoadStep(force_x=1.0, force_y=2.0)
     assert len(ss.history.LoadPath(np.ones((4, 2)))) == 4

@@ -40,6 +40,67 @@ def test_values_come_back(scene):
     assert (bodies.grid, bodies.pair, bodies.boundary) == (scene.grid, scene.bodies.pair, scene.bodies.boundary)
 
 
+def test_closed_forms_and_statistics_come_back(scene):
+    pair, hertz = scene.bodies.pair, scene.hertz
+    forms = ss.analytical
+    line, ellipse = forms.HertzLine(pair, 0.01, 1e4), forms.HertzEllipse(pair, 1e-2, 2e-2, 100.0)
+    waves, cone = forms.Westergaard(pair, 1e-6, 1e-3, 1e7), forms.Cone(pair, 0.01, 10.0)
+    made = [
+        hertz, line, ellipse, waves, cone, forms.CattaneoMindlin(hertz, 0.5, 20.0), forms.CattaneoMindlinLine(line, 0.5, 1e3),
+        forms.CattaneoMindlinEllipse(ellipse, 0.5, 20.0), forms.ConePartialSlip(cone, 0.5, 1.0), forms.FlatPunch(pair, 1e-3, 10.0),
+        forms.LubkinTorsion(hertz, 0.5, 1e-3), forms.Persson(pair, 0.1, 1e9),
+        forms.MindlinDeresiewicz(hertz, 0.5, [30.0, -30.0, 10.0]), forms.MindlinFullStick(pair, 1e-3, 1.0),
+        forms.NoSlipPunch(pair, 1e-3, 10.0), forms.NoSlipSphere(pair, 1e-2, 10.0), forms.SpencePressing.round(pair, 0.3),
+        forms.RoughSphere(hertz, 0.1), forms.RoundedPunch(pair, 1e-3, 1e-2, 1e4), forms.WestergaardPartialSlip(waves, 0.5, 1e6),
+        forms.PopovLimitingShape(pair, 3.5e-3, 1e-6, 1e-5), ss.surface.Statistics(scene.ball), ss.NormalProblem(
+            scene.bodies, scene.ball, force=FORCE).solve().spots,
+    ]  # fmt: skip
+    assert {type(form) for form in made} >= {form for form in vars(forms).values() if isinstance(form, type)}
+    for value in made:
+        back = same(value)
+        assert back == value and repr(back) == repr(value) and type(back) is type(value) and copy.deepcopy(value) == value
+    assert np.array_equal(same(made[-1]).labels, made[-1].labels)
+
+
+def test_problems_come_back_and_solve_to_the_same_bits(scene):
+    bulk = ss.tangential.RelativeDisplacement.bulk_strain(scene.grid, [[1e-6, 0.0], [0.0, 0.0]])
+    contact = scene.normal()
+    mu = np.full(scene.grid.shape, 0.5)
+    grid = ss.Grid.square(16, 0.3)
+    bodies = ss.HalfSpace(grid, (ss.Material(70e3, 0.33), ss.Material(210e3, 0.3)))
+    for problem in [
+        ss.NormalProblem(scene.bodies, scene.ball, force=FORCE, hardness=2e9, tolerance=1e-6),
+        ss.NormalProblem(scene.bodies, scene.ball.array, approach=1e-6),
+        ss.TangentialProblem(scene.bodies, contact, mu, force=(10.0, 5.0), model="vector", coupling="neglected"),
+        ss.TangentialProblem(scene.bodies, contact.pressure, 0.5, shift_y=1e-7, model="vector", relative_displacement=bulk),
+        ss.CoupledProblem(bodies, ss.surface.sphere(grid, 3.5), 0.1, normal_force=60.0, force_x=1.0, tolerance=1e-6),
+    ]:
+        for back in (same(problem), copy.deepcopy(problem)):
+            assert type(back) is type(problem) and back.solve() == problem.solve()
+
+
+def test_materials_hash_as_they_compare():
+    steel = ss.Material(210e9, 0.3)
+    for value in (steel, ss.ElasticPair(steel, ss.Material.rigid())):
+        assert hash(value) == hash(same(value)) and len({value, same(value)}) == 1
+    assert ss.Material(1.0, 0.0) == ss.Material(1.0, -0.0) and hash(ss.Material(1.0, 0.0)) == hash(ss.Material(1.0, -0.0))
+    assert len({steel, ss.Material(210e9, 0.3, hardness=1e9), ss.Material(210e9, 0.31)}) == 3
+
+
+def test_solutions_are_equal_by_their_answers_not_by_their_time(scene):
+    grid = ss.Grid.square(16, 0.3)
+    bodies = ss.HalfSpace(grid, (ss.Material(70e3, 0.33), ss.Material(210e3, 0.3)))
+    for problem in (
+        ss.NormalProblem(scene.bodies, scene.ball, force=FORCE),
+        ss.TangentialProblem(scene.bodies, scene.normal(), 0.5, force_x=20.0),
+        ss.CoupledProblem(bodies, ss.surface.sphere(grid, 3.5), 0.1, normal_force=60.0),
+    ):
+        one, two = problem.solve(), problem.solve()
+        assert one.report != two.report  # not even in their time
+        assert one == two and not one != two
+    assert scene.normal() != ss.NormalProblem(scene.bodies, scene.ball, force=FORCE * (1.0 + 1e-9)).solve()
+
+
 def test_solutions_come_back_bit_for_bit(scene):
     contact = scene.normal()
     shear = ss.TangentialProblem(scene.bodies, contact, 0.5, force_x=20.0).solve()
@@ -128,7 +189,9 @@ def test_reports_remarks_and_results_come_back(scene):
         response.stress,
         response.stress.principal,
         error,
+        ss.history.Cycle(history).points,
         ss.history.Cycle(history).points[0],
+        ss.subsurface.at_points(scene.bodies, "one", contact, [(0.0, 0.0, 1e-5)] * 3),
     ]:
         assert same(value) == value and type(same(value)) is type(value)
 

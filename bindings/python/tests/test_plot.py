@@ -1,5 +1,6 @@
 """The pictures."""
 
+import numpy as np
 import pytest
 
 import stickslip as ss
@@ -8,6 +9,28 @@ from conftest import FORCE
 pyplot = pytest.importorskip("matplotlib.pyplot")
 pyplot.switch_backend("Agg")
 from stickslip import plot  # noqa: E402
+
+
+def bar(axes):
+    """The bar of colours beside a picture."""
+    [place] = axes.child_axes
+    return place
+
+
+def drawn(axes):
+    """Where a thing is on the figure, as it is drawn."""
+    axes.figure.canvas.draw()
+    return axes.get_window_extent()
+
+
+def sheared(scene):
+    contact = scene.normal()
+    return contact, ss.TangentialProblem(scene.bodies, contact, 0.5, force=(20.0, 10.0), model="vector").solve()
+
+
+@pytest.fixture(autouse=True)
+def closed():
+    yield
 
 
 def test_pictures_of_a_contact(scene):
@@ -23,7 +46,6 @@ def test_pictures_of_a_contact(scene):
     assert plot.field(scene.grid, scene.ball).images
     with pytest.raises(ss.errors.Shape):
         plot.field(scene.grid, [[1.0]])
-    pyplot.close("all")
 
 
 def test_sections_are_the_rows_and_columns_of_a_field(scene):
@@ -42,21 +64,24 @@ def test_sections_are_the_rows_and_columns_of_a_field(scene):
     for wrong in ({"at": 1.0}, {"along": "z"}):
         with pytest.raises(ValueError):
             plot.section(scene.grid, scene.ball, **wrong)
-    pyplot.close("all")
 
 
 def test_axes_have_names_and_the_units_given(scene):
     contact = scene.normal()
-    axes = plot.pressure_map(contact, scale=1e3, length_unit="mm", pressure_unit="Pa")
+    axes = plot.pressure_map(contact, scale=1e3, length_unit="mm", value_scale=1e-9, unit="GPa")
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("x, mm", "y, mm")
-    assert axes.figure.axes[1].get_ylabel() == "pressure, Pa"
+    assert bar(axes).get_ylabel() == "pressure, GPa"
+    assert axes.images[0].get_array().max() == pytest.approx(1e-9 * contact.pressure.max())
     assert plot.field(scene.grid, scene.ball).get_xlabel() == "x"
     cycle = ss.history.Cycle(scene.history())
-    axes = plot.hysteresis(cycle, axis="y", length_unit="m", force_unit="N")
+    axes = plot.hysteresis(cycle, axis="y", length_unit="m", unit="N")
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("shift along y, m", "tangential force along y, N")
+    axes = plot.section(scene.grid, contact.gap, label="gap", value_scale=1e6, unit="µm", scale=1e3, length_unit="mm")
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("x, mm", "gap, µm")
+    axes = plot.work_precision([contact.report], scale=1e3, unit="ms")
+    assert axes.get_ylabel() == "time, ms" and list(axes.lines[0].get_ydata()) == [1e3 * contact.report.time]
     with pytest.raises(ValueError):
         plot.hysteresis(cycle, axis="z")
-    pyplot.close("all")
 
 
 def test_pictures_of_a_history_and_of_reports(scene):
@@ -73,3 +98,106 @@ def test_pictures_of_a_history_and_of_reports(scene):
     [line] = plot.work_precision({"ball": reports}).lines
     assert list(line.get_xdata()) == [report.energy_error_bound for report in reports]
     pyplot.close("all")
+
+
+def test_every_bar_is_as_high_as_its_picture_and_as_wide_as_the_others(scene):
+    contact, shear = sheared(scene)
+    planes = ss.subsurface.Planes(scene.bodies, np.linspace(0.0, 5e-5, 3)).solve_all("one", contact)
+    figure, axes = pyplot.subplots(2, 3, figsize=(12, 8))
+    plot.pressure_map(contact, axes[0, 0])
+    plot.stick_map(shear, axes[0, 1])
+    plot.traction_map(shear, axes[0, 2])
+    plot.spot_map(contact, axes[1, 0])
+    plot.field(scene.grid, scene.ball, axes[1, 1])
+    plot.stress_section(planes, axes[1, 2])
+    assert figure.get_layout_engine() is not None
+    left, _ = pyplot.figure().subfigures(1, 2)
+    assert plot.field(scene.grid, scene.ball, left.subplots()).images and left.get_layout_engine() is not None
+    for picture in axes.flat:
+        of_bar, of_picture = drawn(bar(picture)), drawn(picture)
+        assert (of_bar.y0, of_bar.y1) == pytest.approx((of_picture.y0, of_picture.y1), abs=1.0)
+        assert of_bar.width == pytest.approx(0.05 * of_picture.width, abs=1.0)
+
+
+def test_no_text_lies_over_data_or_over_a_neighbour(scene):
+    contact, shear = sheared(scene)
+    figure, axes = pyplot.subplots(1, 3, figsize=(12, 4))
+    plot.pressure_map(contact, axes[0], unit="Pa")
+    plot.stick_map(shear, axes[1], length_unit="m")
+    plot.work_precision({"ball": [contact.report], "other": [contact.report]}, axes[2])
+    figure.canvas.draw()
+    renderer = figure.canvas.get_renderer()
+    for place in axes:
+        inside = place.get_window_extent()
+        legend = place.get_legend()
+        assert legend is None or not legend.get_window_extent(renderer).overlaps(inside)
+        assert not place.texts
+    tight = [place.get_tightbbox(renderer) for place in axes]
+    assert tight[0].x1 <= tight[1].x0 and tight[1].x1 <= tight[2].x0 and tight[2].x1 <= figure.bbox.x1
+
+
+def test_a_line_of_cells_is_drawn_as_a_profile():
+    grid = ss.Grid.line(64, 0.02)
+    steel = ss.Material(210e3, 0.3)
+    bodies = ss.HalfSpace(grid, (steel, steel), boundary=("periodic_along_y", 50.0))
+    contact = ss.NormalProblem(bodies, ss.surface.cylinder(grid, 20.0), force=200.0).solve()
+    shear = ss.TangentialProblem(bodies, contact, 0.5, force_x=50.0).solve()
+    axes = plot.pressure_map(contact, unit="MPa", length_unit="mm", scale=2.0)
+    assert not axes.images and axes.get_ylabel() == "pressure, MPa"
+    assert list(axes.lines[0].get_ydata()) == list(contact.pressure[0])
+    assert list(axes.lines[0].get_xdata()) == list(2.0 * grid.x)
+    axes = plot.traction_map(shear, unit="MPa")
+    assert list(axes.lines[0].get_ydata()) == list(shear.traction[0][0]) and axes.get_ylabel() == "shear traction, MPa"
+    axes = plot.stick_map(shear)
+    assert list(axes.lines[0].get_ydata()) == list(shear.zones[0])
+    assert [label.get_text() for label in axes.get_yticklabels()] == ["separated", "stick", "slip"]
+    assert list(plot.spot_map(contact).lines[0].get_ydata(orig=True)[contact.contact[0]]) == [contact.spots[0].mean_pressure] * int(
+        contact.contact.sum()
+    )
+
+
+def test_tractions_are_drawn_by_their_size_and_arrows(scene):
+    _, shear = sheared(scene)
+    axes = plot.traction_map(shear, arrows=8, value_scale=1e-9, unit="GPa")
+    size = np.hypot(*shear.traction)
+    assert axes.images[0].get_array().max() == pytest.approx(1e-9 * size.max())
+    assert bar(axes).get_ylabel() == "shear traction, GPa"
+    [arrows] = axes.collections
+    columns = np.flatnonzero(shear.zones.any(axis=0))
+    assert 40 < arrows.U.size < 150 and np.ptp(columns) > 8
+    assert np.nanmax(np.hypot(arrows.U, arrows.V)) <= size.max()
+    assert plot.traction_map(scene.history()).images  # nothing touches
+
+
+def test_spots_are_drawn_by_their_numbers(scene):
+    x, y = np.meshgrid(scene.grid.x, scene.grid.y)
+    gap = np.minimum((x - 0.07e-3) ** 2, (x + 0.07e-3) ** 2 + 1e-12) / 2e-3 + y**2 / 2e-3
+    contact = ss.NormalProblem(scene.bodies, gap, force=5.0).solve()
+    [image] = plot.spot_map(contact, by="load", unit="N").images
+    shown = image.get_array()
+    assert set(shown.compressed()) == {spot.load for spot in contact.spots} and shown.count() == contact.contact_cells
+    assert plot.spot_map(contact.spots, by="area").images
+    for wrong in ("colour", "stick_ratio"):
+        with pytest.raises(ValueError, match="stick_ratio"):
+            plot.spot_map(contact, by=wrong)
+
+
+def test_a_section_below_the_surface_is_that_of_the_planes(scene):
+    contact = scene.normal()
+    depths = [2e-5, 0.0, 5e-5]
+    planes = ss.subsurface.Planes(scene.bodies, depths).solve_all("one", contact)
+    axes = plot.stress_section(planes, scale=1e3, length_unit="mm", value_scale=1e-6, unit="MPa")
+    [mesh] = axes.collections
+    row = abs(scene.grid.y).argmin()
+    expected = [1e-6 * planes[place].von_mises[row] for place in (1, 0, 2)]
+    assert np.allclose(np.asarray(mesh.get_array()).reshape(3, -1), expected, rtol=1e-12)
+    assert axes.get_ylim() == pytest.approx((0.05, 0.0)) and axes.get_aspect() == 1.0
+    assert (axes.get_xlabel(), axes.get_ylabel(), bar(axes).get_ylabel()) == ("x, mm", "depth, mm", "von Mises, MPa")
+    [mesh] = plot.stress_section(planes, of="yz", along="y", at=1e-5).collections
+    column = abs(scene.grid.x - 1e-5).argmin()
+    assert np.array_equal(np.asarray(mesh.get_array()).reshape(3, -1)[0], planes[1].shear_stress[2][:, column])
+    for wrong in ({"of": "zx"}, {"at": 1.0}, {"along": "z"}):
+        with pytest.raises(ValueError):
+            plot.stress_section(planes, **wrong)
+    with pytest.raises(ValueError, match="two depths"):
+        plot.stress_section(planes[:1])

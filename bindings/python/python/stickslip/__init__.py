@@ -77,11 +77,11 @@ from ._stickslip import (
     TangentialProblem,
     TangentialSolution,
     TangentialSolver,
-    Warning,
     __version__,
     num_threads,
     set_num_threads,
 )
+from ._stickslip import Warning as Warning  # noqa: A004 (`import *` leaves the builtin of this name)
 from .errors import (
     BeyondFrictionCapacity,
     BeyondHardness,
@@ -127,7 +127,6 @@ __all__ = [
     "TangentialProblem",
     "TangentialSolution",
     "TangentialSolver",
-    "Warning",
     "Zone",
     "__version__",
     "analytical",
@@ -152,4 +151,4 @@ __all__ = [
 
 
 def __dir__() -> list[str]:
-    return __all__
+    return [*__all__, "Warning"]

@@ -16,7 +16,10 @@ class StickslipError(Exception):
 
 
 class ContactWarning(UserWarning):
-    """The category of the remarks on a solution that ``warn=True`` passes to ``warnings.warn``."""
+    """The category of the remarks on solutions and steps, of which ``warnings`` shows each kind once a place.
+
+    ``warn=False`` of a solve or a step passes none on; ``warnings.simplefilter("ignore", ContactWarning)`` shows none.
+    """
 
 
 class Shape(StickslipError, ValueError):
@@ -392,6 +395,12 @@ class File(StickslipError, OSError):
     """The file."""
     problem: str
     """The message of the operating system."""
+    errno: int | None = None
+    """Its number of the error, as of the module ``errno``."""
+    strerror: str | None = None
+    """The same as ``problem``."""
+    filename: str | None = None
+    """The same as ``path``."""
 
 
 class Format(StickslipError, ValueError):

@@ -1,12 +1,16 @@
 """Pictures with matplotlib, which ``pip install 'stickslip[plot]'`` brings along.
 
-Every function draws into ``axes``, or into new ones, and returns them. Axes are called "x" and "y"; the package knows no
-units, and writes those that it is given (``length_unit="mm"``) behind the names.
+Every function draws into ``axes``, or into new ones, and returns them. A figure without a layout gets the constrained one,
+so that no name lies over a neighbour. Bars of colours are as high as the picture beside them. A grid of a single row or
+column of cells, such as that of a line contact, is drawn as a profile: a line over the cells.
+
+The package knows no units, and writes those that it is given behind the names: ``length_unit`` is that of coordinates and
+shifts times ``scale`` (1e3 shows metres as millimetres), ``unit`` that of the values drawn times ``value_scale``.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -19,16 +23,25 @@ if TYPE_CHECKING:
 
     from . import Grid, Report
     from .history import Cycle
+    from .subsurface import Plane
+
+_COLOURS = {Zone.SEPARATED: "white", Zone.STICK: "tab:blue", Zone.SLIP: "tab:orange"}
+
+_STRESSES = {"von_mises": "von Mises", "max_shear": "largest shear stress", "hydrostatic": "mean normal stress"}
 
 
 def _axes(axes: Axes | None) -> Axes:
-    if axes is not None:
-        return axes
-    try:
-        import matplotlib.pyplot as pyplot
-    except ImportError as error:
-        raise ImportError("stickslip.plot needs matplotlib: pip install 'stickslip[plot]'") from error
-    return pyplot.subplots()[1]
+    if axes is None:
+        try:
+            import matplotlib.pyplot as pyplot
+        except ImportError as error:
+            raise ImportError("stickslip.plot needs matplotlib: pip install 'stickslip[plot]'") from error
+        axes = pyplot.subplots(layout="constrained")[1]
+    # Of a part of a figure, the whole.
+    figure: Any = getattr(axes.figure, "figure", axes.figure)
+    if figure.get_layout_engine() is None:
+        figure.set_layout_engine("constrained")
+    return axes
 
 
 def _label(name: str, unit: str) -> str:
@@ -52,13 +65,43 @@ def _component(axis: str) -> int:
     return ("x", "y").index(str(axis))
 
 
+def _place(grid: Grid, along: str, at: float) -> tuple[int, int]:
+    """The axis that a line of cells is along, and the row or column of the cells nearest to its position."""
+    direction = _component(along)
+    edges = grid.extent[2:] if direction == 0 else grid.extent[:2]
+    if not edges[0] <= at <= edges[1]:
+        raise ValueError(f"the section at {at} lies beyond the grid, which reaches from {edges[0]} to {edges[1]}")
+    across = grid.y if direction == 0 else grid.x
+    return direction, int(np.abs(across - at).argmin())
+
+
+def _profile_axis(grid: Grid) -> str | None:
+    """The axis along which the cells of a grid of a single row or column lie."""
+    if grid.ny == 1:
+        return "x"
+    return "y" if grid.nx == 1 else None
+
+
 def _image(axes: Axes, grid: Grid, values: Any, scale: float, length_unit: str, **options: Any) -> Any:
     """Draws values of the cells of a grid where they are."""
     left, right, bottom, top = (scale * edge for edge in grid.extent)
+    options = {"interpolation": "nearest", **options}
     image = axes.imshow(values, origin="lower", extent=(left, right, bottom, top), **options)
     axes.set_xlabel(_label("x", length_unit))
     axes.set_ylabel(_label("y", length_unit))
     return image
+
+
+def _bar(axes: Axes, image: Any, label: str, **options: Any) -> Any:
+    """A bar of colours beside a picture, and as high."""
+    place = axes.inset_axes((1.04, 0.0, 0.05, 1.0))
+    return axes.figure.colorbar(image, cax=place, label=label, **options)
+
+
+def _named_above(axes: Axes) -> Axes:
+    """The names of lines above the axes, where no line runs."""
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3)
+    return axes
 
 
 def field(
@@ -67,37 +110,47 @@ def field(
     axes: Axes | None = None,
     *,
     label: str = "",
+    unit: str = "",
+    value_scale: float = 1.0,
     scale: float = 1.0,
     length_unit: str = "",
     **options: Any,
 ) -> Axes:
-    """Draws a field as an image with a bar of colours.
+    """Draws a field as an image with a bar of colours; on a single row or column of cells as a profile.
 
     Parameters
     ----------
     grid : Grid
         The cells.
     values : Field or array_like of shape (ny, nx)
-        What is drawn; masked values are left white.
+        The values to draw; masked ones are left white.
     axes : matplotlib Axes, optional
         Where it is drawn; new axes by default.
-    label : str, default ""
-        Of the bar of colours.
+    label, unit : str, default ""
+        Name and unit of the values, times ``value_scale``.
+    value_scale : float, default 1
+        Factor of the values, such as 1e-9 to show Pa as GPa.
     scale : float, default 1
         Factor of the coordinates, such as 1e3 to show metres as millimetres.
     length_unit : str, default ""
-        What coordinates are shown in.
+        Unit of the coordinates, times ``scale``.
     **options
-        Of ``imshow``.
+        Of ``imshow``, of a profile those of ``plot``.
 
     Raises
     ------
     Shape
     """
     samples = _samples(grid, values)
+    along = _profile_axis(grid)
+    if along is not None:
+        return section(
+            grid, samples, axes, along=along, label=label, unit=unit, value_scale=value_scale, scale=scale,
+            length_unit=length_unit, **options,
+        )  # fmt: skip
     axes = _axes(axes)
-    image = _image(axes, grid, samples, scale, length_unit, **options)
-    axes.figure.colorbar(image, ax=axes, label=label)
+    image = _image(axes, grid, value_scale * samples, scale, length_unit, **options)
+    _bar(axes, image, _label(label, unit))
     return axes
 
 
@@ -109,6 +162,8 @@ def section(
     along: str = "x",
     at: float = 0.0,
     label: str = "",
+    unit: str = "",
+    value_scale: float = 1.0,
     scale: float = 1.0,
     length_unit: str = "",
     **options: Any,
@@ -120,19 +175,17 @@ def section(
     grid : Grid
         The cells.
     values : Field or array_like of shape (ny, nx)
-        What is drawn.
+        The values to draw.
     axes : matplotlib Axes, optional
         Where it is drawn, a further line where there is one; new axes by default.
     along : Axis or str, default "x"
         The axis that the line is along: "x" draws a row of cells, "y" a column.
     at : float, default 0
         Position of the line on the other axis (a length): the cells whose centres are nearest to it.
-    label : str, default ""
-        Of the values.
-    scale, length_unit : optional
-        Of the coordinates, as of :func:`field`.
+    label, unit, value_scale, scale, length_unit : optional
+        As of :func:`field`.
     **options
-        Of ``plot``.
+        Of ``plot``; ``label`` is that of the axis.
 
     Raises
     ------
@@ -140,16 +193,15 @@ def section(
     ValueError
         If ``along`` is no axis, or ``at`` lies beyond the grid.
     """
-    samples, direction = _samples(grid, values), _component(along)
-    edges = grid.extent[2:] if direction == 0 else grid.extent[:2]
-    if not edges[0] <= at <= edges[1]:
-        raise ValueError(f"the section at {at} lies beyond the grid, which reaches from {edges[0]} to {edges[1]}")
-    coordinates, across = (grid.x, grid.y) if direction == 0 else (grid.y, grid.x)
-    place = int(np.abs(across - at).argmin())
+    samples = value_scale * _samples(grid, values)
+    direction, place = _place(grid, along, at)
     axes = _axes(axes)
-    axes.plot(scale * coordinates, samples[place] if direction == 0 else samples[:, place], **options)
+    if direction == 0:
+        axes.plot(scale * grid.x, samples[place], **options)
+    else:
+        axes.plot(scale * grid.y, samples[:, place], **options)
     axes.set_xlabel(_label(("x", "y")[direction], length_unit))
-    axes.set_ylabel(label)
+    axes.set_ylabel(_label(label, unit))
     return axes
 
 
@@ -157,18 +209,25 @@ def pressure_map(
     solution: Any,
     axes: Axes | None = None,
     *,
+    unit: str = "",
+    value_scale: float = 1.0,
     scale: float = 1.0,
     length_unit: str = "",
-    pressure_unit: str = "",
     **options: Any,
 ) -> Axes:
-    """Draws the pressure of a normal solution, a state or a history; white where nothing touches."""
+    """Draws the pressure of a normal solution, a state or a history; white where nothing touches.
+
+    ``unit`` and ``value_scale`` are those of the pressure; all others as of :func:`field`.
+    """
     pressure = np.asarray(solution.pressure)
+    is_profile = _profile_axis(solution.grid) is not None
     return field(
         solution.grid,
-        np.ma.masked_equal(pressure, 0.0),
+        pressure if is_profile else np.ma.masked_where(pressure == 0.0, pressure),
         axes,
-        label=_label("pressure", pressure_unit),
+        label="pressure",
+        unit=unit,
+        value_scale=value_scale,
         scale=scale,
         length_unit=length_unit,
         **options,
@@ -178,26 +237,186 @@ def pressure_map(
 def stick_map(
     solution: Any, axes: Axes | None = None, *, scale: float = 1.0, length_unit: str = ""
 ) -> Axes:
-    """Draws the stick zone and the slip zone of a tangential solution, a state or a history."""
+    """Draws the stick zone and the slip zone of a tangential solution, a state or a history.
+
+    ``scale`` and ``length_unit`` as of :func:`field`.
+    """
+    grid, names = solution.grid, [zone.name.lower() for zone in Zone]
+    along = _profile_axis(grid)
+    if along is not None:
+        axes = section(grid, solution.zones, axes, along=along, scale=scale, length_unit=length_unit, drawstyle="steps-mid")
+        axes.set_yticks(list(Zone), names)
+        return axes
     axes = _axes(axes)
     from matplotlib.colors import ListedColormap
-    from matplotlib.patches import Patch
 
-    colours = {Zone.SEPARATED: "white", Zone.STICK: "tab:blue", Zone.SLIP: "tab:orange"}
-    _image(
-        axes,
-        solution.grid,
-        solution.zones,
-        scale,
-        length_unit,
-        cmap=ListedColormap([colours[zone] for zone in Zone]),
-        vmin=-0.5,
-        vmax=2.5,
-        interpolation="nearest",
-    )
-    shown = (Zone.STICK, Zone.SLIP)
-    axes.legend(handles=[Patch(color=colours[zone], label=zone.name.lower()) for zone in shown])
+    colours = ListedColormap([_COLOURS[zone] for zone in Zone])
+    image = _image(axes, grid, solution.zones, scale, length_unit, cmap=colours, vmin=-0.5, vmax=2.5)
+    _bar(axes, image, "", ticks=list(Zone)).ax.set_yticklabels(names)
     return axes
+
+
+def traction_map(
+    solution: Any,
+    axes: Axes | None = None,
+    *,
+    arrows: int = 16,
+    unit: str = "",
+    value_scale: float = 1.0,
+    scale: float = 1.0,
+    length_unit: str = "",
+    **options: Any,
+) -> Axes:
+    """Draws the shear traction on body 1 of a tangential solution, a state or a history: its size in colours, and its
+    direction by arrows as long as it is large. On a single row or column of cells both components are profiles.
+
+    Parameters
+    ----------
+    solution : TangentialSolution, State or History
+        Has ``grid`` and ``traction``.
+    axes : matplotlib Axes, optional
+        Where it is drawn; new axes by default.
+    arrows : int, default 16
+        About how many arrows lie side by side over the longer side of the part that is loaded.
+    unit, value_scale, scale, length_unit : optional
+        As of :func:`field`.
+    **options
+        Of ``imshow``, of a profile those of ``plot``.
+    """
+    grid = solution.grid
+    x, y = (np.asarray(component) for component in solution.traction)
+    names: dict[str, Any] = {"unit": unit, "value_scale": value_scale, "scale": scale, "length_unit": length_unit}
+    along = _profile_axis(grid)
+    if along is not None:
+        loaded = {name: values for name, values in {"x": x, "y": y}.items() if values.any()} or {"x": x}
+        for name, values in loaded.items():
+            axes = section(grid, values, axes, along=along, label="shear traction", **names, **options)
+            axes.lines[-1].set_label(f"along {name}")
+        assert axes is not None
+        return _named_above(axes) if len(loaded) > 1 else axes
+    size = np.hypot(x, y)
+    axes = field(grid, np.ma.masked_where(size == 0.0, size), axes, label="shear traction", **names, **options)
+    rows, columns = (np.flatnonzero(size.any(axis=axis)) for axis in (1, 0))
+    if rows.size == 0:
+        return axes
+    step = max(1, round(max(np.ptp(rows), np.ptp(columns)) / max(arrows, 1)))
+    cells = np.ix_(range(rows[0] + step // 2, rows[-1] + 1, step), range(columns[0] + step // 2, columns[-1] + 1, step))
+    loaded_cells = size[cells] > 0.0
+    at_x, at_y = np.meshgrid(scale * grid.x, scale * grid.y)
+    longest = scale * step * max(grid.dx, grid.dy)
+    axes.quiver(
+        *(values[cells][loaded_cells] for values in (at_x, at_y, x, y)), pivot="mid", color="white", edgecolor="black", linewidth=0.5,
+        angles="xy", scale_units="xy", scale=size.max() / longest,
+    )  # fmt: skip
+    return axes
+
+
+def spot_map(
+    spots: Any,
+    axes: Axes | None = None,
+    *,
+    by: str = "mean_pressure",
+    unit: str = "",
+    value_scale: float = 1.0,
+    scale: float = 1.0,
+    length_unit: str = "",
+    **options: Any,
+) -> Axes:
+    """Draws contact spots, each in the colour of one of its numbers.
+
+    Parameters
+    ----------
+    spots : ContactSpots, NormalSolution or History
+        The spots, or that which has them.
+    axes : matplotlib Axes, optional
+        Where it is drawn; new axes by default.
+    by : str, default "mean_pressure"
+        The number: "cells", "area", "load", "mean_pressure", "max_pressure", "perimeter" or "stick_ratio".
+    unit, value_scale, scale, length_unit, **options : optional
+        As of :func:`field`.
+
+    Raises
+    ------
+    ValueError
+        If spots have no such number.
+    """
+    known = ("cells", "area", "load", "mean_pressure", "max_pressure", "perimeter", "stick_ratio")
+    if by not in known:
+        raise ValueError(f"spots are drawn by one of {', '.join(known)}, got {by!r}")
+    spots = getattr(spots, "spots", spots)
+    numbers = [getattr(spot, by) for spot in spots]
+    if None in numbers:
+        raise ValueError("spots of a contact without shear have no stick_ratio")
+    labels = spots.labels
+    values = np.concatenate([[0.0], numbers])[labels]
+    return field(
+        spots.grid, np.ma.masked_where(labels == 0, values), axes, label=f"{by.replace('_', ' ')} of the spot", unit=unit,
+        value_scale=value_scale, scale=scale, length_unit=length_unit, **options,
+    )  # fmt: skip
+
+
+def stress_section(
+    planes: Sequence[Plane],
+    axes: Axes | None = None,
+    *,
+    of: str = "von_mises",
+    along: str = "x",
+    at: float = 0.0,
+    unit: str = "",
+    value_scale: float = 1.0,
+    scale: float = 1.0,
+    length_unit: str = "",
+    **options: Any,
+) -> Axes:
+    """Draws a stress over a section below the surface, at true proportions; the depth grows downwards.
+
+    Parameters
+    ----------
+    planes : sequence of Plane
+        At two depths or more, as :meth:`Planes.solve_all` returns them.
+    axes : matplotlib Axes, optional
+        Where it is drawn; new axes by default.
+    of : str, default "von_mises"
+        The stress: "von_mises", "max_shear", "hydrostatic", or a component, "xx", "yy", "zz", "xy", "xz", "yz".
+    along, at : optional
+        Which section, as of :func:`section`.
+    unit, value_scale, scale, length_unit : optional
+        As of :func:`field`.
+    **options
+        Of ``pcolormesh``.
+
+    Raises
+    ------
+    ValueError
+        If there are fewer than two planes or no such stress, ``along`` is no axis, or ``at`` lies beyond the grid.
+    """
+    if len(planes) < 2:
+        raise ValueError(f"a section needs planes at two depths or more, got {len(planes)}")
+    planes = sorted(planes, key=lambda plane: plane.depth)
+    grid = planes[0].grid
+    direction, place = _place(grid, along, at)
+    lines = [_stress(plane, of)[place] if direction == 0 else _stress(plane, of)[:, place] for plane in planes]
+    depths = scale * np.array([plane.depth for plane in planes])
+    axes = _axes(axes)
+    image = axes.pcolormesh(
+        scale * (grid.x if direction == 0 else grid.y), depths, value_scale * np.array(lines), **{"shading": "gouraud", **options}
+    )
+    axes.set_aspect("equal")
+    axes.set_ylim(depths[-1], depths[0])
+    axes.set_xlabel(_label(("x", "y")[direction], length_unit))
+    axes.set_ylabel(_label("depth", length_unit))
+    _bar(axes, image, _label(_STRESSES.get(of, f"stress {of}"), unit))
+    return axes
+
+
+def _stress(plane: Plane, of: str) -> Any:
+    """A stress of the cells of a plane, by its name."""
+    components = dict(zip(("xx", "yy", "zz"), plane.normal_stress)) | dict(zip(("xy", "xz", "yz"), plane.shear_stress))
+    if of in components:
+        return components[of]
+    if of not in _STRESSES:
+        raise ValueError(f"expected {', '.join(_STRESSES)} or a component such as xx, got {of!r}")
+    return getattr(plane, of)
 
 
 def hysteresis(
@@ -205,46 +424,70 @@ def hysteresis(
     axes: Axes | None = None,
     *,
     axis: str = "x",
+    unit: str = "",
+    value_scale: float = 1.0,
+    scale: float = 1.0,
     length_unit: str = "",
-    force_unit: str = "",
     **options: Any,
 ) -> Axes:
-    """Draws the loop of force over shift of a cycle along an axis, "x" or "y"."""
+    """Draws the loop of force over shift of a cycle along an axis, "x" or "y".
+
+    ``unit`` and ``value_scale`` are those of the force, ``length_unit`` and ``scale`` those of the shift. The options are
+    those of ``plot``.
+    """
     component = _component(axis)
     axes = _axes(axes)
     points = cycle.points
-    axes.plot(
-        [point.shift[component] for point in points], [point.force[component] for point in points], **options
-    )
+    axes.plot(scale * points.shift[component], value_scale * points.force[component], **options)
     axes.set_xlabel(_label(f"shift along {axis}", length_unit))
-    axes.set_ylabel(_label(f"tangential force along {axis}", force_unit))
+    axes.set_ylabel(_label(f"tangential force along {axis}", unit))
     return axes
 
 
 def work_precision(
-    reports: Mapping[str, Iterable[Report]] | Iterable[Report], axes: Axes | None = None, **options: Any
+    reports: Mapping[str, Iterable[Report]] | Iterable[Report],
+    axes: Axes | None = None,
+    *,
+    scale: float = 1.0,
+    unit: str = "s",
+    **options: Any,
 ) -> Axes:
-    """Draws wall time over the certified error of solves to several tolerances; a line for each name, if named."""
+    """Draws wall time over the certified error of solves to several tolerances; a line for each name, if named.
+
+    ``scale`` is a factor of the time and ``unit`` its unit then, such as 1e3 and "ms". The options are those of ``loglog``.
+    """
     axes = _axes(axes)
     named = reports if isinstance(reports, Mapping) else {"": reports}
     for name, line in named.items():
         line = list(line)
         axes.loglog(
             [report.energy_error_bound for report in line],
-            [report.time for report in line],
-            marker="o",
-            label=name or None,
-            **options,
+            [scale * report.time for report in line],
+            **{"marker": "o", "label": name or None, **options},
         )
     if any(named):
-        axes.legend()
+        _named_above(axes)
     axes.invert_xaxis()
-    axes.set_xlabel("certified error, relative, in the energy norm")
-    axes.set_ylabel("time, s")
+    # The numbers between decades would lie over one another.
+    from matplotlib.ticker import NullFormatter
+
+    axes.xaxis.set_minor_formatter(NullFormatter())
+    axes.set_xlabel("certified error in the energy norm")
+    axes.set_ylabel(_label("time", unit))
     return axes
 
 
-__all__ = ["field", "hysteresis", "pressure_map", "section", "stick_map", "work_precision"]
+__all__ = [
+    "field",
+    "hysteresis",
+    "pressure_map",
+    "section",
+    "spot_map",
+    "stick_map",
+    "stress_section",
+    "traction_map",
+    "work_precision",
+]
 
 
 def __dir__() -> list[str]:

@@ -32,8 +32,8 @@ from ._stickslip import (
     resample,
     sinusoidal,
     sphere,
-    sum,
 )
+from ._stickslip import sum as sum  # `import *` leaves the builtin of this name
 
 
 def from_topography(topography: Any) -> Field:
@@ -96,9 +96,8 @@ __all__ = [
     "resample",
     "sinusoidal",
     "sphere",
-    "sum",
 ]
 
 
 def __dir__() -> list[str]:
-    return __all__
+    return [*__all__, "sum"]

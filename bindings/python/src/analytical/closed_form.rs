@@ -102,6 +102,8 @@ macro_rules! closed_form {
             }
         }
 
+        crate::pickle::picklable!($class: stickslip::analytical::$class);
+
         $(#[pyo3::pymethods] impl $class { $($also)* })?
     };
 }

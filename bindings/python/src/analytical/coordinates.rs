@@ -4,6 +4,8 @@ use numpy::ndarray::{ArrayD, Axis, Zip};
 use numpy::{AllowTypeChange, IntoPyArray, PyArrayLikeDyn};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+
+use crate::real::is_real;
 #[cfg(feature = "stubs")]
 use pyo3::{inspect::PyStaticExpr, type_hint_identifier};
 
@@ -17,6 +19,7 @@ impl FromPyObject<'_, '_> for Coordinates {
     const INPUT_TYPE: PyStaticExpr = type_hint_identifier!("numpy.typing", "ArrayLike");
 
     fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
+        is_real(&object, "coordinates")?;
         let array: PyArrayLikeDyn<'_, f64, AllowTypeChange> = object.extract()?;
         Ok(Self(array.as_array().to_owned()))
     }

@@ -5,6 +5,7 @@ use pyo3::prelude::*;
 use crate::analytical::closed_form::closed_form;
 use crate::error::OrRaise;
 use crate::material::ElasticPair;
+use crate::pickle::picklable;
 
 closed_form! {
     /// A flat-ended round punch pressed without any slip, as by friction without limit.
@@ -73,6 +74,8 @@ closed_form! {
 #[pyclass(frozen, eq, module = "stickslip.analytical")]
 #[derive(Clone, PartialEq)]
 pub(crate) struct SpencePressing(stickslip::analytical::SpencePressing);
+
+picklable!(SpencePressing: stickslip::analytical::SpencePressing);
 
 #[pymethods]
 impl SpencePressing {

@@ -1,16 +1,20 @@
 //! A coupled contact to be solved.
 
+use std::sync::Arc;
+
 use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple};
 use stickslip::cgm;
 
 use crate::choice::Choice;
 use crate::coupled::{CoupledSolution, CoupledSolver};
 use crate::due;
-use crate::field::Samples;
-use crate::friction::AnyFriction;
+use crate::field::{Field, Samples};
+use crate::friction::{AnyFriction, Friction};
 use crate::grid::size;
 use crate::half_space::HalfSpace;
 use crate::load::{self, Keywords, TangentialLoad};
+use crate::pickle::Recipe;
 use crate::settings::{Settings, chosen};
 use crate::solver::solve_once;
 use crate::tangential::RelativeDisplacement;
@@ -57,7 +61,7 @@ use crate::work::unobserved_on;
 /// >>> contact.shear.slip_area > 0.0  # pressing alone makes the rim slip
 /// True
 #[pyclass(frozen, module = "stickslip")]
-pub(crate) struct CoupledProblem(stickslip::CoupledProblem, stickslip::Grid);
+pub(crate) struct CoupledProblem(stickslip::CoupledProblem, stickslip::Grid, Recipe);
 
 #[pymethods]
 impl CoupledProblem {
@@ -105,6 +109,16 @@ impl CoupledProblem {
         let grid = bodies.0.grid();
         let gap = gap.on(py, "gap", grid)?;
         let friction = friction.on(py, grid)?;
+        let bodies_and_surfaces = (
+            bodies.clone(),
+            Field(Arc::clone(&gap)),
+            Friction(friction.clone()),
+            TangentialLoad(load),
+        );
+        let recipe = Recipe::new(py, bodies_and_surfaces)?
+            .with_normal(py, normal, "normal_force")?
+            .with(py, "relative_displacement", relative_displacement.clone())?
+            .with(py, "settings", Some(Settings(settings)))?;
         let built = unobserved_on(py, grid, || {
             let builder =
                 stickslip::CoupledProblem::builder(&bodies.0, &gap, friction, normal, load);
@@ -114,12 +128,12 @@ impl CoupledProblem {
                 Some(relative) => builder.relative_displacement(relative.0).build(),
             }
         })?;
-        Ok(Self(built, grid))
+        Ok(Self(built, grid, recipe))
     }
 
     /// Solves from rest; see :meth:`NormalProblem.solve`. A force that slides the contact raises
     /// :class:`~stickslip.errors.BeyondFrictionCapacity`.
-    #[pyo3(signature = (*, progress=None, warn=false))]
+    #[pyo3(signature = (*, progress=None, warn=true))]
     fn solve<'py>(
         &self,
         py: Python<'py>,
@@ -133,6 +147,13 @@ impl CoupledProblem {
     /// A solver of this problem, which keeps its buffers and starts each solve from the last answer.
     fn solver(&self, py: Python<'_>) -> PyResult<CoupledSolver> {
         CoupledSolver::of(py, self.1, || self.0.clone().into_solver())
+    }
+
+    fn __getnewargs_ex__<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(Bound<'py, PyTuple>, Bound<'py, PyDict>)> {
+        self.2.parts(py)
     }
 
     fn __repr__(&self) -> String {

@@ -2,7 +2,7 @@
 
 use pyo3::prelude::*;
 
-use crate::digits::rough;
+use crate::digits::{in_python, rough};
 use crate::pickle::picklable;
 use crate::report::Report;
 use crate::sequence::pair;
@@ -98,13 +98,13 @@ impl CoupledReport {
         self.0.is_converged()
     }
 
-    fn __repr__(&self) -> String {
-        format!(
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        Ok(format!(
             "CoupledReport({}, pressure error <= {}, traction error <= {} as halves)",
-            self.0.work,
+            in_python(py, &self.0.work.to_string(), &[])?,
             rough(self.0.pressure_error_bound),
             rough(self.0.traction_error_bound)
-        )
+        ))
     }
 }
 

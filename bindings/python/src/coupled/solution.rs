@@ -13,7 +13,9 @@ use crate::report::{Warning, ending};
 use crate::tangential::TangentialSolution;
 
 /// Both halves of a coupled contact, with the displacements that they cause together. Halves and arrays share its memory.
-#[pyclass(frozen, module = "stickslip")]
+/// Two are equal if their answers are, however they were found.
+#[pyclass(frozen, eq, module = "stickslip")]
+#[derive(PartialEq)]
 pub(crate) struct CoupledSolution(pub(crate) Arc<stickslip::CoupledSolution>);
 
 impl From<Arc<stickslip::CoupledSolution>> for CoupledSolution {
@@ -40,7 +42,7 @@ impl CoupledSolution {
 
     /// Whether a cell is in contact, booleans of shape (ny, nx): its pressure is positive; a copy.
     #[getter]
-    fn contact<'py>(&self, py: Python<'py>) -> Array<'py> {
+    fn contact<'py>(&self, py: Python<'py>) -> Array<'py, bool> {
         contact(py, self.0.normal().pressure())
     }
 

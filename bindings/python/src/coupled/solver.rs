@@ -28,7 +28,7 @@ solver!(CoupledSolver: CoupledSolution);
 #[pymethods]
 impl CoupledSolver {
     /// Solves for the loads, the gap and the friction set; see :meth:`NormalProblem.solve`.
-    #[pyo3(signature = (*, progress=None, warn=false))]
+    #[pyo3(signature = (*, progress=None, warn=true))]
     fn solve<'py>(
         &self,
         py: Python<'py>,

@@ -11,6 +11,7 @@ use crate::history::{Cycle, History, builder};
 use crate::load::LoadStep;
 use crate::pickle::picklable;
 use crate::progress::Progress;
+use crate::report;
 use crate::sequence::pair;
 use crate::work::{solve, unless_broken_off, unobserved};
 
@@ -105,18 +106,21 @@ impl AdaptiveSteps {
     ///     What is prescribed at its end, reached in proportion.
     /// cycle : Cycle, optional
     ///     To which each step is added.
+    /// warn : bool, default True
+    ///     Whether the remarks on the last step go to ``warnings`` too, each kind once a place.
     ///
     /// Raises
     /// ------
     /// GridMismatch, StepTooLong
     ///     And what :meth:`History.step` raises.
-    #[pyo3(signature = (history, load, *, cycle=None))]
+    #[pyo3(signature = (history, load, *, cycle=None, warn=true))]
     fn step(
         &self,
         py: Python<'_>,
         history: &History,
         load: LoadStep,
         cycle: Option<&Cycle>,
+        warn: bool,
     ) -> PyResult<usize> {
         let (mut steps, mut work) = (lock(&self.0, NAME)?, lock(&history.work, builder::NAME)?);
         let mut cycle = cycle.map(Cycle::lock).transpose()?;
@@ -131,7 +135,9 @@ impl AdaptiveSteps {
             };
             work.tried(|history| steps.step_observed(history, &load.0, seen))
         })?;
-        outcome.or_raise(py)
+        let count = outcome.or_raise(py)?;
+        report::warn(py, warn, || work.history.last_step().warnings())?;
+        Ok(count)
     }
 
     fn __repr__(&self) -> String {

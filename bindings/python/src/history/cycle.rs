@@ -6,13 +6,13 @@ use pyo3::prelude::*;
 
 use crate::array::{Array, copy};
 use crate::choice::Choice;
-use crate::digits::{rough, short, tuple};
+use crate::digits::{counted, rough, short, tuple};
 use crate::error::OrRaise;
 use crate::held::lock;
 use crate::history::{EnergyBalance, History};
 use crate::pickle::{Reduced, Stored, picklable, reduced};
 use crate::report::{Warning, remarks};
-use crate::sequence::pair;
+use crate::sequence::{entry, pair};
 
 /// A point of the loop of force and shift.
 #[pyclass(frozen, eq, module = "stickslip.history")]
@@ -55,6 +55,69 @@ impl LoopPoint {
 }
 
 picklable!(LoopPoint: stickslip::history::LoopPoint);
+
+/// The loop of force and shift of a cycle, its beginning and the end of each step: a sequence of :class:`LoopPoint`, and
+/// arrays with a number of each point. Vectors are (x, y).
+#[pyclass(frozen, eq, module = "stickslip.history", sequence)]
+#[derive(Clone, PartialEq)]
+pub(crate) struct LoopPoints(Vec<stickslip::history::LoopPoint>);
+
+impl LoopPoints {
+    fn numbers<'py>(
+        &self,
+        py: Python<'py>,
+        of: impl Fn(&stickslip::history::LoopPoint) -> f64,
+    ) -> Array<'py> {
+        Array::new(py, self.0.iter().map(of))
+    }
+}
+
+#[pymethods]
+impl LoopPoints {
+    /// Tangential force on body 1 along x and y.
+    #[getter]
+    fn force<'py>(&self, py: Python<'py>) -> (Array<'py>, Array<'py>) {
+        (
+            self.numbers(py, |point| point.force[0]),
+            self.numbers(py, |point| point.force[1]),
+        )
+    }
+
+    /// Shift since the start of the history, along x and y (lengths).
+    #[getter]
+    fn shift<'py>(&self, py: Python<'py>) -> (Array<'py>, Array<'py>) {
+        (
+            self.numbers(py, |point| point.shift[0]),
+            self.numbers(py, |point| point.shift[1]),
+        )
+    }
+
+    /// Moment about z (a force times a length, positive from x to y).
+    #[getter]
+    fn moment<'py>(&self, py: Python<'py>) -> Array<'py> {
+        self.numbers(py, |point| point.moment)
+    }
+
+    /// Rotation since the start of the history (radians, positive from x to y).
+    #[getter]
+    fn twist<'py>(&self, py: Python<'py>) -> Array<'py> {
+        self.numbers(py, |point| point.twist)
+    }
+
+    fn __len__(&self) -> usize {
+        self.0.len()
+    }
+
+    fn __getitem__(&self, index: isize) -> PyResult<LoopPoint> {
+        entry(&self.0, index, "point").copied().map(LoopPoint)
+    }
+
+    fn __repr__(&self) -> String {
+        format!("LoopPoints({})", counted(self.0.len(), "point"))
+    }
+}
+
+picklable!(LoopPoints: Vec<stickslip::history::LoopPoint>);
 
 /// Slip, energy and the loop of force and shift, added up over the steps of a cycle, from where the history is. Its arrays
 /// are copies.
@@ -142,16 +205,10 @@ impl Cycle {
         Ok(EnergyBalance(*self.lock()?.energy()))
     }
 
-    /// The loop of force and shift: the beginning, and the end of each step.
+    /// The loop of force and shift: the beginning, and the end of each step. A copy.
     #[getter]
-    fn points(&self) -> PyResult<Vec<LoopPoint>> {
-        Ok(self
-            .lock()?
-            .points()
-            .iter()
-            .copied()
-            .map(LoopPoint)
-            .collect())
+    fn points(&self) -> PyResult<LoopPoints> {
+        Ok(LoopPoints(self.lock()?.points().to_vec()))
     }
 
     /// The loop as CSV.

@@ -15,7 +15,7 @@ mod wear;
 pub(crate) use adaptive::{AdaptiveSteps, StepError};
 pub(crate) use balance::EnergyBalance;
 pub(crate) use builder::History;
-pub(crate) use cycle::{Cycle, LoopPoint};
+pub(crate) use cycle::{Cycle, LoopPoint, LoopPoints};
 pub(crate) use path::LoadPath;
 pub(crate) use state::State;
 pub(crate) use step::StepResult;

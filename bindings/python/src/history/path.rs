@@ -72,7 +72,7 @@ impl LoadPath {
     #[getter]
     fn steps<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         let rows: Vec<Vec<f64>> = self.0.steps().iter().map(|step| step.to_vec()).collect();
-        Ok(Array(PyArray2::from_vec2(py, &rows)?.into_any()))
+        Ok(Array::of(PyArray2::from_vec2(py, &rows)?))
     }
 
     /// The value where a cycle ends, and the next begins.

@@ -73,7 +73,7 @@ impl History {
 
     /// Whether a cell is in contact, booleans of shape (ny, nx): its pressure is positive; a copy.
     #[getter]
-    fn contact<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+    fn contact<'py>(&self, py: Python<'py>) -> PyResult<Array<'py, bool>> {
         self.read(|history| contact(py, history.pressure()))
     }
 
@@ -117,7 +117,7 @@ impl History {
 
     /// The zone of every cell: 0 separated, 1 stick, 2 slip.
     #[getter]
-    fn zones<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+    fn zones<'py>(&self, py: Python<'py>) -> PyResult<Array<'py, u8>> {
         self.read(|history| zones(py, history.grid(), history.zones()))
     }
 

@@ -135,7 +135,7 @@ impl State {
 
     /// Whether a cell is in contact, booleans of shape (ny, nx): its pressure is positive; a copy.
     #[getter]
-    fn contact<'py>(&self, py: Python<'py>) -> Array<'py> {
+    fn contact<'py>(&self, py: Python<'py>) -> Array<'py, bool> {
         contact(py, self.0.pressure())
     }
 
@@ -177,7 +177,7 @@ impl State {
 
     /// The zone of every cell: 0 separated, 1 stick, 2 slip.
     #[getter]
-    fn zones<'py>(&self, py: Python<'py>) -> Array<'py> {
+    fn zones<'py>(&self, py: Python<'py>) -> Array<'py, u8> {
         zones(py, self.0.grid(), self.0.zones())
     }
 

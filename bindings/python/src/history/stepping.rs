@@ -29,8 +29,8 @@ impl History {
     ///     As of :class:`LoadStep`.
     /// progress : callable or bool, optional
     ///     As of :meth:`NormalProblem.solve`.
-    /// warn : bool, default False
-    ///     Whether the remarks on the step go to ``warnings.warn`` too.
+    /// warn : bool, default True
+    ///     Whether the remarks on the step go to ``warnings`` too, each kind once a place.
     ///
     /// Returns
     /// -------
@@ -42,7 +42,7 @@ impl History {
     /// NotFinite, Negative, NotPositive, ApproachBeyondMeanGap, NotModelled, BeyondFrictionCapacity, NotConverged
     #[pyo3(signature = (load=None, *, normal_force=None, approach=None, force=None, shift=None, spring=None,
         force_x=None, force_y=None, shift_x=None, shift_y=None, spring_x=None, spring_y=None, twist=None,
-        relative_displacement=None, progress=None, warn=false))]
+        relative_displacement=None, progress=None, warn=true))]
     fn step<'py>(
         slf: &Bound<'py, Self>,
         load: Option<LoadStep>,
@@ -97,6 +97,8 @@ impl History {
     ///     Each named once.
     /// loads : sequence of LoadStep
     ///     One of each history.
+    /// warn : bool, default True
+    ///     Whether the remarks on the steps go to ``warnings`` too, each kind once a place.
     ///
     /// Returns
     /// -------
@@ -107,10 +109,12 @@ impl History {
     /// ------
     /// Length
     #[staticmethod]
+    #[pyo3(signature = (histories, loads, *, warn=true))]
     fn step_all<'py>(
         py: Python<'py>,
         histories: Vec<Bound<'py, Self>>,
         loads: Vec<LoadStep>,
+        warn: bool,
     ) -> PyResult<Vec<(usize, Bound<'py, PyAny>)>> {
         let (expected, found) = (histories.len(), loads.len());
         if expected != found {
@@ -148,6 +152,13 @@ impl History {
             Ok(contacts.par_iter_mut().filter_map(step).collect::<Vec<_>>())
         })?;
         let failed = failed.or_raise(py)?;
+        drop(contacts);
+        for (index, place) in places.into_iter().enumerate() {
+            let has_failed = failed.iter().any(|(failed, _)| *failed == index);
+            self::warn(py, warn && !has_failed, || {
+                place.history.last_step().warnings()
+            })?;
+        }
         let exception = |error| raised(py, error).into_value(py).into_bound(py).into_any();
         Ok(failed
             .into_iter()

@@ -3,14 +3,16 @@
 use std::sync::Arc;
 
 use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple};
 use stickslip::{NormalControl, cgm};
 
 use crate::choice::Choice;
-use crate::field::Samples;
+use crate::field::{Field, Samples};
 use crate::grid::size;
 use crate::half_space::HalfSpace;
 use crate::load;
-use crate::normal::{AnyHardness, NormalSolution, NormalSolver};
+use crate::normal::{AnyHardness, Hardness, NormalSolution, NormalSolver};
+use crate::pickle::Recipe;
 use crate::settings::{Settings, chosen};
 use crate::solver::solve_once;
 use crate::work::unobserved_on;
@@ -54,6 +56,7 @@ pub(crate) struct NormalProblem {
     problem: stickslip::NormalProblem,
     load: NormalControl,
     gap: Arc<stickslip::Field>,
+    recipe: Recipe,
 }
 
 #[pymethods]
@@ -79,6 +82,10 @@ impl NormalProblem {
         let gap = gap.on(py, "gap", grid)?;
         let load = load::needed(force, approach)?;
         let hardness = hardness.map(|hardness| hardness.on(py, grid)).transpose()?;
+        let recipe = Recipe::new(py, (bodies.clone(), Field(Arc::clone(&gap))))?
+            .with_normal(py, load, "force")?
+            .with(py, "hardness", hardness.clone().map(Hardness))?
+            .with(py, "settings", Some(Settings(settings)))?;
         let problem = unobserved_on(py, grid, || {
             let gap = Arc::clone(&gap);
             let builder = stickslip::NormalProblem::builder(&bodies.0, gap, load);
@@ -88,7 +95,12 @@ impl NormalProblem {
                 Some(hardness) => builder.hardness(hardness).build(),
             }
         })?;
-        Ok(Self { problem, load, gap })
+        Ok(Self {
+            problem,
+            load,
+            gap,
+            recipe,
+        })
     }
 
     /// Solves once.
@@ -98,8 +110,8 @@ impl NormalProblem {
     /// progress : callable or bool, optional
     ///     Called with an :class:`Iteration` before each product; what it raises ends the solve. ``True`` shows a bar of
     ///     tqdm.
-    /// warn : bool, default False
-    ///     Whether the remarks of the solution go to ``warnings.warn`` too.
+    /// warn : bool, default True
+    ///     Whether the remarks of the solution go to ``warnings`` too, each kind once a place.
     ///
     /// Returns
     /// -------
@@ -109,7 +121,7 @@ impl NormalProblem {
     /// ------
     /// NotConverged
     ///     With ``report`` and ``last_iterate``.
-    #[pyo3(signature = (*, progress=None, warn=false))]
+    #[pyo3(signature = (*, progress=None, warn=true))]
     fn solve<'py>(
         &self,
         py: Python<'py>,
@@ -124,6 +136,13 @@ impl NormalProblem {
     pub(super) fn solver(&self, py: Python<'_>) -> PyResult<NormalSolver> {
         let solver = || self.problem.clone().into_solver();
         NormalSolver::of(py, solver, self.load, Arc::clone(&self.gap))
+    }
+
+    fn __getnewargs_ex__<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(Bound<'py, PyTuple>, Bound<'py, PyDict>)> {
+        self.recipe.parts(py)
     }
 
     fn __repr__(&self) -> String {

@@ -24,7 +24,8 @@ enum Source {
     OfState(Arc<stickslip::history::State>),
 }
 
-/// Pressure, gap and approach of a normal contact. Arrays are read-only views of its memory.
+/// Pressure, gap and approach of a normal contact. Arrays are read-only views of its memory. Two are equal if their answers
+/// are, however they were found.
 #[pyclass(frozen, module = "stickslip")]
 pub(crate) struct NormalSolution(Source);
 
@@ -110,7 +111,7 @@ impl NormalSolution {
     /// Whether a cell is in contact, booleans of shape (ny, nx): its pressure is positive. They are what ``contact_cells``
     /// and ``contact_area`` count; a copy.
     #[getter]
-    fn contact<'py>(&self, py: Python<'py>) -> Array<'py> {
+    fn contact<'py>(&self, py: Python<'py>) -> Array<'py, bool> {
         contact(py, self.get().pressure())
     }
 

@@ -164,7 +164,7 @@ impl NormalSolver {
     ///     For load and gap; both are then as they were.
     /// NotConverged
     ///     With ``report`` and ``last_iterate``.
-    #[pyo3(signature = (*, force=None, approach=None, gap=None, progress=None, warn=false))]
+    #[pyo3(signature = (*, force=None, approach=None, gap=None, progress=None, warn=true))]
     fn solve<'py>(
         &self,
         py: Python<'py>,

@@ -101,7 +101,7 @@ impl TensorOperator {
                 Ok(())
             })?;
         }
-        Ok(to.map(|array| Array(array.into_any())).into())
+        Ok(to.map(Array::of).into())
     }
 
     fn __repr__(&self) -> String {

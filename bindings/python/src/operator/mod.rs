@@ -15,6 +15,7 @@ use stickslip::Operator;
 
 use crate::array::Array;
 use crate::digits::counted;
+use crate::real::is_real;
 use crate::work::unobserved;
 
 /// An operator of one component a cell, whatever its kind.
@@ -99,6 +100,7 @@ pub(crate) fn numbers<'py>(
     object: &Bound<'py, PyAny>,
     cells: usize,
 ) -> PyResult<PyReadonlyArrayDyn<'py, f64>> {
+    is_real(object, "the array")?;
     let numpy = object.py().import("numpy")?;
     let array = numpy.call_method1("ascontiguousarray", (object, "float64"))?;
     let array: PyReadonlyArrayDyn<'py, f64> = array.extract()?;
@@ -179,7 +181,7 @@ impl LinearOperator {
                 Ok(())
             })?;
         }
-        Ok(Array(target.into_any()))
+        Ok(Array::of(target))
     }
 
     fn __call__<'py>(&self, py: Python<'py>, x: Bound<'py, PyAny>) -> PyResult<Array<'py>> {

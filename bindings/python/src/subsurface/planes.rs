@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 use std::sync::Mutex;
 
-use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use stickslip::subsurface::{self, Body, Tractions};
 
@@ -193,7 +192,7 @@ impl Planes {
     #[getter]
     fn depths<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         let depths = lock(&self.planes, "planes")?.depths().to_vec();
-        Ok(Array(depths.into_pyarray(py).into_any()))
+        Ok(Array::new(py, depths))
     }
 
     /// The plane at the depth of this index, which counts from the end if it is negative, in a body; the tractions as of

@@ -5,13 +5,15 @@ use pyo3::prelude::*;
 use stickslip::subsurface::{self, Body, Tractions};
 use stickslip::{Error, Field};
 
+use crate::array::Array;
 use crate::choice::Choice;
-use crate::digits::{short, tuple};
+use crate::digits::{counted, short, tuple};
 use crate::due;
 use crate::error::OrRaise;
 use crate::half_space::HalfSpace;
 use crate::pickle::picklable;
 use crate::progress::Progress;
+use crate::sequence::entry;
 use crate::subsurface::{Loaded, Stress};
 use crate::work::{solve, unless_broken_off};
 
@@ -45,6 +47,90 @@ impl Response {
 
 picklable!(Response: subsurface::Response);
 
+/// Displacements and stresses at points: a sequence of :class:`Response`, and arrays with a number of each point, in the
+/// order of the points.
+#[pyclass(frozen, eq, module = "stickslip.subsurface", sequence)]
+#[derive(Clone, PartialEq)]
+pub(crate) struct Responses(Vec<subsurface::Response>);
+
+impl Responses {
+    fn stress<'py>(&self, py: Python<'py>, of: impl Fn(&subsurface::Stress) -> f64) -> Array<'py> {
+        Array::new(py, self.0.iter().map(|response| of(&response.stress)))
+    }
+
+    fn displacement_along<'py>(&self, py: Python<'py>, axis: usize) -> Array<'py> {
+        Array::new(
+            py,
+            self.0.iter().map(|response| response.displacement[axis]),
+        )
+    }
+}
+
+#[pymethods]
+impl Responses {
+    /// Displacement along x, y and z (lengths).
+    #[getter]
+    fn displacement<'py>(&self, py: Python<'py>) -> (Array<'py>, Array<'py>, Array<'py>) {
+        (
+            self.displacement_along(py, 0),
+            self.displacement_along(py, 1),
+            self.displacement_along(py, 2),
+        )
+    }
+
+    /// Components xx, yy and zz (pressures, tensile positive).
+    #[getter]
+    fn normal_stress<'py>(&self, py: Python<'py>) -> (Array<'py>, Array<'py>, Array<'py>) {
+        (
+            self.stress(py, |stress| stress.xx),
+            self.stress(py, |stress| stress.yy),
+            self.stress(py, |stress| stress.zz),
+        )
+    }
+
+    /// Components xy, xz and yz (pressures).
+    #[getter]
+    fn shear_stress<'py>(&self, py: Python<'py>) -> (Array<'py>, Array<'py>, Array<'py>) {
+        (
+            self.stress(py, |stress| stress.xy),
+            self.stress(py, |stress| stress.xz),
+            self.stress(py, |stress| stress.yz),
+        )
+    }
+
+    /// Von Mises' equivalent stress (pressures).
+    #[getter]
+    fn von_mises<'py>(&self, py: Python<'py>) -> Array<'py> {
+        self.stress(py, subsurface::Stress::von_mises)
+    }
+
+    /// Mean of the normal stresses (pressures, tensile positive).
+    #[getter]
+    fn hydrostatic<'py>(&self, py: Python<'py>) -> Array<'py> {
+        self.stress(py, subsurface::Stress::hydrostatic)
+    }
+
+    /// Largest shear stress (pressures).
+    #[getter]
+    fn max_shear<'py>(&self, py: Python<'py>) -> Array<'py> {
+        self.stress(py, subsurface::Stress::max_shear)
+    }
+
+    fn __len__(&self) -> usize {
+        self.0.len()
+    }
+
+    fn __getitem__(&self, index: isize) -> PyResult<Response> {
+        entry(&self.0, index, "point").copied().map(Response)
+    }
+
+    fn __repr__(&self) -> String {
+        format!("Responses({})", counted(self.0.len(), "point"))
+    }
+}
+
+picklable!(Responses: Vec<subsurface::Response>);
+
 /// Cells times points after which signals are looked for again.
 const PORTION: usize = 1 << 22;
 
@@ -56,16 +142,15 @@ const PORTION: usize = 1 << 22;
 ///     The two bodies and the grid.
 /// body : Body or str
 ///     "one" or "two".
-/// tractions : NormalSolution, (NormalSolution, TangentialSolution), CoupledSolution, State, History, array_like or \
-///     (array_like, (array_like, array_like))
-///     Those of a solution, or fields: a pressure, or a pressure and tractions along x and y.
+/// tractions : solution, (normal, shear), State, History, array_like or (array_like, (array_like, array_like))
+///     Those of a solution of any kind or of both halves, or fields: a pressure, or a pressure and tractions along x and y.
 /// points : array_like of shape (n, 3)
 ///     Each ``(x, y, depth)`` (lengths), the depth below the surface of the body.
 ///
 /// Returns
 /// -------
-/// list of Response
-///     Of each point in turn.
+/// Responses
+///     Of each point in turn, and arrays of all.
 #[pyfunction]
 pub(crate) fn at_points(
     py: Python<'_>,
@@ -73,7 +158,7 @@ pub(crate) fn at_points(
     body: Choice<Body>,
     tractions: Loaded<'_>,
     points: due::Points,
-) -> PyResult<Vec<Response>> {
+) -> PyResult<Responses> {
     let (grid, points) = (bodies.0.grid(), points.0);
     let held = tractions.held(py, grid)?;
     let portion = (PORTION / grid.cells()).max(1);
@@ -101,5 +186,5 @@ pub(crate) fn at_points(
     if found.len() != points.len() {
         return Err(PyRuntimeError::new_err("not all points were reached"));
     }
-    Ok(found.into_iter().map(Response).collect())
+    Ok(Responses(found))
 }

@@ -11,10 +11,11 @@ use stickslip::Field;
 use stickslip::subsurface::Tractions;
 
 use crate::coupled::CoupledSolution;
-use crate::due::kind_of;
+use crate::due::{entries, kind_of};
 use crate::field::Samples;
 use crate::history::{History, State};
 use crate::normal::NormalSolution;
+use crate::real::is_plane;
 use crate::tangential::TangentialSolution;
 
 /// What tractions are taken from: a solution of any kind, a pair of a normal and a tangential one, a state or a history; or fields: a pressure, or a
@@ -28,9 +29,15 @@ impl<'py> FromPyObject<'_, 'py> for Loaded<'py> {
     const INPUT_TYPE: PyStaticExpr = type_hint_identifier!("typing", "Any");
 
     fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
-        Ok(Self(match object.cast::<PyTuple>() {
-            Ok(parts) => parts.iter().collect(),
-            Err(_) => vec![object.to_owned()],
+        // A list may be the rows of a pressure too.
+        let parts = entries(&object).filter(|parts| {
+            let first = parts.get_item(0);
+            let is_whole = |first| is_plane(&first) || first.is_instance_of::<NormalSolution>();
+            object.is_instance_of::<PyTuple>() || first.is_ok_and(is_whole)
+        });
+        Ok(Self(match parts {
+            Some(parts) => parts.iter().collect(),
+            None => vec![object.to_owned()],
         }))
     }
 }

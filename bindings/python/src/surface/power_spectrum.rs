@@ -1,6 +1,5 @@
 //! The power spectrum of surfaces.
 
-use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use stickslip::surface;
 
@@ -50,9 +49,8 @@ impl PowerSpectrum {
 
     /// Wave vectors in each ring; q and -q are two.
     #[getter]
-    fn modes<'py>(&self, py: Python<'py>) -> Array<'py> {
-        let modes: Vec<u64> = self.0.modes().iter().map(|&modes| modes as u64).collect();
-        Array(modes.into_pyarray(py).into_any())
+    fn modes<'py>(&self, py: Python<'py>) -> Array<'py, u64> {
+        Array::new(py, self.0.modes().iter().map(|&modes| modes as u64))
     }
 
     /// Spectral moments m0 (a length squared), m2 (a number) and m4 (one over a length squared).

@@ -7,14 +7,16 @@ use stickslip::surface;
 use crate::digits::short;
 use crate::due;
 use crate::error::OrRaise;
-use crate::field::{Field, Samples};
+use crate::field::{Field, Samples, one_unit};
 use crate::grid::Grid;
 use crate::progress::Progress;
 use crate::work::{solve, unobserved_on};
 
-/// The sum of fields on one grid, cell by cell: the gap between two bodies is the sum of both shapes.
+/// The sum of fields on one grid, cell by cell: the gap between two bodies is the sum of both shapes. Topographies must be
+/// in one unit.
 #[pyfunction]
 pub(crate) fn sum(py: Python<'_>, fields: Vec<Samples<'_>>) -> PyResult<Field> {
+    one_unit(&fields.iter().collect::<Vec<_>>())?;
     let fields: Vec<_> = fields
         .iter()
         .map(|field| field.alone("field"))
@@ -45,12 +47,14 @@ pub(crate) fn gap_from_heights(py: Python<'_>, heights: Samples<'_>) -> PyResult
 }
 
 /// The gap between two rough bodies, touching at one point. Heights point out of their body, both as seen from body 1.
+/// Topographies must be in one unit.
 #[pyfunction]
 pub(crate) fn gap_between(
     py: Python<'_>,
     upper: Samples<'_>,
     lower: Samples<'_>,
 ) -> PyResult<Field> {
+    one_unit(&[&upper, &lower])?;
     let (upper, lower) = (upper.alone("upper")?, lower.alone("lower")?);
     surface::gap_between(&upper, &lower)
         .or_raise_on(py, upper.grid())

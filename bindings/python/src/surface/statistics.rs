@@ -3,7 +3,9 @@
 use pyo3::prelude::*;
 use stickslip::surface;
 
+use crate::digits::in_python;
 use crate::field::Samples;
+use crate::pickle::picklable;
 use crate::sequence::pair;
 use crate::surface::numbers;
 use crate::work::unobserved_on;
@@ -17,6 +19,8 @@ use crate::work::unobserved_on;
 #[pyclass(frozen, eq, module = "stickslip.surface")]
 #[derive(Clone, PartialEq)]
 pub(crate) struct Statistics(surface::Statistics);
+
+picklable!(Statistics: surface::Statistics);
 
 numbers! { Statistics:
     /// Mean height (a length).
@@ -57,7 +61,10 @@ impl Statistics {
         pair(self.0.profile_rms_slope())
     }
 
-    fn __repr__(&self) -> String {
-        format!("Statistics({})", self.0)
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        Ok(format!(
+            "Statistics({})",
+            in_python(py, &self.0.to_string(), &[])?
+        ))
     }
 }

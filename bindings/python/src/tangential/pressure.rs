@@ -6,12 +6,12 @@ use pyo3::prelude::*;
 use stickslip::PressureSource;
 
 use crate::argument::argument;
-use crate::field::Samples;
+use crate::field::{Field, Samples};
 use crate::normal::NormalSolution;
 
 argument! {
     /// A pressure: a solved normal contact, or a field.
-    Pressure: NormalSolution | crate::field::Field
+    Pressure: NormalSolution | Field
 }
 
 /// The pressure on the grid of the bodies, with what owns it.
@@ -20,11 +20,26 @@ pub(super) enum Given<'a> {
     Field(Arc<stickslip::Field>),
 }
 
+/// A pressure on its way to Python.
+#[derive(IntoPyObject)]
+pub(super) enum AsObject<'py> {
+    Solved(Bound<'py, PyAny>),
+    Field(Field),
+}
+
 impl Given<'_> {
     pub(super) fn source(&self) -> PressureSource<'_> {
         match self {
             Self::Solved(solution) => PressureSource::Solved(solution),
             Self::Field(field) => PressureSource::Prescribed(field),
+        }
+    }
+
+    /// As an object that nobody changes, by which it is given again.
+    pub(super) fn object<'py>(&self, given: &Pressure<'py>) -> AsObject<'py> {
+        match self {
+            Self::Solved(_) => AsObject::Solved(given.0.clone()),
+            Self::Field(field) => AsObject::Field(Field(Arc::clone(field))),
         }
     }
 }

@@ -1,15 +1,17 @@
 //! A tangential contact to be solved.
 
 use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple};
 use stickslip::{Coupling, TangentialModel, cgm};
 
 use crate::choice::Choice;
 use crate::digits::short;
 use crate::due;
-use crate::friction::AnyFriction;
+use crate::friction::{AnyFriction, Friction};
 use crate::grid::size;
 use crate::half_space::HalfSpace;
 use crate::load::{Keywords, TangentialLoad};
+use crate::pickle::Recipe;
 use crate::settings::{Settings, chosen};
 use crate::solver::solve_once;
 use crate::tangential::pressure::Pressure;
@@ -62,7 +64,7 @@ use crate::work::unobserved_on;
 /// >>> abs(shear.stick_ratio - exact.stick_ratio) < 0.02
 /// True
 #[pyclass(frozen, module = "stickslip")]
-pub(crate) struct TangentialProblem(stickslip::TangentialProblem, stickslip::Grid);
+pub(crate) struct TangentialProblem(stickslip::TangentialProblem, stickslip::Grid, Recipe);
 
 #[pymethods]
 impl TangentialProblem {
@@ -106,10 +108,23 @@ impl TangentialProblem {
         let load = keywords.load_or(load)?;
         let grid = bodies.0.grid();
         let friction = friction.on(py, grid)?;
-        let pressure = pressure.given(py, grid)?;
+        let given = pressure.given(py, grid)?;
+        let recipe = Recipe::new(
+            py,
+            (
+                bodies.clone(),
+                given.object(&pressure),
+                Friction(friction.clone()),
+                TangentialLoad(load),
+            ),
+        )?
+        .with(py, "model", model)?
+        .with(py, "coupling", coupling)?
+        .with(py, "relative_displacement", relative_displacement.clone())?
+        .with(py, "settings", Some(Settings(settings)))?;
         let built = unobserved_on(py, grid, || {
             let builder =
-                stickslip::TangentialProblem::builder(&bodies.0, pressure.source(), friction, load);
+                stickslip::TangentialProblem::builder(&bodies.0, given.source(), friction, load);
             let mut builder = builder.settings(settings);
             if let Some(model) = model {
                 builder = builder.model(model.0);
@@ -122,7 +137,7 @@ impl TangentialProblem {
             }
             builder.build()
         })?;
-        Ok(Self(built, grid))
+        Ok(Self(built, grid, recipe))
     }
 
     /// Largest tangential force that friction holds: the integral of the friction limit.
@@ -132,7 +147,7 @@ impl TangentialProblem {
     }
 
     /// Solves once; see :meth:`NormalProblem.solve`.
-    #[pyo3(signature = (*, progress=None, warn=false))]
+    #[pyo3(signature = (*, progress=None, warn=true))]
     fn solve<'py>(
         &self,
         py: Python<'py>,
@@ -146,6 +161,13 @@ impl TangentialProblem {
     /// A solver of this problem, which keeps its buffers and starts each solve from the last answer.
     fn solver(&self, py: Python<'_>) -> PyResult<TangentialSolver> {
         TangentialSolver::of(py, self.1, || self.0.clone().into_solver())
+    }
+
+    fn __getnewargs_ex__<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(Bound<'py, PyTuple>, Bound<'py, PyDict>)> {
+        self.2.parts(py)
     }
 
     fn __repr__(&self) -> String {

@@ -26,7 +26,8 @@ enum Source {
 }
 
 /// Traction, slip, zones and shift of a tangential contact. Vectors are (x, y); the scalar model leaves the component
-/// across the load at zero. Arrays are read-only views of its memory, those of the zones a copy.
+/// across the load at zero. Arrays are read-only views of its memory, those of the zones a copy. Two are equal if their
+/// answers are, however they were found.
 #[pyclass(frozen, module = "stickslip")]
 pub(crate) struct TangentialSolution(Source);
 
@@ -87,7 +88,7 @@ impl TangentialSolution {
 
     /// The zone of every cell, bytes of shape (ny, nx): the numbers of :class:`Zone`, 0 separated, 1 stick, 2 slip.
     #[getter]
-    fn zones<'py>(&self, py: Python<'py>) -> Array<'py> {
+    fn zones<'py>(&self, py: Python<'py>) -> Array<'py, u8> {
         zones(py, self.get().grid(), self.get().zones())
     }
 

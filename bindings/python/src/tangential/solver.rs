@@ -50,7 +50,7 @@ impl TangentialSolver {
     /// NotConverged
     ///     With ``report`` and ``last_iterate``.
     #[pyo3(signature = (load=None, *, force=None, shift=None, spring=None, force_x=None, force_y=None, shift_x=None,
-        shift_y=None, spring_x=None, spring_y=None, twist=None, progress=None, warn=false))]
+        shift_y=None, spring_x=None, spring_y=None, twist=None, progress=None, warn=true))]
     fn solve<'py>(
         &self,
         py: Python<'py>,

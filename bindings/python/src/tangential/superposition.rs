@@ -49,7 +49,7 @@ impl JaegerSuperposition {
 
     /// The zone of every cell, as of :attr:`TangentialSolution.zones`.
     #[getter]
-    fn zones<'py>(&self, py: Python<'py>) -> Array<'py> {
+    fn zones<'py>(&self, py: Python<'py>) -> Array<'py, u8> {
         zones(py, self.0.traction().grid(), self.0.zones())
     }
 

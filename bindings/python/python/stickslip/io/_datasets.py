@@ -1,0 +1,147 @@
+"""Solutions as datasets of xarray, which is imported only when one is asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._stickslip import (
+    CoupledSolution,
+    Field,
+    History,
+    NormalSolution,
+    Plane,
+    State,
+    TangentialSolution,
+)
+
+if TYPE_CHECKING:
+    import xarray
+
+# Fields, each with a number in every cell or a number along each axis, and numbers, by the names they have.
+_FIELDS = (
+    "pressure", "gap", "contact", "traction", "slip", "zones", "displacement", "accumulated_slip", "dissipated_energy",
+    "normal_stress", "shear_stress", "von_mises",
+)  # fmt: skip
+_NUMBERS = (
+    "force", "approach", "moment", "shift", "twist", "stick_ratio", "is_gross_slip", "contact_area", "contact_area_corrected",
+    "yielded_cells", "dissipated_energy", "elastic_energy", "steps",
+)  # fmt: skip
+_PARTS = {"normal_stress": ("xx", "yy", "zz"), "shear_stress": ("xy", "xz", "yz")}
+
+
+def to_xarray(solution: Any) -> xarray.Dataset:
+    """The fields and numbers of a solution as a dataset of xarray (``pip install xarray``), to save and to analyse.
+
+    Fields have the dimensions (y, x), with the centres of the cells as coordinates; components of vectors are named by
+    their axis, such as ``traction_x``, those of stresses by both, such as ``xz``. Numbers are attributes of the dataset.
+    The doc of each field is its attribute ``long_name``. The package knows no units: set ``dataset.x.attrs["units"]``.
+
+    Parameters
+    ----------
+    solution : NormalSolution, TangentialSolution, (NormalSolution, TangentialSolution), CoupledSolution, State, History, \\
+        Field, or sequence of Plane
+        What is exported. The normal force of a solution of both halves is ``normal_force``. Planes, as of
+        :meth:`Planes.solve_all`, have the further dimension ``depth``.
+
+    Raises
+    ------
+    ImportError
+        Without xarray.
+    TypeError
+        If it is none of these.
+    ValueError
+        If planes are of several bodies or grids.
+
+    Examples
+    --------
+    >>> import stickslip as ss
+    >>> grid = ss.Grid.square(32, 0.4e-3)
+    >>> steel = ss.Material(213e9, 0.29)
+    >>> bodies = ss.HalfSpace(grid, (steel, steel))
+    >>> contact = ss.NormalProblem(bodies, ss.surface.sphere(grid, 3.5e-3), force=100.0).solve()
+    >>> dataset = ss.io.to_xarray(contact)
+    >>> dict(dataset.sizes), round(dataset.attrs["force"], 6)
+    ({'y': 32, 'x': 32}, 100.0)
+    >>> bool(dataset.pressure.max() == contact.pressure.max())
+    True
+    """
+    try:
+        import xarray  # noqa: F401
+    except ImportError as error:
+        raise ImportError("to_xarray needs xarray: pip install xarray") from error
+    if isinstance(solution, Field):
+        return _dataset(solution.grid, {"values": (solution.array, "Samples of the field.")}, {})
+    if isinstance(solution, (NormalSolution, TangentialSolution, State, History)):
+        numbers = _numbers(solution)
+        if isinstance(solution, (State, History)):
+            numbers["normal_force"] = solution.normal.force
+        return _dataset(solution.grid, dict(_fields(solution)), numbers)
+    if isinstance(solution, CoupledSolution):
+        return _halves(solution.normal, solution.shear, solution)
+    if isinstance(solution, Sequence):
+        kinds = [type(part) for part in solution]
+        if kinds == [NormalSolution, TangentialSolution]:
+            return _halves(solution[0], solution[1], None)
+        if kinds and all(kind is Plane for kind in kinds):
+            return _volume(solution)
+    raise TypeError(f"expected a solution, a state, a history, a Field or planes, got {type(solution).__name__}")
+
+
+def _fields(solution: Any) -> Iterator[tuple[str, tuple[Any, str]]]:
+    """The fields of a solution with what they are; those that take a product to find are left out."""
+    for name in _FIELDS:
+        value = getattr(solution, name, None)
+        if value is None or callable(value) or np.isscalar(value):
+            continue
+        doc = str(getattr(type(solution), name).__doc__).split("\n\n")[0].replace("\n", " ")
+        if isinstance(value, tuple):
+            parts = _PARTS.get(name, tuple(f"{name}_{axis}" for axis in "xyz"))
+            yield from ((part, (component, doc)) for part, component in zip(parts, value))
+        else:
+            yield name, (value, doc)
+
+
+def _numbers(solution: Any) -> dict[str, Any]:
+    """The numbers of a solution, of vectors one along each axis."""
+    numbers: dict[str, Any] = {}
+    for name in _NUMBERS:
+        value = getattr(solution, name, None)
+        if isinstance(value, tuple):
+            numbers |= {f"{name}_{axis}": component for axis, component in zip("xyz", value)}
+        elif np.isscalar(value):
+            numbers[name] = int(value) if isinstance(value, bool) else value
+    return numbers
+
+
+def _dataset(grid: Any, fields: dict[str, tuple[Any, str]], numbers: dict[str, Any]) -> xarray.Dataset:
+    import xarray
+
+    variables = {
+        name: (("y", "x"), np.array(values), {"long_name": doc}) for name, (values, doc) in fields.items()
+    }
+    return xarray.Dataset(variables, {"y": grid.y, "x": grid.x}, numbers)
+
+
+def _halves(normal: Any, shear: Any, both: Any) -> xarray.Dataset:
+    numbers = _numbers(normal)
+    numbers["normal_force"] = numbers.pop("force")
+    fields = dict(_fields(normal)) | dict(_fields(shear))
+    for part in (shear, both):
+        numbers |= _numbers(part)
+    if both is not None:
+        fields |= dict(_fields(both))
+    return _dataset(normal.grid, fields, numbers)
+
+
+def _volume(planes: Sequence[Plane]) -> xarray.Dataset:
+    import xarray
+
+    first = planes[0]
+    if any(plane.grid != first.grid or plane.body != first.body for plane in planes):
+        raise ValueError("the planes are of several bodies or grids")
+    layers = [_dataset(plane.grid, dict(_fields(plane)), {}) for plane in planes]
+    depths = xarray.DataArray([plane.depth for plane in planes], dims="depth", name="depth")
+    return xarray.concat(layers, depths).assign_attrs(body=str(first.body))

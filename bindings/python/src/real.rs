@@ -1,0 +1,83 @@
+//! Arrays of real numbers: what NumPy would make real with a loss or by a guess is refused, and what has another shape.
+
+use numpy::{AllowTypeChange, PyArrayLike2};
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple};
+
+use crate::error::named;
+use crate::field::Field;
+
+/// An object as an array of NumPy, if it can be one.
+fn as_array<'py>(object: &Bound<'py, PyAny>) -> Option<Bound<'py, PyAny>> {
+    let numpy = object.py().import("numpy").ok()?;
+    numpy.call_method1("asanyarray", (object,)).ok()
+}
+
+/// `Ok` unless an object holds complex numbers, text or times.
+pub(crate) fn is_real(object: &Bound<'_, PyAny>, quantity: &str) -> PyResult<()> {
+    let Some(array) = as_array(object) else {
+        return Ok(());
+    };
+    let kind: String = array.getattr("dtype")?.getattr("kind")?.extract()?;
+    let found = match &kind[..] {
+        "c" => "complex: give the real part, .real",
+        "U" | "S" | "T" => "text",
+        "M" | "m" => "of times",
+        _ => return Ok(()),
+    };
+    Err(PyTypeError::new_err(format!(
+        "{quantity} must be real numbers, and is {found}"
+    )))
+}
+
+/// Whether an object is a field, or an array of two dimensions.
+pub(crate) fn is_plane(object: &Bound<'_, PyAny>) -> bool {
+    let dimensions = |array: Bound<'_, PyAny>| array.getattr("ndim")?.extract::<usize>();
+    object.is_instance_of::<Field>() || dimensions(object.clone()).is_ok_and(|count| count == 2)
+}
+
+/// That an array does not have the shape of the grid.
+pub(crate) fn misshapen(
+    py: Python<'_>,
+    quantity: &str,
+    grid: stickslip::Grid,
+    found: &[usize],
+) -> PyErr {
+    let exception = || -> PyResult<PyErr> {
+        let expected = (grid.ny(), grid.nx());
+        let found = PyTuple::new(py, found)?;
+        let message = format!("{quantity} has shape {found}, expected (ny, nx) = {expected:?}");
+        let numbers = PyDict::new(py);
+        numbers.set_item("quantity", quantity)?;
+        numbers.set_item("expected", expected)?;
+        numbers.set_item("found", found)?;
+        named(py, "Shape", &message, &numbers)
+    };
+    exception().unwrap_or_else(|failure| failure)
+}
+
+/// Numbers of two dimensions; masked ones are NaN.
+pub(crate) fn plane<'py>(
+    object: &Bound<'py, PyAny>,
+    quantity: &str,
+    grid: stickslip::Grid,
+) -> PyResult<PyArrayLike2<'py, f64, AllowTypeChange>> {
+    let filled = if object.hasattr("mask")? && object.hasattr("filled")? {
+        let real = object.call_method1("astype", ("float64",))?;
+        real.call_method1("filled", (f64::NAN,))?
+    } else {
+        object.clone()
+    };
+    filled.extract().map_err(|_| {
+        let shape = as_array(object).and_then(|array| array.getattr("shape").ok()?.extract().ok());
+        // An object of no kind that NumPy knows is an array without dimensions.
+        let differs = |shape: &Vec<usize>| !shape.is_empty() && *shape != [grid.ny(), grid.nx()];
+        match shape.filter(differs) {
+            Some(shape) => misshapen(object.py(), quantity, grid, &shape),
+            None => PyTypeError::new_err(format!(
+                "{quantity} must be a Field, a number, or an array of real numbers of shape (ny, nx)"
+            )),
+        }
+    })
+}
