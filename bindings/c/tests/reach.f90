@@ -268,6 +268,18 @@ contains
         call check(status == STICKSLIP_NEGATIVE, 'a negative limit')
         call check(loop%cyclic_residual < 0.25d0, 'a closed loop')
 
+        ! Bulk strain alone makes cells slip.
+        do quarter = 1, int(nx)
+            worn(quarter, :) = 1d-3 * side * (quarter - 0.5d0 * (nx + 1))
+        end do
+        call history%clone(copy)
+        call copy%set_relative_displacement(worn, 0 * worn)
+        call copy%step(stickslip_load_step(has_relative_displacement=1, relative_displacement=1d0))
+        now = copy%result()
+        call check(now%energy%mid_step_dissipated_energy > 0 .and. now%stick_ratio < 1, 'bulk strain in a step')
+        call copy%set_relative_displacement(worn, transpose(worn), status)
+        call check(status == STICKSLIP_LENGTH, 'a pattern of shape (ny, nx)')
+
         call steps%new(history, 0.01d0)
         call steps%step(history, drag(0d0), taken)
         call check(taken >= 1, 'short steps')
