@@ -21,7 +21,7 @@ ARRAYS = {
     "gap", "pressure", "depth", "buffer", "bytes", "histories", "loads", "codes",
     "depths", "points", "responses", "values", "heights", "labels", "slip_distance",
 }
-# Members of structs whose default is not zero, as ..._default() has them; tests/defaults.f90 compares the two.
+# Members of structs whose default is not zero, as ..._default() has them; tests/reach.f90 compares the two.
 INFINITE = "transfer(int(z'7FF0000000000000', c_int64_t), 0.0_c_double)"
 NOT_A_NUMBER = "transfer(int(z'7FF8000000000000', c_int64_t), 0.0_c_double)"
 DEFAULTS = {

@@ -17,6 +17,12 @@
  * object needs it alone, else one of the two returns STICKSLIP_BUSY and does nothing. To free an object or read through a
  * pointer to a field while another thread uses or changes it is an error that nobody notices.
  *
+ * Structs. Those that end with reserved grow in its place: begin them from zeros or from their ..._default(). A member that the
+ * library does not know is refused, STICKSLIP_NO_SUCH_OPTION, unless it is zero.
+ *
+ * Floating-point arithmetic. Within a call it rounds to nearest and traps nothing, whatever the program has set; after it all
+ * is set as before.
+ *
  * Units are any consistent set. Pressure and approach are positive when bodies are pressed; the shift is the motion of body
  * 2 relative to body 1, traction and tangential force are those that body 2 exerts on body 1.
  */

@@ -2,7 +2,7 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use crate::environment::Default;
+use crate::environment::Environment;
 use crate::error::{Failure, remember};
 use crate::handle::{Opaque, cells_of};
 use crate::status::{STICKSLIP_OK, STICKSLIP_PANIC, stickslip_status};
@@ -14,7 +14,7 @@ pub(crate) type Outcome<T = ()> = Result<T, Failure>;
 /// Runs the inside of a function: a failure is remembered for this thread and becomes its code. Nothing unwinds into C, and
 /// what the caller has set of floating-point arithmetic is neither met nor changed.
 pub(crate) fn call(work: impl FnOnce() -> Outcome) -> stickslip_status {
-    let _environment = Default::enter();
+    let _environment = Environment::enter();
     match caught(work) {
         Ok(()) => STICKSLIP_OK,
         Err(failure) => {

@@ -1,5 +1,6 @@
 //! The floating-point environment of a call.
 
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
 use std::arch::asm;
 use std::marker::PhantomData;
 
@@ -20,13 +21,14 @@ const DEFAULT: Word = 0;
 /// otherwise or drops tiny numbers (`-ffast-math`) would get other bits. The threads of the library begin within a call, and
 /// take the environment from there.
 #[derive(Debug)]
-pub(crate) struct Default {
+pub(crate) struct Environment {
     caller: Word,
     /// It belongs to its thread.
     thread: PhantomData<*const ()>,
 }
 
-impl Default {
+impl Environment {
+    /// Keeps the environment of the caller, and takes the default.
     pub(crate) fn enter() -> Self {
         let caller = word();
         set_word(DEFAULT);
@@ -37,7 +39,7 @@ impl Default {
     }
 }
 
-impl Drop for Default {
+impl Drop for Environment {
     fn drop(&mut self) {
         set_word(self.caller);
     }
@@ -66,7 +68,7 @@ fn word() -> Word {
     unsafe {
         asm!("mrs {}, fpcr", "mrs {}, fpsr", out(reg) control, out(reg) status, options(nomem, nostack, preserves_flags));
     }
-    control << 32 | status & 0xffff_ffff
+    (control << 32) | (status & 0xffff_ffff)
 }
 
 #[cfg(target_arch = "aarch64")]

@@ -41,7 +41,7 @@ contains
         load = stickslip_load_step(x=stickslip_control(STICKSLIP_SHIFT, shift))
     end function drag
 
-    ! Bit for bit.
+    ! Bit for bit, but for the bytes between members.
     subroutine defaults()
         type(stickslip_settings) :: settings
         type(stickslip_history_options) :: history
@@ -49,9 +49,11 @@ contains
         type(stickslip_self_affine) :: surface
         type(stickslip_jump_limits) :: limits
         integer(c_int8_t), parameter :: mold(1) = 0
-        call check(all(transfer(settings, mold) == transfer(stickslip_settings_default(), mold)), 'settings')
+        associate (other => stickslip_settings_default())
+            call check(settings%method == other%method .and. settings%tolerance == other%tolerance .and. &
+                settings%max_iterations == other%max_iterations .and. settings%time_limit == other%time_limit, 'settings')
+        end associate
         call check(all(transfer(limits, mold) == transfer(stickslip_jump_limits_default(), mold)), 'limits of jumps')
-        ! Without the bytes between members.
         associate (other => stickslip_history_options_default())
             call check(all([history%axis, history%model, history%coupling, history%touch_rule, history%permanent_set] == &
                 [other%axis, other%model, other%coupling, other%touch_rule, other%permanent_set]), 'options of histories')
@@ -265,6 +267,18 @@ contains
         jump = cycle%jump(bodies, depth, stickslip_jump_limits(closed_within=-1d0), status)
         call check(status == STICKSLIP_NEGATIVE, 'a negative limit')
         call check(loop%cyclic_residual < 0.25d0, 'a closed loop')
+
+        ! Bulk strain alone makes cells slip.
+        do quarter = 1, int(nx)
+            worn(quarter, :) = 1d-3 * side * (quarter - 0.5d0 * (nx + 1))
+        end do
+        call history%clone(copy)
+        call copy%set_relative_displacement(worn, 0 * worn)
+        call copy%step(stickslip_load_step(has_relative_displacement=1, relative_displacement=1d0))
+        now = copy%result()
+        call check(now%energy%mid_step_dissipated_energy > 0 .and. now%stick_ratio < 1, 'bulk strain in a step')
+        call copy%set_relative_displacement(worn, transpose(worn), status)
+        call check(status == STICKSLIP_LENGTH, 'a pattern of shape (ny, nx)')
 
         call steps%new(history, 0.01d0)
         call steps%step(history, drag(0d0), taken)
