@@ -53,6 +53,7 @@ module stickslip_bindings
     public :: stickslip_history_set_settings
     public :: stickslip_history_set_relative_displacement
     public :: stickslip_history_stiffness
+    public :: stickslip_history_stiffness_observed
     public :: stickslip_history_result
     public :: stickslip_history_normal_result
     public :: stickslip_history_grid
@@ -80,13 +81,16 @@ module stickslip_bindings
     public :: stickslip_normal_solution_report
     public :: stickslip_normal_solution_warnings
     public :: stickslip_normal_solution_stiffness
+    public :: stickslip_normal_solution_stiffness_observed
     public :: stickslip_planes_new
     public :: stickslip_planes_free
     public :: stickslip_planes_solve
+    public :: stickslip_planes_solve_observed
     public :: stickslip_planes_field
     public :: stickslip_planes_measure
     public :: stickslip_self_affine_default
     public :: stickslip_surface_self_affine
+    public :: stickslip_surface_self_affine_observed
     public :: stickslip_surface_statistics
     public :: stickslip_normal_solution_spots
     public :: stickslip_tangential_solution_spots
@@ -98,6 +102,7 @@ module stickslip_bindings
     public :: stickslip_history_to_bytes
     public :: stickslip_history_from_bytes
     public :: stickslip_stress_at_points
+    public :: stickslip_stress_at_points_observed
     public :: stickslip_surface_sphere
     public :: stickslip_surface_ellipsoid
     public :: stickslip_surface_cylinder
@@ -122,6 +127,7 @@ module stickslip_bindings
     public :: stickslip_tangential_solution_report
     public :: stickslip_tangential_solution_warnings
     public :: stickslip_tangential_solution_stiffness
+    public :: stickslip_tangential_solution_stiffness_observed
     public :: stickslip_set_num_threads
     public :: stickslip_version
     public :: stickslip_abi_version
@@ -1458,6 +1464,16 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_history_stiffness
 
+        ! The same with an observer (may be NULL), which is called before every product with an operator and may end it:
+        ! STICKSLIP_NOT_CONVERGED, and stiffness is as it was.
+        function stickslip_history_stiffness_observed(history, observer, stiffness) result(answer) bind(c)
+            import
+            type(c_ptr), value :: history
+            type(stickslip_observer), intent(in), optional :: observer
+            type(stickslip_stiffness), intent(out), optional :: stiffness
+            integer(c_int32_t) :: answer
+        end function stickslip_history_stiffness_observed
+
         ! The numbers of the state. Stick ratio, gross slip and energies are those of the last step taken, zero before any and
         ! after the history was made from bytes.
         function stickslip_history_result(history, result) result(answer) bind(c)
@@ -1707,6 +1723,18 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_normal_solution_stiffness
 
+        ! The same with an observer (may be NULL), which is called before every product with the operator and may end it:
+        ! STICKSLIP_NOT_CONVERGED, and stiffness is as it was.
+        function stickslip_normal_solution_stiffness_observed(solution, half_space, observer, &
+            stiffness) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solution
+            type(c_ptr), value :: half_space
+            type(stickslip_observer), intent(in), optional :: observer
+            type(stickslip_normal_stiffness), intent(out), optional :: stiffness
+            integer(c_int32_t) :: answer
+        end function stickslip_normal_solution_stiffness_observed
+
         ! Makes planes at count depths (lengths, zero or positive, copied) below the surface of either body; with displacements
         ! if that is not zero. The kernels of a depth, 112 bytes for each cell (152 with displacements), are made when it is first
         ! solved, and kept.
@@ -1738,6 +1766,18 @@ module stickslip_bindings
             type(stickslip_tractions), intent(in), optional :: tractions
             integer(c_int32_t) :: answer
         end function stickslip_planes_solve
+
+        ! The same with an observer (may be NULL), which is called before the kernels are sampled and before each transform of a
+        ! kernel and of three components, and may end it: STICKSLIP_NOT_CONVERGED. Watched, it takes memory for another plane.
+        function stickslip_planes_solve_observed(planes, index, which, tractions, observer) result(answer) bind(c)
+            import
+            type(c_ptr), value :: planes
+            integer(c_size_t), value :: index
+            integer(c_int32_t), value :: which
+            type(stickslip_tractions), intent(in), optional :: tractions
+            type(stickslip_observer), intent(in), optional :: observer
+            integer(c_int32_t) :: answer
+        end function stickslip_planes_solve_observed
 
         ! A field of the plane solved last, STICKSLIP_STRESS_XX to STICKSLIP_STRESS_YZ or, of planes made with displacements,
         ! STICKSLIP_DISPLACEMENT_X to STICKSLIP_DISPLACEMENT_Z, and how many cells it has (count may be NULL); NULL on failure.
@@ -1782,6 +1822,18 @@ module stickslip_bindings
             integer(c_size_t), value :: count
             integer(c_int32_t) :: answer
         end function stickslip_surface_self_affine
+
+        ! The same with an observer (may be NULL), which is called before each transform of the surface, also of the iterations for
+        ! skewness and kurtosis, and may end it: STICKSLIP_NOT_CONVERGED.
+        function stickslip_surface_self_affine_observed(grid, surface, observer, heights, count) result(answer) bind(c)
+            import
+            type(stickslip_grid), intent(in), optional :: grid
+            type(stickslip_self_affine), intent(in), optional :: surface
+            type(stickslip_observer), intent(in), optional :: observer
+            real(c_double), intent(inout) :: heights(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: answer
+        end function stickslip_surface_self_affine_observed
 
         ! The statistics of count heights (lengths) on a grid. STICKSLIP_SAMPLE for the first height that is NaN or infinite,
         ! STICKSLIP_NOT_FINITE if their range or the square of their slopes overflows.
@@ -1907,6 +1959,21 @@ module stickslip_bindings
             type(stickslip_response), intent(inout), optional :: responses(*)
             integer(c_int32_t) :: answer
         end function stickslip_stress_at_points
+
+        ! The same with an observer (may be NULL), which is called before each portion of the points and may end it:
+        ! STICKSLIP_NOT_CONVERGED, and responses is as it was.
+        function stickslip_stress_at_points_observed(half_space, which, tractions, points, count, observer, &
+            responses) result(answer) bind(c)
+            import
+            type(c_ptr), value :: half_space
+            integer(c_int32_t), value :: which
+            type(stickslip_tractions), intent(in), optional :: tractions
+            type(stickslip_point), intent(in), optional :: points(*)
+            integer(c_size_t), value :: count
+            type(stickslip_observer), intent(in), optional :: observer
+            type(stickslip_response), intent(out), optional :: responses(*)
+            integer(c_int32_t) :: answer
+        end function stickslip_stress_at_points_observed
 
         ! The gap between a sphere and a plane that touch at the origin (lengths), written to gap, which has count entries.
         function stickslip_surface_sphere(grid, radius, gap, count) result(answer) bind(c)
@@ -2123,11 +2190,23 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_tangential_solution_stiffness
 
+        ! The same with an observer (may be NULL), which is called before every product with the operator and may end it:
+        ! STICKSLIP_NOT_CONVERGED, and stiffness is as it was.
+        function stickslip_tangential_solution_stiffness_observed(solution, half_space, observer, &
+            stiffness) result(answer) bind(c)
+            import
+            type(c_ptr), value :: solution
+            type(c_ptr), value :: half_space
+            type(stickslip_observer), intent(in), optional :: observer
+            type(stickslip_tangential_stiffness), intent(out), optional :: stiffness
+            integer(c_int32_t) :: answer
+        end function stickslip_tangential_solution_stiffness_observed
+
         ! Sets how many threads solve contacts of more than 4096 cells and batches, from the next call on; 0 for the default, one
-        ! for each processor (or RAYON_NUM_THREADS). Calls under way keep the threads they have. Results have the same bits on
-        ! any number of threads.
+        ! for each processor (or RAYON_NUM_THREADS). With 1 all is done by the thread that calls, and no other is ever started.
+        ! Calls under way keep the threads they have. Results have the same bits on any number of threads.
         !
-        ! Threads do not survive a fork: a child process calls this before its first such solve (also with the number it had).
+        ! Threads do not survive a fork: a child process makes as many of its own at its first such call.
         function stickslip_set_num_threads(count) result(answer) bind(c)
             import
             integer(c_size_t), value :: count

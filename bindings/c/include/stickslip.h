@@ -1271,6 +1271,12 @@ stickslip_status stickslip_history_set_relative_displacement(stickslip_history *
 // The stiffness of the contact after the last step: normal, tangential on loading and at reversal.
 stickslip_status stickslip_history_stiffness(const stickslip_history *history, stickslip_stiffness *stiffness);
 
+// The same with an observer (may be NULL), which is called before every product with an operator and may end it:
+// STICKSLIP_NOT_CONVERGED, and stiffness is as it was.
+stickslip_status stickslip_history_stiffness_observed(const stickslip_history *history,
+                                                      const stickslip_observer *observer,
+                                                      stickslip_stiffness *stiffness);
+
 // The numbers of the state. Stick ratio, gross slip and energies are those of the last step taken, zero before any and
 // after the history was made from bytes.
 stickslip_status stickslip_history_result(const stickslip_history *history, stickslip_step_result *result);
@@ -1401,6 +1407,13 @@ stickslip_status stickslip_normal_solution_stiffness(const stickslip_normal_solu
                                                      const stickslip_half_space *half_space,
                                                      stickslip_normal_stiffness *stiffness);
 
+// The same with an observer (may be NULL), which is called before every product with the operator and may end it:
+// STICKSLIP_NOT_CONVERGED, and stiffness is as it was.
+stickslip_status stickslip_normal_solution_stiffness_observed(const stickslip_normal_solution *solution,
+                                                              const stickslip_half_space *half_space,
+                                                              const stickslip_observer *observer,
+                                                              stickslip_normal_stiffness *stiffness);
+
 // Makes planes at count depths (lengths, zero or positive, copied) below the surface of either body; with displacements
 // if that is not zero. The kernels of a depth, 112 bytes for each cell (152 with displacements), are made when it is first
 // solved, and kept.
@@ -1420,6 +1433,14 @@ stickslip_status stickslip_planes_solve(stickslip_planes *planes,
                                         size_t index,
                                         int32_t which,
                                         const stickslip_tractions *tractions);
+
+// The same with an observer (may be NULL), which is called before the kernels are sampled and before each transform of a
+// kernel and of three components, and may end it: STICKSLIP_NOT_CONVERGED. Watched, it takes memory for another plane.
+stickslip_status stickslip_planes_solve_observed(stickslip_planes *planes,
+                                                 size_t index,
+                                                 int32_t which,
+                                                 const stickslip_tractions *tractions,
+                                                 const stickslip_observer *observer);
 
 // A field of the plane solved last, STICKSLIP_STRESS_XX to STICKSLIP_STRESS_YZ or, of planes made with displacements,
 // STICKSLIP_DISPLACEMENT_X to STICKSLIP_DISPLACEMENT_Z, and how many cells it has (count may be NULL); NULL on failure.
@@ -1444,6 +1465,14 @@ stickslip_status stickslip_surface_self_affine(const stickslip_grid *grid,
                                                const stickslip_self_affine *surface,
                                                double *heights,
                                                size_t count);
+
+// The same with an observer (may be NULL), which is called before each transform of the surface, also of the iterations for
+// skewness and kurtosis, and may end it: STICKSLIP_NOT_CONVERGED.
+stickslip_status stickslip_surface_self_affine_observed(const stickslip_grid *grid,
+                                                        const stickslip_self_affine *surface,
+                                                        const stickslip_observer *observer,
+                                                        double *heights,
+                                                        size_t count);
 
 // The statistics of count heights (lengths) on a grid. STICKSLIP_SAMPLE for the first height that is NaN or infinite,
 // STICKSLIP_NOT_FINITE if their range or the square of their slopes overflows.
@@ -1519,6 +1548,16 @@ stickslip_status stickslip_stress_at_points(const stickslip_half_space *half_spa
                                             const stickslip_point *points,
                                             size_t count,
                                             stickslip_response *responses);
+
+// The same with an observer (may be NULL), which is called before each portion of the points and may end it:
+// STICKSLIP_NOT_CONVERGED, and responses is as it was.
+stickslip_status stickslip_stress_at_points_observed(const stickslip_half_space *half_space,
+                                                     int32_t which,
+                                                     const stickslip_tractions *tractions,
+                                                     const stickslip_point *points,
+                                                     size_t count,
+                                                     const stickslip_observer *observer,
+                                                     stickslip_response *responses);
 
 // The gap between a sphere and a plane that touch at the origin (lengths), written to gap, which has count entries.
 stickslip_status stickslip_surface_sphere(const stickslip_grid *grid, double radius, double *gap, size_t count);
@@ -1631,11 +1670,18 @@ stickslip_status stickslip_tangential_solution_stiffness(const stickslip_tangent
                                                          const stickslip_half_space *half_space,
                                                          stickslip_tangential_stiffness *stiffness);
 
+// The same with an observer (may be NULL), which is called before every product with the operator and may end it:
+// STICKSLIP_NOT_CONVERGED, and stiffness is as it was.
+stickslip_status stickslip_tangential_solution_stiffness_observed(const stickslip_tangential_solution *solution,
+                                                                  const stickslip_half_space *half_space,
+                                                                  const stickslip_observer *observer,
+                                                                  stickslip_tangential_stiffness *stiffness);
+
 // Sets how many threads solve contacts of more than 4096 cells and batches, from the next call on; 0 for the default, one
-// for each processor (or RAYON_NUM_THREADS). Calls under way keep the threads they have. Results have the same bits on
-// any number of threads.
+// for each processor (or RAYON_NUM_THREADS). With 1 all is done by the thread that calls, and no other is ever started.
+// Calls under way keep the threads they have. Results have the same bits on any number of threads.
 //
-// Threads do not survive a fork: a child process calls this before its first such solve (also with the number it had).
+// Threads do not survive a fork: a child process makes as many of its own at its first such call.
 stickslip_status stickslip_set_num_threads(size_t count);
 
 // The version of the library that is running, as "major.minor.patch"; it lives as long as the program.

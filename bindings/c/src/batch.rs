@@ -44,9 +44,14 @@ pub unsafe extern "C" fn stickslip_history_step_all(
             history.and_then(|history| Ok((history, load.checked()?)))
         });
         let contacts: Vec<Outcome<(Changing<'_, History>, LoadStep)>> = contacts.collect();
-        let outcomes: Vec<Outcome> = enter_always(|| {
-            let contacts = contacts.into_par_iter().with_max_len(1);
-            contacts.map(|contact| caught(|| step(contact))).collect()
+        let taken = |contact| caught(|| step(contact));
+        let outcomes: Vec<Outcome> = enter_always(|are_several| {
+            if are_several {
+                let contacts = contacts.into_par_iter().with_max_len(1);
+                contacts.map(taken).collect()
+            } else {
+                contacts.into_iter().map(taken).collect()
+            }
         });
         let mut first = None;
         for (i, outcome) in outcomes.into_iter().enumerate() {

@@ -2,6 +2,8 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+use stickslip_rs::avoid_global_pool;
+
 use crate::environment::Environment;
 use crate::error::{Failure, remember};
 use crate::handle::{Opaque, cells_of};
@@ -56,8 +58,10 @@ pub(crate) fn call_for<T>(work: impl FnOnce() -> Outcome<*const T>) -> *const T 
     })
 }
 
-/// A panic is a failure of its own. What was being changed is not trusted to be whole, but safe to be freed.
+/// Work outside of the threads of this interface stays on the thread that calls: rayon's own, which it would start, do not
+/// live on in a forked process. A panic is a failure of its own. What was being changed is not trusted to be whole, but safe to be freed.
 pub(crate) fn caught<T>(work: impl FnOnce() -> Outcome<T>) -> Outcome<T> {
+    avoid_global_pool();
     catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|payload| {
         let text = payload.downcast_ref::<&str>().copied();
         let text = text.or_else(|| payload.downcast_ref::<String>().map(String::as_str));

@@ -252,9 +252,22 @@ pub unsafe extern "C" fn stickslip_history_stiffness(
     stiffness: *mut stickslip_stiffness,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
+    unsafe { stickslip_history_stiffness_observed(history, std::ptr::null(), stiffness) }
+}
+
+/// The same with an observer (may be NULL), which is called before every product with an operator and may end it:
+/// STICKSLIP_NOT_CONVERGED, and stiffness is as it was.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_history_stiffness_observed(
+    history: *const stickslip_history,
+    observer: *const stickslip_observer,
+    stiffness: *mut stickslip_stiffness,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
     unsafe {
         tell(history, ("stiffness", stiffness), |of| {
-            Ok(of.stiffness()?.into())
+            let observer = optional("observer", observer)?;
+            Ok(of.stiffness_observed(watch(observer))?.into())
         })
     }
 }

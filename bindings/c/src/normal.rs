@@ -8,7 +8,7 @@ use crate::half_space::stickslip_half_space;
 use crate::handle::{Handle, free, give, opaque, reading};
 use crate::inputs::{stickslip_per_cell, stickslip_settings};
 use crate::loads::stickslip_normal_load;
-use crate::observer::stickslip_observer;
+use crate::observer::{stickslip_observer, watch};
 use crate::pointer::{Place, field, input, optional};
 use crate::reading::{show, tell, warn};
 use crate::results::{stickslip_normal_result, stickslip_report, stickslip_warning};
@@ -214,10 +214,25 @@ pub unsafe extern "C" fn stickslip_normal_solution_stiffness(
     half_space: *const stickslip_half_space,
     stiffness: *mut stickslip_normal_stiffness,
 ) -> stickslip_status {
+    let nobody = std::ptr::null();
+    // SAFETY: the rule for pointers.
+    unsafe { stickslip_normal_solution_stiffness_observed(solution, half_space, nobody, stiffness) }
+}
+
+/// The same with an observer (may be NULL), which is called before every product with the operator and may end it:
+/// STICKSLIP_NOT_CONVERGED, and stiffness is as it was.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_normal_solution_stiffness_observed(
+    solution: *const stickslip_normal_solution,
+    half_space: *const stickslip_half_space,
+    observer: *const stickslip_observer,
+    stiffness: *mut stickslip_normal_stiffness,
+) -> stickslip_status {
     // SAFETY: the rule for pointers.
     unsafe {
         tell(solution, ("stiffness", stiffness), |of| {
-            Ok(of.stiffness(&*reading(half_space)?)?.into())
+            let (bodies, observer) = (reading(half_space)?, optional("observer", observer)?);
+            Ok(of.stiffness_observed(&bodies, watch(observer))?.into())
         })
     }
 }

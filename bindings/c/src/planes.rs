@@ -8,7 +8,8 @@ use crate::error::Failure;
 use crate::fields::*;
 use crate::half_space::stickslip_half_space;
 use crate::handle::{Handle, changing, free, give, opaque, reading};
-use crate::pointer::{Place, cells_mut, entries, input};
+use crate::observer::{stickslip_observer, watch};
+use crate::pointer::{Place, cells_mut, entries, input, optional};
 use crate::reading::show;
 use crate::status::{STICKSLIP_REFUSED, stickslip_status};
 use crate::stress::{body, stickslip_tractions};
@@ -77,16 +78,35 @@ pub unsafe extern "C" fn stickslip_planes_solve(
     which: i32,
     tractions: *const stickslip_tractions,
 ) -> stickslip_status {
+    let nobody = std::ptr::null();
+    // SAFETY: the rule for pointers.
+    unsafe { stickslip_planes_solve_observed(planes, index, which, tractions, nobody) }
+}
+
+/// The same with an observer (may be NULL), which is called before the kernels are sampled and before each transform of a
+/// kernel and of three components, and may end it: STICKSLIP_NOT_CONVERGED. Watched, it takes memory for another plane.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_planes_solve_observed(
+    planes: *mut stickslip_planes,
+    index: usize,
+    which: i32,
+    tractions: *const stickslip_tractions,
+    observer: *const stickslip_observer,
+) -> stickslip_status {
     // SAFETY: the rule for pointers.
     call_on(planes, || unsafe {
         let (body, tractions) = (body(which)?, input("tractions", tractions)?);
+        let observer = optional("observer", observer)?;
         let mut planes = changing(planes)?;
         let spare = planes.spare();
         let Solved { own, grid, last } = &mut *planes;
         tractions.with(*grid, spare, |tractions| {
-            match last {
-                Some(plane) => own.solve_into(index, body, tractions, plane)?,
-                none => *none = Some(own.solve(index, body, tractions)?),
+            match (last, observer) {
+                (Some(plane), None) => own.solve_into(index, body, tractions, plane)?,
+                (last, observer) => {
+                    let plane = own.solve_observed(index, body, tractions, watch(observer))?;
+                    *last = Some(plane);
+                }
             }
             Ok(())
         })

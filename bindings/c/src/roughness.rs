@@ -5,7 +5,8 @@ use stickslip_rs::surface::{Amplitudes, SelfAffine, Statistics};
 use crate::call::{Outcome, call};
 use crate::error::Failure;
 use crate::inputs::stickslip_grid;
-use crate::pointer::{answer, field, input};
+use crate::observer::{stickslip_observer, watch};
+use crate::pointer::{answer, field, input, optional};
 use crate::reserved::known;
 use crate::status::{STICKSLIP_REFUSED, stickslip_status};
 use crate::surface::shape;
@@ -120,10 +121,26 @@ pub unsafe extern "C" fn stickslip_surface_self_affine(
     heights: *mut f64,
     count: usize,
 ) -> stickslip_status {
+    let nobody = std::ptr::null();
+    // SAFETY: the rule for pointers.
+    unsafe { stickslip_surface_self_affine_observed(grid, surface, nobody, heights, count) }
+}
+
+/// The same with an observer (may be NULL), which is called before each transform of the surface, also of the iterations for
+/// skewness and kurtosis, and may end it: STICKSLIP_NOT_CONVERGED.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_surface_self_affine_observed(
+    grid: *const stickslip_grid,
+    surface: *const stickslip_self_affine,
+    observer: *const stickslip_observer,
+    heights: *mut f64,
+    count: usize,
+) -> stickslip_status {
     // SAFETY: the rule for pointers.
     call(|| unsafe {
         let recipe = input("surface", surface)?.checked()?;
-        let make = |grid| Ok(recipe.generate(grid)?.into_heights());
+        let watch = watch(optional("observer", observer)?);
+        let make = |grid| Ok(recipe.generate_observed(grid, watch)?.into_heights());
         shape(grid, make, ("heights", heights, count))
     })
 }

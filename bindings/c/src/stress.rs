@@ -7,7 +7,8 @@ use crate::call::{Outcome, call};
 use crate::error::Failure;
 use crate::half_space::stickslip_half_space;
 use crate::handle::reading;
-use crate::pointer::{cells, entries, entries_mut, input};
+use crate::observer::{stickslip_observer, watch};
+use crate::pointer::{cells, entries, entries_mut, input, optional};
 use crate::spare::Spare;
 use crate::status::stickslip_status;
 use crate::threads::enter;
@@ -125,8 +126,30 @@ pub unsafe extern "C" fn stickslip_stress_at_points(
     count: usize,
     responses: *mut stickslip_response,
 ) -> stickslip_status {
+    let nobody = std::ptr::null();
+    // SAFETY: the rule for pointers.
+    unsafe {
+        stickslip_stress_at_points_observed(
+            half_space, which, tractions, points, count, nobody, responses,
+        )
+    }
+}
+
+/// The same with an observer (may be NULL), which is called before each portion of the points and may end it:
+/// STICKSLIP_NOT_CONVERGED, and responses is as it was.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_stress_at_points_observed(
+    half_space: *const stickslip_half_space,
+    which: i32,
+    tractions: *const stickslip_tractions,
+    points: *const stickslip_point,
+    count: usize,
+    observer: *const stickslip_observer,
+    responses: *mut stickslip_response,
+) -> stickslip_status {
     // SAFETY: the rule for pointers.
     call(|| unsafe {
+        let observer = optional("observer", observer)?;
         let places = entries_mut("responses", responses, count)?;
         let points = entries("points", points, count)?;
         let points: Vec<[f64; 3]> = points.iter().map(|at| [at.x, at.y, at.depth]).collect();
@@ -135,7 +158,8 @@ pub unsafe extern "C" fn stickslip_stress_at_points(
         let bodies = &*bodies;
         let grid = bodies.grid();
         let found = tractions.with(grid, &Spare::default(), |tractions| {
-            let sum = || subsurface::at_points(bodies, body, tractions, &points);
+            let watch = watch(observer);
+            let sum = || subsurface::at_points_observed(bodies, body, tractions, &points, watch);
             Ok(enter(grid.cells().saturating_mul(points.len()), sum)?)
         })?;
         for (place, response) in places.iter_mut().zip(found) {

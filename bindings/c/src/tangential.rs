@@ -13,7 +13,7 @@ use crate::inputs::{
 use crate::loads::stickslip_tangential_load;
 use crate::model::{STICKSLIP_ONE_WAY, STICKSLIP_SCALAR, coupling, model};
 use crate::normal::stickslip_normal_solution;
-use crate::observer::stickslip_observer;
+use crate::observer::{stickslip_observer, watch};
 use crate::pointer::{Place, field, input, optional};
 use crate::reading::{show, tell, warn};
 use crate::reserved::known;
@@ -357,10 +357,27 @@ pub unsafe extern "C" fn stickslip_tangential_solution_stiffness(
     half_space: *const stickslip_half_space,
     stiffness: *mut stickslip_tangential_stiffness,
 ) -> stickslip_status {
+    let nobody = std::ptr::null();
+    // SAFETY: the rule for pointers.
+    unsafe {
+        stickslip_tangential_solution_stiffness_observed(solution, half_space, nobody, stiffness)
+    }
+}
+
+/// The same with an observer (may be NULL), which is called before every product with the operator and may end it:
+/// STICKSLIP_NOT_CONVERGED, and stiffness is as it was.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_tangential_solution_stiffness_observed(
+    solution: *const stickslip_tangential_solution,
+    half_space: *const stickslip_half_space,
+    observer: *const stickslip_observer,
+    stiffness: *mut stickslip_tangential_stiffness,
+) -> stickslip_status {
     // SAFETY: the rule for pointers.
     unsafe {
         tell(solution, ("stiffness", stiffness), |of| {
-            Ok(of.stiffness(&*reading(half_space)?)?.into())
+            let (bodies, observer) = (reading(half_space)?, optional("observer", observer)?);
+            Ok(of.stiffness_observed(&bodies, watch(observer))?.into())
         })
     }
 }

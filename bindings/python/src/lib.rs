@@ -43,6 +43,8 @@ use pyo3::prelude::*;
 /// What the package ``stickslip`` is made of; import that.
 #[pymodule]
 mod _stickslip {
+    use pyo3::prelude::*;
+
     /// The version of the package.
     #[pymodule_export]
     #[expect(
@@ -50,6 +52,12 @@ mod _stickslip {
         reason = "the name that Python gives to versions"
     )]
     const __version__: &str = env!("CARGO_PKG_VERSION");
+
+    #[pymodule_init]
+    fn initialise(_module: &Bound<'_, PyModule>) -> PyResult<()> {
+        crate::pool::initialise();
+        Ok(())
+    }
 
     #[pymodule_export]
     use crate::{

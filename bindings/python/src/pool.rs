@@ -6,43 +6,74 @@ use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-/// The pool, with the process that it belongs to: the threads of a pool do not live on in a forked one.
+/// The number of threads, and their pool, with the process that it belongs to: the threads of a pool do not live on in a
+/// forked one.
 struct Owned {
     process: u32,
     threads: usize,
-    pool: Arc<ThreadPool>,
+    /// None for one thread, which is that of the caller.
+    pool: Option<Arc<ThreadPool>>,
 }
 
 /// Locked by threads that hold the GIL only, and a fork needs that too: no fork finds it locked.
 static POOL: Mutex<Option<Owned>> = Mutex::new(None);
 
-fn built(threads: usize) -> PyResult<Arc<ThreadPool>> {
-    let builder = ThreadPoolBuilder::new().num_threads(threads);
-    let named = builder.thread_name(|index| format!("stickslip-{index}"));
-    let pool = named.build();
-    pool.map(Arc::new)
-        .map_err(|error| PyRuntimeError::new_err(error.to_string()))
+impl Owned {
+    fn new(threads: usize) -> PyResult<Self> {
+        let builder = ThreadPoolBuilder::new().num_threads(threads);
+        let named = builder.thread_name(|index| format!("stickslip-{index}"));
+        let pool = (threads > 1).then(|| named.build().map(Arc::new));
+        Ok(Self {
+            process: std::process::id(),
+            threads,
+            pool: pool
+                .transpose()
+                .map_err(|error| PyRuntimeError::new_err(error.to_string()))?,
+        })
+    }
+
+    /// Takes the place of what was there before.
+    fn put(self, place: &mut Option<Self>) {
+        let process = self.process;
+        let before = place.replace(self);
+        // The threads of a pool that came through a fork cannot be told to end.
+        if before
+            .as_ref()
+            .is_some_and(|before| before.process != process)
+        {
+            std::mem::forget(before);
+        }
+    }
 }
 
-/// The pool of this process, made when it is first needed.
-pub(crate) fn of_this_process(_py: Python<'_>) -> PyResult<Arc<ThreadPool>> {
+/// As rayon counts them.
+fn default_threads() -> usize {
+    let asked = std::env::var("RAYON_NUM_THREADS").ok();
+    let asked = asked.and_then(|threads| threads.parse().ok());
+    asked
+        .filter(|threads| *threads > 0)
+        .unwrap_or_else(|| std::thread::available_parallelism().map_or(1, std::num::NonZero::get))
+}
+
+/// Work outside of the pool of this package stays on the thread that calls: rayon's own pool, which other work would start,
+/// does not live on in a forked process.
+pub(crate) fn initialise() {
+    stickslip::avoid_global_pool();
+}
+
+/// The pool of this process, made when it is first needed; none where work stays on the calling thread.
+pub(crate) fn of_this_process(_py: Python<'_>) -> PyResult<Option<Arc<ThreadPool>>> {
     let mut place = POOL.lock().unwrap_or_else(PoisonError::into_inner);
-    let process = std::process::id();
-    let (threads, is_foreign) = place
+    let threads = place
         .as_ref()
-        .map_or((0, true), |owned| (owned.threads, owned.process != process));
-    if is_foreign {
-        let pool = built(threads)?;
-        let owned = Owned {
-            process,
-            threads,
-            pool,
-        };
-        // The threads of a pool that came through a fork cannot be told to end.
-        std::mem::forget(place.replace(owned));
+        .map_or_else(default_threads, |owned| owned.threads);
+    if place
+        .as_ref()
+        .is_none_or(|owned| owned.process != std::process::id())
+    {
+        Owned::new(threads)?.put(&mut place);
     }
-    let pool = place.as_ref().map(|owned| Arc::clone(&owned.pool));
-    pool.ok_or_else(|| PyRuntimeError::new_err("no pool"))
+    Ok(place.as_ref().and_then(|owned| owned.pool.clone()))
 }
 
 /// Runs short work in this thread, which counts as a pool of its own: nothing in it can then wait for threads that a
@@ -61,7 +92,7 @@ pub(crate) fn alone<T>(work: impl FnOnce() -> T) -> T {
 /// Sets the number of threads of all later solves in this process; solves under way keep theirs.
 ///
 /// Results do not depend on it, to the last bit. The default is the environment variable ``RAYON_NUM_THREADS``, or
-/// else the number of cores.
+/// else the number of cores. With one thread all work is done by the thread that calls: no other is ever started.
 ///
 /// Parameters
 /// ----------
@@ -81,25 +112,16 @@ pub(crate) fn set_num_threads(_py: Python<'_>, threads: usize) -> PyResult<()> {
             "at least one thread is needed, got 0",
         ));
     }
-    let pool = built(threads)?;
-    let process = std::process::id();
-    let mut place = POOL.lock().unwrap_or_else(PoisonError::into_inner);
-    let before = place.replace(Owned {
-        process,
-        threads,
-        pool,
-    });
-    if before
-        .as_ref()
-        .is_some_and(|owned| owned.process != process)
-    {
-        std::mem::forget(before);
-    }
+    let owned = Owned::new(threads)?;
+    owned.put(&mut POOL.lock().unwrap_or_else(PoisonError::into_inner));
     Ok(())
 }
 
 /// The number of threads of a solve.
 #[pyfunction]
-pub(crate) fn num_threads(py: Python<'_>) -> PyResult<usize> {
-    Ok(of_this_process(py)?.current_num_threads())
+pub(crate) fn num_threads(_py: Python<'_>) -> usize {
+    let place = POOL.lock().unwrap_or_else(PoisonError::into_inner);
+    place
+        .as_ref()
+        .map_or_else(default_threads, |owned| owned.threads)
 }

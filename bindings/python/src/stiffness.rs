@@ -9,7 +9,7 @@ use crate::friction::AnyFriction;
 use crate::half_space::HalfSpace;
 use crate::normal::NormalSolution;
 use crate::tangential::TangentialSolution;
-use crate::work::unobserved_on;
+use crate::work::{observed_on, watch};
 
 /// The slope of the normal force by the approach (a force over a length), with a bound of its relative error.
 #[pyclass(frozen, eq, module = "stickslip.stiffness")]
@@ -118,8 +118,11 @@ impl ContactStiffness {
         let bodies = &bodies.0;
         let friction = friction.on(py, bodies.grid())?;
         let (normal, shear) = (normal.get(), shear.get());
-        let found = unobserved_on(py, bodies.grid(), || {
-            stickslip::stiffness::ContactStiffness::new(bodies, normal, &friction, shear)
+        let found = observed_on(py, bodies.grid(), |observer| {
+            let observer = watch(observer);
+            stickslip::stiffness::ContactStiffness::observed(
+                bodies, normal, &friction, shear, observer,
+            )
         });
         found.map(Self)
     }

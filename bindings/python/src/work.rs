@@ -1,4 +1,5 @@
-//! How a solve runs: without the GIL, on threads that survive a fork, ended by signals and by what follows its progress.
+//! How long work runs: without the GIL, in a pool that is made anew after a fork, ended by signals and by what follows its
+//! progress. What does not run here stays on the thread that calls.
 
 use std::cell::Cell;
 use std::ops::ControlFlow;
@@ -8,6 +9,7 @@ use std::time::{Duration, Instant};
 
 use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError};
 use pyo3::prelude::*;
+use rayon::ThreadPool;
 use stickslip::{CELLS_ON_ONE_THREAD, Error, Iteration, Result};
 
 use crate::error::OrRaise;
@@ -38,7 +40,7 @@ thread_local! {
 /// calls, or of the callable that follows the progress. The solve has then ended at its next product.
 ///
 /// Signals are handled in the main thread only. A long solve therefore runs in the pool, while the calling thread waits for
-/// it and looks for signals; a short one runs in the calling thread.
+/// it and looks for signals; a short one runs in the calling thread, and so does any if that is the only one.
 pub(crate) fn solve<T: Send>(
     py: Python<'_>,
     cells: usize,
@@ -51,10 +53,14 @@ pub(crate) fn solve<T: Send>(
         ));
     }
     let callback = progress.callback();
-    let (outcome, interruption) = if cells <= CELLS_ON_ONE_THREAD {
-        in_place(py, callback, work)
+    let pool = if cells <= CELLS_ON_ONE_THREAD {
+        None
     } else {
-        in_pool(py, callback, work)?
+        pool::of_this_process(py)?
+    };
+    let (outcome, interruption) = match pool {
+        None => in_place(py, callback, work),
+        Some(pool) => in_pool(py, &pool, callback, work)?,
     };
     progress.close()?;
     match (interruption, outcome) {
@@ -66,6 +72,22 @@ pub(crate) fn solve<T: Send>(
         }
         (Some(exception), _) => Err(exception),
     }
+}
+
+/// The observer as the crate calls it.
+pub(crate) fn watch(
+    observer: Observer<'_>,
+) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send + '_ {
+    |iteration| observer(Some(iteration))
+}
+
+/// Long work on the cells of a grid that is no solve, by which what is wrong with a sample is told.
+pub(crate) fn observed_on<T: Send>(
+    py: Python<'_>,
+    grid: stickslip::Grid,
+    work: impl FnOnce(Observer<'_>) -> Result<T> + Send,
+) -> PyResult<T> {
+    solve(py, grid.cells(), Progress::none(), work)?.or_raise_on(py, grid)
 }
 
 /// Work that no observer sees. A signal is raised when it is done.
@@ -84,8 +106,7 @@ pub(crate) fn unobserved_on<T: Send>(
     grid: stickslip::Grid,
     work: impl FnOnce() -> Result<T> + Send,
 ) -> PyResult<T> {
-    let outcome = solve(py, grid.cells(), Progress::none(), |_| work())?;
-    outcome.or_raise_on(py, grid)
+    observed_on(py, grid, |_| work())
 }
 
 /// What a solve came to, and what interrupted it.
@@ -182,10 +203,10 @@ impl Drop for Done<'_> {
 
 fn in_pool<T: Send>(
     py: Python<'_>,
+    pool: &ThreadPool,
     callback: Option<&Py<PyAny>>,
     work: impl FnOnce(Observer<'_>) -> Result<T> + Send,
 ) -> PyResult<Ended<T>> {
-    let pool = pool::of_this_process(py)?;
     let exchange = Exchange::default();
     let is_followed = callback.is_some();
     let mut outcome = None;

@@ -37,6 +37,7 @@ ELSEWHERE = {
     "struct cgm::NonNegative": "cgm.minimise",
     "struct cgm::Interval": "cgm.minimise",
     "fn cgm::minimise_with": "cgm.minimise",  # progress= and start=
+    "fn subsurface::at_points_observed": "subsurface.at_points",  # Ctrl-C
     "trait Operator": "cgm.LinearOperator",  # or any callable
     "struct ElasticOperator": "cgm.LinearOperator",
     "struct ElasticPreconditioner": "cgm.LinearOperator",
@@ -50,6 +51,7 @@ WITHOUT = {
     "struct tangential::TangentialProblemBuilder": "keywords of TangentialProblem",
     "struct coupled::CoupledProblemBuilder": "keywords of CoupledProblem",
     "type Result": "exceptions",
+    "fn avoid_global_pool": "the package does it",
     "struct Layout": "how sums are cut: of operators written in Rust",
     "struct cgm::Workspace": "buffers of the generic engine, which a call holds itself",
     "struct cgm::Disc": "of minima with several components a cell: engine generics",

@@ -19,7 +19,7 @@ use crate::normal::NormalSolution;
 use crate::sequence::pair;
 use crate::spots::ContactSpots;
 use crate::stiffness::ContactStiffness;
-use crate::work::unobserved_on;
+use crate::work::{observed_on, unobserved_on, watch};
 
 #[pymethods]
 impl History {
@@ -167,7 +167,10 @@ impl History {
     fn stiffness(&self, py: Python<'_>) -> PyResult<ContactStiffness> {
         let mut work = lock(&self.work, NAME)?;
         let history = &mut work.history;
-        unobserved_on(py, self.grid(), || history.stiffness()).map(ContactStiffness)
+        let found = observed_on(py, self.grid(), |observer| {
+            history.stiffness_observed(watch(observer))
+        });
+        found.map(ContactStiffness)
     }
 
     fn __repr__(&self) -> PyResult<String> {

@@ -15,7 +15,7 @@ use crate::report::{Report, Warning, ending};
 use crate::sequence::pair;
 use crate::spots::ContactSpots;
 use crate::stiffness::NormalStiffness;
-use crate::work::unobserved_on;
+use crate::work::{observed_on, unobserved_on, watch};
 
 /// What owns a normal solution.
 enum Source {
@@ -200,7 +200,9 @@ impl NormalSolution {
     /// The normal stiffness, the slope of the force by the approach (a force over a length): one solve on the contact cells.
     fn stiffness(&self, py: Python<'_>, bodies: &HalfSpace) -> PyResult<NormalStiffness> {
         let solution = self.get();
-        let found = unobserved_on(py, solution.grid(), || solution.stiffness(&bodies.0));
+        let found = observed_on(py, solution.grid(), |observer| {
+            solution.stiffness_observed(&bodies.0, watch(observer))
+        });
         found.map(NormalStiffness)
     }
 

@@ -16,7 +16,7 @@ use crate::half_space::HalfSpace;
 use crate::held::lock;
 use crate::sequence::place;
 use crate::subsurface::{Loaded, Stress};
-use crate::work::unobserved_on;
+use crate::work::{observed_on, unobserved_on, watch};
 
 /// Stress, and displacement if it was asked for, at the cell centres of a plane below the surface. Arrays are views,
 /// those of derived stresses are new.
@@ -212,7 +212,10 @@ impl Planes {
     ) -> PyResult<Plane> {
         self.with(py, &tractions, |planes, tractions| {
             let index = place(planes.depths(), index, "depth")?;
-            unobserved_on(py, self.grid(), || planes.solve(index, body.0, tractions)).map(Plane)
+            let plane = observed_on(py, self.grid(), |observer| {
+                planes.solve_observed(index, body.0, tractions, watch(observer))
+            });
+            plane.map(Plane)
         })
     }
 
@@ -224,11 +227,13 @@ impl Planes {
         tractions: Loaded<'_>,
     ) -> PyResult<Vec<Plane>> {
         self.with(py, &tractions, |planes, tractions| {
-            let depths = 0..planes.depths().len();
-            let solve = |index| {
-                unobserved_on(py, self.grid(), || planes.solve(index, body.0, tractions)).map(Plane)
-            };
-            depths.map(solve).collect()
+            let depths = planes.depths().len();
+            let found = observed_on(py, self.grid(), |observer| {
+                let solve =
+                    |index| planes.solve_observed(index, body.0, tractions, watch(&mut *observer));
+                (0..depths).map(solve).collect::<Result<Vec<_>, _>>()
+            })?;
+            Ok(found.into_iter().map(Plane).collect())
         })
     }
 
@@ -241,8 +246,8 @@ impl Planes {
         tractions: Loaded<'_>,
     ) -> PyResult<()> {
         self.with(py, &tractions, |planes, tractions| {
-            unobserved_on(py, self.grid(), || {
-                planes.write_vti(&path, body.0, tractions)
+            observed_on(py, self.grid(), |observer| {
+                planes.write_vti_observed(&path, body.0, tractions, watch(observer))
             })
         })
     }

@@ -1,9 +1,8 @@
 //! Stress and displacement at points.
 
-use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
-use stickslip::subsurface::{self, Body, Tractions};
-use stickslip::{Error, Field};
+use stickslip::Error;
+use stickslip::subsurface::{self, Body};
 
 use crate::array::Array;
 use crate::choice::Choice;
@@ -15,7 +14,7 @@ use crate::pickle::picklable;
 use crate::progress::Progress;
 use crate::sequence::entry;
 use crate::subsurface::{Loaded, Stress};
-use crate::work::{solve, unless_broken_off};
+use crate::work::{solve, watch};
 
 /// Displacement and stress at a point.
 #[pyclass(frozen, eq, module = "stickslip.subsurface")]
@@ -131,9 +130,6 @@ impl Responses {
 
 picklable!(Responses: Vec<subsurface::Response>);
 
-/// Cells times points after which signals are looked for again.
-const PORTION: usize = 1 << 22;
-
 /// Stress and displacement at points, by sums over all cells.
 ///
 /// Parameters
@@ -161,30 +157,16 @@ pub(crate) fn at_points(
 ) -> PyResult<Responses> {
     let (grid, points) = (bodies.0.grid(), points.0);
     let held = tractions.held(py, grid)?;
-    let portion = (PORTION / grid.cells()).max(1);
-    let work = grid.cells().saturating_mul(points.len());
-    let mut found = Vec::with_capacity(points.len());
-    let nothing = Field::zeros(grid);
+    let (tractions, work) = (held.tractions(), grid.cells().saturating_mul(points.len()));
     let outcome = solve(py, work, Progress::none(), |observer| {
-        let of = |tractions, points| subsurface::at_points(&bodies.0, body.0, tractions, points);
-        // The crate refuses what is wrong before any sum: tractions without points, then all points without tractions.
-        of(held.tractions(), &[])?;
-        of(Tractions::new(&nothing), &points)?;
-        for portion in points.chunks(portion) {
-            found.extend(of(held.tractions(), portion)?);
-            unless_broken_off(observer)?;
-        }
-        Ok(())
+        subsurface::at_points_observed(&bodies.0, body.0, tractions, &points, watch(observer))
     })?;
     // The index of a point is none of a cell.
-    match outcome {
+    let found = match outcome {
         Err(Error::Sample {
             quantity: "points", ..
         }) => outcome.or_raise(py)?,
         _ => outcome.or_raise_on(py, grid)?,
-    }
-    if found.len() != points.len() {
-        return Err(PyRuntimeError::new_err("not all points were reached"));
-    }
+    };
     Ok(Responses(found))
 }

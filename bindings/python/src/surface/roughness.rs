@@ -12,7 +12,7 @@ use crate::grid::{Grid, size};
 use crate::half_space::HalfSpace;
 use crate::pickle::{parts, picklable};
 use crate::surface::numbers;
-use crate::work::{unobserved, unobserved_on};
+use crate::work::{observed_on, watch};
 
 /// A recipe of self-affine roughness. With a cut-off wavelength it stays the same surface when the grid is refined.
 ///
@@ -109,13 +109,16 @@ impl SelfAffine {
     /// ------
     /// NotPositive, NotFinite, Hurst, Below, EmptyBand, HeightsNotReached, Memory
     fn generate(&self, py: Python<'_>, grid: &Grid) -> PyResult<RoughSurface> {
-        unobserved_on(py, grid.0, || self.0.generate(grid.0)).map(RoughSurface)
+        let made = observed_on(py, grid.0, |observer| {
+            self.0.generate_observed(grid.0, watch(observer))
+        });
+        made.map(RoughSurface)
     }
 
     /// The heights on the grid of bodies (lengths).
     fn generate_on(&self, py: Python<'_>, bodies: &HalfSpace) -> PyResult<Field> {
-        let cells = bodies.0.grid().cells();
-        unobserved(py, cells, || self.0.generate_on(&bodies.0)).map(Into::into)
+        let surface = self.generate(py, &Grid(bodies.0.grid()))?;
+        Ok(surface.0.into_heights().into())
     }
 
     fn __repr__(&self) -> PyResult<String> {

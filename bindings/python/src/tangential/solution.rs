@@ -17,7 +17,7 @@ use crate::report::{Report, Warning, ending};
 use crate::sequence::pair;
 use crate::spots::ContactSpots;
 use crate::stiffness::TangentialStiffness;
-use crate::work::unobserved_on;
+use crate::work::{observed_on, unobserved_on, watch};
 
 /// What owns a tangential solution.
 enum Source {
@@ -198,7 +198,9 @@ impl TangentialSolution {
     /// The tangential stiffness, on loading and at reversal.
     fn stiffness(&self, py: Python<'_>, bodies: &HalfSpace) -> PyResult<TangentialStiffness> {
         let solution = self.get();
-        let found = unobserved_on(py, solution.grid(), || solution.stiffness(&bodies.0));
+        let found = observed_on(py, solution.grid(), |observer| {
+            solution.stiffness_observed(&bodies.0, watch(observer))
+        });
         found.map(TangentialStiffness)
     }
 

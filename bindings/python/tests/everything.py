@@ -1,0 +1,349 @@
+"""Calls everything that the package exports, by its list of items: every function, method, property and constructor.
+
+Arguments are chosen by their names, so that what is new is called too, or fails for want of a value. Run as a program with
+a number of cells, it does so, then does it again in a forked process, and counts threads:
+
+    python everything.py CELLS [THREADS]
+"""
+
+import inspect
+import os
+import pickle
+import select
+import signal
+import sys
+import tempfile
+import time
+
+import numpy as np
+
+import stickslip as ss
+from stickslip import _stickslip
+
+# Seconds that a forked process may take.
+TIMEOUT = 120
+
+# What is not called, with the reason.
+LEFT_OUT = {
+    "set_num_threads": "it is called by the program",
+}
+# What is called with bytes that are no such file: it refuses them.
+REFUSED = {"asc_parse", "asc_read", "sur_parse", "sur_read", "x3p_parse", "x3p_read"}
+
+
+class Scene:
+    """Objects of all kinds on a grid of so many cells a side, and the values of arguments."""
+
+    def __init__(self, cells):
+        self.grid = grid = ss.Grid.square(cells, 0.3e-3)
+        self.folder = tempfile.mkdtemp()
+        steel, glass = ss.Material(213e9, 0.29), ss.Material(70e9, 0.22)
+        pair = ss.ElasticPair(steel, steel)
+        self.bodies = bodies = ss.HalfSpace(grid, pair)
+        self.dissimilar = ss.HalfSpace(grid, (steel, glass))
+        self.ball = ball = ss.surface.sphere(grid, 3.5e-3)
+        self.few = ss.HalfSpace(ss.Grid.square(8, 0.3e-3), pair)
+        self.normal = normal = ss.NormalProblem(bodies, ball, force=100.0).solve()
+        light = ss.NormalProblem(bodies, ball, force=30.0).solve()
+        self.shear = shear = ss.TangentialProblem(bodies, normal, 0.5, force_x=20.0).solve()
+        self.load = load = ss.LoadStep(normal_force=100.0, force_x=20.0)
+        self.still = ss.TangentialLoad(force_x=20.0)
+        self.history = history = ss.History(bodies, ball, 0.5)
+        history.step(normal_force=100.0)
+        history.step(load)
+        self.cycle = cycle = ss.history.Cycle(history)
+        for force in (-20.0, 20.0):
+            history.step(force_x=force)
+            cycle.add(history)
+        hertz = ss.analytical.HertzSphere(pair, 3.5e-3, 100.0)
+        ellipse = ss.analytical.HertzEllipse(pair, 3e-3, 4e-3, 100.0)
+        line = ss.analytical.HertzLine(pair, 3.5e-3, 1e4)
+        wavy = ss.analytical.Westergaard(pair, 1e-6, 1e-3, 1e8)
+        slope = 1e-2
+        rough = ss.surface.SelfAffine(rms_height=1e-7, seed=3)
+        operator = bodies.operator("zz")
+        strain = ss.tangential.RelativeDisplacement.bulk_strain(grid, ((1e-6, 0.0), (0.0, 0.0)))
+        problem = ss.CoupledProblem(self.dissimilar, ball, 0.5, normal_force=100.0, force_x=20.0)
+        planes = ss.subsurface.Planes(bodies, [0.0, 1e-5], displacements=True)
+        plane = planes.solve(1, "one", normal)
+        points = [(0.0, 0.0, 1e-5)] * 5
+        [response, *_] = ss.subsurface.at_points(bodies, "one", normal, points)
+        adaptive = ss.history.AdaptiveSteps(history, 0.05)
+        contact_stiffness = ss.stiffness.ContactStiffness(bodies, normal, 0.5, shear)
+        rectangle = ss.influence.Rectangle(1.0, 2.0)
+        coupled = problem.solve()
+        dense = ss.dense.DenseOperator.of_half_space(self.few, "zz")
+        linear = -np.ones(64)
+
+        # An object of each class that no other call gives, by the name of the class.
+        self.objects = {
+            "Boundary": bodies.boundary,
+            "SpencePressing": ss.analytical.SpencePressing.round(self.dissimilar.pair, 0.5),
+            "Field": ball,
+            "Convolution": ss.fft.Convolution(grid, pair, "zz"),
+            "LinearOperator": operator,
+            "TensorOperator": bodies.tensor_operator(),
+            "DenseOperator": dense,
+            "DenseMinimum": dense.minimise(linear, lower=np.zeros(64)),
+            "Minimum": ss.cgm.minimise(operator, -np.ones(cells * cells), lower=np.zeros(cells * cells)),
+            "NormalSolution": normal,
+            "NormalSolver": ss.NormalProblem(bodies, ball, force=100.0).solver(),
+            "TangentialSolution": shear,
+            "TangentialSolver": ss.TangentialProblem(bodies, normal, 0.5, force_x=20.0).solver(),
+            "CoupledProblem": problem,
+            "CoupledSolver": problem.solver(),
+            "CoupledSolution": coupled,
+            "CoupledReport": coupled.report,
+            "ErrorEstimate": coupled.report.error_estimate,
+            "History": history,
+            "State": history.state(),
+            "StepResult": history.last_step.keep(),
+            "StepError": adaptive.error(history, load),
+            "EnergyBalance": history.last_step.energy,
+            "Cycle": cycle,
+            "LoopPoint": cycle.points[0],
+            "Plane": plane,
+            "Planes": planes,
+            "Response": response,
+            "Stress": response.stress,
+            "Principal": response.stress.principal,
+            "ContactStiffness": contact_stiffness,
+            "NormalStiffness": contact_stiffness.normal,
+            "TangentialStiffness": contact_stiffness.tangential,
+            "ContactSpots": normal.spots,
+            "Spot": normal.spots[0],
+            "Report": normal.report,
+            "Iteration": normal.report.history[0] if normal.report.history else None,
+            "Warning": next(iter(light.warnings), None),
+            "RelativeDisplacement": strain,
+            "RoughSurface": rough.generate(grid),
+            "SelfAffine": ss.surface.SelfAffine(rms_height=1e-7, seed=3, skewness=0.3, cropped=True),
+            "Filled": ss.surface.fill_missing(ball),
+            "Levelled": ss.surface.level(ball, "plane"),
+            "Tensor": rectangle.pair_tensor(pair, 0.5, 0.5),
+            "Hardness": ss.Hardness(1e10) if hasattr(ss, "Hardness") else ss.normal.Hardness(1e10),
+            "Settings": ss.Settings(),
+            "TangentialLoad": self.still,
+            "LoadStep": load,
+            "LoadPath": ss.history.LoadPath.sine((1e-7, 0.0), 4),
+            "AdaptiveSteps": adaptive,
+        }
+        grid_bytes = b"0 0 1.0\n1 0 2.0\n0 1 3.0\n1 1 4.0\n"
+        # The values of arguments, by their names.
+        self.values = {
+            "a": 1.0, "b": 2.0, "accumulated": ball, "along_x": ball, "along_y": ball, "amplitude": 1e-6,
+            "amplitudes": (1e-7, 2e-7), "approach": 1e-6, "area_coefficient": 2.0, "axis": "x", "bodies": bodies,
+            "body": "one", "body_1": steel, "body_2": steel, "bytes": grid_bytes, "cells": 9, "coefficient": 1e-13,
+            "column": 1, "columns": (0, 8), "component": "zz", "cone": ss.analytical.Cone(pair, slope, 100.0),
+            "contact": normal, "contact_radius": 1e-4, "count": 2, "curvatures": (1.0, 0.0, 1.0), "cycle": cycle,
+            "datum": 1.0, "depth": ball, "depths": [0.0, 1e-5], "dx": 1e-6, "dy": 1e-6, "energy": ball, "field": ball,
+            "fields": {"gap": ball}, "flat": 5e-5, "force": 20.0, "form": 3, "friction": 0.5, "full": normal,
+            "gap": ball, "grid": grid, "heights": ball, "hertz": hertz, "histories": [history], "history": history,
+            "i": 1, "index": 0, "ix": 0, "iy": 0, "j": 1, "limit": 1e10, "linear": -np.ones(cells * cells),
+            "load": 100.0, "loads": [load], "lower": ball, "material": steel, "mean_pressure": 1e8,
+            "mean_traction": 1e7, "n": 8, "normal": normal, "nx": 8, "ny": 9, "operator": operator, "pair": pair,
+            "path": f"{self.folder}/file", "pattern": strain, "phase": 0.5, "points": points, "poisson_ratio": 0.3,
+            "pressure": normal, "r": [0.0, 1e-4], "radius": 3.5e-3, "radius_x": 3e-3, "radius_y": 4e-3, "recess": 1e-3,
+            "reduced_pressure": 0.1, "relative": strain, "rms_slope": slope, "row": 1, "rows": (0, 8), "samples": ball,
+            "settings": ss.Settings(), "shear": shear, "shear_modulus": 80e9, "side": 1e-3, "slip_distance": ball,
+            "slope": slope, "springs": (1e7, 1e7), "state": history.state(), "steps": 8, "stick": light,
+            "stick_radius": 5e-5, "strain": ((1e-6, 0.0), (0.0, 0.0)), "stress": 1e8, "threshold": 0.0,
+            "time": 1.0, "tolerance": 0.05, "tractions": normal, "twist": 1e-4, "upper": ball, "wavelength": 1e-4,
+            "wavelengths": (1e-4, 1e-4), "x": 1e-5, "y": 1e-5, "youngs_modulus": 213e9, "stresses": ball,
+        }
+        vector = np.ones(cells * cells)
+        # Arguments of one call: where the name means something else, and options without which there is nothing to do.
+        self.special = {
+            "AdaptiveSteps.error": {"load": load},
+            "AdaptiveSteps.step": {"load": load},
+            "CattaneoMindlinEllipse": {"hertz": ellipse},
+            "CattaneoMindlinLine": {"hertz": line, "force": 1e3},
+            "CattaneoMindlinLine.with_strain": {"strain": 1e-6},
+            "Convolution.apply": {"x": vector},
+            "CoupledProblem": {"bodies": self.dissimilar, "normal_force": 100.0, "force_x": 20.0},
+            "CoupledSolver.set_load": {"load": self.still},
+            "CoupledSolver.set_normal": {"force": 100.0},
+            "CycleJump": {"closed_within": 0.9},
+            "DenseOperator": {"rows": np.eye(3)},
+            "DenseOperator.apply": {"x": np.ones(64)},
+            "DenseOperator.minimise": {"linear": linear, "lower": np.zeros(64)},
+            "DenseOperator.of_half_space": {"bodies": self.few},
+            "FlatPunch": {"radius": 1e-4},
+            "Friction.limit": {"pressure": 1e8},
+            "History.from_bytes": {"bytes": history.to_bytes()},
+            "History.step": {"normal_force": 100.0, "force_x": 20.0},
+            "HertzLine": {"load": 1e4},
+            "LinearOperator.apply": {"x": vector},
+            "LoadPath": {"steps": [(0.0, 1e-7), (0.0, 0.0)]},
+            "LoadPath.sine": {"amplitude": (1e-7, 0.0)},
+            "LoadPath.triangle": {"amplitude": (1e-7, 0.0)},
+            "LoadStep.of": {"load": self.still},
+            "MindlinDeresiewicz": {"path": [20.0, -20.0]},
+            "NoSlipPunch": {"radius": 1e-4},
+            "NormalProblem": {"force": 100.0},
+            "NormalSolver": {"force": 100.0},
+            "NormalSolver.set_load": {"force": 100.0},
+            "NormalSolver.solve": {"force": 100.0},
+            "Planes.write_vti": {"path": f"{self.folder}/planes.vti"},
+            "RoundedPunch": {"radius": 3.5e-3},
+            "SelfAffine": {"rms_height": 1e-7},
+            "Series": {"path": f"{self.folder}/series.pvd"},
+            "State.from_bytes": {"bytes": history.state().to_bytes()},
+            "TangentialProblem": {"force_x": 20.0},
+            "TangentialSolver.solve": {"force_x": 20.0},
+            "TensorOperator.apply": {"tractions": [vector] * 3},
+            "Westergaard": {"wavelength": 1e-3},
+            "WestergaardPartialSlip": {"contact": wavy},
+            "asc_read": {"path": self.file("a.asc", b"nothing")},
+            "csv_parse": {"bytes": b"1.0,2.0\n3.0,4.0\n", "cell": (1.0, 1.0)},
+            "csv_read": {"path": self.file("a.csv", b"1.0,2.0\n3.0,4.0\n"), "cell": (1.0, 1.0)},
+            "flat_punch": {"radius": 1e-4},
+            "minimise": {"lower": np.zeros(cells * cells)},
+            "npy_grid": {"path": self.file("a.npy", ss.io.npy.to_bytes(ball)), "cell": (1.0, 1.0)},
+            "npy_parse": {"bytes": ss.io.npy.to_bytes(ball), "cell": (1.0, 1.0)},
+            "npy_read": {"path": f"{self.folder}/a.npy", "cell": (1.0, 1.0)},
+            "read": {"path": self.file("a.sdf", ss.io.sdf.to_bytes(ball))},
+            "sdf_parse": {"bytes": ss.io.sdf.to_bytes(ball)},
+            "sdf_read": {"path": f"{self.folder}/a.sdf"},
+            "sum": {"fields": [ball, ball]},
+            "sur_read": {"path": self.file("a.sur", b"nothing")},
+            "x3p_read": {"path": self.file("a.x3p", b"nothing")},
+            "xyz_read": {"path": self.file("a.xyz", grid_bytes)},
+            "History.load": {"path": self.file("history", history.to_bytes())},
+            "History.save": {"path": f"{self.folder}/saved"},
+            "archard": {"pressure": ball},
+        }
+
+    def file(self, name, content):
+        path = f"{self.folder}/{name}"
+        with open(path, "wb") as file:
+            file.write(content)
+        return path
+
+    def arguments(self, name, function):
+        """Positional and keyword arguments of a call by the names of its parameters."""
+        special = dict(self.special.get(name, {}))
+        positional = []
+        for parameter in inspect.signature(function).parameters.values():
+            if parameter.name == "self" or parameter.kind is parameter.VAR_KEYWORD:
+                continue
+            if parameter.default is parameter.empty or parameter.name in special:
+                value = special.pop(parameter.name) if parameter.name in special else self.values[parameter.name]
+                if parameter.kind is parameter.KEYWORD_ONLY or positional is None:
+                    special[f"={parameter.name}"] = value
+                else:
+                    positional.append(value)
+        return positional, {name.lstrip("="): value for name, value in special.items()}
+
+    def call(self, name, function):
+        positional, keywords = self.arguments(name, function)
+        try:
+            return function(*positional, **keywords)
+        except ss.StickslipError:
+            if name not in REFUSED:
+                raise
+
+
+def members(kind):
+    """The public members of a class with how they are declared."""
+    return [(name, inspect.getattr_static(kind, name)) for name in dir(kind) if not name.startswith("_")]
+
+
+def calls(scene):
+    """Everything, each with its name."""
+    for name, item in vars(_stickslip).items():
+        if name.startswith("_") or name in LEFT_OUT or not callable(item):
+            continue
+        if not inspect.isclass(item):
+            yield name, lambda name=name, item=item: scene.call(name, item)
+            continue
+        # Of what has a constructor.
+        if item.__text_signature__ is not None:
+            yield name, lambda name=name, item=item: scene.call(name, item)
+        target = scene.objects[name] if name in scene.objects else scene.call(name, item)
+        if target is None:
+            continue
+        for member, declared in members(item):
+            path = f"{name}.{member}"
+            if isinstance(declared, staticmethod) or callable(declared):
+                yield path, lambda path=path, target=target, member=member: scene.call(path, getattr(target, member))
+            else:
+                yield path, lambda target=target, member=member: getattr(target, member)
+        yield f"repr({name})", lambda target=target: repr(target)
+        yield f"{name} == itself", lambda target=target: target == target
+        if "__reduce__" in vars(item):
+            yield f"pickle({name})", lambda target=target: kept(target)
+    field = scene.ball
+    yield "Field arithmetic", lambda: (2.0 * field + field - field / 2.0) * field
+    yield "array of Field", lambda: (np.asarray(field), field[1:3, 2], np.abs(field))
+    yield "a loop", lambda: ss.history.FrettingLoop(
+        ss.history.LoadPath.sine((1e-7, 0.0), 4), lambda shift: ss.LoadStep(shift=shift, normal_force=100.0)
+    ).run(scene.history, 1)
+
+
+def kept(target):
+    """Pickled and back; results of a history are kept first."""
+    return pickle.loads(pickle.dumps(target.keep() if hasattr(target, "keep") else target))
+
+
+def threads():
+    """Threads of this process, of Python's and of others'."""
+    return len(os.listdir("/proc/self/task"))
+
+
+def sweep(cells, told=lambda name: None):
+    scene = Scene(cells)
+    count = 0
+    for name, call in calls(scene):
+        told(name)
+        try:
+            call()
+        except Exception as error:
+            raise RuntimeError(f"{name}: {type(error).__name__}: {error}") from error
+        count += 1
+    return count
+
+
+def in_a_forked_process(cells):
+    """Does it there, and tells what it does; ends it if it takes too long."""
+    reading, writing = os.pipe()
+    child = os.fork()
+    if child == 0:
+        status = 1
+        try:
+            sweep(cells, lambda name: os.write(writing, name.encode() + b"\n"))
+            status = 0
+        finally:
+            os._exit(status)
+    os.close(writing)
+    last, end = b"nothing", time.monotonic() + TIMEOUT
+    while True:
+        ready, _, _ = select.select([reading], [], [], max(0.0, end - time.monotonic()))
+        if not ready:
+            os.kill(child, signal.SIGKILL)
+            os.waitpid(child, 0)
+            sys.exit(f"the forked process hangs in {last.decode()}")
+        text = os.read(reading, 65536)
+        if not text:
+            break
+        last = text.split()[-1]
+    _, status = os.waitpid(child, 0)
+    if status != 0:
+        sys.exit(f"the forked process failed in {last.decode()}")
+
+
+def main(cells, own=None):
+    before = threads()
+    if own is not None:
+        ss.set_num_threads(own)
+    count = sweep(cells)
+    grown = threads() - before
+    allowed = 0 if own == 1 else ss.num_threads()
+    if grown > allowed:
+        sys.exit(f"{grown} threads were started, of {allowed}")
+    in_a_forked_process(cells)
+    print(count)
+
+
+if __name__ == "__main__":
+    main(*map(int, sys.argv[1:]))
