@@ -73,12 +73,11 @@ pub(crate) fn examine<const N: usize>(
     lower_bound: f64,
 ) -> Certificate {
     let shown = measure(iterate, constraint, lower_bound);
-    let displacement = larger(shown.displacement, shown.least_displacement);
-    let energy = larger(shown.energy, shown.least_energy);
+    let displacement = shown.measure();
     Certificate {
         displacement,
         residual: ratio(shown.forbidden, displacement),
-        gap: ratio(shown.bound * shown.bound, energy),
+        gap: ratio(shown.bound * shown.bound, shown.measured_energy()),
         load_error: shown.load_error,
         free: shown.free,
     }
@@ -90,17 +89,29 @@ pub(crate) struct Shown {
     /// Largest gradient that complementarity does not allow.
     pub(crate) forbidden: f64,
     /// Largest displacement among the cells that can move, and what replaces it where it is less.
-    pub(crate) displacement: f64,
+    displacement: f64,
     least_displacement: f64,
     /// Bound `E` of the error in the energy norm.
     pub(crate) bound: f64,
     /// `x' C x`, and what replaces it where it is less.
-    pub(crate) energy: f64,
+    energy: f64,
     least_energy: f64,
     /// What is missing of the prescribed sums, over `sum |x|`.
     pub(crate) load_error: f64,
     /// Cells inside their bounds.
     pub(crate) free: usize,
+}
+
+impl Shown {
+    /// The displacement that residuals are relative to.
+    pub(crate) fn measure(&self) -> f64 {
+        larger(self.displacement, self.least_displacement)
+    }
+
+    /// The energy that the square of the bound is relative to.
+    pub(crate) fn measured_energy(&self) -> f64 {
+        larger(self.energy, self.least_energy)
+    }
 }
 
 /// Measures a feasible iterate with its recomputed product.

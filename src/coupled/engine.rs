@@ -9,6 +9,7 @@ use crate::cgm::vector::{slices, slices_mut};
 use crate::cgm::{Disc, Interval, Known, Magnitude, NonNegative, Settings, Total, reduce};
 use crate::coupled::CoupledReport;
 use crate::coupled::contraction::Contraction;
+use crate::coupled::task::{N, Start, Task};
 use crate::elastic::{ElasticSolver, Observer, Posed};
 use crate::error::Result;
 use crate::fft::{CirculantInverse, Convolution, ConvolutionWorkspace};
@@ -19,11 +20,8 @@ use crate::left_behind::OfSize;
 use crate::operator::Operator;
 use crate::passes::{ended_from_outside, with_counts_of, with_time_left};
 use crate::report::{Report, Status};
-use crate::tangential::{Friction, FrictionWithin};
+use crate::tangential::FrictionWithin;
 use crate::window::Window;
-
-/// Components of a vector: along z, x and y.
-pub(super) const N: usize = 3;
 
 /// Relative accuracy of the halves that a solve starts from.
 const START: f64 = 1e-2;
@@ -33,29 +31,6 @@ const POOR: f64 = 0.1;
 const ROUNDS: usize = 12;
 /// Part of the tangential force that friction holds at most in a half, whose pressure is not final.
 const HELD: f64 = 0.999;
-
-/// How a solve begins.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Start {
-    /// From a sweep of halves.
-    Halves,
-    /// From the present tractions, interpolated from coarser cells.
-    Coarse,
-    /// From the present tractions, unless they are far from the answer.
-    Present,
-}
-
-/// What is asked of a solve: gap and demands of every cell, and what is prescribed of the sums.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Task<'a> {
-    pub(super) linear: [&'a [f64]; N],
-    pub(super) totals: [Total; N],
-    /// Approach and shift beyond what is prescribed, as far as they are known before.
-    pub(super) multiplier: [f64; N],
-    pub(super) friction: &'a Friction,
-    /// The largest coefficient of the whole grid.
-    pub(super) largest_coefficient: f64,
-}
 
 /// Pressure and tractions of a window, and what finds them.
 #[derive(Debug, Clone)]
@@ -183,16 +158,17 @@ impl Engine {
         self.workspace.multiplier()
     }
 
-    /// Solves into the tractions; says how it ended in the report.
+    /// Solves into the tractions, from the gap and the demands of every cell; says how it ended in the report.
     pub(super) fn solve(
         &mut self,
+        linear: [&[f64]; N],
         task: Task<'_>,
         start: Start,
         conditions: &mut Conditions<'_, '_>,
         report: &mut CoupledReport,
     ) -> Result<()> {
         self.workspace.set_multiplier(task.multiplier);
-        for (asked, whole) in self.asked.iter_mut().zip(task.linear) {
+        for (asked, whole) in self.asked.iter_mut().zip(linear) {
             self.region.gather(whole, asked);
         }
         let friction = &task.friction.within(&self.region);
@@ -202,21 +178,31 @@ impl Engine {
             Start::Present => (0, Opening::Doubtful(POOR)),
         };
         let (least, mut tolerance) = (conditions.settings.tolerance.min(START), START);
+        let mut stopped = None;
         for _ in 0..ROUNDS {
             for _ in 0..sweeps {
-                if let Some(status) = self.sweep(task, friction, tolerance, conditions, report)? {
-                    return report.end(status);
+                stopped = self.sweep(task, friction, tolerance, conditions, report)?;
+                if stopped.is_some() {
+                    break;
                 }
             }
+            // A half that was stopped left the tractions beyond the limits of its pressure: all at once they are brought
+            // back and measured, and stopped too.
             let (status, findings) = self.newton(task, friction, opening, conditions, report);
+            let status = status.or(stopped);
             report.take(&findings);
             let (contraction, coefficient) = (self.contraction, task.largest_coefficient);
             report.error_estimate = contraction.estimate(coefficient, &findings);
-            if self.is_bounded && is_driven_by_shift(&task.totals) {
-                report.error_bounds = contraction.bounds(coefficient, &findings);
-            }
+            let may_bound = self.is_bounded && task.is_driven_by_shift();
+            let bounds = || contraction.bounds(coefficient, &findings);
+            report.error_bounds = may_bound.then(bounds).flatten();
             if let Some(status) = status {
                 return report.end(status);
+            }
+            if findings.merit().is_nan()
+                || task.is_doubtful && task.force() >= self.set_limits(friction)
+            {
+                break;
             }
             (sweeps, opening) = (sweeps + 1, Opening::Sound);
             tolerance = (0.1 * findings.merit()).clamp(least, START);
@@ -315,13 +301,9 @@ impl Engine {
         report: &mut CoupledReport,
     ) -> Result<Option<Status>> {
         self.add_displacements_of(&[0]);
-        for (i, limit) in self.limits.iter_mut().enumerate() {
-            *limit = friction.limit(i, self.x[0][i]);
-        }
-        let capacity = reduce::total(&self.layout, &self.limits);
+        let capacity = self.set_limits(friction);
         let [_, along_x, along_y] = task.totals;
-        let [x, y] = [along_x, along_y].map(|total| total.sum().unwrap_or(0.0));
-        let part = (HELD * capacity / x.hypot(y)).min(1.0);
+        let part = (HELD * capacity / task.force()).min(1.0);
         let totals = [along_x, along_y].map(|total| match total {
             Total::Sum(sum) if part < 1.0 => Total::Sum(part * sum),
             other => other,
@@ -349,6 +331,14 @@ impl Engine {
         ended
     }
 
+    /// The friction limits of the present pressure; returns their sum.
+    fn set_limits(&mut self, friction: &FrictionWithin<'_>) -> f64 {
+        for (i, limit) in self.limits.iter_mut().enumerate() {
+            *limit = friction.limit(i, self.x[0][i]);
+        }
+        reduce::total(&self.layout, &self.limits)
+    }
+
     /// What is asked of the cells, with the displacements that these components of the tractions cause.
     fn add_displacements_of(&mut self, components: &[usize]) {
         for c in 0..N {
@@ -367,11 +357,6 @@ impl Engine {
             }
         }
     }
-}
-
-/// Whether no tangential force or spring moves the bodies.
-fn is_driven_by_shift(totals: &[Total; N]) -> bool {
-    totals[1..].iter().all(|total| *total == Total::Free)
 }
 
 /// The settings with what is left of their limits.

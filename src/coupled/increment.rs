@@ -1,10 +1,12 @@
 //! One step of a coupled contact, of a problem from rest or of a history.
 
 use crate::cascade::Conditions;
+use crate::cgm::vector::slices;
 use crate::cgm::{Total, reduce};
 use crate::coupled::CoupledReport;
-use crate::coupled::engine::{Engine, N, Start, Task};
+use crate::coupled::engine::Engine;
 use crate::coupled::engines::Engines;
+use crate::coupled::task::{N, Start, Task};
 use crate::error::{Error, Result, finite};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
@@ -32,11 +34,11 @@ pub(crate) struct CoupledIncrement {
     pub(super) bodies: HalfSpace,
     engines: Engines,
     /// Pressure and tractions of the whole grid: the start of the next step, and the answer of the last.
-    tractions: [Vec<f64>; N],
+    pub(super) tractions: [Vec<f64>; N],
     displacement: [Vec<f64>; N],
     pub(crate) pressed: Pressed,
     pub(super) offset: PlaneVector,
-    linear: [Vec<f64>; N],
+    pub(super) linear: [Vec<f64>; N],
     motion: Motion,
     /// Shift of the state that the start is from.
     last_shift: [f64; 2],
@@ -53,6 +55,16 @@ pub(crate) struct CoupledDemand<'a> {
     /// Force or approach.
     pub(crate) normal: NormalControl,
     pub(crate) tangential: Demand,
+}
+
+impl CoupledDemand<'_> {
+    /// Whether friction may turn out not to hold the force: where its sum depends on how the pressure is distributed.
+    fn is_doubtful(&self) -> bool {
+        let [x, y] = self.tangential.force();
+        let is_known =
+            matches!(self.normal, NormalControl::Force(_)) && self.friction.is_proportional();
+        (x != 0.0 || y != 0.0) && !is_known
+    }
 }
 
 impl CoupledIncrement {
@@ -229,9 +241,18 @@ impl CoupledIncrement {
             Start::Halves
         };
         self.set_linear(demand.gap, datum);
-        let expected = self.expected(&totals, datum);
-        let friction = (demand.friction, largest_coefficient);
-        let outcome = self.solve_on_window(totals, expected, start, friction, conditions);
+        let task = Task {
+            totals,
+            multiplier: self.expected(&totals, datum),
+            friction: demand.friction,
+            largest_coefficient,
+            is_doubtful: demand.is_doubtful(),
+        };
+        let outcome = if task.is_doubtful {
+            self.solve_or_slide(task, demand, datum, start, conditions)
+        } else {
+            self.solve_on_window(task, start, conditions)
+        };
         self.report.work.time = conditions.start.elapsed();
         let [approach, x, y] = self
             .engines
@@ -268,12 +289,10 @@ impl CoupledIncrement {
 
     /// Solves on the window of the contact and looks at the whole grid; where bodies overlap beyond the window it was
     /// too small, and the work continues in a larger one.
-    fn solve_on_window(
+    pub(super) fn solve_on_window(
         &mut self,
-        totals: [Total; N],
-        mut multiplier: [f64; N],
+        mut task: Task<'_>,
         mut start: Start,
-        (friction, largest_coefficient): (&Friction, f64),
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<()> {
         let grid = self.bodies.grid();
@@ -289,17 +308,11 @@ impl CoupledIncrement {
                 return Err(Error::EmptyContact);
             };
             engine.take(&self.tractions);
-            let task = Task {
-                linear: self.linear.each_ref().map(Vec::as_slice),
-                totals,
-                multiplier,
-                friction,
-                largest_coefficient,
-            };
-            let outcome = engine.solve(task, start, conditions, &mut self.report);
+            let linear = slices(&self.linear);
+            let outcome = engine.solve(linear, task, start, conditions, &mut self.report);
             engine.write(&mut self.tractions, &mut self.displacement);
-            multiplier = engine.multiplier();
-            let (window, [delta, ..]) = (engine.window(), multiplier);
+            task.multiplier = engine.multiplier();
+            let (window, [delta, ..]) = (engine.window(), task.multiplier);
             let ([displacement, ..], [gap, ..]) = (&self.displacement, &self.linear);
             let largest = reduce::max(&self.bodies.grid_layout(), |i| displacement[i].abs());
             let (first, round_off) = (self.bodies.first_cell(), ROUND_OFF * largest);
@@ -354,7 +367,7 @@ impl CoupledIncrement {
     }
 
     /// Asks every cell to close its gap and to follow the motion, from its offset.
-    fn set_linear(&mut self, gap: &Field, datum: f64) {
+    pub(super) fn set_linear(&mut self, gap: &Field, datum: f64) {
         let grid = self.bodies.grid();
         let [z, x, y] = &mut self.linear;
         for (i, gap) in gap.as_slice().iter().enumerate() {

@@ -49,8 +49,10 @@ mod nested;
 mod offset;
 mod problem;
 mod report;
+mod sliding;
 mod solution;
 mod solver;
+mod task;
 
 pub(crate) use increment::{CoupledDemand, CoupledIncrement};
 pub use problem::{CoupledProblem, CoupledProblemBuilder};

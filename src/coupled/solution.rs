@@ -3,8 +3,8 @@
 use crate::cgm::reduce;
 use crate::contact_map::Warning;
 use crate::coupled::CoupledReport;
-use crate::coupled::engine::N;
 use crate::coupled::increment::CoupledIncrement;
+use crate::coupled::task::N;
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::layout::Layout;

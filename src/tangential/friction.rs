@@ -171,6 +171,11 @@ impl Friction {
         }
     }
 
+    /// Whether the limits add up to a multiple of the normal force however that is distributed.
+    pub(crate) fn is_proportional(&self) -> bool {
+        matches!(self.coefficient, PerCell::Uniform(_)) && self.max_shear_stress.is_none()
+    }
+
     fn coefficient_at(&self, index: usize) -> f64 {
         self.coefficient.map(Field::as_slice).of(index)
     }

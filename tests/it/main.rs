@@ -37,6 +37,7 @@ mod cycles_add_up_their_steps;
 mod data_of_another_code_is_consistent;
 mod displacement_control;
 mod dissimilar_bodies_are_coupled;
+mod dissimilar_contacts_end_as_documented;
 mod dissimilar_histories_remember;
 #[cfg(feature = "dense")]
 mod engine_finds_the_exact_minimum;

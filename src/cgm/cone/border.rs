@@ -14,12 +14,19 @@ const LEAST_TURN: f64 = 1e-13;
 /// The totals beside the cells as they may move at present.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Border {
+    /// The totals that the cells can change.
     active: [bool; N],
     /// The sum of each component that the spread of each multiplier adds, plus one over the compliance of a spring.
     matrix: Small<N>,
 }
 
 impl Border {
+    /// Whether the cells can change the totals of which something is missing: not if none is in contact.
+    pub(super) fn carries(&self, missing: [f64; N]) -> bool {
+        let mut totals = self.active.iter().zip(missing);
+        totals.all(|(is_active, missing)| *is_active || missing == 0.0)
+    }
+
     /// The changes of the multipliers that leave `missing` after `added`.
     pub(super) fn balance(&self, missing: [f64; N], added: [f64; N]) -> [f64; N] {
         let right = std::array::from_fn(|c| missing[c] - added[c]);
@@ -31,9 +38,8 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     /// Finds how changes of the multipliers spread.
     pub(super) fn border(&mut self) -> Border {
         let totals = self.problem.totals;
-        let active = totals.map(|total| total != Total::Free);
-        let mut matrix = Small([[0.0; N]; N]);
-        for a in (0..N).filter(|&a| active[a]) {
+        let (mut active, mut matrix) = ([false; N], Small([[0.0; N]; N]));
+        for a in (0..N).filter(|&a| totals[a] != Total::Free) {
             let mut unit = [0.0; N];
             unit[a] = 1.0;
             self.set_residual_of(unit);
@@ -49,6 +55,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
             if let Total::Spring { compliance, .. } = totals[a] {
                 matrix.0[a][a] += 1.0 / compliance;
             }
+            active[a] = matrix.0[a][a] != 0.0;
         }
         Border { active, matrix }
     }
@@ -102,18 +109,25 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         }
     }
 
-    /// Where all cells slip the same way and a tangential total is prescribed, they stick: turning alone could not carry
-    /// a change of it.
+    /// Where all cells slip the same way and tangential sums are prescribed, they stick: turning alone could not carry
+    /// a change along that way.
     pub(super) fn let_stick(&mut self) {
         let totals = self.problem.totals;
         let w = &mut *self.workspace;
         let laws = &w.laws;
-        let mobility: [f64; 2] = w.contact.sweep((), |entries, ()| {
+        let mobility: [[f64; 2]; 2] = w.contact.sweep((), |entries, ()| {
             entries.sums(|_, place| laws[entries.chunk.start + place].mobility())
         });
-        let least = LEAST_TURN * (mobility[0] + mobility[1]);
-        let is_held = |c: usize| totals[1 + c] != Total::Free && mobility[c] <= least;
-        if is_held(0) || is_held(1) {
+        let [[xx, xy], [_, yy]] = mobility;
+        let (has_sum, all) = (totals.map(|total| total.sum().is_some()), xx + yy);
+        // About the least part of a change along any way that is prescribed, times `all`.
+        let least = match has_sum {
+            [_, true, true] => xx * yy - xy * xy,
+            [_, true, false] => xx * all,
+            [_, false, true] => yy * all,
+            [_, false, false] => return,
+        };
+        if least <= LEAST_TURN * all * all {
             parallel::update(&mut w.laws, |_, laws| {
                 for law in laws {
                     *law = law.stuck();

@@ -99,12 +99,15 @@ impl Law {
         }
     }
 
-    /// What the cell can do of a uniform motion along x and along y.
-    pub(super) fn mobility(self) -> [f64; 2] {
+    /// What the cell can do of a uniform motion, a matrix of x and y.
+    pub(super) fn mobility(self) -> [[f64; 2]; 2] {
         match self {
-            Self::Open | Self::Smooth => [0.0; 2],
-            Self::Stick => [1.0; 2],
-            Self::Slip(slip) => slip.tangent().map(|t| t * t),
+            Self::Open | Self::Smooth => [[0.0; 2]; 2],
+            Self::Stick => [[1.0, 0.0], [0.0, 1.0]],
+            Self::Slip(slip) => {
+                let t = slip.tangent();
+                t.map(|along| t.map(|t| along * t))
+            }
         }
     }
 

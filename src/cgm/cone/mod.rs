@@ -133,6 +133,10 @@ pub(crate) fn solve<C: Operator<N>, P: Operator<N>, F: Cone>(
         is_fresh: false,
     };
     let status = run.newton(opening);
+    if !run.is_fresh && status.is_some() {
+        // It may have ended within a linear system, which lets cells leave their cones.
+        run.set_laws();
+    }
     run.refresh();
     let findings = run.examine();
     let report = &mut run.workspace.report;

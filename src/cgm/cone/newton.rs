@@ -22,6 +22,8 @@ const LEAST_REDUCTION: f64 = 1e-5;
 const EARLY: f64 = 1e-3;
 /// Steps without halving the residual after which the method is stuck.
 const PATIENCE: usize = 4;
+/// What is missing of the totals, over their size, that is round-off.
+const ROUND_OFF: f64 = 1e-12;
 /// Part of the tolerance that is noise of the inner solution.
 const NOISE: f64 = 0.1;
 /// Part of the largest limit below which a limit is as good as none.
@@ -39,6 +41,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     fn steps(&mut self, opening: Opening) -> ControlFlow<Status> {
         let tolerance = self.monitor.tolerance();
         let (mut best, mut without, mut changes) = (f64::INFINITY, 0, usize::MAX);
+        let mut missing = f64::INFINITY;
         self.set_laws();
         loop {
             let is_early = best > EARLY && best.is_finite();
@@ -60,8 +63,14 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
             if best.is_infinite() && opening.refuses(findings.residual) {
                 return ControlFlow::Continue(());
             }
+            // Close to sliding the shift grows with each step and the cells turn into the direction of the force, at a
+            // residual that stays: the force comes nearer first.
+            let is_nearer = missing > ROUND_OFF && findings.load_error < 0.5 * missing;
+            missing = missing.min(findings.load_error);
             if merit < 0.5 * best {
                 (best, without) = (merit, 0);
+            } else if is_nearer {
+                without = 0;
             } else {
                 without += 1;
                 if without >= PATIENCE {
@@ -70,6 +79,9 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
             }
             self.linearise();
             let border = self.border();
+            if !border.carries(self.missing()) {
+                return ControlFlow::Continue(());
+            }
             let reduction = if changes == usize::MAX && opening == Opening::Coarse {
                 FIRST_REDUCTION
             } else if changes > 0 {
@@ -83,8 +95,9 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         }
     }
 
-    /// Brings the start within its cones, and finds how the cells move there.
-    fn set_laws(&mut self) {
+    /// Brings the tractions within their cones, and finds how the cells move there.
+    pub(super) fn set_laws(&mut self) {
+        self.is_fresh = false;
         let friction = &self.problem.friction;
         let laws = &mut self.workspace.laws;
         move_cells(
@@ -158,17 +171,15 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     }
 
     fn findings(&self, normal: &Shown, plane: &Shown) -> ConeFindings {
+        let pressed = normal.measure();
         // A contact that sticks from rest does not move: what the pressure alone would do is the measure.
-        let moved = reduce::larger(
-            plane.displacement,
-            self.problem.coupling * normal.displacement,
-        );
+        let moved = reduce::larger(plane.measure(), self.problem.coupling * pressed);
         let ratio = |a: f64, b: f64| if a == 0.0 { 0.0 } else { a / b };
         let residuals = [
-            ratio(normal.forbidden, normal.displacement),
+            ratio(normal.forbidden, pressed),
             ratio(plane.forbidden, moved),
         ];
-        let energy = (normal.energy + plane.energy).sqrt();
+        let energy = (normal.measured_energy() + plane.measured_energy()).sqrt();
         ConeFindings {
             residual: reduce::larger(residuals[0], residuals[1]),
             load_error: reduce::larger(normal.load_error, plane.load_error),
