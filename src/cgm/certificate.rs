@@ -4,6 +4,7 @@
 
 use std::ops::Range;
 
+use crate::cgm::motion::Linearised;
 use crate::cgm::reduce::{self, Tally, larger};
 use crate::cgm::totals::Total;
 use crate::cgm::vector::{at, dot, norm, within};
@@ -162,13 +163,32 @@ pub(crate) fn measure<const N: usize>(
     let stretch = springs
         .reduce(f64::min)
         .map(|compliance| compliance * sums.magnitude);
+    let least_displacement = stretch.unwrap_or(lower_bound * found.largest);
+    // A single cell that repeats does not deform at all: there the gradient itself is the measure.
+    let is_rigid = found.displacement == 0.0 && least_displacement == 0.0 && found.largest > 0.0;
+    let slope = if is_rigid {
+        let gradient = |i| {
+            let (u, b) = (at(&product, i), at(&linear, i));
+            std::array::from_fn(|c| u[c] + (b[c] - datum[c]) - multiplier[c])
+        };
+        let can_move = |i| constraint.of(i).can_move();
+        reduce::max(layout, |i| {
+            if can_move(i) {
+                norm::<N>(gradient(i))
+            } else {
+                0.0
+            }
+        })
+    } else {
+        0.0
+    };
     Shown {
         forbidden: found.forbidden,
         displacement: found.displacement,
-        least_displacement: stretch.unwrap_or(lower_bound * found.largest),
+        least_displacement: larger(least_displacement, slope),
         bound,
         energy: sums.energy,
-        least_energy: lower_bound * sums.squares,
+        least_energy: larger(lower_bound * sums.squares, slope * sums.magnitude),
         load_error: ratio(norm(missing), sums.magnitude),
         free: found.free,
     }

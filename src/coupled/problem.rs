@@ -109,7 +109,7 @@ impl CoupledProblemBuilder<'_> {
     /// Checks everything and copies the gap.
     ///
     /// # Errors
-    /// [`GridMismatch`](crate::Error::GridMismatch) if gap, friction or relative displacement live on another grid, [`Sample`](crate::Error::Sample) if the gap is not finite;
+    /// [`GridMismatch`](crate::Error::GridMismatch) if gap, friction or relative displacement live on another grid, [`Sample`](crate::Error::Sample) if the gap is not finite, or for a bulk strain along an axis on which the grid repeats;
     /// [`Negative`](crate::Error::Negative), [`NotFinite`](crate::Error::NotFinite), [`NotPositive`](crate::Error::NotPositive), [`NothingToHold`](crate::Error::NothingToHold) or
     /// [`NotModelled`](crate::Error::NotModelled) for the loads; [`ApproachBeyondMeanGap`](crate::Error::ApproachBeyondMeanGap) on a periodic grid; [`Method`](crate::Error::Method) for
     /// [`Method::PolonskyKeer`](crate::cgm::Method::PolonskyKeer); [`Tolerance`](crate::Error::Tolerance), [`IterationLimit`](crate::Error::IterationLimit); [`Ranks`](crate::Error::Ranks).
@@ -145,7 +145,7 @@ impl CoupledProblemBuilder<'_> {
             .demand()
             .check(Axis::BOTH, self.bodies.boundary())?;
         if let Some(relative) = &self.relative {
-            relative.check(grid, Axis::BOTH)?;
+            relative.check(self.bodies, Axis::BOTH)?;
         }
         self.settings.check()?;
         TangentialModel::Vector.check(&self.settings)

@@ -169,7 +169,7 @@ impl HistoryBuilder<'_> {
     ///
     /// # Errors
     /// [`Error::GridMismatch`] for gap, friction, hardness or relative displacement,
-    /// [`Error::Sample`] for the gap, [`Error::NotModelled`] for a hardness with pressure and shear found together and for
+    /// [`Error::Sample`] for the gap and for a bulk strain along an axis on which the grid repeats, [`Error::NotModelled`] for a hardness with pressure and shear found together and for
     /// a relative displacement along an axis of which no traction is found,
     /// [`Error::Method`] for a method that the model does not have,
     /// [`Error::Tolerance`], [`Error::IterationLimit`]; [`Error::Ranks`].
@@ -212,7 +212,7 @@ impl HistoryBuilder<'_> {
         }
         if let Some(relative) = &self.relative {
             let found = if is_joint { Axis::BOTH } else { axes };
-            relative.check(self.bodies.grid(), found)?;
+            relative.check(self.bodies, found)?;
         }
         if let Some(hardness) = &self.hardness {
             hardness.check(self.bodies.grid())?;

@@ -98,10 +98,11 @@ impl History {
     /// history had none.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`]; [`Error::NotModelled`] for one along an axis of which the model finds no traction; [`Error::Ranks`]; the
+    /// [`Error::GridMismatch`]; [`Error::NotModelled`] for one along an axis of which the model finds no traction; [`Error::Sample`] for a
+    /// bulk strain along an axis on which the grid repeats; [`Error::Ranks`]; the
     /// pattern is then as it was.
     pub fn set_relative_displacement(&mut self, pattern: &RelativeDisplacement) -> Result<()> {
-        let checked = pattern.check(self.grid(), self.state.axes);
+        let checked = pattern.check(&self.bodies, self.state.axes);
         self.bodies.agreed(checked)?;
         match &mut self.state.relative {
             Some(relative) => relative.pattern.clone_from(pattern),

@@ -1,4 +1,27 @@
-//! How far a point is from the cells along an axis.
+//! How far a point is from the cells: along an axis of the surface, and below it.
+
+use crate::grid::Grid;
+
+/// Depth, in longer sides of a cell, below which a point is on the surface: squares of such depths are lost.
+const SURFACE: f64 = 1e-150;
+/// How far a point may be from the middle of the grid, in shorter sides of a cell: fifth powers of it are numbers.
+const REACH: f64 = 1e60;
+/// The rule of that.
+pub(super) const TOO_FAR: &str = "must lie within 1e60 cells of the grid";
+
+/// The depth at which the integrals are taken.
+pub(super) fn depth_in(grid: Grid, depth: f64) -> f64 {
+    if depth < SURFACE * grid.dx().max(grid.dy()) {
+        0.0
+    } else {
+        depth
+    }
+}
+
+/// Whether the integrals are numbers at this coordinate of a point.
+pub(super) fn reach(grid: Grid, coordinate: f64) -> bool {
+    coordinate.abs() <= REACH * grid.dx().min(grid.dy())
+}
 
 /// The distances of a point from the cells along one axis, from their nearest images if they repeat. A point on an
 /// edge is there for the cells on both sides: one that were beside it by a rounding would see logarithms that do not

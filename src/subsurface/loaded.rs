@@ -6,7 +6,7 @@ use std::ops::Range;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::subsurface::body::Constants;
-use crate::subsurface::distances::Distances;
+use crate::subsurface::distances::{Distances, depth_in};
 use crate::subsurface::kernel::{Component, Integral, Load, LoadedRectangle, Weights};
 use crate::subsurface::points::Response;
 use crate::subsurface::stress::Stress;
@@ -44,9 +44,10 @@ impl<'a> Loaded<'a> {
         }
     }
 
-    pub(super) fn response(&self, point: [f64; 3], constants: &Constants) -> Response {
-        let sums = self.sums(point);
-        let weights = Weights::new(constants.poisson_ratio, point[2]);
+    pub(super) fn response(&self, [x, y, depth]: [f64; 3], constants: &Constants) -> Response {
+        let z = depth_in(self.grid, depth);
+        let sums = self.sums([x, y, z]);
+        let weights = Weights::new(constants.poisson_ratio, z);
         let of = |component| {
             let mut sum = 0.0;
             for (load, sums) in Load::ALL.into_iter().zip(&sums) {

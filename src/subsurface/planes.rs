@@ -11,6 +11,7 @@ use crate::parallel;
 use crate::report::Iteration;
 use crate::shown::shown;
 use crate::subsurface::body::{Body, Constants};
+use crate::subsurface::distances::{TOO_FAR, reach};
 use crate::subsurface::kernel::Load;
 use crate::subsurface::plane::{DISPLACEMENTS, Plane, STRESSES};
 use crate::subsurface::spectra::Spectra;
@@ -79,13 +80,17 @@ impl Planes {
     /// Planes at these depths (lengths, zero or positive) below the surface of either body.
     ///
     /// # Errors
-    /// [`Error::Sample`](crate::Error::Sample) for a depth that is negative or not finite;
+    /// [`Error::Sample`](crate::Error::Sample) for a depth that is negative, not finite, or more than 1e60 of the shorter
+    /// side of a cell;
     /// [`Error::Memory`](crate::Error::Memory); [`Error::Ranks`](crate::Error::Ranks).
     pub fn new(bodies: &HalfSpace, depths: &[f64]) -> Result<Self> {
         bodies.check_alone("stresses on planes")?;
         let rule = "must be non-negative and finite";
         samples_obey("depths", depths, rule, |depth| {
             depth >= 0.0 && depth.is_finite()
+        })?;
+        samples_obey("depths", depths, TOO_FAR, |depth| {
+            reach(bodies.grid(), depth)
         })?;
         let size = bodies.grid().size();
         let torus = Torus::new(size, bodies.boundary().repeats());

@@ -8,6 +8,7 @@ use crate::half_space::HalfSpace;
 use crate::parallel::{self, Blocks};
 use crate::report::Iteration;
 use crate::subsurface::body::Body;
+use crate::subsurface::distances::{TOO_FAR, reach};
 use crate::subsurface::loaded::Loaded;
 use crate::subsurface::stress::Stress;
 use crate::subsurface::tractions::Tractions;
@@ -46,7 +47,7 @@ pub struct Response {
 
 /// Displacement and stress of a body at any points `[x, y, depth]` (lengths), by direct sum over the loaded cells: the
 /// uniform traction on each cell and nothing elsewhere, exact to 1e-13 of the largest component at the point, at any
-/// place and depth.
+/// place and depth up to 1e60 cells away. A depth below 1e-150 of the longer side of a cell is the surface.
 ///
 /// x and y are those of the grid, the depth counts from the surface into the [`Body`]. Depth zero is the limit from
 /// inside the body. Between cells of different tractions sxx, syy and sxy are there logarithmically infinite or jump:
@@ -79,7 +80,8 @@ pub struct Response {
 /// ```
 ///
 /// # Errors
-/// [`Error::Sample`] for a depth that is negative, or a coordinate or traction that is not finite;
+/// [`Error::Sample`] for a depth that is negative, a coordinate or traction that is not finite, or a point farther
+/// away than 1e60 of the shorter side of a cell;
 /// [`Error::GridMismatch`], [`Error::BoundaryMismatch`] and [`Error::MaterialMismatch`] if the tractions are not
 /// those of these bodies; [`Error::RigidBody`]; [`Error::Repeats`] if the grid
 /// repeats along both axes: use [`Planes`](crate::subsurface::Planes); [`Error::Ranks`].
@@ -125,6 +127,10 @@ pub fn at_points_observed<'a>(
         }
         if !(depth >= 0.0 && depth.is_finite()) {
             return refused(depth, "the depth must be non-negative and finite");
+        }
+        let mut coordinates = [x, y, depth].into_iter();
+        if let Some(far) = coordinates.find(|&value| !reach(bodies.grid(), value)) {
+            return refused(far, TOO_FAR);
         }
     }
     let loaded = Loaded::new(bodies, fields);

@@ -8,6 +8,7 @@ use crate::fft::{Kernels, Torus};
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::parallel::{self, Blocks};
+use crate::subsurface::distances::depth_in;
 use crate::subsurface::kernel::{Component, Integral, Load, LoadedRectangle, Weights};
 use crate::subsurface::strip::Strips;
 use crate::watch::Watch;
@@ -17,6 +18,8 @@ use crate::watch::Watch;
 #[derive(Debug)]
 pub(super) struct Spectra {
     depth: f64,
+    /// Where the integrals are taken.
+    z: f64,
     /// Those of the displacements only where they are asked for; otherwise they are empty.
     values: [Vec<f64>; Integral::COUNT],
     /// Waves along y.
@@ -37,11 +40,12 @@ impl Spectra {
         watch: &mut Watch<'_>,
     ) -> Result<Self> {
         memory("kernels of a depth", torus.quarter(), BYTES)?;
-        let boundary = bodies.boundary();
+        let (grid, boundary) = (bodies.grid(), bodies.boundary());
+        let z = depth_in(grid, depth);
         watch.ask()?;
         let mut values = match boundary {
-            Boundary::Periodic => waves(bodies.grid(), torus, depth),
-            _ => samples(bodies.grid(), boundary, torus, depth),
+            Boundary::Periodic => waves(grid, torus, z),
+            _ => samples(grid, boundary, torus, z),
         };
         let width = torus.quarter()[0];
         for (integral, values) in Integral::ALL.into_iter().zip(&mut values) {
@@ -55,6 +59,7 @@ impl Spectra {
         let [_, height] = torus.quarter();
         Ok(Self {
             depth,
+            z,
             values,
             height,
             repeats: boundary == Boundary::Periodic,
@@ -67,7 +72,7 @@ impl Spectra {
 
     /// The kernels of three components.
     pub(super) fn compose(&self, components: [Component; 3], poisson_ratio: f64) -> Composed<'_> {
-        let weights = Weights::new(poisson_ratio, self.depth);
+        let weights = Weights::new(poisson_ratio, self.z);
         Composed {
             spectra: self,
             weights,

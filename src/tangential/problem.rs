@@ -162,7 +162,7 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
     ///
     /// # Errors
     /// [`Error::NotConverged`] if the normal contact is not, with its report; [`Error::Sample`] for a prescribed
-    /// pressure that is negative or not finite; [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or
+    /// pressure that is negative or not finite, or a bulk strain along an axis on which the grid repeats; [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or
     /// [`Error::MaterialMismatch`] for one of other bodies; [`Error::CoupledMaterials`], [`Error::ObliqueLoad`],
     /// [`Error::NotModelled`], [`Error::NotFinite`], [`Error::EmptyContact`], [`Error::BeyondFrictionCapacity`],
     /// [`Error::Tolerance`], [`Error::IterationLimit`]; [`Error::Ranks`].
@@ -205,7 +205,7 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
         self.model.check(&self.settings)?;
         check_coupling(self.bodies, self.coupling)?;
         if let Some(relative) = &self.relative {
-            relative.check(grid, axes)?;
+            relative.check(self.bodies, axes)?;
         }
         self.pressure.checked(self.bodies)
     }

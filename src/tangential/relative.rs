@@ -3,6 +3,7 @@
 use crate::error::{Error, Result, all_finite};
 use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
+use crate::half_space::HalfSpace;
 use crate::tangential::{Axis, TangentialModel};
 
 /// A tangential displacement w of body 1 relative to body 2 in each cell that tractions of the contact do not cause
@@ -24,12 +25,20 @@ use crate::tangential::{Axis, TangentialModel};
 /// assert!((stretch - 0.63 * strain).abs() < 1e-15);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
-#[derive(Debug, PartialEq)]
+#[derive(Debug)]
 pub struct RelativeDisplacement {
     fields: [Field; 2],
+    /// The uniform strain that they follow from, zero where they do not.
+    strain: [[f64; 2]; 2],
 }
 
-clone_in_place!(RelativeDisplacement { fields });
+clone_in_place!(RelativeDisplacement { fields, strain });
+
+impl PartialEq for RelativeDisplacement {
+    fn eq(&self, other: &Self) -> bool {
+        self.fields == other.fields
+    }
+}
 
 impl RelativeDisplacement {
     /// The displacements of the cells along x and along y.
@@ -40,11 +49,15 @@ impl RelativeDisplacement {
         let [x, y] = &fields;
         x.check("relative displacement along x", y.grid())?;
         y.check("relative displacement along y", y.grid())?;
-        Ok(Self { fields })
+        let strain = [[0.0; 2]; 2];
+        Ok(Self { fields, strain })
     }
 
     /// That of a uniform strain of body 1 less that of body 2: $`w_i = \sum_j \varepsilon_{ij} x_j`$, zero at the origin
     /// of the grid, with the components `[[xx, xy], [yx, yy]]`, positive where body 1 is stretched.
+    ///
+    /// Problems and histories refuse it with [`Error::Sample`] where the grid repeats along an axis of the strain: the
+    /// displacement would jump from one period to the next.
     ///
     /// # Errors
     /// [`Error::Sample`] if a component is not finite.
@@ -53,13 +66,15 @@ impl RelativeDisplacement {
         all_finite("bulk strain", strain.as_flattened())?;
         let along =
             |[x_part, y_part]: [f64; 2]| Field::from_fn(grid, |x, y| x_part * x + y_part * y);
-        Self::new(strain.map(along))
+        let fields = strain.map(along);
+        Ok(Self { fields, strain })
     }
 
     /// None of all cells.
     pub(crate) fn zeros(grid: Grid) -> Self {
         let fields = [Field::zeros(grid), Field::zeros(grid)];
-        Self { fields }
+        let strain = [[0.0; 2]; 2];
+        Self { fields, strain }
     }
 
     /// The displacements along x and along y (lengths).
@@ -85,9 +100,22 @@ impl RelativeDisplacement {
         self.fields.each_mut()
     }
 
-    /// `Ok` if it is on the grid, and zero along an axis of which tractions are not found.
-    pub(crate) fn check(&self, grid: Grid, axes: &[Axis]) -> Result<()> {
+    /// `Ok` if it is on the grid of these bodies, repeats where that does, and is zero along an axis of which tractions
+    /// are not found.
+    pub(crate) fn check(&self, bodies: &HalfSpace, axes: &[Axis]) -> Result<()> {
+        let grid = bodies.grid();
         grid.expect("relative displacement", self.fields[0].grid())?;
+        let repeats = bodies.boundary().repeats();
+        for (index, &value) in self.strain.as_flattened().iter().enumerate() {
+            if value != 0.0 && repeats[index % 2] {
+                return Err(Error::Sample {
+                    quantity: "bulk strain",
+                    index,
+                    value,
+                    rule: "must be zero along an axis on which the grid repeats, where its displacement would jump",
+                });
+            }
+        }
         for &axis in Axis::BOTH {
             let values = self.fields[axis.index()].as_slice();
             let first = values.iter().find(|w| **w != 0.0);

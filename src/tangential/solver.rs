@@ -122,8 +122,7 @@ impl TangentialSolver {
         limits.check(demand.force(), self.bodies.grid().cell_area())?;
         if axes != self.increment.axes() {
             if let Some(relative) = &self.relative {
-                self.bodies
-                    .agreed(relative.check(self.bodies.grid(), axes))?;
+                self.bodies.agreed(relative.check(&self.bodies, axes))?;
             }
             let pressed = self.increment.pressed.clone();
             self.increment = Increment::new(&self.bodies, axes, pressed, self.coupling)?;
@@ -185,9 +184,10 @@ impl TangentialSolver {
     ///
     /// # Errors
     /// [`Error::GridMismatch`]; [`Error::NotModelled`] for one along an axis of which the model finds no traction;
-    /// [`Error::Ranks`]; the displacement is then as it was.
+    /// [`Error::Sample`] for a bulk strain along an axis on which the grid repeats; [`Error::Ranks`]; the displacement is
+    /// then as it was.
     pub fn set_relative_displacement(&mut self, relative: &RelativeDisplacement) -> Result<()> {
-        let checked = relative.check(self.bodies.grid(), self.increment.axes());
+        let checked = relative.check(&self.bodies, self.increment.axes());
         self.bodies.agreed(checked)?;
         match &mut self.relative {
             Some(own) => own.clone_from(relative),

@@ -376,3 +376,56 @@ fn what_does_not_fit_is_refused() {
         Err(Error::GridMismatch { .. })
     ));
 }
+
+/// Where the grid repeats along an axis, a strain along it would make the surfaces jump from one period to the next.
+#[test]
+fn a_strain_that_jumps_at_the_seam_is_refused() {
+    let grid = Grid::square(8, 4.0).unwrap();
+    let gap = surface::sphere(grid, 10.0).unwrap();
+    let force = NormalControl::Force(0.1);
+    for boundary in boundaries(grid) {
+        let bodies = HalfSpace::with_boundary(grid, unit_pair(0.3), boundary).unwrap();
+        let normal = NormalProblem::builder(&bodies, &gap, force)
+            .build()
+            .unwrap();
+        let normal = normal.solve().unwrap();
+        let repeats = match boundary {
+            Boundary::NonPeriodic => [false; 2],
+            Boundary::PeriodicAlongY { .. } => [false, true],
+            Boundary::Periodic => [true; 2],
+        };
+        for index in 0..4 {
+            let mut strain = [[0.0; 2]; 2];
+            strain.as_flattened_mut()[index] = 0.25;
+            let bulk = RelativeDisplacement::bulk_strain(grid, strain).unwrap();
+            let history = History::builder(&bodies, &gap, friction())
+                .model(TangentialModel::Vector)
+                .relative_displacement(bulk.clone())
+                .build();
+            let load = TangentialLoad::force([0.0; 2]);
+            let shear = TangentialProblem::builder(&bodies, &normal, friction(), load)
+                .model(TangentialModel::Vector)
+                .relative_displacement(bulk.clone())
+                .build();
+            let coupled = CoupledProblem::builder(&bodies, &gap, friction(), force, load)
+                .relative_displacement(bulk)
+                .build();
+            for error in [history.err(), shear.err(), coupled.err()] {
+                if repeats[index % 2] {
+                    let Some(Error::Sample {
+                        quantity,
+                        index: at,
+                        value,
+                        ..
+                    }) = error
+                    else {
+                        panic!("{boundary:?} {strain:?}: {error:?}");
+                    };
+                    assert_eq!((quantity, at, value), ("bulk strain", index, 0.25));
+                } else {
+                    assert_eq!(error, None, "{boundary:?} {strain:?}");
+                }
+            }
+        }
+    }
+}

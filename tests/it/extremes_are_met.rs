@@ -52,6 +52,42 @@ fn one_cell_that_repeats_slides() {
     }
 }
 
+/// The same along no axis, where no direction is exact.
+#[test]
+fn one_cell_that_repeats_slides_in_any_direction() {
+    let mut random = Random(6);
+    for _ in 0..200 {
+        let grid = Grid::new(1, 1, 1.0, random.uniform(0.5, 2.0)).unwrap();
+        let (bodies, gap) = (periodic(grid), Field::zeros(grid));
+        let (load, coefficient) = (random.decade(-6.0, 0.0), random.uniform(0.1, 1.0));
+        let friction = Friction::coulomb(coefficient).unwrap();
+        let press = NormalControl::Force(load);
+        let pressed = NormalProblem::builder(&bodies, &gap, press)
+            .build()
+            .unwrap();
+        let pressed = pressed.solve().unwrap();
+        let angle = random.uniform(0.0, TAU);
+        let direction = [angle.cos(), angle.sin()];
+        let shift = load * random.decade(-9.0, 3.0);
+        let load_case = TangentialLoad::shift(direction.map(|n| n * shift));
+        let problem = TangentialProblem::builder(&bodies, &pressed, friction.clone(), load_case);
+        let problem = problem.model(TangentialModel::Vector).build().unwrap();
+        let sheared = problem.solve().unwrap();
+        let history = History::builder(&bodies, &gap, friction).model(TangentialModel::Vector);
+        let mut history = history.build().unwrap();
+        history.step(&LoadStep::hold().normal(press)).unwrap();
+        history
+            .step(&LoadStep::shift(direction.map(|n| n * shift)))
+            .unwrap();
+        for force in [sheared.force(), history.force()] {
+            for (force, n) in force.into_iter().zip(direction) {
+                assert!((force - coefficient * load * n).abs() < 1e-7 * coefficient * load);
+            }
+        }
+        assert!(sheared.is_gross_slip() && sheared.report().energy_error_bound() < 1e-7);
+    }
+}
+
 /// White noise on cells of any shape, pressed and sheared.
 #[test]
 fn long_cells_that_repeat_converge() {

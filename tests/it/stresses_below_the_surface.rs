@@ -2,7 +2,7 @@
 //! equilibrium.
 
 use proptest::prelude::*;
-use stickslip::subsurface::{Body, Response, Stress, Tractions, at_points};
+use stickslip::subsurface::{Body, Planes, Response, Stress, Tractions, at_points};
 use stickslip::{
     Axis, Boundary, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
     LoadStep, Material, NormalControl, NormalProblem, TangentialControl, TangentialLoad,
@@ -239,6 +239,70 @@ fn bad_points_and_bodies_are_refused() {
             .unwrap()
             .is_empty()
     );
+}
+
+/// Depths that no number of the cell can tell from none are those of the surface; far away the response fades, and beyond
+/// what its squares and cubes leave finite it is refused.
+#[test]
+fn points_at_the_edge_of_numbers_are_finite_or_refused() {
+    let pair = *on_rigid(Grid::square(1, 1.0).unwrap(), 0.3).pair();
+    let along_y = Boundary::PeriodicAlongY { datum: 10.0 };
+    let square = Grid::new(4, 4, 1.0, 1.5).unwrap();
+    for (grid, boundary) in [
+        (square, Boundary::NonPeriodic),
+        (square, along_y),
+        (square, Boundary::Periodic),
+        (Grid::line(4, 1.0).unwrap(), along_y),
+    ] {
+        let bodies = HalfSpace::with_boundary(grid, pair, boundary).unwrap();
+        let p = Field::from_fn(grid, |x, y| 1.0 + 0.1 * x + 0.2 * y);
+        let q = Field::constant(grid, 0.3);
+        let tractions = || Tractions::new(&p).with_shear([&q, &q]);
+        let at = |point| at_points(&bodies, Body::One, tractions(), &[point]).map(|found| found[0]);
+        let plane = |depth| {
+            let mut planes = Planes::new(&bodies, &[depth])?.with_displacements();
+            planes.solve(0, Body::One, tractions())
+        };
+        let is_far = |error: &Error| {
+            let rule = "must lie within 1e60 cells of the grid";
+            matches!(error, Error::Sample { rule: found, .. } if found.ends_with(rule))
+        };
+        let places = [[0.0, 0.0], [2.0, 3.0], [0.5, 0.0], [1.0, 0.3], [7.0, 0.0]];
+        for depth in [5e-324, 1e-310, 1e-200, 1e-162, 1e-151] {
+            for [x, y] in places {
+                if boundary != Boundary::Periodic {
+                    assert_eq!(at([x, y, depth]).unwrap(), at([x, y, 0.0]).unwrap());
+                }
+            }
+            let (found, surface) = (plane(depth).unwrap(), plane(0.0).unwrap());
+            assert!(found.stresses().eq(surface.stresses()));
+            assert_eq!(found.displacement(), surface.displacement());
+        }
+        for exponent in (-149..=308).step_by(7) {
+            let far = 10_f64.powi(exponent);
+            for [x, y] in places {
+                for point in [[x, y, far], [far, y, 0.0], [x, -far, 0.1], [far, far, far]] {
+                    match at(point) {
+                        Ok(found) => assert!(components(&found).iter().all(|c| c.is_finite())),
+                        Err(Error::Repeats(_)) => assert_eq!(boundary, Boundary::Periodic),
+                        Err(error) => assert!(is_far(&error) && exponent >= 60, "{error}"),
+                    }
+                }
+            }
+            match plane(far) {
+                Ok(plane) => {
+                    assert!(plane.stresses().all(|s| s.von_mises().is_finite()));
+                    let fields = plane.displacement().unwrap();
+                    assert!(
+                        fields
+                            .iter()
+                            .all(|u| u.as_slice().iter().all(|u| u.is_finite()))
+                    );
+                }
+                Err(error) => assert!(is_far(&error) && exponent >= 60, "{error}"),
+            }
+        }
+    }
 }
 
 /// Every solution is a source, and one of other bodies is refused.
