@@ -74,10 +74,10 @@ impl Motion<1> for Side {
         self
     }
 
-    fn released(self, [g]: [f64; 1], always: bool) -> Self {
+    fn released(self, [g]: [f64; 1]) -> Self {
         match self {
-            Self::Lower if always || g < 0.0 => Self::Free,
-            Self::Upper if always || g > 0.0 => Self::Free,
+            Self::Lower if g < 0.0 => Self::Free,
+            Self::Upper if g > 0.0 => Self::Free,
             other => other,
         }
     }

@@ -97,6 +97,7 @@
 mod certificate;
 pub(crate) mod cone;
 mod disc;
+mod flaw;
 mod inner;
 mod interval;
 mod look;
@@ -113,6 +114,7 @@ mod run;
 mod set;
 mod settings;
 pub(crate) mod small;
+mod standing;
 mod totals;
 mod turn;
 pub(crate) mod vector;

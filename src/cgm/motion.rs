@@ -47,9 +47,9 @@ pub trait Motion<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static
     #[must_use]
     fn weighed(self, lower_bound: f64) -> Self;
 
-    /// A cell that has to move although its bound holds it, under a gradient `g` that pushes it, or if `always`.
+    /// A cell that has to move although its bound holds it, if a gradient `g` pushes it from there.
     #[must_use]
-    fn released(self, g: [f64; N], always: bool) -> Self;
+    fn released(self, g: [f64; N]) -> Self;
 }
 
 /// Where prescribed sums lie in what the sets allow together.

@@ -11,7 +11,8 @@ use std::ops::ControlFlow;
 use crate::cgm::motion::{Linearised, Motion};
 use crate::cgm::progress::Progress;
 use crate::cgm::run::{Run, Start};
-use crate::cgm::totals::{Standing, Total, TotalsSystem};
+use crate::cgm::standing::Standing;
+use crate::cgm::totals::{Total, TotalsSystem};
 use crate::cgm::vector::{at, chunks, held, minus, put, slices, within};
 use crate::cgm::{Constraint, MotionOf, reduce};
 use crate::operator::Operator;
@@ -44,6 +45,9 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         let mut is_extrapolated = self.start == Start::Extrapolated;
         let mut totals = self.newton_start()?;
         loop {
+            if !totals.is_sound() {
+                return ControlFlow::Continue(());
+            }
             self.set_multiplier(&totals);
             let findings = self.examine();
             let mut merit = self.merit(&findings);
@@ -134,10 +138,16 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         if !MotionOf::<K, N>::IS_STEADY {
             w.moving.update(|i| w.motions[i].moves());
             if w.moving.of_all_ranks() == 0 {
-                match self.stand_at_bounds() {
+                match self.stand_at_bounds(0) {
                     Some(Standing::Rests) => {}
-                    Some(Standing::Pushed) => self.release(false),
-                    None => self.release(self.sums() != [None; N]),
+                    // All at once, those that can only lead away would come back in the next step.
+                    Some(Standing::Misses(missing)) => self.release(|_, _| [-missing; N]),
+                    Some(Standing::Pushed) | None => {
+                        if !self.is_fresh {
+                            self.refresh();
+                        }
+                        self.release(minus);
+                    }
                 }
                 let w = &mut *self.workspace;
                 w.moving.update(|i| w.motions[i].moves());
@@ -153,16 +163,13 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         }
     }
 
-    /// Releases the cells that are pushed, or all.
-    fn release(&mut self, all: bool) {
-        if !all && !self.is_fresh {
-            self.refresh();
-        }
+    /// Releases the cells that something pushes, which follows from gradient and multiplier.
+    fn release(&mut self, push: impl Fn([f64; N], [f64; N]) -> [f64; N] + Sync) {
         let w = &mut *self.workspace;
         let (gradient, multiplier) = (slices(&w.gradient), w.multiplier);
         parallel::update(&mut w.motions, |first, chunk| {
             for (i, motion) in (first..).zip(chunk) {
-                *motion = motion.released(minus(at(&gradient, i), multiplier), all);
+                *motion = motion.released(push(at(&gradient, i), multiplier));
             }
         });
     }

@@ -181,7 +181,7 @@ impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, 
                             moves.clipped += 1;
                         }
                     }
-                    Side::Lower | Side::Upper if state.released([r], false) == Side::Free => {
+                    Side::Lower | Side::Upper if state.released([r]) == Side::Free => {
                         [*x] = interval.project([*x - length * r]);
                         *state = Side::Free;
                         moves.entered += 1;

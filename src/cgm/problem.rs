@@ -181,7 +181,7 @@ pub struct Minimum<const N: usize = 1> {
 /// [`Error::BeyondFrictionCapacity`] for sums the sets cannot hold, [`Error::NotPositive`] or [`Error::NotFinite`] for
 /// a spring, [`Error::Method`] for a method that does not work with the sets, [`Error::Tolerance`] or
 /// [`Error::IterationLimit`] before any work, with `x` as it was; [`Error::NotConverged`] with the last feasible
-/// iterate in `x`.
+/// iterate in `x`; [`Error::NotPositive`] in its place if a preconditioner that is not positive definite is the cause.
 pub fn minimise<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
     problem: &Problem<'_, C, K, P, N>,
     settings: &Settings,
@@ -240,7 +240,12 @@ pub(crate) fn minimise_from<C: Operator<N>, K: Constraint<N>, P: Operator<N>, co
                 None => iterate(&mut run),
             },
         };
-        Ok(run.finish(status))
+        let status = run.finish(status);
+        let has_failed = matches!(status, Status::Stalled | Status::IterationLimit);
+        if has_failed && settings.method == Method::ActiveSet {
+            run.check_preconditioner()?;
+        }
+        Ok(status)
     };
     let status = parallel::enter_with(cells, solve)?;
     problem.layout.check()?;

@@ -22,8 +22,7 @@
 //! (A constraint preconditioner: Keller, Gould & Wathen, SIAM J. Matrix Anal. Appl. 21 (2000) 1300,
 //! <https://doi.org/10.1137/S0895479899351805>.)
 
-use crate::cgm::look::ROUND_OFF;
-use crate::cgm::motion::{Linearised, Motion};
+use crate::cgm::motion::Motion;
 use crate::cgm::reduce;
 use crate::cgm::run::Run;
 use crate::cgm::small::Small;
@@ -138,18 +137,20 @@ pub(super) struct TotalsSystem<const N: usize> {
     /// The same with one over the compliance of a spring on the diagonal.
     matrix: Small<N>,
     /// How a uniform motion is followed: the sum of what cells can do of it.
-    mobility: Small<N>,
+    pub(super) mobility: Small<N>,
+    /// Sums that the cells have at their bounds, along which none of them can move: no unknown is left of these.
+    pub(super) rests: [bool; N],
 }
 
 impl<const N: usize> TotalsSystem<N> {
     /// Components whose sum is prescribed or held by a spring.
     fn prescribed(&self) -> [bool; N] {
-        self.totals.map(|total| total != Total::Free)
+        std::array::from_fn(|a| self.totals[a] != Total::Free && !self.rests[a])
     }
 
     /// Components whose sum is prescribed: their multipliers are unknowns of their own.
     pub(super) fn has_sum(&self) -> [bool; N] {
-        self.totals.map(|total| total.sum().is_some())
+        std::array::from_fn(|a| self.totals[a].sum().is_some() && !self.rests[a])
     }
 
     /// Components held by a spring: their multipliers change with the sums.
@@ -182,10 +183,27 @@ impl<const N: usize> TotalsSystem<N> {
         })
     }
 
+    /// Whether the patterns are those of a preconditioner: a change of a total that nothing follows, or that is no number,
+    /// would leave no number of the iterate.
+    pub(super) fn is_sound(&self) -> bool {
+        let prescribed = self.prescribed();
+        let moves = (0..N).any(|a| self.mobility.0[a][a] > 0.0);
+        let is_sound = |a: usize| self.matrix.0[a][a] > 0.0 && self.matrix.0[a][a].is_finite();
+        !moves || (0..N).all(|a| !prescribed[a] || is_sound(a))
+    }
+
+    /// Whether the sum of a component is prescribed and no cell can change it.
+    pub(super) fn is_fixed(&self, a: usize) -> bool {
+        self.has_sum()[a] && self.mobility.0[a][a] <= LEAST_TURN * self.all()
+    }
+
+    fn all(&self) -> f64 {
+        (0..N).map(|a| self.mobility.0[a][a]).sum()
+    }
+
     /// Whether cells of which none is free can take up a change of the totals: not if all point along it.
-    fn can_turn(&self) -> bool {
-        let all: f64 = (0..N).map(|a| self.mobility.0[a][a]).sum();
-        self.mobility.least(self.has_sum()) > LEAST_TURN * all
+    pub(super) fn can_turn(&self) -> bool {
+        self.mobility.least(self.has_sum()) > LEAST_TURN * self.all()
     }
 }
 
@@ -201,23 +219,15 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             patterns: Small([[0.0; N]; N]),
             matrix: Small([[0.0; N]; N]),
             mobility: self.mobility(),
+            rests: [false; N],
         };
-        let prescribed = system.prescribed();
-        if prescribed == [false; N] {
+        if system.prescribed() == [false; N] {
             return system;
         }
         if MotionOf::<K, N>::IS_CURVED && !self.has_free_cell() && !system.can_turn() {
-            let w = &mut *self.workspace;
-            w.moving
-                .sweep(w.moving.motions(&mut w.motions), |entries, motions| {
-                    entries.visit::<MotionOf<K, N>, N>(|kept, _| {
-                        if motions.items[kept].moves() {
-                            motions.items[kept] = Motion::FREE;
-                        }
-                    });
-                });
-            system.mobility = self.mobility();
+            self.settle(&mut system);
         }
+        let prescribed = system.prescribed();
         for a in (0..N).filter(|&a| prescribed[a]) {
             system.patterns.0[a] = self.spread(a);
             system.matrix.0[a] = system.patterns.0[a];
@@ -234,7 +244,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     }
 
     /// The sum of what cells can do of a uniform motion along each component.
-    fn mobility(&self) -> Small<N> {
+    pub(super) fn mobility(&self) -> Small<N> {
         let w = &*self.workspace;
         let unit = |a: usize| std::array::from_fn(|c| if a == c { 1.0 } else { 0.0 });
         if !MotionOf::<K, N>::IS_CURVED {
@@ -296,7 +306,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             } => (far_end - w.multiplier[a]) / compliance - sums[a],
         });
         let change = system.matrix.solve(missing, prescribed);
-        if norm(change) == 0.0 {
+        if norm(change) == 0.0 || !system.is_sound() {
             return;
         }
         let spread = &w.spread;
@@ -335,7 +345,9 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         });
         let mean = system.patterns.solve(products, prescribed);
         if system.has_spring() == [false; N] {
-            w.multiplier = mean;
+            for a in (0..N).filter(|&a| !system.rests[a]) {
+                w.multiplier[a] = mean[a];
+            }
             return;
         }
         let sums = sums_of(&self.problem.layout, &slices(&self.x));
@@ -354,44 +366,4 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             w.multiplier[a] = free[a];
         }
     }
-
-    /// Where all cells stand at their bounds and have the sum, the multiplier is any between the gradients of those at
-    /// the upper bound and those at the lower: takes the middle. `None` where the sum is not met or not prescribed.
-    pub(super) fn stand_at_bounds(&mut self) -> Option<Standing> {
-        let total = self.sums()[0]?;
-        let [sum, magnitude] = sums_of(&self.problem.layout, &slices(&self.x))[0];
-        if (total - sum).abs() > ROUND_OFF * magnitude {
-            return None;
-        }
-        if !self.is_fresh {
-            self.refresh();
-        }
-        let (x, gradient) = (&self.x[0], &self.workspace.gradient[0]);
-        let stands_at = |i: usize, direction: f64| {
-            let set = self.problem.constraint.of(i);
-            let mut along = [0.0; N];
-            along[0] = direction;
-            set.can_move() && set.extreme(along)[0] - x[i] == 0.0
-        };
-        let layout = self.layout();
-        let above = reduce::least(layout, |i| stands_at(i, 1.0).then(|| (-gradient[i], ())));
-        let below = reduce::least(layout, |i| stands_at(i, -1.0).then(|| (gradient[i], ())));
-        let (above, below) = (above.map(|(g, ())| -g), below.map(|(g, ())| g));
-        let (low, high) = (above.or(below)?, below.or(above)?);
-        self.workspace.multiplier[0] = 0.5 * (low + high);
-        Some(if low <= high {
-            Standing::Rests
-        } else {
-            Standing::Pushed
-        })
-    }
-}
-
-/// How cells stand that are all at their bounds.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Standing {
-    /// Nothing pushes any from its bound.
-    Rests,
-    /// Some are pushed away, in pairs that keep the sum.
-    Pushed,
 }

@@ -161,7 +161,7 @@ impl Motion<2> for Turn {
         self
     }
 
-    fn released(self, _: [f64; 2], _: bool) -> Self {
+    fn released(self, _: [f64; 2]) -> Self {
         self
     }
 }

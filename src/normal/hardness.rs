@@ -19,7 +19,8 @@ use crate::per_cell::PerCell;
 ///
 /// That is the elastic, perfectly plastic contact of Almqvist, Sahlin, Larsson & Glavatskih, Tribology International 40
 /// (2007) 574 (<https://doi.org/10.1016/j.triboint.2005.11.008>); the certified error is that of its pressure. H is the
-/// indentation hardness.
+/// indentation hardness. A contact of which no cell is at its limit is first solved without one, so that a hardness which
+/// nothing reaches changes no bit of the answer.
 ///
 /// ```
 /// use stickslip::*;
@@ -139,6 +140,12 @@ impl Hardness {
         let limits = self.limits();
         let is_reached = |i: usize| limits.are_reached(i, pressure[i]);
         reduce::sum(&bodies.grid_layout(), |i| usize::from(is_reached(i)))
+    }
+
+    /// Whether any cell of the whole grid is beyond it.
+    pub(crate) fn is_exceeded(&self, bodies: &HalfSpace, pressure: &[f64]) -> bool {
+        let limits = self.limits();
+        reduce::any(&bodies.grid_layout(), |i| pressure[i] > limits.of(i))
     }
 
     pub(crate) fn limits(&self) -> PerCell<&[f64]> {

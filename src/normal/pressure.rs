@@ -1,7 +1,9 @@
 //! Normal contacts of the same bodies, one after the other, each from the answer of the last.
 
+use std::ops::ControlFlow;
+
 use crate::cascade::{Conditions, Scene, nested_start};
-use crate::cgm::{Known, Method, Settings, Total, reduce};
+use crate::cgm::{Iteration, Known, Method, Settings, Total, reduce};
 use crate::clock::Instant;
 use crate::elastic::Observer;
 use crate::error::{Error, Result};
@@ -37,10 +39,24 @@ impl<'a> Pressing<'a> {
             .map_or(0, |hardness| hardness.reached_cells(self.bodies, pressure))
     }
 
+    /// Whether a pressure is beyond the hardness.
+    fn exceeds(&self, pressure: &[f64]) -> bool {
+        self.hardness
+            .is_some_and(|hardness| hardness.is_exceeded(self.bodies, pressure))
+    }
+
     fn surfaces(&self) -> Surfaces<'a> {
         Surfaces {
             gap: self.gap.as_slice(),
             limits: self.hardness.map_or(UNLIMITED, Hardness::limits),
+        }
+    }
+
+    /// Without a hardness.
+    fn elastic_surfaces(&self) -> Surfaces<'a> {
+        Surfaces {
+            limits: UNLIMITED,
+            ..self.surfaces()
         }
     }
 }
@@ -184,15 +200,27 @@ impl PressureSolver {
         let from = [reduce::total(&layout, pressure), self.approach];
         let last = self.engine.take();
         let is_cold = last.is_none();
+        // What nothing reaches is not to be seen in any iterate.
+        let is_elastic = is_cold || of.yielded(pressure) == 0;
+        let surfaces = if is_elastic {
+            of.elastic_surfaces()
+        } else {
+            of.surfaces()
+        };
         let (mut engine, known) = if let Some(mut engine) = last {
             let known = self.set_out(&mut engine, load, from, pressure);
             (engine, known)
         } else {
-            let engine = start_cold(of, load, pressure, &mut conditions)?;
+            let engine = start_cold(of.bodies, surfaces, load, pressure, &mut conditions)?;
             (engine, Known::Nothing)
         };
+        self.report.clone_from(&Report::unsolved());
+        let what = (of.bodies, surfaces, load);
         let from_here = (&mut *pressure, known);
-        let outcome = self.solve_on_window(&mut engine, of, load, from_here, &mut conditions);
+        let mut outcome = self.solve_on_window(&mut engine, what, from_here, &mut conditions);
+        if matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) && of.exceeds(pressure) {
+            outcome = self.bring_within_limits(&mut engine, of, load, pressure, &mut conditions);
+        }
         if !matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
             return outcome;
         }
@@ -208,6 +236,40 @@ impl PressureSolver {
         self.is_start = self.report.duality_gap.is_finite() && (touches || !is_cold);
         self.engine = Some(engine);
         outcome.map_err(|_| Error::NotConverged(Box::new(self.report.clone())))
+    }
+
+    /// Begins anew where a pressure that was found without the hardness is beyond it: the contact is wider. Where the solve
+    /// has come to its limits, or was cancelled, the pressure is brought within the hardness and no step is taken.
+    fn bring_within_limits(
+        &mut self,
+        engine: &mut Engine,
+        of: &Pressing<'_>,
+        load: Load,
+        pressure: &mut [f64],
+        conditions: &mut Conditions<'_, '_>,
+    ) -> Result<()> {
+        let what = (of.bodies, of.surfaces(), load);
+        let may_go_on = matches!(self.report.status, Status::Converged | Status::Stalled)
+            && check_iterations_left(conditions.settings, &mut self.report).is_ok();
+        if may_go_on {
+            *engine = start_cold(of.bodies, of.surfaces(), load, pressure, conditions)?;
+            return self.solve_on_window(engine, what, (pressure, Known::Nothing), conditions);
+        }
+        *engine = Engine::new(of.bodies, Window::whole(of.bodies.grid()))?;
+        let status = self.report.status;
+        let mut refuse = |_: &Iteration| ControlFlow::Break(());
+        let mut no_step = Conditions {
+            settings: &conditions
+                .settings
+                .max_iterations(self.report.iterations + 1),
+            start: conditions.start,
+            observer: &mut refuse,
+        };
+        let outcome = self.solve_on_window(engine, what, (pressure, Known::Nothing), &mut no_step);
+        if matches!(outcome, Err(Error::NotConverged(_))) {
+            self.report.status = status;
+        }
+        outcome
     }
 
     /// From the last answer: as it is under the same load, moved on where the load has changed.
@@ -233,19 +295,16 @@ impl PressureSolver {
     fn solve_on_window(
         &mut self,
         engine: &mut Engine,
-        of: &Pressing<'_>,
-        load: Load,
+        (bodies, surfaces, load): (&HalfSpace, Surfaces<'_>, Load),
         (pressure, mut known): (&mut [f64], Known<1>),
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<()> {
-        let (bodies, surfaces) = (of.bodies, of.surfaces());
         let Conditions {
             settings,
             start,
             observer,
         } = conditions;
         let mut aim = settings.tolerance;
-        self.report.clone_from(&Report::unsolved());
         loop {
             let left = with_limits_left(settings, *start, &self.report).tolerance(aim);
             let mut observer = with_counts_of(&self.report, &mut **observer);
@@ -297,12 +356,12 @@ impl PressureSolver {
 
 /// From nothing: the answer on coarser cells, and the engine set up around its contact.
 fn start_cold(
-    of: &Pressing<'_>,
+    bodies: &HalfSpace,
+    Surfaces { gap, limits }: Surfaces<'_>,
     load: Load,
     pressure: &mut [f64],
     conditions: &mut Conditions<'_, '_>,
 ) -> Result<Engine> {
-    let (bodies, Surfaces { gap, limits }) = (of.bodies, of.surfaces());
     let (grid, whole) = (bodies.grid(), Window::whole(bodies.grid()));
     let mut scene = PressureScene {
         linear: vec![0.0; grid.cells()],

@@ -330,3 +330,84 @@ fn a_broken_operator_leaves_a_feasible_iterate() {
         }
     }
 }
+
+/// A diagonal matrix.
+struct Diagonal(Vec<f64>);
+
+impl Operator for Diagonal {
+    type Workspace = ();
+
+    fn cells(&self) -> usize {
+        self.0.len()
+    }
+
+    fn workspace(&self) {}
+
+    fn apply(&self, [x]: [&[f64]; 1], [u]: [&mut [f64]; 1], (): &mut ()) {
+        for ((u, x), entry) in u.iter_mut().zip(x).zip(&self.0) {
+            *u = entry * x;
+        }
+    }
+}
+
+/// An approximate inverse that is none leads to the minimum all the same, or is named as the cause; the iterate is
+/// feasible.
+#[test]
+fn a_singular_preconditioner_is_named() {
+    let linear: Vec<f64> = (0..40).map(|i| f64::from(i * 7 % 11) - 6.0).collect();
+    let totals = [
+        Total::Free,
+        Total::Sum(3.0),
+        Total::Spring {
+            far_end: 2.0,
+            compliance: 0.5,
+        },
+    ];
+    let one_entry = |entry: f64| (0..40).map(|i| if i == 5 { entry } else { 1.0 }).collect();
+    let (mut named, mut solved) = (0, 0);
+    // Entries of the preconditioner, and decades of those of the matrix.
+    for (entries, decades) in [
+        (vec![0.0; 40], 0.3),
+        (vec![0.0; 40], 9.0),
+        (vec![-1.0; 40], 9.0),
+        (vec![f64::NAN; 40], 0.3),
+        (vec![f64::NAN; 40], 9.0),
+        (vec![f64::INFINITY; 40], 9.0),
+        (one_entry(0.0), 0.3),
+        (one_entry(f64::NAN), 9.0),
+    ] {
+        let entry = |i: i32| 10_f64.powf(decades * f64::from(i) / 40.0);
+        let matrix: Vec<f64> = (0..40).map(entry).collect();
+        for total in totals {
+            let problem = Problem::new(Diagonal(matrix.clone()), [&linear], NonNegative);
+            let problem = problem
+                .totals([total])
+                .preconditioner(Diagonal(entries.clone()));
+            let mut x = vec![3.0 / 40.0; 40];
+            let settings = Settings::default().max_iterations(500);
+            let found = cgm::minimise(&problem, &settings, [&mut x]);
+            assert!(
+                x.iter().all(|x| *x >= 0.0 && x.is_finite()),
+                "{entries:?} {total:?}"
+            );
+            match found {
+                Ok(minimum) => {
+                    let [multiplier] = minimum.multiplier;
+                    for ((x, b), c) in x.iter().zip(&linear).zip(&matrix) {
+                        let gradient = c * x + b - multiplier;
+                        let forbidden = if *x > 0.0 { gradient.abs() } else { -gradient };
+                        assert!(forbidden < 1e-5, "{entries:?} {total:?}: {forbidden:e}");
+                    }
+                    solved += 1;
+                }
+                Err(Error::NotPositive { quantity, value }) => {
+                    assert!(quantity.contains("preconditioner"));
+                    assert!(value <= 0.0 || !value.is_finite());
+                    named += 1;
+                }
+                Err(error) => panic!("{entries:?} {total:?} {decades}: {error}"),
+            }
+        }
+    }
+    assert!(named > 0 && solved > 0, "{named} named, {solved} solved");
+}

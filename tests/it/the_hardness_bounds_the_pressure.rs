@@ -197,6 +197,43 @@ fn a_limit_that_nothing_reaches_changes_nothing() {
     }
 }
 
+/// No iterate sees a limit that the answer does not reach, although pressures on the way to that of a punch are far above.
+#[test]
+fn an_inactive_limit_changes_no_bit_of_a_punch() {
+    let mut random = Random(33);
+    for scene in 0..120 {
+        let (cells, radius, recess) = match scene {
+            0 => (6, 1.8, 1.0),
+            _ => {
+                let cells = random.integer(4, 16);
+                let radius = random.uniform(0.2, 0.5) * cells as f64;
+                (cells, radius, random.decade(-2.0, 1.0))
+            }
+        };
+        let grid = Grid::square(cells, cells as f64).unwrap();
+        let bodies = unit_bodies(grid, 0.3);
+        let gap = surface::flat_punch(grid, radius, recess).unwrap();
+        let load = match scene {
+            0 => 1e-3,
+            _ => random.decade(-5.0, -1.0),
+        };
+        let problem = || NormalProblem::builder(&bodies, &gap, NormalControl::Force(load));
+        let free = problem().build().unwrap().solve().unwrap();
+        let limit = free.pressure().max() * random.uniform(1.001, 3.0);
+        let limited = problem().hardness(Hardness::uniform(limit).unwrap());
+        let limited = limited.build().unwrap().solve().unwrap();
+        assert_eq!(limited.pressure(), free.pressure(), "scene {scene}");
+        assert_eq!(limited.approach(), free.approach());
+        assert_eq!(limited.report().iterations, free.report().iterations);
+        // Once reached, it is met.
+        let reached = Hardness::uniform(free.mean_pressure() * random.uniform(1.001, 1.2)).unwrap();
+        let limited = problem().hardness(reached.clone()).build().unwrap();
+        let limited = limited.solve().unwrap();
+        assert!(limited.pressure().max() <= reached.of_cell(0));
+        assert!((limited.force() / load - 1.0).abs() < 1e-12);
+    }
+}
+
 /// An approach may bring all cells to their limit, a force only as much as they carry.
 #[test]
 fn loads_that_the_cells_carry_and_others() {

@@ -1,4 +1,5 @@
-//! Random hard scenes: `campaign FIRST COUNT` solves COUNT scenes from index FIRST, and prints the faults.
+//! Random hard scenes: `campaign FIRST COUNT` solves COUNT scenes from index FIRST, judges the answers and prints the
+//! faults; `campaign kinds FIRST COUNT` does so with contacts of every kind, and counts how their solves end.
 
 #![allow(
     clippy::print_stdout,
@@ -10,22 +11,30 @@ use std::collections::BTreeMap;
 use std::error::Error;
 use std::process::ExitCode;
 
-use kit::scenes::campaign;
 use kit::scenes::row::Row;
+use kit::scenes::{campaign, kinds};
 use rayon::prelude::*;
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
-    let mut arguments = std::env::args().skip(1);
+    let mut arguments = std::env::args().skip(1).peekable();
+    let has_kinds = arguments.next_if(|word| word == "kinds").is_some();
+    let (name, rows): (&str, fn(u64) -> Vec<Row>) = if has_kinds {
+        ("campaign kinds", kinds::rows)
+    } else {
+        ("campaign", campaign::rows)
+    };
     let mut number = |default: u64| arguments.next().map_or(Ok(default), |word| word.parse());
     let (first, count) = (number(0)?, number(200)?);
 
     let indices: Vec<u64> = (first..first + count).collect();
-    let mut summary = Summary::default();
+    let mut summary = Summary {
+        name,
+        has_kinds,
+        ..Summary::default()
+    };
     for part in indices.chunks(500) {
-        let found: Vec<(u64, Vec<Row>)> = part
-            .par_iter()
-            .map(|&index| (index, campaign::rows(index)))
-            .collect();
+        let found: Vec<(u64, Vec<Row>)> =
+            part.par_iter().map(|&index| (index, rows(index))).collect();
         for (index, rows) in found {
             for row in &rows {
                 summary.add(index, row);
@@ -48,6 +57,10 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
 /// Summary of all scenes.
 #[derive(Debug, Default)]
 struct Summary {
+    /// The words before the index in the command.
+    name: &'static str,
+    /// Whether endings are counted kind by kind.
+    has_kinds: bool,
     endings: BTreeMap<String, usize>,
     compared: BTreeMap<&'static str, usize>,
     /// Largest ratio of the true error to the certified one, and its scene.
@@ -59,7 +72,12 @@ struct Summary {
 
 impl Summary {
     fn add(&mut self, index: u64, row: &Row) {
-        *self.endings.entry(row.ending.clone()).or_default() += 1;
+        let ending = if self.has_kinds {
+            format!("{}: {}", row.scene, row.ending)
+        } else {
+            row.ending.clone()
+        };
+        *self.endings.entry(ending).or_default() += 1;
         if let (Some(error), Some(report)) = (row.error, &row.report) {
             *self.compared.entry(error.against).or_default() += 1;
             let ratio = (error.value - error.slack).max(0.0) / report.energy_error_bound();
@@ -78,8 +96,8 @@ impl Summary {
         if let Some(fault) = &row.fault {
             self.faults += 1;
             println!(
-                "campaign {index} 1 | {} | {} | {fault}",
-                row.half, row.ending
+                "{} {index} 1 | {} | {} | {} | {fault}",
+                self.name, row.scene, row.half, row.ending
             );
         }
     }

@@ -7,6 +7,7 @@ mod compliance;
 mod draw;
 mod gaps;
 mod judge;
+pub mod kinds;
 mod oracle;
 pub mod row;
 mod steps;

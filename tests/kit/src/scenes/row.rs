@@ -124,6 +124,7 @@ fn variant(error: &Error) -> &'static str {
     match error {
         Error::ApproachBeyondMeanGap { .. } => "ApproachBeyondMeanGap",
         Error::BeyondFrictionCapacity { .. } => "BeyondFrictionCapacity",
+        Error::BeyondHardness { .. } => "BeyondHardness",
         Error::EmptyContact => "EmptyContact",
         Error::NotConverged(_) => "NotConverged",
         Error::Sample { .. } => "Sample",
