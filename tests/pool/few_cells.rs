@@ -168,8 +168,8 @@ pub(crate) fn solutions(grid: Grid, watch: Watch<'_>) {
             &points,
         )?;
         let mut planes = Planes::new(&bodies, &[0.0, 0.5])?.with_displacements();
-        let below = planes.solve(1, Body::One, &normal)?;
-        assert!(below.map(|stress| stress.von_mises()).max() > 0.0);
+        let plane = planes.solve(1, Body::One, &normal)?;
+        assert!(plane.map(|stress| stress.von_mises()).max() > 0.0);
         planes.through(Body::One, &normal, |_| Ok(()))
     });
 }

@@ -54,6 +54,10 @@ mod _stickslip {
     const __version__: &str = env!("CARGO_PKG_VERSION");
 
     #[pymodule_init]
+    #[expect(
+        clippy::unnecessary_wraps,
+        reason = "the signature of what initialises a module"
+    )]
     fn initialise(_module: &Bound<'_, PyModule>) -> PyResult<()> {
         crate::pool::initialise();
         Ok(())

@@ -67,7 +67,8 @@ class Scene:
         planes = ss.subsurface.Planes(bodies, [0.0, 1e-5], displacements=True)
         plane = planes.solve(1, "one", normal)
         points = [(0.0, 0.0, 1e-5)] * 5
-        [response, *_] = ss.subsurface.at_points(bodies, "one", normal, points)
+        responses = ss.subsurface.at_points(bodies, "one", normal, points)
+        response = responses[0]
         adaptive = ss.history.AdaptiveSteps(history, 0.05)
         contact_stiffness = ss.stiffness.ContactStiffness(bodies, normal, 0.5, shear)
         rectangle = ss.influence.Rectangle(1.0, 2.0)
@@ -128,6 +129,9 @@ class Scene:
             "LoadPath": ss.history.LoadPath.sine((1e-7, 0.0), 4),
             "AdaptiveSteps": adaptive,
         }
+        # Sequences of a class of their own.
+        for sequence in (cycle.points, normal.report.history, responses):
+            self.objects.setdefault(type(sequence).__name__, sequence)
         grid_bytes = b"0 0 1.0\n1 0 2.0\n0 1 3.0\n1 1 4.0\n"
         # The values of arguments, by their names.
         self.values = {
