@@ -16,7 +16,7 @@ def readable(text: str) -> str:
     parts = re.split(r'^( *"""\n.*?^ *"""\n)', text, flags=re.M | re.S)
     parts[::2] = [hints(part) for part in parts[::2]]
     imports = (
-        "from collections.abc import Sequence\nfrom typing import Any, Final, final\n\n"
+        "from collections.abc import Iterator, Sequence\nfrom typing import Any, Final, final\n\n"
         "from numpy import bool_, float64, uint8, uint32, uint64\nfrom numpy.typing import ArrayLike, NDArray\n"
     )
     # The docstring of the module comes first.
@@ -33,7 +33,7 @@ def hints(text: str) -> str:
     text = re.sub(r"\btuple(?!\[)", "tuple[Any, ...]", text)
     text = re.sub(r"(\*\w+)(?=[,)])", r"\1: Any", text)
     text = re.sub(r"(?<!\w)ndarray", "NDArray[Any]", text)
-    text = re.sub(r"^from (_typeshed|numpy|numpy\.typing|typing) import .*\n", "", text, flags=re.M)
+    text = re.sub(r"^from (_typeshed|collections\.abc|numpy|numpy\.typing|typing) import .*\n", "", text, flags=re.M)
     return re.sub(r"^def __getattr__.*\n", "", text, flags=re.M)
 
 

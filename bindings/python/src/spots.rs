@@ -6,7 +6,7 @@ use crate::array::{Array, labels};
 use crate::digits::{counted, short, tuple};
 use crate::grid::Grid;
 use crate::pickle::picklable;
-use crate::sequence::{entry, pair};
+use crate::sequence::{Entries, entry, pair};
 
 /// A connected spot of contact cells.
 #[pyclass(frozen, eq, module = "stickslip")]
@@ -110,6 +110,10 @@ impl ContactSpots {
 
     fn __len__(&self) -> usize {
         self.0.as_slice().len()
+    }
+
+    fn __iter__(&self) -> Entries<Spot> {
+        Entries::of(self.0.as_slice(), Spot)
     }
 
     fn __getitem__(&self, index: isize) -> PyResult<Spot> {

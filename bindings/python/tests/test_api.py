@@ -224,6 +224,21 @@ def test_every_repr_is_readable(scene):
         assert type(item).__name__ in text and " object at " not in text and len(text.splitlines()) == 1
 
 
+def test_sequences_of_the_package_are_iterated_over_with_their_types(tmp_path):
+    pytest.importorskip("mypy")
+    code = tmp_path / "typed.py"
+    code.write_text(
+        "import stickslip as ss\n"
+        "def forces(contact: ss.NormalSolution, cycle: ss.history.Cycle, found: ss.subsurface.Responses) -> list[float]:\n"
+        "    parts = [[spot.load for spot in contact.spots], [point.twist for point in cycle.points]]\n"
+        "    return sum(parts, [response.stress.xx for response in found])\n"
+    )
+    # Run beside the package, which is then found although it is not installed.
+    command = [sys.executable, "-m", "mypy", "--strict", "--follow-imports=silent", str(code)]
+    answer = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
+    assert answer.returncode == 0, answer.stdout[-5000:]
+
+
 def test_the_stubs_say_what_the_module_does():
     pytest.importorskip("mypy")
     command = [sys.executable, "-m", "mypy.stubtest", "stickslip._stickslip"]

@@ -12,7 +12,7 @@ use crate::held::lock;
 use crate::history::{EnergyBalance, History};
 use crate::pickle::{Reduced, Stored, picklable, reduced};
 use crate::report::{Warning, remarks};
-use crate::sequence::{entry, pair};
+use crate::sequence::{Entries, entry, pair};
 
 /// A point of the loop of force and shift.
 #[pyclass(frozen, eq, module = "stickslip.history")]
@@ -106,6 +106,10 @@ impl LoopPoints {
 
     fn __len__(&self) -> usize {
         self.0.len()
+    }
+
+    fn __iter__(&self) -> Entries<LoopPoint> {
+        Entries::of(&self.0, LoopPoint)
     }
 
     fn __getitem__(&self, index: isize) -> PyResult<LoopPoint> {

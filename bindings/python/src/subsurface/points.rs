@@ -12,7 +12,7 @@ use crate::error::OrRaise;
 use crate::half_space::HalfSpace;
 use crate::pickle::picklable;
 use crate::progress::Progress;
-use crate::sequence::entry;
+use crate::sequence::{Entries, entry};
 use crate::subsurface::{Loaded, Stress};
 use crate::work::{solve, watch};
 
@@ -117,6 +117,10 @@ impl Responses {
 
     fn __len__(&self) -> usize {
         self.0.len()
+    }
+
+    fn __iter__(&self) -> Entries<Response> {
+        Entries::of(&self.0, Response)
     }
 
     fn __getitem__(&self, index: isize) -> PyResult<Response> {
