@@ -120,7 +120,7 @@ impl Planes {
     /// [`Error::GridMismatch`](crate::Error::GridMismatch),
     /// [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch),
     /// [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) and [`Error::Sample`](crate::Error::Sample) for
-    /// tractions that are not those of these bodies or not finite.
+    /// tractions that are not those of these bodies, or tractions or a uniform stress that are not finite.
     pub fn solve<'a>(
         &mut self,
         index: usize,
@@ -149,12 +149,16 @@ impl Planes {
             length("list of depths", index.saturating_add(1), self.depths.len())?;
         }
         self.bodies.grid().expect("plane", plane.grid())?;
-        let fields = tractions.into().checked(&self.bodies)?;
+        let tractions = tractions.into();
+        let fields = tractions.checked(&self.bodies)?;
+        let uniform = tractions.checked_uniform()?;
         let kernels = Arc::clone(&self.kernels);
         let spectra = parallel::get_or_make(&kernels[index], || self.spectra(index))?;
         plane.prepare(body, self.with_displacements);
         self.load(fields, &constants);
         self.fill(plane, spectra, &constants);
+        plane.place(spectra.depth(), has_edge(fields));
+        plane.add(&uniform);
         Ok(())
     }
 
@@ -171,10 +175,13 @@ impl Planes {
         mut visit: impl FnMut(&Plane) -> Result<()>,
     ) -> Result<()> {
         let constants = body.constants(self.bodies.pair())?;
-        let fields = tractions.into().checked(&self.bodies)?;
+        let tractions = tractions.into();
+        let fields = tractions.checked(&self.bodies)?;
+        let uniform = tractions.checked_uniform()?;
         let mut plane = self.plane(body);
         let kernels = Arc::clone(&self.kernels);
         self.load(fields, &constants);
+        let has_edge = has_edge(fields);
         for (index, kept) in kernels.iter().enumerate() {
             let made;
             let spectra = if let Some(spectra) = kept.get() {
@@ -184,6 +191,8 @@ impl Planes {
                 &made
             };
             self.fill(&mut plane, spectra, &constants);
+            plane.place(spectra.depth(), has_edge);
+            plane.add(&uniform);
             visit(&plane)?;
         }
         Ok(())
@@ -216,7 +225,6 @@ impl Planes {
 
     /// Computes the fields of a plane from the tractions that the transforms hold.
     fn fill(&mut self, plane: &mut Plane, spectra: &Spectra, constants: &Constants) {
-        plane.set_depth(spectra.depth());
         self.transforms.enter(|transforms| {
             let mut convolve = |components, fields: [&mut [f64]; 3]| {
                 let kernels = spectra.compose(components, constants.poisson_ratio);
@@ -231,6 +239,14 @@ impl Planes {
             }
         });
     }
+}
+
+/// Whether there are shear tractions, and an edge at which they end.
+fn has_edge(fields: [Option<&[f64]>; 3]) -> bool {
+    let [pressure, shear @ ..] = fields;
+    let is_free = |field: &[f64]| field.contains(&0.0);
+    let is_sheared = |field: &[f64]| field.iter().any(|q| *q != 0.0);
+    pressure.is_some_and(is_free) && shear.into_iter().flatten().any(is_sheared)
 }
 
 fn no_kernels(depths: &[f64]) -> Arc<[OnceLock<Spectra>]> {

@@ -71,7 +71,7 @@ pub struct Response {
 /// ```
 ///
 /// # Errors
-/// [`Error::Sample`] for a depth that is negative, or a coordinate or traction that is not finite;
+/// [`Error::Sample`] for a depth that is negative, or a coordinate, traction or uniform stress that is not finite;
 /// [`Error::GridMismatch`], [`Error::BoundaryMismatch`] and [`Error::MaterialMismatch`] if the tractions are not
 /// those of these bodies; [`Error::RigidBody`]; [`Error::Repeats`] if the grid
 /// repeats along both axes: use [`Planes`](crate::subsurface::Planes); [`Error::Ranks`].
@@ -83,7 +83,9 @@ pub fn at_points<'a>(
 ) -> Result<Vec<Response>> {
     bodies.check_alone("stresses at points")?;
     let constants = body.constants(bodies.pair())?;
-    let fields = tractions.into().checked(bodies)?;
+    let tractions = tractions.into();
+    let fields = tractions.checked(bodies)?;
+    let uniform = tractions.checked_uniform()?;
     if bodies.boundary() == Boundary::Periodic {
         return Err(Error::Repeats("the sum over loaded cells"));
     }
@@ -113,6 +115,7 @@ pub fn at_points<'a>(
     let work = |point: usize, response: Blocks<'_, Response>| {
         for response in response.items {
             *response = loaded.response(points[point], &constants);
+            response.stress += uniform;
         }
     };
     parallel::sweep(0..points.len(), data, &work, &|(), ()| ());
