@@ -40,7 +40,7 @@ fn displacement(shear: &CattaneoMindlinLine, x: f64) -> f64 {
     let hertz = shear.hertz();
     let a = hertz.half_width();
     let (c, e) = (shear.stick_half_width(), shear.stick_centre());
-    let mut ends = vec![-a, e - c, e + c, a, x];
+    let mut ends = [-a, e - c, e + c, a, x];
     ends.sort_by(f64::total_cmp);
     let parts = ends.windows(2).map(|ends| {
         singular_integral(ends[0], ends[1], |s| {
