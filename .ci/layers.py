@@ -10,7 +10,7 @@ import sys
 # The modules of the crate by layer, lowest first, and the modules each may use: those named, of its own layer or of
 # a lower one.
 FOUNDATION = {
-    "clock", "error", "report", "boundary", "grid", "field", "material", "parallel", "per_cell", "pool", "left_behind", "serial",
+    "clock", "error", "report", "boundary", "grid", "field", "material", "parallel", "per_cell", "pool", "left_behind", "serial", "warning",
     "gauss", "jacobi", "digest", "ranks", "share", "shown", "layout", "reduce", "watch",
 }
 ENGINE = FOUNDATION | {"operator", "influence", "fft", "half_space", "cgm", "levels", "window", "trend"}
@@ -35,13 +35,14 @@ LAYERS = [
         "jacobi": set(),
         "boundary": set(),
         "grid": {"error", "layout"},
+        "warning": {"grid"},
         "field": {"error", "grid", "layout", "parallel", "serial", "shown"},
         "material": {"error", "serial"},
         "coupling": {"material"},
     }),
     ("operators, kernels, transforms, closed forms, shapes; no physics of contact; and pages to read", {
         "operator": {"layout"},
-        "contact_map": {"boundary", "grid"},
+        "contact_map": {"boundary", "grid", "warning"},
         "window": {"grid", "layout", "parallel", "ranks"},
         "levels": {"parallel"},
         "trend": {"field"},

@@ -3,91 +3,7 @@
 use std::array::from_fn;
 
 use crate::grid::Grid;
-
-/// A diagnostic on a converged solution that may mislead.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[non_exhaustive]
-pub enum Warning {
-    /// There is no contact: no cell carries pressure.
-    NoContact,
-    /// Contact reaches the outermost ring of cells: the bodies may also touch beyond the grid.
-    ContactAtEdge {
-        /// Contact cells in the ring.
-        cells: usize,
-    },
-    /// Some contact spots are smaller than five cells: their area is overestimated and their stick
-    /// fraction means little.
-    UnresolvedSpots {
-        /// Spots of fewer than five cells.
-        unresolved: usize,
-        /// Number of all spots.
-        spots: usize,
-    },
-    /// The grid is a line of cells, and does not repeat: a row of rectangles, whose ends bear peaks of pressure. It
-    /// is no line contact in plane strain.
-    LineOfCells,
-    /// A contact spot runs from edge to edge of the grid, as that of a cylinder does: the bodies end there, and the
-    /// ends bear peaks of pressure that a longer body does not have.
-    ContactAcross {
-        /// From the first column to the last.
-        along_x: bool,
-        /// From the first row to the last.
-        along_y: bool,
-    },
-    /// The pressure of some cells is beyond the hardness that a material states: the contact would flow there. Give the
-    /// problem a [`Hardness`](crate::normal::Hardness).
-    BeyondHardness {
-        /// Cells of such a pressure.
-        cells: usize,
-    },
-    /// A step of a history held the pressure although the gap had changed: the pressure is still that of the old gap.
-    StalePressure,
-}
-
-impl std::fmt::Display for Warning {
-    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::NoContact => write!(formatter, "no cell carries pressure: press further"),
-            Self::ContactAtEdge { cells } => {
-                write!(
-                    formatter,
-                    "{cells} contact cells lie on the edge of the grid: take a larger one"
-                )
-            }
-            Self::UnresolvedSpots { unresolved, spots } => write!(
-                formatter,
-                "{unresolved} of {spots} contact spots are smaller than {RESOLVED} cells: refine the grid"
-            ),
-            Self::LineOfCells => write!(
-                formatter,
-                "the grid is a line of cells that does not repeat: rectangles in a row, not a line contact in plane strain; for that take a line along x with a boundary that is periodic along y"
-            ),
-            Self::ContactAcross { along_x, along_y } => {
-                let axes = match (along_x, along_y) {
-                    (true, false) => "x",
-                    (false, true) => "y",
-                    _ => "x and y",
-                };
-                write!(
-                    formatter,
-                    "a contact spot runs across the whole grid along {axes}: its ends at the edges bear peaks of pressure; let the surface rise before them, or let the grid repeat there: periodic along y, or along both axes"
-                )
-            }
-            Self::BeyondHardness { cells } => write!(
-                formatter,
-                "{cells} cells are pressed beyond the hardness of the softer body: limit the pressure to it"
-            ),
-            Self::StalePressure => write!(
-                formatter,
-                "the gap has changed, but the pressure was held: it is that of the old gap; give the normal load again"
-            ),
-        }
-    }
-}
-
-/// Cells that a resolved spot needs.
-const RESOLVED: usize = 5;
+use crate::warning::{RESOLVED, Resolution, Warning};
 
 /// The cells of a whole grid that belong to a set, as every rank knows them.
 #[derive(Debug, Clone, PartialEq)]
@@ -153,7 +69,7 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
     }
 
     /// Pairs of neighbours, along x or y, of which exactly one is in the set.
-    fn switches(&self) -> usize {
+    pub(crate) fn switches(&self) -> usize {
         let contains = &self.contains;
         (0..self.grid.cells())
             .map(|i| {
@@ -184,7 +100,10 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
             warnings.push(Warning::ContactAcross { along_x, along_y });
         }
         let unresolved = sizes.iter().filter(|&&size| size < RESOLVED).count();
-        if unresolved > 0 {
+        if unresolved == 0 {
+            let contact = Resolution::of_contact(self.grid, self.cells());
+            warnings.extend(contact.contact_warning());
+        } else {
             warnings.push(Warning::UnresolvedSpots {
                 unresolved,
                 spots: sizes.len(),

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use std::ops::Range;
+use std::ops::{Add, Index, IndexMut, Mul, Range, Sub};
 
 use crate::error::{Result, all_finite, finite, length};
 use crate::grid::Grid;
@@ -23,7 +23,11 @@ use crate::shown::shown;
 /// let grid = Grid::new(3, 2, 1.0, 1.0)?;
 /// let field = Field::from_fn(grid, |x, y| x + 10.0 * y);
 /// assert_eq!(field.get(2, 1), Some(6.0));
+/// assert_eq!(field[(2, 1)], 6.0);
 /// assert_eq!(field.as_slice()[5], 6.0);
+/// let doubled = (&field + &field)?;
+/// assert_eq!(doubled, &field * 2.0);
+/// assert_eq!((doubled.mean(), field.iter().count()), (2.0 * field.mean(), 6));
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(PartialEq)]
@@ -158,6 +162,11 @@ impl Field {
         &self.samples
     }
 
+    /// All samples one after the other, row by row with x fastest.
+    pub fn iter(&self) -> std::slice::Iter<'_, f64> {
+        self.samples.iter()
+    }
+
     /// All samples, mutable.
     #[must_use]
     pub fn as_mut_slice(&mut self) -> &mut [f64] {
@@ -257,6 +266,14 @@ impl Field {
         parallel::enter_with(count, || parallel::fold(count, leaf, of))
     }
 
+    /// Mean of the samples.
+    #[must_use]
+    pub fn mean(&self) -> f64 {
+        let samples = &self.samples;
+        let leaf = |range: Range<usize>| samples[range].iter().fold(0.0, |sum, x| sum + x);
+        parallel::fold(samples.len(), leaf, |a, b| a + b) / self.grid.cells() as f64
+    }
+
     /// Integral over the grid, cell area times the sum of the samples.
     #[must_use]
     pub fn integral(&self) -> f64 {
@@ -268,5 +285,76 @@ impl Field {
         let leaf = |range: Range<usize>| self.samples[range].iter().fold(0.0, |sum, x| sum + x);
         let sum = parallel::enter_with(self.samples.len(), || layout.fold(leaf, |a, b| a + b));
         self.grid.cell_area() * sum
+    }
+}
+
+impl<'a> IntoIterator for &'a Field {
+    type Item = &'a f64;
+    type IntoIter = std::slice::Iter<'a, f64>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}
+
+/// The sample of the cell in this column and row; [`Field::get`] does not panic.
+///
+/// # Panics
+/// Outside the grid, as the index of a slice does.
+impl Index<(usize, usize)> for Field {
+    type Output = f64;
+
+    fn index(&self, (ix, iy): (usize, usize)) -> &f64 {
+        let start = iy * self.grid.nx();
+        &self.samples[start..start + self.grid.nx()][ix]
+    }
+}
+
+/// # Panics
+/// Outside the grid, as the index of a slice does.
+impl IndexMut<(usize, usize)> for Field {
+    fn index_mut(&mut self, (ix, iy): (usize, usize)) -> &mut f64 {
+        let (start, columns) = (iy * self.grid.nx(), self.grid.nx());
+        &mut self.samples[start..start + columns][ix]
+    }
+}
+
+/// The sum, cell by cell; [`Error::GridMismatch`](crate::Error::GridMismatch) of fields on two grids.
+impl Add for &Field {
+    type Output = Result<Field>;
+
+    fn add(self, other: &Field) -> Result<Field> {
+        let mut sum = self.clone();
+        sum.add_scaled(1.0, other)?;
+        Ok(sum)
+    }
+}
+
+/// The difference, cell by cell: [`Field::minus`].
+impl Sub for &Field {
+    type Output = Result<Field>;
+
+    fn sub(self, other: &Field) -> Result<Field> {
+        self.minus(other)
+    }
+}
+
+/// The product, cell by cell; [`Error::GridMismatch`](crate::Error::GridMismatch) of fields on two grids.
+impl Mul for &Field {
+    type Output = Result<Field>;
+
+    fn mul(self, other: &Field) -> Result<Field> {
+        self.grid.expect("field to be multiplied", other.grid)?;
+        let pairs = self.iter().zip(other);
+        Field::from_vec(self.grid, pairs.map(|(a, b)| a * b).collect())
+    }
+}
+
+/// The field times a factor: [`Field::scaled`].
+impl Mul<f64> for &Field {
+    type Output = Field;
+
+    fn mul(self, factor: f64) -> Field {
+        self.scaled(factor)
     }
 }

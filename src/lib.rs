@@ -247,11 +247,11 @@ pub mod subsurface;
 pub mod surface;
 pub mod tangential;
 mod trend;
+mod warning;
 mod watch;
 mod window;
 
 pub use boundary::Boundary;
-pub use contact_map::Warning;
 pub use coupled::{CoupledProblem, CoupledSolution, CoupledSolver};
 pub use coupling::Coupling;
 pub use error::{Error, Result};
@@ -270,6 +270,7 @@ pub use tangential::{
     Axis, Friction, PressureSource, TangentialControl, TangentialLoad, TangentialModel,
     TangentialProblem, TangentialSolution, TangentialSolver, Zone,
 };
+pub use warning::Warning;
 
 /// The examples of the README also run as tests.
 #[cfg(doctest)]

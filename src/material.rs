@@ -307,7 +307,8 @@ impl ElasticPair {
     /// Dundurs' second parameter `beta`, the strength of the coupling between pressure and shear.
     ///
     /// `beta = ((1-2 nu_1)/G_1 - (1-2 nu_2)/G_2) / (2 ((1-nu_1)/G_1 + (1-nu_2)/G_2))`. It vanishes
-    /// for identical bodies, for two incompressible bodies, and for an incompressible body on a rigid one.
+    /// for identical bodies, for two incompressible bodies, and for an incompressible body on a rigid one. Its size is at
+    /// most 1/2 where no Poisson's ratio is negative, and below 3/4 for auxetic bodies (2/3 for one of -1/2 on a rigid one).
     #[must_use]
     pub fn dundurs_beta(&self) -> f64 {
         0.5 * self.compliances.coupling / self.compliances.normal

@@ -179,18 +179,25 @@ impl CattaneoMindlin {
     }
 
     /// Energy dissipated while the force grows from zero to $`F`$ (a force times a length), zero
-    /// or positive.
+    /// or positive: the first quarter of a cycle.
     ///
     /// ```math
     /// -\int q\,s_x\,dA = \frac{\mu W\delta_0}{5}\left(1-\frac ca\right)^3
     /// \left(1+3\frac ca+\frac{c^2}{a^2}\right)
     /// ```
     ///
-    /// with $`\delta_0`$ the shift at gross sliding; $`\mu W\delta_0 f^3/27`$ for small forces. It is a
-    /// quarter of the energy dissipated by a cycle between $`\pm F`$, Johnson (1985), 7.55-7.57.
+    /// with $`\delta_0`$ the shift at gross sliding; $`\mu W\delta_0 f^3/27`$ for small forces.
+    /// Johnson (1985), 7.55-7.57.
     #[must_use]
-    pub fn dissipated_energy(&self) -> f64 {
+    pub fn energy_of_first_quarter(&self) -> f64 {
         self.slip.held.limit * self.gross_shift * self.slip.dissipated_fraction()
+    }
+
+    /// Energy that one full cycle of the force between $`\pm F`$ dissipates (a force times a length), after the first
+    /// loading: four times [that](Self::energy_of_first_quarter). Johnson (1985), 7.57.
+    #[must_use]
+    pub fn energy_per_cycle(&self) -> f64 {
+        4.0 * self.energy_of_first_quarter()
     }
 
     /// The point and its distance from the centre, in contact radii.
@@ -322,9 +329,16 @@ impl CattaneoMindlinEllipse {
     }
 
     /// Energy dissipated while the force grows from zero to $`F`$ (a force times a length), zero
-    /// or positive; as [`CattaneoMindlin::dissipated_energy`].
+    /// or positive: the first quarter of a cycle; as [`CattaneoMindlin::energy_of_first_quarter`].
     #[must_use]
-    pub fn dissipated_energy(&self) -> f64 {
+    pub fn energy_of_first_quarter(&self) -> f64 {
         self.slip.held.limit * self.gross_shift * self.slip.dissipated_fraction()
+    }
+
+    /// Energy that one full cycle of the force between $`\pm F`$ dissipates (a force times a length), after the first
+    /// loading: four times [that](Self::energy_of_first_quarter).
+    #[must_use]
+    pub fn energy_per_cycle(&self) -> f64 {
+        4.0 * self.energy_of_first_quarter()
     }
 }

@@ -1,10 +1,10 @@
-//! Cylinders in plane strain: pressed, sheared in partial slip, and stretched.
+//! A cylinder pressed on a plane along a line, in plane strain.
 
 use std::f64::consts::PI;
 
-use super::held_force::HeldForce;
 use super::hertz::dome;
-use crate::error::{Result, at_least, finite, positive};
+use super::line_stress;
+use crate::error::{Result, positive};
 use crate::material::ElasticPair;
 
 /// A cylinder pressed on a half-space along a line, in plane strain.
@@ -43,7 +43,7 @@ pub struct HertzLine {
     half_width: f64,
     max_pressure: f64,
     /// $`P/\pi E^*`$, the unit of displacements.
-    displacement: f64,
+    pub(super) displacement: f64,
 }
 
 impl HertzLine {
@@ -114,179 +114,29 @@ impl HertzLine {
     pub fn approach(&self, datum: f64) -> f64 {
         self.displacement * (2.0 * (2.0 * datum / self.half_width).ln() + 1.0)
     }
-}
 
-/// A cylinder in partial slip in plane strain: a constant normal load, then a tangential force along x that increases
-/// monotonically, with a bulk strain that increases in proportion to it.
-///
-/// With $`f = |Q|/\mu P`$, a strip of half-width c sticks; the rest slips, opposite to the traction:
-///
-/// ```math
-/// \frac ca = (1-f)^{1/2}, \qquad
-/// q = \pm\mu p_0\left[\sqrt{1-\frac{x^2}{a^2}} - \frac ca\sqrt{1-\frac{(x-e)^2}{c^2}}\,H(c-|x-e|)\right], \qquad
-/// e = \pm\frac{a E^*}{2 \mu p_0}\,\varepsilon
-/// ```
-///
-/// with the sign of Q, and the strain $`\varepsilon`$ of body 1 less that of body 2 (zero by default). Equal bodies, or
-/// bodies of [`dundurs_beta`](ElasticPair::dundurs_beta) zero. Johnson (1985), section 7.2; with bulk strain Nowell &
-/// Hills, Int. J. Mech. Sci. 29 (1987) 355.
-///
-/// ```
-/// use stickslip::{ElasticPair, Material, analytical::{CattaneoMindlinLine, HertzLine}};
-/// let steel = Material::new(210e3, 0.3)?;
-/// let hertz = HertzLine::new(&ElasticPair::new(steel, steel)?, 10.0, 100.0)?;
-/// let shear = CattaneoMindlinLine::new(hertz, 0.5, 37.5)?;
-/// assert!((shear.stick_half_width() / hertz.half_width() - 0.5).abs() < 1e-15);
-/// // A bulk stress of 100 MPa stretches body 1, and shifts the strip that sticks.
-/// let strain = 100.0 * (1.0 - 0.3 * 0.3) / 210e3;
-/// let stretched = shear.with_strain(strain)?;
-/// let shift = hertz.half_width() * 100.0 / (4.0 * 0.5 * hertz.max_pressure());
-/// assert!((stretched.stick_centre() - shift).abs() < 1e-15);
-/// # Ok::<(), stickslip::Error>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct CattaneoMindlinLine {
-    hertz: HertzLine,
-    held: HeldForce,
-    /// Middle of the strip that sticks.
-    centre: f64,
-}
-
-impl CattaneoMindlinLine {
-    /// The contact `hertz`, with the coefficient of friction `friction`, under the tangential force `force` on body 1
-    /// along x (a force per length, of either sign), without bulk strain.
-    ///
-    /// # Errors
-    /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for the force,
-    /// [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force exceeds $`\mu P`$.
-    pub fn new(hertz: HertzLine, friction: f64, force: f64) -> Result<Self> {
-        Ok(Self {
-            hertz,
-            held: HeldForce::new(hertz.load, friction, force)?,
-            centre: 0.0,
-        })
-    }
-
-    /// With this strain of body 1 along x less that of body 2, positive where it is stretched. A bulk stress $`\sigma`$
-    /// along x in one body strains it by $`\sigma (1 - \nu^2)/E`$ in plane strain.
-    ///
-    /// # Errors
-    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::NotPositive`](crate::Error::NotPositive) without friction, if there
-    /// is strain; [`Error::Below`](crate::Error::Below) if the strip that sticks would leave the contact, $`|e| + c > a`$: slip
-    /// then reverses at one end, and the formula does not hold.
-    pub fn with_strain(mut self, strain: f64) -> Result<Self> {
-        finite("bulk strain", strain)?;
-        if strain == 0.0 {
-            self.centre = 0.0;
-            return Ok(self);
-        }
-        positive("coefficient of friction", self.held.friction)?;
-        let HertzLine {
-            pair,
-            half_width,
-            max_pressure,
-            ..
-        } = self.hertz;
-        let slope = 2.0 * self.held.friction * max_pressure / pair.contact_modulus();
-        self.centre = self.held.direction * half_width * strain / slope;
-        let reach = self.centre.abs() + self.stick_half_width();
-        let least_is = "the reach of the strip that sticks";
-        at_least(least_is, reach, "half-width of the contact", half_width)?;
-        Ok(self)
-    }
-
-    /// The normal contact.
+    /// Stress $`\sigma_{xx}`$ of the surface of either body at `x` (a pressure, positive in tension): $`-p`$ in the
+    /// contact, zero outside. That along y, in plane strain, is $`\nu (\sigma_{xx} + \sigma_{zz}) = -2 \nu p`$.
+    /// Johnson (1985), section 4.2.
     #[must_use]
-    pub fn hertz(&self) -> HertzLine {
-        self.hertz
+    pub fn surface_stress(&self, x: f64) -> f64 {
+        -self.pressure(x)
     }
 
-    /// Tangential force Q on body 1 (a force per length), positive along +x.
-    #[must_use]
-    pub fn force(&self) -> f64 {
-        self.held.force
-    }
-
-    /// Half-width c of the strip that sticks (a length).
-    #[must_use]
-    pub fn stick_half_width(&self) -> f64 {
-        self.hertz.half_width * self.held.reserve.sqrt()
-    }
-
-    /// Middle e of the strip that sticks (a length along x).
-    #[must_use]
-    pub fn stick_centre(&self) -> f64 {
-        self.centre
-    }
-
-    /// Traction q on body 1 along x (a pressure) at `x`; zero outside the contact.
-    #[must_use]
-    pub fn traction(&self, x: f64) -> f64 {
-        let (a, c) = (self.hertz.half_width, self.stick_half_width());
-        let inner = if c > 0.0 {
-            c / a * dome((x - self.centre).abs() / c)
-        } else {
-            0.0
-        };
-        let limit = self.held.friction * self.hertz.max_pressure;
-        self.held.direction * limit * (dome(x.abs() / a) - inner)
-    }
-
-    /// Shift (a length): the rigid motion of body 2 relative to body 1 along x, of the sign of the force, relative to the
-    /// [datum](crate::Boundary::PeriodicAlongY) d, a length, without bulk strain:
+    /// Stresses `[xx, zz, xz]` of body 1 at `x` and at the depth `depth` below its surface, a length of zero or more
+    /// (pressures, positive in tension); those of body 2 at the same depth differ by the sign of `xz`. With
+    /// $`m^2 - n^2 = a^2 - x^2 + z^2`$ and $`mn = xz`$, $`m \ge 0`$:
     ///
     /// ```math
-    /// \delta_x = \pm\frac{\mu P}{\pi E^*}\left[f\left(2\ln\frac{2d}{a} + 1\right) + (1-f)\ln(1-f)\right] .
+    /// \sigma_{xx} = -\frac{p_0}{a}\left[m\left(1 + \frac{z^2+n^2}{m^2+n^2}\right) - 2z\right], \quad
+    /// \sigma_{zz} = -\frac{p_0}{a}\,m\left(1 - \frac{z^2+n^2}{m^2+n^2}\right), \quad
+    /// \tau_{xz} = -\frac{p_0}{a}\,n\,\frac{m^2-z^2}{m^2+n^2} .
     /// ```
     ///
-    /// By superposition of the [approaches](HertzLine::approach) of two pressures, which tractions along x in plane strain
-    /// repeat.
+    /// M'Ewen (1949); Johnson (1985), 4.49.
     #[must_use]
-    pub fn shift(&self, datum: f64) -> f64 {
-        let HeldForce {
-            friction,
-            direction,
-            fraction,
-            reserve,
-            ..
-        } = self.held;
-        let stick = if reserve > 0.0 {
-            reserve * (-fraction).ln_1p()
-        } else {
-            0.0
-        };
-        let unit = friction * self.hertz.displacement;
-        direction * (friction * fraction * self.hertz.approach(datum) + unit * stick)
-    }
-
-    /// Energy dissipated per length and cycle of a force between Q and -Q, without bulk strain:
-    ///
-    /// ```math
-    /// \Delta E = \frac{(\mu P)^2}{\pi E^*}\left[4(1-f)\ln(1-f) + 4f - 2f^2\right] .
-    /// ```
-    ///
-    /// The area of the loop of force and [shift](Self::shift), whose branches are the first one scaled by two.
-    #[must_use]
-    pub fn energy_per_cycle(&self) -> f64 {
-        let HeldForce {
-            force,
-            fraction: f,
-            reserve,
-            ..
-        } = self.held;
-        // The bracket over the square of f, in terms that do not cancel.
-        let bracket = if f > 0.5 {
-            let logarithm = if reserve > 0.0 {
-                reserve * reserve.ln()
-            } else {
-                0.0
-            };
-            (4.0 * logarithm + 2.0 * f * (2.0 - f)) / (f * f)
-        } else {
-            let terms = (3..60).map(|k| 4.0 * f.powi(k - 2) / f64::from(k * (k - 1)));
-            terms.sum()
-        };
-        force * force * (self.hertz.displacement / self.hertz.load) * bracket
+    pub fn stress(&self, x: f64, depth: f64) -> [f64; 3] {
+        let a = self.half_width;
+        line_stress::of_pressure(x / a, depth / a).map(|stress| self.max_pressure * stress)
     }
 }

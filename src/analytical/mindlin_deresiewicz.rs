@@ -35,7 +35,7 @@ use crate::error::Result;
 /// assert!(unloaded.traction(0.0) > 0.0 && unloaded.traction(0.13) < 0.0);
 /// // Two cycles dissipate twice the energy of one.
 /// let cycled = MindlinDeresiewicz::new(ball, 0.5, &[20.0, -20.0, 20.0, -20.0, 20.0])?;
-/// let first = CattaneoMindlin::new(ball, 0.5, 20.0)?.dissipated_energy();
+/// let first = CattaneoMindlin::new(ball, 0.5, 20.0)?.energy_of_first_quarter();
 /// let expected = first + 2.0 * cycled.energy_per_cycle();
 /// assert!((cycled.dissipated_energy() / expected - 1.0).abs() < 1e-14);
 /// # Ok::<(), stickslip::Error>(())
@@ -74,7 +74,8 @@ impl MindlinDeresiewicz {
         let mut closed_energy = 0.0;
         for &force in path {
             for closed in pass(&mut peaks, force) {
-                closed_energy += closed.times * loading(closed.half_range)?.dissipated_energy();
+                closed_energy +=
+                    closed.times * loading(closed.half_range)?.energy_of_first_quarter();
             }
         }
         let changes = peaks.windows(2).map(|ends| half_range(ends[0], ends[1]));
@@ -152,11 +153,11 @@ impl MindlinDeresiewicz {
 
     /// Energy dissipated along the whole path (a force times a length), zero or positive.
     ///
-    /// The sum of [`CattaneoMindlin::dissipated_energy`] for the first loading, and of twice that for
+    /// The sum of [`CattaneoMindlin::energy_of_first_quarter`] for the first loading, and of twice that for
     /// half the change of force for every later path between two reversals.
     #[must_use]
     pub fn dissipated_energy(&self) -> f64 {
-        self.closed_energy + self.superposed(CattaneoMindlin::dissipated_energy)
+        self.closed_energy + self.superposed(CattaneoMindlin::energy_of_first_quarter)
     }
 
     /// Energy that one full cycle of the force between $`\pm F_0`$ dissipates (a force times a
@@ -171,7 +172,7 @@ impl MindlinDeresiewicz {
     /// Johnson (1985), 7.57.
     #[must_use]
     pub fn energy_per_cycle(&self) -> f64 {
-        4.0 * self.first.dissipated_energy()
+        self.first.energy_per_cycle()
     }
 
     /// The term of the first loading plus twice that of each reversal.

@@ -56,6 +56,8 @@
 //!   [doi:10.1115/1.4009973](https://doi.org/10.1115/1.4009973).
 //! - R. D. Mindlin and H. Deresiewicz, Elastic spheres in contact under varying oblique forces,
 //!   *J. Appl. Mech.* 20 (1953) 327-344, [doi:10.1115/1.4010702](https://doi.org/10.1115/1.4010702).
+//! - E. M'Ewen, Stresses in elastic cylinders in contact along a generatrix, *Phil. Mag.* 40 (1949) 454-459,
+//!   [doi:10.1080/14786444908521733](https://doi.org/10.1080/14786444908521733).
 //! - M. H. Müser, On the contact area of nominally flat Hertzian contacts, *Tribol. Lett.* 64 (2016) 14,
 //!   [doi:10.1007/s11249-016-0750-3](https://doi.org/10.1007/s11249-016-0750-3).
 //! - D. Nowell and D. A. Hills, Mechanics of fretting fatigue tests, *Int. J. Mech. Sci.* 29 (1987)
@@ -84,6 +86,8 @@ mod full_stick;
 mod held_force;
 mod hertz;
 mod line;
+mod line_partial_slip;
+mod line_stress;
 mod lubkin_torsion;
 mod mindlin_deresiewicz;
 mod no_slip;
@@ -102,7 +106,8 @@ pub use cone::{Cone, ConePartialSlip};
 pub use flat_punch::FlatPunch;
 pub use full_stick::MindlinFullStick;
 pub use hertz::{HertzEllipse, HertzSphere};
-pub use line::{CattaneoMindlinLine, HertzLine};
+pub use line::HertzLine;
+pub use line_partial_slip::CattaneoMindlinLine;
 pub use lubkin_torsion::LubkinTorsion;
 pub use mindlin_deresiewicz::MindlinDeresiewicz;
 pub use no_slip::{NoSlipPunch, NoSlipSphere};

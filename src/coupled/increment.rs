@@ -163,6 +163,7 @@ impl CoupledIncrement {
             self.approach,
             self.report(),
         );
+        normal.set_coupled(self.bodies.pair().is_coupled());
     }
 
     /// Starts the next step from nothing.

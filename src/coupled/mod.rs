@@ -31,7 +31,8 @@
 //!
 //! # What is certified
 //!
-//! The law is that of no minimum, and solutions are known to be unique for weak friction alone. The report gives the
+//! Friction whose limit follows an unknown pressure is not the condition of a minimum of any energy, and solutions are known
+//! to be unique for weak friction alone. The report gives the
 //! residual of both laws and a rigorous bound for each half, the other being as it is: see [`CoupledReport`]. Where friction
 //! is weak enough for the grid and no tangential force is prescribed, the halves bound the whole
 //! ([`CoupledReport::error_bounds`]): between aluminium and steel up to $`\mu = 0.29`$ on 64 x 64 cells, with a body of

@@ -10,6 +10,12 @@ use crate::tangential::{Axis, Friction, RelativeDisplacement, TangentialLoad, Ta
 
 /// Bodies, gap, friction and load of a contact whose pressure and shear are found together, in one step from rest.
 ///
+/// One step is what pressing gradually leads to where the contact has its size from the first load on (a flat punch), where
+/// the bodies have no coupling, and without friction. Where the contact of dissimilar bodies grows, cells that come into
+/// contact later slip less: a ball of $`\beta = 1/2`$ pressed in one step sticks on 0.23 of the contact radius, pressed in 32
+/// steps on 0.50 ([Spence](crate::analytical::SpencePressing)). The solution then has the warning
+/// [`PressedAtOnce`](crate::Warning::PressedAtOnce); press a [`History`](crate::History) in steps.
+///
 /// ```
 /// use stickslip::*;
 /// // A compressible rubber pad (nu = 0) on a rigid ball: beta = 1/2.
@@ -19,6 +25,9 @@ use crate::tangential::{Axis, Friction, RelativeDisplacement, TangentialLoad, Ta
 /// let press = NormalControl::Force(0.1);
 /// let still = TangentialLoad::shift([0.0, 0.0]);
 /// let contact = CoupledProblem::builder(&bodies, &ball, friction, press, still).build()?.solve()?;
+///
+/// // The ball comes into contact at once: its stick zone is not that of a load that grows.
+/// assert!(contact.warnings().contains(&Warning::PressedAtOnce));
 ///
 /// // Shear held inwards by friction makes the contact stiffer than without.
 /// let smooth = NormalProblem::builder(&bodies, &ball, press).build()?.solve()?;

@@ -7,7 +7,8 @@ use crate::report::{Report, Status};
 
 /// How a coupled solve ended, what it cost, and what its halves certify.
 ///
-/// The law of a coupled contact is that of no minimum, and no bound of its whole error is known beyond weak friction.
+/// The equations of a coupled contact are not those of a minimum of any energy, and no bound of its whole error is known
+/// beyond weak friction.
 /// What is certified are the halves, from one product: how far the pressure is from the one that belongs to the
 /// tractions as they are, and how far the tractions are from those that belong to the pressure as it is. Where friction is
 /// weak, they bound the whole.

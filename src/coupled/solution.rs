@@ -1,7 +1,6 @@
 //! The answer to a coupled contact.
 
 use crate::cgm::reduce;
-use crate::contact_map::Warning;
 use crate::coupled::CoupledReport;
 use crate::coupled::increment::CoupledIncrement;
 use crate::coupled::task::N;
@@ -13,6 +12,7 @@ use crate::normal::NormalSolution;
 use crate::serial::checked;
 use crate::shown::shown;
 use crate::tangential::TangentialSolution;
+use crate::warning::Warning;
 
 /// Both halves of a coupled contact, with the displacements that they cause together. Two are equal if their answers are,
 /// however they were found.
@@ -23,6 +23,8 @@ pub struct CoupledSolution {
     shear: TangentialSolution,
     displacement: [Field; N],
     report: CoupledReport,
+    /// Whether friction has held a contact that came to its size in one step.
+    is_pressed_at_once: bool,
     /// Of a slab, the elastic energy of the whole grid.
     #[cfg_attr(feature = "serde", serde(skip))]
     whole_energy: Option<f64>,
@@ -37,11 +39,13 @@ impl PartialEq for CoupledSolution {
             shear,
             displacement,
             report: _,
+            is_pressed_at_once,
             whole_energy,
         } = self;
         *normal == other.normal
             && *shear == other.shear
             && *displacement == other.displacement
+            && *is_pressed_at_once == other.is_pressed_at_once
             && *whole_energy == other.whole_energy
     }
 }
@@ -55,6 +59,7 @@ struct Unchecked {
     shear: TangentialSolution,
     displacement: [Field; N],
     report: CoupledReport,
+    is_pressed_at_once: bool,
     #[serde(skip)]
     whole_energy: Option<f64>,
 }
@@ -80,6 +85,7 @@ impl CoupledSolution {
             shear: TangentialSolution::empty(grid, boundary),
             displacement: std::array::from_fn(|_| Field::zeros(grid)),
             report: CoupledReport::unsolved(),
+            is_pressed_at_once: false,
             whole_energy: None,
         }
     }
@@ -88,12 +94,27 @@ impl CoupledSolution {
         increment.write(gap, &mut self.normal);
         self.shear
             .fill(bodies, None, &increment.answer(), increment.report());
+        let pair = bodies.pair();
+        self.shear
+            .set_coupled(pair.is_coupled().then(|| pair.dundurs_beta()));
         for (field, values) in self.displacement.iter_mut().zip(increment.displacement()) {
             field.as_mut_slice().copy_from_slice(values);
         }
         self.report.clone_from(increment.full_report());
         let layout = bodies.grid_layout();
+        self.is_pressed_at_once = pair.is_coupled() && self.has_grown(&layout, gap);
         self.whole_energy = bodies.is_shared().then(|| self.energy_over(&layout));
+    }
+
+    /// Whether friction has held cells that a growing load would have brought into contact one after the other: where the
+    /// gap before loading is the same all over the contact, all come at once anyway.
+    fn has_grown(&self, layout: &Layout, gap: &Field) -> bool {
+        let (pressure, gap) = (self.normal.pressure().as_slice(), gap.as_slice());
+        let [qx, qy] = self.shear.traction().map(Field::as_slice);
+        let is_held = reduce::any(layout, |i| qx[i] != 0.0 || qy[i] != 0.0);
+        let first = reduce::least(layout, |i| (pressure[i] > 0.0).then_some((gap[i], i)));
+        let is_later = |first: f64| reduce::any(layout, |i| pressure[i] > 0.0 && gap[i] > first);
+        first.is_some_and(|(first, _)| is_later(first)) && is_held
     }
 
     /// The normal half: pressure, gap under load, approach, contact area. Its report is that of the whole.
@@ -141,6 +162,9 @@ impl CoupledSolution {
     /// Remarks on the contact that a result may mislead; see [`Warning`].
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
-        self.normal.warnings()
+        let at_once = self.is_pressed_at_once.then_some(Warning::PressedAtOnce);
+        let mut warnings = self.normal.warnings();
+        warnings.extend(self.shear.zone_warnings().chain(at_once));
+        warnings
     }
 }

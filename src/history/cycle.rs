@@ -19,8 +19,8 @@ use crate::shown::shown;
 /// It begins where the history is, and [takes](Self::add) each step once, after it was done; a
 /// [`FrettingLoop`](crate::history::FrettingLoop) does so by itself. It holds nine numbers per cell, and
 /// allocates nothing in a cycle of no more steps than one before. Of [distributed](crate::HalfSpace::distributed) bodies
-/// all ranks [begin](Self::begin) and [add](Self::add) together; what the cycle then tells each knows by itself, in its
-/// fields of the cells held here.
+/// all ranks [begin](Self::begin) and [add](Self::add) together. Each rank then has the numbers of the whole cycle, without
+/// further messages, and in the fields the cells that it holds.
 ///
 /// ```
 /// use stickslip::history::{Cycle, LoadPath, Regime};
@@ -323,7 +323,7 @@ impl Cycle {
     }
 
     /// The loop of force and shift: the beginning, and the end of each step. It encloses the
-    /// [`work`](EnergyBalance::work).
+    /// [work of the loads](Self::work_of_loads).
     #[doc(alias = "friction loop")]
     #[doc(alias = "fretting loop")]
     #[doc(alias = "hysteresis")]

@@ -27,18 +27,23 @@ use crate::ranks::Words;
 /// is what slip dissipates ([`mid_step_dissipated_energy`](Self::mid_step_dissipated_energy)), what cells that leave the contact let go
 /// ([`released`](Self::released)) and what the tolerance of the solve leaves where there should be no slip
 /// ([`residual`](Self::residual)). What a spring stores, $`F^2 / 2k`$, is not among these: work is what it does to
-/// body 2. Where pressure and shear are coupled, work and elastic energy include those of the pressure,
-/// $`A \sum \bar p\,\Delta u_z`$ and $`\tfrac A2 \sum p\,u_z`$.
+/// body 2.
+///
+/// Bodies alike, and a history that neglects the coupling or takes it one way: pressing is left out, all energies are those
+/// of shear. Dissimilar bodies whose pressure and shear are found together: work, `elastic_before` and `elastic_after` are
+/// those of pressure and shear together, with $`A \sum \bar p\,\Delta u_z`$ and $`\tfrac A2 \sum p\,u_z`$ in addition;
+/// what is dissipated is that of slip in both.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct EnergyBalance {
-    /// Work of the tangential load, mean force times change of the shift, and mean moment times that of the twist; of
+    /// Work of the tangential load (of dissimilar bodies also of the normal load, of a relative displacement also its own),
+    /// mean force times change of the shift, and mean moment times that of the twist; of
     /// cells that come into contact, by the part of the motion that they follow.
     pub work: f64,
-    /// Elastic energy of shear before the step.
+    /// Elastic energy of shear before the step; of dissimilar bodies that of pressure and shear.
     pub elastic_before: f64,
-    /// Elastic energy of shear after the step.
+    /// Elastic energy of shear after the step; of dissimilar bodies that of pressure and shear.
     pub elastic_after: f64,
     /// Energy dissipated, by the tractions at the end of the step: $`-A \sum q_{n+1} s \ge 0`$. Under an
     /// unchanged pressure and a load that does not turn within the step, slip happens at the friction

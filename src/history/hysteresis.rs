@@ -32,6 +32,46 @@ impl LoopPoint {
 }
 
 impl Cycle {
+    /// Work of the tangential force and of the moment, $`\sum \tfrac12 (F_n + F_{n+1})\,\Delta\delta + \tfrac12 (M_n +
+    /// M_{n+1})\,\Delta\varphi`$ (a force times a length): the area that the loop of the [points](Cycle::points) encloses
+    /// where it closes.
+    ///
+    /// The [`work`](crate::history::EnergyBalance::work) of the balance, which slip dissipates around a closed loop, is this
+    /// as long as nothing else works: it has in addition the work of a changing
+    /// [relative displacement](crate::tangential::RelativeDisplacement), such as that of bulk stress, that of the pressure
+    /// where pressure and shear are coupled, and, where the contact grows, less of the motion that new cells have not
+    /// followed.
+    ///
+    /// ```
+    /// use stickslip::history::{Cycle, FrettingLoop, LoadPath};
+    /// # use stickslip::*;
+    /// # let grid = Grid::square(16, 8.0)?;
+    /// # let rubber = Material::new(1.0, 0.5)?;
+    /// # let bodies = HalfSpace::new(grid, ElasticPair::new(rubber, Material::rigid())?)?;
+    /// # let ball = surface::sphere(grid, 10.0)?;
+    /// # let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.3)?).build()?;
+    /// history.step(&LoadStep::hold().normal(NormalControl::Force(0.5)))?;
+    /// let mut cycle = Cycle::new(&history);
+    /// let fretting = FrettingLoop::new(LoadPath::triangle([0.1, 0.0], 8)?, LoadStep::shift);
+    /// fretting.cycle(&mut history, &mut cycle)?;
+    /// // A force alone: the loop encloses all work.
+    /// assert!((cycle.work_of_loads() / cycle.energy().work - 1.0).abs() < 1e-9);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub fn work_of_loads(&self) -> f64 {
+        let steps = self.points().windows(2);
+        let work = |ends: &[LoopPoint]| {
+            let [from, to] = [ends[0], ends[1]];
+            let along = |axis: usize| {
+                0.5 * (from.force[axis] + to.force[axis]) * (to.shift[axis] - from.shift[axis])
+            };
+            let turn = 0.5 * (from.moment + to.moment) * (to.twist - from.twist);
+            along(0) + along(1) + turn
+        };
+        steps.map(work).sum()
+    }
+
     /// Energy ratio $`E_d / (4\,Q^*\delta^*)`$ of the energy dissipated, by tractions at the end of each step,
     /// to that of a rectangle around the loop; zero where nothing was dissipated, infinite where force or shift
     /// stood still meanwhile.

@@ -1,7 +1,7 @@
 //! What a step has to be warned of, and a cycle of steps.
 
-use crate::contact_map::Warning;
 use crate::history::Cycle;
+use crate::warning::{Resolution, Warning};
 
 /// What is wrong with a step, or with any step of a cycle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -15,6 +15,8 @@ pub(super) struct Remarks {
     pub(super) is_apart: bool,
     /// Cells pressed beyond the hardness a material states, the most of any step.
     pub(super) overloaded_cells: usize,
+    /// Cells in contact and its zones: the fewest that stick and the widest zone that slips.
+    pub(super) resolution: Resolution,
 }
 
 impl Remarks {
@@ -25,6 +27,7 @@ impl Remarks {
             edge_cells: self.edge_cells.max(other.edge_cells),
             is_apart: self.is_apart || other.is_apart,
             overloaded_cells: self.overloaded_cells.max(other.overloaded_cells),
+            resolution: self.resolution.and(other.resolution),
         }
     }
 
@@ -36,13 +39,18 @@ impl Remarks {
         let cells = self.overloaded_cells;
         let beyond = (cells > 0).then_some(Warning::BeyondHardness { cells });
         let all = stale.into_iter().chain(at_edge).chain(apart);
-        all.chain(beyond).collect()
+        let resolution = self.resolution;
+        let zones = resolution
+            .contact_warning()
+            .into_iter()
+            .chain(resolution.zone_warnings());
+        all.chain(beyond).chain(zones).collect()
     }
 }
 
 impl Cycle {
-    /// The [warnings](crate::history::StepResult::warnings) of any of its steps, each once, with the largest count. What
-    /// concerns the grid and the spots of the contact is in those of [`History::normal`](crate::History::normal).
+    /// The [warnings](crate::history::StepResult::warnings) of any of its steps, each once, with the largest count; of the
+    /// zone that slips, only if it was too narrow in all steps. What concerns the grid and the spots of the contact is in those of [`History::normal`](crate::History::normal).
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         self.remarks.warnings()

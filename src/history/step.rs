@@ -1,6 +1,5 @@
 //! What one step of a history did.
 
-use crate::contact_map::Warning;
 #[cfg(feature = "serde")]
 use crate::error::{all_finite, at_least, finite};
 use crate::field::Field;
@@ -11,6 +10,7 @@ use crate::report::{Report, Status};
 #[cfg(feature = "serde")]
 use crate::serial::checked;
 use crate::shown::shown;
+use crate::warning::Warning;
 
 /// Slip, energies, forces and reports of one step.
 ///
@@ -227,8 +227,9 @@ impl StepResult {
     }
 
     /// Remarks on the step: [`Warning::StalePressure`] if it held the pressure although
-    /// [`set_gap`](crate::History::set_gap) had changed the gap, [`Warning::ContactAtEdge`]. Others, such as
-    /// spots too small to resolve, are among the warnings of [`History::normal`](crate::History::normal) only.
+    /// [`set_gap`](crate::History::set_gap) had changed the gap, [`Warning::ContactAtEdge`], and those of contacts and zones
+    /// of too few cells, such as [`Warning::NarrowSlip`]. Others, such as spots too small to resolve, are among the warnings
+    /// of [`History::normal`](crate::History::normal) only.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         self.remarks.warnings()

@@ -24,6 +24,7 @@ use crate::pool::Lease;
 use crate::report::{Report, Status};
 use crate::shown::shown;
 use crate::tangential::{Friction, Increment, Motion, TangentialModel};
+use crate::warning::Resolution;
 use crate::window::Window;
 
 /// Two bodies in contact that remember their load: pressure, traction, slip and energy, step by step.
@@ -279,6 +280,7 @@ impl History {
             edge_cells: state.normal.cells_on_edge(),
             is_apart: state.normal.force() <= 0.0,
             overloaded_cells: state.normal.overloaded_cells(),
+            resolution: Resolution::default(),
         };
         step.normal_force = state.normal.force();
         step.approach = state.approach();
@@ -289,6 +291,9 @@ impl History {
         step.tangential_report
             .clone_from(report.unwrap_or(&Report::unsolved()));
         commit(answer.as_ref(), motion, state, step, &mut self.written);
+        let zones = [step.stick_cells, step.slip_cells];
+        step.remarks.resolution = Resolution::of_contact(state.grid().whole(), zones[0] + zones[1])
+            .with_zones(zones, || state.normal.edge_sides());
         state.reach(load);
         if is_pressed {
             settle(state);

@@ -1,7 +1,8 @@
 //! Where a normal contact touches: area, extent, warnings.
 
-use crate::contact_map::{ContactMap, Warning};
+use crate::contact_map::ContactMap;
 use crate::normal::NormalSolution;
+use crate::warning::Warning;
 
 impl NormalSolution {
     /// Cells that carry pressure.
@@ -84,6 +85,11 @@ impl NormalSolution {
     /// Contact cells on the edge of a grid that has edges.
     pub(crate) fn cells_on_edge(&self) -> usize {
         self.contact_map().cells_on_edge()
+    }
+
+    /// Sides of cells along the edge of the contact.
+    pub(crate) fn edge_sides(&self) -> usize {
+        self.contact_map().switches()
     }
 
     pub(crate) fn contact_map(&self) -> ContactMap<impl Fn(usize) -> bool + '_> {

@@ -27,6 +27,8 @@ pub struct NormalSolution {
     pub(super) pair: ElasticPair,
     approach: f64,
     yielded_cells: usize,
+    /// Whether tractions that were found together with the pressure have changed it.
+    is_coupled: bool,
     report: Report,
     /// Of a slab, what all ranks together have found.
     #[cfg_attr(feature = "serde", serde(skip))]
@@ -42,6 +44,7 @@ clone_in_place!(NormalSolution {
     pair,
     approach,
     yielded_cells,
+    is_coupled,
     report,
     whole,
 });
@@ -55,6 +58,7 @@ impl PartialEq for NormalSolution {
             pair,
             approach,
             yielded_cells,
+            is_coupled,
             report: _,
             whole,
         } = self;
@@ -64,6 +68,7 @@ impl PartialEq for NormalSolution {
             && *pair == other.pair
             && *approach == other.approach
             && *yielded_cells == other.yielded_cells
+            && *is_coupled == other.is_coupled
             && *whole == other.whole
     }
 }
@@ -79,6 +84,7 @@ struct Unchecked {
     pair: ElasticPair,
     approach: f64,
     yielded_cells: usize,
+    is_coupled: bool,
     report: Report,
     #[serde(skip)]
     whole: Option<Box<Whole>>,
@@ -111,6 +117,7 @@ impl NormalSolution {
             pair: *pair,
             approach: 0.0,
             yielded_cells: 0,
+            is_coupled: false,
             report: Report::with_room(),
             whole: None,
         }
@@ -138,6 +145,7 @@ impl NormalSolution {
             pair: *bodies.pair(),
             approach,
             yielded_cells: 0,
+            is_coupled: false,
             report,
         })
     }
@@ -145,6 +153,20 @@ impl NormalSolution {
     /// With what all ranks have found, which is not among the fields of a slab.
     pub(crate) fn gather_whole(&mut self, bodies: &HalfSpace) {
         self.whole = Whole::of(bodies, self.pressure.as_slice());
+    }
+
+    /// As the half of a solution in which tractions have changed the pressure.
+    pub(crate) fn set_coupled(&mut self, is_coupled: bool) {
+        self.is_coupled = is_coupled;
+    }
+
+    /// `Ok` if the pressure is that of the gap and the approach alone.
+    pub(crate) fn check_uncoupled(&self) -> Result<()> {
+        let beta = self.pair.dundurs_beta();
+        if self.is_coupled {
+            return Err(Error::CoupledMaterials { beta });
+        }
+        Ok(())
     }
 
     /// With so many cells at their hardness.
@@ -222,7 +244,8 @@ impl NormalSolution {
         self.approach
     }
 
-    /// Normal force W, the integral of the pressure.
+    /// Normal force W, the integral of the pressure. The `force` of a tangential solution, a step or a history is the
+    /// tangential one; a step has this as [`normal_force`](crate::history::StepResult::normal_force).
     #[must_use]
     pub fn force(&self) -> f64 {
         match &self.whole {

@@ -2,6 +2,7 @@
 
 use std::ops::ControlFlow;
 
+use crate::boundary::Boundary;
 use crate::cgm::small::Small;
 use crate::error::{Result, positive};
 use crate::field::Field;
@@ -9,7 +10,7 @@ use crate::half_space::HalfSpace;
 use crate::normal::NormalSolution;
 use crate::parallel;
 use crate::report::Iteration;
-use crate::stiffness::motions::Motions;
+use crate::stiffness::motions::{Motions, kinds};
 use crate::stiffness::press::{Press, pressed};
 use crate::stiffness::system::{Freedom, Stiffness, System, Vector, times};
 use crate::tangential::{Axis, Friction, TangentialSolution, Zone};
@@ -30,17 +31,18 @@ pub struct NormalStiffness {
 /// The tangential stiffness of a contact: forces along x and y and the moment, by shifts along x and y and the twist.
 ///
 /// Rows are loads, columns motions: forces over lengths in the upper left two by two, moments over radians in the last
-/// place, forces (over radians) between.
+/// place, forces (over radians) between. `None` of loads and motions that the model does not have: in the scalar model
+/// what is across its axis and the twist, on grids that repeat the twist.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct TangentialStiffness {
     /// If the motion continues in its direction. Of a ball, by
     /// [Cattaneo and Mindlin](crate::analytical::CattaneoMindlin): $`8 G^* a\,(1 - F/\mu W)^{1/3}`$.
-    pub loading: [[f64; 3]; 3],
+    pub loading: [[Option<f64>; 3]; 3],
     /// If the motion reverses: all cells of the contact stick. Of a circle, by
     /// [Mindlin](crate::analytical::MindlinFullStick): $`8 G^* a`$.
-    pub reversal: [[f64; 3]; 3],
+    pub reversal: [[Option<f64>; 3]; 3],
     /// Bound of the errors: none is larger than this times the root of the product of the two entries on the diagonal,
     /// of the matrix for a twist about the centre of the contact.
     pub bound: f64,
@@ -58,8 +60,9 @@ pub struct ContactStiffness {
     /// Tangential forces (over a length) and moment (a force) by the approach while slip continues, through the friction
     /// limit of the cells that slip: if the shift grows in the same step, or the approach decreases. Pressed further at a
     /// held shift these cells stick, and the slope is zero. Without a bound of its own; the change of pressure behind it
-    /// has a relative error, in the energy norm, of the root of the bound of `normal`.
-    pub by_approach: [f64; 3],
+    /// has a relative error, in the energy norm, of the root of the bound of `normal`. `None` of loads that the model does
+    /// not have.
+    pub by_approach: [Option<f64>; 3],
 }
 
 impl TangentialStiffness {
@@ -74,14 +77,16 @@ impl TangentialStiffness {
         }
         let [x, y] = springs.map(f64::recip);
         // (1 + K / k) dF = K dX.
-        let in_series = |matrix: [[f64; 3]; 3]| {
+        let in_series = |found: [[Option<f64>; 3]; 3]| {
+            let matrix = found.map(|row| row.map(Option::unwrap_or_default));
             let mut system = times(&matrix, &[[x, 0.0, 0.0], [0.0, y, 0.0], [0.0; 3]]);
             for (a, row) in system.iter_mut().enumerate() {
                 row[a] += 1.0;
             }
             let column = |a: usize| Small(system).solve(matrix.map(|row| row[a]), [true; 3]);
             let columns = [column(0), column(1), column(2)];
-            [0, 1, 2].map(|a| columns.map(|column| column[a]))
+            let place = |a: usize, b: usize| found[a][b].map(|_| columns[b][a]);
+            [0, 1, 2].map(|a| [0, 1, 2].map(|b| place(a, b)))
         };
         Ok(Self {
             loading: in_series(self.loading),
@@ -101,7 +106,8 @@ impl NormalSolution {
     /// [`Error::GridMismatch`](crate::Error::GridMismatch),
     /// [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) or
     /// [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) for bodies that the solution is
-    /// not of; [`Error::NotFinite`](crate::Error::NotFinite) where a periodic contact is closed everywhere and
+    /// not of; [`Error::CoupledMaterials`](crate::Error::CoupledMaterials) for the half of a coupled solution of dissimilar
+    /// bodies, whose pressure follows from the shear too; [`Error::NotFinite`](crate::Error::NotFinite) where a periodic contact is closed everywhere and
     /// resists without limit; [`Error::NotConverged`](crate::Error::NotConverged); as [`HalfSpace::operator`];
     /// [`Error::Ranks`](crate::Error::Ranks).
     pub fn stiffness(&self, bodies: &HalfSpace) -> Result<NormalStiffness> {
@@ -135,6 +141,7 @@ impl TangentialSolution {
     /// # Errors
     /// [`Error::GridMismatch`](crate::Error::GridMismatch) or
     /// [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) for bodies that the solution is not of;
+    /// [`Error::CoupledMaterials`](crate::Error::CoupledMaterials) for the half of a coupled solution of dissimilar bodies;
     /// [`Error::NotFinite`](crate::Error::NotFinite) where a periodic contact is closed everywhere;
     /// [`Error::NotConverged`](crate::Error::NotConverged); as [`HalfSpace::operator`];
     /// [`Error::Ranks`](crate::Error::Ranks).
@@ -154,6 +161,7 @@ impl TangentialSolution {
     ) -> Result<TangentialStiffness> {
         bodies.check_alone("a stiffness")?;
         bodies.check_host("tangential contact", self.grid(), self.boundary())?;
+        self.check_uncoupled()?;
         let sheared = Sheared {
             zones: self.zones(),
             traction: self.traction(),
@@ -195,6 +203,7 @@ impl ContactStiffness {
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<Self> {
         bodies.check_host("tangential contact", shear.grid(), shear.boundary())?;
+        shear.check_uncoupled()?;
         let sheared = Sheared {
             zones: shear.zones(),
             traction: shear.traction(),
@@ -252,6 +261,22 @@ fn stiffness_of(press: Option<&Press>) -> NormalStiffness {
     press.map_or(none, |press| press.stiffness)
 }
 
+/// Zero of what the model has.
+fn without_contact(
+    axis: Option<Axis>,
+    boundary: Boundary,
+) -> (TangentialStiffness, [Option<f64>; 3]) {
+    let kinds = kinds(axis.map_or(Axis::BOTH, Axis::alone), boundary);
+    let none = [0, 1, 2].map(|kind| kinds.contains(&kind).then_some(0.0));
+    let matrix = none.map(|of_load| none.map(|of_motion| of_load.and(of_motion)));
+    let stiffness = TangentialStiffness {
+        loading: matrix,
+        reversal: matrix,
+        bound: 0.0,
+    };
+    (stiffness, none)
+}
+
 /// What is known of a sheared contact.
 pub(crate) struct Sheared<'a> {
     pub(crate) zones: &'a [Zone],
@@ -268,17 +293,10 @@ impl Sheared<'_> {
         axis: Option<Axis>,
         limits: Option<&[f64]>,
         watch: &mut Watch<'_>,
-    ) -> Result<(TangentialStiffness, [f64; 3])> {
+    ) -> Result<(TangentialStiffness, [Option<f64>; 3])> {
         let grid = bodies.grid();
         let Some(window) = Window::around(grid, |i| self.zones[i] != Zone::Separated) else {
-            return Ok((
-                TangentialStiffness {
-                    loading: [[0.0; 3]; 3],
-                    reversal: [[0.0; 3]; 3],
-                    bound: 0.0,
-                },
-                [0.0; 3],
-            ));
+            return Ok(without_contact(axis, bodies.boundary()));
         };
         let window = bodies.confined(window);
         match axis {
@@ -294,7 +312,7 @@ impl Sheared<'_> {
         axes: [Axis; N],
         limits: Option<&[f64]>,
         watch: &mut Watch<'_>,
-    ) -> Result<(TangentialStiffness, [f64; 3])> {
+    ) -> Result<(TangentialStiffness, [Option<f64>; 3])> {
         let grid = bodies.grid();
         let compliance = bodies.compliance(axes.map(Axis::direction), window.size)?;
         let sticking = |i: usize| match self.zones[i] {
@@ -317,7 +335,7 @@ impl Sheared<'_> {
         let freedoms = window.indices().map(slipping).collect();
         let loading = System::new(boundary, &compliance, freedoms)?;
         let found = loading.stiffness(&motions.cells, watch)?;
-        let mut by_approach = [0.0; 3];
+        let mut by_approach = [None; 3];
         if let Some(limits) = limits {
             let forced = self.forced(axes, window, limits);
             let displacement = loading.displacement(&forced, watch)?;
@@ -329,12 +347,14 @@ impl Sheared<'_> {
             for (load, own) in loads.iter_mut().zip(own) {
                 *load += own;
             }
-            by_approach = motions.loads(loads).map(|load| load * area);
+            by_approach = motions
+                .loads(loads)
+                .map(|load| load.map(|load| load * area));
         }
         let whole = |stiffness: &Stiffness<N>| {
             motions
                 .matrix(&stiffness.matrix)
-                .map(|row| row.map(|entry| entry * area))
+                .map(|row| row.map(|entry| entry.map(|entry| entry * area)))
         };
         let stiffness = TangentialStiffness {
             loading: whole(&found),

@@ -13,10 +13,14 @@
 //!   continues: where the shift grows in the same step, or the approach decreases. If the bodies are pressed further at a
 //!   held shift, the cells that slipped stick, and the force stays.
 //!
-//! Bodies whose materials couple pressure and shear are treated as if they did not.
+//! All of that holds the pressure while the bodies are sheared, and the tractions while they are pressed. Where pressure and
+//! shear have been found together, in [coupled](crate::coupled) solutions and histories of dissimilar bodies, a stiffness
+//! is refused with [`Error::CoupledMaterials`](crate::Error::CoupledMaterials); of solutions that neglect the coupling it
+//! is that of the model.
 //!
 //! The motions are shift along x, shift along y and twist; the loads are the forces and the moment about the origin of
-//! the grid. What a model leaves out has zero rows and columns. The matrices are symmetric.
+//! the grid. What a model leaves out is `None`: in the scalar model the motion across its axis and the twist. The matrices
+//! are symmetric.
 //!
 //! ```
 //! use stickslip::*;
@@ -33,10 +37,14 @@
 //! let closed_form = 2.0 * bodies.pair().contact_modulus() * hertz.contact_radius();
 //! assert!((stiffness.normal.value / closed_form - 1.0).abs() < 0.01);
 //! // Half of the load that slides: the slope falls with the radius of the stick zone, and is back at reversal.
-//! let ratio = stiffness.tangential.loading[0][0] / stiffness.tangential.reversal[0][0];
+//! let along_x = |matrix: [[Option<f64>; 3]; 3]| matrix[0][0].unwrap();
+//! let tangential = stiffness.tangential;
+//! let ratio = along_x(tangential.loading) / along_x(tangential.reversal);
 //! assert!((ratio - 0.5_f64.cbrt()).abs() < 0.01);
+//! // The scalar model along x knows nothing of y.
+//! assert_eq!(tangential.loading[1][1], None);
 //! // Pressure that grows while slip continues raises the force.
-//! assert!(stiffness.by_approach[0] > 0.0);
+//! assert!(stiffness.by_approach[0] > Some(0.0));
 //! # Ok::<(), Error>(())
 //! ```
 

@@ -1,11 +1,19 @@
 //! The motions of the bodies, as those of the cells of a window.
 
+use std::array::from_fn;
+
 use crate::boundary::Boundary;
 use crate::cgm::vector::{minus, plus};
 use crate::grid::Grid;
 use crate::stiffness::system::Vector;
 use crate::tangential::{Axis, centre};
 use crate::window::Window;
+
+/// Which of shift along x, shift along y and twist a model of tractions along these axes has.
+pub(super) fn kinds(axes: &[Axis], boundary: Boundary) -> Vec<usize> {
+    let twist = (axes.len() == 2 && boundary.may_turn()).then_some(2);
+    axes.iter().map(|axis| axis.index()).chain(twist).collect()
+}
 
 /// The motions of a model: shifts, and the twist about the centre of the contact.
 pub(super) struct Motions<const N: usize> {
@@ -30,7 +38,7 @@ impl<const N: usize> Motions<N> {
         }
         let middle = sum.map(|sum| sum / count);
         let motion = |f: &dyn Fn([f64; 2]) -> [f64; 2]| -> Vector<N> {
-            let mut cells = std::array::from_fn(|_| vec![0.0; window.cells()]);
+            let mut cells = from_fn(|_| vec![0.0; window.cells()]);
             for (k, i) in window.indices().enumerate().filter(|&(_, i)| is_contact(i)) {
                 let moved = f(centre(grid, i));
                 for (part, axis) in cells.iter_mut().zip(axes) {
@@ -47,10 +55,9 @@ impl<const N: usize> Motions<N> {
                 motion(&|_| unit)
             })
             .collect();
-        let mut kinds: Vec<_> = axes.iter().map(|axis| axis.index()).collect();
-        if N == 2 && boundary.may_turn() {
+        let kinds = kinds(&axes, boundary);
+        if kinds.contains(&2) {
             cells.push(motion(&|[x, y]| [middle[1] - y, x - middle[0]]));
-            kinds.push(2);
         }
         Self {
             cells,
@@ -59,8 +66,22 @@ impl<const N: usize> Motions<N> {
         }
     }
 
-    /// Loads by the kinds of motions, about the origin of the grid.
-    pub(super) fn loads(&self, loads: [f64; 3]) -> [f64; 3] {
+    /// Loads by the kinds of motions, about the origin of the grid; `None` of those that the model does not have.
+    pub(super) fn loads(&self, loads: [f64; 3]) -> [Option<f64>; 3] {
+        let loads = self.all_loads(loads);
+        from_fn(|kind| self.kinds.contains(&kind).then_some(loads[kind]))
+    }
+
+    /// A matrix by the kinds of motions, about the origin of the grid; `None` of loads and motions that the model does not
+    /// have.
+    pub(super) fn matrix(&self, matrix: &[[f64; 3]; 3]) -> [[Option<f64>; 3]; 3] {
+        let has = |kind| self.kinds.contains(&kind);
+        let matrix = self.full_matrix(matrix);
+        from_fn(|load| from_fn(|motion| (has(load) && has(motion)).then_some(matrix[load][motion])))
+    }
+
+    /// Zero where the model has none.
+    fn all_loads(&self, loads: [f64; 3]) -> [f64; 3] {
         let mut all = [0.0; 3];
         for (&kind, load) in self.kinds.iter().zip(loads) {
             all[kind] = load;
@@ -72,11 +93,10 @@ impl<const N: usize> Motions<N> {
         all
     }
 
-    /// A matrix by the kinds of motions, about the origin of the grid.
-    pub(super) fn matrix(&self, matrix: &[[f64; 3]; 3]) -> [[f64; 3]; 3] {
+    fn full_matrix(&self, matrix: &[[f64; 3]; 3]) -> [[f64; 3]; 3] {
         let mut columns = [[0.0; 3]; 3];
         for (place, &kind) in self.kinds.iter().enumerate() {
-            columns[kind] = self.loads(matrix.map(|row| row[place]));
+            columns[kind] = self.all_loads(matrix.map(|row| row[place]));
         }
         // A twist about the origin shifts the centre.
         let [x, y] = self.centre;

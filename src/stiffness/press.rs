@@ -24,6 +24,7 @@ pub(super) fn pressed(
     watch: &mut Watch<'_>,
 ) -> Result<Option<Press>> {
     normal.check_bodies(bodies)?;
+    normal.check_uncoupled()?;
     normal.check_elastic("the stiffness")?;
     let pressure = normal.pressure().as_slice();
     let Some(window) = Window::around(bodies.grid(), |i| pressure[i] > 0.0) else {

@@ -6,6 +6,7 @@ use crate::shown::shown;
 use crate::subsurface::body::Body;
 use crate::subsurface::kernel::Component;
 use crate::subsurface::stress::Stress;
+use crate::warning::Warning;
 
 /// Stress, and displacement if it was asked for, at the cell centres of a plane in one body.
 ///
@@ -33,6 +34,8 @@ pub struct Plane {
     normal: [Field; 3],
     shear: [Field; 3],
     displacement: Option<[Field; 3]>,
+    /// Whether it is nearer than a cell to tractions that end at an edge.
+    is_at_edge: bool,
 }
 
 shown!(Plane: body, depth);
@@ -42,7 +45,8 @@ clone_in_place!(Plane {
     depth,
     normal,
     shear,
-    displacement
+    displacement,
+    is_at_edge
 });
 
 /// The components in the order of the fields.
@@ -61,6 +65,7 @@ impl Plane {
             normal: zeros(),
             shear: zeros(),
             displacement: with_displacements.then(zeros),
+            is_at_edge: false,
         }
     }
 
@@ -75,8 +80,11 @@ impl Plane {
         }
     }
 
-    pub(super) fn set_depth(&mut self, depth: f64) {
+    /// At this depth, below tractions that end at an edge or do not.
+    pub(super) fn place(&mut self, depth: f64, has_edge: bool) {
+        let grid = self.grid();
         self.depth = depth;
+        self.is_at_edge = has_edge && depth < grid.dx().max(grid.dy());
     }
 
     /// Normal stresses and shear stresses, to be written.
@@ -86,6 +94,19 @@ impl Plane {
             normal.each_mut().map(Field::as_mut_slice),
             shear.each_mut().map(Field::as_mut_slice),
         )
+    }
+
+    /// Adds a stress to that of all cells.
+    pub(super) fn add(&mut self, stress: &Stress) {
+        let fields = self.normal.iter_mut().chain(&mut self.shear);
+        for (field, part) in fields.zip(stress.components()) {
+            if part != 0.0 {
+                field
+                    .as_mut_slice()
+                    .iter_mut()
+                    .for_each(|value| *value += part);
+            }
+        }
     }
 
     pub(super) fn displacement_mut(&mut self) -> Option<[&mut [f64]; 3]> {
@@ -137,6 +158,14 @@ impl Plane {
     #[must_use]
     pub fn displacement(&self) -> Option<[&Field; 3]> {
         self.displacement.as_ref().map(<[Field; 3]>::each_ref)
+    }
+
+    /// Remarks that a value may mislead: [`Warning::StressAtEdge`] on a plane nearer to the surface than a side of a cell, if
+    /// shear tractions end at the edge of a contact.
+    #[must_use]
+    pub fn warnings(&self) -> Vec<Warning> {
+        let at_edge = self.is_at_edge.then_some(Warning::StressAtEdge);
+        at_edge.into_iter().collect()
     }
 
     /// The stress in cell `(ix, iy)`, `None` outside the grid.

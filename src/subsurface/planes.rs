@@ -128,7 +128,7 @@ impl Planes {
     /// [`Error::GridMismatch`](crate::Error::GridMismatch),
     /// [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch),
     /// [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) and [`Error::Sample`](crate::Error::Sample) for
-    /// tractions that are not those of these bodies or not finite.
+    /// tractions that are not those of these bodies, or tractions or a uniform stress that are not finite.
     pub fn solve<'a>(
         &mut self,
         index: usize,
@@ -186,11 +186,15 @@ impl Planes {
         }
         self.bodies.grid().expect("plane", plane.grid())?;
         let fields = tractions.checked(&self.bodies)?;
+        let uniform = tractions.checked_uniform()?;
         let kernels = Arc::clone(&self.kernels);
         let spectra = parallel::get_or_make(&kernels[index], || self.spectra(index, watch))?;
         plane.prepare(body, self.with_displacements);
         self.load(fields, &constants, watch)?;
-        self.fill(plane, spectra, &constants, watch)
+        self.fill(plane, spectra, &constants, watch)?;
+        plane.place(spectra.depth(), has_edge(fields));
+        plane.add(&uniform);
+        Ok(())
     }
 
     /// Hands the planes of a body at all depths to `visit`, one after the other in the order given. The plane is
@@ -221,10 +225,13 @@ impl Planes {
     ) -> Result<()> {
         let watch = &mut Watch::new(&mut observer);
         let constants = body.constants(self.bodies.pair())?;
-        let fields = tractions.into().checked(&self.bodies)?;
+        let tractions = tractions.into();
+        let fields = tractions.checked(&self.bodies)?;
+        let uniform = tractions.checked_uniform()?;
         let mut plane = self.plane(body);
         let kernels = Arc::clone(&self.kernels);
         self.load(fields, &constants, watch)?;
+        let has_edge = has_edge(fields);
         for (index, kept) in kernels.iter().enumerate() {
             let made;
             let spectra = if let Some(spectra) = kept.get() {
@@ -234,6 +241,8 @@ impl Planes {
                 &made
             };
             self.fill(&mut plane, spectra, &constants, watch)?;
+            plane.place(spectra.depth(), has_edge);
+            plane.add(&uniform);
             visit(&plane)?;
         }
         Ok(())
@@ -281,7 +290,6 @@ impl Planes {
         constants: &Constants,
         watch: &mut Watch<'_>,
     ) -> Result<()> {
-        plane.set_depth(spectra.depth());
         self.transforms.enter(|transforms| {
             let mut convolve = |components, fields: [&mut [f64]; 3]| {
                 watch.ask()?;
@@ -299,6 +307,14 @@ impl Planes {
             }
         })
     }
+}
+
+/// Whether there are shear tractions, and an edge at which they end.
+fn has_edge(fields: [Option<&[f64]>; 3]) -> bool {
+    let [pressure, shear @ ..] = fields;
+    let is_free = |field: &[f64]| field.contains(&0.0);
+    let is_sheared = |field: &[f64]| field.iter().any(|q| *q != 0.0);
+    pressure.is_some_and(is_free) && shear.into_iter().flatten().any(is_sheared)
 }
 
 fn no_kernels(depths: &[f64]) -> Arc<[OnceLock<Spectra>]> {

@@ -80,8 +80,8 @@ pub struct Response {
 /// ```
 ///
 /// # Errors
-/// [`Error::Sample`] for a depth that is negative, a coordinate or traction that is not finite, or a point farther
-/// away than 1e60 of the shorter side of a cell;
+/// [`Error::Sample`] for a depth that is negative, a coordinate, traction or uniform stress that is not finite, or a point
+/// farther away than 1e60 of the shorter side of a cell;
 /// [`Error::GridMismatch`], [`Error::BoundaryMismatch`] and [`Error::MaterialMismatch`] if the tractions are not
 /// those of these bodies; [`Error::RigidBody`]; [`Error::Repeats`] if the grid
 /// repeats along both axes: use [`Planes`](crate::subsurface::Planes); [`Error::Ranks`].
@@ -108,7 +108,9 @@ pub fn at_points_observed<'a>(
 ) -> Result<Vec<Response>> {
     bodies.check_alone("stresses at points")?;
     let constants = body.constants(bodies.pair())?;
-    let fields = tractions.into().checked(bodies)?;
+    let tractions = tractions.into();
+    let fields = tractions.checked(bodies)?;
+    let uniform = tractions.checked_uniform()?;
     if bodies.boundary() == Boundary::Periodic {
         return Err(Error::Repeats("the sum over loaded cells"));
     }
@@ -144,6 +146,7 @@ pub fn at_points_observed<'a>(
             let work = |point: usize, response: Blocks<'_, Response>| {
                 for response in response.items {
                     *response = loaded.response(points[first + point], &constants);
+                    response.stress += uniform;
                 }
             };
             let (count, width) = (items.len(), 1);

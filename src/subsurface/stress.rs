@@ -1,5 +1,7 @@
 //! The stress at a point and what is read from it.
 
+use std::ops::{Add, AddAssign, Mul, Sub};
+
 use crate::jacobi::diagonalised;
 
 /// The symmetric stress tensor at a point (pressures), tensile positive, along the axes x, y and z, with z into body 1.
@@ -13,6 +15,10 @@ use crate::jacobi::diagonalised;
 /// assert_eq!(principal.values, [2.0, 0.0, -2.0]);
 /// assert!((principal.directions[0][0] - principal.directions[0][1]).abs() < 1e-15);
 /// assert_eq!(stress.hydrostatic(), 0.0);
+/// // Stresses of two loads add up, and grow with their load.
+/// let tension = Stress { xx: 3.0, ..Stress::default() };
+/// assert_eq!((stress + 2.0 * tension).xx, 6.0);
+/// assert_eq!(stress + tension - tension, stress);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -48,6 +54,23 @@ pub struct Principal {
 }
 
 impl Stress {
+    /// `[xx, yy, zz, xy, xz, yz]`.
+    pub(super) fn components(&self) -> [f64; 6] {
+        [self.xx, self.yy, self.zz, self.xy, self.xz, self.yz]
+    }
+
+    /// By components, with those of another stress.
+    fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        Self {
+            xx: f(self.xx, other.xx),
+            yy: f(self.yy, other.yy),
+            zz: f(self.zz, other.zz),
+            xy: f(self.xy, other.xy),
+            xz: f(self.xz, other.xz),
+            yz: f(self.yz, other.yz),
+        }
+    }
+
     /// Von Mises' equivalent stress (a pressure), never negative:
     ///
     /// ```math
@@ -113,6 +136,46 @@ impl Stress {
             values: order.map(|i| values[i]),
             directions: [a, b, c],
         }
+    }
+}
+
+/// The stress of two loads together.
+impl Add for Stress {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        self.zip(other, |a, b| a + b)
+    }
+}
+
+impl AddAssign for Stress {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl Sub for Stress {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        self.zip(other, |a, b| a - b)
+    }
+}
+
+/// The stress of a load times a factor.
+impl Mul<f64> for Stress {
+    type Output = Self;
+
+    fn mul(self, factor: f64) -> Self {
+        self.zip(self, |a, _| a * factor)
+    }
+}
+
+impl Mul<Stress> for f64 {
+    type Output = Stress;
+
+    fn mul(self, stress: Stress) -> Stress {
+        stress * self
     }
 }
 

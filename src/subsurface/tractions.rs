@@ -2,12 +2,13 @@
 
 use crate::boundary::Boundary;
 use crate::coupled::CoupledSolution;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, all_finite};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::{History, State};
 use crate::material::ElasticPair;
 use crate::normal::NormalSolution;
+use crate::subsurface::stress::Stress;
 use crate::tangential::TangentialSolution;
 
 /// Pressure and tractions on the surface (pressures), from fields or from a solution: those of a [`NormalSolution`], of a
@@ -32,6 +33,8 @@ use crate::tangential::TangentialSolution;
 pub struct Tractions<'a> {
     pressure: &'a Field,
     shear: Option<[&'a Field; 2]>,
+    /// Of the body whose stress is asked for.
+    uniform: Stress,
     /// Surroundings and bodies of the solution that they come from.
     host: Option<(Boundary, &'a ElasticPair)>,
 }
@@ -43,6 +46,7 @@ impl<'a> Tractions<'a> {
         Self {
             pressure,
             shear: None,
+            uniform: Stress::default(),
             host: None,
         }
     }
@@ -54,6 +58,43 @@ impl<'a> Tractions<'a> {
             shear: Some(traction),
             ..self
         }
+    }
+
+    /// With a uniform stress of the body that is looked into (pressures, tensile positive), such as bulk stress, which is
+    /// added to the stress of the tractions everywhere, at the surface too; in place of the one it had. Displacements are
+    /// still those of the tractions.
+    ///
+    /// ```
+    /// use stickslip::subsurface::{Body, Planes, Stress, Tractions};
+    /// use stickslip::*;
+    /// let grid = Grid::line(64, 0.01)?;
+    /// let titanium = Material::new(115e3, 0.32)?;
+    /// let boundary = Boundary::PeriodicAlongY { datum: 50.0 };
+    /// let bodies = HalfSpace::with_boundary(grid, ElasticPair::new(titanium, titanium)?, boundary)?;
+    /// // A specimen under 150 MPa along x that is too wide to contract along y.
+    /// let bulk = Stress { xx: 150.0, yy: 0.32 * 150.0, ..Stress::default() };
+    /// let pressure = Field::from_fn(grid, |x, _| 300.0 * (1.0 - 25.0 * x * x).max(0.0).sqrt());
+    /// let loads = Tractions::new(&pressure);
+    /// let mut planes = Planes::new(&bodies, &[0.1])?;
+    /// let alone = planes.solve(0, Body::One, loads)?;
+    /// let both = planes.solve(0, Body::One, loads.with_uniform_stress(bulk))?;
+    /// let sum = alone.get(20, 0).map(|stress| (stress + bulk).von_mises());
+    /// assert_eq!(both.get(20, 0).map(|stress| stress.von_mises()), sum);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[doc(alias = "bulk stress")]
+    #[must_use]
+    pub fn with_uniform_stress(self, stress: Stress) -> Self {
+        Self {
+            uniform: stress,
+            ..self
+        }
+    }
+
+    /// The uniform stress that is added, once it is finite.
+    pub(super) fn checked_uniform(&self) -> Result<Stress> {
+        all_finite("uniform stress", &self.uniform.components())?;
+        Ok(self.uniform)
     }
 
     /// Pressure and tractions along x and y, if any, once they are those of these bodies and finite.

@@ -22,7 +22,7 @@ const EQUAL: f64 = 1e-9;
 
 impl Planes {
     /// Writes the stress of all depths in a body to a VTI file, a volume for ParaView: the tensor `stress` (xx, yy, zz,
-    /// xy, yz, xz), `von_mises`, and the vector `displacement` if it was [asked for](Self::with_displacements), in
+    /// xy, yz, xz), `von_mises`, both with the [uniform stress](Tractions::with_uniform_stress) if there is one, and the vector `displacement` if it was [asked for](Self::with_displacements), in
     /// doubles that keep every bit. z is that of the axes common to both bodies: body 2 lies at `z <= 0`.
     ///
     /// The values are point data at the cell centres, where they hold, on an image whose origin is the first of them; a

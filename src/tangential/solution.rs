@@ -2,8 +2,8 @@
 
 use crate::boundary::Boundary;
 use crate::cgm::reduce;
-use crate::contact_map::{ContactMap, Warning};
-use crate::error::Result;
+use crate::contact_map::ContactMap;
+use crate::error::{Error, Result};
 #[cfg(feature = "serde")]
 use crate::error::{all_finite, finite, length};
 use crate::field::Field;
@@ -16,6 +16,7 @@ use crate::shown::shown;
 use crate::tangential::motion::centre;
 use crate::tangential::whole::{Sums, Whole};
 use crate::tangential::{Answer, Axis, Zone, displacement};
+use crate::warning::{Resolution, Warning};
 
 /// Traction, slip, zones and shift of a tangential contact.
 ///
@@ -31,6 +32,8 @@ pub struct TangentialSolution {
     axis: Option<Axis>,
     shift: [f64; 2],
     twist: f64,
+    /// Dundurs' beta of the bodies, of a half of a coupled solution.
+    coupled: Option<f64>,
     report: Report,
     /// Of a slab, what all ranks together have found.
     #[cfg_attr(feature = "serde", serde(skip))]
@@ -49,6 +52,7 @@ impl PartialEq for TangentialSolution {
             axis,
             shift,
             twist,
+            coupled,
             report: _,
             whole,
         } = self;
@@ -59,6 +63,7 @@ impl PartialEq for TangentialSolution {
             && *axis == other.axis
             && *shift == other.shift
             && *twist == other.twist
+            && *coupled == other.coupled
             && *whole == other.whole
     }
 }
@@ -75,6 +80,7 @@ struct Unchecked {
     axis: Option<Axis>,
     shift: [f64; 2],
     twist: f64,
+    coupled: Option<f64>,
     report: Report,
     #[serde(skip)]
     whole: Option<Box<Whole>>,
@@ -108,6 +114,7 @@ impl TangentialSolution {
             axis: Some(Axis::X),
             shift: [0.0; 2],
             twist: 0.0,
+            coupled: None,
             report: Report::with_room(),
             whole: None,
         }
@@ -129,6 +136,19 @@ impl TangentialSolution {
         self.report.clone_from(report);
         answer.with_held(|answer| self.enter(answer));
         self.whole = Whole::of(bodies, &self.traction, &self.slip, &self.zones);
+    }
+
+    /// As the half of a solution of bodies in which the tractions have changed the pressure, of this Dundurs' beta.
+    pub(crate) fn set_coupled(&mut self, beta: Option<f64>) {
+        self.coupled = beta;
+    }
+
+    /// `Ok` if the pressure does not follow from the tractions.
+    pub(crate) fn check_uncoupled(&self) -> Result<()> {
+        match self.coupled {
+            Some(beta) => Err(Error::CoupledMaterials { beta }),
+            None => Ok(()),
+        }
     }
 
     /// Takes what was found in the contact cells held here.
@@ -293,15 +313,28 @@ impl TangentialSolution {
     /// Remarks on the contact that a result may mislead; see [`Warning`].
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
-        let contact = ContactMap {
+        let mut warnings = self.contact_map().warnings();
+        warnings.extend(self.zone_warnings());
+        warnings
+    }
+
+    /// Those of the zones that stick and slip.
+    pub(crate) fn zone_warnings(&self) -> impl Iterator<Item = Warning> {
+        let cells = [self.stick_cells(), self.slip_cells()];
+        let contact = Resolution::of_contact(self.grid().whole(), cells[0] + cells[1]);
+        let zones = contact.with_zones(cells, || self.contact_map().switches());
+        zones.zone_warnings()
+    }
+
+    fn contact_map(&self) -> ContactMap<impl Fn(usize) -> bool + '_> {
+        ContactMap {
             grid: self.grid().whole(),
             repeats: self.boundary.repeats(),
             contains: |i: usize| match &self.whole {
                 Some(whole) => whole.contact.contain(i),
                 None => self.zones[i] != Zone::Separated,
             },
-        };
-        contact.warnings()
+        }
     }
 
     fn stick_cells(&self) -> usize {

@@ -277,3 +277,32 @@ fn messages_name_the_number() {
     let message = Error::EmptyContact.to_string();
     assert!(message.contains("press the bodies first") && message.contains("least gap"));
 }
+
+/// Fields add, subtract, multiply and scale cell by cell, on one grid; a cell is found by column and row, and outside the
+/// grid there is none, though a number lies at its place in memory.
+#[test]
+fn fields_are_computed_with_cell_by_cell() {
+    let grid = grid();
+    let one = Field::from_fn(grid, |x, y| 1.0 + x + 10.0 * y);
+    let two = Field::from_fn(grid, |x, y| 2.0 - x * y);
+    let sum = (&one + &two).unwrap();
+    let difference = (&one - &two).unwrap();
+    let product = (&sum * &difference).unwrap();
+    let squares = (&(&one * &one).unwrap() - &(&two * &two).unwrap()).unwrap();
+    for (a, b) in product.iter().zip(&squares) {
+        assert!((a - b).abs() < 1e-10 * (1.0 + b.abs()));
+    }
+    assert_eq!(&one * 3.0, one.scaled(3.0));
+    assert!((sum.mean() * grid.area() - sum.integral()).abs() < 1e-9);
+    let mut changed = one.clone();
+    changed[(7, 5)] = -1.0;
+    assert_eq!((changed[(7, 5)], changed[(6, 5)]), (-1.0, one[(6, 5)]));
+    assert_eq!(one.get(8, 0), None);
+    let outside = std::panic::catch_unwind(|| one[(8, 0)]);
+    assert!(outside.is_err());
+
+    let other = Field::zeros(Grid::new(6, 8, 1.0, 1.0).unwrap());
+    for refused in [&one + &other, &one - &other, &one * &other] {
+        assert!(matches!(refused, Err(Error::GridMismatch { .. })));
+    }
+}

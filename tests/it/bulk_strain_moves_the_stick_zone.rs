@@ -3,6 +3,7 @@
 
 use kit::{boundaries, max_difference, unit_bodies, unit_pair};
 use stickslip::analytical::{CattaneoMindlinLine, HertzLine};
+use stickslip::history::Cycle;
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::{
     Axis, Boundary, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
@@ -298,6 +299,62 @@ fn its_work_is_in_the_balance() {
         let [_, along_y] = history.state().relative_displacement().unwrap();
         assert_eq!(along_y.get(3, 21), Some(0.015 * grid.y(21)));
     }
+}
+
+/// Under a bulk stress in phase with the force the loop of force and shift encloses the work of the force, and the bulk stress
+/// does the rest of what slip dissipates: both as Nowell and Hills have it. The bulk stress does a sixth of all here.
+#[test]
+fn a_loop_encloses_the_work_of_the_force_alone() {
+    let (part, bulk_stress) = (0.6, 150.0);
+    let force = part * FRICTION * LOAD;
+    let exact = CattaneoMindlinLine::new(hertz(), FRICTION, force).unwrap();
+    let exact = exact.with_bulk_stress([bulk_stress, 0.0]).unwrap();
+    let (bodies, _) = pressed(512);
+    let gap = surface::cylinder(bodies.grid(), RADIUS).unwrap();
+    let strain = [[steel().plane_strain_under(1.0), 0.0], [0.0; 2]];
+    let bulk = RelativeDisplacement::bulk_strain(bodies.grid(), strain).unwrap();
+    let builder = History::builder(&bodies, &gap, friction()).tolerance(1e-10);
+    let mut history = builder.relative_displacement(bulk).build().unwrap();
+    let press = LoadStep::hold().normal(NormalControl::Force(LOAD));
+    history.step(&press).unwrap();
+    let load = |force: [f64; 2]| {
+        let amount = bulk_stress * force[0] / (part * FRICTION * LOAD);
+        LoadStep::force(force).relative_displacement(amount)
+    };
+    // The first quarter, then a cycle between the extremes, in steps of equal force.
+    let first = *history.step(&load([force, 0.0])).unwrap().energy();
+    let quarter = first.dissipated_energy / exact.energy_of_first_quarter();
+    assert!((quarter - 1.0).abs() < 1e-4, "{quarter}");
+    let mut cycle = Cycle::new(&history);
+    let steps = 40;
+    for step in 1..=steps {
+        let along = 4.0 * f64::from(step) / f64::from(steps);
+        let level = if along <= 2.0 {
+            1.0 - along
+        } else {
+            along - 3.0
+        };
+        history.step(&load([level * force, 0.0])).unwrap();
+        cycle.add(&history).unwrap();
+    }
+    let energy = cycle.energy();
+    let dissipated = energy.dissipated_energy / exact.energy_per_cycle();
+    assert!((dissipated - 1.0).abs() < 1e-3, "{dissipated}");
+    // A third of what the strain adds to the energy is in the loop, through the shift of the moved strip.
+    let unit =
+        (FRICTION * LOAD).powi(2) / (std::f64::consts::PI * hertz().pair().contact_modulus());
+    let moved = exact.stick_centre() / hertz().half_width();
+    let without = exact.with_strain(0.0).unwrap().energy_per_cycle();
+    let of_loop = without + 8.0 / 3.0 * unit * part * moved * moved;
+    let found = cycle.work_of_loads();
+    assert!(
+        (found / of_loop - 1.0).abs() < 1e-2,
+        "{} {}",
+        found / unit,
+        of_loop / unit
+    );
+    assert!(found < 0.9 * energy.work);
+    assert!((energy.work / energy.mid_step_dissipated_energy - 1.0).abs() < 1e-4);
 }
 
 /// One step of a history from rest is the problem, and parts of it lead to the same where nothing turns.

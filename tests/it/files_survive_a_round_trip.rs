@@ -324,7 +324,7 @@ fn appended(file: &[u8], name: &str) -> Vec<f64> {
 /// Planes of a slab keep every bit, from low to high z in both bodies.
 #[test]
 fn a_volume_of_stress_holds_the_planes_of_its_slab() {
-    use stickslip::subsurface::{Body, Planes, Tractions};
+    use stickslip::subsurface::{Body, Planes, Stress, Tractions};
     use stickslip::{ElasticPair, HalfSpace, Material};
 
     let grid = Grid::new(5, 4, 0.5, 0.25).unwrap();
@@ -332,7 +332,13 @@ fn a_volume_of_stress_holds_the_planes_of_its_slab() {
     let bodies = HalfSpace::new(grid, ElasticPair::new(body(0.3), body(0.1)).unwrap()).unwrap();
     let pressure = Field::from_fn(grid, |x, y| 1.0 + x * y);
     let shear = [&pressure.scaled(0.3), &pressure.scaled(-0.1)];
-    let tractions = Tractions::new(&pressure).with_shear(shear);
+    let bulk = Stress {
+        xx: 8.0,
+        yy: 2.0,
+        ..Stress::default()
+    };
+    let alone = Tractions::new(&pressure).with_shear(shear);
+    let tractions = alone.with_uniform_stress(bulk);
     let depths = [0.1, 0.3, 0.5];
     let mut planes = Planes::new(&bodies, &depths).unwrap().with_displacements();
     let path = temporary("slab.vti");
@@ -351,9 +357,12 @@ fn a_volume_of_stress_holds_the_planes_of_its_slab() {
         for (level, index) in order.into_iter().enumerate() {
             let plane = planes.solve(index, body, tractions).unwrap();
             let [ux, uy, uz] = plane.displacement().unwrap();
+            let without = planes.solve(index, body, alone).unwrap();
+            let without: Vec<Stress> = without.stresses().collect();
             for (cell, stress) in plane.stresses().enumerate() {
                 let point = 20 * level + cell;
-                let s = stress;
+                let s = without[cell] + bulk;
+                assert_eq!(s, stress);
                 assert_eq!(
                     tensors[6 * point..][..6],
                     [s.xx, s.yy, s.zz, s.xy, s.yz, s.xz]

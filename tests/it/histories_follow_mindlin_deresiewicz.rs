@@ -86,7 +86,7 @@ fn traction_and_shift_on_the_way_back() {
 
 #[test]
 fn energy_of_a_cycle() {
-    let exact = 4.0 * monotonic(AMPLITUDE).dissipated_energy();
+    let exact = monotonic(AMPLITUDE).energy_per_cycle();
     let energy = |history: &History| history.dissipated_energy().as_slice().iter().sum::<f64>();
     for (cells, bound) in [(48, 4e-4), (96, 8e-5), (192, 5e-5)] {
         let mut history = pressed(cells, 1e-9);

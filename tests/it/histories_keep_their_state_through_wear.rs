@@ -107,6 +107,12 @@ fn a_new_gap_keeps_the_state() {
     assert!(twin.force()[0] != 0.5 && twin.force()[0].abs() < 1.6);
 }
 
+/// The warnings that do not tell of the resolution, which another test is about.
+fn others(warnings: Vec<Warning>) -> Vec<Warning> {
+    let is_other = |warning: &Warning| !matches!(warning, Warning::NarrowSlip { .. });
+    warnings.into_iter().filter(is_other).collect()
+}
+
 /// A wear loop that forgets the normal load is told so in every step; one that gives it is not.
 #[test]
 fn a_held_pressure_of_an_old_gap_is_remarked() {
@@ -119,12 +125,12 @@ fn a_held_pressure_of_an_old_gap_is_remarked() {
     // A gap that changes before anything is pressed makes no pressure old.
     history.set_gap(&worn).unwrap();
     history.step(&LoadStep::hold()).unwrap();
-    assert_eq!(history.last_step().warnings(), [Warning::NoContact]);
+    assert_eq!(others(history.last_step().warnings()), [Warning::NoContact]);
     press(&mut history, NormalControl::Force(4.0));
     // Nor does one that is set again.
     history.set_gap(&worn).unwrap();
     shear(&mut history, TangentialControl::Shift(0.1));
-    assert_eq!(history.last_step().warnings(), []);
+    assert_eq!(others(history.last_step().warnings()), []);
 
     let path = LoadPath::sine([0.1, 0.0], 4).unwrap();
     let forgetful = FrettingLoop::new(path.clone(), LoadStep::shift);
@@ -132,7 +138,7 @@ fn a_held_pressure_of_an_old_gap_is_remarked() {
     let mindful = FrettingLoop::new(path, load);
     let mut warnings = Vec::new();
     let mut wear = |history: &mut History, _: &Cycle| {
-        warnings.push(history.last_step().warnings());
+        warnings.push(others(history.last_step().warnings()));
         let mut gap = history.gap().clone();
         gap.add_scaled(0.1, history.pressure())?;
         history.set_gap(&gap)?;
@@ -149,16 +155,16 @@ fn a_held_pressure_of_an_old_gap_is_remarked() {
 
     // The outcome of a loop remembers what any of its steps was warned of.
     let outcome = forgetful.run(&mut history, 1).unwrap();
-    assert_eq!(outcome.last.warnings(), [Warning::StalePressure]);
+    assert_eq!(others(outcome.last.warnings()), [Warning::StalePressure]);
     let outcome = mindful.run(&mut history, 1).unwrap();
-    assert_eq!(outcome.last.warnings(), []);
+    assert_eq!(others(outcome.last.warnings()), []);
 
     history.set_gap(&worn).unwrap();
     // A step that is refused leaves the pressure as old as it was.
     let refused = history.step(&LoadStep::force([99.0, 0.0]).normal(NormalControl::Force(4.0)));
     assert!(refused.is_err());
     let step = history.step(&LoadStep::hold()).unwrap();
-    assert_eq!(step.warnings(), [Warning::StalePressure]);
+    assert_eq!(others(step.warnings()), [Warning::StalePressure]);
     assert!(step.warnings()[0].to_string().contains("old gap"));
 }
 

@@ -739,3 +739,48 @@ fn bad_planes_are_refused() {
         .unwrap_err();
     assert!(matches!(refused, Error::GridMismatch { .. }));
 }
+
+/// A uniform stress, as that of the bulk, is in all that is told of a plane, and in that of points; displacements are not.
+#[test]
+fn a_uniform_stress_is_added() {
+    let grid = Grid::new(7, 6, 0.4, 0.5).unwrap();
+    let fields = scattered(grid, 3);
+    let bulk = Stress {
+        xx: 4.0,
+        yy: 1.2,
+        xy: -0.7,
+        ..Stress::default()
+    };
+    let loads = of(&fields);
+    for boundary in boundaries(grid) {
+        let bodies = HalfSpace::with_boundary(grid, pair(0.3, 0.1), boundary).unwrap();
+        let planes = Planes::new(&bodies, &[0.0, 0.3]).unwrap();
+        let mut planes = planes.with_displacements();
+        for body in [Body::One, Body::Two] {
+            for index in [0, 1] {
+                let alone = planes.solve(index, body, loads).unwrap();
+                let both = loads.with_uniform_stress(bulk);
+                let both = planes.solve(index, body, both).unwrap();
+                for (sum, stress) in both.stresses().zip(alone.stresses()) {
+                    assert_eq!(sum, stress + bulk);
+                }
+                let equivalent = both.map(|stress| stress.von_mises());
+                assert!(max_abs(equivalent.as_slice()) > 1.0);
+                assert_eq!(both.displacement(), alone.displacement());
+            }
+        }
+        if boundary != Boundary::Periodic {
+            let points = [[0.1, 0.2, 0.3]];
+            let at = |loads| at_points(&bodies, Body::One, loads, &points).unwrap()[0];
+            let (alone, both) = (at(loads), at(loads.with_uniform_stress(bulk)));
+            assert_eq!(both.stress, alone.stress + bulk);
+            assert_eq!(both.displacement, alone.displacement);
+        }
+        let broken = loads.with_uniform_stress(Stress {
+            zz: f64::NAN,
+            ..bulk
+        });
+        let refused = planes.solve(0, Body::One, broken);
+        assert!(matches!(refused, Err(Error::Sample { index: 2, .. })));
+    }
+}

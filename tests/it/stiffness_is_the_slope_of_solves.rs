@@ -3,9 +3,9 @@
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 use stickslip::stiffness::ContactStiffness;
 use stickslip::{
-    Axis, Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
-    Material, NormalControl, NormalProblem, NormalSolution, TangentialControl, TangentialLoad,
-    TangentialModel, TangentialProblem, TangentialSolution, surface,
+    Axis, Boundary, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
+    LoadStep, Material, NormalControl, NormalProblem, NormalSolution, TangentialControl,
+    TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution, surface,
 };
 
 const FRICTION: f64 = 0.4;
@@ -72,6 +72,11 @@ fn loads(solution: &TangentialSolution) -> [f64; 3] {
     [x, y, moment(solution)]
 }
 
+/// What a model does not have as NaN.
+fn numbers(matrix: [[Option<f64>; 3]; 3]) -> [[f64; 3]; 3] {
+    matrix.map(|row| row.map(|entry| entry.unwrap_or(f64::NAN)))
+}
+
 fn close(found: f64, expected: f64, scale: f64, what: &str) {
     let error = (found - expected).abs() / scale;
     assert!(
@@ -129,7 +134,7 @@ fn hertz_and_mindlin_are_met_on_fine_grids() {
             let sheared = shear.stiffness(&scene.bodies).unwrap();
             [
                 normal.stiffness(&scene.bodies).unwrap().value / exact - 1.0,
-                sheared.reversal[0][0] / mindlin - 1.0,
+                numbers(sheared.reversal)[0][0] / mindlin - 1.0,
             ]
         });
         [0, 1].map(|kind| errors.iter().map(|error| error[kind].abs()).sum::<f64>() / 8.0)
@@ -158,18 +163,19 @@ fn slopes_of_cattaneo_and_mindlin_are_those_of_lighter_contacts() {
                 ContactStiffness::new(&scene.bodies, &normal, &scene.friction, &shear).unwrap();
             let lighter = scene.press(NormalControl::Force(load - force / FRICTION));
             let stick = lighter.stiffness(&scene.bodies).unwrap();
-            let tangential = found.tangential;
-            let relative = tangential.loading[0][0] / stick.value - 1.0;
+            let [loading, reversal] = [found.tangential.loading, found.tangential.reversal]
+                .map(|matrix| numbers(matrix)[0][0]);
+            let relative = loading / stick.value - 1.0;
             // Cells at the very edge of stick may be counted on either side.
             assert!(relative.abs() < 1e-8, "{part}: {relative:e}");
-            assert!((tangential.reversal[0][0] / full.value - 1.0).abs() < 1e-9);
+            assert!((reversal / full.value - 1.0).abs() < 1e-9);
             assert!((found.normal.value / full.value - 1.0).abs() < 1e-12);
             // F = mu (W - W') with the approach of W' less the shift over mu: pressing at this shift.
             let exact = FRICTION * (full.value - stick.value);
-            assert!((found.by_approach[0] / exact - 1.0).abs() < 1e-8);
+            assert!((found.by_approach[0].unwrap() / exact - 1.0).abs() < 1e-8);
             let closed = CattaneoMindlin::new(hertz, FRICTION, force).unwrap();
             let slope = 2.0 * pair.contact_modulus() * closed.stick_radius();
-            assert!((tangential.loading[0][0] / slope - 1.0).abs() < 0.05);
+            assert!((loading / slope - 1.0).abs() < 0.05);
         }
     }
 }
@@ -196,6 +202,7 @@ fn loading_is_the_slope_of_solves_in_the_plane() {
         let shear = scene.shear(&normal, load(motion));
         let found = shear.stiffness(&scene.bodies).unwrap();
         assert!(found.bound <= 1e-10);
+        let loading = numbers(found.loading);
         let modes = if twist > 0.0 { 3 } else { 2 };
         for column in 0..modes {
             let scale = if column < 2 { shift[0].abs() } else { twist };
@@ -212,11 +219,11 @@ fn loading_is_the_slope_of_solves_in_the_plane() {
             let (wide, narrow) = (slope(4e-4), slope(2e-4));
             for row in 0..modes {
                 let extrapolated = (4.0 * narrow[row] - wide[row]) / 3.0;
-                let size = (found.loading[row][row] * found.loading[column][column]).sqrt();
-                let error = (extrapolated - found.loading[row][column]).abs() / size;
+                let size = (loading[row][row] * loading[column][column]).sqrt();
+                let error = (extrapolated - loading[row][column]).abs() / size;
                 assert!(error < 1e-8, "{row} {column}: {error:e}");
-                let mirrored = found.loading[column][row];
-                assert!((found.loading[row][column] - mirrored).abs() < 1e-9 * size);
+                let mirrored = loading[column][row];
+                assert!((loading[row][column] - mirrored).abs() < 1e-9 * size);
             }
         }
     }
@@ -248,11 +255,11 @@ fn pressing_raises_the_force_by_the_limit_of_what_slips() {
             [0, 1, 2].map(|row| (more[row] - less[row]) / (2.0 * part * normal.approach()))
         };
         let (wide, narrow) = (slope(4e-4), slope(2e-4));
-        let scale = found.by_approach[0].abs() + found.tangential.loading[0][0] * 1e-3;
+        let by_approach = found.by_approach.map(Option::unwrap);
+        let scale = by_approach[0].abs() + numbers(found.tangential.loading)[0][0] * 1e-3;
         for row in 0..3 {
-            let error =
-                ((4.0 * narrow[row] - wide[row]) / 3.0 - found.by_approach[row]).abs() / scale;
-            assert!(error < 1e-8, "{row}: {error:e} of {:?}", found.by_approach);
+            let error = ((4.0 * narrow[row] - wide[row]) / 3.0 - by_approach[row]).abs() / scale;
+            assert!(error < 1e-8, "{row}: {error:e} of {by_approach:?}");
         }
     }
 }
@@ -280,15 +287,16 @@ fn histories_go_on_by_loading_and_turn_by_reversal() {
         (history.force()[1] - force) / step
     };
     let step = 1e-6 * shift.abs();
-    assert!((slope(-step) / found.tangential.loading[1][1] - 1.0).abs() < 1e-6);
-    assert!((slope(step) / found.tangential.reversal[1][1] - 1.0).abs() < 1e-6);
-    assert_eq!(found.tangential.loading[0], [0.0; 3]);
-    assert!(found.tangential.loading[1][1] < found.tangential.reversal[1][1]);
+    let [loading, own] =
+        [found.tangential.loading, found.tangential.reversal].map(|matrix| numbers(matrix)[1][1]);
+    assert!((slope(-step) / loading - 1.0).abs() < 1e-6);
+    assert!((slope(step) / own - 1.0).abs() < 1e-6);
+    assert!(loading < own);
 
     // Behind a spring of the same stiffness, half of it is felt.
-    let own = found.tangential.reversal[1][1];
     let felt = found.tangential.through_springs([own, own]).unwrap();
-    assert!((felt.reversal[1][1] / own - 0.5).abs() < 1e-12);
+    assert!((numbers(felt.reversal)[1][1] / own - 0.5).abs() < 1e-12);
+    assert_eq!(felt.reversal[0], [None; 3]);
     let refused = found.tangential.through_springs([1.0, -1.0]);
     assert!(matches!(refused, Err(Error::NotPositive { .. })));
 }
@@ -303,12 +311,12 @@ fn sliding_contacts_have_no_stiffness_along() {
         let shear = scene.shear(&normal, TangentialLoad::shift([5.0, 0.0]));
         assert!(shear.is_gross_slip());
         let found = ContactStiffness::new(&scene.bodies, &normal, &scene.friction, &shear).unwrap();
-        let full = stuck.stiffness(&scene.bodies).unwrap().reversal[0][0];
-        assert!(found.tangential.loading[0][0].abs() < 1e-6 * full);
-        assert!((found.tangential.reversal[0][0] / full - 1.0).abs() < 1e-9);
+        let full = numbers(stuck.stiffness(&scene.bodies).unwrap().reversal)[0][0];
+        assert!(numbers(found.tangential.loading)[0][0].abs() < 1e-6 * full);
+        assert!((numbers(found.tangential.reversal)[0][0] / full - 1.0).abs() < 1e-9);
         // All of the growth of the normal force turns into friction.
         let expected = FRICTION * found.normal.value;
-        assert!((found.by_approach[0] / expected - 1.0).abs() < 1e-6);
+        assert!((found.by_approach[0].unwrap() / expected - 1.0).abs() < 1e-6);
     }
 }
 
@@ -319,16 +327,17 @@ fn motions_that_cells_follow_alike_are_no_obstacle() {
     let scene = Scene::ball(32, 0.0, TangentialModel::Vector);
     let normal = scene.press(NormalControl::Force(6.0));
     let straight = scene.shear(&normal, TangentialLoad::shift([5.0, 0.0]));
-    let across = straight.stiffness(&scene.bodies).unwrap().loading[1][1];
+    let across = numbers(straight.stiffness(&scene.bodies).unwrap().loading)[1][1];
     let oblique = scene.shear(&normal, TangentialLoad::shift([3.0, 4.0]));
     assert!(oblique.is_gross_slip());
     let found = oblique.stiffness(&scene.bodies).unwrap();
     assert!((0.0..=1e-10).contains(&found.bound));
+    let loading = numbers(found.loading);
     // The same resistance across, turned.
     let normal_to_slip = [-0.8, 0.6];
     for (row, x) in normal_to_slip.into_iter().enumerate() {
         for (column, y) in normal_to_slip.into_iter().enumerate() {
-            let error = found.loading[row][column] - across * x * y;
+            let error = loading[row][column] - across * x * y;
             assert!(error.abs() < 1e-2 * across, "{row} {column}: {error:e}");
         }
     }
@@ -344,17 +353,74 @@ fn motions_that_cells_follow_alike_are_no_obstacle() {
         .solve()
         .unwrap();
     let found = shear.stiffness(&scene.bodies).unwrap();
-    let entries = found
-        .loading
-        .as_flattened()
-        .iter()
-        .chain(found.reversal.as_flattened());
-    assert!(entries.clone().all(|entry| entry.is_finite()));
-    let [a, b] = [
-        found.loading[0][0] * found.loading[1][1],
-        found.loading[0][1].powi(2),
-    ];
-    assert!((a / b - 1.0).abs() < 1e-9 && found.reversal[0][0] > found.loading[0][0]);
+    let [loading, reversal] = [found.loading, found.reversal].map(numbers);
+    let mut entries = loading.iter().chain(&reversal).flatten();
+    assert!(entries.all(|entry| entry.is_finite()));
+    let [a, b] = [loading[0][0] * loading[1][1], loading[0][1].powi(2)];
+    assert!((a / b - 1.0).abs() < 1e-9 && reversal[0][0] > loading[0][0]);
+}
+
+/// The scalar model knows nothing of the motion across its axis and of the twist: they are absent, not zero.
+#[test]
+fn the_scalar_model_has_one_motion() {
+    let scene = Scene::ball(24, 0.3, TangentialModel::Scalar);
+    let normal = scene.press(NormalControl::Force(6.0));
+    for axis in [0, 1] {
+        let mut force = [0.0; 2];
+        force[axis] = 0.5;
+        let shear = scene.shear(&normal, TangentialLoad::force(force));
+        let found = ContactStiffness::new(&scene.bodies, &normal, &scene.friction, &shear).unwrap();
+        for matrix in [found.tangential.loading, found.tangential.reversal] {
+            for (load, row) in matrix.iter().enumerate() {
+                for (motion, entry) in row.iter().enumerate() {
+                    assert_eq!(entry.is_some(), load == axis && motion == axis);
+                }
+            }
+            assert!(matrix[axis][axis] > Some(0.0));
+        }
+        let present = found.by_approach.map(|slope| slope.is_some());
+        assert_eq!(present, [axis == 0, axis == 1, false]);
+    }
+    // Without contact what there is of it is zero.
+    let builder = History::builder(&scene.bodies, &scene.gap, scene.friction.clone());
+    let apart = builder.build().unwrap().stiffness().unwrap();
+    assert_eq!(apart.tangential.loading[0], [Some(0.0), None, None]);
+    assert_eq!(apart.by_approach, [Some(0.0), None, None]);
+}
+
+/// The halves of a coupled solution have changed each other: no stiffness of one alone is theirs.
+#[test]
+fn halves_of_a_coupled_solution_are_refused() {
+    let grid = Grid::square(16, 3.0).unwrap();
+    let gap = surface::sphere(grid, 10.0).unwrap();
+    let friction = Friction::coulomb(FRICTION).unwrap();
+    let press = NormalControl::Force(0.1);
+    let load = TangentialLoad::force([0.01, 0.0]);
+    let solve = |pair: ElasticPair| {
+        let bodies = HalfSpace::new(grid, pair).unwrap();
+        let problem = CoupledProblem::builder(&bodies, &gap, friction.clone(), press, load);
+        let contact = problem.build().unwrap().solve().unwrap();
+        (bodies, contact)
+    };
+    let unlike = ElasticPair::new(Material::new(1.0, 0.0).unwrap(), Material::rigid()).unwrap();
+    let (bodies, contact) = solve(unlike);
+    let (normal, shear) = (contact.normal(), contact.shear());
+    let beta = unlike.dundurs_beta();
+    let refused = Error::CoupledMaterials { beta };
+    let both = ContactStiffness::new(&bodies, normal, &friction, shear);
+    assert_eq!(both, Err(refused.clone()));
+    assert_eq!(normal.stiffness(&bodies), Err(refused.clone()));
+    assert_eq!(shear.stiffness(&bodies), Err(refused.clone()));
+    // One of them with a half that neglects the coupling is no better.
+    let alone = NormalProblem::builder(&bodies, &gap, press);
+    let alone = alone.build().unwrap().solve().unwrap();
+    assert!(alone.stiffness(&bodies).is_ok());
+    let mixed = ContactStiffness::new(&bodies, &alone, &friction, shear);
+    assert_eq!(mixed, Err(refused));
+    // Of bodies without coupling the halves are solutions of their own.
+    let (bodies, contact) = solve(kit::unit_pair(0.3));
+    let both = ContactStiffness::new(&bodies, contact.normal(), &friction, contact.shear());
+    assert!(both.is_ok());
 }
 
 /// A grid that repeats cannot turn: nothing stands in the row and the column of the twist.
@@ -365,10 +431,10 @@ fn a_grid_that_repeats_has_no_twist() {
     let shear = scene.shear(&normal, TangentialLoad::force([0.5, 0.2]));
     let found = ContactStiffness::new(&scene.bodies, &normal, &scene.friction, &shear).unwrap();
     for matrix in [found.tangential.loading, found.tangential.reversal] {
-        assert!(matrix[2] == [0.0; 3] && matrix.iter().all(|row| row[2] == 0.0));
-        assert!(matrix[0][0] > 0.0 && matrix[1][1] > 0.0);
+        assert!(matrix[2] == [None; 3] && matrix.iter().all(|row| row[2].is_none()));
+        assert!(matrix[0][0] > Some(0.0) && matrix[1][1] > Some(0.0));
     }
-    assert_eq!(found.by_approach[2], 0.0);
+    assert_eq!(found.by_approach[2], None);
 }
 
 #[test]

@@ -1,8 +1,12 @@
 //! A converged solution that may mislead says so, and how.
 
+use stickslip::analytical::{CattaneoMindlin, HertzSphere};
+use stickslip::history::Cycle;
+use stickslip::subsurface::{Body, Planes};
 use stickslip::{
-    Boundary, Field, Friction, Grid, HalfSpace, NormalControl, NormalProblem, NormalSolution,
-    TangentialLoad, TangentialProblem, Warning, surface,
+    Boundary, CoupledProblem, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep,
+    Material, NormalControl, NormalProblem, NormalSolution, TangentialLoad, TangentialProblem,
+    TangentialSolution, Warning, Zone, surface,
 };
 
 fn press(grid: Grid, boundary: Boundary, gap: &Field) -> (HalfSpace, NormalSolution) {
@@ -29,7 +33,7 @@ fn a_cylinder_that_ends_with_the_grid() {
     let at = |iy: usize| contact.pressure().get(16, iy).unwrap();
     assert!(at(0) > 1.5 * at(24));
     let friction = Friction::coulomb(0.4).unwrap();
-    let load = TangentialLoad::force([0.2, 0.0]);
+    let load = TangentialLoad::force([0.6, 0.0]);
     let shear = TangentialProblem::builder(&bodies, &contact, friction, load);
     let shear = shear.build().unwrap().solve().unwrap();
     assert_eq!(shear.warnings(), contact.warnings());
@@ -65,4 +69,173 @@ fn a_line_of_cells() {
     let grid = Grid::square(1, 1.0).unwrap();
     let (_, contact) = press(grid, Boundary::NonPeriodic, &Field::zeros(grid));
     assert!(!contact.warnings().contains(&Warning::LineOfCells));
+}
+
+/// A ball with a contact radius of so many cells, pressed, and sheared by this part of what friction holds.
+fn ball(cells_per_radius: usize, part: f64) -> (HertzSphere, NormalSolution, TangentialSolution) {
+    let n = (14 * cells_per_radius).div_ceil(5) + 2;
+    let grid = Grid::square(n, n as f64 / cells_per_radius as f64).unwrap();
+    let pair = kit::unit_pair(0.3);
+    let load = 4.0 / 3.0 * pair.contact_modulus() / 20.0;
+    let bodies = HalfSpace::new(grid, pair).unwrap();
+    let gap = surface::sphere(grid, 20.0).unwrap();
+    let press = NormalProblem::builder(&bodies, &gap, NormalControl::Force(load));
+    let normal = press.build().unwrap().solve().unwrap();
+    let friction = Friction::coulomb(0.5).unwrap();
+    let drag = TangentialLoad::force([part * 0.5 * load, 0.0]);
+    let shear = TangentialProblem::builder(&bodies, &normal, friction, drag);
+    let shear = shear.build().unwrap().solve().unwrap();
+    let hertz = HertzSphere::new(&pair, 20.0, load).unwrap();
+    (hertz, normal, shear)
+}
+
+/// Where the zone that slips is narrower than two cells, the energy may be anything, and the solution says how wide it is;
+/// where it is wider, the energy is right.
+#[test]
+fn a_narrow_ring_of_slip_is_remarked() {
+    for (cells, part, is_narrow) in [
+        (12, 0.02, true),
+        (16, 0.02, true),
+        (10, 0.1, true),
+        (6, 0.1, true),
+        (16, 0.4, false),
+        (10, 0.8, false),
+    ] {
+        let (hertz, _, shear) = ball(cells, part);
+        let exact = CattaneoMindlin::new(hertz, 0.5, shear.force()[0]).unwrap();
+        let energy = shear.dissipated_energy() / exact.energy_of_first_quarter();
+        let width = (1.0 - exact.stick_radius()) * cells as f64;
+        assert_eq!(width < 2.0, is_narrow);
+        let found = shear
+            .warnings()
+            .into_iter()
+            .find_map(|warning| match warning {
+                Warning::NarrowSlip { tenths } => Some((tenths, warning.to_string())),
+                _ => None,
+            });
+        assert_eq!(found.is_some(), is_narrow, "{cells} {part}: {energy}");
+        match found {
+            Some((tenths, words)) => {
+                let tenths = tenths as f64 / 10.0;
+                assert!((tenths - width).abs() < 0.2, "{tenths} {width}");
+                assert!(
+                    words.contains(&format!("{tenths:.1} cells wide")),
+                    "{words}"
+                );
+                assert!((energy - 1.0).abs() > 0.1, "{energy}");
+            }
+            None => assert!((energy - 1.0).abs() < 0.02, "{energy}"),
+        }
+    }
+}
+
+/// A step of a history says so too; a cycle, if no step of it had a wider ring.
+#[test]
+fn a_narrow_ring_in_a_history_is_remarked() {
+    let grid = Grid::square(32, 2.8).unwrap();
+    let pair = kit::unit_pair(0.3);
+    let load = 4.0 / 3.0 * pair.contact_modulus() / 20.0;
+    let bodies = HalfSpace::new(grid, pair).unwrap();
+    let gap = surface::sphere(grid, 20.0).unwrap();
+    let friction = Friction::coulomb(0.5).unwrap();
+    let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
+    let press = LoadStep::hold().normal(NormalControl::Force(load));
+    assert!(history.step(&press).unwrap().warnings().is_empty());
+    let mut cycle = Cycle::new(&history);
+    let is_narrow = |warnings: Vec<Warning>| {
+        let mut found = warnings.iter();
+        found.any(|warning| matches!(warning, Warning::NarrowSlip { .. }))
+    };
+    for (part, narrow, narrow_so_far) in
+        [(0.1, true, true), (0.7, false, false), (0.6, true, false)]
+    {
+        let drag = LoadStep::force([part * 0.5 * load, 0.0]);
+        let step = history.step(&drag).unwrap().warnings();
+        // Just after the load has turned, the new ring is narrower than a cell, or none is there yet.
+        if part < 0.6 || !narrow {
+            assert_eq!(is_narrow(step), narrow, "{part}");
+        }
+        cycle.add(&history).unwrap();
+        assert_eq!(is_narrow(cycle.warnings()), narrow_so_far, "{part}");
+    }
+}
+
+/// Contacts and stick zones of a few cells are rough.
+#[test]
+fn contacts_and_stick_zones_of_a_few_cells_are_remarked() {
+    let (_, normal, shear) = ball(3, 0.5);
+    let coarse = Warning::CoarseContact {
+        cells: normal.contact_cells(),
+    };
+    assert!(normal.warnings().contains(&coarse) && shear.warnings().contains(&coarse));
+    let (hertz, normal, shear) = ball(12, 0.98);
+    assert!(normal.warnings().is_empty());
+    let zones = shear.zones().iter();
+    let cells = zones.filter(|zone| **zone == Zone::Stick).count();
+    assert_eq!(shear.warnings(), [Warning::CoarseStick { cells }]);
+    let exact = CattaneoMindlin::new(hertz, 0.5, shear.force()[0]).unwrap();
+    assert!(exact.stick_radius() * 12.0 < 4.0);
+    let (_, normal, shear) = ball(12, 0.6);
+    assert!(normal.warnings().is_empty() && shear.warnings().is_empty());
+}
+
+/// Pressing dissimilar bodies in one step sticks on less than pressing them gradually, unless the contact does not grow.
+#[test]
+fn pressing_dissimilar_bodies_at_once_is_remarked() {
+    let grid = Grid::square(24, 2.8).unwrap();
+    let unlike = ElasticPair::new(Material::new(1.0, 0.0).unwrap(), Material::rigid()).unwrap();
+    let (ball, punch) = (
+        surface::sphere(grid, 20.0).unwrap(),
+        Field::from_fn(grid, |x, y| if x.hypot(y) < 1.0 { 0.0 } else { 9.0 }),
+    );
+    let solve = |pair: ElasticPair, gap: &Field, friction: f64| {
+        let bodies = HalfSpace::new(grid, pair).unwrap();
+        let friction = Friction::coulomb(friction).unwrap();
+        let press = NormalControl::Force(0.06);
+        let still = TangentialLoad::shift([0.0; 2]);
+        let problem = CoupledProblem::builder(&bodies, gap, friction, press, still);
+        problem.build().unwrap().solve().unwrap()
+    };
+    let is_remarked = |pair, gap, friction| {
+        let contact = solve(pair, gap, friction);
+        contact.warnings().contains(&Warning::PressedAtOnce)
+    };
+    assert!(is_remarked(unlike, &ball, 0.3));
+    assert!(!is_remarked(unlike, &punch, 0.3));
+    assert!(!is_remarked(unlike, &ball, 0.0));
+    assert!(!is_remarked(kit::unit_pair(0.3), &ball, 0.3));
+
+    let bodies = HalfSpace::new(grid, unlike).unwrap();
+    let builder = History::builder(&bodies, &ball, Friction::coulomb(0.3).unwrap());
+    let mut history = builder.build().unwrap();
+    for step in 1..=8 {
+        let force = 0.06 * (f64::from(step) / 8.0).powi(3);
+        let press = LoadStep::hold().normal(NormalControl::Force(force));
+        history.step(&press).unwrap();
+    }
+    let at_once = solve(unlike, &ball, 0.3);
+    let (few, many) = (
+        at_once.shear().stick_ratio(),
+        history.last_step().stick_ratio(),
+    );
+    assert!(few < 0.6 * many, "{few} {many}");
+}
+
+/// On the surface the tension at the edge of a sheared contact falls short of the closed form, and the plane says so; a side
+/// of a cell below it is right.
+#[test]
+fn stress_of_the_surface_at_an_edge_is_remarked() {
+    let (hertz, normal, shear) = ball(12, 0.5);
+    let bodies = HalfSpace::new(normal.grid(), *hertz.pair()).unwrap();
+    let dx = normal.grid().dx();
+    let mut planes = Planes::new(&bodies, &[0.0, 0.9 * dx, dx]).unwrap();
+    for (index, is_remarked) in [(0, true), (1, true), (2, false)] {
+        let sheared = planes.solve(index, Body::One, (&normal, &shear)).unwrap();
+        assert_eq!(
+            sheared.warnings().contains(&Warning::StressAtEdge),
+            is_remarked
+        );
+        let pressed = planes.solve(index, Body::One, &normal).unwrap();
+        assert!(pressed.warnings().is_empty());
+    }
 }

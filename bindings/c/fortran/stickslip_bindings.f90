@@ -272,6 +272,14 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_BEYOND_HARDNESS = 6
     ! The pressure was held although the gap had changed.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_STALE_PRESSURE = 7
+    ! The contact has too few cells (cells).
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_COARSE_CONTACT = 8
+    ! Too few cells (cells) stick.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_COARSE_STICK = 9
+    ! The zone that slips is narrower than two cells.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_NARROW_SLIP = 10
+    ! A coupled problem was pressed in one step.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_PRESSED_AT_ONCE = 11
     ! Any other: the message says which.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_OTHER = 127
     ! Bytes of the message of a warning.
@@ -861,7 +869,8 @@ module stickslip_bindings
     end type stickslip_normal_stiffness
 
     ! Forces along x and y and the moment, by shifts along x and y and the twist: rows are loads, columns motions. In C
-    ! loading[row, column].
+    ! loading[row, column]. NaN for loads and motions that the model does not have: in the scalar model what is across its axis
+    ! and the twist, on grids that repeat the twist.
     type, bind(c), public :: stickslip_tangential_stiffness
         ! If the motion continues in its direction.
         real(c_double) :: loading(3, 3) = 0

@@ -239,6 +239,18 @@
 // The pressure was held although the gap had changed.
 #define STICKSLIP_WARNING_STALE_PRESSURE 7
 
+// The contact has too few cells (cells).
+#define STICKSLIP_WARNING_COARSE_CONTACT 8
+
+// Too few cells (cells) stick.
+#define STICKSLIP_WARNING_COARSE_STICK 9
+
+// The zone that slips is narrower than two cells.
+#define STICKSLIP_WARNING_NARROW_SLIP 10
+
+// A coupled problem was pressed in one step.
+#define STICKSLIP_WARNING_PRESSED_AT_ONCE 11
+
 // Any other: the message says which.
 #define STICKSLIP_WARNING_OTHER 127
 
@@ -866,7 +878,8 @@ typedef struct {
 } stickslip_normal_stiffness;
 
 // Forces along x and y and the moment, by shifts along x and y and the twist: rows are loads, columns motions. In C
-// loading[row, column].
+// loading[row, column]. NaN for loads and motions that the model does not have: in the scalar model what is across its axis
+// and the twist, on grids that repeat the twist.
 typedef struct {
     // If the motion continues in its direction.
     double loading[3][3];
@@ -884,7 +897,7 @@ typedef struct {
     stickslip_normal_stiffness normal;
     // Tangential forces and moment by shift and twist.
     stickslip_tangential_stiffness tangential;
-    // Tangential forces and moment by the approach while slip continues.
+    // Tangential forces and moment by the approach while slip continues; NaN for those that the model does not have.
     double by_approach[3];
     // Room for members to come: zero.
     uint64_t reserved[8];

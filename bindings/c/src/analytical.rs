@@ -87,7 +87,7 @@ pub unsafe extern "C" fn stickslip_cattaneo_mindlin_sphere(
                 hertz: (&hertz).into(),
                 stick_radius: own.stick_radius(),
                 shift: own.shift(),
-                dissipated_energy: own.dissipated_energy(),
+                dissipated_energy: own.energy_of_first_quarter(),
                 reserved: [0; 8],
             })
         })

@@ -102,6 +102,14 @@ pub const STICKSLIP_WARNING_CONTACT_ACROSS: i32 = 5;
 pub const STICKSLIP_WARNING_BEYOND_HARDNESS: i32 = 6;
 /// The pressure was held although the gap had changed.
 pub const STICKSLIP_WARNING_STALE_PRESSURE: i32 = 7;
+/// The contact has too few cells (cells).
+pub const STICKSLIP_WARNING_COARSE_CONTACT: i32 = 8;
+/// Too few cells (cells) stick.
+pub const STICKSLIP_WARNING_COARSE_STICK: i32 = 9;
+/// The zone that slips is narrower than two cells.
+pub const STICKSLIP_WARNING_NARROW_SLIP: i32 = 10;
+/// A coupled problem was pressed in one step.
+pub const STICKSLIP_WARNING_PRESSED_AT_ONCE: i32 = 11;
 /// Any other: the message says which.
 pub const STICKSLIP_WARNING_OTHER: i32 = 127;
 
@@ -136,6 +144,10 @@ impl From<&Warning> for stickslip_warning {
             Warning::ContactAcross { .. } => (STICKSLIP_WARNING_CONTACT_ACROSS, 0, 0),
             Warning::BeyondHardness { cells } => (STICKSLIP_WARNING_BEYOND_HARDNESS, cells, 0),
             Warning::StalePressure => (STICKSLIP_WARNING_STALE_PRESSURE, 0, 0),
+            Warning::CoarseContact { cells } => (STICKSLIP_WARNING_COARSE_CONTACT, cells, 0),
+            Warning::CoarseStick { cells } => (STICKSLIP_WARNING_COARSE_STICK, cells, 0),
+            Warning::NarrowSlip { .. } => (STICKSLIP_WARNING_NARROW_SLIP, 0, 0),
+            Warning::PressedAtOnce => (STICKSLIP_WARNING_PRESSED_AT_ONCE, 0, 0),
             _ => (STICKSLIP_WARNING_OTHER, 0, 0),
         };
         let mut message: [c_char; STICKSLIP_WARNING_LENGTH] = [0; STICKSLIP_WARNING_LENGTH];

@@ -15,7 +15,8 @@ pub struct stickslip_normal_stiffness {
 }
 
 /// Forces along x and y and the moment, by shifts along x and y and the twist: rows are loads, columns motions. In C
-/// loading[row, column].
+/// loading[row, column]. NaN for loads and motions that the model does not have: in the scalar model what is across its axis
+/// and the twist, on grids that repeat the twist.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_tangential_stiffness {
@@ -37,10 +38,15 @@ pub struct stickslip_stiffness {
     pub normal: stickslip_normal_stiffness,
     /// Tangential forces and moment by shift and twist.
     pub tangential: stickslip_tangential_stiffness,
-    /// Tangential forces and moment by the approach while slip continues.
+    /// Tangential forces and moment by the approach while slip continues; NaN for those that the model does not have.
     pub by_approach: [f64; 3],
     /// Room for members to come: zero.
     pub reserved: [u64; 8],
+}
+
+/// What a model does not have as NaN.
+fn present(slopes: [Option<f64>; 3]) -> [f64; 3] {
+    slopes.map(|slope| slope.unwrap_or(f64::NAN))
 }
 
 impl From<NormalStiffness> for stickslip_normal_stiffness {
@@ -56,8 +62,8 @@ impl From<NormalStiffness> for stickslip_normal_stiffness {
 impl From<TangentialStiffness> for stickslip_tangential_stiffness {
     fn from(of: TangentialStiffness) -> Self {
         Self {
-            loading: of.loading,
-            reversal: of.reversal,
+            loading: of.loading.map(present),
+            reversal: of.reversal.map(present),
             bound: of.bound,
             reserved: [0; 8],
         }
@@ -69,7 +75,7 @@ impl From<ContactStiffness> for stickslip_stiffness {
         Self {
             normal: of.normal.into(),
             tangential: of.tangential.into(),
-            by_approach: of.by_approach,
+            by_approach: present(of.by_approach),
             reserved: [0; 8],
         }
     }

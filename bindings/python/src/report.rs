@@ -159,7 +159,8 @@ picklable!(Report: stickslip::Report);
 /// A remark on a converged solution that may mislead.
 ///
 /// ``kind`` names it: ``no_contact``, ``contact_at_edge``, ``unresolved_spots``, ``line_of_cells``, ``contact_across``,
-/// ``beyond_hardness`` or ``stale_pressure``.
+/// ``beyond_hardness``, ``stale_pressure``, ``coarse_contact``, ``coarse_stick``, ``narrow_slip``,
+/// ``pressed_at_once`` or ``stress_at_edge``.
 #[pyclass(frozen, eq, hash, module = "stickslip")]
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) struct Warning(pub(crate) stickslip::Warning);
@@ -184,6 +185,11 @@ impl Warning {
             W::ContactAcross { .. } => "contact_across",
             W::BeyondHardness { .. } => "beyond_hardness",
             W::StalePressure => "stale_pressure",
+            W::CoarseContact { .. } => "coarse_contact",
+            W::CoarseStick { .. } => "coarse_stick",
+            W::NarrowSlip { .. } => "narrow_slip",
+            W::PressedAtOnce => "pressed_at_once",
+            W::StressAtEdge => "stress_at_edge",
             _ => "other",
         }
     }
@@ -193,7 +199,10 @@ impl Warning {
     fn cells(&self) -> Option<usize> {
         use stickslip::Warning as W;
         match self.0 {
-            W::ContactAtEdge { cells } | W::BeyondHardness { cells } => Some(cells),
+            W::ContactAtEdge { cells }
+            | W::BeyondHardness { cells }
+            | W::CoarseContact { cells }
+            | W::CoarseStick { cells } => Some(cells),
             _ => None,
         }
     }

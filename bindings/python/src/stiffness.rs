@@ -45,7 +45,8 @@ impl NormalStiffness {
 
 /// Slopes of the tangential forces along x and y and of the moment (rows) by the shifts along x and y and by the twist
 /// (columns), under a load that goes on and at its reversal. Forces over lengths in the first two rows and columns, the
-/// moment over radians in the last place.
+/// moment over radians in the last place. NaN for loads and motions that the model does not have: in the scalar model what
+/// is across its axis and the twist, on grids that repeat the twist.
 #[pyclass(frozen, eq, module = "stickslip.stiffness")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct TangentialStiffness(pub(crate) stickslip::stiffness::TangentialStiffness);
@@ -55,13 +56,13 @@ impl TangentialStiffness {
     /// Where the load goes on.
     #[getter]
     fn loading(&self) -> [[f64; 3]; 3] {
-        self.0.loading
+        numbers(&self.0.loading)
     }
 
     /// Where it turns: all contact cells stick.
     #[getter]
     fn reversal(&self) -> [[f64; 3]; 3] {
-        self.0.reversal
+        numbers(&self.0.reversal)
     }
 
     /// Bound of the errors, relative to the root of the product of the two entries on the diagonal.
@@ -78,8 +79,8 @@ impl TangentialStiffness {
     fn __repr__(&self) -> String {
         format!(
             "TangentialStiffness(loading={}, reversal={}, bound={})",
-            rows(&self.0.loading),
-            rows(&self.0.reversal),
+            rows(&numbers(&self.0.loading)),
+            rows(&numbers(&self.0.reversal)),
             rough(self.0.bound)
         )
     }
@@ -101,6 +102,8 @@ impl TangentialStiffness {
 /// Raises
 /// ------
 /// GridMismatch, BoundaryMismatch, MaterialMismatch, NotFinite, Yielded, NotConverged
+/// CoupledMaterials
+///     For the halves of a coupled solution of dissimilar bodies.
 #[pyclass(frozen, eq, module = "stickslip.stiffness")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct ContactStiffness(pub(crate) stickslip::stiffness::ContactStiffness);
@@ -139,20 +142,29 @@ impl ContactStiffness {
         TangentialStiffness(self.0.tangential)
     }
 
-    /// By the approach, of the tangential forces and the moment.
+    /// By the approach, of the tangential forces and the moment; NaN for those that the model does not have.
     #[getter]
     fn by_approach(&self) -> (f64, f64, f64) {
-        self.0.by_approach.into()
+        present(self.0.by_approach).into()
     }
 
     fn __repr__(&self) -> String {
         format!(
             "ContactStiffness(normal={}, tangential={}, by_approach={})",
             short(self.0.normal.value),
-            rows(&self.0.tangential.loading),
-            tuple(&self.0.by_approach)
+            rows(&numbers(&self.0.tangential.loading)),
+            tuple(&present(self.0.by_approach))
         )
     }
+}
+
+/// What a model does not have as NaN.
+fn present(slopes: [Option<f64>; 3]) -> [f64; 3] {
+    slopes.map(|slope| slope.unwrap_or(f64::NAN))
+}
+
+fn numbers(matrix: &[[Option<f64>; 3]; 3]) -> [[f64; 3]; 3] {
+    matrix.map(present)
 }
 
 /// A matrix as its rows.

@@ -55,7 +55,7 @@ def test_a_cycle_dissipates_what_mindlin_and_deresiewicz_say(scene):
         step = history.step(ss.LoadStep(force_x=force))
         assert step.energy.imbalance < 1e-6
         cycle.add(history)
-    quarter = ss.analytical.CattaneoMindlin(scene.hertz, 0.5, 30.0).dissipated_energy
+    quarter = ss.analytical.CattaneoMindlin(scene.hertz, 0.5, 30.0).energy_of_first_quarter
     assert cycle.energy.dissipated_energy == pytest.approx(4.0 * quarter, rel=0.01)
     assert cycle.regime == ss.history.Regime.PARTIAL_SLIP
     assert cycle.force_amplitude == pytest.approx((30.0, 0.0))

@@ -9,7 +9,7 @@
 //! |q| \le m(p), \quad s = 0 \text{ where } |q| < m, \quad s = -|s|\,q/m \text{ where } |q| = m .
 //! ```
 //!
-//! `C` is symmetric and positive definite, but the law is that of no minimum: the limit `m` grows with the pressure
+//! `C` is symmetric and positive definite, but the law is not the condition of a minimum: the limit `m` grows with the pressure
 //! that is sought. Newton's method linearises both at once, `dq = m'(p) n dp + t dtau` where a cell slips along `n`,
 //! which leaves a system that is not symmetric: right-preconditioned GMRES solves it, on the cells in contact.
 //!

@@ -33,7 +33,7 @@ const HEADER: usize = 20;
 const SUM: usize = 8;
 
 impl State {
-    /// The state as bytes, some 60 per cell and 80 in the plane (8 more if the gap has changed since it was pressed),
+    /// The state as bytes, 60 to 90 per cell and 90 to 130 in the plane (8 more if the gap has changed since it was pressed),
     /// from which [`State::from_bytes`] makes it again.
     ///
     /// All numbers keep their bits. Of the report of the pressure, the wall time and the course of the iteration

@@ -3,6 +3,7 @@
 //! The case is the paper's Table 2 unless a test says otherwise: a steel ball, in SI units.
 
 mod cycles;
+mod lines;
 mod normal;
 mod numbers;
 mod pressing;

@@ -44,8 +44,11 @@ closed_form! {
         /// Shift at which the whole contact begins to slide, delta_0 (a length, positive): the shift under mu W.
         sliding_shift,
         /// Energy dissipated while the force grows from zero to F (a force times a length, not negative),
-        /// (mu W delta_0 / 5) (1 - c/a)^3 (1 + 3 c/a + c^2/a^2).
-        dissipated_energy,
+        /// (mu W delta_0 / 5) (1 - c/a)^3 (1 + 3 c/a + c^2/a^2): the first quarter of a cycle.
+        energy_of_first_quarter,
+        /// Energy that one full cycle of the force between F and -F dissipates (a force times a length): four times that
+        /// of the first quarter.
+        energy_per_cycle,
     }
     along {
         /// Traction on body 1 along x (a pressure, of the sign of the force) at the distance r from the centre:
@@ -97,8 +100,11 @@ closed_form! {
         /// Shift at which the whole contact begins to slide (a length, positive): the shift under mu W.
         sliding_shift,
         /// Energy dissipated while the force grows from zero to F (a force times a length, not negative), as
-        /// :attr:`CattaneoMindlin.dissipated_energy`.
-        dissipated_energy,
+        /// :attr:`CattaneoMindlin.energy_of_first_quarter`.
+        energy_of_first_quarter,
+        /// Energy that one full cycle of the force between F and -F dissipates (a force times a length): four times that
+        /// of the first quarter.
+        energy_per_cycle,
     }
     pairs {
         /// Semi-axes of the stick ellipse along x and y (lengths): s times those of the contact.
@@ -130,7 +136,7 @@ closed_form! {
     ///
     /// Raises
     /// ------
-    /// Negative, NotFinite, BeyondFrictionCapacity
+    /// Negative, NotFinite, BeyondFrictionCapacity, CoupledMaterials
     CattaneoMindlinLine(hertz: HertzLine => hertz.0, friction, force)
     objects {
         /// The normal contact.
@@ -143,17 +149,20 @@ closed_form! {
         stick_half_width,
         /// Middle of the strip that sticks (a length along x), of size a E* strain / (2 mu p_0); zero without strain.
         stick_centre,
-        /// Energy that a cycle of the force between Q and -Q dissipates per length, without bulk strain,
-        /// ((mu P)^2 / (pi E*)) (4 (1 - f) ln(1 - f) + 4 f - 2 f^2).
+        /// Energy dissipated per length while the force, and the strain with it, grow from zero: a quarter of that of a
+        /// cycle.
+        energy_of_first_quarter,
+        /// Energy that a cycle of the force between Q and -Q, with the strain in proportion to it, dissipates per length,
+        /// ((mu P)^2 / (pi E*)) (4 (1 - f) ln(1 - f) + 4 f - 2 f^2 + 8 f e^2/a^2).
         energy_per_cycle,
     }
     along {
         /// Traction on body 1 along x (a pressure) at x: with the sign of Q, mu p_0 sqrt(1 - x^2/a^2), less
         /// mu p_0 (c/a) sqrt(1 - (x - e)^2/c^2) in the strip around e that sticks; zero outside the contact.
         traction(x),
-        /// Shift (a length): the rigid motion of body 2 relative to body 1 along x, of the sign of the force, without bulk
-        /// strain and relative to the datum d (a length) of :meth:`Boundary.periodic_along_y`: of size
-        /// (mu P / (pi E*)) (f (2 ln(2d/a) + 1) + (1 - f) ln(1 - f)).
+        /// Shift (a length): the rigid motion of body 2 relative to body 1 along x, of the sign of the force, relative to
+        /// the datum d (a length) of :meth:`Boundary.periodic_along_y`; the strain displaces nothing at x = 0: of size
+        /// (mu P / (pi E*)) (f (2 ln(2d/a) + 1) + (1 - f) ln(1 - f) + 2 e^2/a^2).
         shift(datum),
     }
     also {
@@ -164,7 +173,7 @@ closed_form! {
         /// ------
         /// NotFinite, NotPositive
         /// Below
-        ///     If the strip that sticks would leave the contact.
+        ///     If the strip that sticks would leave the contact: slip then reverses at one end.
         fn with_strain(&self, py: Python<'_>, strain: f64) -> PyResult<Self> {
             self.0.with_strain(strain).or_raise(py).map(Self)
         }

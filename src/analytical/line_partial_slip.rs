@@ -1,0 +1,274 @@
+//! A cylinder on a plane in partial slip, in plane strain, also with bulk stress.
+
+use super::held_force::HeldForce;
+use super::hertz::dome;
+use super::line::HertzLine;
+use super::line_stress;
+use crate::error::{Error, Result, all_finite, at_least, finite, positive};
+
+/// A cylinder in partial slip in plane strain: a constant normal load, then a tangential force along x that increases
+/// monotonically, with a bulk strain that increases in proportion to it.
+///
+/// With $`f = |Q|/\mu P`$, a strip of half-width c sticks; the rest slips, opposite to the traction:
+///
+/// ```math
+/// \frac ca = (1-f)^{1/2}, \qquad
+/// q = \pm\mu p_0\left[\sqrt{1-\frac{x^2}{a^2}} - \frac ca\sqrt{1-\frac{(x-e)^2}{c^2}}\,H(c-|x-e|)\right], \qquad
+/// e = \pm\frac{a E^*}{2 \mu p_0}\,\varepsilon
+/// ```
+///
+/// with the sign of Q, and the strain $`\varepsilon`$ of body 1 less that of body 2 (zero by default). Equal bodies, or
+/// bodies of [`dundurs_beta`](crate::ElasticPair::dundurs_beta) zero. Johnson (1985), section 7.2; with bulk strain
+/// Nowell & Hills, Int. J. Mech. Sci. 29 (1987) 355.
+///
+/// ```
+/// use stickslip::{ElasticPair, Material, analytical::{CattaneoMindlinLine, HertzLine}};
+/// let steel = Material::new(210e3, 0.3)?;
+/// let hertz = HertzLine::new(&ElasticPair::new(steel, steel)?, 10.0, 100.0)?;
+/// let shear = CattaneoMindlinLine::new(hertz, 0.5, 37.5)?;
+/// assert!((shear.stick_half_width() / hertz.half_width() - 0.5).abs() < 1e-15);
+/// // A bulk stress of 100 MPa stretches body 1, and shifts the strip that sticks.
+/// let stretched = shear.with_bulk_stress([100.0, 0.0])?;
+/// let moved = hertz.half_width() * 100.0 / (4.0 * 0.5 * hertz.max_pressure());
+/// assert!((stretched.stick_centre() - moved).abs() < 1e-15);
+/// // A crack starts in body 1 at the trailing edge.
+/// let [tension, _] = stretched.surface_stress(-hertz.half_width());
+/// assert!(tension > 100.0 + 0.5 * hertz.max_pressure());
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct CattaneoMindlinLine {
+    hertz: HertzLine,
+    held: HeldForce,
+    /// Middle of the strip that sticks.
+    centre: f64,
+    /// Bulk stress along x of bodies 1 and 2.
+    bulk: [f64; 2],
+}
+
+impl CattaneoMindlinLine {
+    /// The contact `hertz`, with the coefficient of friction `friction`, under the tangential force `force` on body 1
+    /// along x (a force per length, of either sign), without bulk strain.
+    ///
+    /// # Errors
+    /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for the force,
+    /// [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force exceeds $`\mu P`$,
+    /// [`Error::CoupledMaterials`] for bodies whose [`dundurs_beta`](crate::ElasticPair::dundurs_beta) is not zero.
+    pub fn new(hertz: HertzLine, friction: f64, force: f64) -> Result<Self> {
+        let held = HeldForce::new(hertz.load(), friction, force)?;
+        if hertz.pair().is_coupled() {
+            let beta = hertz.pair().dundurs_beta();
+            return Err(Error::CoupledMaterials { beta });
+        }
+        Ok(Self {
+            hertz,
+            held,
+            centre: 0.0,
+            bulk: [0.0; 2],
+        })
+    }
+
+    /// With these bulk stresses along x in bodies 1 and 2 (pressures, positive in tension), which grow in proportion to
+    /// the force. In plane strain they strain body 1 by $`\sigma_1 (1 - \nu_1^2)/E_1 - \sigma_2 (1 - \nu_2^2)/E_2`$ more
+    /// than body 2.
+    ///
+    /// # Errors
+    /// [`Error::Sample`] if a stress is not finite; as [`with_strain`](Self::with_strain).
+    pub fn with_bulk_stress(self, stress: [f64; 2]) -> Result<Self> {
+        all_finite("bulk stress", &stress)?;
+        let [one, two] = self.hertz.pair().bodies();
+        let strain = one.plane_strain_under(stress[0]) - two.plane_strain_under(stress[1]);
+        let mut strained = self.with_strain(strain)?;
+        strained.bulk = stress;
+        Ok(strained)
+    }
+
+    /// With this strain of body 1 along x less that of body 2, positive where it is stretched, which grows in proportion
+    /// to the force and is not caused by a stress along x, as thermal expansion; where it is, take
+    /// [`with_bulk_stress`](Self::with_bulk_stress).
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`]; [`Error::NotPositive`] without friction, if there is strain; [`Error::Below`] if the strip that
+    /// sticks would leave the contact, $`|e| + c > a`$: slip then reverses at one end, and the formulas do not hold. Where
+    /// $`|e| > fa/2`$ slip is reversed there only under the first small loads; the growing load slips back over it, and what
+    /// is left of that is less than 1e-4 of the energy.
+    pub fn with_strain(mut self, strain: f64) -> Result<Self> {
+        finite("bulk strain", strain)?;
+        (self.centre, self.bulk) = (0.0, [0.0; 2]);
+        if strain == 0.0 {
+            return Ok(self);
+        }
+        positive("coefficient of friction", self.held.friction)?;
+        let (a, modulus) = (self.hertz.half_width(), self.hertz.pair().contact_modulus());
+        let slope = 2.0 * self.held.friction * self.hertz.max_pressure() / modulus;
+        self.centre = self.held.direction * a * strain / slope;
+        let reach = self.centre.abs() + self.stick_half_width();
+        let least_is = "the reach of the strip that sticks";
+        at_least(least_is, reach, "half-width of the contact", a)?;
+        Ok(self)
+    }
+
+    /// The normal contact.
+    #[must_use]
+    pub fn hertz(&self) -> HertzLine {
+        self.hertz
+    }
+
+    /// Tangential force Q on body 1 (a force per length), positive along +x.
+    #[must_use]
+    pub fn force(&self) -> f64 {
+        self.held.force
+    }
+
+    /// Half-width c of the strip that sticks (a length).
+    #[must_use]
+    pub fn stick_half_width(&self) -> f64 {
+        self.hertz.half_width() * self.held.reserve.sqrt()
+    }
+
+    /// Middle e of the strip that sticks (a length along x).
+    #[must_use]
+    pub fn stick_centre(&self) -> f64 {
+        self.centre
+    }
+
+    /// Traction q on body 1 along x (a pressure) at `x`; zero outside the contact.
+    #[must_use]
+    pub fn traction(&self, x: f64) -> f64 {
+        let (a, c) = (self.hertz.half_width(), self.stick_half_width());
+        let inner = if c > 0.0 {
+            c / a * dome((x - self.centre).abs() / c)
+        } else {
+            0.0
+        };
+        let limit = self.held.friction * self.hertz.max_pressure();
+        self.held.direction * limit * (dome(x.abs() / a) - inner)
+    }
+
+    /// Shift (a length): the rigid motion of body 2 relative to body 1 along x, relative to the
+    /// [datum](crate::Boundary::PeriodicAlongY) d, a length; the strain displaces nothing at x = 0:
+    ///
+    /// ```math
+    /// \delta_x = \pm\frac{\mu P}{\pi E^*}\left[f\left(2\ln\frac{2d}{a} + 1\right) + (1-f)\ln(1-f)
+    ///   + \frac{2e^2}{a^2}\right] .
+    /// ```
+    ///
+    /// By superposition of the [approaches](HertzLine::approach) of two pressures, of which one is moved by e, which
+    /// tractions along x in plane strain repeat.
+    #[must_use]
+    pub fn shift(&self, datum: f64) -> f64 {
+        let HeldForce {
+            friction,
+            direction,
+            fraction,
+            reserve,
+            ..
+        } = self.held;
+        let stick = if reserve > 0.0 {
+            reserve * (-fraction).ln_1p()
+        } else {
+            0.0
+        };
+        let moved = self.centre / self.hertz.half_width();
+        let unit = friction * self.hertz.displacement;
+        let approach = friction * fraction * self.hertz.approach(datum);
+        direction * (approach + unit * (stick + 2.0 * moved * moved))
+    }
+
+    /// Energy dissipated per length while the force, and the strain with it, grow from zero: a quarter of
+    /// [that of a cycle](Self::energy_per_cycle).
+    #[must_use]
+    pub fn energy_of_first_quarter(&self) -> f64 {
+        0.25 * self.energy_per_cycle()
+    }
+
+    /// Energy dissipated per length and cycle of a force between Q and -Q, with the strain in proportion to it:
+    ///
+    /// ```math
+    /// \Delta E = \frac{(\mu P)^2}{\pi E^*}\left[4(1-f)\ln(1-f) + 4f - 2f^2 + 8f\,\frac{e^2}{a^2}\right] .
+    /// ```
+    ///
+    /// Each half of a cycle slips twice as far as the first loading, whose energy is $`-\mu\int p\,s\,dx`$; by Betti's
+    /// theorem $`\int p\,u = \int q\,w`$ with the displacement w of the pressure, a parabola where q acts. Without strain
+    /// it is the area of the loop of force and [shift](Self::shift); with strain part of it is work of the bulk stress.
+    #[must_use]
+    pub fn energy_per_cycle(&self) -> f64 {
+        let HeldForce {
+            force,
+            fraction: f,
+            reserve,
+            ..
+        } = self.held;
+        // The bracket over the square of f, in terms that do not cancel.
+        let bracket = if f > 0.5 {
+            let logarithm = if reserve > 0.0 {
+                reserve * reserve.ln()
+            } else {
+                0.0
+            };
+            (4.0 * logarithm + 2.0 * f * (2.0 - f)) / (f * f)
+        } else {
+            let terms = (3..60).map(|k| 4.0 * f.powi(k - 2) / f64::from(k * (k - 1)));
+            terms.sum()
+        };
+        let moved = if self.centre == 0.0 {
+            0.0
+        } else {
+            self.centre / self.hertz.half_width() / f
+        };
+        let unit = self.hertz.displacement / self.hertz.load();
+        force * force * unit * (bracket + 8.0 * f * moved * moved)
+    }
+
+    /// Stress $`\sigma_{xx}`$ of the surfaces of body 1 and of body 2 at `x` (pressures, positive in tension), the
+    /// [bulk stress](Self::with_bulk_stress) included:
+    ///
+    /// ```math
+    /// \sigma_{xx} = \sigma - p \mp 2\mu p_0\left[\varphi\!\left(\frac xa\right) -
+    ///   \frac ca\,\varphi\!\left(\frac{x-e}c\right)\right], \qquad
+    /// \varphi(t) = t - \operatorname{sgn}(t)\,\sqrt{t^2-1}\;H(|t|-1)
+    /// ```
+    ///
+    /// for body 1 under a positive force, and with the other sign of the bracket for body 2. In body 1 its largest value
+    /// is that at the edge of the contact that the traction pulls away from, x = -a under a positive force, where it
+    /// rises as a square root: a row of cells meets it slowly. Johnson (1985), 2.23 and 7.2; Nowell & Hills (1987).
+    #[must_use]
+    pub fn surface_stress(&self, x: f64) -> [f64; 2] {
+        self.stress(x, 0.0).map(|[along, ..]| along)
+    }
+
+    /// Stresses `[xx, zz, xz]` of body 1 and of body 2 at `x` and at the depth `depth` below the surface of each, a length
+    /// of zero or more (pressures, positive in tension), the [bulk stress](Self::with_bulk_stress) included. With m and n
+    /// of [`HertzLine::stress`], the traction $`q_0 \sqrt{1 - x^2/a^2}`$ on body 1 adds
+    ///
+    /// ```math
+    /// \sigma_{xx} = \frac{q_0}{a}\left[n\left(2 - \frac{z^2-m^2}{m^2+n^2}\right) - 2x\right], \quad
+    /// \sigma_{zz} = -\frac{q_0}{a}\,n\,\frac{m^2-z^2}{m^2+n^2}, \quad
+    /// \tau_{xz} = -\frac{q_0}{a}\left[m\left(1 + \frac{z^2+n^2}{m^2+n^2}\right) - 2z\right]
+    /// ```
+    ///
+    /// and the strip that sticks the same of its own half-width and middle. Johnson (1985), 7.2.
+    #[must_use]
+    pub fn stress(&self, x: f64, depth: f64) -> [[f64; 3]; 2] {
+        let (a, c) = (self.hertz.half_width(), self.stick_half_width());
+        let limit = self.held.direction * self.held.friction * self.hertz.max_pressure();
+        let mut shear = line_stress::of_traction(x / a, depth / a);
+        if c > 0.0 {
+            let inner = line_stress::of_traction((x - self.centre) / c, depth / c);
+            for (sum, part) in shear.iter_mut().zip(inner) {
+                *sum -= c / a * part;
+            }
+        }
+        let press = self.hertz.stress(x, depth);
+        let sum = |[side, press_xz, shear_xz]: [f64; 3], bulk: f64| {
+            [
+                bulk + press[0] + side * limit * shear[0],
+                press[1] + side * limit * shear[1],
+                press_xz * press[2] + shear_xz * limit * shear[2],
+            ]
+        };
+        let [one, two] = self.bulk;
+        [sum([1.0, 1.0, 1.0], one), sum([-1.0, -1.0, 1.0], two)]
+    }
+}

@@ -1,0 +1,230 @@
+//! Remarks on a converged solution, and what is resolved.
+
+use crate::grid::Grid;
+
+/// A diagnostic on a converged solution that may mislead.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub enum Warning {
+    /// There is no contact: no cell carries pressure.
+    NoContact,
+    /// Contact reaches the outermost ring of cells: the bodies may also touch beyond the grid.
+    ContactAtEdge {
+        /// Contact cells in the ring.
+        cells: usize,
+    },
+    /// Some contact spots are smaller than five cells: their area is overestimated and their stick
+    /// fraction means little.
+    UnresolvedSpots {
+        /// Spots of fewer than five cells.
+        unresolved: usize,
+        /// Number of all spots.
+        spots: usize,
+    },
+    /// The grid is a line of cells, and does not repeat: a row of rectangles, whose ends bear peaks of pressure. It
+    /// is no line contact in plane strain.
+    LineOfCells,
+    /// A contact spot runs from edge to edge of the grid, as that of a cylinder does: the bodies end there, and the
+    /// ends bear peaks of pressure that a longer body does not have.
+    ContactAcross {
+        /// From the first column to the last.
+        along_x: bool,
+        /// From the first row to the last.
+        along_y: bool,
+    },
+    /// The pressure of some cells is beyond the hardness that a material states: the contact would flow there. Give the
+    /// problem a [`Hardness`](crate::normal::Hardness).
+    BeyondHardness {
+        /// Cells of such a pressure.
+        cells: usize,
+    },
+    /// A step of a history held the pressure although the gap had changed: the pressure is still that of the old gap.
+    StalePressure,
+    /// The stress on a [`Plane`](crate::subsurface::Plane) nearer to the surface than a side of a cell, below shear tractions
+    /// that end at the edge of a contact: `sxx` and `syy` have a peak with a vertical tangent there, which falls short by the
+    /// root of the cells. The [closed forms](crate::analytical::CattaneoMindlinLine::surface_stress) have it; planes a side of
+    /// a cell or more below the surface do not suffer from it.
+    StressAtEdge,
+    /// The contact has few cells: fewer than 100, a contact radius of 5.6 cells, or fewer than 20 on a line of cells. On a sphere
+    /// its area is then off by up to 17 % and the stick ratio by as much (by 22 % from 20 cells), from 113 cells on by 7 %,
+    /// wherever the centre lies between cells.
+    CoarseContact {
+        /// Contact cells.
+        cells: usize,
+    },
+    /// Few cells stick: fewer than 50, or fewer than 10 on a line of cells. On a sphere the stick ratio is then off by a tenth
+    /// and, from ten cells, by a fifth of itself.
+    CoarseStick {
+        /// Cells that stick.
+        cells: usize,
+    },
+    /// The zone that slips, a ring along the edge of the contact, is narrower than two cells. On a sphere the energy that slip
+    /// dissipates is right to 2 % from two cells on and to 12 % from one; below half a cell it is anything from nothing to
+    /// several times the right one. Where no cell slips, which a ring narrower than a cell may come to, there is no such
+    /// remark.
+    NarrowSlip {
+        /// Mean width of the zone in tenths of a cell: its cells over the sides of cells along the edge of the contact,
+        /// which on a grid of rows and columns are counted as $`\pi/4`$ each.
+        tenths: usize,
+    },
+    /// A [coupled problem](crate::CoupledProblem) of dissimilar bodies with friction was pressed in one step, in which the
+    /// contact came to its size at once. Cells that come into contact one after the other, as under a load that grows,
+    /// slip and stick elsewhere: press a [`History`](crate::History) in steps.
+    PressedAtOnce,
+}
+
+impl std::fmt::Display for Warning {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::NoContact => write!(formatter, "no cell carries pressure: press further"),
+            Self::ContactAtEdge { cells } => {
+                write!(
+                    formatter,
+                    "{cells} contact cells lie on the edge of the grid: take a larger one"
+                )
+            }
+            Self::UnresolvedSpots { unresolved, spots } => write!(
+                formatter,
+                "{unresolved} of {spots} contact spots are smaller than {RESOLVED} cells: refine the grid"
+            ),
+            Self::LineOfCells => write!(
+                formatter,
+                "the grid is a line of cells that does not repeat: rectangles in a row, not a line contact in plane strain; for that take a line along x with a boundary that is periodic along y"
+            ),
+            Self::ContactAcross { along_x, along_y } => {
+                let axes = match (along_x, along_y) {
+                    (true, false) => "x",
+                    (false, true) => "y",
+                    _ => "x and y",
+                };
+                write!(
+                    formatter,
+                    "a contact spot runs across the whole grid along {axes}: its ends at the edges bear peaks of pressure; let the surface rise before them, or let the grid repeat there: periodic along y, or along both axes"
+                )
+            }
+            Self::BeyondHardness { cells } => write!(
+                formatter,
+                "{cells} cells are pressed beyond the hardness of the softer body: limit the pressure to it"
+            ),
+            Self::StalePressure => write!(
+                formatter,
+                "the gap has changed, but the pressure was held: it is that of the old gap; give the normal load again"
+            ),
+            Self::StressAtEdge => write!(
+                formatter,
+                "the stress along the surface converges as the root of the cells at the edge of a sheared contact: take a plane a side of a cell or more below it"
+            ),
+            Self::CoarseContact { cells } => write!(
+                formatter,
+                "the contact has {cells} cells: its area and its stick ratio are rough; refine the grid"
+            ),
+            Self::CoarseStick { cells } => write!(
+                formatter,
+                "{cells} cells stick: the size of the stick zone is rough; refine the grid"
+            ),
+            Self::NarrowSlip { tenths } => write!(
+                formatter,
+                "the zone that slips is {}.{} cells wide on the mean: slip and dissipated energy are rough; refine the grid until it has two",
+                tenths / 10,
+                tenths % 10
+            ),
+            Self::PressedAtOnce => write!(
+                formatter,
+                "the bodies were pressed in one step: dissimilar bodies under a load that grows stick and slip elsewhere; press a history in steps"
+            ),
+        }
+    }
+}
+
+/// Cells that a resolved spot needs.
+pub(crate) const RESOLVED: usize = 5;
+
+/// Cells that a resolved contact and a resolved stick zone need: of an area, and of a line, where one cell is a tenth of
+/// the stick zone.
+const RESOLVED_AREA: [usize; 2] = [100, 50];
+const RESOLVED_LINE: [usize; 2] = [20, 10];
+
+/// Tenths of a cell that a resolved slip zone is wide.
+const RESOLVED_WIDTH: usize = 20;
+
+/// What the zones of a contact, or of some steps, tell of its resolution; `None` of what there is not.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct Resolution {
+    is_line: bool,
+    /// The fewest cells in contact, and the fewest that stick.
+    contact: Option<usize>,
+    stick: Option<usize>,
+    /// The widest slip zone, in tenths of a cell.
+    slip_width: Option<usize>,
+}
+
+impl Resolution {
+    /// Of this many cells in contact; one that fills the whole grid has no edge that cells could miss.
+    pub(crate) fn of_contact(grid: Grid, contact: usize) -> Self {
+        Self {
+            is_line: grid.size().contains(&1),
+            contact: (contact > 0 && contact < grid.cells()).then_some(contact),
+            ..Self::default()
+        }
+    }
+
+    /// With this many cells that stick and that slip; `edge` counts the sides of cells along the edge of the contact, if
+    /// both are.
+    pub(crate) fn with_zones(
+        self,
+        [stick, slip]: [usize; 2],
+        edge: impl FnOnce() -> usize,
+    ) -> Self {
+        let width = || {
+            // The edge of a disc has 4/pi times its length in sides of cells, 452/355 within 1e-7.
+            let [sides, length] = if self.is_line { [1, 1] } else { [452, 355] };
+            let edge = length * edge();
+            (edge > 0).then(|| (20 * sides * slip + edge) / (2 * edge))
+        };
+        Self {
+            stick: (stick > 0).then_some(stick),
+            slip_width: (stick > 0 && slip > 0).then(width).flatten(),
+            ..self
+        }
+    }
+
+    /// With those of another step.
+    pub(crate) fn and(self, other: Self) -> Self {
+        let fewest = |a: Option<usize>, b: Option<usize>| a.into_iter().chain(b).min();
+        Self {
+            is_line: self.is_line || other.is_line,
+            contact: fewest(self.contact, other.contact),
+            stick: fewest(self.stick, other.stick),
+            slip_width: self.slip_width.max(other.slip_width),
+        }
+    }
+
+    /// That the contact has too few cells.
+    pub(crate) fn contact_warning(self) -> Option<Warning> {
+        let coarse = self.contact.filter(|cells| *cells < self.least()[0]);
+        coarse.map(|cells| Warning::CoarseContact { cells })
+    }
+
+    /// That zones of a contact have too few cells; of the stick zone where the contact itself has not.
+    pub(crate) fn zone_warnings(self) -> impl Iterator<Item = Warning> {
+        let is_coarse = self.contact_warning().is_some();
+        let stick = self
+            .stick
+            .filter(|cells| *cells < self.least()[1] && !is_coarse);
+        let stick = stick.map(|cells| Warning::CoarseStick { cells });
+        let slip = self.slip_width.filter(|tenths| *tenths < RESOLVED_WIDTH);
+        let slip = slip.map(|tenths| Warning::NarrowSlip { tenths });
+        stick.into_iter().chain(slip)
+    }
+
+    /// Cells that a contact and a stick zone need.
+    fn least(self) -> [usize; 2] {
+        if self.is_line {
+            RESOLVED_LINE
+        } else {
+            RESOLVED_AREA
+        }
+    }
+}
