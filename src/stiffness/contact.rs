@@ -11,7 +11,7 @@ use crate::normal::NormalSolution;
 use crate::parallel;
 use crate::report::Iteration;
 use crate::stiffness::motions::{Motions, kinds};
-use crate::stiffness::press::{Press, pressed};
+use crate::stiffness::press::{pressed, stiffness_of};
 use crate::stiffness::system::{Freedom, Stiffness, System, Vector, times};
 use crate::tangential::{Axis, Friction, TangentialSolution, Zone};
 use crate::watch::{Observer, Watch, unwatched};
@@ -251,14 +251,6 @@ impl ContactStiffness {
             by_approach,
         })
     }
-}
-
-fn stiffness_of(press: Option<&Press>) -> NormalStiffness {
-    let none = NormalStiffness {
-        value: 0.0,
-        bound: 0.0,
-    };
-    press.map_or(none, |press| press.stiffness)
 }
 
 /// Zero of what the model has.

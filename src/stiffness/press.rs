@@ -57,3 +57,12 @@ pub(super) fn pressed(
         growth: unit.map(|traction| traction * per_area).collect(),
     }))
 }
+
+/// Zero without contact.
+pub(super) fn stiffness_of(press: Option<&Press>) -> NormalStiffness {
+    let none = NormalStiffness {
+        value: 0.0,
+        bound: 0.0,
+    };
+    press.map_or(none, |press| press.stiffness)
+}
