@@ -196,6 +196,7 @@
 
 pub mod analytical;
 mod boundary;
+mod buffer;
 mod cascade;
 pub mod cgm;
 mod clock;
@@ -242,6 +243,7 @@ mod trend;
 mod window;
 
 pub use boundary::Boundary;
+pub use buffer::TryClone;
 pub use contact_map::Warning;
 pub use coupled::{CoupledProblem, CoupledSolution, CoupledSolver};
 pub use coupling::Coupling;

@@ -1,5 +1,6 @@
 //! The scene of a coupled contact, checked once.
 
+use crate::buffer::{TryClone, try_clone};
 use crate::cgm::{Settings, settings_methods};
 use crate::coupled::{CoupledSolution, CoupledSolver};
 use crate::error::Result;
@@ -37,6 +38,8 @@ pub struct CoupledProblem {
     pub(super) relative: Option<RelativeDisplacement>,
     pub(super) settings: Settings,
 }
+
+try_clone!(CoupledProblem { gap, friction, relative } { bodies, normal, load, settings });
 
 /// Options of a [`CoupledProblem`]; each has a default.
 #[derive(Debug, Clone)]
@@ -82,8 +85,8 @@ impl CoupledProblem {
     /// iterate; [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) for a force that slides the contact; as
     /// [`HalfSpace::operator`].
     pub fn solve(&self) -> Result<CoupledSolution> {
-        let mut solver = CoupledSolver::new(self.clone())?;
-        let mut solution = solver.new_solution();
+        let mut solver = CoupledSolver::new(self.try_clone()?)?;
+        let mut solution = solver.try_new_solution()?;
         solver.solve_into(&mut solution)?;
         Ok(solution)
     }
@@ -119,7 +122,7 @@ impl CoupledProblemBuilder<'_> {
         self.friction.check_alike(self.bodies)?;
         Ok(CoupledProblem {
             bodies: self.bodies.clone(),
-            gap: self.gap.clone(),
+            gap: self.gap.try_clone()?,
             friction: self.friction,
             normal: self.normal,
             load: self.load,

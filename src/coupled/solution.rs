@@ -1,10 +1,12 @@
 //! The answer to a coupled contact.
 
+use crate::buffer::{try_clone, try_each};
 use crate::cgm::reduce;
 use crate::contact_map::Warning;
 use crate::coupled::CoupledReport;
 use crate::coupled::engine::N;
 use crate::coupled::increment::CoupledIncrement;
+use crate::error::Result;
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::layout::Layout;
@@ -28,6 +30,8 @@ pub struct CoupledSolution {
 }
 
 shown!(CoupledSolution: normal, shear, elastic_energy(), report());
+
+try_clone!(CoupledSolution { normal, shear, displacement } { report, whole_energy });
 
 /// What is read, before it is checked.
 #[cfg(feature = "serde")]
@@ -56,15 +60,15 @@ impl<'de> serde::Deserialize<'de> for CoupledSolution {
 
 impl CoupledSolution {
     /// No contact yet.
-    pub(super) fn empty(bodies: &HalfSpace, gap: &Field) -> Self {
+    pub(super) fn empty(bodies: &HalfSpace, gap: &Field) -> Result<Self> {
         let (grid, boundary) = (bodies.grid(), bodies.boundary());
-        Self {
-            normal: NormalSolution::empty(gap, boundary, bodies.pair()),
-            shear: TangentialSolution::empty(grid, boundary),
-            displacement: std::array::from_fn(|_| Field::zeros(grid)),
+        Ok(Self {
+            normal: NormalSolution::empty(gap, boundary, bodies.pair())?,
+            shear: TangentialSolution::empty(grid, boundary)?,
+            displacement: try_each(|_| Field::try_zeros(grid))?,
             report: CoupledReport::unsolved(),
             whole_energy: None,
-        }
+        })
     }
 
     pub(super) fn fill(&mut self, bodies: &HalfSpace, gap: &Field, increment: &CoupledIncrement) {

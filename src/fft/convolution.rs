@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::boundary::Boundary;
+use crate::buffer::or_abort;
 use crate::error::Result;
 use crate::fft::frame::Frame;
 use crate::fft::length::torus;
@@ -69,11 +70,7 @@ impl Convolution {
     pub fn new(grid: Grid, pair: &ElasticPair, component: Component) -> Result<Self> {
         let reach = reach(grid.size(), Boundary::NonPeriodic);
         let table = Samples::new(grid, reach)?.table(grid, pair, component)?;
-        Ok(Self::of_kernels(
-            grid.size(),
-            None,
-            [[&Kernel::Table(table)]],
-        ))
+        Self::of_kernels(grid.size(), None, [[&Kernel::Table(table)]])
     }
 
     /// The same on a grid that repeats along x and y, with the symbols of the [`influence`](crate::influence)
@@ -99,7 +96,8 @@ impl Convolution {
     #[must_use]
     pub fn periodic(grid: Grid, pair: &ElasticPair, component: Component) -> Self {
         let symbols = Symbols::new(grid, pair, component);
-        Self::of_kernels(grid.size(), None, [[&Kernel::Symbols(symbols)]])
+        let kernels = [[&Kernel::Symbols(symbols)]];
+        or_abort(Self::of_kernels(grid.size(), None, kernels))
     }
 }
 
@@ -107,31 +105,34 @@ impl<const N: usize> Convolution<N> {
     /// On `[nx, ny]` cells, from a symmetric tensor of kernels (displacement, then traction) or from one
     /// kernel of any parity. Tables must hold the [`samples`] of these or more cells, symbols are those of
     /// these cells.
+    ///
+    /// # Errors
+    /// [`Error::Memory`](crate::Error::Memory).
     pub(crate) fn of_kernels(
         size: [usize; 2],
         share: Option<Arc<Share>>,
         kernels: [[&Kernel; N]; N],
-    ) -> Self {
+    ) -> Result<Self> {
         let repeats = kernels[0][0].repeats();
         let frame = Frame {
             size,
             torus: torus(size, repeats),
             share,
         };
-        let symbol = Symbol::new(&frame, kernels);
+        let symbol = Symbol::new(&frame, kernels)?;
         let plan = Plan::new(frame.clone());
         let normalisation = 1.0 / plan.cells_of_torus();
         // The matrix of a free half-space is a principal part of the torus's, whose eigenvalues are those of the
         // symbol. A mean on a grid that repeats has the eigenvalue zero.
         let range = symbol.extremes(repeats == [true; 2]);
-        Self {
+        Ok(Self {
             plan,
-            single: SingleProduct::new(frame, &symbol),
+            single: SingleProduct::new(frame, &symbol)?,
             lower_bound: lower_bound(range, kernels),
             upper_bound: range[1],
             is_single_enough: range[0] > SINGLE_RANGE * range[1],
-            symbol: symbol.map(|value| value * normalisation),
-        }
+            symbol: symbol.map(|value| value * normalisation)?,
+        })
     }
 }
 
@@ -206,11 +207,15 @@ impl<const N: usize> Operator<N> for Convolution<N> {
     }
 
     fn workspace(&self) -> ConvolutionWorkspace<N> {
-        ConvolutionWorkspace {
-            tiles: self.plan.tiles(),
-            double: self.plan.scratch(),
+        or_abort(self.try_workspace())
+    }
+
+    fn try_workspace(&self) -> Result<ConvolutionWorkspace<N>> {
+        Ok(ConvolutionWorkspace {
+            tiles: self.plan.tiles()?,
+            double: self.plan.scratch()?,
             single: None,
-        }
+        })
     }
 
     fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut ConvolutionWorkspace<N>) {
@@ -231,8 +236,14 @@ impl<const N: usize> Operator<N> for Convolution<N> {
             return self.apply(x, out, workspace);
         }
         let ConvolutionWorkspace { tiles, single, .. } = workspace;
-        let scratch = single.get_or_insert_with(|| self.single.scratch());
-        self.single.apply(x, out, tiles, scratch);
+        if single.is_none() {
+            *single = self.single.scratch().ok();
+        }
+        match single {
+            Some(scratch) => self.single.apply(x, out, tiles, scratch),
+            // There is no memory for it: the product in double precision is as good.
+            None => self.apply(x, out, workspace),
+        }
     }
 
     /// The smallest eigenvalue of the periodic continuation, a bound for the cells cut out of it; for a

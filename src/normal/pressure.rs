@@ -1,5 +1,6 @@
 //! Normal contacts of the same bodies, one after the other, each from the answer of the last.
 
+use crate::buffer;
 use crate::cascade::{Conditions, Scene, nested_start};
 use crate::cgm::{Known, Method, Settings, Total, reduce};
 use crate::clock::Instant;
@@ -82,6 +83,11 @@ impl PressureSolver {
         }
     }
 
+    /// Cells of that trend held here.
+    pub(crate) fn trend_cells(&self) -> usize {
+        self.engine.as_ref().map_or(0, Engine::trend_cells)
+    }
+
     /// Counts a step, whether or not it solves.
     pub(crate) fn age(&mut self) {
         self.left_behind.age();
@@ -111,10 +117,15 @@ impl PressureSolver {
                 None => *present = None,
             }
         }
-        if let Some(engine) = &mut self.engine {
-            engine.set_trend(trend);
+        let Some(engine) = &mut self.engine else {
+            return Ok(());
+        };
+        let outcome = engine.set_trend(trend);
+        if outcome.is_err() {
+            // Without the trend it would not go on as it did.
+            self.engine = None;
         }
-        Ok(())
+        outcome
     }
 
     /// Forgets the last answer: the next solve starts as the first did.
@@ -185,7 +196,7 @@ impl PressureSolver {
         let last = self.engine.take();
         let is_cold = last.is_none();
         let (mut engine, known) = if let Some(mut engine) = last {
-            let known = self.set_out(&mut engine, load, from, pressure);
+            let known = self.set_out(&mut engine, load, from, pressure)?;
             (engine, known)
         } else {
             let engine = start_cold(of, load, pressure, &mut conditions)?;
@@ -201,7 +212,7 @@ impl PressureSolver {
         self.approach = load.datum + multiplier;
         if outcome.is_ok() && known == Known::Extrapolated {
             let to = [reduce::total(&layout, pressure), self.approach];
-            engine.note(pressure, from, to);
+            engine.note(pressure, from, to)?;
         }
         // Do not warm-start from NaN; and a first solve without contact has not found where to work.
         let touches = reduce::any(&layout, |i| pressure[i] > 0.0);
@@ -217,15 +228,15 @@ impl PressureSolver {
         load: Load,
         from: Reached,
         pressure: &mut [f64],
-    ) -> Known<1> {
-        match load.ahead(from) {
+    ) -> Result<Known<1>> {
+        Ok(match load.ahead(from) {
             Ahead::Nothing => Known::Answer([load.of(self.approach - load.datum)]),
             ahead => {
                 let parts = engine.parts(ahead).unwrap_or(0.0);
-                engine.extrapolate(parts, pressure);
+                engine.extrapolate(parts, pressure)?;
                 Known::Extrapolated
             }
-        }
+        })
     }
 
     /// Solves on the window and looks at the whole grid; where bodies overlap beyond the window it
@@ -256,7 +267,7 @@ impl PressureSolver {
             }
             drop(observer);
             self.report.add_pass(engine.solver.report());
-            let Some(findings) = engine.examine(surfaces, load, pressure) else {
+            let Some(findings) = engine.examine(surfaces, load, pressure)? else {
                 return outcome;
             };
             self.report.double_precision_products += 1;
@@ -305,8 +316,8 @@ fn start_cold(
     let (bodies, Surfaces { gap, limits }) = (of.bodies, of.surfaces());
     let (grid, whole) = (bodies.grid(), Window::whole(bodies.grid()));
     let mut scene = PressureScene {
-        linear: vec![0.0; grid.cells()],
-        limits: limits.map(|limits| limits.to_vec()),
+        linear: buffer::zeros(grid.cells())?,
+        limits: limits.try_map(|limits| buffer::copied(limits))?,
         total: load.total,
         cells: whole.cells(),
     };
@@ -317,7 +328,7 @@ fn start_cold(
     });
     let is_plain = conditions.settings.method == Method::PolonskyKeer;
     let [start] = if is_plain {
-        scene.plain_start()
+        scene.plain_start()?
     } else {
         nested_start(bodies, whole.size, &scene, conditions)?
     };

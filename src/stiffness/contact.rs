@@ -1,5 +1,6 @@
 //! The stiffness of a contact that is solved.
 
+use crate::buffer;
 use crate::cgm::small::Small;
 use crate::error::{Result, positive};
 use crate::field::Field;
@@ -170,7 +171,7 @@ impl ContactStiffness {
     ) -> Result<Self> {
         friction.check(bodies.grid())?;
         let press = pressed(bodies, normal)?;
-        let mut limits = vec![0.0; bodies.grid().cells()];
+        let mut limits = buffer::zeros(bodies.grid().cells())?;
         if let Some(press) = &press {
             let pressure = normal.pressure().as_slice();
             for (i, growth) in press.window.indices().zip(&press.growth) {
@@ -217,14 +218,14 @@ fn pressed(bodies: &HalfSpace, normal: &NormalSolution) -> Result<Option<Press>>
         }
     };
     let compliance = bodies.compliance([Direction::Z], window.size)?;
-    let freedoms = window.indices().map(freedom).collect();
+    let freedoms = buffer::collected(window.cells(), window.indices().map(freedom))?;
     let system = System::new(bodies.boundary(), &compliance, freedoms)?;
     let Stiffness {
         matrix,
         bound,
         tractions,
         ..
-    } = system.stiffness(&[[vec![1.0; window.cells()]]])?;
+    } = system.stiffness(&[[buffer::filled(1.0, window.cells())?]])?;
     let cell_area = bodies.grid().cell_area();
     let per_area = matrix[0][0];
     let value = per_area * cell_area;
@@ -232,7 +233,7 @@ fn pressed(bodies: &HalfSpace, normal: &NormalSolution) -> Result<Option<Press>>
     Ok(Some(Press {
         window,
         stiffness: NormalStiffness { value, bound },
-        growth: unit.map(|traction| traction * per_area).collect(),
+        growth: buffer::collected(window.cells(), unit.map(|traction| traction * per_area))?,
     }))
 }
 
@@ -290,19 +291,19 @@ impl Sheared<'_> {
             _ => sticking(i),
         };
         let touches = |i: usize| self.zones[i] != Zone::Separated;
-        let motions = Motions::new(grid, window, axes, bodies.boundary(), touches);
+        let motions = Motions::new(grid, window, axes, bodies.boundary(), touches)?;
         let area = grid.cell_area();
         let boundary = bodies.boundary();
-        let freedoms = window.indices().map(sticking).collect();
+        let freedoms = buffer::collected(window.cells(), window.indices().map(sticking))?;
         let reversal = System::new(boundary, &compliance, freedoms)?;
         let reversal = reversal.stiffness(&motions.cells)?;
-        let freedoms = window.indices().map(slipping).collect();
+        let freedoms = buffer::collected(window.cells(), window.indices().map(slipping))?;
         let loading = System::new(boundary, &compliance, freedoms)?;
         let found = loading.stiffness(&motions.cells)?;
         let mut by_approach = [0.0; 3];
         if let Some(limits) = limits {
-            let forced = self.forced(axes, window, limits);
-            let displacement = loading.displacement(&forced);
+            let forced = self.forced(axes, window, limits)?;
+            let displacement = loading.displacement(&forced)?;
             let own = motions
                 .cells
                 .iter()
@@ -347,8 +348,13 @@ impl Sheared<'_> {
     }
 
     /// The tractions of cells that slip, when their limits grow so.
-    fn forced<const N: usize>(&self, axes: [Axis; N], window: Window, limits: &[f64]) -> Vector<N> {
-        let mut forced = std::array::from_fn(|_| vec![0.0; window.cells()]);
+    fn forced<const N: usize>(
+        &self,
+        axes: [Axis; N],
+        window: Window,
+        limits: &[f64],
+    ) -> Result<Vector<N>> {
+        let mut forced: Vector<N> = buffer::vector(window.cells())?;
         for (k, i) in window.indices().enumerate() {
             let q = Self::at(self.traction, axes, i);
             let limit = q.iter().fold(0.0_f64, |sum, q| sum.hypot(*q));
@@ -358,6 +364,6 @@ impl Sheared<'_> {
                 }
             }
         }
-        forced
+        Ok(forced)
     }
 }

@@ -1,7 +1,9 @@
 //! The motions of the bodies, as those of the cells of a window.
 
 use crate::boundary::Boundary;
+use crate::buffer;
 use crate::cgm::vector::{minus, plus};
+use crate::error::Result;
 use crate::grid::Grid;
 use crate::stiffness::system::Vector;
 use crate::tangential::{Axis, centre};
@@ -22,22 +24,22 @@ impl<const N: usize> Motions<N> {
         axes: [Axis; N],
         boundary: Boundary,
         is_contact: impl Fn(usize) -> bool,
-    ) -> Self {
+    ) -> Result<Self> {
         let (mut sum, mut count) = ([0.0; 2], 0.0);
         for i in window.indices().filter(|&i| is_contact(i)) {
             let [x, y] = centre(grid, i);
             (sum, count) = ([sum[0] + x, sum[1] + y], count + 1.0);
         }
         let middle = sum.map(|sum| sum / count);
-        let motion = |f: &dyn Fn([f64; 2]) -> [f64; 2]| -> Vector<N> {
-            let mut cells = std::array::from_fn(|_| vec![0.0; window.cells()]);
+        let motion = |f: &dyn Fn([f64; 2]) -> [f64; 2]| -> Result<Vector<N>> {
+            let mut cells: Vector<N> = buffer::vector(window.cells())?;
             for (k, i) in window.indices().enumerate().filter(|&(_, i)| is_contact(i)) {
                 let moved = f(centre(grid, i));
                 for (part, axis) in cells.iter_mut().zip(axes) {
                     part[k] = moved[axis.index()];
                 }
             }
-            cells
+            Ok(cells)
         };
         let mut cells: Vec<_> = axes
             .iter()
@@ -46,17 +48,17 @@ impl<const N: usize> Motions<N> {
                 unit[axis.index()] = 1.0;
                 motion(&|_| unit)
             })
-            .collect();
+            .collect::<Result<_>>()?;
         let mut kinds: Vec<_> = axes.iter().map(|axis| axis.index()).collect();
         if N == 2 && boundary.may_turn() {
-            cells.push(motion(&|[x, y]| [middle[1] - y, x - middle[0]]));
+            cells.push(motion(&|[x, y]| [middle[1] - y, x - middle[0]])?);
             kinds.push(2);
         }
-        Self {
+        Ok(Self {
             cells,
             kinds,
             centre: middle,
-        }
+        })
     }
 
     /// Loads by the kinds of motions, about the origin of the grid.

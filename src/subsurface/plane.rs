@@ -1,5 +1,7 @@
 //! The answer of one depth.
 
+use crate::buffer::{try_clone, try_each};
+use crate::error::Result;
 use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
 use crate::shown::shown;
@@ -45,6 +47,8 @@ clone_in_place!(Plane {
     displacement
 });
 
+try_clone!(Plane { normal, shear, displacement } { body, depth });
+
 /// The components in the order of the fields.
 pub(super) const STRESSES: [[Component; 3]; 2] = [
     [Component::Sxx, Component::Syy, Component::Szz],
@@ -53,26 +57,30 @@ pub(super) const STRESSES: [[Component; 3]; 2] = [
 pub(super) const DISPLACEMENTS: [Component; 3] = [Component::Ux, Component::Uy, Component::Uz];
 
 impl Plane {
-    pub(super) fn new(grid: Grid, body: Body, with_displacements: bool) -> Self {
-        let zeros = || [(); 3].map(|()| Field::zeros(grid));
-        Self {
+    pub(super) fn new(grid: Grid, body: Body, with_displacements: bool) -> Result<Self> {
+        let zeros = || try_each(|_| Field::try_zeros(grid));
+        Ok(Self {
             body,
             depth: 0.0,
-            normal: zeros(),
-            shear: zeros(),
-            displacement: with_displacements.then(zeros),
-        }
+            normal: zeros()?,
+            shear: zeros()?,
+            displacement: with_displacements.then(zeros).transpose()?,
+        })
     }
 
     /// For an answer of this body.
-    pub(super) fn prepare(&mut self, body: Body, with_displacements: bool) {
-        self.body = body;
+    ///
+    /// # Errors
+    /// [`Error::Memory`](crate::Error::Memory); the plane is then as it was.
+    pub(super) fn prepare(&mut self, body: Body, with_displacements: bool) -> Result<()> {
         if !with_displacements {
             self.displacement = None;
         } else if self.displacement.is_none() {
             let grid = self.grid();
-            self.displacement = Some([(); 3].map(|()| Field::zeros(grid)));
+            self.displacement = Some(try_each(|_| Field::try_zeros(grid))?);
         }
+        self.body = body;
+        Ok(())
     }
 
     pub(super) fn set_depth(&mut self, depth: f64) {

@@ -127,7 +127,7 @@ impl Planes {
         body: Body,
         tractions: impl Into<Tractions<'a>>,
     ) -> Result<Plane> {
-        let mut plane = self.plane(body);
+        let mut plane = self.plane(body)?;
         self.solve_into(index, body, tractions, &mut plane)?;
         Ok(plane)
     }
@@ -152,7 +152,7 @@ impl Planes {
         let fields = tractions.into().checked(&self.bodies)?;
         let kernels = Arc::clone(&self.kernels);
         let spectra = parallel::get_or_make(&kernels[index], || self.spectra(index))?;
-        plane.prepare(body, self.with_displacements);
+        plane.prepare(body, self.with_displacements)?;
         self.load(fields, &constants);
         self.fill(plane, spectra, &constants);
         Ok(())
@@ -172,7 +172,7 @@ impl Planes {
     ) -> Result<()> {
         let constants = body.constants(self.bodies.pair())?;
         let fields = tractions.into().checked(&self.bodies)?;
-        let mut plane = self.plane(body);
+        let mut plane = self.plane(body)?;
         let kernels = Arc::clone(&self.kernels);
         self.load(fields, &constants);
         for (index, kept) in kernels.iter().enumerate() {
@@ -197,7 +197,7 @@ impl Planes {
         self.with_displacements
     }
 
-    fn plane(&self, body: Body) -> Plane {
+    fn plane(&self, body: Body) -> Result<Plane> {
         Plane::new(self.bodies.grid(), body, self.with_displacements)
     }
 

@@ -1,6 +1,7 @@
 //! Stress and displacement at scattered points, by direct sum over the loaded cells.
 
 use crate::boundary::Boundary;
+use crate::buffer;
 use crate::error::{Error, Result};
 use crate::half_space::HalfSpace;
 use crate::parallel::{self, Blocks};
@@ -74,7 +75,7 @@ pub struct Response {
 /// [`Error::Sample`] for a depth that is negative, or a coordinate or traction that is not finite;
 /// [`Error::GridMismatch`], [`Error::BoundaryMismatch`] and [`Error::MaterialMismatch`] if the tractions are not
 /// those of these bodies; [`Error::RigidBody`]; [`Error::Repeats`] if the grid
-/// repeats along both axes: use [`Planes`](crate::subsurface::Planes); [`Error::Ranks`].
+/// repeats along both axes: use [`Planes`](crate::subsurface::Planes); [`Error::Memory`]; [`Error::Ranks`].
 pub fn at_points<'a>(
     bodies: &HalfSpace,
     body: Body,
@@ -105,7 +106,7 @@ pub fn at_points<'a>(
         }
     }
     let loaded = Loaded::new(bodies, fields);
-    let mut responses = vec![Response::default(); points.len()];
+    let mut responses = buffer::filled(Response::default(), points.len())?;
     let data = Blocks {
         items: &mut responses,
         width: 1,

@@ -1,5 +1,6 @@
 //! Displacements of one body relative to the other that the contact does not cause.
 
+use crate::buffer::try_clone;
 use crate::error::{Error, Result, all_finite};
 use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
@@ -31,6 +32,8 @@ pub struct RelativeDisplacement {
 
 clone_in_place!(RelativeDisplacement { fields });
 
+try_clone!(RelativeDisplacement { fields });
+
 impl RelativeDisplacement {
     /// The displacements of the cells along x and along y.
     ///
@@ -56,9 +59,9 @@ impl RelativeDisplacement {
     }
 
     /// None of all cells.
-    pub(crate) fn zeros(grid: Grid) -> Self {
-        let fields = [Field::zeros(grid), Field::zeros(grid)];
-        Self { fields }
+    pub(crate) fn zeros(grid: Grid) -> Result<Self> {
+        let fields = [Field::try_zeros(grid)?, Field::try_zeros(grid)?];
+        Ok(Self { fields })
     }
 
     /// The displacements along x and along y (lengths).

@@ -4,6 +4,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
+use crate::buffer::or_abort;
 use crate::error::{Error, RankFailure, Result};
 use crate::field::Field;
 use crate::grid::Grid;
@@ -128,7 +129,7 @@ impl State {
         let nothing = self.grid().whole().slab(0..0);
         let mut writer = Writer::default();
         let mut rest = self.clone().blank_on(nothing);
-        let Ok(()) = rest.visit(&mut writer);
+        or_abort(rest.visit(&mut writer));
         checksum(&writer.0)
     }
 
