@@ -17,6 +17,11 @@
  * object needs it alone, else one of the two returns STICKSLIP_BUSY and does nothing. To free an object or read through a
  * pointer to a field while another thread uses or changes it is an error that nobody notices.
  *
+ * Memory. A call that cannot have memory whose size follows the cells returns STICKSLIP_MEMORY and leaves its objects as they
+ * were. The process ends only where it cannot have a few kilobytes whatever the grid (an object, a report, a message), a row of
+ * the grid (tables of the transforms, rows that repeat along y, stresses at points), or a thread; and in the readers of lists
+ * (warnings, equivalent stresses) and in surfaces, which ask for their memory before they begin.
+ *
  * Units are any consistent set. Pressure and approach are positive when bodies are pressed; the shift is the motion of body
  * 2 relative to body 1, traction and tangential force are those that body 2 exerts on body 1.
  */

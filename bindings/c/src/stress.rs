@@ -7,7 +7,7 @@ use crate::call::{Outcome, call};
 use crate::error::Failure;
 use crate::half_space::stickslip_half_space;
 use crate::handle::reading;
-use crate::pointer::{cells, entries, entries_mut, input};
+use crate::pointer::{cells, collected, entries, entries_mut, input};
 use crate::spare::Spare;
 use crate::status::stickslip_status;
 use crate::threads::enter;
@@ -129,7 +129,8 @@ pub unsafe extern "C" fn stickslip_stress_at_points(
     call(|| unsafe {
         let places = entries_mut("responses", responses, count)?;
         let points = entries("points", points, count)?;
-        let points: Vec<[f64; 3]> = points.iter().map(|at| [at.x, at.y, at.depth]).collect();
+        let points = points.iter().map(|at| [at.x, at.y, at.depth]);
+        let points = collected(Vec::new(), points)?;
         let (body, tractions) = (body(which)?, input("tractions", tractions)?);
         let bodies = reading(half_space)?;
         let bodies = &*bodies;
