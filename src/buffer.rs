@@ -139,6 +139,16 @@ macro_rules! try_clone {
             fn has_room_for(&self, source: &Self) -> bool {
                 true $(&& self.$part.has_room_for(&source.$part))*
             }
+
+            fn try_clone_from(&mut self, source: &Self) -> $crate::error::Result<()> {
+                if self.has_room_for(source) {
+                    $(self.$part.try_clone_from(&source.$part)?;)*
+                    $($(self.$plain.clone_from(&source.$plain);)*)?
+                } else {
+                    *self = source.try_clone()?;
+                }
+                Ok(())
+            }
         }
     };
 }

@@ -202,7 +202,7 @@ impl AdaptiveSteps {
         history.step(&part(0.5 * (start + end)))?;
         let (state, step) = &mut self.middle;
         state.try_clone_from(history.state())?;
-        step.clone_from(history.last_step());
+        step.try_clone_from(history.last_step())?;
         let second = history.step(&part(end))?;
         let halves = step.energy().dissipated_energy + second.energy().dissipated_energy;
         let difference = |a: [f64; 2], b: [f64; 2]| [a[0] - b[0], a[1] - b[1]];

@@ -113,9 +113,10 @@ pub fn at_points<'a>(
     };
     let work = |point: usize, response: Blocks<'_, Response>| {
         for response in response.items {
-            *response = loaded.response(points[point], &constants);
+            *response = loaded.response(points[point], &constants)?;
         }
+        Ok(())
     };
-    parallel::sweep(0..points.len(), data, &work, &|(), ()| ());
+    parallel::sweep(0..points.len(), data, &work, &Result::and)?;
     Ok(responses)
 }
