@@ -19,7 +19,7 @@
  *
  * Memory. A call that cannot have memory whose size follows the cells returns STICKSLIP_MEMORY and leaves its objects as they
  * were. The process ends only where it cannot have a few kilobytes whatever the grid (an object, a report, a message), a row of
- * the grid (tables of the transforms, rows that repeat along y, stresses at points), or a thread; and in the readers of lists
+ * the grid (tables of the transforms, rows that repeat along y), or a thread; and in the readers of lists
  * (warnings, equivalent stresses) and in surfaces, which ask for their memory before they begin.
  *
  * Units are any consistent set. Pressure and approach are positive when bodies are pressed; the shift is the motion of body
