@@ -10,12 +10,13 @@ import sys
 # The modules of the crate by layer, lowest first, and the modules each may use: those named, of its own layer or of
 # a lower one.
 FOUNDATION = {
-    "clock", "error", "report", "boundary", "grid", "field", "material", "parallel", "per_cell", "pool", "left_behind", "serial", "warning",
+    "buffer", "clock", "error", "report", "boundary", "grid", "field", "material", "parallel", "per_cell", "pool", "left_behind", "serial", "warning",
     "gauss", "jacobi", "digest", "ranks", "share", "shown", "layout", "reduce", "watch",
 }
 ENGINE = FOUNDATION | {"operator", "influence", "fft", "half_space", "cgm", "levels", "window", "trend"}
 LAYERS = [
     ("words every layer speaks", {
+        "buffer": {"error"},
         "clock": set(),
         "serial": {"error"},
         "report": {"error", "serial"},
@@ -27,25 +28,25 @@ LAYERS = [
         "share": {"parallel", "layout", "ranks"},
         "layout": {"error", "report", "parallel", "ranks", "share"},
         "reduce": {"layout", "ranks"},
-        "per_cell": set(),
+        "per_cell": {"buffer", "error"},
         "shown": set(),
-        "pool": set(),
+        "pool": {"error"},
         "left_behind": set(),
         "gauss": set(),
         "jacobi": set(),
         "boundary": set(),
         "grid": {"error", "layout"},
         "warning": {"grid"},
-        "field": {"error", "grid", "layout", "parallel", "serial", "shown"},
+        "field": {"buffer", "error", "grid", "layout", "parallel", "serial", "shown"},
         "material": {"error", "serial"},
         "coupling": {"material"},
     }),
     ("operators, kernels, transforms, closed forms, shapes; no physics of contact; and pages to read", {
-        "operator": {"layout"},
+        "operator": {"error", "layout"},
         "contact_map": {"boundary", "grid", "warning"},
         "window": {"grid", "layout", "parallel", "ranks"},
-        "levels": {"parallel"},
-        "trend": {"field"},
+        "levels": {"buffer", "error", "parallel"},
+        "trend": {"buffer", "field"},
         "influence": FOUNDATION,
         "fft": FOUNDATION | {"operator", "influence"},
         "guide": set(),
@@ -55,7 +56,7 @@ LAYERS = [
     }),
     ("the engine, and what it works on", {
         "half_space": FOUNDATION | {"contact_map", "levels", "operator", "influence", "fft", "io", "surface", "window"},
-        "cgm": {"clock", "error", "layout", "report", "parallel", "operator", "ranks", "reduce", "serial"},
+        "cgm": {"buffer", "clock", "error", "layout", "report", "parallel", "operator", "ranks", "reduce", "serial"},
         "elastic": ENGINE,
         "passes": {"clock", "error", "report", "cgm", "elastic"},
         "cascade": ENGINE | {"elastic", "passes"},

@@ -1,6 +1,7 @@
 //! Starts from coarser cells: far fewer steps are then left to do on the finest ones (Bornemann & Deuflhard's
 //! cascade, Numer. Math. 75 (1996) 135, <https://doi.org/10.1007/s002110050234>).
 
+use crate::buffer;
 use crate::cgm::{Admissible, Constraint, Known, Settings, Total};
 use crate::clock::Instant;
 use crate::elastic::{ElasticSolver, Observer, Posed};
@@ -33,16 +34,20 @@ pub(crate) trait Scene<const N: usize>: Sized {
     fn totals(&self) -> [Total; N];
 
     /// The scene on cells twice as large.
-    fn coarsened(&self, levels: Levels<'_>) -> Self;
+    fn coarsened(&self, levels: Levels<'_>) -> Result<Self>;
 
     /// The part of the grid that is worth solving on from a start, and the scene there, where that is little of it. What
     /// it misses the finest grid will see.
-    fn confined(&self, _bodies: &HalfSpace, _start: &[Vec<f64>; N]) -> Option<(Region, Self)> {
-        None
+    fn confined(
+        &self,
+        _bodies: &HalfSpace,
+        _start: &[Vec<f64>; N],
+    ) -> Result<Option<(Region, Self)>> {
+        Ok(None)
     }
 
     /// A start without any other answer.
-    fn plain_start(&self) -> [Vec<f64>; N];
+    fn plain_start(&self) -> Result<[Vec<f64>; N]>;
 
     /// A start from the coarser scene's answer.
     fn refined_start(
@@ -50,7 +55,7 @@ pub(crate) trait Scene<const N: usize>: Sized {
         levels: Levels<'_>,
         coarse: &Self,
         answer: &[Vec<f64>; N],
-    ) -> [Vec<f64>; N];
+    ) -> Result<[Vec<f64>; N]>;
 }
 
 /// Rectangles of `size` cells and of cells twice as large, and how their fields lie.
@@ -63,17 +68,20 @@ pub(crate) struct Levels<'a> {
 
 impl Levels<'_> {
     /// A field on the coarser cells.
-    pub(crate) fn coarsened(&self, field: &[f64]) -> Vec<f64> {
+    pub(crate) fn coarsened(&self, field: &[f64]) -> Result<Vec<f64>> {
         self.bodies.coarsened(self.coarser, self.size, field)
     }
 
     /// A field of the coarser cells on the finer ones.
-    pub(crate) fn refined(&self, field: &[f64]) -> Vec<f64> {
+    pub(crate) fn refined(&self, field: &[f64]) -> Result<Vec<f64>> {
         self.bodies.refined(self.coarser, self.size, field)
     }
 
     /// Marks of the coarser cells, each handed down to the finer cells that lie in it.
-    pub(crate) fn inherited(&self, marks: impl Iterator<Item = bool>) -> Vec<bool> {
+    pub(crate) fn inherited(
+        &self,
+        marks: impl ExactSizeIterator<Item = bool>,
+    ) -> Result<Vec<bool>> {
         self.bodies.inherited(self.coarser, self.size, marks)
     }
 
@@ -123,7 +131,7 @@ fn descend<S: Scene<N>, const N: usize>(
     conditions: &mut Conditions<'_, '_>,
 ) -> Result<([Vec<f64>; N], bool)> {
     if !is_worth_coarsening(bodies, size) {
-        return Ok((scene.plain_start(), false));
+        return Ok((scene.plain_start()?, false));
     }
     let (coarser, coarse_size) = (bodies.coarser()?, halved(size));
     let levels = Levels {
@@ -131,12 +139,12 @@ fn descend<S: Scene<N>, const N: usize>(
         bodies,
         coarser,
     };
-    let coarse = scene.coarsened(levels);
+    let coarse = scene.coarsened(levels)?;
     let (mut x, mut is_over) = descend(coarser, coarse_size, &coarse, conditions)?;
     if !is_over {
         is_over = solve(coarser, coarse_size, &coarse, &mut x, conditions)?;
     }
-    Ok((scene.refined_start(levels, &coarse, &x), is_over))
+    Ok((scene.refined_start(levels, &coarse, &x)?, is_over))
 }
 
 /// Solves a coarse scene roughly, where it is worth solving; returns whether observer or clock ended it.
@@ -148,14 +156,15 @@ fn solve<S: Scene<N>, const N: usize>(
     conditions: &mut Conditions<'_, '_>,
 ) -> Result<bool> {
     let rough = conditions.rough_settings();
-    let confined = scene.confined(bodies, x);
-    let mut inside = confined.as_ref().map(|(region, _)| {
-        x.each_ref().map(|x| {
-            let mut inside = vec![0.0; region.cells()];
-            region.gather(x, &mut inside);
-            inside
-        })
+    let confined = scene.confined(bodies, x)?;
+    let inside = confined.as_ref().map(|(region, _)| {
+        let mut inside: [_; N] = buffer::vector(region.cells())?;
+        for (inside, x) in inside.iter_mut().zip(&*x) {
+            region.gather(x, inside);
+        }
+        Ok(inside)
     });
+    let mut inside = inside.transpose()?;
     let (size, scene) = match &confined {
         Some((region, part)) => (region.window().size, part),
         None => (size, scene),

@@ -72,7 +72,7 @@ impl<S: Admissible<N>, const N: usize> ElasticSolver<S, N> {
             .layout(&self.layout)
             .preconditioner(Arc::clone(inverse))
             .totals(posed.totals);
-        let workspace = self.workspace.take(|| problem.workspace());
+        let workspace = self.workspace.take(|| problem.try_workspace())?;
         let known = posed.known;
         let outcome = cgm::minimise_from(&problem, settings, x, known, workspace, observer);
         if matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
@@ -88,12 +88,16 @@ impl<S: Admissible<N>, const N: usize> ElasticSolver<S, N> {
     }
 
     /// Writes `C x` to `out`; the answer stays.
-    pub(crate) fn apply(&mut self, x: [&[f64]; N], out: [&mut [f64]; N]) {
+    ///
+    /// # Errors
+    /// [`Error::Memory`] if the buffers are not there, and cannot be had.
+    pub(crate) fn apply(&mut self, x: [&[f64]; N], out: [&mut [f64]; N]) -> Result<()> {
         let Compliance { operator, inverse } = &self.compliance;
         let workspace = self
             .workspace
-            .take(|| ElasticWorkspace::<S, N>::new(operator, inverse));
+            .take(|| ElasticWorkspace::<S, N>::new(operator, inverse))?;
         operator.apply(x, out, workspace.operator_mut());
+        Ok(())
     }
 
     /// `C x` of the answer; no cells once the buffers are given back.

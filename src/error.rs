@@ -30,7 +30,7 @@ pub enum Error {
         /// Cells along y.
         ny: usize,
     },
-    /// Memory for a quantity cannot be allocated. Nothing was allocated.
+    /// Memory for a quantity cannot be allocated; [nothing has changed](crate::guide::embedding#when-memory-runs-out).
     #[error("cannot allocate {bytes} bytes for {quantity}")]
     Memory {
         /// The quantity that needs the memory, in words.

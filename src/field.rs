@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use std::ops::{Add, Index, IndexMut, Mul, Range, Sub};
 
+use crate::buffer::{self, TryClone, try_clone};
 use crate::error::{Result, all_finite, finite, length};
 use crate::grid::Grid;
 use crate::layout::Layout;
@@ -15,8 +16,8 @@ use crate::shown::shown;
 /// The memory layout is that of a C-ordered NumPy array of shape `(ny, nx)`: sample `(ix, iy)` is
 /// stored at index `iy * nx + ix`. The unit is that of the sampled quantity.
 ///
-/// If memory runs out, the constructors that take only a grid abort, as any `Vec` does; bodies and surfaces return
-/// [`Error::Memory`](crate::Error::Memory) for such a grid.
+/// If memory runs out, its constructors and operations end the program, as any `Vec` does; bodies and surfaces return
+/// [`Error::Memory`](crate::Error::Memory) for such a grid, and [`TryClone`] copies a field.
 ///
 /// ```
 /// use stickslip::{Field, Grid};
@@ -63,6 +64,8 @@ pub(crate) use clone_in_place;
 
 clone_in_place!(Field { grid, samples });
 
+try_clone!(Field { samples } { grid });
+
 /// The values read, before they are checked.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
@@ -93,6 +96,12 @@ impl Field {
     #[must_use]
     pub fn zeros(grid: Grid) -> Self {
         Self::constant(grid, 0.0)
+    }
+
+    /// [`Self::zeros`] where memory may run out.
+    pub(crate) fn try_zeros(grid: Grid) -> Result<Self> {
+        let samples = buffer::zeros(grid.cells())?;
+        Ok(Self { grid, samples })
     }
 
     /// The same value in every cell.
@@ -228,9 +237,9 @@ impl Field {
     /// The field less another.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch).
+    /// [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::Memory`](crate::Error::Memory).
     pub fn minus(&self, other: &Self) -> Result<Self> {
-        let mut difference = self.clone();
+        let mut difference = self.try_clone()?;
         difference.add_scaled(-1.0, other)?;
         Ok(difference)
     }

@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use crate::buffer;
+use crate::error::Result;
 use crate::parallel;
 
 /// Half the cells along each axis, the last one alone where their number is odd.
@@ -10,9 +12,9 @@ pub(crate) fn halved(size: [usize; 2]) -> [usize; 2] {
 }
 
 /// The mean of each two by two cells (of those there are, at an odd edge).
-pub(crate) fn coarsened([nx, ny]: [usize; 2], fine: &[f64]) -> Vec<f64> {
+pub(crate) fn coarsened([nx, ny]: [usize; 2], fine: &[f64]) -> Result<Vec<f64>> {
     let [width, height] = halved([nx, ny]);
-    let mut coarse = vec![0.0; width * height];
+    let mut coarse = buffer::zeros(width * height)?;
     parallel::rows(&mut coarse, width, |j, row| {
         let rows = &fine[2 * j * nx..(2 * j + 2).min(ny) * nx];
         for (i, mean) in row.iter_mut().enumerate() {
@@ -24,7 +26,7 @@ pub(crate) fn coarsened([nx, ny]: [usize; 2], fine: &[f64]) -> Vec<f64> {
             *mean = sums.sum::<f64>() / cells as f64;
         }
     });
-    coarse
+    Ok(coarse)
 }
 
 /// Bilinear interpolation of coarse cell centres at the fine ones of some rows, constant beyond the outermost. The coarse
@@ -34,7 +36,7 @@ pub(crate) fn refined(
     rows: Range<usize>,
     coarse: &[f64],
     first: usize,
-) -> Vec<f64> {
+) -> Result<Vec<f64>> {
     let [width, height] = halved([nx, ny]);
     // The nearer coarse cell weighs 3/4 along each axis, the one beyond 1/4.
     let neighbours = |i: usize, cells: usize| {
@@ -63,7 +65,7 @@ pub(crate) fn inherited(
     rows: Range<usize>,
     coarse: &[f64],
     first: usize,
-) -> Vec<f64> {
+) -> Result<Vec<f64>> {
     let [width, _] = halved([nx, ny]);
     by_rows(nx, rows, |j, row| {
         let parents = &coarse[(j / 2 - first) * width..][..width];
@@ -78,8 +80,8 @@ fn by_rows(
     columns: usize,
     rows: Range<usize>,
     write: impl Fn(usize, &mut [f64]) + Sync,
-) -> Vec<f64> {
-    let mut field = vec![0.0; columns * rows.len()];
+) -> Result<Vec<f64>> {
+    let mut field = buffer::zeros(columns * rows.len())?;
     parallel::rows(&mut field, columns, |j, row| write(rows.start + j, row));
-    field
+    Ok(field)
 }

@@ -203,6 +203,7 @@
 
 pub mod analytical;
 mod boundary;
+mod buffer;
 mod cascade;
 pub mod cgm;
 mod clock;
@@ -252,6 +253,7 @@ mod watch;
 mod window;
 
 pub use boundary::Boundary;
+pub use buffer::TryClone;
 pub use coupled::{CoupledProblem, CoupledSolution, CoupledSolver};
 pub use coupling::Coupling;
 pub use error::{Error, Result};

@@ -1,5 +1,6 @@
 //! The seam between physics and engine: a linear operator that can be applied.
 
+use crate::error::Result;
 use crate::layout::Layout;
 
 /// A symmetric linear map from tractions to displacements, `u = C x`, with `N` components per cell.
@@ -46,6 +47,14 @@ pub trait Operator<const N: usize = 1>: Sync {
     /// A workspace for [`Operator::apply`].
     fn workspace(&self) -> Self::Workspace;
 
+    /// [`Operator::workspace`] where memory may run out. The default is that, which may end the program then.
+    ///
+    /// # Errors
+    /// [`Error::Memory`](crate::Error::Memory).
+    fn try_workspace(&self) -> Result<Self::Workspace> {
+        Ok(self.workspace())
+    }
+
     /// Writes `C x` to `out`. Every slice has [`Operator::cells`] entries.
     ///
     /// # Panics
@@ -89,6 +98,10 @@ macro_rules! operator_behind {
 
             fn workspace(&self) -> T::Workspace {
                 (**self).workspace()
+            }
+
+            fn try_workspace(&self) -> Result<T::Workspace> {
+                (**self).try_workspace()
             }
 
             fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut T::Workspace) {

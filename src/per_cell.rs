@@ -1,5 +1,8 @@
 //! A quantity that is the same everywhere, or another in each cell.
 
+use crate::buffer::TryClone;
+use crate::error::Result;
+
 /// One number for all cells, or one for each.
 #[derive(Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -16,6 +19,14 @@ impl<C> PerCell<C> {
             Self::Uniform(value) => PerCell::Uniform(*value),
             Self::Cells(cells) => PerCell::Cells(of(cells)),
         }
+    }
+
+    /// [`Self::map`] of what may fail.
+    pub(crate) fn try_map<D>(&self, of: impl FnOnce(&C) -> Result<D>) -> Result<PerCell<D>> {
+        Ok(match self {
+            Self::Uniform(value) => PerCell::Uniform(*value),
+            Self::Cells(cells) => PerCell::Cells(of(cells)?),
+        })
     }
 }
 
@@ -55,3 +66,16 @@ impl<C: Clone> Clone for PerCell<C> {
 }
 
 impl<C: Copy> Copy for PerCell<C> {}
+
+impl<C: TryClone> TryClone for PerCell<C> {
+    fn try_clone(&self) -> Result<Self> {
+        self.try_map(C::try_clone)
+    }
+
+    fn has_room_for(&self, source: &Self) -> bool {
+        match (self, source) {
+            (Self::Cells(own), Self::Cells(cells)) => own.has_room_for(cells),
+            (_, source) => matches!(source, Self::Uniform(_)),
+        }
+    }
+}

@@ -2,6 +2,8 @@
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
+use crate::error::Result;
+
 /// Pieces of memory that are free: as many as were in use at once. What is in a piece does not matter to who takes it.
 #[derive(Debug)]
 pub(crate) struct Pool<T> {
@@ -15,9 +17,27 @@ impl<T> Pool<T> {
         }
     }
 
-    /// Lends a piece for this work; makes one if all are out.
-    pub(crate) fn lend<R>(&self, make: impl FnOnce() -> T, work: impl FnOnce(&mut T) -> R) -> R {
-        let mut piece = self.take().unwrap_or_else(make);
+    /// So many pieces.
+    pub(crate) fn of(pieces: usize, make: impl Fn() -> Result<T>) -> Result<Self> {
+        (0..pieces)
+            .map(|_| make())
+            .collect::<Result<_>>()
+            .map(Self::new)
+    }
+
+    /// Lends a piece of a pool that has some for this work; makes one if all are out.
+    pub(crate) fn lend<R>(
+        &self,
+        make: impl Fn() -> Result<T>,
+        work: impl FnOnce(&mut T) -> R,
+    ) -> R {
+        let mut piece = loop {
+            if let Some(piece) = self.take().or_else(|| make().ok()) {
+                break piece;
+            }
+            // There is no memory for another one. Who has a piece waits for nobody, and soon gives it back.
+            std::thread::yield_now();
+        };
         let result = work(&mut piece);
         self.give(piece);
         result
@@ -28,8 +48,12 @@ impl<T> Pool<T> {
         self.free().pop()
     }
 
+    /// Takes a piece back; gives it up if there is no memory for a longer list.
     pub(crate) fn give(&self, piece: T) {
-        self.free().push(piece);
+        let mut free = self.free();
+        if free.try_reserve(1).is_ok() {
+            free.push(piece);
+        }
     }
 
     fn free(&self) -> MutexGuard<'_, Vec<T>> {
@@ -57,10 +81,14 @@ impl<T> Lease<T> {
     }
 
     /// The piece; one is made if all are out.
-    pub(crate) fn take(&mut self, make: impl FnOnce() -> T) -> &mut T {
-        let pool = &self.pool;
-        self.piece
-            .get_or_insert_with(|| pool.take().unwrap_or_else(make))
+    pub(crate) fn take(&mut self, make: impl FnOnce() -> Result<T>) -> Result<&mut T> {
+        match &mut self.piece {
+            Some(piece) => Ok(piece),
+            none => {
+                let piece = self.pool.take().map_or_else(make, Ok)?;
+                Ok(none.insert(piece))
+            }
+        }
     }
 
     /// The piece, between first use and return.
@@ -78,7 +106,9 @@ impl<T> Lease<T> {
     }
 
     pub(crate) fn give_back(&mut self) {
-        self.pool.free().extend(self.piece.take());
+        if let Some(piece) = self.piece.take() {
+            self.pool.give(piece);
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 //! How an answer changed with its load: where the next solve starts.
 
+use crate::buffer::try_clone;
 use crate::field::clone_in_place;
 
 /// Beyond so many times the last change nothing is extrapolated.
@@ -21,6 +22,8 @@ pub(crate) struct Trend<const N: usize> {
 }
 
 clone_in_place!(Trend<const N: usize> { change, by });
+
+try_clone!(Trend<const N: usize> { change } { by });
 
 impl<const N: usize> Default for Trend<N> {
     fn default() -> Self {

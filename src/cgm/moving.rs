@@ -2,8 +2,10 @@
 
 use std::ops::Range;
 
+use crate::buffer;
 use crate::cgm::motion::Motion;
 use crate::cgm::reduce::Tally;
+use crate::error::Result;
 use crate::layout::Layout;
 use crate::parallel::{Blocks, Ragged, Split};
 
@@ -90,17 +92,17 @@ impl Entries<'_> {
 
 impl MovingCells {
     /// Of cells that lie so; none moves.
-    pub(super) fn new(layout: Layout) -> Self {
+    pub(super) fn new(layout: Layout) -> Result<Self> {
         let (cells, chunks) = (layout.cells(), layout.tasks());
         let first = |chunk: usize| (chunk * layout.chunk()).min(cells);
-        Self {
-            offsets: vec![0; cells],
-            counts: vec![0; chunks],
-            starts: vec![0; chunks + 1],
-            firsts: (0..=chunks).map(first).collect(),
+        Ok(Self {
+            offsets: buffer::filled(0, cells)?,
+            counts: buffer::filled(0, chunks)?,
+            starts: buffer::filled(0, chunks + 1)?,
+            firsts: buffer::collected(chunks + 1, (0..=chunks).map(first))?,
             all: 0,
             layout,
-        }
+        })
     }
 
     /// Lists the cells that move.

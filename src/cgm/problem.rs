@@ -2,6 +2,7 @@
 
 use std::ops::ControlFlow;
 
+use crate::buffer::or_abort;
 use crate::cgm::certificate::Iterate;
 use crate::cgm::motion::{Linearised, Reach};
 use crate::cgm::projected_gradient::Objective;
@@ -79,9 +80,17 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
         }
     }
 
-    /// Buffers for solving this problem and all of its size.
+    /// Buffers for solving this problem and all of its size; without memory for them the program ends.
     #[must_use]
     pub fn workspace(&self) -> Workspace<C, P, MotionOf<K, N>, N> {
+        or_abort(self.try_workspace())
+    }
+
+    /// [`Self::workspace`] where memory may run out.
+    ///
+    /// # Errors
+    /// [`Error::Memory`].
+    pub fn try_workspace(&self) -> Result<Workspace<C, P, MotionOf<K, N>, N>> {
         Workspace::new(&self.operator, &self.preconditioner)
     }
 
@@ -181,7 +190,8 @@ pub struct Minimum<const N: usize = 1> {
 /// [`Error::BeyondFrictionCapacity`] for sums the sets cannot hold, [`Error::NotPositive`] or [`Error::NotFinite`] for
 /// a spring, [`Error::Method`] for a method that does not work with the sets, [`Error::Tolerance`] or
 /// [`Error::IterationLimit`] before any work, with `x` as it was; [`Error::NotConverged`] with the last feasible
-/// iterate in `x`; [`Error::NotPositive`] in its place if a preconditioner that is not positive definite is the cause.
+/// iterate in `x`; [`Error::NotPositive`] in its place if a preconditioner that is not positive definite is the cause;
+/// [`Error::Memory`].
 pub fn minimise<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
     problem: &Problem<'_, C, K, P, N>,
     settings: &Settings,
@@ -189,7 +199,7 @@ pub fn minimise<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize
 ) -> Result<Minimum<N>> {
     // An operator may claim any number of unknowns; the start is there.
     problem.check(settings, &x)?;
-    let mut workspace = problem.workspace();
+    let mut workspace = problem.try_workspace()?;
     minimise_with(problem, settings, x, &mut workspace, &mut |_| {
         ControlFlow::Continue(())
     })?;
@@ -241,6 +251,9 @@ pub(crate) fn minimise_from<C: Operator<N>, K: Constraint<N>, P: Operator<N>, co
             },
         };
         let status = run.finish(status);
+        if let Some(lack) = run.lack.take() {
+            return Err(lack);
+        }
         let has_failed = matches!(status, Status::Stalled | Status::IterationLimit);
         if has_failed && settings.method == Method::ActiveSet {
             run.check_preconditioner()?;

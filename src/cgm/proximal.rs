@@ -12,6 +12,7 @@
 
 use std::ops::ControlFlow;
 
+use crate::buffer;
 use crate::cgm::run::{Precision, Run};
 use crate::cgm::vector::{at, dot, slices, update_cells};
 use crate::cgm::{Constraint, reduce};
@@ -49,7 +50,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         self.stiff = (largest * least).sqrt();
         let (mut stiffness, mut ratio) = (largest, RATIO);
         let (mut best, mut stalls) = (f64::INFINITY, 0);
-        self.set_centre();
+        self.set_centre()?;
         while stalls < STALLS {
             // A stage may end without a step.
             self.count_step();
@@ -59,7 +60,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             self.inner_reduction = REDUCTION;
             match self.newton() {
                 Some(Status::Converged) if !is_last => {
-                    self.set_centre();
+                    self.set_centre()?;
                     ratio = (ratio * ratio).min(RATIO);
                     stiffness /= ratio;
                     continue;
@@ -109,11 +110,15 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     }
 
     /// The centre of the stages to come is the present iterate.
-    fn set_centre(&mut self) {
+    fn set_centre(&mut self) -> ControlFlow<Status> {
         for (centre, x) in self.workspace.centre.iter_mut().zip(&self.x) {
-            centre.clear();
-            centre.extend_from_slice(x);
+            if let Err(lack) = buffer::resize(centre, x.len(), 0.0) {
+                self.lack = Some(lack);
+                return ControlFlow::Break(Status::Stalled);
+            }
+            centre.copy_from_slice(x);
         }
+        ControlFlow::Continue(())
     }
 
     fn return_to_centre(&mut self) {

@@ -9,6 +9,7 @@ use crate::cgm::progress::INNER_REDUCTION;
 use crate::cgm::totals::{Total, sums_of};
 use crate::cgm::vector::{at, dot, minus, norm, plus, slices, slices_mut, update_cells};
 use crate::cgm::{Admissible, Constraint, MotionOf, Problem, Settings, Workspace, reduce};
+use crate::error::Error;
 use crate::layout::Layout;
 use crate::operator::Operator;
 use crate::report::{Iteration, Report, Status};
@@ -84,6 +85,8 @@ pub struct Run<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N
     pub(super) stiff: f64,
     /// What the iterate was shown to be worth, if it is feasible and has not changed since.
     pub(super) shown: Option<f64>,
+    /// The memory that could not be had on the way, if any: what the solve ends with then.
+    pub(super) lack: Option<Error>,
     /// Free cells, as last examined.
     free: usize,
     /// Whether the totals leave no choice: every cell stands at an extreme of its set.
@@ -114,6 +117,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
             restraint: 0.0,
             stiff: f64::INFINITY,
             shown: None,
+            lack: None,
             free: 0,
             is_extreme: false,
         }

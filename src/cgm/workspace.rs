@@ -1,7 +1,9 @@
 //! What an iteration writes to.
 
+use crate::buffer;
 use crate::cgm::motion::Motion;
 use crate::cgm::moving::MovingCells;
+use crate::error::Result;
 use crate::operator::Operator;
 use crate::report::Report;
 
@@ -39,30 +41,32 @@ pub(super) struct Inner<const N: usize> {
 
 impl<C: Operator<N>, P: Operator<N>, M: Motion<N>, const N: usize> Workspace<C, P, M, N> {
     /// Buffers for an operator and its preconditioner: `8 N + N^2` numbers and a motion per cell besides their own.
-    pub(crate) fn new(operator: &C, preconditioner: &P) -> Self {
+    ///
+    /// # Errors
+    /// [`Error::Memory`](crate::Error::Memory).
+    pub(crate) fn new(operator: &C, preconditioner: &P) -> Result<Self> {
         let cells = operator.cells();
-        let zeros = || std::array::from_fn(|_| vec![0.0; cells]);
-        let vectors = || vec![[0.0; N]; cells];
-        Self {
-            operator: operator.workspace(),
-            preconditioner: preconditioner.workspace(),
-            product: zeros(),
-            gradient: zeros(),
-            direction: zeros(),
-            image: zeros(),
+        let vectors = || buffer::filled([0.0; N], cells);
+        Ok(Self {
+            operator: operator.try_workspace()?,
+            preconditioner: preconditioner.try_workspace()?,
+            product: buffer::vector(cells)?,
+            gradient: buffer::vector(cells)?,
+            direction: buffer::vector(cells)?,
+            image: buffer::vector(cells)?,
             centre: std::array::from_fn(|_| Vec::new()),
             inner: Inner {
-                residual: vectors(),
-                last_residual: vectors(),
-                correction: vectors(),
-                direction: vectors(),
+                residual: vectors()?,
+                last_residual: vectors()?,
+                correction: vectors()?,
+                direction: vectors()?,
             },
-            spread: vec![[[0.0; N]; N]; cells],
-            motions: vec![M::FIXED; cells],
-            moving: MovingCells::new(operator.layout()),
+            spread: buffer::filled([[0.0; N]; N], cells)?,
+            motions: buffer::filled(M::FIXED, cells)?,
+            moving: MovingCells::new(operator.layout())?,
             report: Report::with_room(),
             multiplier: [0.0; N],
-        }
+        })
     }
 
     /// The product `C x` with the iterate last returned.

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::boundary::Boundary;
+use crate::buffer;
 use crate::cascade::Conditions;
 use crate::cgm::cone::{self, Cone, ConeFindings, ConeProblem, ConeWorkspace, Opening};
 use crate::cgm::vector::{slices, slices_mut};
@@ -84,9 +85,16 @@ impl Engine {
         let plane = bodies.compliance([x, y], whole.size)?.operator;
         let lower_bounds = [normal.lower_bound(), plane.lower_bound()];
         let cells = region.cells();
-        let zeros = || std::array::from_fn(|_| vec![0.0; cells]);
+        let whole = if window == whole {
+            None
+        } else {
+            Some(Whole {
+                workspace: tensor.try_workspace()?,
+                operator: Arc::clone(&tensor),
+            })
+        };
         Ok(Self {
-            workspace: ConeWorkspace::new(&compliance.operator, &compliance.inverse),
+            workspace: ConeWorkspace::new(&compliance.operator, &compliance.inverse)?,
             normal: ElasticSolver::new(bodies, [z], size)?,
             plane: ElasticSolver::new(bodies, [x, y], size)?,
             is_bounded: bodies.boundary() != Boundary::Periodic,
@@ -95,19 +103,16 @@ impl Engine {
                 coupling: tensor.coupling(),
                 spread: (plane.upper_bound() / normal.lower_bound()).sqrt(),
             },
-            whole: (window != whole).then(|| Whole {
-                workspace: tensor.workspace(),
-                operator: tensor,
-            }),
+            whole,
             layout: region.layout().clone().alike(bodies.team()),
             region,
             compliance,
             lower_bounds,
-            x: zeros(),
-            asked: zeros(),
-            linear: zeros(),
-            image: zeros(),
-            limits: vec![0.0; cells],
+            x: buffer::vector(cells)?,
+            asked: buffer::vector(cells)?,
+            linear: buffer::vector(cells)?,
+            image: buffer::vector(cells)?,
+            limits: buffer::zeros(cells)?,
         })
     }
 
@@ -188,7 +193,7 @@ impl Engine {
             }
             // A half that was stopped left the tractions beyond the limits of its pressure: all at once they are brought
             // back and measured, and stopped too.
-            let (status, findings) = self.newton(task, friction, opening, conditions, report);
+            let (status, findings) = self.newton(task, friction, opening, conditions, report)?;
             let status = status.or(stopped);
             report.take(&findings);
             let (contraction, coefficient) = (self.contraction, task.largest_coefficient);
@@ -218,7 +223,7 @@ impl Engine {
         opening: Opening,
         conditions: &mut Conditions<'_, '_>,
         report: &mut CoupledReport,
-    ) -> (Option<Status>, ConeFindings) {
+    ) -> Result<(Option<Status>, ConeFindings)> {
         let problem = ConeProblem {
             operator: Arc::clone(&self.compliance.operator),
             preconditioner: Arc::clone(&self.compliance.inverse),

@@ -1,5 +1,6 @@
 //! One step of a coupled contact, of a problem from rest or of a history.
 
+use crate::buffer;
 use crate::cascade::Conditions;
 use crate::cgm::vector::slices;
 use crate::cgm::{Total, reduce};
@@ -73,14 +74,14 @@ impl CoupledIncrement {
         let (grid, size) = (bodies.grid(), bodies.grid().whole().size());
         // Coefficients that cannot be computed are better known now.
         bodies.compliance([Direction::Z, Direction::X, Direction::Y], size)?;
-        let zeros_of_all = || std::array::from_fn(|_| vec![0.0; grid.cells()]);
+        let zeros_of_all = || buffer::vector(grid.cells());
         Ok(Self {
             engines: Engines::default(),
-            tractions: zeros_of_all(),
-            displacement: zeros_of_all(),
-            pressed: Pressed::new(bodies, Window::whole(grid)),
-            offset: zeros(Axis::BOTH, grid.cells()),
-            linear: zeros_of_all(),
+            tractions: zeros_of_all()?,
+            displacement: zeros_of_all()?,
+            pressed: Pressed::new(bodies, Window::whole(grid))?,
+            offset: zeros(Axis::BOTH, grid.cells())?,
+            linear: zeros_of_all()?,
             motion: Motion::default(),
             last_shift: [0.0; 2],
             approach: 0.0,

@@ -1,5 +1,6 @@
 //! Starts from coarser cells.
 
+use crate::buffer::try_each;
 use crate::cascade::{Conditions, is_worth_coarsening};
 use crate::cgm::{Admissible, Disc};
 use crate::coupled::increment::{CoupledDemand, CoupledIncrement};
@@ -22,10 +23,10 @@ impl CoupledIncrement {
         }
         let bodies = self.bodies.coarser()?.clone();
         let coarsened = |field: &[f64]| self.bodies.coarsened(&bodies, size, field);
-        let gap = Field::from_vec(bodies.grid(), coarsened(demand.gap.as_slice()))?;
+        let gap = Field::from_vec(bodies.grid(), coarsened(demand.gap.as_slice())?)?;
         let friction = demand.friction.coarsened(&self.bodies, &bodies)?;
         let mut coarse = Self::new(&bodies)?;
-        coarse.set_offset(&self.offset().map(coarsened));
+        coarse.set_offset(&try_each(|axis| coarsened(self.offset()[axis]))?);
         let mut rough = Conditions {
             settings: &conditions.rough_settings(),
             start: conditions.start,
@@ -39,19 +40,19 @@ impl CoupledIncrement {
         if ended_from_outside(coarse.solve(coarse_demand, before, &mut rough))?.is_some() {
             return Ok(false);
         }
-        self.refine(&coarse, size, demand);
+        self.refine(&coarse, size, demand)?;
         Ok(true)
     }
 
     /// Interpolates the coarse answer; where the coarse cell slips, at the limit.
-    fn refine(&mut self, coarse: &Self, size: [usize; 2], demand: CoupledDemand<'_>) {
+    fn refine(&mut self, coarse: &Self, size: [usize; 2], demand: CoupledDemand<'_>) -> Result<()> {
         let answer = coarse.answer();
         self.set_known(coarse.approach(), answer.motion.shift);
         let [qx, qy] = answer.traction;
-        let [p, x, y] =
-            [answer.pressure, qx, qy].map(|part| self.bodies.refined(&coarse.bodies, size, part));
+        let parts = [answer.pressure, qx, qy];
+        let [p, x, y] = try_each(|n| self.bodies.refined(&coarse.bodies, size, parts[n]))?;
         let at_limit = (0..answer.limits.len()).map(|cell| answer.is_at_limit(cell));
-        let slips = self.bodies.inherited(&coarse.bodies, size, at_limit);
+        let slips = self.bodies.inherited(&coarse.bodies, size, at_limit)?;
         for (cell, pressure) in p.iter().enumerate() {
             let disc = Disc {
                 radius: demand.friction.limit(cell, *pressure),
@@ -64,5 +65,6 @@ impl CoupledIncrement {
             };
             self.set_cell(cell, [*pressure, q[0], q[1]]);
         }
+        Ok(())
     }
 }

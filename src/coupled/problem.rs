@@ -1,5 +1,6 @@
 //! The scene of a coupled contact, checked once.
 
+use crate::buffer::{TryClone, try_clone};
 use crate::cgm::{Settings, settings_methods};
 use crate::coupled::{CoupledSolution, CoupledSolver};
 use crate::error::Result;
@@ -46,6 +47,8 @@ pub struct CoupledProblem {
     pub(super) settings: Settings,
 }
 
+try_clone!(CoupledProblem { gap, friction, relative } { bodies, normal, load, settings });
+
 /// Options of a [`CoupledProblem`]; each has a default.
 #[derive(Debug, Clone)]
 #[must_use = "a builder does nothing until build() is called"]
@@ -91,8 +94,8 @@ impl CoupledProblem {
     /// iterate; [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) for a force that slides the contact; as
     /// [`HalfSpace::operator`].
     pub fn solve(&self) -> Result<CoupledSolution> {
-        let mut solver = CoupledSolver::new(self.clone())?;
-        let mut solution = solver.new_solution();
+        let mut solver = CoupledSolver::new(self.try_clone()?)?;
+        let mut solution = solver.try_new_solution()?;
         solver.solve_into(&mut solution)?;
         Ok(solution)
     }
@@ -136,7 +139,7 @@ impl CoupledProblemBuilder<'_> {
         self.normal.check(self.bodies, self.gap)?;
         Ok(CoupledProblem {
             bodies: self.bodies.clone(),
-            gap: self.gap.clone(),
+            gap: self.gap.try_clone()?,
             friction: self.friction,
             normal: self.normal,
             load: self.load,

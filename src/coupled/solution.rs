@@ -1,9 +1,11 @@
 //! The answer to a coupled contact.
 
+use crate::buffer::{try_clone, try_each};
 use crate::cgm::reduce;
 use crate::coupled::CoupledReport;
 use crate::coupled::increment::CoupledIncrement;
 use crate::coupled::task::N;
+use crate::error::Result;
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::layout::Layout;
@@ -31,6 +33,8 @@ pub struct CoupledSolution {
 }
 
 shown!(CoupledSolution: normal, shear, elastic_energy(), report());
+
+try_clone!(CoupledSolution { normal, shear, displacement } { report, is_pressed_at_once, whole_energy });
 
 impl PartialEq for CoupledSolution {
     fn eq(&self, other: &Self) -> bool {
@@ -78,16 +82,16 @@ impl<'de> serde::Deserialize<'de> for CoupledSolution {
 
 impl CoupledSolution {
     /// No contact yet.
-    pub(super) fn empty(bodies: &HalfSpace, gap: &Field) -> Self {
+    pub(super) fn empty(bodies: &HalfSpace, gap: &Field) -> Result<Self> {
         let (grid, boundary) = (bodies.grid(), bodies.boundary());
-        Self {
-            normal: NormalSolution::empty(gap, boundary, bodies.pair()),
-            shear: TangentialSolution::empty(grid, boundary),
-            displacement: std::array::from_fn(|_| Field::zeros(grid)),
+        Ok(Self {
+            normal: NormalSolution::empty(gap, boundary, bodies.pair())?,
+            shear: TangentialSolution::empty(grid, boundary)?,
+            displacement: try_each(|_| Field::try_zeros(grid))?,
             report: CoupledReport::unsolved(),
             is_pressed_at_once: false,
             whole_energy: None,
-        }
+        })
     }
 
     pub(super) fn fill(&mut self, bodies: &HalfSpace, gap: &Field, increment: &CoupledIncrement) {

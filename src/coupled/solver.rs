@@ -2,6 +2,7 @@
 
 use std::ops::ControlFlow;
 
+use crate::buffer::{TryClone, or_abort};
 use crate::cascade::Conditions;
 use crate::cgm::{Iteration, solver_settings};
 use crate::clock::Instant;
@@ -88,7 +89,7 @@ impl CoupledSolver {
         let bodies = &self.problem.bodies;
         bodies.agreed(gap.check("gap", bodies.grid()))?;
         self.problem.normal.check(bodies, gap)?;
-        self.problem.gap.clone_from(gap);
+        self.problem.gap.try_clone_from(gap)?;
         Ok(())
     }
 
@@ -98,7 +99,7 @@ impl CoupledSolver {
     /// [`Error::GridMismatch`]; [`Error::Ranks`]; the friction is then as it was.
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
         friction.check_on(&self.problem.bodies)?;
-        self.problem.friction.clone_from(friction);
+        self.problem.friction.try_clone_from(friction)?;
         Ok(())
     }
 
@@ -114,6 +115,14 @@ impl CoupledSolver {
     /// An empty solution of the right size for [`CoupledSolver::solve_into`].
     #[must_use]
     pub fn new_solution(&self) -> CoupledSolution {
+        or_abort(self.try_new_solution())
+    }
+
+    /// [`Self::new_solution`] where memory may run out.
+    ///
+    /// # Errors
+    /// [`Error::Memory`].
+    pub fn try_new_solution(&self) -> Result<CoupledSolution> {
         CoupledSolution::empty(&self.problem.bodies, &self.problem.gap)
     }
 
@@ -166,8 +175,9 @@ impl CoupledSolver {
         if matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
             solution.fill(&problem.bodies, &problem.gap, &self.increment);
         }
-        // Do not start from NaN.
-        if outcome.is_err() && !self.increment.report().residual.is_finite() {
+        // Do not start from NaN, or from what lacked memory on the way.
+        let is_broken = outcome.is_err() && !self.increment.report().residual.is_finite();
+        if is_broken || matches!(outcome, Err(Error::Memory { .. })) {
             self.increment.forget();
         }
         outcome

@@ -2,6 +2,9 @@
 
 use std::ops::{Deref, DerefMut};
 
+use crate::buffer::{self, or_abort};
+use crate::error::Result;
+
 /// Bytes of a cache line, and of the widest vector register.
 const LINE: usize = 64;
 
@@ -14,20 +17,24 @@ pub(super) struct Aligned<T> {
 }
 
 impl<T: Clone> Aligned<T> {
-    pub(super) fn new(value: T, len: usize) -> Self {
+    pub(super) fn new(value: T, len: usize) -> Result<Self> {
         let spare = LINE.div_ceil(size_of::<T>());
-        let items = vec![value; len + spare];
+        let items = buffer::filled(value, len + spare)?;
         // Where the offset cannot be had the buffer is as good, if slower.
         let first = items.as_ptr().align_offset(LINE).min(spare);
-        Self { items, first, len }
+        Ok(Self { items, first, len })
+    }
+
+    fn try_clone(&self) -> Result<Self> {
+        let mut copy = Self::new(self.items[0].clone(), self.len)?;
+        copy.clone_from_slice(self);
+        Ok(copy)
     }
 }
 
 impl<T: Clone> Clone for Aligned<T> {
     fn clone(&self) -> Self {
-        let mut copy = Self::new(self.items[0].clone(), self.len);
-        copy.clone_from_slice(self);
-        copy
+        or_abort(self.try_clone())
     }
 }
 

@@ -1,9 +1,9 @@
 //! The pass over the columns of all fields, in which they meet the kernels.
 
-use std::array::from_fn;
-
 use num_complex::Complex;
 
+use crate::buffer::try_each;
+use crate::error::Result;
 use crate::fft::aligned::Aligned;
 use crate::fft::plan::{Plan, blocks, zero};
 use crate::fft::real::Real;
@@ -18,16 +18,16 @@ pub(super) struct ColumnScratch<T, const N: usize> {
 }
 
 impl<T: Real> Plan<T> {
-    pub(super) fn column_scratch<const N: usize>(&self) -> ColumnScratch<T, N> {
-        ColumnScratch {
-            columns: from_fn(|_| Aligned::new(zero(), T::TILE_COLUMNS * self.column_stride())),
+    pub(super) fn column_scratch<const N: usize>(&self) -> Result<ColumnScratch<T, N>> {
+        Ok(ColumnScratch {
+            columns: try_each(|_| Aligned::new(zero(), T::TILE_COLUMNS * self.column_stride()))?,
             transform: Aligned::new(
                 zero(),
                 self.column_forward
                     .get_inplace_scratch_len()
                     .max(self.column_inverse.get_inplace_scratch_len()),
-            ),
-        }
+            )?,
+        })
     }
 
     /// From one padded column to the next in scratch memory: room for whole tiles, and off the powers

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::boundary::Boundary;
+use crate::buffer::or_abort;
 use crate::error::Result;
 use crate::fft::frame::Frame;
 use crate::fft::length::torus;
@@ -72,7 +73,7 @@ impl Convolution {
         let samples = Samples::new(grid, reach)?;
         parallel::enter_with(grid.cells(), || {
             let table = Kernel::Table(samples.table(grid, pair, component)?);
-            Ok(Self::of_kernels(grid.size(), None, [[&table]]))
+            Self::of_kernels(grid.size(), None, [[&table]])
         })
     }
 
@@ -99,9 +100,9 @@ impl Convolution {
     #[must_use]
     pub fn periodic(grid: Grid, pair: &ElasticPair, component: Component) -> Self {
         let symbols = Kernel::Symbols(Symbols::new(grid, pair, component));
-        parallel::enter_with(grid.cells(), || {
+        or_abort(parallel::enter_with(grid.cells(), || {
             Self::of_kernels(grid.size(), None, [[&symbols]])
-        })
+        }))
     }
 }
 
@@ -109,31 +110,34 @@ impl<const N: usize> Convolution<N> {
     /// On `[nx, ny]` cells, from a symmetric tensor of kernels (displacement, then traction) or from one
     /// kernel of any parity. Tables must hold the [`samples`] of these or more cells, symbols are those of
     /// these cells.
+    ///
+    /// # Errors
+    /// [`Error::Memory`](crate::Error::Memory).
     pub(crate) fn of_kernels(
         size: [usize; 2],
         share: Option<Arc<Share>>,
         kernels: [[&Kernel; N]; N],
-    ) -> Self {
+    ) -> Result<Self> {
         let repeats = kernels[0][0].repeats();
         let frame = Frame {
             size,
             torus: torus(size, repeats),
             share,
         };
-        let symbol = Symbol::new(&frame, kernels);
+        let symbol = Symbol::new(&frame, kernels)?;
         let plan = Plan::new(frame.clone());
         let normalisation = 1.0 / plan.cells_of_torus();
         // The matrix of a free half-space is a principal part of the torus's, whose eigenvalues are those of the
         // symbol. A mean on a grid that repeats has the eigenvalue zero.
         let range = symbol.extremes(repeats == [true; 2]);
-        Self {
+        Ok(Self {
             plan,
-            single: SingleProduct::new(frame, &symbol),
+            single: SingleProduct::new(frame, &symbol)?,
             lower_bound: lower_bound(range, kernels),
             upper_bound: range[1],
             is_single_enough: range[0] > SINGLE_RANGE * range[1],
-            symbol: symbol.map(|value| value * normalisation),
-        }
+            symbol: symbol.map(|value| value * normalisation)?,
+        })
     }
 }
 
@@ -208,11 +212,15 @@ impl<const N: usize> Operator<N> for Convolution<N> {
     }
 
     fn workspace(&self) -> ConvolutionWorkspace<N> {
-        ConvolutionWorkspace {
-            tiles: self.plan.tiles(),
-            double: self.plan.scratch(),
+        or_abort(self.try_workspace())
+    }
+
+    fn try_workspace(&self) -> Result<ConvolutionWorkspace<N>> {
+        Ok(ConvolutionWorkspace {
+            tiles: self.plan.tiles()?,
+            double: self.plan.scratch()?,
             single: None,
-        }
+        })
     }
 
     fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut ConvolutionWorkspace<N>) {
@@ -233,8 +241,14 @@ impl<const N: usize> Operator<N> for Convolution<N> {
             return self.apply(x, out, workspace);
         }
         let ConvolutionWorkspace { tiles, single, .. } = workspace;
-        let scratch = single.get_or_insert_with(|| self.single.scratch());
-        self.single.apply(x, out, tiles, scratch);
+        if single.is_none() {
+            *single = self.single.scratch().ok();
+        }
+        match single {
+            Some(scratch) => self.single.apply(x, out, tiles, scratch),
+            // There is no memory for it: the product in double precision is as good.
+            None => self.apply(x, out, workspace),
+        }
     }
 
     /// The smallest eigenvalue of the periodic continuation, a bound for the cells cut out of it; for a

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use crate::buffer::or_abort;
 use crate::fft::plan::Plan;
 use crate::fft::real::Real;
 use crate::fft::tiles::{TILE_WORDS, Tile};
@@ -144,7 +145,7 @@ impl<T: Real> Plan<T> {
                 }
                 for column in pieces.of(piece, &new_columns) {
                     for row in new_rows.clone() {
-                        let mut tile = spare.pop().unwrap_or_else(Tile::zero);
+                        let mut tile = spare.pop().unwrap_or_else(|| or_abort(Tile::zero()));
                         if holds(occupied.as_deref(), row) {
                             fill(&mut tile, &mut words);
                         }

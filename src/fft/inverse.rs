@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use crate::buffer::or_abort;
+use crate::error::Result;
 use crate::fft::frame::Frame;
 use crate::fft::length::smooth_length;
 use crate::fft::single::{SingleProduct, SingleWorkspace};
@@ -26,19 +28,22 @@ pub struct CirculantInverse<const N: usize = 1> {
 impl<const N: usize> CirculantInverse<N> {
     /// On `[nx, ny]` cells, from a symmetric tensor of kernels, with eigenvalues below `floor` raised to
     /// it: wrapping may produce some that no cut of the operator has.
+    ///
+    /// # Errors
+    /// [`Error::Memory`](crate::Error::Memory).
     pub(crate) fn new(
         size: [usize; 2],
         share: Option<Arc<Share>>,
         kernels: [[&Kernel; N]; N],
         floor: f64,
-    ) -> Self {
+    ) -> Result<Self> {
         let repeats = kernels[0][0].repeats();
         let torus = std::array::from_fn(|axis| match (size[axis], repeats[axis]) {
             (cells, true) => cells,
             (cells, false) => smooth_length(cells),
         });
         let frame = Frame { size, torus, share };
-        let symbol = Symbol::new(&frame, kernels);
+        let symbol = Symbol::new(&frame, kernels)?;
         let [_, high] = symbol.extremes(false);
         // A single cell that repeats has no wave but the mean: any weight will do.
         let high = if high > 0.0 { high } else { 1.0 };
@@ -49,10 +54,10 @@ impl<const N: usize> CirculantInverse<N> {
         };
         // Where no bound of the operator is known: far below what the directions have each alone.
         let floor = floor.max(1e-12 * high).max(1e-2 * symbol.least_diagonal());
-        let inverse = symbol.inverse_above(floor);
-        Self {
-            product: SingleProduct::new(frame, &inverse),
-        }
+        let inverse = symbol.inverse_above(floor)?;
+        Ok(Self {
+            product: SingleProduct::new(frame, &inverse)?,
+        })
     }
 }
 
@@ -68,6 +73,10 @@ impl<const N: usize> Operator<N> for CirculantInverse<N> {
     }
 
     fn workspace(&self) -> SingleWorkspace<N> {
+        or_abort(self.try_workspace())
+    }
+
+    fn try_workspace(&self) -> Result<SingleWorkspace<N>> {
         self.product.workspace()
     }
 

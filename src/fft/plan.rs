@@ -12,12 +12,13 @@ use num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use rustfft::{Fft, FftPlanner};
 
+use crate::error::Result;
 use crate::fft::columns::ColumnScratch;
 use crate::fft::frame::Frame;
 use crate::fft::real::Real;
 use crate::fft::rows::RowScratch;
 use crate::fft::symbol::Symbol;
-use crate::fft::tiles::{TILE_ROWS, Tiles, exchange};
+use crate::fft::tiles::{TILE_ROWS, Tile, Tiles, exchange};
 use crate::layout::Layout;
 use crate::parallel::{self, Blocks, Split};
 use crate::pool::Pool;
@@ -134,7 +135,10 @@ impl<T: Real> Plan<T> {
     }
 
     /// Tiles of N fields.
-    pub(super) fn tiles<const N: usize>(&self) -> Tiles<N> {
+    ///
+    /// # Errors
+    /// [`Error::Memory`](crate::Error::Memory).
+    pub(super) fn tiles<const N: usize>(&self) -> Result<Tiles<N>> {
         let (across, down) = (self.tiles_across(), self.tiles_down());
         let own_columns = self.own_tile_columns().len();
         // Each band is made by the task that first writes there.
@@ -142,21 +146,25 @@ impl<T: Real> Plan<T> {
             [across, down],
             [own_columns, self.tiles_along()],
             |tiles, fill| {
-                self.bands(down, blocks(tiles, across), |_, band| fill(band.items));
+                let (data, bands) = (blocks(tiles, across), 0..down);
+                let work = |_: usize, band: Blocks<'_, Tile>| fill(band.items);
+                parallel::sweep_cells(self.cells(), bands, data, &work, &Result::and)
             },
         )
     }
 
-    pub(super) fn scratch<const N: usize>(&self) -> Scratch<T, N> {
+    /// # Errors
+    /// [`Error::Memory`](crate::Error::Memory).
+    pub(super) fn scratch<const N: usize>(&self) -> Result<Scratch<T, N>> {
         let tasks = if self.is_short() {
             1
         } else {
             parallel::threads()
         };
-        Scratch {
-            rows: Pool::new(vec![self.row_scratch(); tasks]),
-            columns: Pool::new(vec![self.column_scratch(); tasks]),
-        }
+        Ok(Scratch {
+            rows: Pool::of(tasks, || self.row_scratch())?,
+            columns: Pool::of(tasks, || self.column_scratch())?,
+        })
     }
 
     /// `out = inverse(symbol * forward(x))`, all fields `nx` x `ny`; `scales` multiply what goes

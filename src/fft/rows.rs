@@ -1,5 +1,6 @@
 //! The transforms of the rows of one field.
 
+use crate::error::Result;
 use crate::fft::aligned::Aligned;
 use crate::fft::plan::{Plan, blocks, zero};
 use crate::fft::real::Real;
@@ -17,17 +18,17 @@ pub(super) struct RowScratch<T> {
 }
 
 impl<T: Real> Plan<T> {
-    pub(super) fn row_scratch(&self) -> RowScratch<T> {
-        RowScratch {
-            real: Aligned::new(T::zero(), self.frame.torus[0]),
-            complex: Aligned::new(zero(), TILE_ROWS * self.row_stride()),
+    pub(super) fn row_scratch(&self) -> Result<RowScratch<T>> {
+        Ok(RowScratch {
+            real: Aligned::new(T::zero(), self.frame.torus[0])?,
+            complex: Aligned::new(zero(), TILE_ROWS * self.row_stride())?,
             transform: Aligned::new(
                 zero(),
                 self.row_forward
                     .get_scratch_len()
                     .max(self.row_inverse.get_scratch_len()),
-            ),
-        }
+            )?,
+        })
     }
 
     /// From one transformed row to the next in scratch memory.

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use crate::error::Result;
 use crate::fft::frame::Frame;
 use crate::fft::plan::{Plan, Scratch};
 use crate::fft::symbol::Symbol;
@@ -24,15 +25,15 @@ pub struct SingleWorkspace<const N: usize = 1> {
 }
 
 impl<const N: usize> SingleProduct<N> {
-    pub(super) fn new(frame: Frame, symbol: &Symbol<f64, N>) -> Self {
+    pub(super) fn new(frame: Frame, symbol: &Symbol<f64, N>) -> Result<Self> {
         let largest = symbol.largest_entry();
         let scale = if largest > 0.0 { largest } else { 1.0 };
         let plan = Plan::new(frame);
-        Self {
-            symbol: symbol.map(|value| value / scale),
+        Ok(Self {
+            symbol: symbol.map(|value| value / scale)?,
             scale: scale / plan.cells_of_torus(),
             plan,
-        }
+        })
     }
 
     pub(super) fn cells(&self) -> usize {
@@ -43,14 +44,14 @@ impl<const N: usize> SingleProduct<N> {
         self.plan.layout()
     }
 
-    pub(super) fn workspace(&self) -> SingleWorkspace<N> {
-        SingleWorkspace {
-            tiles: self.plan.tiles(),
-            scratch: self.scratch(),
-        }
+    pub(super) fn workspace(&self) -> Result<SingleWorkspace<N>> {
+        Ok(SingleWorkspace {
+            tiles: self.plan.tiles()?,
+            scratch: self.scratch()?,
+        })
     }
 
-    pub(super) fn scratch(&self) -> Scratch<f32, N> {
+    pub(super) fn scratch(&self) -> Result<Scratch<f32, N>> {
         self.plan.scratch()
     }
 

@@ -3,8 +3,11 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use num_complex::Complex;
 use realfft::RealFftPlanner;
 
+use crate::buffer;
+use crate::error::Result;
 use crate::fft::frame::Frame;
 use crate::influence::Kernel;
 use crate::parallel::{self, Blocks};
@@ -19,12 +22,15 @@ pub(super) struct Lines<'a> {
 
 /// Writes the transform of a kernel on the `mx` x `my` torus of a frame, or its imaginary part, times `sign`: a line
 /// of `my / 2 + 1` numbers for each wave number along x that is multiplied here, of `0..=mx/2`.
-pub(super) fn transform(kernel: &Kernel, frame: &Frame, sign: f64, lines: Lines<'_>) {
+///
+/// # Errors
+/// [`Error::Memory`](crate::Error::Memory).
+pub(super) fn transform(kernel: &Kernel, frame: &Frame, sign: f64, lines: Lines<'_>) -> Result<()> {
     match kernel {
         Kernel::Table(table) | Kernel::Rows(table) => {
             let is_odd = table.component().is_odd();
             let at = |i: usize, j: usize| table.at(i, j);
-            of_samples(is_odd, frame, table.share(), sign, lines, at);
+            of_samples(is_odd, frame, table.share(), sign, lines, at)
         }
         Kernel::Symbols(symbols) => {
             let Lines {
@@ -38,6 +44,7 @@ pub(super) fn transform(kernel: &Kernel, frame: &Frame, sign: f64, lines: Lines<
                     *value = sign * symbols.at([first + column, row]);
                 }
             });
+            Ok(())
         }
     }
 }
@@ -47,6 +54,9 @@ pub(super) fn transform(kernel: &Kernel, frame: &Frame, sign: f64, lines: Lines<
 /// Along an axis the sample `d` of the torus is that at distance `min(d, m - d)`, with the sign of
 /// its parity; an odd kernel vanishes half way around. Of samples whose rows are dealt out each rank transforms its own
 /// along x, and its columns along y.
+///
+/// # Errors
+/// [`Error::Memory`](crate::Error::Memory).
 pub(super) fn of_samples(
     [is_odd_x, is_odd_y]: [bool; 2],
     frame: &Frame,
@@ -54,7 +64,7 @@ pub(super) fn of_samples(
     sign: f64,
     lines: Lines<'_>,
     at: impl Fn(usize, usize) -> f64 + Sync,
-) {
+) -> Result<()> {
     // An odd axis contributes -i: one makes the spectrum imaginary, two turn its sign.
     let sign = if is_odd_x || is_odd_y { -sign } else { sign };
 
@@ -65,13 +75,13 @@ pub(super) fn of_samples(
         let own = share.own_rows();
         own.start.min(height)..own.end.min(height)
     });
-    let mut rows = vec![0.0; width * own_rows.len()];
+    let mut rows = buffer::zeros(width * own_rows.len())?;
     let row_lines = Lines {
         values: &mut rows,
         stride: width,
         entry: 0..width,
     };
-    half_transforms(mx, is_odd_x, row_lines, |j, i| at(i, own_rows.start + j));
+    half_transforms(mx, is_odd_x, row_lines, |j, i| at(i, own_rows.start + j))?;
     let (rows, width) = match share {
         Some(share) => {
             let found = share.fetch(&rows, width, |rank| [frame.columns_of(rank), 0..height]);
@@ -79,7 +89,7 @@ pub(super) fn of_samples(
         }
         None => (rows, width),
     };
-    half_transforms(my, is_odd_y, lines, |i, j| sign * rows[j * width + i]);
+    half_transforms(my, is_odd_y, lines, |i, j| sign * rows[j * width + i])
 }
 
 /// For each line, the cosine (even) or sine (odd) sums `sum_d f(line, d) e^(2 pi i k d/m)` of the samples
@@ -89,7 +99,7 @@ fn half_transforms(
     is_odd: bool,
     lines: Lines<'_>,
     sample: impl Fn(usize, usize) -> f64 + Sync,
-) {
+) -> Result<()> {
     let Lines {
         values,
         stride,
@@ -104,9 +114,10 @@ fn half_transforms(
         width: per_task * stride,
     };
     let work = |task: usize, block: Blocks<'_, f64>| {
-        let mut wrapped = transform.make_input_vec();
-        let mut complex = transform.make_output_vec();
-        let mut scratch = transform.make_scratch_vec();
+        let zero = Complex::new(0.0, 0.0);
+        let mut wrapped = buffer::zeros(m)?;
+        let mut complex = buffer::filled(zero, transform.complex_len())?;
+        let mut scratch = buffer::filled(zero, transform.get_scratch_len())?;
         for (index, out) in block.items.chunks_exact_mut(stride).enumerate() {
             let line = task * per_task + index;
             for d in 0..half {
@@ -123,6 +134,7 @@ fn half_transforms(
                 *out = if is_odd { -z.im } else { z.re };
             }
         }
+        Ok(())
     };
-    parallel::sweep(0..count.div_ceil(per_task), data, &work, &|(), ()| ());
+    parallel::sweep(0..count.div_ceil(per_task), data, &work, &Result::and)
 }

@@ -2,6 +2,7 @@
 
 use std::array::from_fn;
 
+use crate::buffer;
 use crate::error::{Result, memory};
 use crate::fft::frame::Frame;
 use crate::fft::length::torus;
@@ -53,21 +54,29 @@ impl Torus {
 
     /// The spectrum of a kernel sampled at the distances of a quarter, `at(i, j)`, or its imaginary part if it is odd
     /// in one axis: the waves along y of each wave along x, one after the other.
+    ///
+    /// # Errors
+    /// [`Error::Memory`](crate::Error::Memory).
     pub(crate) fn spectrum(
         &self,
         is_odd: [bool; 2],
         at: impl Fn(usize, usize) -> f64 + Sync,
-    ) -> Vec<f64> {
+    ) -> Result<Vec<f64>> {
         let [width, height] = self.quarter();
-        let mut values = vec![0.0; width * height];
+        let mut values = buffer::zeros(width * height)?;
         let lines = Lines {
             values: &mut values,
             stride: height,
             entry: 0..height,
         };
-        of_samples(is_odd, &self.frame, None, 1.0, lines, at);
-        values
+        of_samples(is_odd, &self.frame, None, 1.0, lines, at)?;
+        Ok(values)
     }
+}
+
+/// Nine kernels of a column of waves.
+fn table(plan: &Plan<f64>) -> Result<Vec<f64>> {
+    buffer::zeros(9 * (plan.frame.torus[1] / 2 + 1))
 }
 
 /// Nine kernels, by what comes out and what goes in.
@@ -87,7 +96,7 @@ impl Superposition {
     pub(crate) fn new(torus: &Torus) -> Result<Self> {
         memory("transforms of tractions and stresses", torus.frame.size, 96)?;
         let plan = Plan::new(torus.frame.clone());
-        let mut results = plan.tiles();
+        let mut results = plan.tiles()?;
         for n in 0..3 {
             exchange(
                 &mut results.by_rows[n],
@@ -96,10 +105,10 @@ impl Superposition {
             );
         }
         Ok(Self {
-            sources: plan.tiles(),
+            sources: plan.tiles()?,
             results,
-            scratch: plan.scratch(),
-            columns: Pool::new(Vec::new()),
+            scratch: plan.scratch()?,
+            columns: Pool::of(1, || table(&plan))?,
             plan,
             is_loaded: false,
         })
@@ -164,17 +173,19 @@ impl Superposition {
             by_columns.each_mut().map(|tiles| &mut tiles[..]),
             &scratch.columns,
             |kx, waves| {
-                let make = || vec![0.0; 9 * height];
-                columns.lend(make, |table| {
-                    table.fill(0.0);
-                    for (k, values) in table.chunks_exact_mut(height).enumerate() {
-                        let entry @ [i, j] = [k / 3, k % 3];
-                        let factor = if parity.negates(i, j) { -1.0 } else { 1.0 };
-                        kernels.add(values, entry, factor, kx);
-                    }
-                    let entry = |k: usize| &table[k * height..(k + 1) * height];
-                    parity.multiply(from_fn(|i| from_fn(|j| entry(3 * i + j))), waves);
-                });
+                columns.lend(
+                    || table(plan),
+                    |table| {
+                        table.fill(0.0);
+                        for (k, values) in table.chunks_exact_mut(height).enumerate() {
+                            let entry @ [i, j] = [k / 3, k % 3];
+                            let factor = if parity.negates(i, j) { -1.0 } else { 1.0 };
+                            kernels.add(values, entry, factor, kx);
+                        }
+                        let entry = |k: usize| &table[k * height..(k + 1) * height];
+                        parity.multiply(from_fn(|i| from_fn(|j| entry(3 * i + j))), waves);
+                    },
+                );
             },
         );
         let normalisation = 1.0 / plan.cells_of_torus();

@@ -5,6 +5,8 @@ use std::ops::Range;
 
 use num_complex::Complex;
 
+use crate::buffer;
+use crate::error::Result;
 use crate::fft::eigen::{coupling, eigenvalue_range, inverse_above};
 use crate::fft::frame::Frame;
 use crate::fft::plan::zero;
@@ -101,10 +103,13 @@ impl<const N: usize> Shape<N> {
 impl<const N: usize> Symbol<f64, N> {
     /// Of a symmetric tensor of kernels (displacement, then traction), or of one kernel of any parity;
     /// tables must reach at least half around the torus.
-    pub(super) fn new(frame: &Frame, kernels: [[&Kernel; N]; N]) -> Self {
+    ///
+    /// # Errors
+    /// [`Error::Memory`](crate::Error::Memory).
+    pub(super) fn new(frame: &Frame, kernels: [[&Kernel; N]; N]) -> Result<Self> {
         let shape = Shape::new(frame.torus[1] / 2 + 1, kernels);
         let columns = frame.own_columns();
-        let mut values = vec![0.0; columns.len() * shape.stride()];
+        let mut values = buffer::zeros(columns.len() * shape.stride())?;
         for (i, j) in upper_triangle::<N>() {
             let sign = if shape.parity.negates(i, j) {
                 -1.0
@@ -116,14 +121,14 @@ impl<const N: usize> Symbol<f64, N> {
                 stride: shape.stride(),
                 entry: shape.entry(i, j),
             };
-            transform(kernels[i][j], frame, sign, lines);
+            transform(kernels[i][j], frame, sign, lines)?;
         }
-        Self {
+        Ok(Self {
             values,
             first: columns.start,
             shape,
             frame: frame.clone(),
-        }
+        })
     }
 
     /// Smallest and largest eigenvalue of all waves, or of all but the mean.
@@ -175,25 +180,25 @@ impl<const N: usize> Symbol<f64, N> {
     }
 
     /// Every entry replaced.
-    pub(super) fn map<T: Real>(&self, f: impl Fn(f64) -> f64 + Sync) -> Symbol<T, N> {
-        let mut values = vec![T::zero(); self.values.len()];
+    pub(super) fn map<T: Real>(&self, f: impl Fn(f64) -> f64 + Sync) -> Result<Symbol<T, N>> {
+        let mut values = buffer::filled(T::zero(), self.values.len())?;
         parallel::update(&mut values, |first, chunk| {
             for (value, &from) in chunk.iter_mut().zip(&self.values[first..]) {
                 *value = T::of(f(from));
             }
         });
-        Symbol {
+        Ok(Symbol {
             values,
             first: self.first,
             shape: self.shape,
             frame: self.frame.clone(),
-        }
+        })
     }
 
     /// The inverse, with eigenvalues below `floor` raised to it.
-    pub(super) fn inverse_above(&self, floor: f64) -> Self {
+    pub(super) fn inverse_above(&self, floor: f64) -> Result<Self> {
         let shape = self.shape;
-        let mut values = vec![0.0; self.values.len()];
+        let mut values = buffer::zeros(self.values.len())?;
         parallel::rows(&mut values, shape.stride(), |kx, out| {
             let column = &self.values[kx * shape.stride()..][..shape.stride()];
             for row in 0..shape.height {
@@ -203,12 +208,12 @@ impl<const N: usize> Symbol<f64, N> {
                 }
             }
         });
-        Self {
+        Ok(Self {
             values,
             first: self.first,
             shape,
             frame: self.frame.clone(),
-        }
+        })
     }
 }
 

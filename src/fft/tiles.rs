@@ -1,10 +1,10 @@
 //! The pieces in which one stage of a transform hands its results to the next.
 
-use std::array::from_fn;
-
 use bytemuck::{cast_slice, cast_slice_mut};
 use num_complex::Complex;
 
+use crate::buffer::{self, try_each};
+use crate::error::Result;
 use crate::fft::real::Real;
 
 /// Rows of a tile. With two cache lines of each it is a piece long enough for memory, small enough to be turned in the
@@ -19,9 +19,10 @@ pub(super) const TILE_WORDS: usize = TILE_ROWS * 128 / size_of::<u64>();
 pub(super) struct Tile(Box<[Complex<f64>]>);
 
 impl Tile {
-    pub(super) fn zero() -> Self {
+    pub(super) fn zero() -> Result<Self> {
         let zero = Complex::new(0.0, 0.0);
-        Self(vec![zero; TILE_ROWS * f64::TILE_COLUMNS].into_boxed_slice())
+        let numbers = buffer::filled(zero, TILE_ROWS * f64::TILE_COLUMNS)?;
+        Ok(Self(numbers.into_boxed_slice()))
     }
 
     /// The numbers of the precision it was last written in.
@@ -63,19 +64,25 @@ impl<const N: usize> Tiles<N> {
     pub(super) fn new(
         [across, down]: [usize; 2],
         [own_across, along]: [usize; 2],
-        fill: impl Fn(&mut [Tile], &(dyn Fn(&mut [Tile]) + Sync)),
-    ) -> Self {
-        let empty = |across: usize, down: usize| vec![Tile::default(); across * down];
-        Self {
-            by_rows: from_fn(|_| {
-                let mut tiles = empty(across, down);
-                fill(&mut tiles, &|band| band.fill_with(Tile::zero));
-                tiles
-            }),
-            occupied: from_fn(|_| vec![false; along]),
-            by_columns: from_fn(|_| empty(own_across, along)),
+        fill: impl Fn(&mut [Tile], &(dyn Fn(&mut [Tile]) -> Result<()> + Sync)) -> Result<()>,
+    ) -> Result<Self> {
+        let empty = |across: usize, down: usize| buffer::filled(Tile::default(), across * down);
+        let fill_band = |band: &mut [Tile]| {
+            for tile in band {
+                *tile = Tile::zero()?;
+            }
+            Ok(())
+        };
+        Ok(Self {
+            by_rows: try_each(|_| {
+                let mut tiles = empty(across, down)?;
+                fill(&mut tiles, &fill_band)?;
+                Ok(tiles)
+            })?,
+            occupied: try_each(|_| buffer::filled(false, along))?,
+            by_columns: try_each(|_| empty(own_across, along))?,
             spare: Vec::new(),
-        }
+        })
     }
 }
 

@@ -3,6 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use crate::buffer;
 use crate::error::Result;
 use crate::fft::samples;
 use crate::grid::Grid;
@@ -61,7 +62,7 @@ impl HalfSpace {
         coarser: &Self,
         [nx, ny]: [usize; 2],
         field: &[f64],
-    ) -> Vec<f64> {
+    ) -> Result<Vec<f64>> {
         let Some(fine) = self.share([nx, ny]) else {
             return coarsened([nx, ny], field);
         };
@@ -78,7 +79,12 @@ impl HalfSpace {
     }
 
     /// A field of the cells of [`Self::coarser`] on `[nx, ny]` cells, interpolated.
-    pub(crate) fn refined(&self, coarser: &Self, size: [usize; 2], field: &[f64]) -> Vec<f64> {
+    pub(crate) fn refined(
+        &self,
+        coarser: &Self,
+        size: [usize; 2],
+        field: &[f64],
+    ) -> Result<Vec<f64>> {
         self.on_finer(coarser, size, field, refined)
     }
 
@@ -87,12 +93,13 @@ impl HalfSpace {
         &self,
         coarser: &Self,
         size: [usize; 2],
-        marks: impl Iterator<Item = bool>,
-    ) -> Vec<bool> {
+        marks: impl ExactSizeIterator<Item = bool>,
+    ) -> Result<Vec<bool>> {
         // Ranks exchange numbers.
-        let marks: Vec<f64> = marks.map(|mark| f64::from(u8::from(mark))).collect();
-        let marks = self.on_finer(coarser, size, &marks, inherited);
-        marks.into_iter().map(|mark| mark > 0.0).collect()
+        let marks = marks.map(|mark| f64::from(u8::from(mark)));
+        let marks = buffer::collected(marks.len(), marks)?;
+        let marks = self.on_finer(coarser, size, &marks, inherited)?;
+        buffer::collected(marks.len(), marks.iter().map(|mark| *mark > 0.0))
     }
 
     /// The rows held here that a function makes of those of the coarser cells, the first of which it is told.
@@ -101,8 +108,8 @@ impl HalfSpace {
         coarser: &Self,
         [nx, ny]: [usize; 2],
         field: &[f64],
-        make: impl Fn([usize; 2], Range<usize>, &[f64], usize) -> Vec<f64>,
-    ) -> Vec<f64> {
+        make: impl Fn([usize; 2], Range<usize>, &[f64], usize) -> Result<Vec<f64>>,
+    ) -> Result<Vec<f64>> {
         let Some(fine) = self.share([nx, ny]) else {
             return make([nx, ny], 0..ny, field, 0);
         };

@@ -80,7 +80,7 @@ impl HalfSpace {
         &self,
         components: [[Component; N]; N],
         size: [usize; 2],
-        make: impl FnOnce([usize; 2], Option<Arc<Share>>, [[&Kernel; N]; N]) -> T + Send,
+        make: impl FnOnce([usize; 2], Option<Arc<Share>>, [[&Kernel; N]; N]) -> Result<T> + Send,
     ) -> Result<Arc<T>> {
         let size = self.cut(size);
         let is_kept = size == self.size();

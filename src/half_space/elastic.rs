@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::error::Result;
 use crate::fft::{CirculantInverse, Convolution, ConvolutionWorkspace, SingleWorkspace};
 use crate::layout::Layout;
 use crate::operator::Operator;
@@ -35,6 +36,10 @@ macro_rules! operator_by {
 
             fn workspace(&self) -> $workspace<N> {
                 self.0.workspace()
+            }
+
+            fn try_workspace(&self) -> Result<$workspace<N>> {
+                self.0.try_workspace()
             }
 
             fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut $workspace<N>) {

@@ -253,7 +253,7 @@ impl HalfSpace {
         &self,
         components: [[Component; N]; N],
         size: [usize; 2],
-        make: impl FnOnce([[&Kernel; N]; N]) -> T,
+        make: impl FnOnce([[&Kernel; N]; N]) -> Result<T>,
     ) -> Result<T> {
         let Shared {
             grid,
@@ -263,16 +263,14 @@ impl HalfSpace {
         } = &*self.shared;
         let boundary = self.boundary();
         if self.keeps_kernels() || boundary == Boundary::Periodic {
-            return Ok(make(kernels.of(components)?));
+            return make(kernels.of(components)?);
         }
         let grid = grid.whole();
         let sharing = self.sharing();
         let samples = self
             .agreed(samples(grid, boundary, size, sharing))?
             .map(Arc::new);
-        Ok(make(
-            Kernels::new(grid, *pair, boundary, samples).of(components)?,
-        ))
+        make(Kernels::new(grid, *pair, boundary, samples).of(components)?)
     }
 
     /// `Ok` if what was made on a grid with a boundary was made for these.

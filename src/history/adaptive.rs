@@ -1,5 +1,6 @@
 //! The error of a step, and steps short enough for a tolerance.
 
+use crate::buffer::{TryClone, try_each};
 use crate::cgm::reduce;
 use crate::error::{Error, Result};
 use crate::field::Field;
@@ -86,7 +87,7 @@ impl AdaptiveSteps {
     /// error of the solves then dominates, however short the steps.
     ///
     /// # Errors
-    /// [`Error::Tolerance`].
+    /// [`Error::Tolerance`], [`Error::Memory`].
     pub fn new(history: &History, tolerance: f64) -> Result<Self> {
         if !(tolerance > 0.0 && tolerance < 1.0) {
             return Err(Error::Tolerance(tolerance));
@@ -94,10 +95,10 @@ impl AdaptiveSteps {
         let state = history.state();
         Ok(Self {
             tolerance,
-            beginning: state.clone(),
-            kept: state.clone(),
-            middle: (state.clone(), history.last_step().clone()),
-            whole: state.traction().map(Clone::clone),
+            beginning: state.try_clone()?,
+            kept: state.try_clone()?,
+            middle: (state.try_clone()?, history.last_step().try_clone()?),
+            whole: try_each(|axis| state.traction()[axis].try_clone())?,
         })
     }
 
@@ -109,7 +110,7 @@ impl AdaptiveSteps {
     pub fn error(&mut self, history: &mut History, load: &LoadStep) -> Result<StepError> {
         self.begin(history, load)?;
         let outcome = self.compare(history, load, [0.0, 1.0]);
-        history.go_back(&self.beginning)?;
+        history.go_back(&mut self.beginning)?;
         outcome
     }
 
@@ -137,7 +138,7 @@ impl AdaptiveSteps {
         self.begin(history, load)?;
         let outcome = self.advance(history, load, &mut observer);
         if outcome.is_err() {
-            history.go_back(&self.beginning)?;
+            history.go_back(&mut self.beginning)?;
         }
         outcome
     }
@@ -151,9 +152,8 @@ impl AdaptiveSteps {
                 ("tolerance of adaptive steps", &self.tolerance),
             ],
         )?;
-        self.beginning.clone_from(history.state());
-        self.kept.clone_from(history.state());
-        Ok(())
+        self.beginning.try_clone_from(history.state())?;
+        self.kept.try_clone_from(history.state())
     }
 
     fn advance(
@@ -207,8 +207,8 @@ impl AdaptiveSteps {
         history.set_state(&self.kept)?;
         history.step(&part(0.5 * (start + end)))?;
         let (state, step) = &mut self.middle;
-        state.clone_from(history.state());
-        step.clone_from(history.last_step());
+        state.try_clone_from(history.state())?;
+        step.try_clone_from(history.last_step())?;
         let second = history.step(&part(end))?;
         let halves = step.energy().dissipated_energy + second.energy().dissipated_energy;
         let difference = |a: [f64; 2], b: [f64; 2]| [a[0] - b[0], a[1] - b[1]];
@@ -241,7 +241,7 @@ impl AdaptiveSteps {
         observer: &mut impl FnMut(&History) -> Result<()>,
     ) -> Result<()> {
         let (state, step) = &mut self.middle;
-        self.kept.clone_from(history.state());
+        self.kept.try_clone_from(history.state())?;
         history.set_state(state)?;
         std::mem::swap(&mut history.step, step);
         let outcome = history.bodies.agreed_on(|| observer(history));

@@ -1,5 +1,6 @@
 //! How a step is solved, before any of it enters the state.
 
+use crate::buffer::{self, TryClone};
 use crate::cascade::Conditions;
 use crate::clock::Instant;
 use crate::elastic::Observer;
@@ -22,13 +23,23 @@ impl History {
             history: self,
             is_over: false,
         };
-        let outcome = attempt.history.find(load, observer);
+        let mut outcome = attempt.history.find(load, observer);
+        if outcome.is_ok() {
+            outcome = attempt.history.make_room().and(outcome);
+        }
         attempt.is_over = true;
         if outcome.is_err() {
             attempt.forget();
             attempt.history.take_back()?;
         }
         outcome
+    }
+
+    /// Makes room in the state for what a step leaves there: nothing is to fail on the way into it.
+    fn make_room(&mut self) -> Result<()> {
+        let State { trend, .. } = &mut self.state;
+        let [change] = &mut trend.change;
+        buffer::make_room(change, self.press.trend_cells())
     }
 
     /// Solves both halves of a step.
@@ -64,7 +75,7 @@ impl History {
             control,
             settings: &state.settings,
         };
-        let candidate = self.candidate.take(|| state.normal.clone());
+        let candidate = self.candidate.take(|| state.normal.try_clone())?;
         let pressure = candidate.pressure_mut();
         parallel::copy(state.pressure().as_slice(), pressure);
         self.press.solve(&of, pressure, observer)?;
@@ -86,10 +97,13 @@ impl History {
         let kind = (axes, self.state.coupling);
         let increment = self.increments.take(&self.bodies, kind, window)?;
         let increment = self.increment.insert(increment);
-        let memory = memory.get_or_insert_with(|| Memory::first(grid, axes, window, motion));
+        let memory = match memory {
+            Some(memory) => memory,
+            none => none.insert(Memory::first(grid, axes, window, motion)?),
+        };
         let is_widened = memory.window != window;
         if is_widened {
-            memory.widen(grid, increment, self.state.traction.each_ref(), motion);
+            memory.widen(grid, increment, self.state.traction.each_ref(), motion)?;
         }
         increment.set_offset(&memory.offset);
         let state = &self.state;
@@ -100,7 +114,7 @@ impl History {
         }
         if candidate.is_some() {
             increment.draw_from(state.pressure().as_slice());
-            touch::follow_growth(increment, &self.bodies, state, pressed, load, &demand);
+            touch::follow_growth(increment, &self.bodies, state, pressed, load, &demand)?;
         }
         increment.set_traction(state.traction.each_ref().map(Field::as_slice));
         let mut conditions = Conditions {

@@ -1,5 +1,6 @@
 //! What a history starts from, checked once.
 
+use crate::buffer::TryClone;
 use crate::cgm::{Settings, settings_methods};
 use crate::coupling::Coupling;
 use crate::error::{Error, Result};
@@ -189,13 +190,13 @@ impl HistoryBuilder<'_> {
                 ("settings", &self.settings),
             ],
         )?;
-        let (gap, boundary) = (self.gap.clone(), bodies.boundary());
+        let (gap, boundary) = (self.gap.try_clone()?, bodies.boundary());
         let (pair, settings) = (bodies.pair(), self.settings);
         let rule = self.touch_rule;
-        let state = State::new(gap, boundary, pair, self.friction, axes, settings, rule);
-        let mut state = state.limited(self.hardness, self.is_set_permanent);
-        state.relative = self.relative.map(Relative::new);
-        History::from_state(bodies, state.coupled(self.coupling))
+        let state = State::new(gap, boundary, pair, self.friction, axes, settings, rule)?;
+        let mut state = state.limited(self.hardness, self.is_set_permanent)?;
+        state.relative = self.relative.map(Relative::new).transpose()?;
+        History::from_state(bodies, state.coupled(self.coupling)?)
     }
 
     /// The axes of the tractions, if everything is right.

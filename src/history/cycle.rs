@@ -1,5 +1,6 @@
 //! What the steps of a cycle add up to.
 
+use crate::buffer::or_abort;
 use crate::cgm::reduce;
 use crate::cgm::vector::norm;
 #[cfg(feature = "serde")]
@@ -128,15 +129,23 @@ impl Cycle {
     /// No steps yet, from where the history is.
     #[must_use]
     pub fn new(history: &History) -> Self {
-        let zeros = || Field::zeros(history.grid());
+        or_abort(Self::try_new(history))
+    }
+
+    /// [`Self::new`] where memory may run out.
+    ///
+    /// # Errors
+    /// [`Error::Memory`].
+    pub fn try_new(history: &History) -> Result<Self> {
+        let zeros = || Field::try_zeros(history.grid());
         let mut cycle = Self {
             sums: Sums {
-                slip_distance: zeros(),
-                slip_pressure: zeros(),
-                dissipated_energy: zeros(),
-                slip_amplitude: [zeros(), zeros()],
-                least_slip: [zeros(), zeros()],
-                first_traction: [zeros(), zeros()],
+                slip_distance: zeros()?,
+                slip_pressure: zeros()?,
+                dissipated_energy: zeros()?,
+                slip_amplitude: [zeros()?, zeros()?],
+                least_slip: [zeros()?, zeros()?],
+                first_traction: [zeros()?, zeros()?],
             },
             largest_traction: 0.0,
             traction_change: 0.0,
@@ -148,7 +157,7 @@ impl Cycle {
             last_step: 0,
         };
         cycle.restart(history);
-        cycle
+        Ok(cycle)
     }
 
     /// Forgets all steps and begins anew where the history is.
@@ -206,12 +215,10 @@ impl Cycle {
         self.largest_traction = self.largest_traction.max(largest_traction);
         (self.traction_change, self.regime) = (traction_change, regime);
         self.last_step = number;
-        self.sums
-            .slip_distance
-            .add_scaled(1.0, step.slip_distance())?;
-        self.sums
-            .dissipated_energy
-            .add_scaled(1.0, step.dissipated_energy())?;
+        let sums = &mut self.sums;
+        sums.slip_distance.add_scaled(1.0, step.slip_distance())?;
+        let dissipated = step.dissipated_energy();
+        sums.dissipated_energy.add_scaled(1.0, dissipated)?;
         self.average_pressure(history);
         for (axis, slip) in history.slip().into_iter().enumerate() {
             widen(

@@ -63,7 +63,7 @@ impl Increments {
                 increment.pressed.region = Region::new(bodies, window);
                 Ok(increment)
             }
-            None => Increment::new(bodies, kind.0, Pressed::new(bodies, window), kind.1),
+            None => Increment::new(bodies, kind.0, Pressed::new(bodies, window)?, kind.1),
         }
     }
 

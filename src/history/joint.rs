@@ -1,5 +1,6 @@
 //! The steps of bodies whose pressure and shear are found together.
 
+use crate::buffer::TryClone;
 use crate::cascade::Conditions;
 use crate::clock::Instant;
 use crate::coupled::{CoupledDemand, CoupledIncrement};
@@ -19,15 +20,15 @@ use crate::window::Window;
 impl State {
     /// With this much coupling. Where pressure and shear are found together, that is on all of the grid and along both
     /// axes.
-    pub(super) fn coupled(mut self, coupling: Coupling) -> Self {
+    pub(super) fn coupled(mut self, coupling: Coupling) -> Result<Self> {
         self.coupling = coupling;
         if self.is_joint() {
             let (grid, axes) = (self.grid(), Axis::BOTH);
-            let mut memory = Memory::first(grid, axes, Window::whole(grid), self.motion);
+            let mut memory = Memory::first(grid, axes, Window::whole(grid), self.motion)?;
             memory.trend = Trend::default();
             (self.axes, self.contact) = (axes, Some(memory));
         }
-        self
+        Ok(self)
     }
 
     /// Whether pressure and shear are found together.
@@ -79,7 +80,7 @@ impl History {
             tangential: load.demand(state.motion.twist),
         };
         joint.solve(demand, state.motion, &mut conditions)?;
-        let candidate = self.candidate.take(|| state.normal.clone());
+        let candidate = self.candidate.take(|| state.normal.try_clone())?;
         joint.write(&state.gap, candidate);
         if make_lag(
             joint,
@@ -118,7 +119,7 @@ fn make_lag(
     let pressures = pressed.pressure().as_slice();
     increment.pressed.set(pressures, &state.friction);
     increment.gather_offset(joint.answer().offset);
-    let lags = touch::follow_growth(&mut increment, bodies, state, pressed, load, &demand);
+    let lags = touch::follow_growth(&mut increment, bodies, state, pressed, load, &demand)?;
     joint.set_offset_within(&increment.pressed.region, increment.offset());
     increments.give_back(increment);
     Ok(lags)

@@ -1,5 +1,6 @@
 //! What the cells in and around the contact remember of their slip.
 
+use crate::buffer::{self, TryClone, try_clone, try_each};
 use crate::error::Result;
 use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
@@ -29,38 +30,48 @@ clone_in_place!(Memory {
     trend,
 });
 
+try_clone!(Memory { displacement, offset, trend } { window });
+
 impl Memory {
     /// At the first touch, of bodies that have no displacement.
-    pub(super) fn first(grid: Grid, axes: &[Axis], window: Window, motion: Motion) -> Self {
+    pub(super) fn first(grid: Grid, axes: &[Axis], window: Window, motion: Motion) -> Result<Self> {
         let held = window.held(grid);
-        let mut offset = zeros(axes, held.cells());
+        let mut offset = zeros(axes, held.cells())?;
         for (k, i) in held.indices().enumerate() {
             let moved = motion.at(centre(grid, i));
             for axis in axes.iter().map(|axis| axis.index()) {
                 offset[axis][k] = -moved[axis];
             }
         }
-        Self {
+        Ok(Self {
             window,
-            displacement: zeros(axes, held.cells()),
+            displacement: zeros(axes, held.cells())?,
             offset,
             trend: Trend {
-                change: zeros(axes, held.cells()),
+                change: zeros(axes, held.cells())?,
                 ..Trend::default()
             },
-        }
+        })
     }
 
     /// Takes the window of an increment, which is wider; what it knew of its own cells stays, bit for bit.
+    ///
+    /// # Errors
+    /// [`Error::Memory`](crate::Error::Memory); to [narrow](Self::narrow) it to the window it had then makes it what it was.
     pub(super) fn widen(
         &mut self,
         grid: Grid,
         increment: &mut Increment,
         traction: [&Field; 2],
         motion: Motion,
-    ) {
+    ) -> Result<()> {
         let (held, old) = (increment.pressed.region.held(), self.window.held(grid));
         let axes = increment.axes();
+        for axis in axes.iter().map(|axis| axis.index()) {
+            for parts in self.fields_mut() {
+                buffer::make_room(&mut parts[axis], held.cells())?;
+            }
+        }
         for axis in axes.iter().map(|axis| axis.index()) {
             for parts in self.fields_mut() {
                 held.spread(old, &mut parts[axis]);
@@ -68,7 +79,7 @@ impl Memory {
         }
         self.window = increment.pressed.window();
         increment.set_traction(traction.map(Field::as_slice));
-        let displacement = increment.fresh_displacement();
+        let displacement = increment.fresh_displacement()?;
         let cells = held.indices().enumerate();
         let added = cells.filter(|(_, i)| !old.contains(*i));
         for (k, i) in added {
@@ -78,6 +89,7 @@ impl Memory {
                 self.offset[axis][k] = displacement[axis][k] - moved[axis];
             }
         }
+        Ok(())
     }
 
     /// Takes a smaller window around all contact. What a cell apart remembers is lost with it: [`Self::widen`] finds it
@@ -110,10 +122,6 @@ impl Memory {
 
     /// The displacements of all cells, of a window that is the grid.
     pub(super) fn fields(&self, grid: Grid) -> Result<[Field; 2]> {
-        let [x, y] = self
-            .displacement
-            .each_ref()
-            .map(|part| Field::from_vec(grid, part.clone()));
-        Ok([x?, y?])
+        try_each(|axis| Field::from_vec(grid, self.displacement[axis].try_clone()?))
     }
 }

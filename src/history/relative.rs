@@ -1,5 +1,6 @@
 //! What displaces one body relative to the other beside the contact, step by step.
 
+use crate::buffer::{TryClone, try_clone};
 use crate::error::{Error, Result, finite};
 use crate::field::clone_in_place;
 use crate::history::state::State;
@@ -21,15 +22,17 @@ clone_in_place!(Relative {
     reached,
 });
 
+try_clone!(Relative { pattern, reached } { amount });
+
 impl Relative {
     /// None of it reached.
-    pub(super) fn new(pattern: RelativeDisplacement) -> Self {
+    pub(super) fn new(pattern: RelativeDisplacement) -> Result<Self> {
         let [along_x, _] = pattern.fields();
-        Self {
-            reached: RelativeDisplacement::zeros(along_x.grid()),
+        Ok(Self {
+            reached: RelativeDisplacement::zeros(along_x.grid())?,
             amount: 0.0,
             pattern,
-        }
+        })
     }
 
     /// How much a step reaches.
@@ -99,14 +102,14 @@ impl History {
     ///
     /// # Errors
     /// [`Error::GridMismatch`]; [`Error::NotModelled`] for one along an axis of which the model finds no traction; [`Error::Sample`] for a
-    /// bulk strain along an axis on which the grid repeats; [`Error::Ranks`]; the
+    /// bulk strain along an axis on which the grid repeats; [`Error::Memory`]; [`Error::Ranks`]; the
     /// pattern is then as it was.
     pub fn set_relative_displacement(&mut self, pattern: &RelativeDisplacement) -> Result<()> {
         let checked = pattern.check(&self.bodies, self.state.axes);
         self.bodies.agreed(checked)?;
         match &mut self.state.relative {
-            Some(relative) => relative.pattern.clone_from(pattern),
-            none => *none = Some(Relative::new(pattern.clone())),
+            Some(relative) => relative.pattern.try_clone_from(pattern)?,
+            none => *none = Some(Relative::new(pattern.try_clone()?)?),
         }
         Ok(())
     }

@@ -1,6 +1,7 @@
 //! What survives from one step to the next.
 
 use crate::boundary::Boundary;
+use crate::buffer::{self, TryClone, try_clone};
 use crate::cgm::Settings;
 use crate::coupling::Coupling;
 use crate::error::{Error, Result};
@@ -128,6 +129,13 @@ clone_in_place!(State {
     capacity,
 });
 
+try_clone!(State {
+    friction, gap, hardness, yielded, relative, normal, pressed_gap, trend, contact, traction, slip, accumulated_slip,
+    dissipated_energy, zones,
+} {
+    axes, settings, is_pressure_stale, pressed_by, press_window, motion, force, moment, steps, touch_rule, coupling, capacity,
+});
+
 const QUANTITY: &str = "state of a history";
 
 impl State {
@@ -140,15 +148,15 @@ impl State {
         axes: &'static [Axis],
         settings: Settings,
         touch_rule: TouchRule,
-    ) -> Self {
+    ) -> Result<Self> {
         let grid = gap.grid();
-        let zeros = || Field::zeros(grid);
-        Self {
+        let zeros = || Field::try_zeros(grid);
+        Ok(Self {
             axes,
             settings,
             friction,
-            normal: NormalSolution::empty(&gap, boundary, pair),
-            pressed_gap: gap.clone(),
+            normal: NormalSolution::empty(&gap, boundary, pair)?,
+            pressed_gap: gap.try_clone()?,
             gap,
             hardness: None,
             yielded: None,
@@ -158,11 +166,11 @@ impl State {
             press_window: None,
             trend: Trend::default(),
             contact: None,
-            traction: [zeros(), zeros()],
-            slip: [zeros(), zeros()],
-            accumulated_slip: zeros(),
-            dissipated_energy: zeros(),
-            zones: vec![Zone::Separated; grid.cells()],
+            traction: [zeros()?, zeros()?],
+            slip: [zeros()?, zeros()?],
+            accumulated_slip: zeros()?,
+            dissipated_energy: zeros()?,
+            zones: buffer::filled(Zone::Separated, grid.cells())?,
             motion: Motion::default(),
             force: [0.0; 2],
             moment: 0.0,
@@ -170,14 +178,15 @@ impl State {
             touch_rule,
             coupling: Coupling::default(),
             capacity: None,
-        }
+        })
     }
 
     /// With pressures limited by this hardness, and a permanent set if what yields is to stay.
-    pub(super) fn limited(mut self, hardness: Option<Hardness>, stays: bool) -> Self {
-        self.yielded = stays.then(|| Field::zeros(self.grid()));
+    pub(super) fn limited(mut self, hardness: Option<Hardness>, stays: bool) -> Result<Self> {
+        let yielded = stays.then(|| Field::try_zeros(self.grid()));
+        self.yielded = yielded.transpose()?;
         self.hardness = hardness;
-        self
+        Ok(self)
     }
 
     /// Whether the pressure is the answer under this load, as certain as is asked now.

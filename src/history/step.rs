@@ -1,5 +1,7 @@
 //! What one step of a history did.
 
+use crate::buffer::try_clone;
+use crate::error::Result;
 #[cfg(feature = "serde")]
 use crate::error::{all_finite, at_least, finite};
 use crate::field::Field;
@@ -38,6 +40,11 @@ pub struct StepResult {
 }
 
 shown!(StepResult: normal_force, approach, force, shift, twist, stick_ratio(), energy);
+
+try_clone!(StepResult { slip, slip_distance, dissipated_energy, mid_step_dissipated_energy } {
+    energy, normal_force, approach, force, moment, shift, twist, stick_cells, slip_cells, remarks, normal_report,
+    tangential_report,
+});
 
 /// What is read, before it is checked.
 #[cfg(feature = "serde")]
@@ -96,13 +103,13 @@ impl<'de> serde::Deserialize<'de> for StepResult {
 
 impl StepResult {
     /// Nothing done yet.
-    pub(super) fn new(grid: Grid) -> Self {
-        let zeros = || Field::zeros(grid);
-        Self {
-            slip: [zeros(), zeros()],
-            slip_distance: zeros(),
-            dissipated_energy: zeros(),
-            mid_step_dissipated_energy: zeros(),
+    pub(super) fn new(grid: Grid) -> Result<Self> {
+        let zeros = || Field::try_zeros(grid);
+        Ok(Self {
+            slip: [zeros()?, zeros()?],
+            slip_distance: zeros()?,
+            dissipated_energy: zeros()?,
+            mid_step_dissipated_energy: zeros()?,
             energy: EnergyBalance::default(),
             normal_force: 0.0,
             approach: 0.0,
@@ -115,7 +122,7 @@ impl StepResult {
             remarks: Remarks::default(),
             normal_report: Report::with_room(),
             tangential_report: Report::with_room(),
-        }
+        })
     }
 
     /// Zero in every cell.

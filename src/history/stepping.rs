@@ -2,10 +2,11 @@
 
 use std::ops::ControlFlow;
 
+use crate::buffer::TryClone;
 use crate::cgm::{Iteration, Settings, reduce};
 use crate::coupled::CoupledIncrement;
 use crate::elastic::Observer;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::builder::HistoryBuilder;
@@ -134,7 +135,7 @@ impl History {
             increments: Increments::default(),
             increment: None,
             joint: new_joint(bodies, &state)?,
-            step: StepResult::new(state.grid()),
+            step: StepResult::new(state.grid())?,
             written: None,
             state,
         })
@@ -159,11 +160,11 @@ impl History {
             &[(ALL_BUT_FIELDS, &state.numbers_on(&self.bodies))],
         )?;
         // Ranks that lose each other on the way keep what they have.
-        let whole = self.bodies.is_shared().then(|| {
-            let mut whole = state.clone();
+        let is_copied = self.bodies.is_shared() || !self.state.has_room_for(state);
+        let mut whole = is_copied.then(|| state.try_clone()).transpose()?;
+        if let Some(whole) = &mut whole {
             whole.gather_whole(&self.bodies);
-            whole
-        });
+        }
         let Self { press, joint, .. } = self;
         let resumed = resume(&self.bodies, state, press, joint);
         if let Err(error) = self.bodies.joint(resumed) {
@@ -178,8 +179,12 @@ impl History {
     }
 
     /// Returns to a state that this history had, also where ranks have lost each other.
-    pub(super) fn go_back(&mut self, state: &State) -> Result<()> {
-        self.state.clone_from(state);
+    pub(super) fn go_back(&mut self, state: &mut State) -> Result<()> {
+        if self.state.has_room_for(state) {
+            self.state.clone_from(state);
+        } else {
+            std::mem::swap(&mut self.state, state);
+        }
         self.bodies.joint(Ok(()))?;
         self.take_back()
     }
@@ -236,7 +241,8 @@ impl History {
         let motion = self.attempt(load, &mut with_memory(observer))?;
         // Ranks that lose each other on the way into the state go back.
         let is_shared = self.bodies.is_shared();
-        let kept = is_shared.then(|| (self.state.clone(), self.step.clone()));
+        let keep = || Ok::<_, Error>((self.state.try_clone()?, self.step.try_clone()?));
+        let kept = is_shared.then(keep).transpose()?;
         self.enter(load, motion);
         let entered = self.bodies.joint(Ok(()));
         if let (Err(_), Some(kept)) = (&entered, kept) {
@@ -338,7 +344,7 @@ impl History {
         friction.check_on(&self.bodies)?;
         let capacity = self.state.capacity_on_ranks(&self.bodies, friction);
         self.bodies.joint(Ok(()))?;
-        self.state.friction.clone_from(friction);
+        self.state.friction.try_clone_from(friction)?;
         self.state.capacity = capacity;
         Ok(())
     }
@@ -356,6 +362,30 @@ impl History {
             .agreed_alike(checked, &[("settings", &settings)])?;
         self.state.settings = settings;
         Ok(())
+    }
+}
+
+/// A clone goes on with the same bits, in buffers that its next step makes.
+impl TryClone for History {
+    fn try_clone(&self) -> Result<Self> {
+        let (bodies, state) = (&self.bodies, self.state.try_clone()?);
+        let (mut press, mut joint) = (PressureSolver::new(), None);
+        resume(bodies, &state, &mut press, &mut joint)?;
+        Ok(Self {
+            bodies: bodies.clone(),
+            candidate: self.candidate.clone(),
+            press,
+            increments: Increments::default(),
+            increment: None,
+            joint,
+            step: self.step.try_clone()?,
+            written: self.written,
+            state,
+        })
+    }
+
+    fn has_room_for(&self, _: &Self) -> bool {
+        false
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::cgm::reduce;
 use crate::cgm::vector::{minus, plus};
+use crate::error::Result;
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::LoadStep;
@@ -41,19 +42,19 @@ pub(super) fn follow_growth(
     pressed: &NormalSolution,
     load: &LoadStep,
     demand: &Demand,
-) -> bool {
+) -> Result<bool> {
     let limits = increment.pressed.limits.sum;
     if !is_asked(bodies, state, pressed, demand, limits) {
-        return false;
+        return Ok(false);
     }
     let Some(press) = Press::new(bodies, state, pressed, load) else {
-        return false;
+        return Ok(false);
     };
     let (before, repeats) = (state.pressure().as_slice(), state.boundary().repeats());
-    increment.set_pressing(repeats, before, |i| press.displacement(i));
+    increment.set_pressing(repeats, before, |i| press.displacement(i))?;
     let turn = demand.twist - state.motion.twist;
-    let Some(stuck) = Stuck::new(&press, increment, demand, turn) else {
-        return false;
+    let Some(stuck) = Stuck::new(&press, increment, demand, turn)? else {
+        return Ok(false);
     };
     increment.find_excess(|increment, k, point| {
         let was_contact = increment.before(k) > 0.0;
@@ -71,7 +72,7 @@ pub(super) fn follow_growth(
             increment.lag(k, minus(stuck.motion(point), followed));
         }
     }
-    true
+    Ok(true)
 }
 
 /// What the normal half of a step did.
@@ -177,13 +178,13 @@ impl Stuck {
         increment: &mut Increment,
         demand: &Demand,
         turn: f64,
-    ) -> Option<Self> {
+    ) -> Result<Option<Self>> {
         for &axis in increment.axes() {
             let (growth, direction) = match axis {
                 Axis::X => (Growth::AlongX, [1.0, 0.0]),
                 Axis::Y => (Growth::AlongY, [0.0, 1.0]),
             };
-            increment.find_growth(growth, |_| direction);
+            increment.find_growth(growth, |_| direction)?;
         }
         let mut stuck = Self {
             centre: press.centre(increment),
@@ -193,17 +194,23 @@ impl Stuck {
             turn,
         };
         if turn != 0.0 {
-            increment.find_growth(Growth::About, |point| stuck.around(point));
-            stuck.turning = turn / stuck.rotation(press, increment)?;
+            increment.find_growth(Growth::About, |point| stuck.around(point))?;
+            let Some(rotation) = stuck.rotation(press, increment) else {
+                return Ok(None);
+            };
+            stuck.turning = turn / rotation;
         }
         let compliance = mean_compliance(increment);
         let [x, y] = stuck.centre;
         let turned = [-turn * y, turn * x];
-        stuck.slope = slope(press, demand, &compliance, turned, increment)?;
+        let Some(slope) = slope(press, demand, &compliance, turned, increment) else {
+            return Ok(None);
+        };
+        stuck.slope = slope;
         let [x, y] = compliance.map(|row| row[0] * stuck.slope[0] + row[1] * stuck.slope[1]);
         stuck.shift = [x, y].map(|shift| shift * press.approach);
         let is_number = stuck.shift.iter().all(|shift| shift.is_finite());
-        is_number.then_some(stuck)
+        Ok(is_number.then_some(stuck))
     }
 
     /// Displacement of a point by a unit rotation about the centre.

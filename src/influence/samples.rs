@@ -2,6 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
+use crate::buffer;
 use crate::error::{Result, memory};
 use crate::grid::Grid;
 use crate::influence::images::Images;
@@ -23,7 +24,7 @@ pub(crate) struct Samples {
     share: Option<Arc<Share>>,
     /// Where the grid repeats along y.
     images: Option<Images>,
-    values: [OnceLock<Arc<[f64]>>; Integral::COUNT],
+    values: [OnceLock<Arc<Vec<f64>>>; Integral::COUNT],
 }
 
 impl Samples {
@@ -81,7 +82,7 @@ impl Samples {
         let scale = Rectangle::new(0.5 * grid.dx(), 0.5 * grid.dy())?.scale();
         let parts = component.parts(pair.compliances());
         let parts = parts.map(|(weight, integral)| {
-            let make = || Ok(self.sample(integral));
+            let make = || self.sample(integral).map(Arc::new);
             let values = get_or_make(&self.values[integral as usize], make)?;
             Ok((weight, Arc::clone(values)))
         });
@@ -94,13 +95,13 @@ impl Samples {
         ))
     }
 
-    fn sample(&self, integral: Integral) -> Arc<[f64]> {
+    fn sample(&self, integral: Integral) -> Result<Vec<f64>> {
         let [nx, ny] = self.size;
         let rows = self.share.as_ref().map_or(0..ny, |share| share.own_rows());
         let Rectangle { cell, unit } = self.rectangle;
         let distance = |steps: usize, axis: usize| steps as f64 * self.sides[axis] / unit;
-        let xs: Vec<f64> = (0..nx).map(|i| distance(i, 0)).collect();
-        let mut values = vec![0.0; nx * rows.len()];
+        let xs = buffer::collected(nx, (0..nx).map(|i| distance(i, 0)))?;
+        let mut values = buffer::zeros(nx * rows.len())?;
         parallel::rows(&mut values, nx, |row, out| {
             let y = distance(rows.start + row, 1);
             match self.images {
@@ -108,6 +109,6 @@ impl Samples {
                 Some(images) => images.along_row(cell, integral, &xs, y, out),
             }
         });
-        values.into()
+        Ok(values)
     }
 }

@@ -34,7 +34,7 @@ pub struct Table {
     share: Option<Arc<Share>>,
     first_row: usize,
     /// Weights and the integrals they multiply, row by row.
-    parts: Vec<(f64, Arc<[f64]>)>,
+    parts: Vec<(f64, Arc<Vec<f64>>)>,
     /// Scale of the sum of the parts.
     scale: f64,
 }
@@ -57,7 +57,7 @@ impl Table {
         [nx, ny]: [usize; 2],
         share: Option<Arc<Share>>,
         scale: f64,
-        parts: Vec<(f64, Arc<[f64]>)>,
+        parts: Vec<(f64, Arc<Vec<f64>>)>,
     ) -> Self {
         Self {
             component,

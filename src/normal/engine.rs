@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
+use crate::buffer::{self, TryClone};
 use crate::cgm::{self, Interval, Iterate, Known, Total};
 use crate::elastic::{ElasticSolver, Observer, Posed};
 use crate::error::{Error, Result};
@@ -55,14 +56,16 @@ struct PartFields {
 
 impl Part {
     /// Its fields, for a window of so many cells.
-    fn fields(&mut self, cells: usize) -> &mut PartFields {
+    fn fields(&mut self, cells: usize) -> Result<&mut PartFields> {
         let operator = &self.operator;
-        self.fields.take(|| PartFields {
-            gap: vec![0.0; cells],
-            pressure: vec![0.0; cells],
-            limits: Vec::new(),
-            displacement: vec![0.0; operator.cells()],
-            workspace: operator.workspace(),
+        self.fields.take(|| {
+            Ok(PartFields {
+                gap: buffer::zeros(cells)?,
+                pressure: buffer::zeros(cells)?,
+                limits: Vec::new(),
+                displacement: buffer::zeros(operator.cells())?,
+                workspace: operator.try_workspace()?,
+            })
         })
     }
 }
@@ -147,14 +150,24 @@ impl Engine {
     }
 
     /// Takes a trend of the cells held here.
-    pub(super) fn set_trend(&mut self, trend: &Trend<1>) {
+    ///
+    /// # Errors
+    /// [`Error::Memory`].
+    pub(super) fn set_trend(&mut self, trend: &Trend<1>) -> Result<()> {
         if self.region.is_shared() && !trend.is_known() {
-            return self.trend.forget();
+            self.trend.forget();
+            return Ok(());
         }
-        self.trend.clone_from(trend);
+        self.trend.try_clone_from(trend)?;
         if let Cow::Owned(change) = self.region.taken(&trend.change[0]) {
             self.trend.change = [change];
         }
+        Ok(())
+    }
+
+    /// Cells of the trend that are held here.
+    pub(super) fn trend_cells(&self) -> usize {
+        self.region.held().cells().max(self.trend.change[0].len())
     }
 
     /// Writes the trend of the cells held here.
@@ -226,16 +239,17 @@ impl Engine {
             return minimise(surfaces, pressure);
         };
         let cells = region.cells();
-        let fields = part.fields(cells);
+        let fields = part.fields(cells)?;
         region.gather(surfaces.gap, &mut fields.gap);
         region.gather(pressure, &mut fields.pressure);
+        let own_limits = &mut fields.limits;
         let inside = Surfaces {
             gap: &fields.gap,
-            limits: surfaces.limits.map(|limits| {
-                fields.limits.resize(cells, 0.0);
-                region.gather(limits, &mut fields.limits);
-                fields.limits.as_slice()
-            }),
+            limits: surfaces.limits.try_map(|limits| {
+                buffer::resize(own_limits, cells, 0.0)?;
+                region.gather(limits, own_limits);
+                Ok(own_limits.as_slice())
+            })?,
         };
         let outcome = minimise(inside, &mut fields.pressure);
         if matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
@@ -251,15 +265,17 @@ impl Engine {
         surfaces: Surfaces<'_>,
         load: Load,
         pressure: &[f64],
-    ) -> Option<cgm::Certificate> {
+    ) -> Result<Option<cgm::Certificate>> {
         let multiplier = self.solver.multiplier();
-        let part = self.part.as_mut()?;
+        let Some(part) = &mut self.part else {
+            return Ok(None);
+        };
         let operator = Arc::clone(&part.operator);
         let PartFields {
             displacement,
             workspace,
             ..
-        } = part.fields(self.region.cells());
+        } = part.fields(self.region.cells())?;
         operator.apply([pressure], [displacement], workspace);
         let iterate = Iterate {
             layout: &operator.layout(),
@@ -271,7 +287,8 @@ impl Engine {
             multiplier,
         };
         let carried = Carried(surfaces.limits);
-        Some(cgm::examine(&iterate, &carried, operator.lower_bound()))
+        let findings = cgm::examine(&iterate, &carried, operator.lower_bound());
+        Ok(Some(findings))
     }
 
     /// The cells beyond the window where bodies overlap by more than round-off.
@@ -291,38 +308,41 @@ impl Engine {
     }
 
     /// Moves the pressure of the whole grid on by so many times the trend, which then holds what it was.
-    pub(super) fn extrapolate(&mut self, parts: f64, pressure: &mut [f64]) {
+    pub(super) fn extrapolate(&mut self, parts: f64, pressure: &mut [f64]) -> Result<()> {
         let (region, cells) = (&self.region, self.region.cells());
         let [change] = &mut self.trend.change;
-        change.resize(cells, 0.0);
+        buffer::resize(change, cells, 0.0)?;
         self.trend.by = [[0.0; 2]];
         self.is_extrapolated = true;
         let Some(part) = &mut self.part else {
-            return go_on(parts, pressure, change);
+            go_on(parts, pressure, change);
+            return Ok(());
         };
-        let inside = &mut part.fields(cells).pressure;
+        let inside = &mut part.fields(cells)?.pressure;
         region.gather(pressure, inside);
         go_on(parts, inside, change);
         region.scatter(inside, pressure);
+        Ok(())
     }
 
     /// Takes note of the pressure that a solve has led to from where [`Self::extrapolate`] began.
-    pub(super) fn note(&mut self, pressure: &[f64], from: Reached, to: Reached) {
+    pub(super) fn note(&mut self, pressure: &[f64], from: Reached, to: Reached) -> Result<()> {
         let (region, cells) = (&self.region, self.region.cells());
         let [change] = &mut self.trend.change;
         // One that was widened since has no start to tell the change from.
         if !std::mem::take(&mut self.is_extrapolated) {
-            return;
+            return Ok(());
         }
         match &mut self.part {
             Some(part) => {
-                let inside = &mut part.fields(cells).pressure;
+                let inside = &mut part.fields(cells)?.pressure;
                 region.gather(pressure, inside);
                 subtract_from(inside, change);
             }
             None => subtract_from(pressure, change),
         }
         self.trend.by = [[to[0] - from[0], to[1] - from[1]]];
+        Ok(())
     }
 }
 

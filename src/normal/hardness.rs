@@ -1,5 +1,6 @@
 //! The largest pressure that cells carry.
 
+use crate::buffer::{self, try_clone};
 use crate::cgm::{Constraint, Interval, reduce};
 use crate::error::{Error, Result, all_non_negative, positive};
 use crate::field::{Field, clone_in_place};
@@ -49,6 +50,8 @@ pub struct Hardness {
 }
 
 clone_in_place!(Hardness { limit });
+
+try_clone!(Hardness { limit });
 
 /// What was read, before it is checked.
 #[cfg(feature = "serde")]
@@ -109,7 +112,7 @@ impl Hardness {
     /// zero elsewhere): what has yielded, to be added to the gap of the next contact of the same surfaces.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`].
+    /// [`Error::GridMismatch`], [`Error::Memory`].
     pub fn overlap(&self, contact: &NormalSolution) -> Result<Field> {
         self.check(contact.grid())?;
         let (limits, pressure) = (self.limits(), contact.pressure().as_slice());
@@ -121,7 +124,8 @@ impl Hardness {
                 0.0
             }
         };
-        Field::from_vec(contact.grid(), cells.map(overlap).collect())
+        let overlaps = buffer::collected(pressure.len(), cells.map(overlap))?;
+        Field::from_vec(contact.grid(), overlaps)
     }
 
     /// One to read into.

@@ -1,7 +1,9 @@
 //! The normal problem on coarser cells.
 
+use crate::buffer;
 use crate::cascade::{Levels, Scene};
 use crate::cgm::{Constraint, Interval, Total};
+use crate::error::Result;
 use crate::half_space::{HalfSpace, Region};
 use crate::influence::Direction;
 use crate::normal::hardness::Carried;
@@ -39,41 +41,47 @@ impl Scene<1> for PressureScene {
         [self.total]
     }
 
-    fn coarsened(&self, levels: Levels<'_>) -> Self {
-        Self {
-            linear: levels.coarsened(&self.linear),
-            limits: self.limits.map(|limits| levels.coarsened(limits)),
+    fn coarsened(&self, levels: Levels<'_>) -> Result<Self> {
+        Ok(Self {
+            linear: levels.coarsened(&self.linear)?,
+            limits: self.limits.try_map(|limits| levels.coarsened(limits))?,
             cells: levels.coarse_layout().of_all_ranks(),
             total: self.total.scaled(0.25),
-        }
-    }
-
-    /// Around the pressure, with room for it to spread.
-    fn confined(&self, bodies: &HalfSpace, [start]: &[Vec<f64>; 1]) -> Option<(Region, Self)> {
-        let grid = bodies.grid();
-        let contact = bodies.around(|i| start[i] > 0.0)?;
-        let window = bodies.confined(contact.widened(grid));
-        (FEW * window.cells() <= grid.whole().cells()).then(|| {
-            let region = Region::new(bodies, window);
-            let inside = |whole: &Vec<f64>| {
-                let mut part = vec![0.0; region.cells()];
-                region.gather(whole, &mut part);
-                part
-            };
-            let part = Self {
-                linear: inside(&self.linear),
-                limits: self.limits.map(inside),
-                total: self.total,
-                cells: window.cells(),
-            };
-            (region, part)
         })
     }
 
+    /// Around the pressure, with room for it to spread.
+    fn confined(
+        &self,
+        bodies: &HalfSpace,
+        [start]: &[Vec<f64>; 1],
+    ) -> Result<Option<(Region, Self)>> {
+        let grid = bodies.grid();
+        let contact = bodies.around(|i| start[i] > 0.0);
+        let window = contact.map(|contact| bodies.confined(contact.widened(grid)));
+        let Some(window) = window.filter(|window| FEW * window.cells() <= grid.whole().cells())
+        else {
+            return Ok(None);
+        };
+        let region = Region::new(bodies, window);
+        let inside = |whole: &Vec<f64>| {
+            let mut part = buffer::zeros(region.cells())?;
+            region.gather(whole, &mut part);
+            Ok(part)
+        };
+        let part = Self {
+            linear: inside(&self.linear)?,
+            limits: self.limits.try_map(inside)?,
+            total: self.total,
+            cells: window.cells(),
+        };
+        Ok(Some((region, part)))
+    }
+
     /// Uniform pressure under a force, zero under an approach.
-    fn plain_start(&self) -> [Vec<f64>; 1] {
+    fn plain_start(&self) -> Result<[Vec<f64>; 1]> {
         let mean = self.total.sum().unwrap_or(0.0) / self.cells as f64;
-        [vec![mean; self.linear.len()]]
+        Ok([buffer::filled(mean, self.linear.len())?])
     }
 
     fn refined_start(
@@ -81,7 +89,7 @@ impl Scene<1> for PressureScene {
         levels: Levels<'_>,
         _: &Self,
         [answer]: &[Vec<f64>; 1],
-    ) -> [Vec<f64>; 1] {
-        [levels.refined(answer)]
+    ) -> Result<[Vec<f64>; 1]> {
+        Ok([levels.refined(answer)?])
     }
 }

@@ -2,6 +2,7 @@
 
 use std::ops::ControlFlow;
 
+use crate::buffer;
 use crate::cascade::{Conditions, Scene, nested_start};
 use crate::cgm::{Iteration, Known, Method, Settings, Total, reduce};
 use crate::clock::Instant;
@@ -98,6 +99,11 @@ impl PressureSolver {
         }
     }
 
+    /// Cells of that trend held here.
+    pub(crate) fn trend_cells(&self) -> usize {
+        self.engine.as_ref().map_or(0, Engine::trend_cells)
+    }
+
     /// Counts a step, whether or not it solves.
     pub(crate) fn age(&mut self) {
         self.left_behind.age();
@@ -127,10 +133,15 @@ impl PressureSolver {
                 None => *present = None,
             }
         }
-        if let Some(engine) = &mut self.engine {
-            engine.set_trend(trend);
+        let Some(engine) = &mut self.engine else {
+            return Ok(());
+        };
+        let outcome = engine.set_trend(trend);
+        if outcome.is_err() {
+            // Without the trend it would not go on as it did.
+            self.engine = None;
         }
-        Ok(())
+        outcome
     }
 
     /// Forgets the last answer: the next solve starts as the first did.
@@ -208,7 +219,7 @@ impl PressureSolver {
             of.surfaces()
         };
         let (mut engine, known) = if let Some(mut engine) = last {
-            let known = self.set_out(&mut engine, load, from, pressure);
+            let known = self.set_out(&mut engine, load, from, pressure)?;
             (engine, known)
         } else {
             let engine = start_cold(of.bodies, surfaces, load, pressure, &mut conditions)?;
@@ -229,7 +240,7 @@ impl PressureSolver {
         self.approach = load.datum + multiplier;
         if outcome.is_ok() && known == Known::Extrapolated {
             let to = [reduce::total(&layout, pressure), self.approach];
-            engine.note(pressure, from, to);
+            engine.note(pressure, from, to)?;
         }
         // Do not warm-start from NaN; and a first solve without contact has not found where to work.
         let touches = reduce::any(&layout, |i| pressure[i] > 0.0);
@@ -279,15 +290,15 @@ impl PressureSolver {
         load: Load,
         from: Reached,
         pressure: &mut [f64],
-    ) -> Known<1> {
-        match load.ahead(from) {
+    ) -> Result<Known<1>> {
+        Ok(match load.ahead(from) {
             Ahead::Nothing => Known::Answer([load.of(self.approach - load.datum)]),
             ahead => {
                 let parts = engine.parts(ahead).unwrap_or(0.0);
-                engine.extrapolate(parts, pressure);
+                engine.extrapolate(parts, pressure)?;
                 Known::Extrapolated
             }
-        }
+        })
     }
 
     /// Solves on the window and looks at the whole grid; where bodies overlap beyond the window it
@@ -315,7 +326,7 @@ impl PressureSolver {
             }
             drop(observer);
             self.report.add_pass(engine.solver.report());
-            let Some(findings) = engine.examine(surfaces, load, pressure) else {
+            let Some(findings) = engine.examine(surfaces, load, pressure)? else {
                 return outcome;
             };
             self.report.double_precision_products += 1;
@@ -364,8 +375,8 @@ fn start_cold(
 ) -> Result<Engine> {
     let (grid, whole) = (bodies.grid(), Window::whole(bodies.grid()));
     let mut scene = PressureScene {
-        linear: vec![0.0; grid.cells()],
-        limits: limits.map(|limits| limits.to_vec()),
+        linear: buffer::zeros(grid.cells())?,
+        limits: limits.try_map(|limits| buffer::copied(limits))?,
         total: load.total,
         cells: whole.cells(),
     };
@@ -376,7 +387,7 @@ fn start_cold(
     });
     let is_plain = conditions.settings.method == Method::PolonskyKeer;
     let [start] = if is_plain {
-        scene.plain_start()
+        scene.plain_start()?
     } else {
         nested_start(bodies, whole.size, &scene, conditions)?
     };

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::boundary::Boundary;
+use crate::buffer::{TryClone, try_clone};
 use crate::cgm::{Settings, settings_methods};
 use crate::error::{Error, Result, finite, non_negative};
 use crate::field::Field;
@@ -78,6 +79,8 @@ pub struct NormalProblem {
     pub(super) settings: Settings,
 }
 
+try_clone!(NormalProblem { hardness } { bodies, gap, load, settings });
+
 /// Options of a [`NormalProblem`]; each has a default.
 #[derive(Debug, Clone)]
 #[must_use = "a builder does nothing until build() is called"]
@@ -124,7 +127,7 @@ impl NormalProblem {
     /// [`Error::NotConverged`] with the report, use [`NormalSolver::solve_into`] to keep the last iterate; as
     /// [`HalfSpace::operator`].
     pub fn solve(&self) -> Result<NormalSolution> {
-        NormalSolver::new(self.clone())?.into_solution()
+        NormalSolver::new(self.try_clone()?)?.into_solution()
     }
 
     /// The reusable form: a solver that owns its buffers and lets load and gap change.

@@ -1,6 +1,7 @@
 //! The answer to a normal contact.
 
 use crate::boundary::Boundary;
+use crate::buffer::{TryClone, try_clone};
 use crate::cgm::reduce;
 use crate::error::{Error, Result};
 #[cfg(feature = "serde")]
@@ -48,6 +49,8 @@ clone_in_place!(NormalSolution {
     report,
     whole,
 });
+
+try_clone!(NormalSolution { pressure, gap } { boundary, pair, approach, yielded_cells, is_coupled, report, whole });
 
 impl PartialEq for NormalSolution {
     fn eq(&self, other: &Self) -> bool {
@@ -109,10 +112,10 @@ fn under_load(initial: f64, displacement: f64, approach: f64) -> f64 {
 
 impl NormalSolution {
     /// No contact yet.
-    pub(crate) fn empty(gap: &Field, boundary: Boundary, pair: &ElasticPair) -> Self {
-        Self {
-            pressure: Field::zeros(gap.grid()),
-            gap: gap.clone(),
+    pub(crate) fn empty(gap: &Field, boundary: Boundary, pair: &ElasticPair) -> Result<Self> {
+        Ok(Self {
+            pressure: Field::try_zeros(gap.grid())?,
+            gap: gap.try_clone()?,
             boundary,
             pair: *pair,
             approach: 0.0,
@@ -120,7 +123,7 @@ impl NormalSolution {
             is_coupled: false,
             report: Report::with_room(),
             whole: None,
-        }
+        })
     }
 
     /// Of pressures and displacements of all cells, over the gap before loading.
@@ -292,11 +295,11 @@ impl NormalSolution {
     pub fn displacement(&self, bodies: &HalfSpace) -> Result<Field> {
         bodies.agreed(self.check_bodies(bodies))?;
         let operator = bodies.operator(Component::ZZ)?;
-        let mut displacement = Field::zeros(self.grid());
+        let mut displacement = Field::try_zeros(self.grid())?;
         operator.apply(
             [self.pressure.as_slice()],
             [displacement.as_mut_slice()],
-            &mut operator.workspace(),
+            &mut operator.try_workspace()?,
         );
         bodies.joint(Ok(displacement))
     }

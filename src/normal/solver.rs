@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use crate::buffer::{self, TryClone, or_abort};
 use crate::cgm::{Iteration, solver_settings};
 use crate::elastic::Observer;
 use crate::error::{Error, Result};
@@ -55,7 +56,7 @@ impl NormalSolver {
             least_gap: problem.bodies.least(&problem.gap),
             problem,
             press: PressureSolver::new(),
-            pressure: vec![0.0; grid.cells()],
+            pressure: buffer::zeros(grid.cells())?,
         })
     }
 
@@ -89,9 +90,10 @@ impl NormalSolver {
         let bodies = &self.problem.bodies;
         bodies.agreed(check_gap(bodies, gap))?;
         self.problem.load.check(&self.problem.bodies, gap)?;
-        Arc::make_mut(&mut self.problem.gap)
-            .as_mut_slice()
-            .copy_from_slice(gap.as_slice());
+        match Arc::get_mut(&mut self.problem.gap) {
+            Some(own) => own.as_mut_slice().copy_from_slice(gap.as_slice()),
+            None => self.problem.gap = Arc::new(gap.try_clone()?),
+        }
         self.least_gap = self.problem.bodies.least(gap);
         Ok(())
     }
@@ -106,6 +108,14 @@ impl NormalSolver {
     /// An empty solution of the right size for [`NormalSolver::solve_into`].
     #[must_use]
     pub fn new_solution(&self) -> NormalSolution {
+        or_abort(self.try_new_solution())
+    }
+
+    /// [`Self::new_solution`] where memory may run out.
+    ///
+    /// # Errors
+    /// [`Error::Memory`].
+    pub fn try_new_solution(&self) -> Result<NormalSolution> {
         let bodies = &self.problem.bodies;
         NormalSolution::empty(&self.problem.gap, bodies.boundary(), bodies.pair())
     }

@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use crate::boundary::Boundary;
+use crate::buffer;
 use crate::cgm::small::Small;
 use crate::error::{Result, positive};
 use crate::field::Field;
@@ -237,7 +238,7 @@ impl ContactStiffness {
         watch: &mut Watch<'_>,
     ) -> Result<Self> {
         let press = pressed(bodies, normal, watch)?;
-        let mut limits = vec![0.0; bodies.grid().cells()];
+        let mut limits = buffer::zeros(bodies.grid().cells())?;
         if let Some(press) = &press {
             let pressure = normal.pressure().as_slice();
             for (i, growth) in press.window.indices().zip(&press.growth) {
@@ -318,18 +319,18 @@ impl Sheared<'_> {
             _ => sticking(i),
         };
         let touches = |i: usize| self.zones[i] != Zone::Separated;
-        let motions = Motions::new(grid, window, axes, bodies.boundary(), touches);
+        let motions = Motions::new(grid, window, axes, bodies.boundary(), touches)?;
         let area = grid.cell_area();
         let boundary = bodies.boundary();
-        let freedoms = window.indices().map(sticking).collect();
+        let freedoms = buffer::collected(window.cells(), window.indices().map(sticking))?;
         let reversal = System::new(boundary, &compliance, freedoms)?;
         let reversal = reversal.stiffness(&motions.cells, watch)?;
-        let freedoms = window.indices().map(slipping).collect();
+        let freedoms = buffer::collected(window.cells(), window.indices().map(slipping))?;
         let loading = System::new(boundary, &compliance, freedoms)?;
         let found = loading.stiffness(&motions.cells, watch)?;
         let mut by_approach = [None; 3];
         if let Some(limits) = limits {
-            let forced = self.forced(axes, window, limits);
+            let forced = self.forced(axes, window, limits)?;
             let displacement = loading.displacement(&forced, watch)?;
             let own = motions
                 .cells
@@ -377,8 +378,13 @@ impl Sheared<'_> {
     }
 
     /// The tractions of cells that slip, when their limits grow so.
-    fn forced<const N: usize>(&self, axes: [Axis; N], window: Window, limits: &[f64]) -> Vector<N> {
-        let mut forced = std::array::from_fn(|_| vec![0.0; window.cells()]);
+    fn forced<const N: usize>(
+        &self,
+        axes: [Axis; N],
+        window: Window,
+        limits: &[f64],
+    ) -> Result<Vector<N>> {
+        let mut forced: Vector<N> = buffer::vector(window.cells())?;
         for (k, i) in window.indices().enumerate() {
             let q = Self::at(self.traction, axes, i);
             let limit = q.iter().fold(0.0_f64, |sum, q| sum.hypot(*q));
@@ -388,6 +394,6 @@ impl Sheared<'_> {
                 }
             }
         }
-        forced
+        Ok(forced)
     }
 }

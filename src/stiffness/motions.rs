@@ -3,7 +3,9 @@
 use std::array::from_fn;
 
 use crate::boundary::Boundary;
+use crate::buffer;
 use crate::cgm::vector::{minus, plus};
+use crate::error::Result;
 use crate::grid::Grid;
 use crate::stiffness::system::Vector;
 use crate::tangential::{Axis, centre};
@@ -30,22 +32,22 @@ impl<const N: usize> Motions<N> {
         axes: [Axis; N],
         boundary: Boundary,
         is_contact: impl Fn(usize) -> bool,
-    ) -> Self {
+    ) -> Result<Self> {
         let (mut sum, mut count) = ([0.0; 2], 0.0);
         for i in window.indices().filter(|&i| is_contact(i)) {
             let [x, y] = centre(grid, i);
             (sum, count) = ([sum[0] + x, sum[1] + y], count + 1.0);
         }
         let middle = sum.map(|sum| sum / count);
-        let motion = |f: &dyn Fn([f64; 2]) -> [f64; 2]| -> Vector<N> {
-            let mut cells = from_fn(|_| vec![0.0; window.cells()]);
+        let motion = |f: &dyn Fn([f64; 2]) -> [f64; 2]| -> Result<Vector<N>> {
+            let mut cells: Vector<N> = buffer::vector(window.cells())?;
             for (k, i) in window.indices().enumerate().filter(|&(_, i)| is_contact(i)) {
                 let moved = f(centre(grid, i));
                 for (part, axis) in cells.iter_mut().zip(axes) {
                     part[k] = moved[axis.index()];
                 }
             }
-            cells
+            Ok(cells)
         };
         let mut cells: Vec<_> = axes
             .iter()
@@ -54,16 +56,16 @@ impl<const N: usize> Motions<N> {
                 unit[axis.index()] = 1.0;
                 motion(&|_| unit)
             })
-            .collect();
+            .collect::<Result<_>>()?;
         let kinds = kinds(&axes, boundary);
         if kinds.contains(&2) {
-            cells.push(motion(&|[x, y]| [middle[1] - y, x - middle[0]]));
+            cells.push(motion(&|[x, y]| [middle[1] - y, x - middle[0]])?);
         }
-        Self {
+        Ok(Self {
             cells,
             kinds,
             centre: middle,
-        }
+        })
     }
 
     /// Loads by the kinds of motions, about the origin of the grid; `None` of those that the model does not have.

@@ -13,6 +13,7 @@
 //! $`\lambda`$ the least eigenvalue of C, on periodic grids among tractions without load.
 
 use crate::boundary::Boundary;
+use crate::buffer::{self, TryClone};
 use crate::cgm::reduce;
 use crate::cgm::small::Small;
 use crate::cgm::vector::{at, dot, minus, plus, slices, slices_mut, update_cells};
@@ -105,8 +106,8 @@ impl<'a, const N: usize> System<'a, N> {
         })
     }
 
-    pub(super) fn zeros(&self) -> Vector<N> {
-        std::array::from_fn(|_| vec![0.0; self.freedoms.len()])
+    pub(super) fn zeros(&self) -> Result<Vector<N>> {
+        buffer::vector(self.freedoms.len())
     }
 
     pub(super) fn product(&self, a: &Vector<N>, b: &Vector<N>) -> f64 {
@@ -138,30 +139,32 @@ impl<'a, const N: usize> System<'a, N> {
     /// `C x`, of any traction.
     pub(super) fn displacement(&self, x: &Vector<N>, watch: &mut Watch<'_>) -> Result<Vector<N>> {
         watch.ask()?;
-        let (operator, mut out) = (&self.compliance.operator, self.zeros());
-        operator.apply(slices(x), slices_mut(&mut out), &mut operator.workspace());
+        let (operator, mut out) = (&self.compliance.operator, self.zeros()?);
+        let mut workspace = operator.try_workspace()?;
+        operator.apply(slices(x), slices_mut(&mut out), &mut workspace);
         Ok(out)
     }
 
     /// Begins to solve `A y = P b`.
-    fn column(&self, mut right: Vector<N>) -> Column<N> {
+    fn column(&self, motion: &Vector<N>) -> Result<Column<N>> {
+        let mut right = motion.try_clone()?;
         update_cells(&mut right, |i, b| self.freedoms[i].project(b));
-        Column {
+        Ok(Column {
             right,
-            y: self.zeros(),
-            image: self.zeros(),
-        }
+            y: self.zeros()?,
+            image: self.zeros()?,
+        })
     }
 
     /// Some steps of preconditioned conjugate gradients, from where the column is.
     fn improve(&self, column: &mut Column<N>, watch: &mut Watch<'_>) -> Result<()> {
         let Compliance { operator, inverse } = self.compliance;
-        let (mut products, mut inverses) = (operator.workspace(), inverse.workspace());
+        let (mut products, mut inverses) = (operator.try_workspace()?, inverse.try_workspace()?);
         let (right, image) = (slices(&column.right), slices(&column.image));
-        let mut residual = self.zeros();
+        let mut residual = self.zeros()?;
         update_cells(&mut residual, |i, _| minus(at(&right, i), at(&image, i)));
-        let (mut direction, mut image) = (self.zeros(), self.zeros());
-        let (mut corrected, mut last) = (self.zeros(), self.zeros());
+        let (mut direction, mut image) = (self.zeros()?, self.zeros()?);
+        let (mut corrected, mut last) = (self.zeros()?, self.zeros()?);
         let mut before = 0.0;
         for step in 0..ROUND {
             inverse.apply(slices(&residual), slices_mut(&mut corrected), &mut inverses);
@@ -208,14 +211,15 @@ impl<'a, const N: usize> System<'a, N> {
     ) -> Result<Stiffness<N>> {
         let is_free = |freedom: &&Freedom<N>| **freedom == Freedom::Free;
         watch.shown().free = self.freedoms.iter().filter(is_free).count();
-        let mut columns: Vec<_> = motions.iter().map(|b| self.column(b.clone())).collect();
+        let columns = motions.iter().map(|b| self.column(b));
+        let mut columns = columns.collect::<Result<Vec<_>>>()?;
         let Independent { active, parts } = self.independent(&columns, motions);
         let mut bound = f64::INFINITY;
         for _ in 0..LIMIT / ROUND {
             for (column, _) in columns.iter_mut().zip(active).filter(|(_, active)| *active) {
                 self.improve(column, watch)?;
             }
-            let found = self.combine(&columns, active, parts);
+            let found = self.combine(&columns, active, parts)?;
             let is_best = found.bound <= ENOUGH || found.bound >= 0.5 * bound;
             bound = found.bound;
             watch.shown().residual = bound.sqrt();
@@ -259,7 +263,7 @@ impl<'a, const N: usize> System<'a, N> {
         columns: &[Column<N>],
         active: [bool; 3],
         parts: [[f64; 3]; 3],
-    ) -> Stiffness<N> {
+    ) -> Result<Stiffness<N>> {
         let table = |f: &dyn Fn(&Column<N>, &Column<N>) -> f64| {
             let entry = |a: usize, b: usize| match (columns.get(a), columns.get(b)) {
                 (Some(one), Some(two)) if active[a] && active[b] => f(one, two),
@@ -273,7 +277,8 @@ impl<'a, const N: usize> System<'a, N> {
         let compliance = times(&transposed(&weights), &times(&energies, &weights));
         let mut squares = [0.0; 3];
         for a in (0..3).filter(|&a| active[a]) {
-            let residual = self.combination(columns, |c| [compliance[c][a], 0.0, -weights[c][a]]);
+            let residual =
+                self.combination(columns, |c| [compliance[c][a], 0.0, -weights[c][a]])?;
             squares[a] = self.product(&residual, &residual);
         }
         // Relative to the compliances, so that lengths and angles do not mix.
@@ -285,7 +290,7 @@ impl<'a, const N: usize> System<'a, N> {
         let trace = followed().fold(0.0, |sum, a| sum + matrix[a][a] * compliance[a][a]);
         let left = 1.0 - trace * error;
         let x = |a: usize| self.combination(columns, |c| [0.0, weights[c][a], 0.0]);
-        Stiffness {
+        Ok(Stiffness {
             matrix: times(&transposed(&parts), &times(&matrix, &parts)),
             own: times(&transposed(&parts), &matrix),
             bound: if left > 0.0 {
@@ -293,13 +298,17 @@ impl<'a, const N: usize> System<'a, N> {
             } else {
                 f64::INFINITY
             },
-            tractions: (0..columns.len()).map(x).collect(),
-        }
+            tractions: (0..columns.len()).map(x).collect::<Result<_>>()?,
+        })
     }
 
     /// The sum of right sides, solutions and images of the columns, with these factors.
-    fn combination(&self, columns: &[Column<N>], factors: impl Fn(usize) -> [f64; 3]) -> Vector<N> {
-        let mut sum = self.zeros();
+    fn combination(
+        &self,
+        columns: &[Column<N>],
+        factors: impl Fn(usize) -> [f64; 3],
+    ) -> Result<Vector<N>> {
+        let mut sum = self.zeros()?;
         for (c, column) in columns.iter().enumerate() {
             let parts = [&column.right, &column.y, &column.image].map(slices);
             let factors = factors(c);
@@ -309,7 +318,7 @@ impl<'a, const N: usize> System<'a, N> {
                 })
             });
         }
-        sum
+        Ok(sum)
     }
 
     /// What the loads become when tractions are forced upon cells and displace them so, the motions held: minus the

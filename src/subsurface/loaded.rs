@@ -3,6 +3,8 @@
 use std::array::from_fn;
 use std::ops::Range;
 
+use crate::buffer;
+use crate::error::Result;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::subsurface::body::Constants;
@@ -44,9 +46,13 @@ impl<'a> Loaded<'a> {
         }
     }
 
-    pub(super) fn response(&self, [x, y, depth]: [f64; 3], constants: &Constants) -> Response {
+    pub(super) fn response(
+        &self,
+        [x, y, depth]: [f64; 3],
+        constants: &Constants,
+    ) -> Result<Response> {
         let z = depth_in(self.grid, depth);
-        let sums = self.sums([x, y, z]);
+        let sums = self.sums([x, y, z])?;
         let weights = Weights::new(constants.poisson_ratio, z);
         let of = |component| {
             let mut sum = 0.0;
@@ -59,7 +65,7 @@ impl<'a> Loaded<'a> {
             }
             constants.factor_out(component) * sum
         };
-        Response {
+        Ok(Response {
             displacement: [Component::Ux, Component::Uy, Component::Uz].map(of),
             stress: Stress {
                 xx: of(Component::Sxx),
@@ -69,18 +75,18 @@ impl<'a> Loaded<'a> {
                 xz: of(Component::Sxz),
                 yz: of(Component::Syz),
             },
-        }
+        })
     }
 
     /// The integrals of all cells times the tractions they carry, summed row by row.
-    fn sums(&self, [x, y, z]: [f64; 3]) -> [[f64; Integral::COUNT]; 3] {
+    fn sums(&self, [x, y, z]: [f64; 3]) -> Result<[[f64; Integral::COUNT]; 3]> {
         let mut sums = [[0.0; Integral::COUNT]; 3];
         let nx = self.grid.nx();
         let along_x = Distances::new(x, nx, self.grid.dx(), false);
         let is_round = self.strips.is_some();
         let along_y = Distances::new(y, self.grid.ny(), self.grid.dy(), is_round);
-        let mut xs = Vec::with_capacity(nx);
-        let mut values = vec![0.0; Integral::COUNT * nx];
+        let mut xs = buffer::with_room(nx)?;
+        let mut values = buffer::zeros(Integral::COUNT * nx)?;
         for (iy, columns) in &self.rows {
             xs.clear();
             xs.extend(columns.clone().map(|ix| along_x.to(ix)));
@@ -108,6 +114,6 @@ impl<'a> Loaded<'a> {
                 }
             }
         }
-        sums
+        Ok(sums)
     }
 }

@@ -1,5 +1,7 @@
 //! The answer of one depth.
 
+use crate::buffer::{try_clone, try_each};
+use crate::error::Result;
 use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
 use crate::shown::shown;
@@ -49,6 +51,8 @@ clone_in_place!(Plane {
     is_at_edge
 });
 
+try_clone!(Plane { normal, shear, displacement } { body, depth, is_at_edge });
+
 /// The components in the order of the fields.
 pub(super) const STRESSES: [[Component; 3]; 2] = [
     [Component::Sxx, Component::Syy, Component::Szz],
@@ -57,27 +61,31 @@ pub(super) const STRESSES: [[Component; 3]; 2] = [
 pub(super) const DISPLACEMENTS: [Component; 3] = [Component::Ux, Component::Uy, Component::Uz];
 
 impl Plane {
-    pub(super) fn new(grid: Grid, body: Body, with_displacements: bool) -> Self {
-        let zeros = || [(); 3].map(|()| Field::zeros(grid));
-        Self {
+    pub(super) fn new(grid: Grid, body: Body, with_displacements: bool) -> Result<Self> {
+        let zeros = || try_each(|_| Field::try_zeros(grid));
+        Ok(Self {
             body,
             depth: 0.0,
-            normal: zeros(),
-            shear: zeros(),
-            displacement: with_displacements.then(zeros),
+            normal: zeros()?,
+            shear: zeros()?,
+            displacement: with_displacements.then(zeros).transpose()?,
             is_at_edge: false,
-        }
+        })
     }
 
     /// For an answer of this body.
-    pub(super) fn prepare(&mut self, body: Body, with_displacements: bool) {
-        self.body = body;
+    ///
+    /// # Errors
+    /// [`Error::Memory`](crate::Error::Memory); the plane is then as it was.
+    pub(super) fn prepare(&mut self, body: Body, with_displacements: bool) -> Result<()> {
         if !with_displacements {
             self.displacement = None;
         } else if self.displacement.is_none() {
             let grid = self.grid();
-            self.displacement = Some([(); 3].map(|()| Field::zeros(grid)));
+            self.displacement = Some(try_each(|_| Field::try_zeros(grid))?);
         }
+        self.body = body;
+        Ok(())
     }
 
     /// At this depth, below tractions that end at an edge or do not.

@@ -150,7 +150,7 @@ impl Planes {
         tractions: impl Into<Tractions<'a>>,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<Plane> {
-        let (mut plane, mut watch) = (self.plane(body), Watch::new(&mut observer));
+        let (mut plane, mut watch) = (self.plane(body)?, Watch::new(&mut observer));
         self.solve_watched(index, body, tractions.into(), &mut plane, &mut watch)?;
         Ok(plane)
     }
@@ -189,7 +189,7 @@ impl Planes {
         let uniform = tractions.checked_uniform()?;
         let kernels = Arc::clone(&self.kernels);
         let spectra = parallel::get_or_make(&kernels[index], || self.spectra(index, watch))?;
-        plane.prepare(body, self.with_displacements);
+        plane.prepare(body, self.with_displacements)?;
         self.load(fields, &constants, watch)?;
         self.fill(plane, spectra, &constants, watch)?;
         plane.place(spectra.depth(), has_edge(fields));
@@ -228,7 +228,7 @@ impl Planes {
         let tractions = tractions.into();
         let fields = tractions.checked(&self.bodies)?;
         let uniform = tractions.checked_uniform()?;
-        let mut plane = self.plane(body);
+        let mut plane = self.plane(body)?;
         let kernels = Arc::clone(&self.kernels);
         self.load(fields, &constants, watch)?;
         let has_edge = has_edge(fields);
@@ -256,7 +256,7 @@ impl Planes {
         self.with_displacements
     }
 
-    fn plane(&self, body: Body) -> Plane {
+    fn plane(&self, body: Body) -> Result<Plane> {
         Plane::new(self.bodies.grid(), body, self.with_displacements)
     }
 

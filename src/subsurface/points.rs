@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use crate::boundary::Boundary;
+use crate::buffer;
 use crate::error::{Error, Result};
 use crate::half_space::HalfSpace;
 use crate::parallel::{self, Blocks};
@@ -84,7 +85,7 @@ pub struct Response {
 /// farther away than 1e60 of the shorter side of a cell;
 /// [`Error::GridMismatch`], [`Error::BoundaryMismatch`] and [`Error::MaterialMismatch`] if the tractions are not
 /// those of these bodies; [`Error::RigidBody`]; [`Error::Repeats`] if the grid
-/// repeats along both axes: use [`Planes`](crate::subsurface::Planes); [`Error::Ranks`].
+/// repeats along both axes: use [`Planes`](crate::subsurface::Planes); [`Error::Memory`]; [`Error::Ranks`].
 pub fn at_points<'a>(
     bodies: &HalfSpace,
     body: Body,
@@ -136,7 +137,7 @@ pub fn at_points_observed<'a>(
         }
     }
     let loaded = Loaded::new(bodies, fields);
-    let mut responses = vec![Response::default(); points.len()];
+    let mut responses = buffer::filled(Response::default(), points.len())?;
     let cells = bodies.grid().cells();
     let watch = &mut Watch::new(&mut observer);
     parallel::enter_with(cells.max(points.len()), || {
@@ -145,12 +146,13 @@ pub fn at_points_observed<'a>(
             watch.ask()?;
             let work = |point: usize, response: Blocks<'_, Response>| {
                 for response in response.items {
-                    *response = loaded.response(points[first + point], &constants);
+                    *response = loaded.response(points[first + point], &constants)?;
                     response.stress += uniform;
                 }
+                Ok(())
             };
             let (count, width) = (items.len(), 1);
-            parallel::sweep(0..count, Blocks { items, width }, &work, &|(), ()| ());
+            parallel::sweep(0..count, Blocks { items, width }, &work, &Result::and)?;
         }
         Ok(())
     })?;

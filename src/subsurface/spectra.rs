@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::boundary::Boundary;
+use crate::buffer;
 use crate::error::{Result, memory};
 use crate::fft::{Kernels, Torus};
 use crate::grid::Grid;
@@ -44,8 +45,8 @@ impl Spectra {
         let z = depth_in(grid, depth);
         watch.ask()?;
         let mut values = match boundary {
-            Boundary::Periodic => waves(grid, torus, z),
-            _ => samples(grid, boundary, torus, z),
+            Boundary::Periodic => waves(grid, torus, z)?,
+            _ => samples(grid, boundary, torus, z)?,
         };
         let width = torus.quarter()[0];
         for (integral, values) in Integral::ALL.into_iter().zip(&mut values) {
@@ -53,7 +54,7 @@ impl Spectra {
                 *values = Vec::new();
             } else if boundary != Boundary::Periodic {
                 watch.ask()?;
-                *values = torus.spectrum(integral.is_odd(), |i, j| values[j * width + i]);
+                *values = torus.spectrum(integral.is_odd(), |i, j| values[j * width + i])?;
             }
         }
         let [_, height] = torus.quarter();
@@ -88,12 +89,12 @@ fn samples(
     boundary: Boundary,
     torus: &Torus,
     depth: f64,
-) -> [Vec<f64>; Integral::COUNT] {
+) -> Result<[Vec<f64>; Integral::COUNT]> {
     let [width, height] = torus.quarter();
     let (dx, dy) = (grid.dx(), grid.dy());
     let cell = LoadedRectangle::new(0.5 * dx, 0.5 * dy);
-    let xs: Vec<f64> = (0..width).map(|i| i as f64 * dx).collect();
-    let mut values = [(); Integral::COUNT].map(|()| vec![0.0; width * height]);
+    let xs = buffer::collected(width, (0..width).map(|i| i as f64 * dx))?;
+    let mut values = buffer::vector(width * height)?;
     let data = values.each_mut().map(|values| Blocks {
         items: values,
         width,
@@ -107,15 +108,15 @@ fn samples(
         }
     };
     parallel::sweep(0..height, data, &work, &|(), ()| ());
-    values
+    Ok(values)
 }
 
 /// The symbols of the integrals, or their imaginary parts, for the waves of a quarter.
-fn waves(grid: Grid, torus: &Torus, depth: f64) -> [Vec<f64>; Integral::COUNT] {
+fn waves(grid: Grid, torus: &Torus, depth: f64) -> Result<[Vec<f64>; Integral::COUNT]> {
     let [width, height] = torus.quarter();
     let sides = [grid.nx() as f64 * grid.dx(), grid.ny() as f64 * grid.dy()];
     let size = [grid.nx(), grid.ny()];
-    let mut values = [(); Integral::COUNT].map(|()| vec![0.0; width * height]);
+    let mut values = buffer::vector(width * height)?;
     let data = values.each_mut().map(|values| Blocks {
         items: values,
         width: height,
@@ -138,7 +139,7 @@ fn waves(grid: Grid, torus: &Torus, depth: f64) -> [Vec<f64>; Integral::COUNT] {
         }
     };
     parallel::sweep(0..width, data, &work, &|(), ()| ());
-    values
+    Ok(values)
 }
 
 /// The Fourier transforms of the functions under the integrals, or their imaginary parts, for the wave vector `[x, y]`,

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::buffer;
 use crate::error::Result;
 use crate::fft::{Convolution, ConvolutionWorkspace};
 use crate::half_space::HalfSpace;
@@ -31,7 +32,7 @@ impl Drawing {
         let part = |&axis: &Axis| {
             let component = Component::of(axis.direction(), Direction::Z);
             let operator = bodies.convolution([[component]], size)?;
-            let workspace = operator.workspace();
+            let workspace = operator.try_workspace()?;
             Ok(Part {
                 axis,
                 operator,
@@ -41,8 +42,8 @@ impl Drawing {
         let cells = bodies.layout(size).cells();
         Ok(Self {
             parts: axes.iter().map(part).collect::<Result<_>>()?,
-            pressure: vec![0.0; cells],
-            displacement: vec![0.0; cells],
+            pressure: buffer::zeros(cells)?,
+            displacement: buffer::zeros(cells)?,
         })
     }
 

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::fmt::Debug;
 
+use crate::buffer::{self, try_each};
 use crate::cascade::{Conditions, Scene, nested_start};
 use crate::cgm::{Ball, Known, Magnitude, Method, Settings, Total, Within};
 use crate::elastic::{ElasticSolver, Observer, Posed};
@@ -19,12 +20,12 @@ use crate::tangential::nested::FrictionScene;
 pub(crate) type PlaneVector = [Vec<f64>; 2];
 
 /// Zero in the components along these axes.
-pub(crate) fn zeros(axes: &[Axis], cells: usize) -> PlaneVector {
+pub(crate) fn zeros(axes: &[Axis], cells: usize) -> Result<PlaneVector> {
     let mut both = PlaneVector::default();
     for axis in axes {
-        both[axis.index()] = vec![0.0; cells];
+        both[axis.index()] = buffer::zeros(cells)?;
     }
-    both
+    Ok(both)
 }
 
 /// `[x, y]` of a cell, zero where the model has no component.
@@ -66,7 +67,10 @@ pub(super) trait ShearEngine: Debug + Send + Sync {
     ) -> Result<PlaneVector>;
 
     /// The displacements that tractions cause; the answer stays.
-    fn apply(&mut self, traction: &PlaneVector, displacement: &mut PlaneVector);
+    ///
+    /// # Errors
+    /// [`Error::Memory`](crate::Error::Memory).
+    fn apply(&mut self, traction: &PlaneVector, displacement: &mut PlaneVector) -> Result<()>;
 
     /// The displacements of the last answer.
     fn product(&self) -> [&[f64]; 2];
@@ -109,21 +113,21 @@ pub(crate) fn displacement(
     axes: &[Axis],
     traction: [&Field; 2],
 ) -> Result<[Field; 2]> {
-    let mut displacement = [Field::zeros(bodies.grid()), Field::zeros(bodies.grid())];
+    let mut displacement = try_each(|_| Field::try_zeros(bodies.grid()))?;
     if let [axis] = axes {
         let (direction, axis) = (axis.direction(), axis.index());
         let operator = bodies.operator(Component::of(direction, direction))?;
         operator.apply(
             [traction[axis].as_slice()],
             [displacement[axis].as_mut_slice()],
-            &mut operator.workspace(),
+            &mut operator.try_workspace()?,
         );
     } else {
         let operator = bodies.tensor_operator([Direction::X, Direction::Y])?;
         operator.apply(
             traction.map(Field::as_slice),
             displacement.each_mut().map(Field::as_mut_slice),
-            &mut operator.workspace(),
+            &mut operator.try_workspace()?,
         );
     }
     bodies.joint(Ok(displacement))
@@ -210,16 +214,16 @@ where
             totals: self.axes.map(|axis| task.totals[axis.index()]),
         };
         let found = if is_sliding || conditions.settings.method == Method::PolonskyKeer {
-            scene.plain_start()
+            scene.plain_start()?
         } else {
             nested_start(bodies, size, &scene, conditions)?
         };
         Ok(self.both(found))
     }
 
-    fn apply(&mut self, traction: &PlaneVector, displacement: &mut PlaneVector) {
+    fn apply(&mut self, traction: &PlaneVector, displacement: &mut PlaneVector) -> Result<()> {
         let traction = self.of(traction);
-        self.solver.apply(traction, of_mut(self.axes, displacement));
+        self.solver.apply(traction, of_mut(self.axes, displacement))
     }
 
     fn product(&self) -> [&[f64]; 2] {

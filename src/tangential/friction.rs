@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use crate::buffer::try_clone;
 use crate::cgm::cone::Cone;
 use crate::error::{Result, all_non_negative, non_negative, positive};
 use crate::field::{Field, clone_in_place};
@@ -62,6 +63,8 @@ clone_in_place!(Friction {
     coefficient,
     max_shear_stress
 });
+
+try_clone!(Friction { coefficient } { max_shear_stress });
 
 impl Friction {
     /// One coefficient of friction mu >= 0 for all cells (dimensionless).
@@ -153,7 +156,7 @@ impl Friction {
             PerCell::Uniform(coefficient) => PerCell::Uniform(*coefficient),
             PerCell::Cells(field) => {
                 let size = bodies.grid().whole().size();
-                let coarse = bodies.coarsened(coarser, size, field.as_slice());
+                let coarse = bodies.coarsened(coarser, size, field.as_slice())?;
                 PerCell::Cells(Field::from_vec(coarser.grid(), coarse)?)
             }
         };

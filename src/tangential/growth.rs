@@ -1,7 +1,9 @@
 //! Displacements that a growth of the tractions in proportion to the pressure would cause in the cells of a window.
 
+use crate::buffer;
 use crate::cgm::vector::plus;
 use crate::contact_map::neighbours;
+use crate::error::Result;
 use crate::half_space::Region;
 use crate::tangential::engine::{PlaneVector, at, zeros};
 use crate::tangential::{Axis, Increment, Pressed, centre};
@@ -71,13 +73,14 @@ impl Increment {
         repeats: [bool; 2],
         before: &[f64],
         normal: impl Fn(usize) -> f64,
-    ) {
+    ) -> Result<()> {
         let (Pressed { region, .. }, excess) = (&self.pressed, &mut self.growth.excess);
         let axis = self.axes[0].index();
         region.gather(before, &mut self.linear[axis]);
-        excess.begin(region, self.axes, &self.pressed.pressure, repeats);
+        excess.begin(region, self.axes, &self.pressed.pressure, repeats)?;
         let own = excess.first..excess.first + excess.cells;
         region.collect(normal, &mut excess.values[axis][own]);
+        Ok(())
     }
 
     /// Pressure of a cell at the beginning of the step; until that is solved, in the memory of its linear term.
@@ -87,7 +90,11 @@ impl Increment {
 
     /// Finds the displacements that the growth of the pressure would cause as a traction of this direction and size in
     /// each point. The present tractions are lost.
-    pub(crate) fn find_growth(&mut self, growth: Growth, direction: impl Fn([f64; 2]) -> [f64; 2]) {
+    pub(crate) fn find_growth(
+        &mut self,
+        growth: Growth,
+        direction: impl Fn([f64; 2]) -> [f64; 2],
+    ) -> Result<()> {
         for (k, point) in self.points() {
             let grown = self.pressed.pressure[k] - self.before(k);
             let direction = direction(point);
@@ -97,9 +104,9 @@ impl Increment {
         }
         let displacement = &mut self.growth.displacement[growth as usize];
         if displacement.iter().all(Vec::is_empty) {
-            *displacement = zeros(self.axes, self.pressed.region.cells());
+            *displacement = zeros(self.axes, self.pressed.region.cells())?;
         }
-        self.engine.apply(&self.traction, displacement);
+        self.engine.apply(&self.traction, displacement)
     }
 
     /// Finds by how much a growth displaces the cells of the contact beyond their motion. Those where `own` tells it, of a
@@ -135,7 +142,13 @@ impl Increment {
 
 impl Excess {
     /// Forgets the excess of all cells of a region, of which only those under pressure can have one.
-    fn begin(&mut self, region: &Region, axes: &[Axis], pressure: &[f64], repeats: [bool; 2]) {
+    fn begin(
+        &mut self,
+        region: &Region,
+        axes: &[Axis],
+        pressure: &[f64],
+        repeats: [bool; 2],
+    ) -> Result<()> {
         let [nx, ny] = region.own().size;
         let is_shared = region.is_shared();
         (self.cells, self.is_closed) = (pressure.len(), repeats[1]);
@@ -146,15 +159,19 @@ impl Excess {
         };
         let all = self.size[0] * self.size[1];
         if self.rings.len() != all {
-            self.values = zeros(axes, all);
+            self.rings.clear();
+            self.values = zeros(axes, all)?;
+            buffer::resize(&mut self.rings, all, OUTSIDE)?;
         }
-        self.rings.clear();
-        self.rings.resize(all, OUTSIDE);
+        self.order.clear();
+        buffer::make_room(&mut self.order, self.cells)?;
+        self.rings.fill(OUTSIDE);
         for (ring, pressure) in self.rings[self.first..].iter_mut().zip(pressure) {
             if *pressure > 0.0 {
                 *ring = UNKNOWN;
             }
         }
+        Ok(())
     }
 
     fn of(&self, cell: usize) -> [f64; 2] {
@@ -181,8 +198,6 @@ impl Excess {
     }
 
     fn carry(&mut self, region: &Region) {
-        self.order.clear();
-        self.order.reserve(self.cells);
         // Each ring is what the one before has reached.
         let (mut first, mut ring) = (0, 0);
         loop {

@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use crate::buffer;
 use crate::cascade::Conditions;
 use crate::cgm::vector::slices;
 use crate::cgm::{Total, reduce};
@@ -70,9 +71,9 @@ impl Increment {
             bodies: bodies.clone(),
             axes,
             engine: engine_along(bodies, axes, size)?,
-            traction: zeros(axes, cells),
-            offset: zeros(axes, cells),
-            linear: zeros(axes, cells),
+            traction: zeros(axes, cells)?,
+            offset: zeros(axes, cells)?,
+            linear: zeros(axes, cells)?,
             growth: GrowthFields::default(),
             motion: Motion::default(),
             pressed,
@@ -101,14 +102,15 @@ impl Increment {
     }
 
     /// The present tractions, zero beyond the window, for another increment.
-    pub(crate) fn hand_over(&self, other: &mut Self) {
-        let mut whole = vec![0.0; self.bodies.grid().cells()];
+    pub(crate) fn hand_over(&self, other: &mut Self) -> Result<()> {
+        let mut whole = buffer::zeros(self.bodies.grid().cells())?;
         for axis in self.axes.iter().map(|axis| axis.index()) {
             whole.fill(0.0);
             let (from, to) = (&self.pressed.region, &other.pressed.region);
             from.scatter(&self.traction[axis], &mut whole);
             to.gather(&whole, &mut other.traction[axis]);
         }
+        Ok(())
     }
 
     /// Moves the present tractions on by so many times a trend of the cells held here.
@@ -136,14 +138,14 @@ impl Increment {
     }
 
     /// The displacement of the cells held here that the present tractions cause, computed anew.
-    pub(crate) fn fresh_displacement(&mut self) -> [Cow<'_, [f64]>; 2] {
+    pub(crate) fn fresh_displacement(&mut self) -> Result<[Cow<'_, [f64]>; 2]> {
         // A solve writes its linear term first.
-        self.engine.apply(&self.traction, &mut self.linear);
+        self.engine.apply(&self.traction, &mut self.linear)?;
         let mut held = [Cow::Borrowed(&[][..]), Cow::Borrowed(&[][..])];
         for axis in self.axes.iter().map(|axis| axis.index()) {
             held[axis] = self.pressed.region.given(&self.linear[axis]);
         }
-        held
+        Ok(held)
     }
 
     /// Finds the tractions at the end of a step, and the motion of body 2 there, which was `before` at its beginning.
@@ -209,7 +211,7 @@ impl Increment {
                 let is_moved = !is_at_rest || is_drawn;
                 let is_idle = !is_moved && totals.iter().all(|total| total.is_idle());
                 self.traction = if is_idle || limits.sum <= 0.0 {
-                    zeros(self.axes, region.cells())
+                    zeros(self.axes, region.cells())?
                 } else {
                     let [x, y] = totals.map(|total| total.sum().unwrap_or(0.0));
                     let is_sliding = x.hypot(y) >= limits.sum;

@@ -2,6 +2,7 @@
 
 use std::ops::RangeInclusive;
 
+use crate::buffer::{self, try_clone};
 use crate::cgm::cone::Cone;
 use crate::cgm::reduce;
 use crate::error::{Error, Result, finite};
@@ -31,17 +32,17 @@ pub(crate) struct Pressed {
 
 impl Pressed {
     /// Without pressure.
-    pub(crate) fn new(bodies: &HalfSpace, window: Window) -> Self {
+    pub(crate) fn new(bodies: &HalfSpace, window: Window) -> Result<Self> {
         let region = Region::new(bodies, window);
-        Self {
-            pressure: vec![0.0; region.cells()],
+        Ok(Self {
+            pressure: buffer::zeros(region.cells())?,
             limits: Limits {
                 layout: region.layout().clone(),
-                cells: vec![0.0; region.cells()],
+                cells: buffer::zeros(region.cells())?,
                 sum: 0.0,
             },
             region,
-        }
+        })
     }
 
     pub(crate) fn window(&self) -> Window {
@@ -60,6 +61,8 @@ impl Pressed {
     }
 }
 
+try_clone!(Pressed { pressure, limits } { region });
+
 /// The friction limit of every cell of a window, and their sum.
 #[derive(Debug, Clone)]
 pub(crate) struct Limits {
@@ -67,6 +70,8 @@ pub(crate) struct Limits {
     pub(crate) cells: Vec<f64>,
     pub(crate) sum: f64,
 }
+
+try_clone!(Limits { cells } { layout, sum });
 
 /// Whether a traction or force of this size uses up a limit.
 pub(crate) fn is_at_limit(size: f64, limit: f64) -> bool {

@@ -2,9 +2,11 @@
 
 use std::borrow::Cow;
 
+use crate::buffer::{self, try_each};
 use crate::cascade::{Levels, Scene};
 use crate::cgm::vector::{at, norm, slices, slices_mut};
 use crate::cgm::{Admissible, Ball, Constraint, Linearised, Magnitude, Total, Within, reduce};
+use crate::error::Result;
 use crate::influence::Direction;
 use crate::layout::Layout;
 use crate::tangential::limits::is_at_limit;
@@ -48,26 +50,26 @@ where
     }
 
     /// With sums that are the same part of what friction holds.
-    fn coarsened(&self, levels: Levels<'_>) -> Self {
-        let linear = self.linear.each_ref();
+    fn coarsened(&self, levels: Levels<'_>) -> Result<Self> {
         let mut coarse = Self {
             layout: levels.coarse_layout(),
             directions: self.directions,
-            limits: levels.coarsened(&self.limits).into(),
-            linear: linear.map(|linear| levels.coarsened(linear).into()),
+            limits: levels.coarsened(&self.limits)?.into(),
+            linear: try_each(|n| levels.coarsened(&self.linear[n]).map(Cow::from))?,
             totals: self.totals,
         };
         let part = coarse.capacity() / self.capacity();
         coarse.totals = self.totals.map(|total| total.scaled(part));
-        coarse
+        Ok(coarse)
     }
 
     /// The sums spread in proportion to the limits: feasible, and close near sliding.
-    fn plain_start(&self) -> [Vec<f64>; N] {
+    fn plain_start(&self) -> Result<[Vec<f64>; N]> {
         let capacity = self.capacity();
-        self.totals.map(|total| {
-            let fraction = total.sum().map_or(0.0, |sum| sum / capacity);
-            self.limits.iter().map(|limit| fraction * limit).collect()
+        try_each(|n| {
+            let fraction = self.totals[n].sum().map_or(0.0, |sum| sum / capacity);
+            let parts = self.limits.iter().map(|limit| fraction * limit);
+            buffer::collected(self.limits.len(), parts)
         })
     }
 
@@ -78,15 +80,15 @@ where
         levels: Levels<'_>,
         coarse: &Self,
         answer: &[Vec<f64>; N],
-    ) -> [Vec<f64>; N] {
+    ) -> Result<[Vec<f64>; N]> {
         let overall = answer
             .each_ref()
             .map(|part| reduce::total(&coarse.layout, part));
-        let mut start = answer.each_ref().map(|part| levels.refined(part));
+        let mut start: [_; N] = try_each(|n| levels.refined(&answer[n]))?;
         let answer = slices(answer);
         let at_limit = (0..coarse.limits.len())
             .map(|cell| is_at_limit(norm(at(&answer, cell)), coarse.limits[cell]));
-        let slips = levels.inherited(at_limit);
+        let slips = levels.inherited(at_limit)?;
         for (cell, &limit) in self.limits.iter().enumerate() {
             let interpolated = at(&slices(&start), cell);
             let direction = if norm(interpolated) > 0.0 {
@@ -112,6 +114,6 @@ where
             let parts = slices_mut(&mut start);
             Self::Set::restore(&self.layout, parts, &self.constraint(), sticks, sums);
         }
-        start
+        Ok(start)
     }
 }

@@ -1,5 +1,6 @@
 //! The scene of a tangential contact, checked once.
 
+use crate::buffer::{TryClone, try_clone};
 use crate::cgm::{Method, Settings, settings_methods};
 use crate::coupling::Coupling;
 use crate::error::{Error, Result};
@@ -64,6 +65,8 @@ pub struct TangentialProblemBuilder<'a, 'p> {
     settings: Settings,
 }
 
+try_clone!(TangentialProblem { pressed, friction, relative } { bodies, load, model, coupling, settings });
+
 impl TangentialProblem {
     /// Starts from what is required: bodies, a solved normal contact on them or a field of pressure, friction,
     /// load.
@@ -93,8 +96,8 @@ impl TangentialProblem {
     /// [`Error::NotConverged`] with the report, use [`TangentialSolver::solve_into`] to keep the last iterate; as
     /// [`HalfSpace::operator`].
     pub fn solve(&self) -> Result<TangentialSolution> {
-        let mut solver = TangentialSolver::new(self.clone())?;
-        let mut solution = solver.new_solution();
+        let mut solver = TangentialSolver::new(self.try_clone()?)?;
+        let mut solution = solver.try_new_solution()?;
         solver.solve_into(&mut solution)?;
         Ok(solution)
     }
@@ -180,7 +183,7 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
                 ("settings", &self.settings),
             ],
         )?;
-        let mut pressed = Pressed::new(self.bodies, contact_window(self.bodies, samples)?);
+        let mut pressed = Pressed::new(self.bodies, contact_window(self.bodies, samples)?)?;
         pressed.set(samples, &self.friction);
         pressed.limits.check(demand.force(), grid.cell_area())?;
         Ok(TangentialProblem {

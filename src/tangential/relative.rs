@@ -1,5 +1,6 @@
 //! Displacements of one body relative to the other that the contact does not cause.
 
+use crate::buffer::try_clone;
 use crate::error::{Error, Result, all_finite};
 use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
@@ -40,6 +41,8 @@ impl PartialEq for RelativeDisplacement {
     }
 }
 
+try_clone!(RelativeDisplacement { fields } { strain });
+
 impl RelativeDisplacement {
     /// The displacements of the cells along x and along y.
     ///
@@ -71,10 +74,10 @@ impl RelativeDisplacement {
     }
 
     /// None of all cells.
-    pub(crate) fn zeros(grid: Grid) -> Self {
-        let fields = [Field::zeros(grid), Field::zeros(grid)];
+    pub(crate) fn zeros(grid: Grid) -> Result<Self> {
+        let fields = [Field::try_zeros(grid)?, Field::try_zeros(grid)?];
         let strain = [[0.0; 2]; 2];
-        Self { fields, strain }
+        Ok(Self { fields, strain })
     }
 
     /// The displacements along x and along y (lengths).

@@ -1,6 +1,7 @@
 //! The answer to a tangential contact.
 
 use crate::boundary::Boundary;
+use crate::buffer::{self, try_clone, try_each};
 use crate::cgm::reduce;
 use crate::contact_map::ContactMap;
 use crate::error::{Error, Result};
@@ -41,6 +42,8 @@ pub struct TangentialSolution {
 }
 
 shown!(TangentialSolution: grid(), force(), shift(), twist(), stick_ratio(), report);
+
+try_clone!(TangentialSolution { traction, slip, zones } { boundary, axis, shift, twist, coupled, report, whole });
 
 impl PartialEq for TangentialSolution {
     fn eq(&self, other: &Self) -> bool {
@@ -104,12 +107,12 @@ impl<'de> serde::Deserialize<'de> for TangentialSolution {
 
 impl TangentialSolution {
     /// No contact yet.
-    pub(crate) fn empty(grid: Grid, boundary: Boundary) -> Self {
-        let zeros = || [Field::zeros(grid), Field::zeros(grid)];
-        Self {
-            traction: zeros(),
-            slip: zeros(),
-            zones: vec![Zone::Separated; grid.cells()],
+    pub(crate) fn empty(grid: Grid, boundary: Boundary) -> Result<Self> {
+        let zeros = || try_each(|_| Field::try_zeros(grid));
+        Ok(Self {
+            traction: zeros()?,
+            slip: zeros()?,
+            zones: buffer::filled(Zone::Separated, grid.cells())?,
             boundary,
             axis: Some(Axis::X),
             shift: [0.0; 2],
@@ -117,7 +120,7 @@ impl TangentialSolution {
             coupled: None,
             report: Report::with_room(),
             whole: None,
-        }
+        })
     }
 
     pub(crate) fn fill(

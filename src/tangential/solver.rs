@@ -2,6 +2,7 @@
 
 use std::ops::ControlFlow;
 
+use crate::buffer::{TryClone, or_abort};
 use crate::cascade::Conditions;
 use crate::cgm::{Iteration, Settings, solver_settings};
 use crate::clock::Instant;
@@ -80,7 +81,7 @@ impl TangentialSolver {
             relative,
             settings,
         } = problem;
-        let candidate = pressed.clone();
+        let candidate = pressed.try_clone()?;
         let mut increment = Increment::new(&bodies, load.axes(model)?, pressed, coupling)?;
         increment.draw(relative.as_ref());
         Ok(Self {
@@ -124,7 +125,7 @@ impl TangentialSolver {
             if let Some(relative) = &self.relative {
                 self.bodies.agreed(relative.check(&self.bodies, axes))?;
             }
-            let pressed = self.increment.pressed.clone();
+            let pressed = self.increment.pressed.try_clone()?;
             self.increment = Increment::new(&self.bodies, axes, pressed, self.coupling)?;
             self.increment.draw(self.relative.as_ref());
             self.is_warm = false;
@@ -143,8 +144,16 @@ impl TangentialSolver {
         let pressure = &self.increment.pressed.pressure;
         self.candidate.pressure.copy_from_slice(pressure);
         self.candidate.set_friction(friction);
+        let copy = if self.friction.has_room_for(friction) {
+            None
+        } else {
+            Some(friction.try_clone()?)
+        };
         self.take_candidate()?;
-        self.friction.clone_from(friction);
+        match copy {
+            Some(copy) => self.friction = copy,
+            None => self.friction.clone_from(friction),
+        }
         Ok(())
     }
 
@@ -167,14 +176,14 @@ impl TangentialSolver {
             return Ok(());
         }
         // A little wider than the contact, so that it may grow some more.
-        let mut pressed = Pressed::new(&self.bodies, contact.widened(self.bodies.grid()));
+        let mut pressed = Pressed::new(&self.bodies, contact.widened(self.bodies.grid()))?;
         pressed.set(samples, &self.friction);
         self.check_load(&pressed)?;
-        let candidate = pressed.clone();
+        let candidate = pressed.try_clone()?;
         let axes = self.increment.axes();
         let mut wider = Increment::new(&self.bodies, axes, pressed, self.coupling)?;
         wider.draw(self.relative.as_ref());
-        self.increment.hand_over(&mut wider);
+        self.increment.hand_over(&mut wider)?;
         (self.increment, self.candidate) = (wider, candidate);
         Ok(())
     }
@@ -190,8 +199,8 @@ impl TangentialSolver {
         let checked = relative.check(&self.bodies, self.increment.axes());
         self.bodies.agreed(checked)?;
         match &mut self.relative {
-            Some(own) => own.clone_from(relative),
-            none => *none = Some(relative.clone()),
+            Some(own) => own.try_clone_from(relative)?,
+            none => *none = Some(relative.try_clone()?),
         }
         self.increment.draw(self.relative.as_ref());
         Ok(())
@@ -227,6 +236,14 @@ impl TangentialSolver {
     /// An empty solution of the right size for [`TangentialSolver::solve_into`].
     #[must_use]
     pub fn new_solution(&self) -> TangentialSolution {
+        or_abort(self.try_new_solution())
+    }
+
+    /// [`Self::new_solution`] where memory may run out.
+    ///
+    /// # Errors
+    /// [`Error::Memory`].
+    pub fn try_new_solution(&self) -> Result<TangentialSolution> {
         TangentialSolution::empty(self.bodies.grid(), self.bodies.boundary())
     }
 

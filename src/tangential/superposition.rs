@@ -1,5 +1,6 @@
 //! Jaeger's superposition: partial slip as the difference of two normal contacts.
 
+use crate::buffer;
 use crate::error::{Error, Result, non_negative};
 use crate::field::Field;
 use crate::material::ElasticPair;
@@ -78,6 +79,7 @@ impl JaegerSuperposition {
                 value: force,
             });
         }
+        let cells = grid.cells();
         let pressures = full
             .pressure()
             .as_slice()
@@ -85,15 +87,14 @@ impl JaegerSuperposition {
             .zip(stick.pressure().as_slice());
         let traction = pressures
             .clone()
-            .map(|(full, stick)| friction * (full - stick))
-            .collect();
-        let zones = pressures
-            .map(|(&full, &stick)| match (full > 0.0, stick > 0.0) {
-                (false, _) => Zone::Separated,
-                (true, true) => Zone::Stick,
-                (true, false) => Zone::Slip,
-            })
-            .collect();
+            .map(|(full, stick)| friction * (full - stick));
+        let traction = buffer::collected(cells, traction)?;
+        let zones = pressures.map(|(&full, &stick)| match (full > 0.0, stick > 0.0) {
+            (false, _) => Zone::Separated,
+            (true, true) => Zone::Stick,
+            (true, false) => Zone::Slip,
+        });
+        let zones = buffer::collected(cells, zones)?;
         let nu = pair.equivalent_poisson_ratio();
         let ratio = (2.0 - nu) / (2.0 * (1.0 - nu));
         Ok(Self {

@@ -5,7 +5,7 @@ use stickslip::history::State;
 use stickslip::io::Place;
 use stickslip::{
     Axis, Boundary, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl,
-    TangentialControl, Warning, surface,
+    TangentialControl, TryClone, Warning, surface,
 };
 
 fn run(history: &mut History, forces: &[[f64; 2]]) {
@@ -65,9 +65,11 @@ fn to_the_same_bits() {
                 }
                 assert_eq!(whole.to_bytes(), restored.to_bytes());
 
-                let mut copy = history.clone();
-                run(&mut copy, &THEN);
-                assert_eq!(copy.to_bytes(), restored.to_bytes());
+                for mut copy in [history.clone(), history.try_clone().unwrap()] {
+                    assert!(copy.last_step() == history.last_step());
+                    run(&mut copy, &THEN);
+                    assert_eq!(copy.to_bytes(), restored.to_bytes());
+                }
                 assert_eq!(history.to_bytes(), saved);
 
                 let mut uninterrupted = builder_run(&bodies, &gap, &friction, axis, &history);

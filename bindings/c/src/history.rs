@@ -1,7 +1,7 @@
 //! Histories: steps with memory of slip.
 
 use stickslip_rs::history::TouchRule;
-use stickslip_rs::{Axis, History};
+use stickslip_rs::{Axis, History, TryClone};
 
 use crate::call::{Outcome, call, call_on};
 use crate::error::Failure;
@@ -152,7 +152,7 @@ pub unsafe extern "C" fn stickslip_history_clone(
     call_on(history, || unsafe {
         let place = Place::new("copy", copy)?;
         let history = reading(history)?;
-        give(place, History::clone(&history), history.grid().cells());
+        give(place, history.try_clone()?, history.grid().cells());
         Ok(())
     })
 }

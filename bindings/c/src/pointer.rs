@@ -4,7 +4,7 @@
 //! is NULL, or points to what its type says, for as long as the call (handles: until they are freed); an array has as many
 //! entries as the number beside it says; nothing else writes to what it points to meanwhile.
 
-use stickslip_rs::{Field, Grid};
+use stickslip_rs::{Error, Field, Grid};
 
 use crate::call::Outcome;
 use crate::error::Failure;
@@ -161,7 +161,23 @@ pub(crate) unsafe fn field(
 ) -> Outcome<Field> {
     // SAFETY: as of this function.
     let samples = unsafe { cells(name, grid, pointer, count)? };
-    Ok(Field::from_vec(grid, samples.to_vec())?)
+    let samples = collected(Vec::new(), samples.iter().copied())?;
+    Ok(Field::from_vec(grid, samples)?)
+}
+
+/// What an iterator gives, in the place of what an array held.
+pub(crate) fn collected<T>(
+    mut array: Vec<T>,
+    items: impl ExactSizeIterator<Item = T>,
+) -> Outcome<Vec<T>> {
+    array.clear();
+    let room = array.try_reserve_exact(items.len());
+    room.map_err(|_| Error::Memory {
+        quantity: "a copy of an array",
+        bytes: items.len() as u128 * size_of::<T>() as u128,
+    })?;
+    array.extend(items);
+    Ok(array)
 }
 
 /// `Ok` if an array has an entry for each cell.

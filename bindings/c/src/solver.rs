@@ -28,7 +28,7 @@ pub(crate) trait Solve {
 
     fn set_settings(&mut self, settings: Settings) -> Result<()>;
     fn reset(&mut self);
-    fn new_solution(&self) -> Self::Solution;
+    fn new_solution(&self) -> Result<Self::Solution>;
     fn solve_observed(
         &mut self,
         solution: &mut Self::Solution,
@@ -49,8 +49,8 @@ macro_rules! solve {
                 self.reset();
             }
 
-            fn new_solution(&self) -> $solution {
-                self.new_solution()
+            fn new_solution(&self) -> Result<$solution> {
+                self.try_new_solution()
             }
 
             fn solve_observed(
@@ -168,7 +168,7 @@ where
     call_on(solver, || unsafe {
         let place = Place::new("solution", solution)?;
         let solver = reading(solver)?;
-        give(place, solver.own.new_solution(), solver.grid.cells());
+        give(place, solver.own.new_solution()?, solver.grid.cells());
         Ok(())
     })
 }

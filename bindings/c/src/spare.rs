@@ -5,6 +5,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use stickslip_rs::{Field, Grid};
 
 use crate::call::Outcome;
+use crate::pointer::collected;
 
 /// Arrays of earlier calls on an object. What C passes as an array is a [`Field`] for the crate: its copy takes the memory of
 /// the last one, so that repeated calls allocate nothing.
@@ -44,9 +45,8 @@ impl Spare {
     /// A copy of the samples of all cells, to be [kept](Self::keep) when it is done with.
     pub(crate) fn copy(&self, grid: Grid, samples: &[f64]) -> Outcome<Field> {
         // Calls on one object at the same time each have an array of their own.
-        let mut array = self.arrays().pop().unwrap_or_default();
-        array.clear();
-        array.extend_from_slice(samples);
+        let array = self.arrays().pop().unwrap_or_default();
+        let array = collected(array, samples.iter().copied())?;
         Ok(Field::from_vec(grid, array)?)
     }
 

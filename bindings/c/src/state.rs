@@ -1,7 +1,7 @@
 //! States of histories: kept in memory, or as bytes.
 
-use stickslip_rs::History;
 use stickslip_rs::history::State;
+use stickslip_rs::{History, TryClone};
 
 use crate::call::{call, call_on};
 use crate::error::Failure;
@@ -26,7 +26,7 @@ pub unsafe extern "C" fn stickslip_state_new(
     call_on(history, || unsafe {
         let place = Place::new("state", state)?;
         let history = reading(history)?;
-        give(place, history.state().clone(), history.grid().cells());
+        give(place, history.state().try_clone()?, history.grid().cells());
         Ok(())
     })
 }
@@ -47,8 +47,7 @@ pub unsafe extern "C" fn stickslip_state_keep(
     // SAFETY: the rule for pointers.
     call_on(state, || unsafe {
         let (mut state, history) = (changing(state)?, reading(history)?);
-        state.clone_from(history.state());
-        Ok(())
+        Ok(state.try_clone_from(history.state())?)
     })
 }
 
@@ -81,7 +80,7 @@ pub unsafe extern "C" fn stickslip_history_to_bytes(
     call_on(history, || unsafe {
         let length = Place::new("length", length)?;
         let buffer = entries_mut("buffer", buffer, capacity)?;
-        let bytes = reading(history)?.to_bytes();
+        let bytes = reading(history)?.state().try_to_bytes()?;
         length.put(bytes.len());
         if capacity == 0 {
             return Ok(());

@@ -8,7 +8,7 @@ use crate::error::Failure;
 use crate::half_space::stickslip_half_space;
 use crate::handle::reading;
 use crate::observer::{stickslip_observer, watch};
-use crate::pointer::{cells, entries, entries_mut, input, optional};
+use crate::pointer::{cells, collected, entries, entries_mut, input, optional};
 use crate::spare::Spare;
 use crate::status::stickslip_status;
 use crate::threads::enter;
@@ -152,7 +152,8 @@ pub unsafe extern "C" fn stickslip_stress_at_points_observed(
         let observer = optional("observer", observer)?;
         let places = entries_mut("responses", responses, count)?;
         let points = entries("points", points, count)?;
-        let points: Vec<[f64; 3]> = points.iter().map(|at| [at.x, at.y, at.depth]).collect();
+        let points = points.iter().map(|at| [at.x, at.y, at.depth]);
+        let points = collected(Vec::new(), points)?;
         let (body, tractions) = (body(which)?, input("tractions", tractions)?);
         let bodies = reading(half_space)?;
         let bodies = &*bodies;

@@ -66,6 +66,7 @@ WITHOUT = {
     "struct ranks::Traffic": "as ranks::Threads",
     "enum ranks::RankFailure": "as ranks::Threads",
     "trait ranks::Ranks": "as ranks::Threads",
+    "trait TryClone": "copies of what Python holds are Python's",
 }
 
 

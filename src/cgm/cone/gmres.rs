@@ -2,6 +2,7 @@
 
 use std::ops::ControlFlow;
 
+use crate::buffer;
 use crate::cgm::cone::border::Border;
 use crate::cgm::cone::krylov::{Hessenberg, RESTART};
 use crate::cgm::cone::workspace::gradient;
@@ -49,9 +50,11 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         size: f64,
         aim: f64,
     ) -> ControlFlow<Status, [f64; RESTART]> {
+        self.make_room(0)?;
         let w = &mut *self.workspace;
-        w.basis[0].clear();
-        w.basis[0].extend(w.residual.iter().map(|r| r.map(|r| r / size)));
+        for (first, r) in w.basis[0].iter_mut().zip(&w.residual) {
+            *first = r.map(|r| r / size);
+        }
         let mut hessenberg = Hessenberg::new(size);
         for j in 0..RESTART {
             let w = &mut *self.workspace;
@@ -60,6 +63,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
             self.proceed()?;
             self.apply_to_correction();
             self.count_step();
+            self.make_room(j + 1)?;
             self.set_next(j + 1, change);
             let (products, rest) = self.orthogonalise(j);
             if !(hessenberg.push(&products, rest) > aim && rest > 0.0) {
@@ -171,11 +175,17 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         w.contact.sum(|range| squares(&residual[range])).sqrt()
     }
 
+    /// Makes room for vector `j` of the basis.
+    fn make_room(&mut self, j: usize) -> ControlFlow<Status> {
+        let w = &mut *self.workspace;
+        let room = buffer::resize(&mut w.basis[j], w.residual.len(), [0.0; N]);
+        self.unless_lacking(room)
+    }
+
     /// The system's product with the correction, at changes of the multipliers, as vector `j` of the basis.
     fn set_next(&mut self, j: usize, change: [f64; N]) {
         let w = &mut *self.workspace;
         let (laws, correction, image) = (&w.laws, &w.correction, slices(&w.image));
-        w.basis[j].resize(correction.len(), [0.0; N]);
         let next = w.contact.compressed(&mut w.basis[j]);
         w.contact.sweep(next, |entries, next| {
             let correction = &correction[entries.range.clone()];

@@ -27,6 +27,7 @@ use std::ops::ControlFlow;
 
 use crate::cgm::monitor::Monitor;
 use crate::cgm::{Settings, Total, reduce};
+use crate::error::{Error, Result};
 use crate::layout::Layout;
 use crate::operator::Operator;
 use crate::report::{Iteration, Status};
@@ -111,11 +112,16 @@ pub(crate) struct ConeRun<'a, 'b, C: Operator<N>, P: Operator<N>, F> {
     free: usize,
     /// Whether the product is that of the tractions, in double precision.
     is_fresh: bool,
+    /// The memory that could not be had on the way, if any.
+    lack: Option<Error>,
 }
 
 /// Solves from the tractions `x` into them, at multipliers that the workspace begins and ends with; `None` where the
 /// start is refused, or where the sets cycle, which another start may cure. The findings are those of what is
 /// left in `x`.
+///
+/// # Errors
+/// [`Error::Memory`].
 pub(crate) fn solve<C: Operator<N>, P: Operator<N>, F: Cone>(
     problem: &ConeProblem<'_, C, P, F>,
     settings: &Settings,
@@ -123,7 +129,7 @@ pub(crate) fn solve<C: Operator<N>, P: Operator<N>, F: Cone>(
     x: [&mut [f64]; N],
     workspace: &mut ConeWorkspace<C, P>,
     observer: &mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
-) -> (Option<Status>, ConeFindings) {
+) -> Result<(Option<Status>, ConeFindings)> {
     let mut run = ConeRun {
         problem,
         monitor: Monitor::new(settings, problem.layout, observer, &mut workspace.report),
@@ -131,6 +137,7 @@ pub(crate) fn solve<C: Operator<N>, P: Operator<N>, F: Cone>(
         workspace,
         free: 0,
         is_fresh: false,
+        lack: None,
     };
     let status = run.newton(opening);
     if !run.is_fresh && status.is_some() {
@@ -142,5 +149,5 @@ pub(crate) fn solve<C: Operator<N>, P: Operator<N>, F: Cone>(
     let report = &mut run.workspace.report;
     let ended = status.unwrap_or(Status::Stalled);
     run.monitor.finish(ended, findings.merit(), report);
-    (status, findings)
+    run.lack.map_or(Ok((status, findings)), Err)
 }

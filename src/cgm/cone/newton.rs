@@ -9,6 +9,7 @@ use crate::cgm::cone::{Cone, ConeFindings, ConeRun, N, Opening};
 use crate::cgm::run::Precision;
 use crate::cgm::vector::{chunks, held, norm, put, slices, slices_mut};
 use crate::cgm::{Admissible, Disc, Magnitude, NonNegative, reduce};
+use crate::error::Result;
 use crate::layout::Layout;
 use crate::operator::Operator;
 use crate::parallel;
@@ -77,7 +78,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
                     return ControlFlow::Continue(());
                 }
             }
-            self.linearise();
+            self.linearise()?;
             let border = self.border();
             if !border.carries(self.missing()) {
                 return ControlFlow::Continue(());
@@ -189,16 +190,30 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     }
 
     /// The linear problem of the cells as they move now.
-    fn linearise(&mut self) {
+    fn linearise(&mut self) -> ControlFlow<Status> {
         let w = &mut *self.workspace;
         let laws = &w.laws;
         w.contact.update(|i| laws[i].touches());
-        w.make_room();
+        let room = w.make_room();
+        self.unless_lacking(room)?;
+        let w = &mut *self.workspace;
         for part in &mut w.direction {
             part.fill(0.0);
         }
         self.let_stick();
         self.measure_slip();
+        ControlFlow::Continue(())
+    }
+
+    /// Ends the run where memory could not be had.
+    pub(super) fn unless_lacking(&mut self, room: Result<()>) -> ControlFlow<Status> {
+        match room {
+            Ok(()) => ControlFlow::Continue(()),
+            Err(lack) => {
+                self.lack = Some(lack);
+                ControlFlow::Break(Status::Stalled)
+            }
+        }
     }
 
     /// The stiffness of every cell that slips, from the slip just measured.

@@ -1,9 +1,11 @@
 //! What a solve of cones writes to.
 
+use crate::buffer;
 use crate::cgm::cone::N;
 use crate::cgm::cone::krylov::RESTART;
 use crate::cgm::cone::law::Law;
 use crate::cgm::moving::MovingCells;
+use crate::error::Result;
 use crate::operator::Operator;
 use crate::report::Report;
 
@@ -31,33 +33,32 @@ pub(crate) struct ConeWorkspace<C: Operator<N>, P: Operator<N>> {
 
 impl<C: Operator<N>, P: Operator<N>> ConeWorkspace<C, P> {
     /// Buffers for an operator and its preconditioner.
-    pub(crate) fn new(operator: &C, preconditioner: &P) -> Self {
+    pub(crate) fn new(operator: &C, preconditioner: &P) -> Result<Self> {
         let cells = operator.cells();
-        let zeros = || std::array::from_fn(|_| vec![0.0; cells]);
-        Self {
-            operator: operator.workspace(),
-            preconditioner: preconditioner.workspace(),
-            product: zeros(),
-            direction: zeros(),
-            image: zeros(),
-            limits: vec![0.0; cells],
-            laws: vec![Law::Open; cells],
-            contact: MovingCells::new(operator.layout()),
+        Ok(Self {
+            operator: operator.try_workspace()?,
+            preconditioner: preconditioner.try_workspace()?,
+            product: buffer::vector(cells)?,
+            direction: buffer::vector(cells)?,
+            image: buffer::vector(cells)?,
+            limits: buffer::zeros(cells)?,
+            laws: buffer::filled(Law::Open, cells)?,
+            contact: MovingCells::new(operator.layout())?,
             residual: Vec::new(),
             correction: Vec::new(),
             spread: Vec::new(),
             basis: std::array::from_fn(|_| Vec::new()),
             multiplier: [0.0; N],
             report: Report::with_room(),
-        }
+        })
     }
 
     /// Makes room for the cells in contact; vectors of the basis follow as they are needed.
-    pub(super) fn make_room(&mut self) {
+    pub(super) fn make_room(&mut self) -> Result<()> {
         let cells = self.contact.len();
-        self.residual.resize(cells, [0.0; N]);
-        self.correction.resize(cells, [0.0; N]);
-        self.spread.resize(cells, [[0.0; N]; N]);
+        buffer::resize(&mut self.residual, cells, [0.0; N])?;
+        buffer::resize(&mut self.correction, cells, [0.0; N])?;
+        buffer::resize(&mut self.spread, cells, [[0.0; N]; N])
     }
 
     /// Writes `C x` to `out`; the answer stays.

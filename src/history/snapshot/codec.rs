@@ -1,10 +1,10 @@
 //! The primitives of the format, each for both directions: what is written from a value is read back into it.
 
-use std::convert::Infallible;
 use std::fmt::Debug;
 use std::ops::RangeBounds;
 
 use super::FORMAT;
+use crate::buffer::lacking;
 use crate::error::{Error, Result, samples_obey};
 use crate::io::Cursor;
 
@@ -29,9 +29,6 @@ pub(super) const TOLERANCE: Rule = ("must lie strictly between 0 and 1", |value|
 /// Writes or reads values, one after another. Numbers are little-endian; rules and ranges are those of reading, and
 /// what is written obeys them.
 pub(super) trait Codec {
-    /// Nothing for writing, which cannot fail.
-    type Error;
-
     /// The next `N` bytes: written from the value, or read into it unless `from` tells a problem.
     fn value<T, const N: usize>(
         &mut self,
@@ -39,17 +36,12 @@ pub(super) trait Codec {
         value: &mut T,
         to: impl FnOnce(&T) -> [u8; N],
         from: impl FnOnce([u8; N]) -> Result<T, String>,
-    ) -> Result<(), Self::Error>;
+    ) -> Result<()>;
 
     /// The next numbers, as many as there are values.
-    fn numbers(
-        &mut self,
-        what: &'static str,
-        values: &mut [f64],
-        rule: Rule,
-    ) -> Result<(), Self::Error>;
+    fn numbers(&mut self, what: &'static str, values: &mut [f64], rule: Rule) -> Result<()>;
 
-    fn number(&mut self, what: &str, value: &mut f64, rule: Rule) -> Result<(), Self::Error> {
+    fn number(&mut self, what: &str, value: &mut f64, rule: Rule) -> Result<()> {
         let to = |value: &f64| value.to_le_bytes();
         self.value(what, value, to, |bytes| {
             let (found, (words, obeys)) = (f64::from_le_bytes(bytes), rule);
@@ -66,7 +58,7 @@ pub(super) trait Codec {
         what: &str,
         value: &mut u64,
         range: impl RangeBounds<u64> + Debug,
-    ) -> Result<(), Self::Error> {
+    ) -> Result<()> {
         let to = |value: &u64| value.to_le_bytes();
         self.value(what, value, to, |bytes| {
             let found = u64::from_le_bytes(bytes);
@@ -84,7 +76,7 @@ pub(super) trait Codec {
         what: &str,
         value: &mut usize,
         range: impl RangeBounds<u64> + Debug,
-    ) -> Result<(), Self::Error> {
+    ) -> Result<()> {
         let mut integer = *value as u64;
         self.integer(what, &mut integer, range)?;
         *value = usize::try_from(integer).unwrap_or(usize::MAX);
@@ -92,12 +84,7 @@ pub(super) trait Codec {
     }
 
     /// A value by its place in a table, one byte.
-    fn kind<T: Copy + PartialEq>(
-        &mut self,
-        what: &str,
-        value: &mut T,
-        table: &[T],
-    ) -> Result<(), Self::Error> {
+    fn kind<T: Copy + PartialEq>(&mut self, what: &str, value: &mut T, table: &[T]) -> Result<()> {
         let to = |value: &T| {
             let place = table.iter().position(|kind| kind == value);
             [place.map_or(0, |place| u8::try_from(place).unwrap_or(0))]
@@ -114,12 +101,12 @@ pub(super) trait Codec {
         &mut self,
         what: &str,
         value: &mut Option<T>,
-        make: impl FnOnce() -> T,
-    ) -> Result<(), Self::Error> {
+        make: impl FnOnce() -> Result<T>,
+    ) -> Result<()> {
         let mut is_there = value.is_some();
         self.kind(what, &mut is_there, &[false, true])?;
         if is_there && value.is_none() {
-            *value = Some(make());
+            *value = Some(make()?);
         }
         Ok(())
     }
@@ -129,23 +116,33 @@ pub(super) trait Codec {
 #[derive(Default)]
 pub(super) struct Writer(pub(super) Vec<u8>);
 
-impl Codec for Writer {
-    type Error = Infallible;
+impl Writer {
+    pub(super) fn extend(
+        &mut self,
+        count: usize,
+        bytes: impl IntoIterator<Item = u8>,
+    ) -> Result<()> {
+        let room = self.0.try_reserve(count);
+        room.map_err(|_| lacking(self.0.len() + count))?;
+        self.0.extend(bytes);
+        Ok(())
+    }
+}
 
+impl Codec for Writer {
     fn value<T, const N: usize>(
         &mut self,
         _: &str,
         value: &mut T,
         to: impl FnOnce(&T) -> [u8; N],
         _: impl FnOnce([u8; N]) -> Result<T, String>,
-    ) -> Result<(), Infallible> {
-        self.0.extend(to(value));
-        Ok(())
+    ) -> Result<()> {
+        self.extend(N, to(value))
     }
 
-    fn numbers(&mut self, _: &str, values: &mut [f64], _: Rule) -> Result<(), Infallible> {
-        self.0.extend(values.iter().flat_map(|v| v.to_le_bytes()));
-        Ok(())
+    fn numbers(&mut self, _: &str, values: &mut [f64], _: Rule) -> Result<()> {
+        let bytes = values.iter().flat_map(|v| v.to_le_bytes());
+        self.extend(size_of_val(values), bytes)
     }
 }
 
@@ -174,8 +171,6 @@ impl Reader<'_> {
 }
 
 impl Codec for Reader<'_> {
-    type Error = Error;
-
     fn value<T, const N: usize>(
         &mut self,
         what: &str,

@@ -9,6 +9,7 @@ use super::codec::{
     TOLERANCE,
 };
 use crate::boundary::Boundary;
+use crate::buffer;
 use crate::cgm::{Method, Settings};
 use crate::coupling::Coupling;
 use crate::error::Result;
@@ -60,7 +61,7 @@ impl Host {
         }
     }
 
-    pub(super) fn visit<C: Codec>(&mut self, codec: &mut C) -> Result<(), C::Error> {
+    pub(super) fn visit<C: Codec>(&mut self, codec: &mut C) -> Result<()> {
         for cells in &mut self.cells {
             codec.count("number of cells along an axis", cells, 1..)?;
         }
@@ -92,8 +93,8 @@ impl Host {
         let pair = one.and_then(|one| ElasticPair::new(one, two?));
         let pair = pair.map_err(|error| FORMAT.at_byte(super::HEADER, error.to_string()))?;
         let (friction, settings) = (Friction::coulomb(0.0)?, Settings::default());
-        let gap = Field::zeros(grid);
-        Ok(State::new(
+        let gap = Field::try_zeros(grid)?;
+        State::new(
             gap,
             self.boundary,
             &pair,
@@ -101,7 +102,7 @@ impl Host {
             Axis::X.alone(),
             settings,
             TouchRule::default(),
-        ))
+        )
     }
 
     pub(super) fn grid(&self) -> Result<Grid> {
@@ -120,7 +121,7 @@ impl Host {
 
 impl State {
     /// Everything after the bodies.
-    pub(super) fn visit<C: Codec>(&mut self, codec: &mut C) -> Result<(), C::Error> {
+    pub(super) fn visit<C: Codec>(&mut self, codec: &mut C) -> Result<()> {
         let grid = self.grid();
         let models = [Axis::X.alone(), Axis::Y.alone(), Axis::BOTH];
         codec.kind("axis", &mut self.axes, &models)?;
@@ -155,8 +156,8 @@ impl State {
         let is_stale = &mut self.is_pressure_stale;
         codec.kind("mark of a stale pressure", is_stale, &[false, true])?;
         visit_control(codec, &mut self.pressed_by)?;
-        let whole = Window::whole(grid);
-        codec.option("window of the pressure", &mut self.press_window, || whole)?;
+        let whole = || Ok(Window::whole(grid));
+        codec.option("window of the pressure", &mut self.press_window, whole)?;
         if let Some(window) = &mut self.press_window {
             visit_window(codec, window, grid)?;
         }
@@ -179,9 +180,9 @@ impl State {
         self.visit_contact(codec)
     }
 
-    fn visit_hardness<C: Codec>(&mut self, codec: &mut C) -> Result<(), C::Error> {
+    fn visit_hardness<C: Codec>(&mut self, codec: &mut C) -> Result<()> {
         let grid = self.grid();
-        codec.option("hardness", &mut self.hardness, Hardness::blank)?;
+        codec.option("hardness", &mut self.hardness, || Ok(Hardness::blank()))?;
         if let Some(hardness) = &mut self.hardness {
             visit_per_cell(codec, "hardness", hardness.limit_mut(), POSITIVE, grid)?;
             let pressure = self.normal.pressure().as_slice();
@@ -190,16 +191,17 @@ impl State {
             let yielded = (0..pressure.len()).filter(is_reached).count();
             self.normal.set_yielded_cells(yielded);
         }
-        codec.option("permanent set", &mut self.yielded, || Field::zeros(grid))?;
+        let none = || Field::try_zeros(grid);
+        codec.option("permanent set", &mut self.yielded, none)?;
         if let Some(yielded) = &mut self.yielded {
             codec.numbers("permanent set", yielded.as_mut_slice(), NOT_NEGATIVE)?;
         }
         Ok(())
     }
 
-    fn visit_relative<C: Codec>(&mut self, codec: &mut C) -> Result<(), C::Error> {
+    fn visit_relative<C: Codec>(&mut self, codec: &mut C) -> Result<()> {
         let (grid, what) = (self.grid(), "relative displacement");
-        let none = || Relative::new(RelativeDisplacement::zeros(grid));
+        let none = || Relative::new(RelativeDisplacement::zeros(grid)?);
         codec.option(what, &mut self.relative, none)?;
         if let Some(relative) = &mut self.relative {
             codec.number(
@@ -216,7 +218,7 @@ impl State {
         Ok(())
     }
 
-    fn visit_trend<C: Codec>(&mut self, codec: &mut C) -> Result<(), C::Error> {
+    fn visit_trend<C: Codec>(&mut self, codec: &mut C) -> Result<()> {
         let mut is_known = self.trend.is_known();
         codec.kind("mark of a trend", &mut is_known, &[false, true])?;
         let (window, grid) = (self.press_window, self.grid());
@@ -228,21 +230,24 @@ impl State {
             change: [change],
             by: [by],
         } = &mut self.trend;
-        change.resize(window.held(grid).cells(), 0.0);
+        buffer::resize(change, window.held(grid).cells(), 0.0)?;
         codec.numbers("change of the pressure", change, FINITE)?;
         codec.numbers("change of the normal load", by, FINITE)
     }
 
-    fn visit_contact<C: Codec>(&mut self, codec: &mut C) -> Result<(), C::Error> {
+    fn visit_contact<C: Codec>(&mut self, codec: &mut C) -> Result<()> {
         let (grid, axes, is_joint) = (self.grid(), self.axes, self.is_joint());
         let mut window = self.contact.as_ref().map(|memory| memory.window);
-        codec.option("window of the contact", &mut window, || Window::whole(grid))?;
+        let whole = || Ok(Window::whole(grid));
+        codec.option("window of the contact", &mut window, whole)?;
         let Some(window) = &mut window else {
             return Ok(());
         };
         visit_window(codec, window, grid)?;
-        let first = || Memory::first(grid, axes, *window, self.motion);
-        let memory = self.contact.get_or_insert_with(first);
+        let memory = match &mut self.contact {
+            Some(memory) => memory,
+            none => none.insert(Memory::first(grid, axes, *window, self.motion)?),
+        };
         for displacement in &mut memory.displacement {
             codec.numbers("displacement", displacement, FINITE)?;
         }
@@ -262,14 +267,14 @@ impl State {
     }
 }
 
-fn visit_settings<C: Codec>(codec: &mut C, settings: &mut Settings) -> Result<(), C::Error> {
+fn visit_settings<C: Codec>(codec: &mut C, settings: &mut Settings) -> Result<()> {
     let methods = [Method::ActiveSet, Method::PolonskyKeer];
     codec.kind("method", &mut settings.method, &methods)?;
     codec.number("tolerance", &mut settings.tolerance, TOLERANCE)?;
     let limit = &mut settings.max_iterations;
     codec.count("limit of iterations", limit, 1..)?;
     let limit = &mut settings.time_limit;
-    codec.option("time limit", limit, Duration::default)?;
+    codec.option("time limit", limit, || Ok(Duration::default()))?;
     if let Some(limit) = limit {
         let (mut seconds, mut rest) = (limit.as_secs(), limit.subsec_nanos().into());
         codec.integer("seconds of the time limit", &mut seconds, ..)?;
@@ -279,13 +284,9 @@ fn visit_settings<C: Codec>(codec: &mut C, settings: &mut Settings) -> Result<()
     Ok(())
 }
 
-fn visit_friction<C: Codec>(
-    codec: &mut C,
-    friction: &mut Friction,
-    grid: Grid,
-) -> Result<(), C::Error> {
+fn visit_friction<C: Codec>(codec: &mut C, friction: &mut Friction, grid: Grid) -> Result<()> {
     let (coefficient, cap) = friction.parts_mut();
-    codec.option("shear cap", cap, || f64::INFINITY)?;
+    codec.option("shear cap", cap, || Ok(f64::INFINITY))?;
     if let Some(cap) = cap {
         codec.number("shear cap", cap, POSITIVE)?;
     }
@@ -298,7 +299,7 @@ fn visit_friction<C: Codec>(
     )
 }
 
-fn visit_boundary<C: Codec>(codec: &mut C, boundary: &mut Boundary) -> Result<(), C::Error> {
+fn visit_boundary<C: Codec>(codec: &mut C, boundary: &mut Boundary) -> Result<()> {
     let mut repeats = boundary.repeats();
     codec.kind(
         "boundary",
@@ -327,11 +328,11 @@ fn visit_per_cell<C: Codec>(
     quantity: &mut PerCell<Field>,
     uniform: Rule,
     grid: Grid,
-) -> Result<(), C::Error> {
+) -> Result<()> {
     let mut is_per_cell = matches!(quantity, PerCell::Cells(_));
     codec.kind(what, &mut is_per_cell, &[false, true])?;
     if is_per_cell && matches!(quantity, PerCell::Uniform(_)) {
-        *quantity = PerCell::Cells(Field::zeros(grid));
+        *quantity = PerCell::Cells(Field::try_zeros(grid)?);
     }
     match quantity {
         PerCell::Uniform(value) => codec.number(what, value, uniform),
@@ -339,7 +340,7 @@ fn visit_per_cell<C: Codec>(
     }
 }
 
-fn visit_normal<C: Codec>(codec: &mut C, normal: &mut NormalSolution) -> Result<(), C::Error> {
+fn visit_normal<C: Codec>(codec: &mut C, normal: &mut NormalSolution) -> Result<()> {
     let (pressure, gap, approach, report) = normal.parts_mut();
     codec.numbers("pressure", pressure.as_mut_slice(), NOT_NEGATIVE)?;
     codec.numbers("gap under load", gap.as_mut_slice(), FINITE)?;
@@ -364,7 +365,7 @@ fn visit_normal<C: Codec>(codec: &mut C, normal: &mut NormalSolution) -> Result<
     Ok(())
 }
 
-fn visit_control<C: Codec>(codec: &mut C, control: &mut NormalControl) -> Result<(), C::Error> {
+fn visit_control<C: Codec>(codec: &mut C, control: &mut NormalControl) -> Result<()> {
     let mut kind = match control {
         NormalControl::Hold => 0,
         NormalControl::Force(_) => 1,
@@ -384,7 +385,7 @@ fn visit_control<C: Codec>(codec: &mut C, control: &mut NormalControl) -> Result
     Ok(())
 }
 
-fn visit_window<C: Codec>(codec: &mut C, window: &mut Window, grid: Grid) -> Result<(), C::Error> {
+fn visit_window<C: Codec>(codec: &mut C, window: &mut Window, grid: Grid) -> Result<()> {
     let (mut corner, mut size) = (window.corner(), window.size);
     for (axis, cells) in grid.whole().size().into_iter().enumerate() {
         let cells = cells as u64;

@@ -15,6 +15,7 @@ mod file;
 mod layout;
 mod slabs;
 
+use crate::buffer::{TryClone, or_abort};
 use crate::digest;
 use crate::error::Result;
 use crate::half_space::HalfSpace;
@@ -42,25 +43,32 @@ impl State {
     /// all slabs [`State::of_slabs`] makes the state again, on any number of ranks.
     #[must_use]
     pub fn to_bytes(&self) -> Vec<u8> {
-        self.clone().into_bytes()
+        or_abort(self.try_to_bytes())
+    }
+
+    /// [`State::to_bytes`] where memory may run out.
+    ///
+    /// # Errors
+    /// [`Error::Memory`](crate::Error::Memory).
+    pub fn try_to_bytes(&self) -> Result<Vec<u8>> {
+        self.try_clone()?.into_bytes()
     }
 
     /// The codec takes what it visits by mutable reference, in both directions: so this takes the state.
-    fn into_bytes(mut self) -> Vec<u8> {
+    fn into_bytes(mut self) -> Result<Vec<u8>> {
         let mut writer = Writer::default();
-        writer.0.extend(MAGIC);
-        writer.0.extend(VERSION.to_le_bytes());
+        writer.extend(MAGIC.len(), *MAGIC)?;
+        writer.extend(size_of_val(&VERSION), VERSION.to_le_bytes())?;
         // The length, which is known at the end only.
-        writer.0.extend([0; 8]);
-        let Ok(()) = Host::of(&self).visit(&mut writer);
-        let Ok(()) = self.visit(&mut writer);
+        writer.extend(8, [0; 8])?;
+        Host::of(&self).visit(&mut writer)?;
+        self.visit(&mut writer)?;
 
-        let Writer(mut bytes) = writer;
-        let length = (bytes.len() + SUM) as u64;
-        bytes[HEADER - 8..HEADER].copy_from_slice(&length.to_le_bytes());
-        let sum = digest::of_bytes(&bytes);
-        bytes.extend(sum.to_le_bytes());
-        bytes
+        let length = (writer.0.len() + SUM) as u64;
+        writer.0[HEADER - 8..HEADER].copy_from_slice(&length.to_le_bytes());
+        let sum = digest::of_bytes(&writer.0);
+        writer.extend(SUM, sum.to_le_bytes())?;
+        Ok(writer.0)
     }
 
     /// A state saved by [`State::to_bytes`].
@@ -91,7 +99,7 @@ impl State {
 #[cfg(feature = "serde")]
 impl From<State> for Vec<u8> {
     fn from(state: State) -> Self {
-        state.into_bytes()
+        or_abort(state.into_bytes())
     }
 }
 

@@ -1,5 +1,6 @@
 //! The state of a contact that ranks share, put together from the slabs that others had.
 
+use crate::buffer::or_abort;
 use crate::digest;
 use crate::error::{Error, RankFailure, Result};
 use crate::field::Field;
@@ -118,7 +119,7 @@ impl State {
         let nothing = self.grid().whole().slab(0..0);
         let mut writer = Writer::default();
         let mut rest = self.clone().blank_on(nothing);
-        let Ok(()) = rest.visit(&mut writer);
+        or_abort(rest.visit(&mut writer));
         digest::of_bytes(&writer.0)
     }
 
