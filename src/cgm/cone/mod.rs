@@ -111,6 +111,8 @@ pub(crate) struct ConeRun<'a, 'b, C: Operator<N>, P: Operator<N>, F> {
     free: usize,
     /// Whether the product is that of the tractions, in double precision.
     is_fresh: bool,
+    /// Times that all cells slipped the same way.
+    times_held: usize,
 }
 
 /// Solves from the tractions `x` into them, at multipliers that the workspace begins and ends with; `None` where the
@@ -131,6 +133,7 @@ pub(crate) fn solve<C: Operator<N>, P: Operator<N>, F: Cone>(
         workspace,
         free: 0,
         is_fresh: false,
+        times_held: 0,
     };
     let status = run.newton(opening);
     if !run.is_fresh && status.is_some() {
