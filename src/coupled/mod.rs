@@ -29,6 +29,15 @@
 //! $`\beta = 0.5`$, $`\mu = 0.3`$); its approach is right to 4e-4 and its peak pressure to 9e-3. For a flat punch, whose
 //! contact does not grow, one step is exact.
 //!
+//! # Forces that slide
+//!
+//! With one coefficient of friction and a prescribed normal force W, friction holds less than $`\mu W`$ however the
+//! pressure is distributed: any greater force is refused at once, one of $`(1 - 10^{-8}) \mu W`$ is answered. Under a
+//! prescribed approach, or with a coefficient of each cell or a shear cap, the sum of the limits follows from the pressure
+//! that is sought. A solve that stalls is then compared with bodies that slide steadily in the direction of the force:
+//! [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) names the force that this takes. Equilibria that
+//! exist a little beyond it are returned if they are found.
+//!
 //! # What is certified
 //!
 //! Friction whose limit follows an unknown pressure is not the condition of a minimum of any energy, and solutions are known

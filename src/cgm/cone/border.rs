@@ -1,15 +1,19 @@
 //! The totals beside the cells: how changes of the multipliers spread, and which of them keep the totals.
 
-use crate::cgm::Total;
+use crate::cgm::cone::law::Law;
+use crate::cgm::cone::workspace::gradient;
 use crate::cgm::cone::{Cone, ConeRun, N};
 use crate::cgm::small::Small;
 use crate::cgm::totals::sums_of;
-use crate::cgm::vector::{norm, slices};
+use crate::cgm::vector::{dot, norm, slices};
+use crate::cgm::{Total, reduce};
 use crate::operator::Operator;
 use crate::parallel;
 
 /// Part of the mobility along an axis below which cells that all slip cannot carry a change along it.
 const LEAST_TURN: f64 = 1e-13;
+/// Times that all cells of a contact that cannot turn are made to stick.
+const TRIALS: usize = 2;
 
 /// The totals beside the cells as they may move at present.
 #[derive(Debug, Clone, Copy)]
@@ -113,7 +117,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     /// a change along that way.
     pub(super) fn let_stick(&mut self) {
         let totals = self.problem.totals;
-        let w = &mut *self.workspace;
+        let w = &*self.workspace;
         let laws = &w.laws;
         let mobility: [[f64; 2]; 2] = w.contact.sweep((), |entries, ()| {
             entries.sums(|_, place| laws[entries.chunk.start + place].mobility())
@@ -127,13 +131,40 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
             [_, false, true] => yy * all,
             [_, false, false] => return,
         };
-        if least <= LEAST_TURN * all * all {
-            parallel::update(&mut w.laws, |_, laws| {
-                for law in laws {
+        if least > LEAST_TURN * all * all {
+            return;
+        }
+        self.times_held += 1;
+        let nearest = self.nearest_to_stick();
+        parallel::update(&mut self.workspace.laws, |first, laws| {
+            for (i, law) in (first..).zip(laws) {
+                if nearest.as_ref().is_none_or(|near| near[i]) {
                     *law = law.stuck();
                 }
-            });
+            }
+        });
+    }
+
+    /// Once it has not helped that all cells stick: the slipping cells that could carry more of what is missing, and of
+    /// these those that slip least.
+    fn nearest_to_stick(&self) -> Option<Vec<bool>> {
+        if self.times_held <= TRIALS {
+            return None;
         }
+        let ([_, x, y], w) = (self.missing(), &*self.workspace);
+        let gradient = gradient(&w.product, self.problem.linear, w.multiplier);
+        let laws = &w.laws;
+        let slip = |i: usize| match laws[i] {
+            Law::Slip(slip) if dot(slip.normal, [x, y]) < 0.0 => {
+                let [_, x, y] = gradient(i);
+                Some(norm([x, y]))
+            }
+            _ => None,
+        };
+        let least = reduce::least(self.problem.layout, |i| slip(i).map(|s| (s, ())));
+        let (least, ()) = least?;
+        let near = |i| slip(i).is_some_and(|s| s <= least * (1.0 + 1e-9));
+        Some((0..laws.len()).map(near).collect())
     }
 
     /// Adds the spread of changes of the multipliers to the correction.

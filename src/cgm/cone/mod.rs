@@ -114,6 +114,8 @@ pub(crate) struct ConeRun<'a, 'b, C: Operator<N>, P: Operator<N>, F> {
     is_fresh: bool,
     /// The memory that could not be had on the way, if any.
     lack: Option<Error>,
+    /// Times that all cells slipped the same way.
+    times_held: usize,
 }
 
 /// Solves from the tractions `x` into them, at multipliers that the workspace begins and ends with; `None` where the
@@ -138,6 +140,7 @@ pub(crate) fn solve<C: Operator<N>, P: Operator<N>, F: Cone>(
         free: 0,
         is_fresh: false,
         lack: None,
+        times_held: 0,
     };
     let status = run.newton(opening);
     if !run.is_fresh && status.is_some() {
