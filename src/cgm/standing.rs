@@ -25,16 +25,15 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     /// Sees to sums along which cells that are all at their bounds cannot turn. Those that they have, pointing to both
     /// sides, rest. Of what is missing of a sum the cells are freed that would stick first, if they can carry it; else all.
     pub(super) fn settle(&mut self, system: &mut TotalsSystem<N>) {
-        let mut missing = [0.0; N];
-        for a in 0..N {
-            if system.is_fixed(a) {
-                match self.stand_at_bounds(a) {
-                    Some(Standing::Rests) => system.rests[a] = true,
-                    Some(Standing::Misses(part)) => missing[a] = part,
-                    Some(Standing::Pushed) | None => {}
-                }
-            }
-        }
+        let standing = std::array::from_fn::<_, N, _>(|a| {
+            let is_fixed = system.is_fixed(a);
+            is_fixed.then(|| self.stand_at_bounds(a)).flatten()
+        });
+        system.rests = standing.map(|standing| standing == Some(Standing::Rests));
+        let missing = standing.map(|standing| match standing {
+            Some(Standing::Misses(part)) => part,
+            Some(Standing::Rests | Standing::Pushed) | None => 0.0,
+        });
         if system.can_turn() {
             return;
         }
