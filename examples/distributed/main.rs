@@ -87,7 +87,7 @@ fn main() -> Outcome<()> {
             let rank: Arc<dyn Ranks> = Arc::new(rank);
             solve(&arguments, &rank)
         };
-        return stickslip::ranks::Mpi::run(PATIENCE, work).ok_or("MPI is already in use")?;
+        return stickslip::ranks::Mpi::run(PATIENCE, work)?;
     }
     let ranks = arguments.threads.unwrap_or(2);
     let outcomes = Threads::run(ranks, PATIENCE, |rank| {

@@ -33,6 +33,20 @@ pub enum RankFailure {
         /// Its first row, from the bottom of the grid.
         row: usize,
     },
+    /// MPI was initialised before: it can be once in a process.
+    #[error("MPI was initialised before in this process")]
+    InUse,
+    /// A launcher has started several processes of which MPI knows one only, as that of another MPI does: each would do all
+    /// of the work, and write the same files.
+    #[error(
+        "{processes} processes were started ({variable}), but MPI knows of one only: start them with the launcher of the MPI that the program was built with"
+    )]
+    Apart {
+        /// The environment variable that tells of them.
+        variable: &'static str,
+        /// Their number.
+        processes: usize,
+    },
     /// Ranks make different calls.
     #[error("rank {rank} makes other calls than this one")]
     OutOfStep {

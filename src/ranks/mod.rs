@@ -74,6 +74,8 @@
 //! all that follow on the same bodies. A file that they were writing together is then the old one, or the new one if all
 //! of it was there.
 
+#[cfg(any(feature = "mpi", test))]
+mod launcher;
 #[cfg(feature = "mpi")]
 mod mpi;
 mod team;

@@ -10,7 +10,8 @@ use mpi::request::scope;
 use mpi::topology::{Process, SimpleCommunicator};
 use mpi::traits::{Communicator, Destination, Source};
 
-use crate::ranks::{RankFailure, Ranks};
+use crate::error::{Error, Result};
+use crate::ranks::{RankFailure, Ranks, launcher};
 
 /// A rank that is a process started by `mpirun`. Made by [`Mpi::run`].
 ///
@@ -22,11 +23,11 @@ use crate::ranks::{RankFailure, Ranks};
 ///
 /// let grid = Grid::square(8192, 8.0)?;
 /// let pair = ElasticPair::new(Material::new(1.0, 0.3)?, Material::rigid())?;
-/// Mpi::run(Duration::from_secs(600), |rank| {
+/// let rows = Mpi::run(Duration::from_secs(600), |rank| {
 ///     let bodies = HalfSpace::distributed(grid, pair, Boundary::NonPeriodic, Arc::new(rank))?;
 ///     // Gaps on `bodies.grid()`, problems and solutions as ever.
 ///     stickslip::Result::Ok(bodies.grid().rows())
-/// });
+/// })??;
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug)]
@@ -41,8 +42,11 @@ pub struct Mpi {
 #[derive(Debug)]
 struct Line {
     requests: Sender<Request>,
-    answers: Receiver<Result<Vec<u64>, RankFailure>>,
+    answers: Receiver<Swapped>,
 }
+
+/// The block received, or why there is none.
+type Swapped = Result<Vec<u64>, RankFailure>;
 
 #[derive(Debug)]
 enum Request {
@@ -65,18 +69,29 @@ const NAP: Duration = Duration::from_micros(50);
 
 impl Mpi {
     /// Initialises MPI, runs the work on this process's rank in a thread of its own, and ends MPI. A rank that waits for
-    /// another longer than `patience` gives up; it aborts all where it cannot take back what it has sent. `None` if
-    /// MPI was initialised before: it can be once in a process.
+    /// another longer than `patience` gives up, and its call returns [`RankFailure::Silent`].
     ///
     /// The calling thread keeps the communicator and serves the work; the work spreads over the rayon pool of its
     /// process as ever.
     ///
+    /// MPI ends on all ranks or on none. Where the work has given up a rank that does not answer for as long again after the
+    /// work, or to which a block can neither be sent nor taken back, this process says so on standard error, by rank and
+    /// reason, and aborts all: it does not return. A rank that was never given up is waited for, however long its work takes.
+    ///
+    /// # Errors
+    /// [`Error::Ranks`], before any work: [`RankFailure::InUse`]; [`RankFailure::Apart`] for processes that the launcher of
+    /// another MPI has started, or one of a queue of several tasks (the first of `OMPI_COMM_WORLD_SIZE`, `PMI_SIZE`,
+    /// `MV2_COMM_WORLD_SIZE`, `SLURM_STEP_NUM_TASKS` and `SLURM_NTASKS` that is set tells how many there are).
+    ///
     /// # Panics
     /// If the work panics, or more ranks than 2^31 are started.
-    pub fn run<T: Send>(patience: Duration, work: impl FnOnce(Self) -> T + Send) -> Option<T> {
-        let (universe, _) = mpi::initialize_with_threading(Threading::Funneled)?;
+    pub fn run<T: Send>(patience: Duration, work: impl FnOnce(Self) -> T + Send) -> Result<T> {
+        let universe = mpi::initialize_with_threading(Threading::Funneled);
+        let (universe, _) = universe.ok_or(Error::Ranks(RankFailure::InUse))?;
         let world = universe.world();
         let number = |rank: i32| usize::try_from(rank).expect("ranks are not negative");
+        launcher::check(number(world.size()), |name| std::env::var(name).ok())
+            .map_err(Error::Ranks)?;
         let (requests, to_serve) = channel();
         let (served, answers) = channel();
         let leave = requests.clone();
@@ -85,13 +100,14 @@ impl Mpi {
             size: number(world.size()),
             line: Mutex::new(Line { requests, answers }),
         };
-        Some(std::thread::scope(|threads| {
+        Ok(std::thread::scope(|threads| {
             let worker = threads.spawn(move || {
                 let _leaving = Leaving(leave);
                 work(rank)
             });
             let mut post = Post {
                 have_left: vec![false; number(world.size())],
+                are_given_up: vec![false; number(world.size())],
                 world,
                 patience,
             };
@@ -129,7 +145,7 @@ impl Ranks for Mpi {
         self.size
     }
 
-    fn swap(&self, block: Vec<u64>, to: usize, from: usize) -> Result<Vec<u64>, RankFailure> {
+    fn swap(&self, block: Vec<u64>, to: usize, from: usize) -> Swapped {
         let line = self.line.lock().unwrap_or_else(PoisonError::into_inner);
         let lost = RankFailure::Lost { rank: self.rank };
         let request = Request::Swap { block, to, from };
@@ -144,6 +160,8 @@ struct Post {
     patience: Duration,
     /// Ranks whose last message was read.
     have_left: Vec<bool>,
+    /// Ranks that a call has waited for in vain.
+    are_given_up: Vec<bool>,
 }
 
 impl Post {
@@ -151,7 +169,7 @@ impl Post {
         self.world.process_at_rank(rank_of(rank))
     }
 
-    fn swap(&mut self, block: &[u64], to: usize, from: usize) -> Result<Vec<u64>, RankFailure> {
+    fn swap(&mut self, block: &[u64], to: usize, from: usize) -> Swapped {
         scope(|scope| {
             let target = rank_of(to);
             let mut sent = self
@@ -159,11 +177,12 @@ impl Post {
                 .process_at_rank(target)
                 .immediate_send_with_tag(scope, block, BLOCK);
             let received = self.receive(from);
+            self.are_given_up[from] |= matches!(received, Err(RankFailure::Silent { .. }));
             let mut clock = Clock::new(self.patience);
             // The memory of the block is MPI's until it is sent.
             while let Err(pending) = sent.test() {
                 if clock.is_over() {
-                    self.world.abort(1);
+                    self.abort(self.silent(to));
                 }
                 sent = pending;
             }
@@ -171,7 +190,7 @@ impl Post {
         })
     }
 
-    fn receive(&mut self, from: usize) -> Result<Vec<u64>, RankFailure> {
+    fn receive(&mut self, from: usize) -> Swapped {
         let mut clock = Clock::new(self.patience);
         while !self.have_left[from] {
             if let Some(message) = self.process(from).immediate_matched_probe() {
@@ -183,16 +202,27 @@ impl Post {
                 break;
             }
             if clock.is_over() {
-                return Err(RankFailure::Silent {
-                    rank: from,
-                    seconds: self.patience.as_secs_f64(),
-                });
+                return Err(self.silent(from));
             }
         }
         Err(RankFailure::Lost { rank: from })
     }
 
-    /// Takes leave of the others, so that nobody waits for this rank and no message is left unread.
+    fn silent(&self, rank: usize) -> RankFailure {
+        let seconds = self.patience.as_secs_f64();
+        RankFailure::Silent { rank, seconds }
+    }
+
+    /// Ends all processes.
+    #[expect(clippy::print_stderr, reason = "no error can reach a caller any more")]
+    fn abort(&self, why: RankFailure) -> ! {
+        let own = self.world.rank();
+        eprintln!("stickslip: rank {own} gives up: {why}; all ranks are aborted");
+        self.world.abort(1)
+    }
+
+    /// Takes leave of the others, so that nobody waits for this rank and no message is left unread. One that was given up
+    /// and is silent still would be waited for without end.
     fn part(&mut self) {
         let own = self.world.rank();
         let others = (0..self.have_left.len()).filter(move |rank| rank_of(*rank) != own);
@@ -201,7 +231,15 @@ impl Post {
             self.process(rank).send_with_tag(&last[..], LEFT);
         }
         for rank in others {
-            while self.receive(rank).is_ok() {}
+            let mut received = self.receive(rank);
+            while received.is_ok() {
+                received = self.receive(rank);
+            }
+            if let (true, Err(why @ RankFailure::Silent { .. })) =
+                (self.are_given_up[rank], received)
+            {
+                self.abort(why);
+            }
         }
     }
 }
