@@ -93,7 +93,7 @@ REDUCTIONS = [
 ]
 REDUCING_ITEMS = {("parallel", "fold")}
 
-LONGEST_FILE = 400
+LONGEST_FILE = 600
 CRATE = "stickslip"
 
 TOKEN = re.compile(

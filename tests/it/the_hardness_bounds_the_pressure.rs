@@ -202,13 +202,12 @@ fn a_limit_that_nothing_reaches_changes_nothing() {
 fn an_inactive_limit_changes_no_bit_of_a_punch() {
     let mut random = Random(33);
     for scene in 0..120 {
-        let (cells, radius, recess) = match scene {
-            0 => (6, 1.8, 1.0),
-            _ => {
-                let cells = random.integer(4, 16);
-                let radius = random.uniform(0.2, 0.5) * cells as f64;
-                (cells, radius, random.decade(-2.0, 1.0))
-            }
+        let (cells, radius, recess) = if scene == 0 {
+            (6, 1.8, 1.0)
+        } else {
+            let cells = random.integer(4, 16);
+            let radius = random.uniform(0.2, 0.5) * cells as f64;
+            (cells, radius, random.decade(-2.0, 1.0))
         };
         let grid = Grid::square(cells, cells as f64).unwrap();
         let bodies = unit_bodies(grid, 0.3);
