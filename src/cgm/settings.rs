@@ -92,6 +92,14 @@ impl Settings {
         self
     }
 
+    /// Those that ranks have in common; the clock of the first one decides for all.
+    pub(crate) fn common(&self) -> Self {
+        Self {
+            time_limit: None,
+            ..*self
+        }
+    }
+
     /// `Ok` if the settings make sense.
     ///
     /// # Errors
@@ -162,7 +170,7 @@ macro_rules! solver_settings {
         pub fn set_settings(&mut self, settings: crate::cgm::Settings) -> Result<()> {
             let check: fn(&Self, &crate::cgm::Settings) -> Result<()> = $check;
             let checked = settings.check().and_then(|()| check(self, &settings));
-            self.$($bodies).+.agreed_alike(checked, &[("settings", &settings)])?;
+            self.$($bodies).+.agreed_alike(checked, &[("settings", &settings.common())])?;
             self.$($path).+ = settings;
             Ok(())
         }

@@ -133,7 +133,7 @@ impl CoupledProblemBuilder<'_> {
                 ("tangential load", &self.load),
                 ("friction", &self.friction.common()),
                 ("relative displacement", &self.relative.is_some()),
-                ("settings", &self.settings),
+                ("settings", &self.settings.common()),
             ],
         )?;
         self.normal.check(self.bodies, self.gap)?;

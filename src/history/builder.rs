@@ -187,7 +187,7 @@ impl HistoryBuilder<'_> {
                 ("hardness", &self.hardness.as_ref().map(Hardness::common)),
                 ("permanent set", &self.is_set_permanent),
                 ("relative displacement", &self.relative.is_some()),
-                ("settings", &self.settings),
+                ("settings", &self.settings.common()),
             ],
         )?;
         let (gap, boundary) = (self.gap.try_clone()?, bodies.boundary());

@@ -65,7 +65,7 @@ use crate::window::Window;
 /// }
 /// // A full cycle dissipates four times what the first quarter did.
 /// let hertz = analytical::HertzSphere::new(bodies.pair(), 3.5e-3, 100.0)?;
-/// let quarter = analytical::CattaneoMindlin::new(hertz, 0.5, 30.0)?.dissipated_energy();
+/// let quarter = analytical::CattaneoMindlin::new(hertz, 0.5, 30.0)?.energy_of_first_quarter();
 /// assert!((cycle / (4.0 * quarter) - 1.0).abs() < 0.01);
 ///
 /// // Without force the contact is not without shear.
@@ -359,7 +359,7 @@ impl History {
         let model = TangentialModel::of(self.state.axes);
         let checked = settings.check().and_then(|()| model.check(&settings));
         self.bodies
-            .agreed_alike(checked, &[("settings", &settings)])?;
+            .agreed_alike(checked, &[("settings", &settings.common())])?;
         self.state.settings = settings;
         Ok(())
     }

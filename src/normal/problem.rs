@@ -163,7 +163,7 @@ impl NormalProblemBuilder<'_> {
             &[
                 ("normal load", &self.load),
                 ("hardness", &hardness.map(Hardness::common)),
-                ("settings", &self.settings),
+                ("settings", &self.settings.common()),
             ],
         )?;
         self.load.check(self.bodies, &self.gap)?;

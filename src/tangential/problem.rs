@@ -180,7 +180,7 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
                 ("relative displacement", &self.relative.is_some()),
                 ("model", &self.model),
                 ("coupling", &self.coupling),
-                ("settings", &self.settings),
+                ("settings", &self.settings.common()),
             ],
         )?;
         let mut pressed = Pressed::new(self.bodies, contact_window(self.bodies, samples)?)?;

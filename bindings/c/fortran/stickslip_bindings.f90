@@ -888,7 +888,7 @@ module stickslip_bindings
         type(stickslip_normal_stiffness) :: normal
         ! Tangential forces and moment by shift and twist.
         type(stickslip_tangential_stiffness) :: tangential
-        ! Tangential forces and moment by the approach while slip continues.
+        ! Tangential forces and moment by the approach while slip continues; NaN for those that the model does not have.
         real(c_double) :: by_approach(3) = 0
         ! Room for members to come: zero.
         integer(c_int64_t) :: reserved(8) = 0
@@ -1477,7 +1477,7 @@ module stickslip_bindings
         ! STICKSLIP_NOT_CONVERGED, and stiffness is as it was.
         function stickslip_history_stiffness_observed(history, observer, stiffness) result(answer) bind(c)
             import
-            type(c_ptr), value :: history
+            type(stickslip_history), value :: history
             type(stickslip_observer), intent(in), optional :: observer
             type(stickslip_stiffness), intent(out), optional :: stiffness
             integer(c_int32_t) :: answer
@@ -1737,8 +1737,8 @@ module stickslip_bindings
         function stickslip_normal_solution_stiffness_observed(solution, half_space, observer, &
             stiffness) result(answer) bind(c)
             import
-            type(c_ptr), value :: solution
-            type(c_ptr), value :: half_space
+            type(stickslip_normal_solution), value :: solution
+            type(stickslip_half_space), value :: half_space
             type(stickslip_observer), intent(in), optional :: observer
             type(stickslip_normal_stiffness), intent(out), optional :: stiffness
             integer(c_int32_t) :: answer
@@ -1780,7 +1780,7 @@ module stickslip_bindings
         ! kernel and of three components, and may end it: STICKSLIP_NOT_CONVERGED. Watched, it takes memory for another plane.
         function stickslip_planes_solve_observed(planes, index, which, tractions, observer) result(answer) bind(c)
             import
-            type(c_ptr), value :: planes
+            type(stickslip_planes), value :: planes
             integer(c_size_t), value :: index
             integer(c_int32_t), value :: which
             type(stickslip_tractions), intent(in), optional :: tractions
@@ -1974,13 +1974,13 @@ module stickslip_bindings
         function stickslip_stress_at_points_observed(half_space, which, tractions, points, count, observer, &
             responses) result(answer) bind(c)
             import
-            type(c_ptr), value :: half_space
+            type(stickslip_half_space), value :: half_space
             integer(c_int32_t), value :: which
             type(stickslip_tractions), intent(in), optional :: tractions
             type(stickslip_point), intent(in), optional :: points(*)
             integer(c_size_t), value :: count
             type(stickslip_observer), intent(in), optional :: observer
-            type(stickslip_response), intent(out), optional :: responses(*)
+            type(stickslip_response), intent(inout), optional :: responses(*)
             integer(c_int32_t) :: answer
         end function stickslip_stress_at_points_observed
 
@@ -2204,8 +2204,8 @@ module stickslip_bindings
         function stickslip_tangential_solution_stiffness_observed(solution, half_space, observer, &
             stiffness) result(answer) bind(c)
             import
-            type(c_ptr), value :: solution
-            type(c_ptr), value :: half_space
+            type(stickslip_tangential_solution), value :: solution
+            type(stickslip_half_space), value :: half_space
             type(stickslip_observer), intent(in), optional :: observer
             type(stickslip_tangential_stiffness), intent(out), optional :: stiffness
             integer(c_int32_t) :: answer
