@@ -52,8 +52,8 @@ impl CattaneoMindlinLine {
     /// along x (a force per length, of either sign), without bulk strain.
     ///
     /// # Errors
-    /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for the force,
-    /// [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force exceeds $`\mu P`$,
+    /// [`Error::Negative`] for the friction, [`Error::NotFinite`] for the force,
+    /// [`Error::BeyondFrictionCapacity`] if the force exceeds $`\mu P`$,
     /// [`Error::CoupledMaterials`] for bodies whose [`dundurs_beta`](crate::ElasticPair::dundurs_beta) is not zero.
     pub fn new(hertz: HertzLine, friction: f64, force: f64) -> Result<Self> {
         let held = HeldForce::new(hertz.load(), friction, force)?;

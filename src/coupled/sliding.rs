@@ -1,5 +1,6 @@
 //! Forces that slide the bodies, where what friction holds is known only with the pressure.
 
+use crate::buffer::TryClone;
 use crate::cascade::Conditions;
 use crate::cgm::{Total, reduce};
 use crate::coupled::increment::{CoupledDemand, CoupledIncrement};
@@ -33,7 +34,7 @@ impl CoupledIncrement {
         }
         let [x, y] = demand.tangential.force();
         let force = x.hypot(y);
-        let kept = self.tractions.clone();
+        let kept = self.tractions.try_clone()?;
         let slid = self.slide(task, [x / force, y / force], conditions);
         if slid.is_ok() {
             self.pressed.set(&self.tractions[0], demand.friction);

@@ -22,7 +22,7 @@ impl HalfSpace {
     /// [`ranks`](crate::ranks) tells more.
     ///
     /// # Errors
-    /// As [`HalfSpace::with_boundary`]; [`Error::Ranks`].
+    /// As [`HalfSpace::with_boundary`]; [`Error::Ranks`](crate::Error::Ranks).
     pub fn distributed(
         grid: Grid,
         pair: ElasticPair,

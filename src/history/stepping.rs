@@ -115,10 +115,10 @@ impl History {
     /// [last step](Self::last_step) is empty.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch),
-    /// [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) or
-    /// [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) for other bodies;
-    /// [`Error::Memory`](crate::Error::Memory); [`Error::Ranks`](crate::Error::Ranks).
+    /// [`Error::GridMismatch`],
+    /// [`Error::BoundaryMismatch`] or
+    /// [`Error::MaterialMismatch`] for other bodies;
+    /// [`Error::Memory`]; [`Error::Ranks`].
     pub fn from_state(bodies: &HalfSpace, mut state: State) -> Result<Self> {
         bodies.agreed_alike(
             state.check_bodies(bodies),
@@ -198,12 +198,12 @@ impl History {
     /// Takes a step, and returns what it did; also [`History::last_step`] afterwards.
     ///
     /// # Errors
-    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Negative`](crate::Error::Negative),
-    /// [`Error::NotPositive`](crate::Error::NotPositive),
-    /// [`Error::ApproachBeyondMeanGap`](crate::Error::ApproachBeyondMeanGap) or
-    /// [`Error::NotModelled`](crate::Error::NotModelled) for the load;
-    /// [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if friction does not hold the force;
-    /// [`Error::NotConverged`](crate::Error::NotConverged); [`Error::Ranks`](crate::Error::Ranks). The history is then as
+    /// [`Error::NotFinite`], [`Error::Negative`],
+    /// [`Error::NotPositive`],
+    /// [`Error::ApproachBeyondMeanGap`] or
+    /// [`Error::NotModelled`] for the load;
+    /// [`Error::BeyondFrictionCapacity`] if friction does not hold the force;
+    /// [`Error::NotConverged`]; [`Error::Ranks`]. The history is then as
     /// it was, bit for bit.
     pub fn step(&mut self, load: &LoadStep) -> Result<&StepResult> {
         self.step_observed(load, |_| ControlFlow::Continue(()))
@@ -316,8 +316,8 @@ impl History {
     /// [`Warning::StalePressure`](crate::Warning::StalePressure). Copies without allocating.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch) or [`Error::Sample`](crate::Error::Sample);
-    /// [`Error::Ranks`](crate::Error::Ranks); the gap is then as it was.
+    /// [`Error::GridMismatch`] or [`Error::Sample`];
+    /// [`Error::Ranks`]; the gap is then as it was.
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
         self.bodies.agreed(gap.check("gap", self.grid()))?;
         let state = &mut self.state;
@@ -338,7 +338,7 @@ impl History {
     /// Changes the friction from the next step on; all else stays.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch); [`Error::Ranks`](crate::Error::Ranks); the friction is then as
+    /// [`Error::GridMismatch`]; [`Error::Ranks`]; the friction is then as
     /// it was.
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
         friction.check_on(&self.bodies)?;
@@ -353,8 +353,8 @@ impl History {
     /// that is tightened bounds what is still to come, not the errors of steps done.
     ///
     /// # Errors
-    /// As [`Settings::check`], and [`Error::Method`](crate::Error::Method) for a method that the tangential model does
-    /// not have; [`Error::Ranks`](crate::Error::Ranks); the settings are then as they were.
+    /// As [`Settings::check`], and [`Error::Method`] for a method that the tangential model does
+    /// not have; [`Error::Ranks`]; the settings are then as they were.
     pub fn set_settings(&mut self, settings: Settings) -> Result<()> {
         let model = TangentialModel::of(self.state.axes);
         let checked = settings.check().and_then(|()| model.check(&settings));

@@ -1,5 +1,6 @@
 //! How the pressure of a contact answers the approach.
 
+use crate::buffer;
 use crate::error::Result;
 use crate::half_space::HalfSpace;
 use crate::influence::Direction;
@@ -39,14 +40,14 @@ pub(super) fn pressed(
         }
     };
     let compliance = bodies.compliance([Direction::Z], window.size)?;
-    let freedoms = window.indices().map(freedom).collect();
+    let freedoms = buffer::collected(window.cells(), window.indices().map(freedom))?;
     let system = System::new(bodies.boundary(), &compliance, freedoms)?;
     let Stiffness {
         matrix,
         bound,
         tractions,
         ..
-    } = system.stiffness(&[[vec![1.0; window.cells()]]], watch)?;
+    } = system.stiffness(&[[buffer::filled(1.0, window.cells())?]], watch)?;
     let cell_area = bodies.grid().cell_area();
     let per_area = matrix[0][0];
     let value = per_area * cell_area;
@@ -54,7 +55,7 @@ pub(super) fn pressed(
     Ok(Some(Press {
         window,
         stiffness: NormalStiffness { value, bound },
-        growth: unit.map(|traction| traction * per_area).collect(),
+        growth: buffer::collected(window.cells(), unit.map(|traction| traction * per_area))?,
     }))
 }
 

@@ -247,8 +247,8 @@ impl TangentialSolution {
     /// contact or not: one product with the operator of the bodies.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch) or
-    /// [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) for bodies that the solution is not of; as
+    /// [`Error::GridMismatch`] or
+    /// [`Error::BoundaryMismatch`] for bodies that the solution is not of; as
     /// [`HalfSpace::operator`].
     pub fn displacement(&self, bodies: &HalfSpace) -> Result<[Field; 2]> {
         bodies.agreed(bodies.check_host("tangential contact", self.grid(), self.boundary))?;
