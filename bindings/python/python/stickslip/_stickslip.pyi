@@ -136,10 +136,16 @@ class CattaneoMindlin:
         plane: shift and slip inside the contact.
         """
     @property
-    def dissipated_energy(self, /) -> float:
+    def energy_of_first_quarter(self, /) -> float:
         """
         Energy dissipated while the force grows from zero to F (a force times a length, not negative),
-        (mu W delta_0 / 5) (1 - c/a)^3 (1 + 3 c/a + c^2/a^2).
+        (mu W delta_0 / 5) (1 - c/a)^3 (1 + 3 c/a + c^2/a^2): the first quarter of a cycle.
+        """
+    @property
+    def energy_per_cycle(self, /) -> float:
+        """
+        Energy that one full cycle of the force between F and -F dissipates (a force times a length): four times that
+        of the first quarter.
         """
     @property
     def force(self, /) -> float:
@@ -211,10 +217,16 @@ class CattaneoMindlinEllipse:
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
-    def dissipated_energy(self, /) -> float:
+    def energy_of_first_quarter(self, /) -> float:
         """
         Energy dissipated while the force grows from zero to F (a force times a length, not negative), as
-        :attr:`CattaneoMindlin.dissipated_energy`.
+        :attr:`CattaneoMindlin.energy_of_first_quarter`.
+        """
+    @property
+    def energy_per_cycle(self, /) -> float:
+        """
+        Energy that one full cycle of the force between F and -F dissipates (a force times a length): four times that
+        of the first quarter.
         """
     @property
     def force(self, /) -> float:
@@ -274,7 +286,7 @@ class CattaneoMindlinLine:
 
     Raises
     ------
-    Negative, NotFinite, BeyondFrictionCapacity
+    Negative, NotFinite, BeyondFrictionCapacity, CoupledMaterials
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -282,10 +294,16 @@ class CattaneoMindlinLine:
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
+    def energy_of_first_quarter(self, /) -> float:
+        """
+        Energy dissipated per length while the force, and the strain with it, grow from zero: a quarter of that of a
+        cycle.
+        """
+    @property
     def energy_per_cycle(self, /) -> float:
         """
-        Energy that a cycle of the force between Q and -Q dissipates per length, without bulk strain,
-        ((mu P)^2 / (pi E*)) (4 (1 - f) ln(1 - f) + 4 f - 2 f^2).
+        Energy that a cycle of the force between Q and -Q, with the strain in proportion to it, dissipates per length,
+        ((mu P)^2 / (pi E*)) (4 (1 - f) ln(1 - f) + 4 f - 2 f^2 + 8 f e^2/a^2).
         """
     @property
     def force(self, /) -> float:
@@ -299,9 +317,9 @@ class CattaneoMindlinLine:
         """
     def shift(self, /, datum: ArrayLike) -> Any:
         """
-        Shift (a length): the rigid motion of body 2 relative to body 1 along x, of the sign of the force, without bulk
-        strain and relative to the datum d (a length) of :meth:`Boundary.periodic_along_y`: of size
-        (mu P / (pi E*)) (f (2 ln(2d/a) + 1) + (1 - f) ln(1 - f)).
+        Shift (a length): the rigid motion of body 2 relative to body 1 along x, of the sign of the force, relative to
+        the datum d (a length) of :meth:`Boundary.periodic_along_y`; the strain displaces nothing at x = 0: of size
+        (mu P / (pi E*)) (f (2 ln(2d/a) + 1) + (1 - f) ln(1 - f) + 2 e^2/a^2).
         """
     @property
     def stick_centre(self, /) -> float:
@@ -327,7 +345,7 @@ class CattaneoMindlinLine:
         ------
         NotFinite, NotPositive
         Below
-            If the strip that sticks would leave the contact.
+            If the strip that sticks would leave the contact: slip then reverses at one end.
         """
 
 @final
@@ -521,6 +539,8 @@ class ContactStiffness:
     Raises
     ------
     GridMismatch, BoundaryMismatch, MaterialMismatch, NotFinite, Yielded, NotConverged
+    CoupledMaterials
+        For the halves of a coupled solution of dissimilar bodies.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -529,7 +549,7 @@ class ContactStiffness:
     @property
     def by_approach(self, /) -> tuple[float, float, float]:
         """
-        By the approach, of the tangential forces and the moment.
+        By the approach, of the tangential forces and the moment; NaN for those that the model does not have.
         """
     @property
     def normal(self, /) -> NormalStiffness:
@@ -4592,7 +4612,8 @@ class TangentialStiffness:
     """
     Slopes of the tangential forces along x and y and of the moment (rows) by the shifts along x and y and by the twist
     (columns), under a load that goes on and at its reversal. Forces over lengths in the first two rows and columns, the
-    moment over radians in the last place.
+    moment over radians in the last place. NaN for loads and motions that the model does not have: in the scalar model what
+    is across its axis and the twist, on grids that repeat the twist.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -4700,7 +4721,8 @@ class Warning:
     A remark on a converged solution that may mislead.
 
     ``kind`` names it: ``no_contact``, ``contact_at_edge``, ``unresolved_spots``, ``line_of_cells``, ``contact_across``,
-    ``beyond_hardness`` or ``stale_pressure``.
+    ``beyond_hardness``, ``stale_pressure``, ``coarse_contact``, ``coarse_stick``, ``narrow_slip``,
+    ``pressed_at_once`` or ``stress_at_edge``.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __hash__(self, /) -> int: ...
@@ -5264,7 +5286,7 @@ def set_num_threads(threads: int) -> None:
     Sets the number of threads of all later solves in this process; solves under way keep theirs.
 
     Results do not depend on it, to the last bit. The default is the environment variable ``RAYON_NUM_THREADS``, or
-    else the number of cores.
+    else the number of cores. With one thread all work is done by the thread that calls: no other is ever started.
 
     Parameters
     ----------
@@ -5373,3 +5395,4 @@ def xyz_read(path: str | PathLike[str]) -> Field:
     """
     A surface from an XYZ file (lengths in the unit of the file).
     """
+
