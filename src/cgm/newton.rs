@@ -138,7 +138,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         if !MotionOf::<K, N>::IS_STEADY {
             w.moving.update(|i| w.motions[i].moves());
             if w.moving.of_all_ranks() == 0 {
-                match self.stand_at_bounds(0) {
+                match self.stand_at_bounds([1.0; N]) {
                     Some(Standing::Rests) => {}
                     // All at once, those that can only lead away would come back in the next step.
                     Some(Standing::Misses(missing)) => self.release(|_, _| [-missing; N]),

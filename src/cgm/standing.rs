@@ -6,7 +6,7 @@ use crate::cgm::motion::{Linearised, Motion};
 use crate::cgm::reduce;
 use crate::cgm::run::Run;
 use crate::cgm::totals::{TotalsSystem, sums_of};
-use crate::cgm::vector::{at, dot, norm, slices};
+use crate::cgm::vector::{at, dot, norm, plus, slices};
 use crate::cgm::{Constraint, MotionOf};
 use crate::operator::Operator;
 
@@ -22,41 +22,40 @@ pub(super) enum Standing {
 }
 
 impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '_, C, K, P, N> {
-    /// Sees to sums along which cells that are all at their bounds cannot turn. Those that they have, pointing to both
-    /// sides, rest. Of what is missing of a sum the cells are freed that would stick first, if they can carry it; else all.
-    pub(super) fn settle(&mut self, system: &mut TotalsSystem<N>) {
-        let standing = std::array::from_fn::<_, N, _>(|a| {
-            let is_fixed = system.is_fixed(a);
-            is_fixed.then(|| self.stand_at_bounds(a)).flatten()
-        });
-        system.rests = standing.map(|standing| standing == Some(Standing::Rests));
-        let missing = standing.map(|standing| match standing {
-            Some(Standing::Misses(part)) => part,
-            Some(Standing::Rests | Standing::Pushed) | None => 0.0,
-        });
-        if system.can_turn() {
-            return;
-        }
-        if !self.free_first(missing) {
+    /// Sees to cells at their bounds, none of which can turn along `normal`, a unit vector: frees those that would stick
+    /// first on the way to what is missing of the sum, if they can carry it, and of cells that rest those that would stick
+    /// first on any way. Else all are freed.
+    pub(super) fn settle(&mut self, system: &mut TotalsSystem<N>, normal: [f64; N]) {
+        let opposite = normal.map(|n| -n);
+        let is_settled = match self.stand_at_bounds(normal) {
+            Some(Standing::Misses(missing)) => {
+                let way = if missing > 0.0 { normal } else { opposite };
+                self.free_first(way, missing.abs())
+            }
+            Some(Standing::Rests) => self.free_first(normal, 0.0) || self.free_first(opposite, 0.0),
+            Some(Standing::Pushed) | None => false,
+        };
+        if !is_settled {
             self.free(|_, _| true);
         }
         system.mobility = self.mobility();
     }
 
-    /// Frees the cells that a motion towards what is missing would let stick first; says if one of them can carry it.
-    fn free_first(&mut self, missing: [f64; N]) -> bool {
+    /// Frees the cells that a motion along `way`, towards what is missing, would let stick first; says if one of them can
+    /// carry it.
+    fn free_first(&mut self, way: [f64; N], missing: f64) -> bool {
         if !self.is_fresh {
             self.refresh();
         }
         let (x, gradient) = (slices(&self.x), slices(&self.workspace.gradient));
         let first = reduce::least(self.layout(), |i| {
-            let points_away = dot(at(&x, i), missing) < 0.0;
-            points_away.then(|| (dot(at(&gradient, i), missing), norm(at(&x, i))))
+            let points_away = dot(at(&x, i), way) < 0.0;
+            points_away.then(|| (dot(at(&gradient, i), way), norm(at(&x, i))))
         });
-        let Some((least, _)) = first.filter(|(_, size)| 2.0 * size >= norm(missing)) else {
+        let Some((least, _)) = first.filter(|(_, size)| 2.0 * size >= missing) else {
             return false;
         };
-        self.free(|x, gradient| dot(x, missing) < 0.0 && dot(gradient, missing) <= least);
+        self.free(|x, gradient| dot(x, way) < 0.0 && dot(gradient, way) <= least);
         true
     }
 
@@ -76,32 +75,38 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         });
     }
 
-    /// Where all cells stand at their bounds along a component and have the sum, the multiplier is any between the
+    /// Where all cells stand at their bounds along a unit vector and have the sum, the multiplier is any between the
     /// gradients of those at the upper bound and those at the lower: takes the middle. `None` where no sum is prescribed or
     /// none can move.
-    pub(super) fn stand_at_bounds(&mut self, a: usize) -> Option<Standing> {
-        let total = self.sums()[a]?;
-        let [sum, magnitude] = sums_of(&self.problem.layout, &slices(&self.x))[a];
-        if (total - sum).abs() > ROUND_OFF * magnitude {
-            return Some(Standing::Misses(total - sum));
+    pub(super) fn stand_at_bounds(&mut self, normal: [f64; N]) -> Option<Standing> {
+        let sums = sums_of(&self.problem.layout, &slices(&self.x));
+        let (mut missing, mut magnitude) = (0.0, 0.0);
+        for c in (0..N).filter(|&c| normal[c] != 0.0) {
+            missing += normal[c] * (self.sums()[c]? - sums[c][0]);
+            magnitude += normal[c].abs() * sums[c][1];
+        }
+        if missing.abs() > ROUND_OFF * magnitude {
+            return Some(Standing::Misses(missing));
         }
         if !self.is_fresh {
             self.refresh();
         }
-        let (x, gradient) = (&self.x[a], &self.workspace.gradient[a]);
+        let (x, gradient) = (slices(&self.x), slices(&self.workspace.gradient));
+        let slope = |i: usize| dot(at(&gradient, i), normal);
         let stands_at = |i: usize, direction: f64| {
             let set = self.problem.constraint.of(i);
-            let mut along = [0.0; N];
-            along[a] = direction;
-            let bound = set.extreme(along)[a];
-            set.can_move() && (bound - x[i]).abs() <= EDGE * bound.abs()
+            let along = normal.map(|n| direction * n);
+            let bound = dot(set.extreme(along), along);
+            set.can_move() && (bound - dot(at(&x, i), along)).abs() <= EDGE * bound.abs()
         };
         let layout = self.layout();
-        let above = reduce::least(layout, |i| stands_at(i, 1.0).then(|| (-gradient[i], ())));
-        let below = reduce::least(layout, |i| stands_at(i, -1.0).then(|| (gradient[i], ())));
+        let above = reduce::least(layout, |i| stands_at(i, 1.0).then(|| (-slope(i), ())));
+        let below = reduce::least(layout, |i| stands_at(i, -1.0).then(|| (slope(i), ())));
         let (above, below) = (above.map(|(g, ())| -g), below.map(|(g, ())| g));
         let (low, high) = (above.or(below)?, below.or(above)?);
-        self.workspace.multiplier[a] = 0.5 * (low + high);
+        let multiplier = &mut self.workspace.multiplier;
+        let change = 0.5 * (low + high) - dot(*multiplier, normal);
+        *multiplier = plus(*multiplier, change, normal);
         Some(if low <= high {
             Standing::Rests
         } else {

@@ -138,19 +138,17 @@ pub(super) struct TotalsSystem<const N: usize> {
     matrix: Small<N>,
     /// How a uniform motion is followed: the sum of what cells can do of it.
     pub(super) mobility: Small<N>,
-    /// Sums that the cells have at their bounds, along which none of them can move: no unknown is left of these.
-    pub(super) rests: [bool; N],
 }
 
 impl<const N: usize> TotalsSystem<N> {
     /// Components whose sum is prescribed or held by a spring.
     fn prescribed(&self) -> [bool; N] {
-        std::array::from_fn(|a| self.totals[a] != Total::Free && !self.rests[a])
+        std::array::from_fn(|a| self.totals[a] != Total::Free)
     }
 
     /// Components whose sum is prescribed: their multipliers are unknowns of their own.
     pub(super) fn has_sum(&self) -> [bool; N] {
-        std::array::from_fn(|a| self.totals[a].sum().is_some() && !self.rests[a])
+        std::array::from_fn(|a| self.totals[a].sum().is_some())
     }
 
     /// Components held by a spring: their multipliers change with the sums.
@@ -192,18 +190,12 @@ impl<const N: usize> TotalsSystem<N> {
         !moves || (0..N).all(|a| !prescribed[a] || is_sound(a))
     }
 
-    /// Whether the sum of a component is prescribed and no cell can change it.
-    pub(super) fn is_fixed(&self, a: usize) -> bool {
-        self.has_sum()[a] && self.mobility.0[a][a] <= LEAST_TURN * self.all()
-    }
-
-    fn all(&self) -> f64 {
-        (0..N).map(|a| self.mobility.0[a][a]).sum()
-    }
-
-    /// Whether cells of which none is free can take up a change of the totals: not if all point along it.
-    pub(super) fn can_turn(&self) -> bool {
-        self.mobility.least(self.has_sum()) > LEAST_TURN * self.all()
+    /// The direction, of length one, of the sums that cells of which none is free cannot change: all point along it.
+    fn locked(&self) -> Option<[f64; N]> {
+        let has_sum = self.has_sum();
+        let all: f64 = (0..N).map(|a| self.mobility.0[a][a]).sum();
+        let can_turn = self.mobility.least(has_sum) > LEAST_TURN * all;
+        (!can_turn).then(|| self.mobility.weakest(has_sum))
     }
 }
 
@@ -219,13 +211,14 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             patterns: Small([[0.0; N]; N]),
             matrix: Small([[0.0; N]; N]),
             mobility: self.mobility(),
-            rests: [false; N],
         };
         if system.prescribed() == [false; N] {
             return system;
         }
-        if MotionOf::<K, N>::IS_CURVED && !self.has_free_cell() && !system.can_turn() {
-            self.settle(&mut system);
+        if MotionOf::<K, N>::IS_CURVED && !self.has_free_cell() {
+            if let Some(normal) = system.locked() {
+                self.settle(&mut system, normal);
+            }
         }
         let prescribed = system.prescribed();
         for a in (0..N).filter(|&a| prescribed[a]) {
@@ -345,9 +338,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         });
         let mean = system.patterns.solve(products, prescribed);
         if system.has_spring() == [false; N] {
-            for a in (0..N).filter(|&a| !system.rests[a]) {
-                w.multiplier[a] = mean[a];
-            }
+            w.multiplier = mean;
             return;
         }
         let sums = sums_of(&self.problem.layout, &slices(&self.x));
