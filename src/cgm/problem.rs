@@ -286,10 +286,7 @@ fn iterate<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
         }
         match run.project_gradients(steps) {
             ControlFlow::Break(status) => return status,
-            // One look by the method, and that is all.
-            ControlFlow::Continue(Objective::Stands) => {
-                return once(run).unwrap_or(Status::Stalled);
-            }
+            ControlFlow::Continue(Objective::Stands) => break,
             ControlFlow::Continue(Objective::Falls) => {}
         }
     }
