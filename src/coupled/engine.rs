@@ -210,7 +210,7 @@ impl Engine {
                 break;
             }
             (sweeps, opening) = (sweeps + 1, Opening::Sound);
-            tolerance = (0.1 * findings.merit()).clamp(least, START);
+            tolerance = (0.1 * findings.merit().min(tolerance)).clamp(least, START);
         }
         report.end(Status::Stalled)
     }
