@@ -1,0 +1,70 @@
+//! Work to count the instructions of: `counts SCENE TIMES` does the work of a scene so many times on one thread. The difference
+//! of two runs is the work alone, without what the program needs to start. `.ci/counts` runs it.
+
+use std::error::Error;
+use std::hint::black_box;
+
+use kit::benchmark::{FRICTION, LOADING, Scene, ball};
+use stickslip::cgm::Method;
+use stickslip::influence::Component;
+use stickslip::{Field, Friction, History, LoadStep, NormalControl, Operator, TangentialModel};
+
+const TOLERANCE: f64 = 1e-8;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut arguments = std::env::args().skip(1);
+    let usage = "counts SCENE TIMES, of the scenes product, sphere, step and plane";
+    let (scene, times) = arguments.next().zip(arguments.next()).ok_or(usage)?;
+    let times = times.parse()?;
+    match scene.as_str() {
+        "product" => product(times)?,
+        "sphere" => sphere(times)?,
+        "step" => steps(TangentialModel::Scalar, [1.0, 0.0], times)?,
+        "plane" => steps(TangentialModel::Vector, [0.8, 0.6], times)?,
+        _ => return Err(usage.into()),
+    }
+    Ok(())
+}
+
+/// One product of the normal compliance with pressures on 128 x 128 cells, in double precision and in single.
+fn product(times: usize) -> stickslip::Result<()> {
+    let Scene { bodies, .. } = ball(128)?;
+    let operator = bodies.operator(Component::ZZ)?;
+    let pressure = Field::from_fn(bodies.grid(), |x, y| (1e4 * x).sin() + (2e4 * y).cos());
+    let mut out = vec![0.0; operator.cells()];
+    let mut workspace = operator.workspace();
+    for _ in 0..times {
+        let pressure = black_box(pressure.as_slice());
+        operator.apply([pressure], [&mut out], &mut workspace);
+        operator.apply_f32([pressure], [&mut out], &mut workspace);
+    }
+    Ok(())
+}
+
+/// The sphere on 128 x 128 cells, pressed and sheared.
+fn sphere(times: usize) -> stickslip::Result<()> {
+    let scene = ball(128)?;
+    for _ in 0..times {
+        let normal = scene.normal(Method::ActiveSet, TOLERANCE)?.solve()?;
+        let shear = scene.tangential(&normal, Method::ActiveSet, TOLERANCE)?;
+        black_box(shear.solve()?);
+    }
+    Ok(())
+}
+
+/// To and fro on 64 x 64 cells: two steps of a history that has taken two before.
+fn steps(model: TangentialModel, direction: [f64; 2], times: usize) -> stickslip::Result<()> {
+    let scene = ball(64)?;
+    let friction = Friction::coulomb(FRICTION)?;
+    let mut history = History::builder(&scene.bodies, &scene.gap, friction)
+        .model(model)
+        .tolerance(TOLERANCE)
+        .build()?;
+    let force = LOADING * FRICTION * scene.force;
+    history.step(&LoadStep::hold().normal(NormalControl::Force(scene.force)))?;
+    for _ in 0..=times {
+        history.step(&LoadStep::force(direction.map(|n| force * n)))?;
+        history.step(&LoadStep::force(direction.map(|n| -force * n)))?;
+    }
+    Ok(())
+}
