@@ -4,7 +4,7 @@ use std::ops::{ControlFlow, Range};
 use std::sync::Arc;
 
 use crate::error::Result;
-use crate::parallel::{self, Blocks, CHUNK, Split};
+use crate::parallel::{self, Blocks, CHUNK, Combine, Split, Work};
 use crate::ranks::{Team, Words};
 use crate::report::Status;
 use crate::share::Share;
@@ -161,11 +161,20 @@ impl Layout {
         work: impl Fn(usize, D) -> T + Sync,
         combine: impl Fn(T, T) -> T + Sync,
     ) -> T {
+        self.sweep_any(data, &work, &combine)
+    }
+
+    fn sweep_any<D: Split, T: Words>(
+        &self,
+        data: D,
+        work: &Work<'_, D, T>,
+        combine: &Combine<'_, T>,
+    ) -> T {
         match &self.share {
-            Some(share) if T::COUNT > 0 => share.sweep(data, &work, &combine),
+            Some(share) if T::COUNT > 0 => share.sweep(data, work, combine),
             // A rank without cells has nothing to do.
             _ if self.tasks() == 0 => T::ZERO,
-            _ => parallel::sweep_cells(self.cells, 0..self.tasks(), data, &work, &combine),
+            _ => parallel::sweep_cells(self.cells, 0..self.tasks(), data, work, combine),
         }
     }
 

@@ -249,13 +249,20 @@ impl<A: Split, const N: usize> Split for [A; N] {
     }
 }
 
+/// What a task does with its part of the data. Behind a reference of this type, the tree of tasks is compiled once for each
+/// kind of data and not once for each work: a call costs nothing beside the work of a chunk.
+pub(crate) type Work<'a, D, T> = dyn Fn(usize, D) -> T + Sync + 'a;
+
+/// How two results become one.
+pub(crate) type Combine<'a, T> = dyn Fn(T, T) -> T + Sync + 'a;
+
 /// Runs `work(task, its part of data)` for every task and combines the results pairwise in a
 /// fixed tree, which gives the same bits on any number of threads. On a thread of no pool it stays there.
 pub(crate) fn sweep<D: Split, T: Send>(
     tasks: Range<usize>,
     data: D,
-    work: &(impl Fn(usize, D) -> T + Sync),
-    combine: &(impl Fn(T, T) -> T + Sync),
+    work: &Work<'_, D, T>,
+    combine: &Combine<'_, T>,
 ) -> T {
     if tasks.len() <= 1 {
         return work(tasks.start, data);
@@ -272,8 +279,8 @@ pub(crate) fn sweep<D: Split, T: Send>(
 pub(crate) fn in_turn<D: Split, T>(
     tasks: Range<usize>,
     data: D,
-    work: &impl Fn(usize, D) -> T,
-    combine: &impl Fn(T, T) -> T,
+    work: &dyn Fn(usize, D) -> T,
+    combine: &dyn Fn(T, T) -> T,
 ) -> T {
     if tasks.len() <= 1 {
         return work(tasks.start, data);
@@ -288,8 +295,8 @@ pub(crate) fn sweep_cells<D: Split, T: Send>(
     cells: usize,
     tasks: Range<usize>,
     data: D,
-    work: &(impl Fn(usize, D) -> T + Sync),
-    combine: &(impl Fn(T, T) -> T + Sync),
+    work: &Work<'_, D, T>,
+    combine: &Combine<'_, T>,
 ) -> T {
     if is_short(cells) {
         in_turn(tasks, data, work, combine)

@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use crate::layout::chunk_of;
-use crate::parallel::{self, Split};
+use crate::parallel::{self, Combine, Split, Work};
 use crate::ranks::{Team, Words};
 
 /// A rectangle of cells in slabs of rows, one slab a rank, in their order; a slab may be empty. A slab ends where a chunk
@@ -121,8 +121,8 @@ impl Share {
     pub(crate) fn sweep<D: Split, T: Words>(
         &self,
         data: D,
-        work: &(impl Fn(usize, D) -> T + Sync),
-        combine: &(impl Fn(T, T) -> T + Sync),
+        work: &Work<'_, D, T>,
+        combine: &Combine<'_, T>,
     ) -> T {
         let own = self.chunks_of(self.team.rank());
         let mut words = Vec::new();
@@ -146,7 +146,7 @@ impl Share {
         &self,
         node: Range<usize>,
         words: &mut &[u64],
-        combine: &(impl Fn(T, T) -> T + Sync),
+        combine: &Combine<'_, T>,
     ) -> T {
         let is_whole = self
             .chunks
@@ -233,7 +233,7 @@ fn children(node: Range<usize>) -> [Range<usize>; 2] {
 }
 
 /// Visits the largest nodes of the tree that lie wholly in a range.
-fn visit(node: Range<usize>, range: &Range<usize>, f: &mut impl FnMut(Range<usize>)) {
+fn visit(node: Range<usize>, range: &Range<usize>, f: &mut dyn FnMut(Range<usize>)) {
     if node.start >= range.end || node.end <= range.start {
         return;
     }
