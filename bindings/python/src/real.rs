@@ -57,9 +57,10 @@ impl FromPyObject<'_, '_> for Real {
     const INPUT_TYPE: PyStaticExpr = <f64 as FromPyObject<'_, '_>>::INPUT_TYPE;
 
     fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
-        let found = match object.is_instance_of::<PyFloat>() {
-            true => None,
-            false => unreal(&object)?,
+        let found = if object.is_instance_of::<PyFloat>() {
+            None
+        } else {
+            unreal(&object)?
         };
         match found {
             None => object.extract().map(Self),
