@@ -2,6 +2,7 @@
 """Writes python/stickslip/_stickslip.pyi: the type hints that the module carries with the feature `stubs`, and its
 docstrings. Needs maturin (`pip install maturin`), and compiles the crate for development."""
 
+import ast
 import pathlib
 import re
 import subprocess
@@ -20,8 +21,20 @@ def readable(text: str) -> str:
         "from numpy import bool_, float64, uint8, uint32, uint64\nfrom numpy.typing import ArrayLike, NDArray\n"
     )
     # The docstring of the module comes first.
-    text = "".join([*parts[:2], imports, *parts[2:]])
+    text = "".join([*parts[:2], imports, names(text), *parts[2:]])
     return HEADER + re.sub(r"\n{3,}", "\n\n", text)
+
+
+def names(text: str) -> str:
+    """``__all__``, which the module has: some versions of maturin write it, others leave it out."""
+    nodes = ast.parse(text).body
+    targets = [node.target for node in nodes if isinstance(node, ast.AnnAssign)]
+    of_values = [target.id for target in targets if isinstance(target, ast.Name)]
+    of_others = [node.name for node in nodes if isinstance(node, ast.ClassDef | ast.FunctionDef)]
+    of_others = [name for name in of_others if name != "__getattr__"]
+    is_written = any(isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__" for node in nodes)
+    lines = [f'    "{name}",\n' for name in sorted({*of_values, *of_others})]
+    return "" if is_written else f"\n__all__ = [\n{''.join(lines)}]\n"
 
 
 def hints(text: str) -> str:

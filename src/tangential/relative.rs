@@ -27,10 +27,37 @@ use crate::tangential::{Axis, TangentialModel};
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "Unchecked")
+)]
 pub struct RelativeDisplacement {
     fields: [Field; 2],
     /// The uniform strain that they follow from, zero where they do not.
     strain: [[f64; 2]; 2],
+}
+
+/// What was read, before it is checked.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Unchecked {
+    fields: [Field; 2],
+    strain: [[f64; 2]; 2],
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<Unchecked> for RelativeDisplacement {
+    type Error = Error;
+
+    fn try_from(read: Unchecked) -> Result<Self> {
+        all_finite("bulk strain", read.strain.as_flattened())?;
+        Ok(Self {
+            strain: read.strain,
+            ..Self::new(read.fields)?
+        })
+    }
 }
 
 clone_in_place!(RelativeDisplacement { fields, strain });

@@ -15,6 +15,7 @@ use stickslip::history::{Cycle, FrettingLoop, LoadPath};
 use stickslip::influence::{Component, Rectangle};
 use stickslip::normal::Hardness;
 use stickslip::surface::{self, Amplitudes, PowerSpectrum, SelfAffine, Statistics};
+use stickslip::tangential::RelativeDisplacement;
 use stickslip::{
     Axis, CoupledProblem, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep,
     Material, NormalControl, NormalProblem, NormalSolution, Result, Status, TangentialControl,
@@ -103,6 +104,11 @@ fn loads_and_options() {
         }
     }
     survives(&LoadPath::ellipse([0.1, 0.2], 0.3, 12).unwrap());
+    let strain = [[1e-3, 0.0], [2e-3 / 3.0, 0.0]];
+    let bulk = RelativeDisplacement::bulk_strain(grid(), strain).unwrap();
+    survives(&bulk);
+    let written = serde_json::to_value(&bulk).unwrap();
+    assert_eq!(written["strain"], json!(strain));
     for axis in [Axis::X, Axis::Y] {
         survives(&axis);
     }
@@ -429,6 +435,12 @@ fn answers_that_contradict_themselves_are_refused() {
             "number of cells must be at least those that stick or slip",
         );
     }
+
+    let bulk = RelativeDisplacement::bulk_strain(bodies.grid(), [[1e-3, 0.0], [0.0, 0.0]]).unwrap();
+    let strain = spoilt(&bulk, "/strain/0/1", json!("NaN"));
+    is(strain, "expected f64");
+    let sample = spoilt(&bulk, "/fields/0/samples/2", json!("NaN"));
+    is(sample, "relative displacement along x at index 2 is NaN");
 
     let spectrum = PowerSpectrum::of(&ball).unwrap();
     let modes = spoilt(&spectrum, "/modes", json!([]));

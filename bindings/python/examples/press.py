@@ -33,7 +33,7 @@ try:
 except ImportError:
     print("no matplotlib, no picture")
 else:
-    _, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4), layout="constrained")
+    _, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4))
     lengths, pressures = {"scale": 1e3, "length_unit": "mm"}, {"value_scale": 1e-9, "unit": "GPa"}
     plot.pressure_map(contact, left, **lengths, **pressures)
     plot.section(grid, contact.pressure, right, label="pressure", **lengths, **pressures)

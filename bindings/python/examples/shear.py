@@ -6,7 +6,7 @@ import stickslip as ss
 
 RADIUS, FORCE, FRICTION = 3.5e-3, 100.0, 0.5
 
-grid = ss.Grid.square(96, 0.3e-3)
+grid = ss.Grid.square(160, 0.3e-3)
 steel = ss.Material(213e9, 0.29)
 bodies = ss.HalfSpace(grid, (steel, steel))
 ball = ss.surface.sphere(grid, RADIUS)
@@ -29,20 +29,21 @@ try:
 except ss.BeyondFrictionCapacity as beyond:
     print(f"{beyond.force:.0f} N are more than the {beyond.limit:.0f} N that friction holds")
 
-# What slipped on the way is remembered: a loop of force over shift.
+# What slipped on the way is remembered: a loop of force over shift. A step of 10 N after a reversal makes a ring slip that
+# is 3.5 % of the contact radius wide, here more than two cells; a narrower one would be rough, of which a warning tells.
 history = ss.History(bodies, ball, FRICTION)
 history.step(normal_force=FORCE)
 cycle = ss.history.Cycle(history)
 for _ in range(2):
     cycle.begin(history)
-    for x, _ in ss.history.LoadPath.sine((40.0, 0.0), 24).cycles(1):
+    for x, _ in ss.history.LoadPath.triangle((40.0, 0.0), 16).cycles(1):
         history.step(force_x=x)
         cycle.add(history)
-quarter = ss.analytical.MindlinDeresiewicz(hertz, FRICTION, [40.0, -40.0, 40.0])
+exact = ss.analytical.MindlinDeresiewicz(hertz, FRICTION, [40.0, -40.0, 40.0])
 print(
-    f"a cycle dissipates {cycle.energy.dissipated_energy * 1e6:.3f} uJ, exactly {quarter.energy_per_cycle * 1e6:.3f} uJ"
+    f"a cycle dissipates {cycle.energy.dissipated_energy * 1e6:.3f} uJ, exactly {exact.energy_per_cycle * 1e6:.3f} uJ"
 )
-assert abs(cycle.energy.dissipated_energy / quarter.energy_per_cycle - 1.0) < 0.02
+assert abs(cycle.energy.dissipated_energy / exact.energy_per_cycle - 1.0) < 1e-3
 assert np.isclose(cycle.points[0].force[0], cycle.points[-1].force[0], atol=1e-9)
 
 try:
@@ -51,7 +52,7 @@ try:
 except ImportError:
     print("no matplotlib, no picture")
 else:
-    _, (zones, traction, loop) = pyplot.subplots(1, 3, figsize=(15, 4), layout="constrained")
+    _, (zones, traction, loop) = pyplot.subplots(1, 3, figsize=(15, 4))
     plot.stick_map(shear, zones, scale=1e3, length_unit="mm")
     plot.traction_map(shear, traction, scale=1e3, length_unit="mm", value_scale=1e-9, unit="GPa")
     plot.hysteresis(cycle, loop, scale=1e6, length_unit="µm", unit="N")

@@ -14,11 +14,13 @@ contact = ss.NormalProblem(bodies, ss.surface.sphere(grid, 5.0), force=100.0).so
 shear = ss.TangentialProblem(bodies, contact, 0.3, force_x=25.0).solve()
 hertz = ss.analytical.HertzSphere(bodies.pair, 5.0, 100.0)
 
-depths = np.linspace(0.0, 1.5, 13) * hertz.contact_radius
+# From a side of a cell below the surface on: at the surface itself the stress at the edge of a sheared contact converges as
+# the root of the cells, of which a warning tells.
+depths = np.linspace(0.05, 1.5, 30) * hertz.contact_radius
 planes = ss.subsurface.Planes(bodies, depths)
 pressed, dragged = planes.solve_all("one", contact), planes.solve_all("one", (contact, shear))
 print("depth / a   von Mises / p0, pressed   dragged")
-for still, moved in zip(pressed[::2], dragged[::2]):
+for still, moved in zip(pressed[::4], dragged[::4]):
     print(
         f"{still.depth / hertz.contact_radius:9.2f}   {still.von_mises.max() / hertz.max_pressure:23.3f}"
         f"   {moved.von_mises.max() / hertz.max_pressure:7.3f}"
@@ -27,9 +29,9 @@ deepest = max(pressed, key=lambda plane: plane.max_shear.max())
 assert abs(deepest.depth / hertz.contact_radius - 0.48) < 0.1
 assert abs(deepest.max_shear.max() / hertz.max_pressure - 0.31) < 0.01
 
-below = ss.subsurface.at_points(bodies, "one", contact, [(0.0, 0.0, depth) for depth in depths[1:]])
+below = ss.subsurface.at_points(bodies, "one", contact, [(0.0, 0.0, depth) for depth in depths])
 largest = int(below.max_shear.argmax())
-print(f"largest shear stress on the axis at the depth {depths[1 + largest]:.3f} mm: {below[largest].stress}")
+print(f"largest shear stress on the axis at the depth {depths[largest]:.3f} mm: {below[largest].stress}")
 assert abs(below.max_shear.max() / deepest.max_shear.max() - 1.0) < 0.01
 
 with tempfile.TemporaryDirectory() as folder:
@@ -43,7 +45,7 @@ try:
 except ImportError:
     print("no matplotlib, no picture")
 else:
-    _, axes = pyplot.subplots(2, 1, figsize=(7, 7), layout="constrained")
+    _, axes = pyplot.subplots(2, 1, figsize=(7, 7))
     plot.stress_section(dragged, axes[0], length_unit="mm", unit="MPa")
     plot.stress_section(dragged, axes[1], of="xx", length_unit="mm", unit="MPa", cmap="coolwarm", vmin=-1750, vmax=1750)
     pyplot.savefig("subsurface.png")

@@ -6,9 +6,9 @@ import tempfile
 import stickslip as ss
 from stickslip.history import FrettingLoop, LoadPath
 
-FORCE, CYCLES, COEFFICIENT = 100.0, 20000.0, 1e-13  # N, cycles, m^3/J
+FORCE, CYCLES, COEFFICIENT = 100.0, 12000.0, 1e-13  # N, cycles, m^3/J
 
-grid = ss.Grid.square(48, 0.3e-3)
+grid = ss.Grid.square(64, 0.3e-3)
 steel = ss.Material(213e9, 0.29)
 bodies = ss.HalfSpace(grid, (steel, steel))
 gap = ss.surface.sphere(grid, 3.5e-3)
@@ -23,7 +23,7 @@ done, jumps, worn_volume = 0.0, 0, 0.0
 while done < CYCLES:
     cycle = loop.run(history, 10).last
     if jumps == 0:
-        sharpest = history.pressure.max()
+        approach = history.approach
         forces = cycle.points.force[0]
         assert abs(forces.max() + forces.min()) < 0.02 * forces.max()
     depth = ss.wear.energy(COEFFICIENT, cycle.dissipated_energy, grid=grid)
@@ -45,7 +45,11 @@ with tempfile.TemporaryDirectory() as folder:
     restored = ss.History.load(bodies, file)
 step, again = history.step(normal_force=FORCE), restored.step(normal_force=FORCE)
 assert step.approach == again.approach  # to the last bit
-print(f"largest pressure {sharpest / 1e9:.2f} GPa before, {history.pressure.max() / 1e9:.2f} GPa after")
+print(f"approach {approach * 1e6:.3f} um before, {step.approach * 1e6:.3f} um after")
+# The pressure grows towards a peak without bound at the edge of the cells that stick, PopovLimitingShape: the finer the
+# grid, the higher its largest value, which is therefore no result. Volume and approach change by less than 0.5 % on 48 to
+# 128 cells.
+assert step.approach > approach
 
 try:
     from stickslip import plot

@@ -8,6 +8,7 @@ use pyo3::{PyTypeInfo, inspect::PyStaticExpr, type_hint_identifier, type_hint_un
 use crate::digits::short;
 use crate::due::entries;
 use crate::pickle::picklable;
+use crate::real::Real;
 
 /// What lies beyond the edge of the grid.
 ///
@@ -30,8 +31,8 @@ impl Boundary {
     /// The grid repeats along y alone: cylinders, rollers, line contacts. The datum is the distance along x from a line
     /// load at which it moves nothing (a length), at least the length of the grid; approach and shift are relative to it.
     #[staticmethod]
-    fn periodic_along_y(datum: f64) -> Self {
-        Self(stickslip::Boundary::PeriodicAlongY { datum })
+    fn periodic_along_y(datum: Real) -> Self {
+        Self(stickslip::Boundary::PeriodicAlongY { datum: datum.0 })
     }
 
     /// Its name.
@@ -76,15 +77,15 @@ impl FromPyObject<'_, '_> for Surroundings {
     const INPUT_TYPE: PyStaticExpr = type_hint_union!(
         Boundary::TYPE_HINT,
         type_hint_identifier!("builtins", "str"),
-        <(String, f64) as FromPyObject>::INPUT_TYPE
+        <(String, Real) as FromPyObject>::INPUT_TYPE
     );
 
     fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
         if let Ok(boundary) = object.cast::<Boundary>() {
             return Ok(Self(boundary.get().0));
         }
-        let named = entries(&object).and_then(|named| named.extract::<(String, f64)>().ok());
-        if let Some((_, datum)) = named.filter(|(name, _)| name == "periodic_along_y") {
+        let named = entries(&object).and_then(|named| named.extract::<(String, Real)>().ok());
+        if let Some((_, Real(datum))) = named.filter(|(name, _)| name == "periodic_along_y") {
             return Ok(Self(stickslip::Boundary::PeriodicAlongY { datum }));
         }
         match object.extract::<String>().as_deref() {

@@ -18,6 +18,7 @@ use crate::error::with_iterate;
 use crate::operator::{LinearOperator, Product, numbers};
 use crate::pickle::picklable;
 use crate::progress::Progress;
+use crate::real::Real;
 use crate::report::Report;
 use crate::settings::{Settings, chosen};
 use crate::work::solve;
@@ -101,8 +102,8 @@ pub(crate) fn bounds(
 ) -> PyResult<[Vec<f64>; 2]> {
     let bound = |given: Option<Bound<'_, PyAny>>, default: f64| match given {
         None => Ok(vec![default; cells]),
-        Some(object) => match object.extract::<f64>() {
-            Ok(value) => Ok(vec![value; cells]),
+        Some(object) => match object.extract::<Real>() {
+            Ok(Real(value)) => Ok(vec![value; cells]),
             Err(_) => Ok::<_, PyErr>(numbers(&object, cells)?.as_slice()?.to_vec()),
         },
     };
@@ -195,7 +196,7 @@ picklable!(Minimum: Found);
 /// array([1. , 0.5, 0. ])
 #[pyfunction]
 #[pyo3(signature = (operator, linear, *, lower=None, upper=None, total=None, spring=None, preconditioner=None,
-    lower_bound=0.0, start=None, settings=None, tolerance=None, method=None, max_iterations=None, time_limit=None,
+    lower_bound=Real(0.0), start=None, settings=None, tolerance=None, method=None, max_iterations=None, time_limit=None,
     progress=None))]
 pub(crate) fn minimise<'py>(
     py: Python<'py>,
@@ -203,23 +204,23 @@ pub(crate) fn minimise<'py>(
     linear: Bound<'py, PyAny>,
     lower: Option<Bound<'py, PyAny>>,
     upper: Option<Bound<'py, PyAny>>,
-    total: Option<f64>,
+    total: Option<Real>,
     spring: Option<due::FarEnd>,
     preconditioner: Option<&LinearOperator>,
-    lower_bound: f64,
+    lower_bound: Real,
     start: Option<Bound<'py, PyAny>>,
     settings: Option<Settings>,
-    tolerance: Option<f64>,
+    tolerance: Option<Real>,
     method: Option<Choice<cgm::Method>>,
     max_iterations: Option<usize>,
-    time_limit: Option<f64>,
+    time_limit: Option<Real>,
     progress: Option<Bound<'py, PyAny>>,
 ) -> PyResult<Minimum> {
     let settings = chosen(settings, tolerance, method, max_iterations, time_limit)?;
     let progress = Progress::of(progress.as_ref())?;
     let total = match (total, spring) {
         (None, None) => Total::Free,
-        (Some(total), None) => Total::Sum(total),
+        (Some(Real(total)), None) => Total::Sum(total),
         (None, Some(due::FarEnd((far_end, compliance)))) => Total::Spring {
             far_end,
             compliance,
@@ -239,7 +240,7 @@ pub(crate) fn minimise<'py>(
         let own = Arc::new(Function {
             call: operator.clone().unbind(),
             cells,
-            lower_bound,
+            lower_bound: lower_bound.0,
             raised: Mutex::new(None),
         });
         function = Some(Arc::clone(&own));

@@ -61,6 +61,8 @@ due! {
     Curvatures([f64; 3]): "curvatures is (k_xx, k_xy, k_yy)";
     /// A strain of the plane.
     Strain([[f64; 2]; 2]): "strain is [[xx, xy], [yx, yy]]";
+    /// Bulk stresses of both bodies.
+    BulkStress([f64; 2]): "stress is a pair (body_1, body_2)", "for a bulk stress of body 1 it is (stress, 0.0)";
     /// The columns of a part of a grid.
     Columns((usize, usize)): "columns is a pair (first, end) of whole numbers";
     /// The rows of a part of a grid.

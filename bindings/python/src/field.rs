@@ -84,6 +84,11 @@ impl Field {
         self.0.min()
     }
 
+    /// The mean of the samples.
+    fn mean(&self) -> f64 {
+        self.0.mean()
+    }
+
     /// The sum of the samples times the area of a cell.
     fn integral(&self) -> f64 {
         self.0.integral()

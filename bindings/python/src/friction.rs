@@ -10,6 +10,7 @@ use crate::error::OrRaise;
 use crate::field::{Samples, Spread};
 use crate::grid::Grid;
 use crate::pickle::picklable;
+use crate::real::Real;
 
 /// Coulomb friction, uniform or one coefficient per cell, optionally capped: the friction limit of a cell is
 /// ``min(mu p, tau_max)``.
@@ -37,7 +38,7 @@ impl Friction {
     fn new(
         py: Python<'_>,
         coefficient: Samples<'_>,
-        max_shear_stress: Option<f64>,
+        max_shear_stress: Option<Real>,
         grid: Option<&Grid>,
     ) -> PyResult<Self> {
         let friction = match coefficient.spread(py, "coefficient of friction", grid)? {
@@ -49,13 +50,13 @@ impl Friction {
         }?;
         match max_shear_stress {
             None => Ok(Self(friction)),
-            Some(cap) => friction.max_shear_stress(cap).or_raise(py).map(Self),
+            Some(Real(cap)) => friction.max_shear_stress(cap).or_raise(py).map(Self),
         }
     }
 
     /// The friction limit of a cell (row-major index) under a pressure; NaN beyond the coefficients.
-    fn limit(&self, index: usize, pressure: f64) -> f64 {
-        self.0.limit(index, pressure)
+    fn limit(&self, index: usize, pressure: Real) -> f64 {
+        self.0.limit(index, pressure.0)
     }
 
     fn __repr__(&self) -> String {

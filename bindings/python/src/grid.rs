@@ -8,6 +8,7 @@ use crate::array::Array;
 use crate::digits::short;
 use crate::error::OrRaise;
 use crate::pickle::picklable;
+use crate::real::Real;
 
 /// A rectangular grid of equal cells, centred on the origin.
 ///
@@ -35,20 +36,22 @@ pub(crate) struct Grid(pub(crate) stickslip::Grid);
 #[pymethods]
 impl Grid {
     #[new]
-    fn new(py: Python<'_>, nx: usize, ny: usize, dx: f64, dy: f64) -> PyResult<Self> {
-        stickslip::Grid::new(nx, ny, dx, dy).or_raise(py).map(Self)
+    fn new(py: Python<'_>, nx: usize, ny: usize, dx: Real, dy: Real) -> PyResult<Self> {
+        stickslip::Grid::new(nx, ny, dx.0, dy.0)
+            .or_raise(py)
+            .map(Self)
     }
 
     /// ``n`` x ``n`` square cells on a square of this side (a length): the side of the square, not of a cell.
     #[staticmethod]
-    fn square(py: Python<'_>, n: usize, side: f64) -> PyResult<Self> {
-        stickslip::Grid::square(n, side).or_raise(py).map(Self)
+    fn square(py: Python<'_>, n: usize, side: Real) -> PyResult<Self> {
+        stickslip::Grid::square(n, side.0).or_raise(py).map(Self)
     }
 
     /// A line of ``n`` cells along x, each ``dx`` long and one unit of length wide: forces are per length.
     #[staticmethod]
-    fn line(py: Python<'_>, n: usize, dx: f64) -> PyResult<Self> {
-        stickslip::Grid::line(n, dx).or_raise(py).map(Self)
+    fn line(py: Python<'_>, n: usize, dx: Real) -> PyResult<Self> {
+        stickslip::Grid::line(n, dx.0).or_raise(py).map(Self)
     }
 
     /// Cells along x.

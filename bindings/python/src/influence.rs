@@ -8,6 +8,7 @@ use crate::digits::short;
 use crate::error::OrRaise;
 use crate::grid::Grid;
 use crate::material::{ElasticPair, Material};
+use crate::real::Real;
 use crate::work::unobserved_on;
 
 /// The nine influence coefficients at a point, displacement first, traction second (lengths over pressures).
@@ -68,20 +69,20 @@ pub(crate) struct Rectangle {
 #[pymethods]
 impl Rectangle {
     #[new]
-    fn new(py: Python<'_>, a: f64, b: f64) -> PyResult<Self> {
-        let cell = influence::Rectangle::new(a, b).or_raise(py)?;
-        let half = [a, b];
+    fn new(py: Python<'_>, a: Real, b: Real) -> PyResult<Self> {
+        let cell = influence::Rectangle::new(a.0, b.0).or_raise(py)?;
+        let half = [a.0, b.0];
         Ok(Self { cell, half })
     }
 
     /// The coefficients of a body at a position from the centre (lengths).
-    fn tensor(&self, material: &Material, x: f64, y: f64) -> Tensor {
-        Tensor(self.cell.tensor(&material.0, x, y))
+    fn tensor(&self, material: &Material, x: Real, y: Real) -> Tensor {
+        Tensor(self.cell.tensor(&material.0, x.0, y.0))
     }
 
     /// The coefficients of a pair at a position from the centre (lengths).
-    fn pair_tensor(&self, pair: &ElasticPair, x: f64, y: f64) -> Tensor {
-        Tensor(self.cell.pair_tensor(&pair.0, x, y))
+    fn pair_tensor(&self, pair: &ElasticPair, x: Real, y: Real) -> Tensor {
+        Tensor(self.cell.pair_tensor(&pair.0, x.0, y.0))
     }
 
     fn __repr__(&self) -> String {

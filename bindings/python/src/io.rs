@@ -14,7 +14,7 @@ use crate::error::OrRaise;
 use crate::field::{Field, Samples};
 use crate::grid::Grid;
 use crate::held::lock;
-use crate::real::is_plane;
+use crate::real::{Real, is_plane};
 
 /// Sides of a cell or of the grid, of files that do not say.
 fn sides(cell: Option<due::CellSides>, size: Option<due::GridSides>) -> PyResult<Sides> {
@@ -77,11 +77,11 @@ pub(crate) fn sdf_to_bytes<'py>(
     Ok(PyBytes::new(py, &bytes))
 }
 
-fn options(missing: Option<f64>, skip_rows: usize) -> io::csv::Options {
+fn options(missing: Option<Real>, skip_rows: usize) -> io::csv::Options {
     let options = io::csv::Options::default().skip_rows(skip_rows);
     match missing {
         None => options,
-        Some(value) => options.missing(value),
+        Some(Real(value)) => options.missing(value),
     }
 }
 
@@ -108,7 +108,7 @@ pub(crate) fn csv_read(
     path: PathBuf,
     cell: Option<due::CellSides>,
     size: Option<due::GridSides>,
-    missing: Option<f64>,
+    missing: Option<Real>,
     skip_rows: usize,
 ) -> PyResult<Field> {
     let (sides, options) = (sides(cell, size)?, options(missing, skip_rows));
@@ -125,7 +125,7 @@ pub(crate) fn csv_parse(
     bytes: &[u8],
     cell: Option<due::CellSides>,
     size: Option<due::GridSides>,
-    missing: Option<f64>,
+    missing: Option<Real>,
     skip_rows: usize,
 ) -> PyResult<Field> {
     let (sides, options) = (sides(cell, size)?, options(missing, skip_rows));
@@ -313,14 +313,14 @@ impl Series {
     fn write(
         &self,
         py: Python<'_>,
-        time: f64,
+        time: Real,
         fields: &Bound<'_, PyDict>,
         grid: Option<&Grid>,
     ) -> PyResult<()> {
         let arrays = Arrays::of(py, fields, grid)?;
         let mut series = lock(&self.0, "series")?;
         let series = &mut *series;
-        py.detach(|| series.write(time, &arrays.named()))
+        py.detach(|| series.write(time.0, &arrays.named()))
             .or_raise(py)
     }
 

@@ -8,12 +8,16 @@ use crate::choice::Choice;
 use crate::digits::{short, tuple};
 use crate::due;
 use crate::pickle::{parts, picklable};
+use crate::real::Real;
 
 /// The normal half: a force or an approach, or neither.
-pub(crate) fn normal(force: Option<f64>, approach: Option<f64>) -> PyResult<Option<NormalControl>> {
+pub(crate) fn normal(
+    force: Option<Real>,
+    approach: Option<Real>,
+) -> PyResult<Option<NormalControl>> {
     match (force, approach) {
-        (Some(force), None) => Ok(Some(NormalControl::Force(force))),
-        (None, Some(approach)) => Ok(Some(NormalControl::Approach(approach))),
+        (Some(Real(force)), None) => Ok(Some(NormalControl::Force(force))),
+        (None, Some(Real(approach))) => Ok(Some(NormalControl::Approach(approach))),
         (None, None) => Ok(None),
         _ => Err(PyTypeError::new_err(
             "give a normal force or an approach, not both",
@@ -22,7 +26,7 @@ pub(crate) fn normal(force: Option<f64>, approach: Option<f64>) -> PyResult<Opti
 }
 
 /// The normal half of a problem, which needs one.
-pub(crate) fn needed(force: Option<f64>, approach: Option<f64>) -> PyResult<NormalControl> {
+pub(crate) fn needed(force: Option<Real>, approach: Option<Real>) -> PyResult<NormalControl> {
     normal(force, approach)?
         .ok_or_else(|| PyTypeError::new_err("give the normal load: force= or approach="))
 }
@@ -42,17 +46,17 @@ pub(crate) struct Keywords {
 impl Keywords {
     pub(crate) fn new(
         both: Both,
-        force: [Option<f64>; 2],
-        shift: [Option<f64>; 2],
+        force: [Option<Real>; 2],
+        shift: [Option<Real>; 2],
         spring: [Option<due::Spring>; 2],
-        twist: Option<f64>,
+        twist: Option<Real>,
     ) -> Self {
         Self {
             both,
-            force,
-            shift,
+            force: force.map(|force| force.map(f64::from)),
+            shift: shift.map(|shift| shift.map(f64::from)),
             spring: spring.map(|spring| spring.map(|spring| spring.0)),
-            twist,
+            twist: twist.map(f64::from),
         }
     }
 
@@ -124,7 +128,7 @@ impl Keywords {
     pub(crate) fn step(
         &self,
         normal: Option<NormalControl>,
-        relative_displacement: Option<f64>,
+        relative_displacement: Option<Real>,
     ) -> PyResult<Step> {
         let mut step = Step::hold().normal(normal.unwrap_or(NormalControl::Hold));
         for (axis, control) in [Axis::X, Axis::Y].into_iter().zip(self.controls()?) {
@@ -135,7 +139,7 @@ impl Keywords {
         if let Some(twist) = self.twist {
             step = step.twist(twist);
         }
-        if let Some(amount) = relative_displacement {
+        if let Some(Real(amount)) = relative_displacement {
             step = step.relative_displacement(amount);
         }
         Ok(step)
@@ -146,7 +150,7 @@ impl Keywords {
         &self,
         object: Option<LoadStep>,
         normal: Option<NormalControl>,
-        relative_displacement: Option<f64>,
+        relative_displacement: Option<Real>,
     ) -> PyResult<Step> {
         let is_empty = self.is_empty() && normal.is_none() && relative_displacement.is_none();
         let by_keywords = self.step(normal, relative_displacement)?;
@@ -198,13 +202,13 @@ impl TangentialLoad {
         force: Option<due::Force>,
         shift: Option<due::Shift>,
         spring: Option<due::Springs>,
-        force_x: Option<f64>,
-        force_y: Option<f64>,
-        shift_x: Option<f64>,
-        shift_y: Option<f64>,
+        force_x: Option<Real>,
+        force_y: Option<Real>,
+        shift_x: Option<Real>,
+        shift_y: Option<Real>,
         spring_x: Option<due::Spring>,
         spring_y: Option<due::Spring>,
-        twist: Option<f64>,
+        twist: Option<Real>,
     ) -> PyResult<Self> {
         let keywords = Keywords::new(
             (force, shift, spring),
@@ -327,19 +331,19 @@ impl LoadStep {
     #[pyo3(signature = (*, normal_force=None, approach=None, force=None, shift=None, spring=None, force_x=None,
         force_y=None, shift_x=None, shift_y=None, spring_x=None, spring_y=None, twist=None, relative_displacement=None))]
     fn new(
-        normal_force: Option<f64>,
-        approach: Option<f64>,
+        normal_force: Option<Real>,
+        approach: Option<Real>,
         force: Option<due::Force>,
         shift: Option<due::Shift>,
         spring: Option<due::Springs>,
-        force_x: Option<f64>,
-        force_y: Option<f64>,
-        shift_x: Option<f64>,
-        shift_y: Option<f64>,
+        force_x: Option<Real>,
+        force_y: Option<Real>,
+        shift_x: Option<Real>,
+        shift_y: Option<Real>,
         spring_x: Option<due::Spring>,
         spring_y: Option<due::Spring>,
-        twist: Option<f64>,
-        relative_displacement: Option<f64>,
+        twist: Option<Real>,
+        relative_displacement: Option<Real>,
     ) -> PyResult<Self> {
         let keywords = Keywords::new(
             (force, shift, spring),

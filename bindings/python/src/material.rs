@@ -11,6 +11,7 @@ use crate::digits::short;
 use crate::due::entries;
 use crate::error::OrRaise;
 use crate::pickle::picklable;
+use crate::real::Real;
 
 /// A linear elastic, isotropic, homogeneous half-space.
 ///
@@ -44,14 +45,14 @@ impl Material {
     #[pyo3(signature = (youngs_modulus, poisson_ratio, *, hardness=None))]
     fn new(
         py: Python<'_>,
-        youngs_modulus: f64,
-        poisson_ratio: f64,
-        hardness: Option<f64>,
+        youngs_modulus: Real,
+        poisson_ratio: Real,
+        hardness: Option<Real>,
     ) -> PyResult<Self> {
-        let body = stickslip::Material::new(youngs_modulus, poisson_ratio).or_raise(py)?;
+        let body = stickslip::Material::new(youngs_modulus.0, poisson_ratio.0).or_raise(py)?;
         match hardness {
             None => Ok(Self(body)),
-            Some(hardness) => body.with_hardness(hardness).or_raise(py).map(Self),
+            Some(Real(hardness)) => body.with_hardness(hardness).or_raise(py).map(Self),
         }
     }
 
@@ -59,10 +60,10 @@ impl Material {
     #[staticmethod]
     fn from_shear_modulus(
         py: Python<'_>,
-        shear_modulus: f64,
-        poisson_ratio: f64,
+        shear_modulus: Real,
+        poisson_ratio: Real,
     ) -> PyResult<Self> {
-        let body = stickslip::Material::from_shear_modulus(shear_modulus, poisson_ratio);
+        let body = stickslip::Material::from_shear_modulus(shear_modulus.0, poisson_ratio.0);
         body.or_raise(py).map(Self)
     }
 
@@ -104,8 +105,8 @@ impl Material {
 
     /// The strain along x under a stress along x (a pressure) of a body that cannot contract along y,
     /// stress (1 - nu^2) / E; positive where it is stretched.
-    fn plane_strain_under(&self, stress: f64) -> f64 {
-        self.0.plane_strain_under(stress)
+    fn plane_strain_under(&self, stress: Real) -> f64 {
+        self.0.plane_strain_under(stress.0)
     }
 
     /// Equal materials have equal ones.

@@ -202,6 +202,7 @@ kinds!(
     crate::surface::Statistics,
     crate::coupled::CoupledReport,
     crate::coupled::CoupledSolution,
+    crate::tangential::RelativeDisplacement,
     crate::tangential::TangentialSolution,
     crate::report::Iteration,
     crate::report::Report,

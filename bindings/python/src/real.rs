@@ -1,9 +1,11 @@
-//! Arrays of real numbers: what NumPy would make real with a loss or by a guess is refused, and what has another shape.
+//! Real numbers, one or arrays: what NumPy would make real with a loss or by a guess is refused, and what has another shape.
 
 use numpy::{AllowTypeChange, PyArrayLike2};
 use pyo3::exceptions::PyTypeError;
+#[cfg(feature = "stubs")]
+use pyo3::inspect::PyStaticExpr;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyTuple};
+use pyo3::types::{PyDict, PyFloat, PyTuple};
 
 use crate::error::named;
 use crate::field::Field;
@@ -14,21 +16,59 @@ fn as_array<'py>(object: &Bound<'py, PyAny>) -> Option<Bound<'py, PyAny>> {
     numpy.call_method1("asanyarray", (object,)).ok()
 }
 
-/// `Ok` unless an object holds complex numbers, text or times.
-pub(crate) fn is_real(object: &Bound<'_, PyAny>, quantity: &str) -> PyResult<()> {
+/// What an object holds instead of real numbers: complex ones, text or times.
+fn unreal(object: &Bound<'_, PyAny>) -> PyResult<Option<&'static str>> {
     let Some(array) = as_array(object) else {
-        return Ok(());
+        return Ok(None);
     };
     let kind: String = array.getattr("dtype")?.getattr("kind")?.extract()?;
-    let found = match &kind[..] {
-        "c" => "complex: give the real part, .real",
-        "U" | "S" | "T" => "text",
-        "M" | "m" => "of times",
-        _ => return Ok(()),
-    };
-    Err(PyTypeError::new_err(format!(
-        "{quantity} must be real numbers, and is {found}"
-    )))
+    Ok(match &kind[..] {
+        "c" => Some("complex: give the real part, .real"),
+        "U" | "S" | "T" => Some("text"),
+        "M" | "m" => Some("of times"),
+        _ => None,
+    })
+}
+
+/// `Ok` unless an object holds complex numbers, text or times.
+pub(crate) fn is_real(object: &Bound<'_, PyAny>, quantity: &str) -> PyResult<()> {
+    match unreal(object)? {
+        None => Ok(()),
+        Some(found) => Err(PyTypeError::new_err(format!(
+            "{quantity} must be real numbers, and is {found}"
+        ))),
+    }
+}
+
+/// A number as an argument. Of a complex number of NumPy, Python would take the real part.
+#[derive(Clone, Copy)]
+pub(crate) struct Real(pub(crate) f64);
+
+impl From<Real> for f64 {
+    fn from(number: Real) -> Self {
+        number.0
+    }
+}
+
+impl FromPyObject<'_, '_> for Real {
+    type Error = PyErr;
+
+    #[cfg(feature = "stubs")]
+    const INPUT_TYPE: PyStaticExpr = <f64 as FromPyObject<'_, '_>>::INPUT_TYPE;
+
+    fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
+        let found = if object.is_instance_of::<PyFloat>() {
+            None
+        } else {
+            unreal(&object)?
+        };
+        match found {
+            None => object.extract().map(Self),
+            Some(found) => Err(PyTypeError::new_err(format!(
+                "must be a real number, and is {found}"
+            ))),
+        }
+    }
 }
 
 /// Whether an object is a field, or an array of two dimensions.

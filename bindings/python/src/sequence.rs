@@ -5,7 +5,7 @@ use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
 use pyo3::types::{PyIterator, PyList};
 #[cfg(feature = "stubs")]
-use pyo3::{PyTypeInfo, inspect::PyStaticExpr, type_hint_identifier, type_hint_subscript};
+use pyo3::{inspect::PyStaticExpr, type_hint_identifier, type_hint_subscript};
 
 /// The components of a vector.
 pub(crate) fn pair([x, y]: [f64; 2]) -> (f64, f64) {

@@ -9,6 +9,7 @@ use crate::choice::Choice;
 use crate::digits::short;
 use crate::error::OrRaise;
 use crate::pickle::picklable;
+use crate::real::Real;
 
 /// Method, tolerance and limits of an iteration, as every problem, solver and history takes them: together as
 /// ``settings``, or one by one by the same keywords.
@@ -37,10 +38,10 @@ impl Settings {
     #[pyo3(signature = (*, tolerance=None, method=None, max_iterations=None, time_limit=None))]
     fn new(
         py: Python<'_>,
-        tolerance: Option<f64>,
+        tolerance: Option<Real>,
         method: Option<Choice<stickslip::cgm::Method>>,
         max_iterations: Option<usize>,
-        time_limit: Option<f64>,
+        time_limit: Option<Real>,
     ) -> PyResult<Self> {
         let settings = chosen(None, tolerance, method, max_iterations, time_limit)?;
         settings.check().or_raise(py)?;
@@ -87,13 +88,13 @@ picklable!(Settings: stickslip::cgm::Settings);
 /// The settings of a call: those given together, changed by those given one by one.
 pub(crate) fn chosen(
     settings: Option<Settings>,
-    tolerance: Option<f64>,
+    tolerance: Option<Real>,
     method: Option<Choice<stickslip::cgm::Method>>,
     max_iterations: Option<usize>,
-    time_limit: Option<f64>,
+    time_limit: Option<Real>,
 ) -> PyResult<stickslip::cgm::Settings> {
     let mut chosen = settings.map(|settings| settings.0).unwrap_or_default();
-    if let Some(tolerance) = tolerance {
+    if let Some(Real(tolerance)) = tolerance {
         chosen = chosen.tolerance(tolerance);
     }
     if let Some(method) = method {
@@ -102,7 +103,7 @@ pub(crate) fn chosen(
     if let Some(most) = max_iterations {
         chosen = chosen.max_iterations(most);
     }
-    if let Some(seconds) = time_limit {
+    if let Some(Real(seconds)) = time_limit {
         let limit = Duration::try_from_secs_f64(seconds).map_err(|_| {
             PyValueError::new_err(format!(
                 "time_limit must be a number of seconds, got {seconds}"

@@ -305,7 +305,7 @@ def test_topographies_of_several_units_are_refused(scene):
         assert call(one, Topography("um")) == call(one, unknown) == call(unknown, two)
 
 
-def test_a_solution_is_a_dataset_of_xarray(scene, tmp_path):
+def test_a_solution_is_a_dataset_of_xarray(scene):
     pytest.importorskip("xarray")
     contact = scene.normal()
     shear = ss.TangentialProblem(scene.bodies, contact, 0.5, force_x=20.0).solve()
@@ -331,6 +331,21 @@ def test_a_solution_is_a_dataset_of_xarray(scene, tmp_path):
         ss.io.to_xarray(1.0)
     with pytest.raises(ValueError, match="several bodies"):
         ss.io.to_xarray([planes[0], *ss.subsurface.Planes(scene.bodies, [0.0]).solve_all("one", contact)])
+
+
+def test_a_dataset_is_saved_and_read_as_it_was(scene, tmp_path):
+    xarray = pytest.importorskip("xarray")
+    pytest.importorskip("scipy")  # which writes netCDF
+    contact = scene.normal()
+    shear = ss.TangentialProblem(scene.bodies, contact, 0.5, force_x=20.0).solve()
+    history = scene.history()
+    history.step(normal_force=FORCE)
+    planes = ss.subsurface.Planes(scene.bodies, [1e-5, 2e-5]).solve_all("one", contact)
+    for solution in (contact, (contact, shear), history, planes, scene.ball):
+        dataset = ss.io.to_xarray(solution)
+        dataset.to_netcdf(tmp_path / "solution.nc", engine="scipy")
+        with xarray.open_dataset(tmp_path / "solution.nc", engine="scipy") as back:
+            assert back.load().identical(dataset)
 
 
 def test_xarray_is_imported_only_for_a_dataset():

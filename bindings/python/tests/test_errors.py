@@ -274,6 +274,26 @@ def test_a_loop_warns_where_it_is_run(scene):
     assert {warning.filename for warning in caught} == {__file__}
 
 
+def test_a_loop_warns_of_its_cycles_and_not_of_single_steps(scene):
+    def kinds(amplitude, steps):
+        """Of the remarks on single steps and on the cycle; these alone are warned of."""
+        history = scene.history()
+        history.step(normal_force=FORCE)
+        path = ss.history.LoadPath.sine((amplitude, 0.0), steps)
+        remarks = set()
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            observer = lambda history, cycle: remarks.update(remark.kind for remark in history.last_step.warnings)
+            cycle = ss.history.FrettingLoop(path, lambda force: ss.LoadStep(force=force)).run(history, 1, observer).last
+        messages = [str(warning.message) for warning in caught]
+        assert messages == [remark.message for remark in cycle.warnings]
+        return remarks, [remark.kind for remark in cycle.warnings]
+
+    # After a reversal the ring that slips is narrow, but not in all of the cycle.
+    assert kinds(40.0, 24) == ({"narrow_slip"}, [])
+    assert kinds(2.0, 8) == ({"narrow_slip"}, ["narrow_slip"])
+
+
 def test_an_operator_that_raises_ends_the_solve():
     def broken(x):
         raise KeyError("broken")

@@ -115,6 +115,37 @@ def test_arrays_that_are_not_real_are_refused(scene, kind):
                 call()
 
 
+@pytest.mark.parametrize("number", [1.0 + 0.0j, np.complex128(1.0), np.complex64(1.0), np.array(1.0 + 0.0j), "1.0"])
+def test_a_number_that_is_not_real_is_refused(scene, number):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for call in (
+            lambda: ss.Material(number, 0.3),
+            lambda: ss.Grid.square(4, number),
+            lambda: ss.Boundary.periodic_along_y(number),
+            lambda: ss.HalfSpace(scene.grid, scene.bodies.pair, boundary=("periodic_along_y", number)),
+            lambda: ss.NormalProblem(scene.bodies, scene.ball, force=number),
+            lambda: ss.NormalProblem(scene.bodies, scene.ball, force=1.0, hardness=number),
+            lambda: ss.NormalProblem(scene.bodies, scene.ball, force=1.0, tolerance=number),
+            lambda: ss.TangentialProblem(scene.bodies, scene.ball, 0.5, shift_x=number),
+            lambda: ss.TangentialProblem(scene.bodies, scene.ball, number, force_x=1.0),
+            lambda: ss.LoadStep(twist=number),
+            lambda: ss.LoadStep(spring_x=(number, 1.0)),
+            lambda: scene.history().step(normal_force=number),
+            lambda: ss.analytical.HertzSphere(scene.bodies.pair, 1.0, number),
+            lambda: ss.wear.energy(number, scene.ball),
+            lambda: ss.surface.SelfAffine(rms_slope=number),
+            lambda: ss.subsurface.Stress(xx=number),
+            lambda: ss.cgm.minimise(lambda x: x, [-1.0], lower=number),
+            lambda: scene.ball * number,
+        ):
+            with pytest.raises((TypeError, ValueError), match="real number|boundary must|pair|numbers|operand"):
+                call()
+    with pytest.raises(TypeError, match="must be a real number, and is (complex: give the real part|text)"):
+        ss.Material(number, 0.3)
+    assert ss.Material(np.float32(1.0), 0) == ss.Material(np.array(1.0), np.int64(0)) == ss.Material(1, False)
+
+
 def test_pairs_may_be_lists_and_arrays(scene):
     contact = scene.normal()
     shear = ss.TangentialProblem(scene.bodies, contact, 0.5, force_x=20.0).solve()

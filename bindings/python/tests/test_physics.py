@@ -1,5 +1,8 @@
 """Answers against closed forms, through every kind of problem."""
 
+import math
+import warnings
+
 import numpy as np
 import pytest
 
@@ -267,3 +270,90 @@ def test_bulk_strain_shears_a_contact():
     history.step(normal_force=200.0)
     history.step(force_x=0.0, relative_displacement=100.0)
     assert history.traction[0][0, 70] < -1.0 and history.traction[0][0, 57] > 1.0
+
+
+def test_the_work_of_the_loads_is_the_area_of_the_loop():
+    titanium = ss.Material(115e3, 0.32)
+    grid = ss.Grid.line(128, 0.01)
+    bodies = ss.HalfSpace(grid, (titanium, titanium), boundary=("periodic_along_y", 50.0))
+    bulk = ss.tangential.RelativeDisplacement.bulk_strain(grid, [[titanium.plane_strain_under(1.0), 0.0], [0.0, 0.0]])
+    history = ss.History(bodies, ss.surface.cylinder(grid, 20.0), 0.5, relative_displacement=bulk)
+    history.step(normal_force=200.0)
+    works = {}
+    for stress in (0.0, 50.0):
+        cycle = ss.history.Cycle(history)
+        for _ in range(2):
+            cycle.begin(history)
+            for force in (40.0, 0.0, -40.0, 0.0, 60.0):
+                history.step(force_x=force, relative_displacement=stress * force / 60.0)
+                cycle.add(history)
+        force, shift = cycle.points.force[0], cycle.points.shift[0]
+        area = float((0.5 * (force[1:] + force[:-1]) * np.diff(shift)).sum())
+        assert cycle.work_of_loads == pytest.approx(area, rel=1e-12)
+        works[stress] = cycle.work_of_loads / cycle.energy.work
+    # Bulk strain works too.
+    assert works[0.0] == pytest.approx(1.0, rel=1e-9) and abs(works[50.0] - 1.0) > 0.03
+
+
+def test_stresses_of_line_contacts_are_those_of_their_closed_forms():
+    titanium = ss.Material(115e3, 0.32)
+    hertz = ss.analytical.HertzLine(ss.ElasticPair(titanium, titanium), 20.0, 200.0)
+    a, p0 = hertz.half_width, hertz.max_pressure
+    depth = np.array([0.0, 0.5, 2.0]) * a
+    xx, zz, xz = hertz.stress(0.0, depth)
+    root = np.sqrt(a**2 + depth**2)
+    assert zz == pytest.approx(-p0 * a / root) and not xz.any()
+    assert xx == pytest.approx(-p0 / a * ((a**2 + 2.0 * depth**2) / root - 2.0 * depth))
+    x = np.linspace(-2.0, 2.0, 9) * a
+    assert np.array_equal(hertz.surface_stress(x), -hertz.pressure(x))
+    assert isinstance(hertz.stress(0.0, a)[0], float) and hertz.stress(x[:, None], depth)[0].shape == (9, 3)
+    # The edge that the traction pulls away from, Johnson (1985), 7.2.
+    shear = ss.analytical.CattaneoMindlinLine(hertz, 0.5, 40.0)
+    one, two = shear.surface_stress(-a)
+    assert one == pytest.approx(2.0 * 0.5 * p0 * math.sqrt(0.4)) and two == pytest.approx(-one)
+    assert shear.surface_stress(x)[0] == pytest.approx(shear.stress(x, 0.0)[0][0])
+    assert shear.stress(x, 0.0)[1][2] == pytest.approx(-shear.traction(x), abs=1e-9)
+    # Bulk stress strains the body, and is part of its stress.
+    stretched = shear.with_bulk_stress((30.0, 0.0))
+    strained = shear.with_strain(titanium.plane_strain_under(30.0))
+    assert stretched.traction(x) == pytest.approx(strained.traction(x))
+    assert stretched.stress(0.0, 1e3 * a)[0][0] == pytest.approx(30.0, abs=0.5)
+    assert stretched.stress(0.0, 1e3 * a)[1][0] == pytest.approx(0.0, abs=0.5)
+
+
+def test_a_uniform_stress_is_added_to_that_of_the_tractions(scene, tmp_path):
+    contact = scene.normal()
+    shear = ss.TangentialProblem(scene.bodies, contact, 0.5, force_x=20.0).solve()
+    bulk = 2.0 * ss.subsurface.Stress(xx=100e6, yy=30e6, xz=5e6)
+    assert bulk == ss.subsurface.Stress(xx=200e6) + ss.subsurface.Stress(yy=60e6, xz=10e6) and bulk * 0.5 + bulk * 0.5 == bulk
+    assert bulk - bulk == ss.subsurface.Stress()
+    planes = ss.subsurface.Planes(scene.bodies, [1e-5, 2e-5])
+    alone = planes.solve(0, "one", (contact, shear))
+    both = planes.solve(0, "one", (contact, shear), uniform_stress=bulk)
+    assert both.get(20, 30) == alone.get(20, 30) + bulk
+    assert both.von_mises[30, 20] == (alone.get(20, 30) + bulk).von_mises
+    [first, _] = planes.solve_all("one", (contact, shear), uniform_stress=bulk)
+    assert np.array_equal(first.normal_stress[0], both.normal_stress[0])
+    points = [(0.0, 0.0, 1e-5), (1e-5, 2e-5, 1e-5)]
+    [at, by] = (ss.subsurface.at_points(scene.bodies, "one", contact, points, **kind) for kind in ({}, {"uniform_stress": bulk}))
+    assert [response.stress + bulk for response in at] == [response.stress for response in by]
+    assert by.displacement[2] == pytest.approx(at.displacement[2], abs=0.0)
+    for name, kind in (("alone", {}), ("both", {"uniform_stress": bulk})):
+        planes.write_vti(tmp_path / name, "one", contact, **kind)
+    assert (tmp_path / "alone").read_bytes() != (tmp_path / "both").read_bytes()
+
+
+def test_a_plane_near_the_surface_warns_of_the_edge_of_a_sheared_contact(scene):
+    contact = scene.normal()
+    shear = ss.TangentialProblem(scene.bodies, contact, 0.5, force_x=20.0).solve()
+    planes = ss.subsurface.Planes(scene.bodies, [0.0, 2.0 * scene.grid.dx])
+    with pytest.warns(ss.ContactWarning, match="edge of a sheared contact"):
+        [near, deep] = planes.solve_all("one", (contact, shear))
+    assert [remark.kind for remark in near.warnings] == ["stress_at_edge"] and not deep.warnings
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        planes.solve(0, "one", (contact, shear), warn=False)
+        planes.solve(1, "one", (contact, shear))
+        planes.solve(0, "one", contact)
+        with pytest.raises(ss.ContactWarning):
+            planes.solve(0, "one", (contact, shear))

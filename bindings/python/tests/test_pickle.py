@@ -40,6 +40,15 @@ def test_values_come_back(scene):
     assert (bodies.grid, bodies.pair, bodies.boundary) == (scene.grid, scene.bodies.pair, scene.bodies.boundary)
 
 
+def test_a_bulk_strain_comes_back_with_its_strain(scene):
+    bulk = ss.tangential.RelativeDisplacement.bulk_strain(scene.grid, [[1e-3, 0.0], [0.0, 0.0]])
+    bodies = ss.HalfSpace(scene.grid, scene.bodies.pair, boundary="periodic")
+    for relative in (bulk, same(bulk), copy.deepcopy(bulk)):
+        # On a grid that repeats it would jump: fields without a strain are taken to repeat.
+        with pytest.raises(ss.errors.Sample, match="bulk strain at .* is 0.001"):
+            ss.TangentialProblem(bodies, scene.ball, 0.5, force_x=0.0, model="vector", relative_displacement=relative)
+
+
 def test_closed_forms_and_statistics_come_back(scene):
     pair, hertz = scene.bodies.pair, scene.hertz
     forms = ss.analytical

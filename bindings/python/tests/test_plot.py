@@ -136,6 +136,26 @@ def test_no_text_lies_over_data_or_over_a_neighbour(scene):
     assert tight[0].x1 <= tight[1].x0 and tight[1].x1 <= tight[2].x0 and tight[2].x1 <= figure.bbox.x1
 
 
+def test_no_text_is_cut_at_the_edge_of_a_picture_that_is_drawn_once(scene):
+    _, shear = sheared(scene)
+    grid = ss.Grid.square(64, 0.4)
+    bodies = ss.HalfSpace(grid, (ss.Material(210e3, 0.3), ss.Material(210e3, 0.3)))
+    contact = ss.NormalProblem(bodies, ss.surface.sphere(grid, 5.0), force=100.0).solve()
+    planes = ss.subsurface.Planes(bodies, np.linspace(0.0075, 0.222, 30)).solve_all("one", contact)
+    # Ticks every 0.025 mm after the layout, every 0.05 mm before.
+    figure, axes = pyplot.subplots(2, 1, figsize=(7, 7))
+    for place in axes:
+        plot.stress_section(planes, place, length_unit="mm", unit="MPa")
+    other, places = pyplot.subplots(2, 2, figsize=(11, 8))
+    for place in places.flat:
+        plot.stick_map(shear, place, scale=1e3, length_unit="mm")
+    for picture, parts in ((figure, axes), (other, places.flat)):
+        picture.canvas.draw()
+        for place in parts:
+            tight, whole = place.get_tightbbox(picture.canvas.get_renderer()), picture.bbox
+            assert tight.x0 >= 0.0 and tight.x1 <= whole.x1 and tight.y0 >= 0.0 and tight.y1 <= whole.y1
+
+
 def test_a_line_of_cells_is_drawn_as_a_profile():
     grid = ss.Grid.line(64, 0.02)
     steel = ss.Material(210e3, 0.3)

@@ -8,11 +8,152 @@ from typing import Any, Final, final
 from numpy import bool_, float64, uint8, uint32, uint64
 from numpy.typing import ArrayLike, NDArray
 
+__all__ = [
+    "AdaptiveSteps",
+    "Boundary",
+    "CattaneoMindlin",
+    "CattaneoMindlinEllipse",
+    "CattaneoMindlinLine",
+    "Cone",
+    "ConePartialSlip",
+    "ContactSpots",
+    "ContactStiffness",
+    "Convolution",
+    "CoupledProblem",
+    "CoupledReport",
+    "CoupledSolution",
+    "CoupledSolver",
+    "Cycle",
+    "CycleJump",
+    "DenseMinimum",
+    "DenseOperator",
+    "ElasticPair",
+    "EnergyBalance",
+    "ErrorEstimate",
+    "Field",
+    "Filled",
+    "FlatPunch",
+    "Friction",
+    "Grid",
+    "HalfSpace",
+    "Hardness",
+    "HertzEllipse",
+    "HertzLine",
+    "HertzSphere",
+    "History",
+    "Iteration",
+    "JaegerSuperposition",
+    "Levelled",
+    "LinearOperator",
+    "LoadPath",
+    "LoadStep",
+    "LoopPoint",
+    "LoopPoints",
+    "LubkinTorsion",
+    "Material",
+    "MindlinDeresiewicz",
+    "MindlinFullStick",
+    "Minimum",
+    "NoSlipPunch",
+    "NoSlipSphere",
+    "NormalProblem",
+    "NormalSolution",
+    "NormalSolver",
+    "NormalStiffness",
+    "Persson",
+    "Plane",
+    "Planes",
+    "PopovLimitingShape",
+    "PowerSpectrum",
+    "Principal",
+    "Rectangle",
+    "RelativeDisplacement",
+    "Report",
+    "Response",
+    "Responses",
+    "RoughSphere",
+    "RoughSurface",
+    "RoundedPunch",
+    "SelfAffine",
+    "Series",
+    "Settings",
+    "SpencePressing",
+    "Spot",
+    "State",
+    "Statistics",
+    "StepError",
+    "StepResult",
+    "Stress",
+    "Table",
+    "TangentialLoad",
+    "TangentialProblem",
+    "TangentialSolution",
+    "TangentialSolver",
+    "TangentialStiffness",
+    "Tensor",
+    "TensorOperator",
+    "Warning",
+    "Westergaard",
+    "WestergaardPartialSlip",
+    "__version__",
+    "_from_bytes",
+    "_restore",
+    "archard",
+    "asc_parse",
+    "asc_read",
+    "at_points",
+    "bisinusoidal",
+    "cone",
+    "crop",
+    "csv_parse",
+    "csv_read",
+    "csv_to_bytes",
+    "csv_write",
+    "cylinder",
+    "ellipsoid",
+    "energy",
+    "fill_missing",
+    "flat_punch",
+    "gap_between",
+    "gap_from_heights",
+    "identity",
+    "inverted",
+    "level",
+    "linear_stick_ratio",
+    "max_stable_cycles",
+    "minimise",
+    "mirror_x",
+    "npy_grid",
+    "npy_parse",
+    "npy_read",
+    "npy_to_bytes",
+    "npy_write",
+    "num_threads",
+    "paraboloid",
+    "read",
+    "resample",
+    "sdf_parse",
+    "sdf_read",
+    "sdf_to_bytes",
+    "sdf_write",
+    "set_num_threads",
+    "sinusoidal",
+    "sphere",
+    "sum",
+    "sur_parse",
+    "sur_read",
+    "threshold_energy",
+    "vti_to_bytes",
+    "vti_write",
+    "x3p_parse",
+    "x3p_read",
+    "xyz_parse",
+    "xyz_read",
+]
+
 from os import PathLike
 from stickslip._enums import Amplitudes, Axis, Body, Component, Coupling, Method, Regime, Status, TangentialModel, TouchRule
 from typing_extensions import disjoint_base
-
-__all__ = ["__version__", "AdaptiveSteps", "Boundary", "CattaneoMindlin", "CattaneoMindlinEllipse", "CattaneoMindlinLine", "Cone", "ConePartialSlip", "ContactSpots", "ContactStiffness", "Convolution", "CoupledProblem", "CoupledReport", "CoupledSolution", "CoupledSolver", "Cycle", "CycleJump", "DenseMinimum", "DenseOperator", "ElasticPair", "EnergyBalance", "ErrorEstimate", "Field", "Filled", "FlatPunch", "Friction", "Grid", "HalfSpace", "Hardness", "HertzEllipse", "HertzLine", "HertzSphere", "History", "Iteration", "JaegerSuperposition", "Levelled", "LinearOperator", "LoadPath", "LoadStep", "LoopPoint", "LoopPoints", "LubkinTorsion", "Material", "MindlinDeresiewicz", "MindlinFullStick", "Minimum", "NoSlipPunch", "NoSlipSphere", "NormalProblem", "NormalSolution", "NormalSolver", "NormalStiffness", "Persson", "Plane", "Planes", "PopovLimitingShape", "PowerSpectrum", "Principal", "Rectangle", "RelativeDisplacement", "Report", "Response", "Responses", "RoughSphere", "RoughSurface", "RoundedPunch", "SelfAffine", "Series", "Settings", "SpencePressing", "Spot", "State", "Statistics", "StepError", "StepResult", "Stress", "Table", "TangentialLoad", "TangentialProblem", "TangentialSolution", "TangentialSolver", "TangentialStiffness", "Tensor", "TensorOperator", "Warning", "Westergaard", "WestergaardPartialSlip", "_from_bytes", "_restore", "archard", "asc_parse", "asc_read", "at_points", "bisinusoidal", "cone", "crop", "csv_parse", "csv_read", "csv_to_bytes", "csv_write", "cylinder", "ellipsoid", "energy", "fill_missing", "flat_punch", "gap_between", "gap_from_heights", "identity", "inverted", "level", "linear_stick_ratio", "max_stable_cycles", "minimise", "mirror_x", "npy_grid", "npy_parse", "npy_read", "npy_to_bytes", "npy_write", "num_threads", "paraboloid", "read", "resample", "sdf_parse", "sdf_read", "sdf_to_bytes", "sdf_write", "set_num_threads", "sinusoidal", "sphere", "sum", "sur_parse", "sur_read", "threshold_energy", "vti_to_bytes", "vti_write", "x3p_parse", "x3p_read", "xyz_parse", "xyz_read"]
 
 __version__: Final[str]
 """
@@ -331,10 +472,32 @@ class CattaneoMindlinLine:
         """
         Half-width of the strip that sticks, c = a sqrt(1 - f) (a length).
         """
+    def stress(self, /, x: ArrayLike, depth: ArrayLike) -> tuple[tuple[Any, Any, Any], tuple[Any, Any, Any]]:
+        """
+        Stresses xx, zz and xz of body 1 and those of body 2, at x and at a depth below the surface of each, a length of
+        zero or more (pressures, positive in tension), bulk stress included. Johnson (1985), 7.2.
+        """
+    def surface_stress(self, /, x: ArrayLike) -> tuple[Any, Any]:
+        """
+        Stresses xx of the surfaces of body 1 and of body 2 at x (pressures, positive in tension), bulk stress included.
+        In body 1 the largest is at the edge of the contact that the traction pulls away from, x = -a under a positive
+        force, where it rises as a square root: a row of cells meets it slowly. Johnson (1985), 2.23 and 7.2; Nowell &
+        Hills (1987).
+        """
     def traction(self, /, x: ArrayLike) -> Any:
         """
         Traction on body 1 along x (a pressure) at x: with the sign of Q, mu p_0 sqrt(1 - x^2/a^2), less
         mu p_0 (c/a) sqrt(1 - (x - e)^2/c^2) in the strip around e that sticks; zero outside the contact.
+        """
+    def with_bulk_stress(self, /, stress: Sequence[float] | NDArray[Any]) -> CattaneoMindlinLine:
+        """
+        With these bulk stresses along x in bodies 1 and 2 (pressures, positive in tension), which grow in proportion to
+        the force and strain the bodies in plane strain.
+
+        Raises
+        ------
+        Sample, NotFinite, NotPositive, Below
+            As :meth:`with_strain`.
         """
     def with_strain(self, /, strain: float) -> CattaneoMindlinLine:
         """
@@ -876,6 +1039,13 @@ class Cycle:
         """
         Remarks on its steps.
         """
+    @property
+    def work_of_loads(self, /) -> float:
+        """
+        Work of the tangential force and of the moment (a force times a length): the area that the loop of the points
+        encloses where it closes. The ``work`` of :attr:`energy` has that of a changing relative displacement, such as bulk
+        strain, besides.
+        """
 
 @final
 class CycleJump:
@@ -1180,6 +1350,10 @@ class Field:
     def max(self, /) -> float:
         """
         The largest sample; NaN is passed over.
+        """
+    def mean(self, /) -> float:
+        """
+        The mean of the samples.
         """
     def min(self, /) -> float:
         """
@@ -1648,6 +1822,17 @@ class HertzLine:
     def radius(self, /) -> float:
         """
         Radius R of the cylinder (a length).
+        """
+    def stress(self, /, x: ArrayLike, depth: ArrayLike) -> tuple[Any, Any, Any]:
+        """
+        Stresses xx, zz and xz of body 1 at x and at a depth below its surface, a length of zero or more (pressures,
+        positive in tension); those of body 2 at the same depth differ by the sign of xz. M'Ewen (1949); Johnson (1985),
+        4.49.
+        """
+    def surface_stress(self, /, x: ArrayLike) -> Any:
+        """
+        Stress xx of the surface of either body at x (a pressure, positive in tension): minus the pressure in the
+        contact, zero outside.
         """
 
 @final
@@ -3124,6 +3309,12 @@ class Plane:
         Von Mises' equivalent stress (pressures), of shape (ny, nx).
         """
     @property
+    def warnings(self, /) -> list[Warning]:
+        """
+        Remarks that a value may mislead: on a plane nearer to the surface than a side of a cell, if shear tractions end at
+        the edge of a contact; empty if there are none.
+        """
+    @property
     def z(self, /) -> float:
         """
         Position along z (a length), negative in body two.
@@ -3168,10 +3359,17 @@ class Planes:
         """
         The depths (lengths).
         """
-    def solve(self, /, index: int, body: Body | str, tractions: Any) -> Plane:
+    def solve(self, /, index: int, body: Body | str, tractions: Any, *, uniform_stress: Stress | None = None, warn: bool = True) -> Plane:
         """
         The plane at the depth of this index, which counts from the end if it is negative, in a body; the tractions as of
         :func:`at_points`.
+
+        Parameters
+        ----------
+        uniform_stress : Stress, optional
+            As of :func:`at_points`: bulk stress, which is added.
+        warn : bool, default True
+            Whether :attr:`Plane.warnings` go to ``warnings`` too, each kind once a place.
 
         Raises
         ------
@@ -3179,13 +3377,13 @@ class Planes:
             If there is no such depth.
         RigidBody, Memory, GridMismatch, BoundaryMismatch, MaterialMismatch, Sample
         """
-    def solve_all(self, /, body: Body | str, tractions: Any) -> list[Plane]:
+    def solve_all(self, /, body: Body | str, tractions: Any, *, uniform_stress: Stress | None = None, warn: bool = True) -> list[Plane]:
         """
-        The planes of all depths in a body.
+        The planes of all depths in a body, as of :meth:`solve`.
         """
-    def write_vti(self, /, path: str | PathLike[str], body: Body | str, tractions: Any) -> None:
+    def write_vti(self, /, path: str | PathLike[str], body: Body | str, tractions: Any, *, uniform_stress: Stress | None = None) -> None:
         """
-        Writes the stresses of all depths in a body as a volume for ParaView.
+        Writes the stresses of all depths in a body as a volume for ParaView, as of :meth:`solve`.
         """
 
 @final
@@ -3380,7 +3578,7 @@ class RelativeDisplacement:
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
     def __new__(cls, /, along_x: Field | ArrayLike, along_y: Field | ArrayLike, *, grid: Grid | None = None) -> RelativeDisplacement: ...
-    def __reduce__(self, /) -> tuple[type, tuple[Field, Field]]: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @staticmethod
     def bulk_strain(grid: Grid, strain: Sequence[Sequence[float]] | NDArray[Any]) -> RelativeDisplacement:
@@ -4236,7 +4434,8 @@ class StepResult:
 @final
 class Stress:
     """
-    The symmetric stress tensor at a point (pressures), tensile positive, with z into body 1.
+    The symmetric stress tensor at a point (pressures), tensile positive, with z into body 1. Stresses add, subtract and
+    scale by numbers.
 
     Parameters
     ----------
@@ -4248,12 +4447,29 @@ class Stress:
     >>> from stickslip.subsurface import Stress
     >>> Stress(xy=2.0).principal.values
     (2.0, 0.0, -2.0)
+    >>> Stress(xx=1.0) + 2.0 * Stress(xx=3.0)
+    Stress(xx=7, yy=0, zz=0, xy=0, xz=0, yz=0)
     """
+    def __add__(self, other: object, /) -> Stress:
+        """
+        The sum with another stress.
+        """
     def __eq__(self, value: object, /) -> bool: ...
+    def __mul__(self, factor: object, /) -> Stress:
+        """
+        So many times the stress.
+        """
     def __ne__(self, value: object, /) -> bool: ...
-    def __new__(cls, /, *, xx: float = 0.0, yy: float = 0.0, zz: float = 0.0, xy: float = 0.0, xz: float = 0.0, yz: float = 0.0) -> Stress: ...
+    def __new__(cls, /, *, xx: float = ..., yy: float = ..., zz: float = ..., xy: float = ..., xz: float = ..., yz: float = ...) -> Stress: ...
+    def __radd__(self, other: object, /) -> Stress: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
+    def __rmul__(self, factor: object, /) -> Stress: ...
+    def __rsub__(self, other: object, /) -> Stress: ...
+    def __sub__(self, other: object, /) -> Stress:
+        """
+        The difference from another stress.
+        """
     @property
     def hydrostatic(self, /) -> float:
         """
@@ -4937,7 +5153,7 @@ def asc_read(path: str | PathLike[str]) -> Field:
     A surface from an ASC file (lengths in metres).
     """
 
-def at_points(bodies: HalfSpace, body: Body | str, tractions: Any, points: ArrayLike) -> Responses:
+def at_points(bodies: HalfSpace, body: Body | str, tractions: Any, points: ArrayLike, *, uniform_stress: Stress | None = None) -> Responses:
     """
     Stress and displacement at points, by sums over all cells.
 
@@ -4951,6 +5167,9 @@ def at_points(bodies: HalfSpace, body: Body | str, tractions: Any, points: Array
         Those of a solution of any kind or of both halves, or fields: a pressure, or a pressure and tractions along x and y.
     points : array_like of shape (n, 3)
         Each ``(x, y, depth)`` (lengths), the depth below the surface of the body.
+    uniform_stress : Stress, optional
+        A uniform stress of the body, such as bulk stress, which is added to that of the tractions everywhere; none by
+        default. Displacements are those of the tractions alone.
 
     Returns
     -------
@@ -5158,7 +5377,7 @@ def max_stable_cycles(bodies: HalfSpace, coefficient: Field | ArrayLike, slip_di
     25.2
     """
 
-def minimise(operator: Any, linear: Any, *, lower: Any | None = None, upper: Any | None = None, total: float | None = None, spring: tuple[float, float] | None = None, preconditioner: LinearOperator | None = None, lower_bound: float = 0.0, start: Any | None = None, settings: Settings | None = None, tolerance: float | None = None, method: Method | str | None = None, max_iterations: int | None = None, time_limit: float | None = None, progress: Any | None = None) -> Minimum:
+def minimise(operator: Any, linear: Any, *, lower: Any | None = None, upper: Any | None = None, total: float | None = None, spring: tuple[float, float] | None = None, preconditioner: LinearOperator | None = None, lower_bound: float = ..., start: Any | None = None, settings: Settings | None = None, tolerance: float | None = None, method: Method | str | None = None, max_iterations: int | None = None, time_limit: float | None = None, progress: Any | None = None) -> Minimum:
     """
     Minimises ``x'Cx/2 + linear'x`` within bounds, with ``sum(x) = total`` if given.
 

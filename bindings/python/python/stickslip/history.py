@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from . import wear
 from ._enums import LoopEnding, Regime, TouchRule
+from ._remarks import warn
 from ._stickslip import (
     AdaptiveSteps,
     Cycle,
@@ -41,6 +42,9 @@ class LoopOutcome:
 
 class FrettingLoop:
     """Repeats a cycle of tangential load.
+
+    After each cycle its remarks, :attr:`Cycle.warnings`, go to ``warnings``, each kind once a place; those of single steps do
+    not.
 
     Parameters
     ----------
@@ -133,10 +137,12 @@ class FrettingLoop:
     ) -> bool:
         cycle.begin(history)
         for value in self._path.cycles(1):
-            history.step(self._load(value))
+            history.step(self._load(value), warn=False)
             cycle.add(history)
             if observer is not None and observer(history, cycle) is False:
                 return False
+        # Of the cycle as a whole: after a reversal the first ring that slips is narrow, and matters little.
+        warn([(remark.kind, remark.message) for remark in cycle.warnings])
         return True
 
     def __repr__(self) -> str:

@@ -36,11 +36,13 @@ def _axes(axes: Axes | None) -> Axes:
             import matplotlib.pyplot as pyplot
         except ImportError as error:
             raise ImportError("stickslip.plot needs matplotlib: pip install 'stickslip[plot]'") from error
-        axes = pyplot.subplots(layout="constrained")[1]
+        axes = pyplot.subplots()[1]
     # Of a part of a figure, the whole.
     figure: Any = getattr(axes.figure, "figure", axes.figure)
     if figure.get_layout_engine() is None:
-        figure.set_layout_engine("constrained")
+        from ._layout import SettledLayout
+
+        figure.set_layout_engine(SettledLayout())
     return axes
 
 

@@ -35,12 +35,12 @@ macro_rules! closed_form {
             fn new(
                 py: pyo3::Python<'_>,
                 $subject: $subject_type,
-                $($number_argument: f64,)*
+                $($number_argument: crate::real::Real,)*
                 $($other: $other_type,)?
             ) -> pyo3::PyResult<Self> {
                 let form = stickslip::analytical::$class::new(
                     $subject_value,
-                    $($number_argument,)*
+                    $($number_argument.0,)*
                     $($other_value,)?
                 );
                 crate::error::OrRaise::or_raise(form, py).map(Self)

@@ -31,12 +31,30 @@ impl Coordinates {
         Values(self.0.mapv_into(function))
     }
 
+    /// Several functions of these coordinates.
+    pub(super) fn all_along<const N: usize>(
+        self,
+        functions: impl Fn(f64) -> [f64; N],
+    ) -> [Values; N] {
+        Values::each(&self.0.mapv(functions))
+    }
+
     /// A function of these coordinates and others, which are broadcast to one shape.
     pub(super) fn across(
         self,
         other: Self,
         function: impl Fn(f64, f64) -> f64,
     ) -> PyResult<Values> {
+        let [values] = self.all_across(other, |x, y| [function(x, y)])?;
+        Ok(values)
+    }
+
+    /// Several functions of these coordinates and others.
+    pub(super) fn all_across<const N: usize>(
+        self,
+        other: Self,
+        functions: impl Fn(f64, f64) -> [f64; N],
+    ) -> PyResult<[Values; N]> {
         let (x, y) = (self.0, other.0);
         // Counted from the last axis; of length one where there is none.
         let length = |array: &ArrayD<f64>, axis: usize| {
@@ -53,14 +71,23 @@ impl Coordinates {
         let (Some(x), Some(y)) = (x.broadcast(&shape[..]), y.broadcast(&shape[..])) else {
             return Err(PyValueError::new_err("the shapes of x and y do not fit"));
         };
-        Ok(Values(
-            Zip::from(x).and(y).map_collect(|x, y| function(*x, *y)),
-        ))
+        let found = Zip::from(x).and(y).map_collect(|x, y| functions(*x, *y));
+        Ok(Values::each(&found))
     }
 }
 
 /// A number for a number, an array for an array.
 pub(crate) struct Values(ArrayD<f64>);
+
+impl Values {
+    /// The values of several functions.
+    fn each<const N: usize>(found: &ArrayD<[f64; N]>) -> [Self; N] {
+        std::array::from_fn(|index| Self(found.mapv(|values| values[index])))
+    }
+}
+
+/// Stresses xx, zz and xz.
+pub(super) type PlaneStrain = (Values, Values, Values);
 
 impl<'py> IntoPyObject<'py> for Values {
     type Target = PyAny;

@@ -1,6 +1,9 @@
 //! Smooth bodies pressed together.
 
+use pyo3::prelude::*;
+
 use crate::analytical::closed_form::closed_form;
+use crate::analytical::coordinates::{Coordinates, PlaneStrain};
 use crate::material::ElasticPair;
 
 closed_form! {
@@ -138,5 +141,17 @@ closed_form! {
         /// Approach of the bodies, P / (pi E*) (2 ln(2d/a) + 1) (a length), relative to the datum d (a length) of
         /// :meth:`Boundary.periodic_along_y`; positive for a datum that is large beside a, as it must be.
         approach(datum),
+        /// Stress xx of the surface of either body at x (a pressure, positive in tension): minus the pressure in the
+        /// contact, zero outside.
+        surface_stress(x),
+    }
+    also {
+        /// Stresses xx, zz and xz of body 1 at x and at a depth below its surface, a length of zero or more (pressures,
+        /// positive in tension); those of body 2 at the same depth differ by the sign of xz. M'Ewen (1949); Johnson (1985),
+        /// 4.49.
+        fn stress(&self, x: Coordinates, depth: Coordinates) -> PyResult<PlaneStrain> {
+            let stress = x.all_across(depth, |x, depth| self.0.stress(x, depth))?;
+            Ok(stress.into())
+        }
     }
 }

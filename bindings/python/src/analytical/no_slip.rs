@@ -6,6 +6,7 @@ use crate::analytical::closed_form::closed_form;
 use crate::error::OrRaise;
 use crate::material::ElasticPair;
 use crate::pickle::picklable;
+use crate::real::Real;
 
 closed_form! {
     /// A flat-ended round punch pressed without any slip, as by friction without limit.
@@ -81,16 +82,16 @@ picklable!(SpencePressing: stickslip::analytical::SpencePressing);
 impl SpencePressing {
     /// The contact of a body of revolution, with this coefficient of friction (dimensionless, not negative).
     #[staticmethod]
-    fn round(py: Python<'_>, pair: &ElasticPair, friction: f64) -> PyResult<Self> {
-        stickslip::analytical::SpencePressing::round(&pair.0, friction)
+    fn round(py: Python<'_>, pair: &ElasticPair, friction: Real) -> PyResult<Self> {
+        stickslip::analytical::SpencePressing::round(&pair.0, friction.0)
             .or_raise(py)
             .map(Self)
     }
 
     /// The contact of a cylinder or strip in plane strain, with this coefficient of friction (dimensionless, not negative).
     #[staticmethod]
-    fn plane(py: Python<'_>, pair: &ElasticPair, friction: f64) -> PyResult<Self> {
-        stickslip::analytical::SpencePressing::plane(&pair.0, friction)
+    fn plane(py: Python<'_>, pair: &ElasticPair, friction: Real) -> PyResult<Self> {
+        stickslip::analytical::SpencePressing::plane(&pair.0, friction.0)
             .or_raise(py)
             .map(Self)
     }

@@ -3,8 +3,11 @@
 use pyo3::prelude::*;
 
 use crate::analytical::closed_form::closed_form;
+use crate::analytical::coordinates::{Coordinates, PlaneStrain, Values};
 use crate::analytical::{Cone, HertzEllipse, HertzLine, HertzSphere};
+use crate::due;
 use crate::error::OrRaise;
+use crate::real::Real;
 
 closed_form! {
     /// A sphere in partial slip: a constant normal load, then a tangential force along x that increases monotonically.
@@ -174,8 +177,37 @@ closed_form! {
         /// NotFinite, NotPositive
         /// Below
         ///     If the strip that sticks would leave the contact: slip then reverses at one end.
-        fn with_strain(&self, py: Python<'_>, strain: f64) -> PyResult<Self> {
-            self.0.with_strain(strain).or_raise(py).map(Self)
+        fn with_strain(&self, py: Python<'_>, strain: Real) -> PyResult<Self> {
+            self.0.with_strain(strain.0).or_raise(py).map(Self)
+        }
+
+        /// With these bulk stresses along x in bodies 1 and 2 (pressures, positive in tension), which grow in proportion to
+        /// the force and strain the bodies in plane strain.
+        ///
+        /// Raises
+        /// ------
+        /// Sample, NotFinite, NotPositive, Below
+        ///     As :meth:`with_strain`.
+        fn with_bulk_stress(&self, py: Python<'_>, stress: due::BulkStress) -> PyResult<Self> {
+            self.0.with_bulk_stress(stress.0).or_raise(py).map(Self)
+        }
+
+        /// Stresses xx of the surfaces of body 1 and of body 2 at x (pressures, positive in tension), bulk stress included.
+        /// In body 1 the largest is at the edge of the contact that the traction pulls away from, x = -a under a positive
+        /// force, where it rises as a square root: a row of cells meets it slowly. Johnson (1985), 2.23 and 7.2; Nowell &
+        /// Hills (1987).
+        fn surface_stress(&self, x: Coordinates) -> (Values, Values) {
+            x.all_along(|x| self.0.surface_stress(x)).into()
+        }
+
+        /// Stresses xx, zz and xz of body 1 and those of body 2, at x and at a depth below the surface of each, a length of
+        /// zero or more (pressures, positive in tension), bulk stress included. Johnson (1985), 7.2.
+        fn stress(&self, x: Coordinates, depth: Coordinates) -> PyResult<(PlaneStrain, PlaneStrain)> {
+            let [xx, zz, xz, of_two @ ..] = x.all_across(depth, |x, depth| {
+                let [one, two] = self.0.stress(x, depth);
+                [one[0], one[1], one[2], two[0], two[1], two[2]]
+            })?;
+            Ok(((xx, zz, xz), of_two.into()))
         }
     }
 }

@@ -6,6 +6,7 @@ use crate::analytical::MindlinFullStick;
 use crate::analytical::closed_form::closed_form;
 use crate::error::OrRaise;
 use crate::material::ElasticPair;
+use crate::real::Real;
 
 closed_form! {
     /// A blunt cone pressed on a half-space.
@@ -116,8 +117,8 @@ closed_form! {
         /// Raises
         /// ------
         /// Negative, NotFinite, BeyondFrictionCapacity
-        fn full_stick(&self, py: Python<'_>, friction: f64, force: f64) -> PyResult<MindlinFullStick> {
-            self.0.full_stick(friction, force).or_raise(py).map(Into::into)
+        fn full_stick(&self, py: Python<'_>, friction: Real, force: Real) -> PyResult<MindlinFullStick> {
+            self.0.full_stick(friction.0, force.0).or_raise(py).map(Into::into)
         }
     }
 }

@@ -6,6 +6,7 @@ use crate::analytical::HertzSphere;
 use crate::analytical::closed_form::closed_form;
 use crate::error::OrRaise;
 use crate::material::ElasticPair;
+use crate::real::Real;
 
 closed_form! {
     /// A nominally flat rough surface pressed on a half-space: the fraction of the area in real contact.
@@ -47,8 +48,8 @@ closed_form! {
     }
     also {
         /// The same contact with another coefficient kappa (dimensionless, positive).
-        fn with_area_coefficient(&self, py: Python<'_>, area_coefficient: f64) -> PyResult<Self> {
-            self.0.with_area_coefficient(area_coefficient).or_raise(py).map(Self)
+        fn with_area_coefficient(&self, py: Python<'_>, area_coefficient: Real) -> PyResult<Self> {
+            self.0.with_area_coefficient(area_coefficient.0).or_raise(py).map(Self)
         }
 
         /// Fraction of the real contact area that sticks: the contact area under 1 - f of the load over that under all of
@@ -64,15 +65,15 @@ closed_form! {
         /// Raises
         /// ------
         /// Negative, NotFinite, BeyondFrictionCapacity
-        fn stick_ratio(&self, py: Python<'_>, friction: f64, mean_traction: f64) -> PyResult<f64> {
-            self.0.stick_ratio(friction, mean_traction).or_raise(py)
+        fn stick_ratio(&self, py: Python<'_>, friction: Real, mean_traction: Real) -> PyResult<f64> {
+            self.0.stick_ratio(friction.0, mean_traction.0).or_raise(py)
         }
 
         /// The contact fraction of any surface at a reduced pressure P (not negative), with a coefficient kappa (positive;
         /// both dimensionless).
         #[staticmethod]
-        fn area_law(py: Python<'_>, reduced_pressure: f64, area_coefficient: f64) -> PyResult<f64> {
-            stickslip::analytical::Persson::area_law(reduced_pressure, area_coefficient).or_raise(py)
+        fn area_law(py: Python<'_>, reduced_pressure: Real, area_coefficient: Real) -> PyResult<f64> {
+            stickslip::analytical::Persson::area_law(reduced_pressure.0, area_coefficient.0).or_raise(py)
         }
     }
 }
@@ -114,15 +115,15 @@ closed_form! {
     also {
         /// The same contact with another coefficient kappa (dimensionless, positive), for example one of those that
         /// :class:`Persson` lists.
-        fn with_area_coefficient(&self, py: Python<'_>, area_coefficient: f64) -> PyResult<Self> {
-            self.0.with_area_coefficient(area_coefficient).or_raise(py).map(Self)
+        fn with_area_coefficient(&self, py: Python<'_>, area_coefficient: Real) -> PyResult<Self> {
+            self.0.with_area_coefficient(area_coefficient.0).or_raise(py).map(Self)
         }
 
         /// The relative area of any rough sphere at a reduced pressure P (not negative), with a coefficient kappa (positive;
         /// both dimensionless).
         #[staticmethod]
-        fn area_law(py: Python<'_>, reduced_pressure: f64, area_coefficient: f64) -> PyResult<f64> {
-            stickslip::analytical::RoughSphere::area_law(reduced_pressure, area_coefficient).or_raise(py)
+        fn area_law(py: Python<'_>, reduced_pressure: Real, area_coefficient: Real) -> PyResult<f64> {
+            stickslip::analytical::RoughSphere::area_law(reduced_pressure.0, area_coefficient.0).or_raise(py)
         }
     }
 }
@@ -144,9 +145,9 @@ closed_form! {
 #[pyfunction]
 pub(crate) fn linear_stick_ratio(
     py: Python<'_>,
-    load: f64,
-    friction: f64,
-    force: f64,
+    load: Real,
+    friction: Real,
+    force: Real,
 ) -> PyResult<f64> {
-    stickslip::analytical::linear_stick_ratio(load, friction, force).or_raise(py)
+    stickslip::analytical::linear_stick_ratio(load.0, friction.0, force.0).or_raise(py)
 }

@@ -15,6 +15,7 @@ use crate::grid::size;
 use crate::half_space::HalfSpace;
 use crate::load::{self, Keywords, TangentialLoad};
 use crate::pickle::Recipe;
+use crate::real::Real;
 use crate::settings::{Settings, chosen};
 use crate::solver::solve_once;
 use crate::tangential::RelativeDisplacement;
@@ -75,24 +76,24 @@ impl CoupledProblem {
         gap: Samples<'_>,
         friction: AnyFriction<'_>,
         load: Option<TangentialLoad>,
-        normal_force: Option<f64>,
-        approach: Option<f64>,
+        normal_force: Option<Real>,
+        approach: Option<Real>,
         force: Option<due::Force>,
         shift: Option<due::Shift>,
         spring: Option<due::Springs>,
-        force_x: Option<f64>,
-        force_y: Option<f64>,
-        shift_x: Option<f64>,
-        shift_y: Option<f64>,
+        force_x: Option<Real>,
+        force_y: Option<Real>,
+        shift_x: Option<Real>,
+        shift_y: Option<Real>,
         spring_x: Option<due::Spring>,
         spring_y: Option<due::Spring>,
-        twist: Option<f64>,
+        twist: Option<Real>,
         relative_displacement: Option<RelativeDisplacement>,
         settings: Option<Settings>,
-        tolerance: Option<f64>,
+        tolerance: Option<Real>,
         method: Option<Choice<cgm::Method>>,
         max_iterations: Option<usize>,
-        time_limit: Option<f64>,
+        time_limit: Option<Real>,
     ) -> PyResult<Self> {
         let settings = chosen(settings, tolerance, method, max_iterations, time_limit)?;
         let keywords = Keywords::new(

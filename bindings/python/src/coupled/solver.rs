@@ -7,6 +7,7 @@ use crate::error::OrRaise;
 use crate::field::Samples;
 use crate::friction::AnyFriction;
 use crate::load::{self, TangentialLoad};
+use crate::real::Real;
 use crate::solver::{Reused, solver};
 
 /// Solves coupled contacts again and again, each from the last answer; made by :meth:`CoupledProblem.solver`.
@@ -43,8 +44,8 @@ impl CoupledSolver {
     fn set_normal(
         &self,
         py: Python<'_>,
-        force: Option<f64>,
-        approach: Option<f64>,
+        force: Option<Real>,
+        approach: Option<Real>,
     ) -> PyResult<()> {
         let normal = load::needed(force, approach)?;
         self.0

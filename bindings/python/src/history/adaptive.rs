@@ -11,6 +11,7 @@ use crate::history::{Cycle, History, builder};
 use crate::load::LoadStep;
 use crate::pickle::picklable;
 use crate::progress::Progress;
+use crate::real::Real;
 use crate::report;
 use crate::sequence::pair;
 use crate::work::{solve, unless_broken_off, unobserved};
@@ -79,9 +80,9 @@ const NAME: &str = "object that takes adaptive steps";
 #[pymethods]
 impl AdaptiveSteps {
     #[new]
-    fn new(py: Python<'_>, history: &History, tolerance: f64) -> PyResult<Self> {
+    fn new(py: Python<'_>, history: &History, tolerance: Real) -> PyResult<Self> {
         let steps =
-            history.read(|history| stickslip::history::AdaptiveSteps::new(history, tolerance))?;
+            history.read(|history| stickslip::history::AdaptiveSteps::new(history, tolerance.0))?;
         steps.or_raise(py).map(|steps| Self(Mutex::new(steps)))
     }
 

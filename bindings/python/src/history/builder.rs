@@ -13,6 +13,7 @@ use crate::half_space::HalfSpace;
 use crate::held::lock;
 use crate::history::step::Numbers;
 use crate::normal::AnyHardness;
+use crate::real::Real;
 use crate::settings::{Settings, chosen};
 use crate::tangential::RelativeDisplacement;
 use crate::work::unobserved_on;
@@ -156,10 +157,10 @@ impl History {
         hardness: Option<AnyHardness<'_>>,
         permanent_set: bool,
         settings: Option<Settings>,
-        tolerance: Option<f64>,
+        tolerance: Option<Real>,
         method: Option<Choice<cgm::Method>>,
         max_iterations: Option<usize>,
-        time_limit: Option<f64>,
+        time_limit: Option<Real>,
     ) -> PyResult<Self> {
         let settings = chosen(settings, tolerance, method, max_iterations, time_limit)?;
         let grid = bodies.0.grid();

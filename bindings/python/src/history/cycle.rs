@@ -215,6 +215,14 @@ impl Cycle {
         Ok(LoopPoints(self.lock()?.points().to_vec()))
     }
 
+    /// Work of the tangential force and of the moment (a force times a length): the area that the loop of the points
+    /// encloses where it closes. The ``work`` of :attr:`energy` has that of a changing relative displacement, such as bulk
+    /// strain, besides.
+    #[getter]
+    fn work_of_loads(&self) -> PyResult<f64> {
+        Ok(self.lock()?.work_of_loads())
+    }
+
     /// The loop as CSV.
     fn points_as_csv(&self) -> PyResult<String> {
         Ok(self.lock()?.points_as_csv())

@@ -8,6 +8,7 @@ use crate::digits::{counted, tuple};
 use crate::due;
 use crate::error::OrRaise;
 use crate::pickle::picklable;
+use crate::real::Real;
 use crate::sequence::{entry, pair};
 
 /// A cycle of a tangential load in the plane, as the values (x, y) at the ends of its steps: forces or shifts, as the
@@ -60,10 +61,10 @@ impl LoadPath {
     fn ellipse(
         py: Python<'_>,
         amplitudes: due::EllipseAmplitudes,
-        phase: f64,
+        phase: Real,
         steps: usize,
     ) -> PyResult<Self> {
-        Path::ellipse(amplitudes.0, phase, steps)
+        Path::ellipse(amplitudes.0, phase.0, steps)
             .or_raise(py)
             .map(Self)
     }

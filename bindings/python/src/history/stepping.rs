@@ -14,6 +14,7 @@ use crate::history::builder::{NAME, Work};
 use crate::history::{History, StepResult};
 use crate::load::{self, Keywords, LoadStep};
 use crate::progress::Progress;
+use crate::real::Real;
 use crate::report::warn;
 use crate::work::solve;
 
@@ -46,19 +47,19 @@ impl History {
     fn step<'py>(
         slf: &Bound<'py, Self>,
         load: Option<LoadStep>,
-        normal_force: Option<f64>,
-        approach: Option<f64>,
+        normal_force: Option<Real>,
+        approach: Option<Real>,
         force: Option<due::Force>,
         shift: Option<due::Shift>,
         spring: Option<due::Springs>,
-        force_x: Option<f64>,
-        force_y: Option<f64>,
-        shift_x: Option<f64>,
-        shift_y: Option<f64>,
+        force_x: Option<Real>,
+        force_y: Option<Real>,
+        shift_x: Option<Real>,
+        shift_y: Option<Real>,
         spring_x: Option<due::Spring>,
         spring_y: Option<due::Spring>,
-        twist: Option<f64>,
-        relative_displacement: Option<f64>,
+        twist: Option<Real>,
+        relative_displacement: Option<Real>,
         progress: Option<Bound<'py, PyAny>>,
         warn: bool,
     ) -> PyResult<StepResult> {

@@ -13,6 +13,7 @@ use crate::field::{Samples, Spread, grid_of};
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::history::Cycle;
+use crate::real::Real;
 use crate::work::unobserved_on;
 
 /// A coefficient of wear as the crate takes it.
@@ -159,7 +160,7 @@ pub(crate) fn energy<'py>(
 pub(crate) fn threshold_energy<'py>(
     py: Python<'py>,
     coefficient: Samples<'py>,
-    threshold: f64,
+    threshold: Real,
     accumulated: Samples<'py>,
     energy: Samples<'py>,
     depth: Option<Samples<'py>>,
@@ -173,7 +174,7 @@ pub(crate) fn threshold_energy<'py>(
     unobserved_on(py, grid, || {
         wear::threshold_energy(
             coefficient_of(&given),
-            threshold,
+            threshold.0,
             &accumulated,
             &energy,
             &mut worn,
@@ -260,21 +261,21 @@ impl CycleJump {
         bodies: &HalfSpace,
         cycle: &Cycle,
         depth: Samples<'_>,
-        largest_depth: Option<f64>,
-        closed_within: Option<f64>,
-        cycles_left: Option<f64>,
+        largest_depth: Option<Real>,
+        closed_within: Option<Real>,
+        cycles_left: Option<Real>,
     ) -> PyResult<Self> {
         let grid = bodies.0.grid();
         let depth = depth.on(py, "depth of the cycle", grid)?;
         let cycle = &*cycle.lock()?;
         let mut jump = unobserved_on(py, grid, || wear::CycleJump::new(&bodies.0, cycle, &depth))?;
-        if let Some(depth) = largest_depth {
+        if let Some(Real(depth)) = largest_depth {
             jump = jump.largest_depth(depth);
         }
-        if let Some(residual) = closed_within {
+        if let Some(Real(residual)) = closed_within {
             jump = jump.closed_within(residual);
         }
-        if let Some(cycles) = cycles_left {
+        if let Some(Real(cycles)) = cycles_left {
             jump = jump.cycles_left(cycles);
         }
         Ok(Self(jump))

@@ -13,6 +13,7 @@ use crate::half_space::HalfSpace;
 use crate::load;
 use crate::normal::{AnyHardness, Hardness, NormalSolution, NormalSolver};
 use crate::pickle::Recipe;
+use crate::real::Real;
 use crate::settings::{Settings, chosen};
 use crate::solver::solve_once;
 use crate::work::unobserved_on;
@@ -68,14 +69,14 @@ impl NormalProblem {
         py: Python<'_>,
         bodies: &HalfSpace,
         gap: Samples<'_>,
-        force: Option<f64>,
-        approach: Option<f64>,
+        force: Option<Real>,
+        approach: Option<Real>,
         hardness: Option<AnyHardness<'_>>,
         settings: Option<Settings>,
-        tolerance: Option<f64>,
+        tolerance: Option<Real>,
         method: Option<Choice<cgm::Method>>,
         max_iterations: Option<usize>,
-        time_limit: Option<f64>,
+        time_limit: Option<Real>,
     ) -> PyResult<Self> {
         let settings = chosen(settings, tolerance, method, max_iterations, time_limit)?;
         let grid = bodies.0.grid();

@@ -11,6 +11,7 @@ use crate::half_space::HalfSpace;
 use crate::held::lock;
 use crate::load;
 use crate::normal::{AnyHardness, NormalProblem, NormalSolution};
+use crate::real::Real;
 use crate::settings::Settings;
 use crate::solver::{Reused, solver};
 use crate::work::unobserved_on;
@@ -118,14 +119,14 @@ impl NormalSolver {
         py: Python<'_>,
         bodies: &HalfSpace,
         gap: Samples<'_>,
-        force: Option<f64>,
-        approach: Option<f64>,
+        force: Option<Real>,
+        approach: Option<Real>,
         hardness: Option<AnyHardness<'_>>,
         settings: Option<Settings>,
-        tolerance: Option<f64>,
+        tolerance: Option<Real>,
         method: Option<Choice<cgm::Method>>,
         max_iterations: Option<usize>,
-        time_limit: Option<f64>,
+        time_limit: Option<Real>,
     ) -> PyResult<Self> {
         let problem = NormalProblem::new(
             py,
@@ -168,8 +169,8 @@ impl NormalSolver {
     fn solve<'py>(
         &self,
         py: Python<'py>,
-        force: Option<f64>,
-        approach: Option<f64>,
+        force: Option<Real>,
+        approach: Option<Real>,
         gap: Option<Samples<'_>>,
         progress: Option<Bound<'py, PyAny>>,
         warn: bool,
@@ -190,7 +191,12 @@ impl NormalSolver {
 
     /// Changes the load of the next solve.
     #[pyo3(signature = (*, force=None, approach=None))]
-    fn set_load(&self, py: Python<'_>, force: Option<f64>, approach: Option<f64>) -> PyResult<()> {
+    fn set_load(
+        &self,
+        py: Python<'_>,
+        force: Option<Real>,
+        approach: Option<Real>,
+    ) -> PyResult<()> {
         self.change(py, Some(load::needed(force, approach)?), None)
     }
 

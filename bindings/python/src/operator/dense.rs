@@ -12,6 +12,7 @@ use crate::digits::{counted, short};
 use crate::error::OrRaise;
 use crate::half_space::HalfSpace;
 use crate::operator::{LinearOperator, numbers};
+use crate::real::Real;
 use crate::work::{unobserved, unobserved_on};
 
 /// An explicit square matrix, of at most 4096 unknowns.
@@ -80,7 +81,7 @@ impl DenseOperator {
         linear: Bound<'_, PyAny>,
         lower: Option<Bound<'_, PyAny>>,
         upper: Option<Bound<'_, PyAny>>,
-        total: Option<f64>,
+        total: Option<Real>,
     ) -> PyResult<DenseMinimum> {
         let cells = Operator::cells(&*self.0);
         let linear = numbers(&linear, cells)?;
@@ -88,8 +89,11 @@ impl DenseOperator {
         let bounds = crate::cgm::bounds(lower, upper, cells)?;
         let found = unobserved(py, cells.saturating_mul(cells), || {
             let [lower, upper] = bounds.each_ref().map(|bound| &bound[..]);
-            self.0
-                .minimise(linear, &stickslip::cgm::Bounds { lower, upper }, total)
+            self.0.minimise(
+                linear,
+                &stickslip::cgm::Bounds { lower, upper },
+                total.map(f64::from),
+            )
         })?;
         Ok(DenseMinimum(found))
     }

@@ -14,6 +14,7 @@ use crate::error::OrRaise;
 use crate::grid::{Grid, size};
 use crate::half_space::HalfSpace;
 use crate::held::lock;
+use crate::report::{Warning, warn};
 use crate::sequence::place;
 use crate::subsurface::{Loaded, Stress};
 use crate::work::{observed_on, unobserved_on, watch};
@@ -85,6 +86,13 @@ impl Plane {
     fn displacement<'py>(&self, py: Python<'py>) -> Option<(Array<'py>, Array<'py>, Array<'py>)> {
         let fields = self.0.displacement()?;
         Some(fields.map(|field| copy(py, field)).into())
+    }
+
+    /// Remarks that a value may mislead: on a plane nearer to the surface than a side of a cell, if shear tractions end at
+    /// the edge of a contact; empty if there are none.
+    #[getter]
+    fn warnings(&self) -> Vec<Warning> {
+        Warning::all(self.0.warnings())
     }
 
     /// The stress of a cell, by column and row; ``None`` beyond the grid.
@@ -159,10 +167,14 @@ impl Planes {
         &self,
         py: Python<'_>,
         tractions: &Loaded<'_>,
+        uniform_stress: Option<Stress>,
         work: impl FnOnce(&mut subsurface::Planes, Tractions<'_>) -> PyResult<T>,
     ) -> PyResult<T> {
         let held = tractions.held(py, self.grid())?;
-        work(&mut *lock(&self.planes, "planes")?, held.tractions())
+        work(
+            &mut *lock(&self.planes, "planes")?,
+            held.tractions(uniform_stress),
+        )
     }
 }
 
@@ -198,54 +210,73 @@ impl Planes {
     /// The plane at the depth of this index, which counts from the end if it is negative, in a body; the tractions as of
     /// :func:`at_points`.
     ///
+    /// Parameters
+    /// ----------
+    /// uniform_stress : Stress, optional
+    ///     As of :func:`at_points`: bulk stress, which is added.
+    /// warn : bool, default True
+    ///     Whether :attr:`Plane.warnings` go to ``warnings`` too, each kind once a place.
+    ///
     /// Raises
     /// ------
     /// IndexError
     ///     If there is no such depth.
     /// RigidBody, Memory, GridMismatch, BoundaryMismatch, MaterialMismatch, Sample
+    #[pyo3(signature = (index, body, tractions, *, uniform_stress=None, warn=true))]
     fn solve(
         &self,
         py: Python<'_>,
         index: isize,
         body: Choice<Body>,
         tractions: Loaded<'_>,
+        uniform_stress: Option<Stress>,
+        warn: bool,
     ) -> PyResult<Plane> {
-        self.with(py, &tractions, |planes, tractions| {
+        let plane = self.with(py, &tractions, uniform_stress, |planes, tractions| {
             let index = place(planes.depths(), index, "depth")?;
-            let plane = observed_on(py, self.grid(), |observer| {
+            observed_on(py, self.grid(), |observer| {
                 planes.solve_observed(index, body.0, tractions, watch(observer))
-            });
-            plane.map(Plane)
-        })
+            })
+        })?;
+        self::warn(py, warn, || plane.warnings())?;
+        Ok(Plane(plane))
     }
 
-    /// The planes of all depths in a body.
+    /// The planes of all depths in a body, as of :meth:`solve`.
+    #[pyo3(signature = (body, tractions, *, uniform_stress=None, warn=true))]
     fn solve_all(
         &self,
         py: Python<'_>,
         body: Choice<Body>,
         tractions: Loaded<'_>,
+        uniform_stress: Option<Stress>,
+        warn: bool,
     ) -> PyResult<Vec<Plane>> {
-        self.with(py, &tractions, |planes, tractions| {
+        let found = self.with(py, &tractions, uniform_stress, |planes, tractions| {
             let depths = planes.depths().len();
-            let found = observed_on(py, self.grid(), |observer| {
+            observed_on(py, self.grid(), |observer| {
                 let solve =
                     |index| planes.solve_observed(index, body.0, tractions, watch(&mut *observer));
                 (0..depths).map(solve).collect::<Result<Vec<_>, _>>()
-            })?;
-            Ok(found.into_iter().map(Plane).collect())
-        })
+            })
+        })?;
+        for plane in &found {
+            self::warn(py, warn, || plane.warnings())?;
+        }
+        Ok(found.into_iter().map(Plane).collect())
     }
 
-    /// Writes the stresses of all depths in a body as a volume for ParaView.
+    /// Writes the stresses of all depths in a body as a volume for ParaView, as of :meth:`solve`.
+    #[pyo3(signature = (path, body, tractions, *, uniform_stress=None))]
     fn write_vti(
         &self,
         py: Python<'_>,
         path: PathBuf,
         body: Choice<Body>,
         tractions: Loaded<'_>,
+        uniform_stress: Option<Stress>,
     ) -> PyResult<()> {
-        self.with(py, &tractions, |planes, tractions| {
+        self.with(py, &tractions, uniform_stress, |planes, tractions| {
             observed_on(py, self.grid(), |observer| {
                 planes.write_vti_observed(&path, body.0, tractions, watch(observer))
             })

@@ -146,22 +146,30 @@ picklable!(Responses: Vec<subsurface::Response>);
 ///     Those of a solution of any kind or of both halves, or fields: a pressure, or a pressure and tractions along x and y.
 /// points : array_like of shape (n, 3)
 ///     Each ``(x, y, depth)`` (lengths), the depth below the surface of the body.
+/// uniform_stress : Stress, optional
+///     A uniform stress of the body, such as bulk stress, which is added to that of the tractions everywhere; none by
+///     default. Displacements are those of the tractions alone.
 ///
 /// Returns
 /// -------
 /// Responses
 ///     Of each point in turn, and arrays of all.
 #[pyfunction]
+#[pyo3(signature = (bodies, body, tractions, points, *, uniform_stress=None))]
 pub(crate) fn at_points(
     py: Python<'_>,
     bodies: &HalfSpace,
     body: Choice<Body>,
     tractions: Loaded<'_>,
     points: due::Points,
+    uniform_stress: Option<Stress>,
 ) -> PyResult<Responses> {
     let (grid, points) = (bodies.0.grid(), points.0);
     let held = tractions.held(py, grid)?;
-    let (tractions, work) = (held.tractions(), grid.cells().saturating_mul(points.len()));
+    let (tractions, work) = (
+        held.tractions(uniform_stress),
+        grid.cells().saturating_mul(points.len()),
+    );
     let outcome = solve(py, work, Progress::none(), |observer| {
         subsurface::at_points_observed(&bodies.0, body.0, tractions, &points, watch(observer))
     })?;

@@ -4,6 +4,7 @@ use pyo3::prelude::*;
 
 use crate::digits::{short, tuple};
 use crate::pickle::picklable;
+use crate::real::Real;
 
 /// Principal stresses, the largest first, and the unit vector of each.
 #[pyclass(frozen, eq, module = "stickslip.subsurface")]
@@ -31,7 +32,8 @@ impl Principal {
 
 picklable!(Principal: stickslip::subsurface::Principal);
 
-/// The symmetric stress tensor at a point (pressures), tensile positive, with z into body 1.
+/// The symmetric stress tensor at a point (pressures), tensile positive, with z into body 1. Stresses add, subtract and
+/// scale by numbers.
 ///
 /// Parameters
 /// ----------
@@ -43,22 +45,25 @@ picklable!(Principal: stickslip::subsurface::Principal);
 /// >>> from stickslip.subsurface import Stress
 /// >>> Stress(xy=2.0).principal.values
 /// (2.0, 0.0, -2.0)
-#[pyclass(frozen, eq, module = "stickslip.subsurface")]
+/// >>> Stress(xx=1.0) + 2.0 * Stress(xx=3.0)
+/// Stress(xx=7, yy=0, zz=0, xy=0, xz=0, yz=0)
+#[pyclass(frozen, eq, module = "stickslip.subsurface", from_py_object)]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Stress(pub(crate) stickslip::subsurface::Stress);
 
 #[pymethods]
 impl Stress {
     #[new]
-    #[pyo3(signature = (*, xx=0.0, yy=0.0, zz=0.0, xy=0.0, xz=0.0, yz=0.0))]
-    fn new(xx: f64, yy: f64, zz: f64, xy: f64, xz: f64, yz: f64) -> Self {
+    #[pyo3(signature = (*, xx=Real(0.0), yy=Real(0.0), zz=Real(0.0), xy=Real(0.0), xz=Real(0.0), yz=Real(0.0)),
+        text_signature = "(*, xx=0.0, yy=0.0, zz=0.0, xy=0.0, xz=0.0, yz=0.0)")]
+    fn new(xx: Real, yy: Real, zz: Real, xy: Real, xz: Real, yz: Real) -> Self {
         Self(stickslip::subsurface::Stress {
-            xx,
-            yy,
-            zz,
-            xy,
-            xz,
-            yz,
+            xx: xx.0,
+            yy: yy.0,
+            zz: zz.0,
+            xy: xy.0,
+            xz: xz.0,
+            yz: yz.0,
         })
     }
 
@@ -120,6 +125,33 @@ impl Stress {
     #[getter]
     fn principal(&self) -> Principal {
         Principal(self.0.principal())
+    }
+
+    /// The sum with another stress.
+    fn __add__(&self, other: &Self) -> Self {
+        Self(self.0 + other.0)
+    }
+
+    fn __radd__(&self, other: &Self) -> Self {
+        other.__add__(self)
+    }
+
+    /// The difference from another stress.
+    fn __sub__(&self, other: &Self) -> Self {
+        Self(self.0 - other.0)
+    }
+
+    fn __rsub__(&self, other: &Self) -> Self {
+        other.__sub__(self)
+    }
+
+    /// So many times the stress.
+    fn __mul__(&self, factor: Real) -> Self {
+        Self(self.0 * factor.0)
+    }
+
+    fn __rmul__(&self, factor: Real) -> Self {
+        self.__mul__(factor)
     }
 
     fn __repr__(&self) -> String {

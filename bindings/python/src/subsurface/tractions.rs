@@ -16,6 +16,7 @@ use crate::field::Samples;
 use crate::history::{History, State};
 use crate::normal::NormalSolution;
 use crate::real::is_plane;
+use crate::subsurface::Stress;
 use crate::tangential::TangentialSolution;
 
 /// What tractions are taken from: a solution of any kind, a pair of a normal and a tangential one, a state or a history; or fields: a pressure, or a
@@ -55,14 +56,19 @@ pub(crate) enum Held<'a> {
 }
 
 impl Held<'_> {
-    pub(crate) fn tractions(&self) -> Tractions<'_> {
-        match self {
+    /// With a uniform stress of the body that is looked into, if one is given.
+    pub(crate) fn tractions(&self, uniform: Option<Stress>) -> Tractions<'_> {
+        let tractions = match self {
             Self::Normal(normal) => Tractions::from(*normal),
             Self::Sheared(normal, shear) => Tractions::from((*normal, *shear)),
             Self::Coupled(solution) => Tractions::from(*solution),
             Self::State(state) => Tractions::from(&**state),
             Self::Fields(pressure, None) => Tractions::new(pressure),
             Self::Fields(pressure, Some([x, y])) => Tractions::new(pressure).with_shear([x, y]),
+        };
+        match uniform {
+            None => tractions,
+            Some(stress) => tractions.with_uniform_stress(stress.0),
         }
     }
 }

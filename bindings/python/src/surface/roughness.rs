@@ -11,6 +11,7 @@ use crate::field::Field;
 use crate::grid::{Grid, size};
 use crate::half_space::HalfSpace;
 use crate::pickle::{parts, picklable};
+use crate::real::Real;
 use crate::surface::numbers;
 use crate::work::{observed_on, watch};
 
@@ -57,23 +58,23 @@ impl SelfAffine {
         roll_off_wavelength=None, cut_off_wavelength=None, amplitudes=None, cropped=false, skewness=None,
         kurtosis=None, seed=None))]
     fn new(
-        rms_height: Option<f64>,
-        rms_slope: Option<f64>,
-        hurst: Option<f64>,
-        longest_wavelength: Option<f64>,
-        roll_off_wavelength: Option<f64>,
-        cut_off_wavelength: Option<f64>,
+        rms_height: Option<Real>,
+        rms_slope: Option<Real>,
+        hurst: Option<Real>,
+        longest_wavelength: Option<Real>,
+        roll_off_wavelength: Option<Real>,
+        cut_off_wavelength: Option<Real>,
         amplitudes: Option<Choice<surface::Amplitudes>>,
         cropped: bool,
-        skewness: Option<f64>,
-        kurtosis: Option<f64>,
+        skewness: Option<Real>,
+        kurtosis: Option<Real>,
         seed: Option<u64>,
     ) -> PyResult<Self> {
         use surface::SelfAffine as Recipe;
-        type Setting = (Option<f64>, fn(Recipe, f64) -> Recipe);
+        type Setting = (Option<Real>, fn(Recipe, f64) -> Recipe);
         let mut recipe = match (rms_height, rms_slope) {
-            (Some(height), None) => Recipe::with_rms_height(height),
-            (None, Some(slope)) => Recipe::with_rms_slope(slope),
+            (Some(Real(height)), None) => Recipe::with_rms_height(height),
+            (None, Some(Real(slope))) => Recipe::with_rms_slope(slope),
             _ => {
                 return Err(PyTypeError::new_err("give one of rms_height and rms_slope"));
             }
@@ -87,7 +88,7 @@ impl SelfAffine {
             (kurtosis, Recipe::kurtosis),
         ];
         for (number, set) in numbers {
-            if let Some(number) = number {
+            if let Some(Real(number)) = number {
                 recipe = set(recipe, number);
             }
         }

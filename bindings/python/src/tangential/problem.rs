@@ -12,6 +12,7 @@ use crate::grid::size;
 use crate::half_space::HalfSpace;
 use crate::load::{Keywords, TangentialLoad};
 use crate::pickle::Recipe;
+use crate::real::Real;
 use crate::settings::{Settings, chosen};
 use crate::solver::solve_once;
 use crate::tangential::pressure::Pressure;
@@ -81,21 +82,21 @@ impl TangentialProblem {
         force: Option<due::Force>,
         shift: Option<due::Shift>,
         spring: Option<due::Springs>,
-        force_x: Option<f64>,
-        force_y: Option<f64>,
-        shift_x: Option<f64>,
-        shift_y: Option<f64>,
+        force_x: Option<Real>,
+        force_y: Option<Real>,
+        shift_x: Option<Real>,
+        shift_y: Option<Real>,
         spring_x: Option<due::Spring>,
         spring_y: Option<due::Spring>,
-        twist: Option<f64>,
+        twist: Option<Real>,
         model: Option<Choice<TangentialModel>>,
         coupling: Option<Choice<Coupling>>,
         relative_displacement: Option<RelativeDisplacement>,
         settings: Option<Settings>,
-        tolerance: Option<f64>,
+        tolerance: Option<Real>,
         method: Option<Choice<cgm::Method>>,
         max_iterations: Option<usize>,
-        time_limit: Option<f64>,
+        time_limit: Option<Real>,
     ) -> PyResult<Self> {
         let settings = chosen(settings, tolerance, method, max_iterations, time_limit)?;
         let keywords = Keywords::new(

@@ -3,14 +3,14 @@
 use std::sync::Arc;
 
 use pyo3::prelude::*;
-use pyo3::types::PyType;
 use stickslip::tangential::RelativeDisplacement as Relative;
 
 use crate::array::{Array, view};
 use crate::due;
 use crate::error::OrRaise;
-use crate::field::{Field, Samples, grid_of};
+use crate::field::{Samples, grid_of};
 use crate::grid::{Grid, size};
+use crate::pickle::picklable;
 
 /// A displacement of body 1 relative to body 2 that the contact does not cause: bulk strain, thermal expansion.
 ///
@@ -66,12 +66,9 @@ impl RelativeDisplacement {
         )
     }
 
-    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> (Bound<'py, PyType>, (Field, Field)) {
-        let fields = slf.get().0.fields().map(|field| Field::from(field.clone()));
-        (slf.get_type(), fields.into())
-    }
-
     fn __repr__(&self) -> String {
         format!("RelativeDisplacement({})", size(self.0.fields()[0].grid()))
     }
 }
+
+picklable!(RelativeDisplacement: Relative);

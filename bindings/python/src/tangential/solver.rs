@@ -6,6 +6,7 @@ use crate::due;
 use crate::error::OrRaise;
 use crate::friction::AnyFriction;
 use crate::load::{Keywords, TangentialLoad};
+use crate::real::Real;
 use crate::solver::{Reused, solver};
 use crate::tangential::pressure::Pressure;
 use crate::tangential::{RelativeDisplacement, TangentialSolution};
@@ -58,13 +59,13 @@ impl TangentialSolver {
         force: Option<due::Force>,
         shift: Option<due::Shift>,
         spring: Option<due::Springs>,
-        force_x: Option<f64>,
-        force_y: Option<f64>,
-        shift_x: Option<f64>,
-        shift_y: Option<f64>,
+        force_x: Option<Real>,
+        force_y: Option<Real>,
+        shift_x: Option<Real>,
+        shift_y: Option<Real>,
         spring_x: Option<due::Spring>,
         spring_y: Option<due::Spring>,
-        twist: Option<f64>,
+        twist: Option<Real>,
         progress: Option<Bound<'py, PyAny>>,
         warn: bool,
     ) -> PyResult<Bound<'py, TangentialSolution>> {

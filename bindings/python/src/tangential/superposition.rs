@@ -7,6 +7,7 @@ use crate::digits::short;
 use crate::error::OrRaise;
 use crate::material::ElasticPair;
 use crate::normal::NormalSolution;
+use crate::real::Real;
 
 /// Jaeger's superposition: the traction of a contact under one force as the difference of two pressures.
 ///
@@ -34,10 +35,11 @@ impl JaegerSuperposition {
         full: &NormalSolution,
         stick: &NormalSolution,
         pair: &ElasticPair,
-        friction: f64,
+        friction: Real,
     ) -> PyResult<Self> {
         let (full, stick) = (full.get(), stick.get());
-        let found = stickslip::tangential::JaegerSuperposition::new(full, stick, &pair.0, friction);
+        let found =
+            stickslip::tangential::JaegerSuperposition::new(full, stick, &pair.0, friction.0);
         found.or_raise(py).map(Self)
     }
 
