@@ -25,6 +25,7 @@ void *__libc_memalign(size_t alignment, size_t size);
 /* Of all threads: allocations of at least `least` bytes, and those of the tiles in which fields are transformed, fail from number
  * `first` on while `armed`. */
 #define TILE 2048
+#define LEAST 8192
 static int armed = 0;
 static size_t first = 0, least = 0, seen = 0;
 
@@ -425,6 +426,7 @@ static stickslip_status stresses(void) {
     double below[] = {1e-5, 2e-5};
     stickslip_tractions tractions = {halves, halves, halves, cells};
     stickslip_planes *planes = NULL;
+    double *measures = __libc_malloc(cells * sizeof(double));
     stickslip_point point = {0.0, 0.0, 1e-5};
     stickslip_response response;
     arm();
@@ -433,16 +435,67 @@ static stickslip_status stresses(void) {
         status = stickslip_planes_solve(planes, 1, STICKSLIP_BODY_1, &tractions);
     }
     if (status == STICKSLIP_OK) {
+        status = stickslip_planes_measure(planes, STICKSLIP_VON_MISES, measures, cells);
+    }
+    if (status == STICKSLIP_OK) {
         status = stickslip_stress_at_points(steel, STICKSLIP_BODY_1, &tractions, &point, 1, &response);
     }
     disarmed(status);
+    free(measures);
     OK(stickslip_planes_free(planes));
     return status;
 }
 
-/* Calls on a grid of so many cells, where so many bytes follow the cells. */
-static void scenes(size_t nx, size_t ny, size_t bytes) {
-    cells = nx * ny, least = bytes;
+static stickslip_status shape(void) {
+    return ARMED(stickslip_surface_sphere(&grid, 3.5e-3, ball, cells));
+}
+
+/* Lists of warnings and spots, whose length follows the contact. */
+static stickslip_status lists(void) {
+    stickslip_friction friction = stickslip_coulomb(0.5);
+    stickslip_normal_solver *presser = NULL;
+    stickslip_normal_solution *pressed = NULL;
+    OK(stickslip_normal_solver_new(steel, ball, cells, &PRESS, NULL, NULL, &presser));
+    OK(stickslip_normal_solution_new(presser, &pressed));
+    OK(stickslip_normal_solver_solve(presser, pressed, NULL));
+    stickslip_tangential_solver *shearer = NULL;
+    stickslip_tangential_solution *sheared = NULL;
+    OK(stickslip_tangential_solver_new(steel, pressed, &friction, &DRAG, NULL, &shearer));
+    OK(stickslip_tangential_solution_new(shearer, &sheared));
+    OK(stickslip_tangential_solver_solve(shearer, sheared, NULL));
+    stickslip_history *history = made(steel, 1, 100.0, 10.0);
+    size_t count = 0;
+    least = 1024;
+    arm();
+    stickslip_status status = stickslip_normal_solution_warnings(pressed, NULL, 0, &count);
+    if (status == STICKSLIP_OK) {
+        status = stickslip_tangential_solution_warnings(sheared, NULL, 0, &count);
+    }
+    if (status == STICKSLIP_OK) {
+        status = stickslip_history_warnings(history, NULL, 0, &count);
+    }
+    if (status == STICKSLIP_OK) {
+        status = stickslip_normal_solution_spots(pressed, NULL, 0, &count, NULL, 0);
+    }
+    if (status == STICKSLIP_OK) {
+        status = stickslip_tangential_solution_spots(sheared, pressed, NULL, 0, &count, NULL, 0);
+    }
+    if (status == STICKSLIP_OK) {
+        status = stickslip_history_spots(history, NULL, 0, &count, NULL, 0);
+    }
+    disarmed(status);
+    least = LEAST;
+    OK(stickslip_history_free(history));
+    OK(stickslip_tangential_solver_free(shearer));
+    OK(stickslip_tangential_solution_free(sheared));
+    OK(stickslip_normal_solver_free(presser));
+    OK(stickslip_normal_solution_free(pressed));
+    return status;
+}
+
+/* Calls on a grid of so many cells. */
+static void scenes(size_t nx, size_t ny) {
+    cells = nx * ny, least = LEAST;
     stickslip_grid made_of = {nx, ny, 0.3e-3 / (double)nx, 0.3e-3 / (double)nx};
     grid = made_of;
     OK(stickslip_half_space_new(&grid, &STEEL, &STEEL, NULL, &steel));
@@ -468,6 +521,8 @@ static void scenes(size_t nx, size_t ny, size_t bytes) {
     run("adaptive steps", adaptive_steps);
     run("cycle", cycle);
     run("stresses", stresses);
+    run("shape", shape);
+    run("warnings and spots", lists);
     OK(stickslip_half_space_free(steel));
     OK(stickslip_half_space_free(dissimilar));
 }
@@ -480,8 +535,8 @@ int main(int count, char **arguments) {
         halves[i] = 0.5;
     }
     /* On the thread that calls, and on those of the pool. */
-    scenes(48, 48, 8192);
-    scenes(65, 64, 8192);
+    scenes(48, 48);
+    scenes(65, 64);
     printf("%zu allocations failed, %zu calls were refused, none ended the process\n", attempts, refused);
     EXPECT(chosen != NULL || refused > 300);
     return failures == 0 ? 0 : 1;
