@@ -99,7 +99,7 @@ contains
         call planes%new(bodies, [0.01d0])
         call planes%solve(1, STICKSLIP_BODY_1, turned, status=status)
         call check(status == STICKSLIP_LENGTH, 'a pressure of shape (ny, nx)')
-        call planes%solve(1, STICKSLIP_BODY_1, gap, gap, turned, status)
+        call planes%solve(1, STICKSLIP_BODY_1, gap, gap, turned, status=status)
         call check(status == STICKSLIP_LENGTH, 'a traction of shape (ny, nx)')
     end subroutine shapes
 
