@@ -43,7 +43,7 @@ LAYERS = [
     }),
     ("operators, kernels, transforms, closed forms, shapes; no physics of contact; and pages to read", {
         "operator": {"error", "layout"},
-        "contact_map": {"boundary", "grid", "warning"},
+        "contact_map": {"boundary", "buffer", "error", "grid", "warning"},
         "window": {"grid", "layout", "parallel", "ranks"},
         "levels": {"buffer", "error", "parallel"},
         "trend": {"buffer", "field"},
@@ -77,7 +77,7 @@ LAYERS = [
         | {"contact_map", "coupling", "elastic", "passes", "cascade", "normal", "tangential", "coupled", "stiffness", "io"},
     }),
     ("what is told of all of these", {
-        "spots": {"contact_map", "error", "grid", "serial", "shown", "normal", "tangential", "history"},
+        "spots": {"buffer", "contact_map", "error", "grid", "serial", "shown", "normal", "tangential", "history"},
         "subsurface": FOUNDATION | {"influence", "fft", "half_space", "io", "normal", "tangential", "coupled", "history"},
     }),
 ]

@@ -53,6 +53,14 @@ pub(crate) fn lacking(bytes: usize) -> Error {
     }
 }
 
+/// `Vec::push` with memory that may not be had; the buffer is then as it was.
+pub(crate) fn push<T>(buffer: &mut Vec<T>, item: T) -> Result<()> {
+    let outcome = buffer.try_reserve(1);
+    outcome.map_err(|_| lacking((buffer.len() + 1).saturating_mul(size_of::<T>())))?;
+    buffer.push(item);
+    Ok(())
+}
+
 /// `Vec::resize` with memory that may not be had; the buffer is then as it was.
 pub(crate) fn resize<T: Clone>(buffer: &mut Vec<T>, len: usize, value: T) -> Result<()> {
     make_room(buffer, len)?;

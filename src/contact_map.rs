@@ -2,6 +2,8 @@
 
 use std::array::from_fn;
 
+use crate::buffer;
+use crate::error::Result;
 use crate::grid::Grid;
 use crate::warning::{RESOLVED, Resolution, Warning};
 
@@ -80,55 +82,56 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
             .sum()
     }
 
-    /// All warnings.
-    pub(crate) fn warnings(&self) -> Vec<Warning> {
+    /// All warnings, or the error of memory that cannot be had.
+    pub(crate) fn warnings(&self) -> Result<Vec<Warning>> {
         if self.cells() == 0 {
-            return vec![Warning::NoContact];
+            return Ok(vec![Warning::NoContact]);
         }
         let mut warnings = Vec::new();
         let cells = self.cells_on_edge();
         if cells > 0 {
             warnings.push(Warning::ContactAtEdge { cells });
         }
-        let (sizes, across) = self.survey_spots();
+        let spots = self.survey_spots()?;
         let [columns, rows] = self.grid.size();
         let repeats = self.repeats;
-        let [along_x, along_y] = from_fn(|axis| across[axis] && !repeats[axis]);
+        let across = |axis: usize| spots.iter().any(|spot| spot.edges[axis] == [true; 2]);
+        let [along_x, along_y] = from_fn(|axis| !repeats[axis] && across(axis));
         if repeats == [false; 2] && columns.min(rows) == 1 && columns.max(rows) > 1 {
             warnings.push(Warning::LineOfCells);
         } else if along_x || along_y {
             warnings.push(Warning::ContactAcross { along_x, along_y });
         }
-        let unresolved = sizes.iter().filter(|&&size| size < RESOLVED).count();
+        let unresolved = spots.iter().filter(|spot| spot.cells < RESOLVED).count();
         if unresolved == 0 {
             let contact = Resolution::of_contact(self.grid, self.cells());
             warnings.extend(contact.contact_warning());
         } else {
             warnings.push(Warning::UnresolvedSpots {
                 unresolved,
-                spots: sizes.len(),
+                spots: spots.len(),
             });
         }
-        warnings
+        Ok(warnings)
     }
 
-    /// Number of cells of each spot, and whether one spot runs from the first column to the last, and from the first
-    /// row to the last.
-    fn survey_spots(&self) -> (Vec<usize>, [bool; 2]) {
-        let mut spots: Vec<(usize, [[bool; 2]; 2])> = Vec::new();
+    /// Size and place of each spot.
+    fn survey_spots(&self) -> Result<Vec<Surveyed>> {
+        let mut spots: Vec<Surveyed> = Vec::new();
         let last = self.grid.size().map(|count| signed(count) - 1);
         self.walk_spots(|spot, _, place| {
-            spots.resize(spot + 1, Default::default());
-            let (size, edges) = &mut spots[spot];
-            *size += 1;
+            if spots.len() <= spot {
+                buffer::push(&mut spots, Surveyed::default())?;
+            }
+            let Surveyed { cells, edges } = &mut spots[spot];
+            *cells += 1;
             for axis in 0..2 {
                 edges[axis][0] |= place[axis] == 0;
                 edges[axis][1] |= place[axis] == last[axis];
             }
-        });
-        let across = |axis: usize| spots.iter().any(|(_, edges)| edges[axis] == [true; 2]);
-        let across = [across(0), across(1)];
-        (spots.into_iter().map(|(size, _)| size).collect(), across)
+            Ok(())
+        })?;
+        Ok(spots)
     }
 
     fn neighbours(&self, i: usize) -> [Option<usize>; 4] {
@@ -149,9 +152,13 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
     }
 
     /// Calls `show` once for every cell of every spot (a set connected through cell sides): number of the spot, cell, and
-    /// its column and row; on a periodic grid these continue beyond the edges from the spot's first cell.
-    pub(crate) fn walk_spots(&self, mut show: impl FnMut(usize, usize, [isize; 2])) {
-        let mut visited = vec![false; self.grid.cells()];
+    /// its column and row; on a periodic grid these continue beyond the edges from the spot's first cell. Ends with the first
+    /// error of `show`, and where memory cannot be had.
+    pub(crate) fn walk_spots(
+        &self,
+        mut show: impl FnMut(usize, usize, [isize; 2]) -> Result<()>,
+    ) -> Result<()> {
+        let mut visited = buffer::filled(false, self.grid.cells())?;
         let (mut spot, mut stack) = (0, Vec::new());
         let nx = self.grid.nx();
         for seed in 0..visited.len() {
@@ -159,20 +166,22 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
                 continue;
             }
             visited[seed] = true;
-            stack.push((seed, [signed(seed % nx), signed(seed / nx)]));
+            let place = [signed(seed % nx), signed(seed / nx)];
+            buffer::push(&mut stack, (seed, place))?;
             while let Some((cell, [column, row])) = stack.pop() {
-                show(spot, cell, [column, row]);
+                show(spot, cell, [column, row])?;
                 let places = [[-1, 0], [0, -1], [1, 0], [0, 1]];
                 for (next, [x, y]) in self.neighbours(cell).into_iter().zip(places) {
                     let Some(next) = next else { continue };
                     if !visited[next] && (self.contains)(next) {
                         visited[next] = true;
-                        stack.push((next, [column + x, row + y]));
+                        buffer::push(&mut stack, (next, [column + x, row + y]))?;
                     }
                 }
             }
             spot += 1;
         }
+        Ok(())
     }
 
     /// The sides of a cell along y and along x beyond which the set ends.
@@ -182,6 +191,14 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
             .map(|next| usize::from(next.is_none_or(|next| !(self.contains)(next))));
         [left + right, below + above]
     }
+}
+
+/// A spot as the warnings need it.
+#[derive(Debug, Clone, Copy, Default)]
+struct Surveyed {
+    cells: usize,
+    /// Whether it touches the first column and the last, the first row and the last.
+    edges: [[bool; 2]; 2],
 }
 
 /// Places from the first taken one to the last; where they repeat, all places except the longest run of free ones.
@@ -225,6 +242,11 @@ pub(crate) fn neighbours(i: usize, [nx, ny]: [usize; 2], repeats: [bool; 2]) -> 
 mod tests {
     use super::*;
 
+    fn sizes(map: &ContactMap<impl Fn(usize) -> bool>) -> Vec<usize> {
+        let spots = map.survey_spots().unwrap();
+        spots.iter().map(|spot| spot.cells).collect()
+    }
+
     #[test]
     fn spots_edges_and_switches_of_a_drawn_map() {
         let drawing = "..##....\
@@ -238,7 +260,7 @@ mod tests {
             contains: |i: usize| cells[i],
         };
         assert_eq!(map.cells(), 9);
-        assert_eq!(map.survey_spots().0, [3, 2, 4]);
+        assert_eq!(sizes(&map), [3, 2, 4]);
         assert_eq!(map.cells_on_edge(), 2 + 4);
         assert_eq!(map.extent(), Some([7, 4]));
         // 3 + 2 around the L within the grid, 6 around the bar, 5 beside the row at the bottom.
@@ -248,13 +270,13 @@ mod tests {
             spots: 3,
         };
         assert_eq!(
-            map.warnings(),
+            map.warnings().unwrap(),
             [Warning::ContactAtEdge { cells: 6 }, unresolved]
         );
 
         // On the periodic grid the row at the bottom meets the L at the top; two of its cells and one end do not.
         map.repeats = [true; 2];
-        assert_eq!(map.survey_spots().0, [7, 2]);
+        assert_eq!(sizes(&map), [7, 2]);
         // Columns 4, 5 and 7 are free, and no row is.
         assert_eq!(map.extent(), Some([6, 4]));
         assert_eq!(map.switches(), 6 + 6 + 5 + 3);
@@ -262,7 +284,7 @@ mod tests {
             unresolved: 1,
             spots: 2,
         };
-        assert_eq!(map.warnings(), [unresolved]);
+        assert_eq!(map.warnings().unwrap(), [unresolved]);
     }
 
     #[test]
@@ -272,7 +294,7 @@ mod tests {
             repeats: [true; 2],
             contains: |i: usize| i == 0 || i == 3,
         };
-        assert_eq!(map.survey_spots().0, [2]);
+        assert_eq!(sizes(&map), [2]);
         assert_eq!(map.switches(), 2);
         assert_eq!(map.extent(), Some([2, 1]));
     }

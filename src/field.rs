@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use std::ops::{Add, Index, IndexMut, Mul, Range, Sub};
 
-use crate::buffer::{self, TryClone, try_clone};
+use crate::buffer::{self, TryClone, or_abort, try_clone};
 use crate::error::{Result, all_finite, finite, length};
 use crate::grid::Grid;
 use crate::layout::Layout;
@@ -115,13 +115,18 @@ impl Field {
 
     /// A function of the cell centres, `f(x, y)`.
     #[must_use]
-    pub fn from_fn(grid: Grid, mut f: impl FnMut(f64, f64) -> f64) -> Self {
-        let mut samples = Vec::with_capacity(grid.cells());
+    pub fn from_fn(grid: Grid, f: impl FnMut(f64, f64) -> f64) -> Self {
+        or_abort(Self::try_from_fn(grid, f))
+    }
+
+    /// [`Self::from_fn`] where memory may run out.
+    pub(crate) fn try_from_fn(grid: Grid, mut f: impl FnMut(f64, f64) -> f64) -> Result<Self> {
+        let mut samples = buffer::with_room(grid.cells())?;
         for iy in 0..grid.ny() {
             let y = grid.y(iy);
             samples.extend((0..grid.nx()).map(|ix| f(grid.x(ix), y)));
         }
-        Self { grid, samples }
+        Ok(Self { grid, samples })
     }
 
     /// A function of column and row, `f(ix, iy)`.

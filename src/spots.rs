@@ -1,5 +1,6 @@
 //! Contact spots.
 
+use crate::buffer::{self, or_abort};
 use crate::contact_map::ContactMap;
 use crate::error::Result;
 #[cfg(feature = "serde")]
@@ -100,16 +101,16 @@ struct Sums {
 }
 
 impl ContactSpots {
-    fn new(normal: &NormalSolution, zones: Option<&[Zone]>) -> Self {
+    fn new(normal: &NormalSolution, zones: Option<&[Zone]>) -> Result<Self> {
         let (grid, pressure) = (normal.grid(), normal.pressure().as_slice());
         let map = normal.own_map();
-        let (mut labels, mut sums) = (vec![0; grid.cells()], Vec::new());
+        let (mut labels, mut sums) = (buffer::filled(0, grid.cells())?, Vec::new());
         map.walk_spots(|spot, cell, place| {
             labels[cell] = u32::try_from(spot + 1).unwrap_or(u32::MAX);
             if sums.len() <= spot {
-                sums.push(Sums::default());
+                buffer::push(&mut sums, Sums::default())?;
             }
-            let Some(sums) = sums.last_mut() else { return };
+            let sums = &mut sums[spot];
             sums.cells += 1;
             sums.pressure += pressure[cell];
             sums.largest = sums.largest.max(pressure[cell]);
@@ -120,13 +121,14 @@ impl ContactSpots {
             }
             let sticks = zones.is_some_and(|zones| zones[cell] == Zone::Stick);
             sums.stick += usize::from(sticks);
-        });
+            Ok(())
+        })?;
         let spots = sums.iter().map(|sums| sums.spot(&map, zones.is_some()));
-        Self {
+        Ok(Self {
             grid,
-            spots: spots.collect(),
+            spots: buffer::collected(sums.len(), spots)?,
             labels,
-        }
+        })
     }
 
     /// The spots, in the order of their first cells.
@@ -191,6 +193,14 @@ impl NormalSolution {
     /// The contact spots; of a slab those of its rows, cut where it ends.
     #[must_use]
     pub fn spots(&self) -> ContactSpots {
+        or_abort(self.try_spots())
+    }
+
+    /// [`Self::spots`] where memory may run out.
+    ///
+    /// # Errors
+    /// [`Error::Memory`](crate::Error::Memory).
+    pub fn try_spots(&self) -> Result<ContactSpots> {
         ContactSpots::new(self, None)
     }
 }
@@ -199,10 +209,11 @@ impl TangentialSolution {
     /// The contact spots under this pressure, with the part of each that sticks.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch) for a pressure on another grid.
+    /// [`Error::GridMismatch`](crate::Error::GridMismatch) for a pressure on another grid,
+    /// [`Error::Memory`](crate::Error::Memory).
     pub fn spots(&self, normal: &NormalSolution) -> Result<ContactSpots> {
         self.grid().expect("normal contact", normal.grid())?;
-        Ok(ContactSpots::new(normal, Some(self.zones())))
+        ContactSpots::new(normal, Some(self.zones()))
     }
 }
 
@@ -210,6 +221,14 @@ impl History {
     /// The contact spots after the last step, with the part of each that sticks.
     #[must_use]
     pub fn spots(&self) -> ContactSpots {
+        or_abort(self.try_spots())
+    }
+
+    /// [`Self::spots`] where memory may run out.
+    ///
+    /// # Errors
+    /// [`Error::Memory`](crate::Error::Memory).
+    pub fn try_spots(&self) -> Result<ContactSpots> {
         ContactSpots::new(self.normal(), Some(self.zones()))
     }
 }

@@ -1,6 +1,6 @@
 //! The answer to a coupled contact.
 
-use crate::buffer::{try_clone, try_each};
+use crate::buffer::{or_abort, try_clone, try_each};
 use crate::cgm::reduce;
 use crate::coupled::CoupledReport;
 use crate::coupled::increment::CoupledIncrement;
@@ -166,9 +166,17 @@ impl CoupledSolution {
     /// Remarks on the contact that a result may mislead; see [`Warning`].
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
+        or_abort(self.try_warnings())
+    }
+
+    /// [`Self::warnings`] where memory may run out.
+    ///
+    /// # Errors
+    /// [`Error::Memory`](crate::Error::Memory).
+    pub fn try_warnings(&self) -> Result<Vec<Warning>> {
         let at_once = self.is_pressed_at_once.then_some(Warning::PressedAtOnce);
-        let mut warnings = self.normal.warnings();
+        let mut warnings = self.normal.try_warnings()?;
         warnings.extend(self.shear.zone_warnings().chain(at_once));
-        warnings
+        Ok(warnings)
     }
 }

@@ -1,6 +1,8 @@
 //! Where a normal contact touches: area, extent, warnings.
 
+use crate::buffer::or_abort;
 use crate::contact_map::ContactMap;
+use crate::error::Result;
 use crate::normal::NormalSolution;
 use crate::warning::Warning;
 
@@ -61,11 +63,19 @@ impl NormalSolution {
     /// Remarks that a result may mislead; see [`Warning`].
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
+        or_abort(self.try_warnings())
+    }
+
+    /// [`Self::warnings`] where memory may run out.
+    ///
+    /// # Errors
+    /// [`Error::Memory`](crate::Error::Memory).
+    pub fn try_warnings(&self) -> Result<Vec<Warning>> {
         let cells = self.overloaded_cells();
         let beyond = (cells > 0).then_some(Warning::BeyondHardness { cells });
-        let mut warnings = self.contact_map().warnings();
+        let mut warnings = self.contact_map().warnings()?;
         warnings.extend(beyond);
-        warnings
+        Ok(warnings)
     }
 
     /// Cells whose pressure is beyond what the softer body bears, if it states that.

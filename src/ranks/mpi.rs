@@ -34,18 +34,18 @@ use crate::ranks::{RankFailure, Ranks, launcher};
 pub struct Mpi {
     rank: usize,
     size: usize,
-    /// To the thread that has the communicator; the lock is never contended, and makes the rank `Sync`.
+    /// The connection to the thread that holds the communicator. The lock makes the rank `Sync`, and is never contended.
     line: Mutex<Line>,
 }
 
-/// Requests to the thread that has the communicator, and its answers.
+/// Requests to the thread that holds the communicator, and its answers.
 #[derive(Debug)]
 struct Line {
     requests: Sender<Request>,
     answers: Receiver<Swapped>,
 }
 
-/// The block received, or why there is none.
+/// The block received, or the reason why none was.
 type Swapped = Result<Vec<u64>, RankFailure>;
 
 #[derive(Debug)]
@@ -58,30 +58,32 @@ enum Request {
     Leave,
 }
 
-/// Tags of messages: a block, or the last message of a rank.
+/// The tags of MPI messages: a block of data, and the last message that a rank sends.
 const BLOCK: i32 = 1;
 const LEFT: i32 = 2;
 
-/// Looks for a message that yield to other threads, before those that sleep.
+/// Number of probes for a message between which the thread yields to others; between later ones it sleeps.
 const EAGER: u32 = 1 << 12;
-/// How long those sleep.
+/// The length of such a sleep.
 const NAP: Duration = Duration::from_micros(50);
 
 impl Mpi {
-    /// Initialises MPI, runs the work on this process's rank in a thread of its own, and ends MPI. A rank that waits for
-    /// another longer than `patience` gives up, and its call returns [`RankFailure::Silent`].
+    /// Initialises MPI, runs the work as the rank of this process in a thread of its own, and finalises MPI. A call of the
+    /// work that waits for another rank longer than `patience` returns [`RankFailure::Silent`].
     ///
-    /// The calling thread keeps the communicator and serves the work; the work spreads over the rayon pool of its
-    /// process as ever.
+    /// The calling thread holds the communicator and exchanges messages for the work. The work uses the rayon pool of its
+    /// process as without MPI.
     ///
-    /// MPI ends on all ranks or on none. Where the work has given up a rank that does not answer for as long again after the
-    /// work, or to which a block can neither be sent nor taken back, this process says so on standard error, by rank and
-    /// reason, and aborts all: it does not return. A rank that was never given up is waited for, however long its work takes.
+    /// Only all ranks together can finalise MPI. If a call has waited for a rank in vain, and that rank is still silent for
+    /// another `patience` after the work, or a block for it can neither be sent nor cancelled, this function does not return:
+    /// it writes the rank and the reason to standard error and aborts all processes. Otherwise it waits for the other ranks
+    /// without a limit, however long their work takes.
     ///
     /// # Errors
-    /// [`Error::Ranks`], before any work: [`RankFailure::InUse`]; [`RankFailure::Apart`] for processes that the launcher of
-    /// another MPI has started, or one of a queue of several tasks (the first of `OMPI_COMM_WORLD_SIZE`, `PMI_SIZE`,
-    /// `MV2_COMM_WORLD_SIZE`, `SLURM_STEP_NUM_TASKS` and `SLURM_NTASKS` that is set tells how many there are).
+    /// [`Error::Ranks`], before any work: [`RankFailure::InUse`]; [`RankFailure::Apart`] if the process is alone in its
+    /// communicator although several were started, as by the launcher of another MPI or by a batch job of several tasks
+    /// (their number is that of the first of `OMPI_COMM_WORLD_SIZE`, `PMI_SIZE`, `MV2_COMM_WORLD_SIZE`,
+    /// `SLURM_STEP_NUM_TASKS` and `SLURM_NTASKS` that is set).
     ///
     /// # Panics
     /// If the work panics, or more ranks than 2^31 are started.
@@ -154,13 +156,13 @@ impl Ranks for Mpi {
     }
 }
 
-/// What the thread with the communicator does.
+/// The communication of a rank, in the thread that holds the communicator.
 struct Post {
     world: SimpleCommunicator,
     patience: Duration,
-    /// Ranks whose last message was read.
+    /// Ranks whose last message has been read.
     have_left: Vec<bool>,
-    /// Ranks that a call has waited for in vain.
+    /// Ranks for which a call has waited longer than the patience.
     are_given_up: Vec<bool>,
 }
 
@@ -179,7 +181,7 @@ impl Post {
             let received = self.receive(from);
             self.are_given_up[from] |= matches!(received, Err(RankFailure::Silent { .. }));
             let mut clock = Clock::new(self.patience);
-            // The memory of the block is MPI's until it is sent.
+            // MPI may read the block until it is sent.
             while let Err(pending) = sent.test() {
                 if clock.is_over() {
                     self.abort(self.silent(to));
@@ -221,8 +223,8 @@ impl Post {
         self.world.abort(1)
     }
 
-    /// Takes leave of the others, so that nobody waits for this rank and no message is left unread. One that was given up
-    /// and is silent still would be waited for without end.
+    /// Sends the last message to every other rank, and reads theirs, so that no rank waits for this one and no message is left
+    /// unread when MPI is finalised. Aborts if a rank that was given up is still silent: to finalise would wait for it for ever.
     fn part(&mut self) {
         let own = self.world.rank();
         let others = (0..self.have_left.len()).filter(move |rank| rank_of(*rank) != own);
@@ -249,7 +251,7 @@ fn rank_of(rank: usize) -> i32 {
     i32::try_from(rank).expect("it came from MPI")
 }
 
-/// The time spent waiting, which is first spun away, then slept.
+/// The time spent waiting between probes for a message.
 struct Clock {
     start: Instant,
     patience: Duration,
@@ -265,7 +267,7 @@ impl Clock {
         }
     }
 
-    /// Lets a moment pass; whether the patience has ended.
+    /// Yields or sleeps once, and returns whether the patience is over.
     fn is_over(&mut self) -> bool {
         self.looks = self.looks.saturating_add(1);
         if self.looks < EAGER {

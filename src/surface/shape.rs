@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::error::{Result, all_finite, finite, memory, non_negative, positive};
+use crate::error::{Result, all_finite, finite, non_negative, positive};
 use crate::field::Field;
 use crate::grid::Grid;
 
@@ -161,8 +161,7 @@ pub fn bisinusoidal(grid: Grid, amplitude: f64, wavelengths: [f64; 2]) -> Result
 
 /// The heights at the cell centres.
 fn sampled(grid: Grid, height: impl FnMut(f64, f64) -> f64) -> Result<Field> {
-    memory("field of heights", grid.size(), size_of::<f64>())?;
-    let heights = Field::from_fn(grid, height);
+    let heights = Field::try_from_fn(grid, height)?;
     all_finite("height of the shape", heights.as_slice())?;
     Ok(heights)
 }

@@ -1,7 +1,7 @@
 //! The answer to a tangential contact.
 
 use crate::boundary::Boundary;
-use crate::buffer::{self, try_clone, try_each};
+use crate::buffer::{self, or_abort, try_clone, try_each};
 use crate::cgm::reduce;
 use crate::contact_map::ContactMap;
 use crate::error::{Error, Result};
@@ -316,9 +316,17 @@ impl TangentialSolution {
     /// Remarks on the contact that a result may mislead; see [`Warning`].
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
-        let mut warnings = self.contact_map().warnings();
+        or_abort(self.try_warnings())
+    }
+
+    /// [`Self::warnings`] where memory may run out.
+    ///
+    /// # Errors
+    /// [`Error::Memory`](crate::Error::Memory).
+    pub fn try_warnings(&self) -> Result<Vec<Warning>> {
+        let mut warnings = self.contact_map().warnings()?;
         warnings.extend(self.zone_warnings());
-        warnings
+        Ok(warnings)
     }
 
     /// Those of the zones that stick and slip.

@@ -3,8 +3,9 @@
 
 use kit::{rough, unit_bodies};
 use stickslip::{
-    CoupledProblem, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl,
-    NormalProblem, TangentialLoad, TangentialModel, TangentialProblem, surface,
+    Boundary, CoupledProblem, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep,
+    Material, NormalControl, NormalProblem, TangentialLoad, TangentialModel, TangentialProblem,
+    surface,
 };
 
 /// Allocations of one thread: the solve must run on it.
@@ -126,4 +127,29 @@ fn of_coupled_contacts() {
         cycle();
     }
     assert_eq!(allocations(&mut cycle), 0);
+}
+
+/// A contact in which all cells slip along one direction, while none may be added along the other, so that cells are made to
+/// stick again and again: in the third step more often than all of them at once have helped.
+#[test]
+fn of_cells_that_are_made_to_stick() {
+    let grid = Grid::new(2, 4, 1.0, 1.0).unwrap();
+    let pair = ElasticPair::new(Material::new(1.0, -0.5).unwrap(), Material::rigid()).unwrap();
+    let bodies = HalfSpace::with_boundary(grid, pair, Boundary::Periodic).unwrap();
+    let of = |samples: [f64; 8]| Field::from_vec(grid, samples.to_vec()).unwrap();
+    let gap = of([0.02, 0.04, 0.34, 0.1, 0.0, 0.54, 0.22, 0.01]);
+    let friction = of([0.05, 0.09, 0.12, 0.08, 0.05, 0.09, 0.04, 0.02]);
+    let friction = Friction::per_cell(friction).unwrap();
+    let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
+    let press = |force| LoadStep::force([0.0; 2]).normal(NormalControl::Force(force));
+    for force in [0.06, 0.02] {
+        history.step(&press(force)).unwrap();
+    }
+    let before = history.state().clone();
+    let mut again = || {
+        history.set_state(&before).unwrap();
+        history.step(&press(0.05)).unwrap();
+    };
+    again();
+    assert_eq!(allocations(&mut again), 0);
 }

@@ -170,11 +170,12 @@ contains
         call report_status(code, status)
     end subroutine history_warnings
 
-    function history_stiffness(this, status) result(stiffness)
+    function history_stiffness(this, observer, status) result(stiffness)
         class(contact_history), intent(in) :: this
+        type(stickslip_observer), intent(in), optional :: observer
         integer(c_int32_t), intent(out), optional :: status
         type(stickslip_stiffness) :: stiffness
-        call report_status(stickslip_history_stiffness(this%handle, stiffness), status)
+        call report_status(stickslip_history_stiffness_observed(this%handle, observer, stiffness), status)
     end function history_stiffness
 
     ! A field by its number, STICKSLIP_PRESSURE to STICKSLIP_YIELDED_DEPTH but displacements.

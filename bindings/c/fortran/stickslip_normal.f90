@@ -142,12 +142,13 @@ contains
         call report_status(code, status)
     end subroutine normal_solution_warnings
 
-    function normal_solution_stiffness(this, bodies, status) result(stiffness)
+    function normal_solution_stiffness(this, bodies, observer, status) result(stiffness)
         class(normal_solution), intent(in) :: this
         class(half_space), intent(in) :: bodies
+        type(stickslip_observer), intent(in), optional :: observer
         integer(c_int32_t), intent(out), optional :: status
         type(stickslip_normal_stiffness) :: stiffness
-        call report_status(stickslip_normal_solution_stiffness(this%handle, bodies%handle, stiffness), status)
+        call report_status(stickslip_normal_solution_stiffness_observed(this%handle, bodies%handle, observer, stiffness), status)
     end function normal_solution_stiffness
 
     ! The contact spots, and the number of that of every cell: counted from one, zero outside the contact.

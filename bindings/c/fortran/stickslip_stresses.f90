@@ -48,18 +48,19 @@ contains
 
     ! Displacement and stress of STICKSLIP_BODY_1 or STICKSLIP_BODY_2 at points, one response for each, under a pressure,
     ! with tractions x and y or without.
-    subroutine stress_at_points(bodies, body, points, responses, pressure, x, y, status)
+    subroutine stress_at_points(bodies, body, points, responses, pressure, x, y, observer, status)
         class(half_space), intent(in) :: bodies
         integer(c_int32_t), intent(in) :: body
         type(stickslip_point), intent(in), contiguous :: points(:)
         type(stickslip_response), allocatable, intent(out) :: responses(:)
         real(c_double), intent(in), target, contiguous :: pressure(:, :)
         real(c_double), intent(in), target, contiguous, optional :: x(:, :), y(:, :)
+        type(stickslip_observer), intent(in), optional :: observer
         integer(c_int32_t), intent(out), optional :: status
         allocate (responses(size(points)))
         if (.not. all_fit(bodies%grid, pressure, x, y, status)) return
-        call report_status(stickslip_stress_at_points(bodies%handle, body, tractions_of(pressure, x, y), points, &
-            size(points, kind=c_size_t), responses), status)
+        call report_status(stickslip_stress_at_points_observed(bodies%handle, body, tractions_of(pressure, x, y), points, &
+            size(points, kind=c_size_t), observer, responses), status)
     end subroutine stress_at_points
 
     subroutine planes_new(this, bodies, depths, with_displacements, status)
@@ -85,20 +86,21 @@ contains
 
     ! The plane at the depth of number index, counted from one, under a pressure, with tractions x and y or without;
     ! STICKSLIP_LENGTH for an index without a depth.
-    subroutine planes_solve(this, index, body, pressure, x, y, status)
+    subroutine planes_solve(this, index, body, pressure, x, y, observer, status)
         class(stress_planes), intent(in) :: this
         integer, intent(in) :: index
         integer(c_int32_t), intent(in) :: body
         real(c_double), intent(in), target, contiguous :: pressure(:, :)
         real(c_double), intent(in), target, contiguous, optional :: x(:, :), y(:, :)
+        type(stickslip_observer), intent(in), optional :: observer
         integer(c_int32_t), intent(out), optional :: status
         if (index < 1) then
             call refuse(STICKSLIP_LENGTH, 'depths are counted from one', status)
             return
         end if
         if (.not. all_fit(this%grid, pressure, x, y, status)) return
-        call report_status(stickslip_planes_solve(this%handle, int(index - 1, c_size_t), body, &
-            tractions_of(pressure, x, y)), status)
+        call report_status(stickslip_planes_solve_observed(this%handle, int(index - 1, c_size_t), body, &
+            tractions_of(pressure, x, y), observer), status)
     end subroutine planes_solve
 
     ! STICKSLIP_STRESS_XX to STICKSLIP_STRESS_YZ or a displacement.

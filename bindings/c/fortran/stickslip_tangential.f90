@@ -210,12 +210,14 @@ contains
         call report_status(code, status)
     end subroutine tangential_solution_warnings
 
-    function tangential_solution_stiffness(this, bodies, status) result(stiffness)
+    function tangential_solution_stiffness(this, bodies, observer, status) result(stiffness)
         class(tangential_solution), intent(in) :: this
         class(half_space), intent(in) :: bodies
+        type(stickslip_observer), intent(in), optional :: observer
         integer(c_int32_t), intent(out), optional :: status
         type(stickslip_tangential_stiffness) :: stiffness
-        call report_status(stickslip_tangential_solution_stiffness(this%handle, bodies%handle, stiffness), status)
+        call report_status(stickslip_tangential_solution_stiffness_observed(this%handle, bodies%handle, observer, &
+            stiffness), status)
     end function tangential_solution_stiffness
 
     ! The contact spots, and the number of that of every cell: counted from one, zero outside the contact.

@@ -25,8 +25,8 @@
  *
  * Memory. A call that cannot have memory whose size follows the cells returns STICKSLIP_MEMORY and leaves its objects as they
  * were. The process ends only where it cannot have a few kilobytes whatever the grid (an object, a report, a message), a row of
- * the grid (tables of the transforms, rows that repeat along y), or a thread; and in the readers of lists
- * (warnings, equivalent stresses) and in surfaces, which ask for their memory before they begin.
+ * the grid (tables of the transforms, rows that repeat along y, the extent of a contact), or a thread; and in rough surfaces and
+ * their statistics, which ask for their memory before they begin.
  *
  * Units are any consistent set. Pressure and approach are positive when bodies are pressed; the shift is the motion of body
  * 2 relative to body 1, traction and tangential force are those that body 2 exerts on body 1.

@@ -288,7 +288,7 @@ pub unsafe extern "C" fn stickslip_coupled_solution_warnings(
         warn(
             solution,
             (buffer, capacity, count),
-            CoupledSolution::warnings,
+            CoupledSolution::try_warnings,
         )
     }
 }

@@ -177,7 +177,7 @@ pub unsafe extern "C" fn stickslip_history_warnings(
     // SAFETY: the rule for pointers.
     unsafe {
         warn(history, (buffer, capacity, count), |of| {
-            of.last_step().warnings()
+            Ok(of.last_step().warnings())
         })
     }
 }

@@ -202,7 +202,7 @@ pub unsafe extern "C" fn stickslip_normal_solution_warnings(
         warn(
             solution,
             (buffer, capacity, count),
-            NormalSolution::warnings,
+            NormalSolution::try_warnings,
         )
     }
 }

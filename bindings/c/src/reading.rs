@@ -1,7 +1,7 @@
 //! The insides of functions that read an object. All objects are read in the same way; the exported functions differ in their
 //! names, which cbindgen needs to see in the source.
 
-use stickslip_rs::Warning;
+use stickslip_rs::{Result, Warning};
 
 use crate::call::{Outcome, call_for, call_on};
 use crate::handle::{Opaque, reading};
@@ -44,10 +44,10 @@ pub(crate) unsafe fn show<T: Opaque, A>(
 pub(crate) unsafe fn warn<T: Opaque>(
     object: *const T,
     (buffer, capacity, count): (*mut stickslip_warning, usize, *mut usize),
-    find: impl FnOnce(&T::Value) -> Vec<Warning>,
+    find: impl FnOnce(&T::Value) -> Result<Vec<Warning>>,
 ) -> stickslip_status {
     // SAFETY: as of this function.
     call_on(object, || unsafe {
-        put_warnings(buffer, capacity, count, || Ok(find(&*reading(object)?)))
+        put_warnings(buffer, capacity, count, || Ok(find(&*reading(object)?)?))
     })
 }

@@ -345,7 +345,7 @@ pub unsafe extern "C" fn stickslip_tangential_solution_warnings(
         warn(
             solution,
             (buffer, capacity, count),
-            TangentialSolution::warnings,
+            TangentialSolution::try_warnings,
         )
     }
 }

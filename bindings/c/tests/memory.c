@@ -1,6 +1,9 @@
 /* A call that cannot have memory for its cells returns STICKSLIP_MEMORY and leaves its objects as they were. Every call below
- * is made again and again: its n-th large allocation fails, and all that follow, for each n until none is left to fail. Large is
- * what follows the cells; objects of a few kilobytes are not. An abort fails the test. */
+ * is made again and again: its n-th large allocation fails, and all that follow. Large is what follows the cells; objects of a
+ * few kilobytes are not. An abort fails the test.
+ *   memory        n spread over the allocations of each call
+ *   memory all    every n, until none is left to fail: minutes
+ * A second argument is the name of the only scene to run. */
 
 #define _GNU_SOURCE
 
@@ -22,6 +25,7 @@ void *__libc_memalign(size_t alignment, size_t size);
 /* Of all threads: allocations of at least `least` bytes, and those of the tiles in which fields are transformed, fail from number
  * `first` on while `armed`. */
 #define TILE 2048
+#define LEAST 8192
 static int armed = 0;
 static size_t first = 0, least = 0, seen = 0;
 
@@ -59,12 +63,11 @@ static void expect(int holds, const char *what, int line) {
 #define EXPECT(condition) expect((condition), #condition, __LINE__)
 #define OK(call) EXPECT((call) == STICKSLIP_OK)
 
-/* The side of the grid, its gaps and bodies. */
-#define MOST 72
-static int side;
+/* The grid, its gaps and bodies. */
+#define MOST (65 * 64)
 static size_t cells;
 static stickslip_grid grid;
-static double ball[MOST * MOST], halves[MOST * MOST], depth[MOST * MOST];
+static double ball[MOST], halves[MOST], depth[MOST];
 static stickslip_half_space *steel, *dissimilar;
 
 static const stickslip_material STEEL = {213e9, 0.29, 0.0}, RIGID = {INFINITY, 0.0, 0.0};
@@ -81,10 +84,16 @@ static const char *name;
 /* What a call came to while memory failed: all attempts, and those that were refused. */
 static size_t attempts = 0, refused = 0;
 
+/* Attempts on each call: at most about so many, or one for every allocation. */
+#define SAMPLES 24
+static int is_complete = 0;
+/* The only scene to run, or NULL. */
+static const char *chosen = NULL;
+
 static void on_abort(int signal) {
     (void)signal;
     __atomic_store_n(&armed, 0, __ATOMIC_SEQ_CST);
-    fprintf(stderr, "%s, %d x %d cells: the process ended when allocation %zu failed\n", name, side, side, first);
+    fprintf(stderr, "%s, %zu cells: the process ended when allocation %zu failed\n", name, cells, first);
     _exit(1);
 }
 
@@ -102,21 +111,31 @@ static stickslip_status disarmed(stickslip_status status) {
 typedef stickslip_status scene(void);
 
 static void run(const char *scene_name, scene *scene) {
+    if (chosen != NULL && strcmp(chosen, scene_name) != 0) {
+        return;
+    }
     name = scene_name;
-    size_t before = refused;
-    for (first = 0;; first++) {
+    /* Without a failure, for the number of allocations. */
+    first = SIZE_MAX;
+    EXPECT(scene() == STICKSLIP_OK);
+    size_t before = refused, tried = 0, all = seen, stride = is_complete || all < SAMPLES ? 1 : all / SAMPLES;
+    for (first = 0;; first += stride) {
         stickslip_status status = scene();
-        if (status == STICKSLIP_OK && seen <= first) {
+        /* Whatever the call answers, there is an end: nothing is left to fail. */
+        if (seen <= first) {
+            EXPECT(status == STICKSLIP_OK);
             break;
         }
-        attempts++;
+        tried++;
         refused += status == STICKSLIP_MEMORY;
         if (status != STICKSLIP_MEMORY && status != STICKSLIP_OK) {
-            fprintf(stderr, "%s, %d x %d cells, allocation %zu: status %d\n", name, side, side, first, status);
+            fprintf(stderr, "%s, %zu cells, allocation %zu: status %d\n", name, cells, first, status);
             failures++;
         }
     }
-    printf("%s, %d x %d cells: %zu allocations failed, %zu calls refused\n", name, side, side, first, refused - before);
+    attempts += tried;
+    printf("%s, %zu cells: %zu of %zu allocations failed, %zu calls refused\n", name, cells, tried, all, refused - before);
+    fflush(stdout);
 }
 
 /* The bytes of a history, to be freed. */
@@ -405,8 +424,9 @@ static stickslip_status cycle(void) {
 
 static stickslip_status stresses(void) {
     double below[] = {1e-5, 2e-5};
-    stickslip_tractions tractions = {halves, halves, NULL, cells};
+    stickslip_tractions tractions = {halves, halves, halves, cells};
     stickslip_planes *planes = NULL;
+    double *measures = __libc_malloc(cells * sizeof(double));
     stickslip_point point = {0.0, 0.0, 1e-5};
     stickslip_response response;
     arm();
@@ -415,17 +435,68 @@ static stickslip_status stresses(void) {
         status = stickslip_planes_solve(planes, 1, STICKSLIP_BODY_1, &tractions);
     }
     if (status == STICKSLIP_OK) {
+        status = stickslip_planes_measure(planes, STICKSLIP_VON_MISES, measures, cells);
+    }
+    if (status == STICKSLIP_OK) {
         status = stickslip_stress_at_points(steel, STICKSLIP_BODY_1, &tractions, &point, 1, &response);
     }
     disarmed(status);
+    free(measures);
     OK(stickslip_planes_free(planes));
     return status;
 }
 
-/* Calls on a grid of so many cells along a side, where so many bytes follow the cells. */
-static void scenes(int cells_along, size_t bytes) {
-    side = cells_along, cells = (size_t)side * side, least = bytes;
-    stickslip_grid made_of = {(size_t)side, (size_t)side, 0.3e-3 / side, 0.3e-3 / side};
+static stickslip_status shape(void) {
+    return ARMED(stickslip_surface_sphere(&grid, 3.5e-3, ball, cells));
+}
+
+/* Lists of warnings and spots, whose length follows the contact. */
+static stickslip_status lists(void) {
+    stickslip_friction friction = stickslip_coulomb(0.5);
+    stickslip_normal_solver *presser = NULL;
+    stickslip_normal_solution *pressed = NULL;
+    OK(stickslip_normal_solver_new(steel, ball, cells, &PRESS, NULL, NULL, &presser));
+    OK(stickslip_normal_solution_new(presser, &pressed));
+    OK(stickslip_normal_solver_solve(presser, pressed, NULL));
+    stickslip_tangential_solver *shearer = NULL;
+    stickslip_tangential_solution *sheared = NULL;
+    OK(stickslip_tangential_solver_new(steel, pressed, &friction, &DRAG, NULL, &shearer));
+    OK(stickslip_tangential_solution_new(shearer, &sheared));
+    OK(stickslip_tangential_solver_solve(shearer, sheared, NULL));
+    stickslip_history *history = made(steel, 1, 100.0, 10.0);
+    size_t count = 0;
+    least = 1024;
+    arm();
+    stickslip_status status = stickslip_normal_solution_warnings(pressed, NULL, 0, &count);
+    if (status == STICKSLIP_OK) {
+        status = stickslip_tangential_solution_warnings(sheared, NULL, 0, &count);
+    }
+    if (status == STICKSLIP_OK) {
+        status = stickslip_history_warnings(history, NULL, 0, &count);
+    }
+    if (status == STICKSLIP_OK) {
+        status = stickslip_normal_solution_spots(pressed, NULL, 0, &count, NULL, 0);
+    }
+    if (status == STICKSLIP_OK) {
+        status = stickslip_tangential_solution_spots(sheared, pressed, NULL, 0, &count, NULL, 0);
+    }
+    if (status == STICKSLIP_OK) {
+        status = stickslip_history_spots(history, NULL, 0, &count, NULL, 0);
+    }
+    disarmed(status);
+    least = LEAST;
+    OK(stickslip_history_free(history));
+    OK(stickslip_tangential_solver_free(shearer));
+    OK(stickslip_tangential_solution_free(sheared));
+    OK(stickslip_normal_solver_free(presser));
+    OK(stickslip_normal_solution_free(pressed));
+    return status;
+}
+
+/* Calls on a grid of so many cells. */
+static void scenes(size_t nx, size_t ny) {
+    cells = nx * ny, least = LEAST;
+    stickslip_grid made_of = {nx, ny, 0.3e-3 / (double)nx, 0.3e-3 / (double)nx};
     grid = made_of;
     OK(stickslip_half_space_new(&grid, &STEEL, &STEEL, NULL, &steel));
     OK(stickslip_half_space_new(&grid, &STEEL, &RIGID, NULL, &dissimilar));
@@ -450,19 +521,23 @@ static void scenes(int cells_along, size_t bytes) {
     run("adaptive steps", adaptive_steps);
     run("cycle", cycle);
     run("stresses", stresses);
+    run("shape", shape);
+    run("warnings and spots", lists);
     OK(stickslip_half_space_free(steel));
     OK(stickslip_half_space_free(dissimilar));
 }
 
-int main(void) {
+int main(int count, char **arguments) {
+    is_complete = count > 1 && strcmp(arguments[1], "all") == 0;
+    chosen = count > 2 ? arguments[2] : NULL;
     signal(SIGABRT, on_abort);
-    for (int i = 0; i < MOST * MOST; i++) {
+    for (size_t i = 0; i < MOST; i++) {
         halves[i] = 0.5;
     }
     /* On the thread that calls, and on those of the pool. */
-    scenes(48, 8192);
-    scenes(MOST, 8192);
+    scenes(48, 48);
+    scenes(65, 64);
     printf("%zu allocations failed, %zu calls were refused, none ended the process\n", attempts, refused);
-    EXPECT(refused > 300);
+    EXPECT(chosen != NULL || refused > 300);
     return failures == 0 ? 0 : 1;
 }

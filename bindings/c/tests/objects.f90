@@ -16,6 +16,14 @@ module within_a_step
 
 contains
 
+    ! Ends what it watches.
+    function stop_at_once(iteration, user) result(go_on) bind(c)
+        type(stickslip_iteration), intent(in) :: iteration
+        type(c_ptr), value :: user
+        integer(c_int32_t) :: go_on
+        go_on = merge(0_c_int32_t, 1_c_int32_t, iteration%iteration >= 0 .and. .not. c_associated(user))
+    end function stop_at_once
+
     ! Makes a history anew while it takes a step.
     function make_anew(iteration, user) result(go_on) bind(c)
         type(stickslip_iteration), intent(in) :: iteration
@@ -67,6 +75,11 @@ contains
         type(stress_planes) :: planes
         type(stickslip_friction) :: friction
         type(stickslip_step_result) :: result
+        type(stickslip_observer) :: observer
+        type(stickslip_normal_stiffness) :: normal
+        type(stickslip_tangential_stiffness) :: tangential
+        type(stickslip_stiffness) :: both
+        type(stickslip_response), allocatable :: at(:)
         ! Changed through the pointer that the observer has, which compilers may not see.
         type(told_and_seen), target, volatile :: seen
         type(c_ptr) :: before
@@ -138,5 +151,22 @@ contains
         call planes%new(bodies, [0.02d0])
         samples => planes%field(STICKSLIP_STRESS_ZZ, status)
         call check(status == STICKSLIP_REFUSED, 'other planes')
+
+        ! Stiffnesses and stresses end when an observer tells them.
+        observer = stickslip_observer(c_funloc(stop_at_once), c_null_ptr)
+        normal = pressed%stiffness(bodies, observer, status)
+        call check(status == STICKSLIP_NOT_CONVERGED, 'a stiffness of the normal contact that is stopped')
+        tangential = sheared%stiffness(bodies, observer, status)
+        call check(status == STICKSLIP_NOT_CONVERGED, 'a stiffness of the tangential contact that is stopped')
+        both = history%stiffness(observer, status)
+        call check(status == STICKSLIP_NOT_CONVERGED, 'a stiffness of a history that is stopped')
+        call planes%solve(1, STICKSLIP_BODY_1, ball, observer=observer, status=status)
+        call check(status == STICKSLIP_NOT_CONVERGED, 'a plane that is stopped')
+        call stress_at_points(bodies, STICKSLIP_BODY_1, [stickslip_point(0, 0, 0.01d0)], at, ball, observer=observer, &
+            status=status)
+        call check(status == STICKSLIP_NOT_CONVERGED, 'stresses at points that are stopped')
+        call planes%solve(1, STICKSLIP_BODY_1, ball)
+        both = history%stiffness()
+        call check(both%normal%value > 0, 'a stiffness that nobody stops')
     end subroutine run
 end program objects

@@ -1,6 +1,7 @@
 ! What Fortran reaches besides loads and fields: shapes are checked, types begin with the defaults of the library, and zones,
 ! warnings, reports, copies, settings, bulk strain, wear, spots and jumps are those of the library.
 program reach
+    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf
     use stickslip
     implicit none
     integer(c_size_t), parameter :: nx = 24, ny = 20
@@ -12,6 +13,7 @@ program reach
     call defaults()
     call shapes()
     call contacts()
+    call dissimilar()
     call histories()
     if (.not. good) error stop 1
 
@@ -97,7 +99,7 @@ contains
         call planes%new(bodies, [0.01d0])
         call planes%solve(1, STICKSLIP_BODY_1, turned, status=status)
         call check(status == STICKSLIP_LENGTH, 'a pressure of shape (ny, nx)')
-        call planes%solve(1, STICKSLIP_BODY_1, gap, gap, turned, status)
+        call planes%solve(1, STICKSLIP_BODY_1, gap, gap, turned, status=status)
         call check(status == STICKSLIP_LENGTH, 'a traction of shape (ny, nx)')
     end subroutine shapes
 
@@ -182,6 +184,99 @@ contains
         if (status == STICKSLIP_OK) call presser%solve(pressed, status=status)
         call check(status == STICKSLIP_NOTHING_TO_HOLD, 'nothing is held after reset')
     end subroutine contacts
+
+    ! Pressure and shear found together.
+    subroutine dissimilar()
+        type(half_space) :: bodies
+        type(coupled_solver) :: solver
+        type(coupled_solution) :: solution, other
+        type(stickslip_coupled_report) :: report
+        type(stickslip_normal_result) :: normal
+        type(stickslip_tangential_result) :: shear
+        type(stickslip_warning), allocatable :: warnings(:)
+        type(stickslip_normal_load) :: press
+        type(stickslip_tangential_load) :: still, drag
+        type(c_ptr) :: before
+        real(c_double), target :: stretched(nx, ny), none(nx, ny)
+        real(c_double), pointer :: pressure(:, :), x(:, :), y(:, :), gap(:, :), lift(:, :), alike(:, :)
+        integer(c_int8_t), pointer :: zones(:, :)
+        real(c_double) :: heights(nx, ny), force
+        integer(c_int32_t) :: status
+        integer :: i
+
+        heights = ball()
+        press = stickslip_normal_load(STICKSLIP_FORCE, 100)
+        still = stickslip_tangential_load(x=stickslip_control(STICKSLIP_FORCE, 0), y=stickslip_control(STICKSLIP_FORCE, 0))
+        drag = stickslip_tangential_load(x=stickslip_control(STICKSLIP_FORCE, 20), y=stickslip_control(STICKSLIP_FORCE, 0))
+        call bodies%new(grid, steel, stickslip_material(ieee_value(0d0, ieee_positive_inf), 0))
+        call solver%new(bodies, heights, stickslip_coulomb(0.3d0), press, still)
+        call solver%solve(solution)
+        report = solution%report()
+        call check(report%work%status == STICKSLIP_CONVERGED, 'a coupled report')
+        call solution%results(normal, shear)
+        call check(abs(normal%force / 100 - 1) < 1d-6, 'the normal force')
+        call check(shear%stick_ratio > 0 .and. shear%stick_ratio < 1, 'pressing makes dissimilar bodies slip')
+        call solution%warnings(warnings)
+        call check(any(warnings%kind == STICKSLIP_WARNING_PRESSED_AT_ONCE), 'pressed at once')
+
+        ! A field and the zones obey the law of Coulomb, and their sums are the forces.
+        call solver%set_load(drag)
+        call solver%solve(solution)
+        call solution%results(tangential=shear)
+        pressure => solution%field(STICKSLIP_PRESSURE)
+        x => solution%field(STICKSLIP_TRACTION_X)
+        y => solution%field(STICKSLIP_TRACTION_Y)
+        gap => solution%field(STICKSLIP_GAP)
+        lift => solution%field(STICKSLIP_DISPLACEMENT_Z)
+        zones => solution%zones()
+        force = sum(x) * side**2
+        call check(abs(force / 20 - 1) < 1d-6 .and. abs(force / shear%force(1) - 1) < 1d-12, 'the tangential force')
+        call check(all(hypot(x, y) <= 0.3d0 * pressure * (1 + 1d-9)), 'the law of Coulomb')
+        call check(all((zones == STICKSLIP_SEPARATED) .eqv. (pressure <= 0)), 'coupled zones')
+        call check(all(pressure == 0 .or. abs(gap) < 1d-6 * maxval(lift)), 'no gap below the pressure')
+
+        ! Setters.
+        call solver%set_normal(stickslip_normal_load(STICKSLIP_FORCE, 150))
+        call solver%set_gap(2 * heights)
+        call solver%set_friction(stickslip_coulomb(0.6d0))
+        call solver%set_settings(stickslip_settings(tolerance=1d-9))
+        call solver%solve(solution)
+        report = solution%report()
+        call check(report%work%residual <= 1d-9, 'settings of a coupled solver')
+        call solver%new(bodies, 2 * heights, stickslip_coulomb(0.6d0), stickslip_normal_load(STICKSLIP_FORCE, 150), drag, &
+            stickslip_settings(tolerance=1d-9))
+        call solver%solve(other)
+        alike => other%field(STICKSLIP_PRESSURE)
+        call check(maxval(abs(alike - pressure)) < 1d-6 * maxval(alike), 'the same as a solver made so')
+        call solver%reset()
+        call solver%set_normal(stickslip_normal_load(STICKSLIP_HOLD), status)
+        if (status == STICKSLIP_OK) call solver%solve(other, status=status)
+        call check(status == STICKSLIP_NOTHING_TO_HOLD, 'nothing is held after reset')
+
+        ! Bulk strain moves what sticks.
+        none = 0
+        do i = 1, int(nx)
+            stretched(i, :) = 1d-3 * side * (i - 0.5d0 * (nx + 1))
+        end do
+        call solver%new(bodies, heights, stickslip_coulomb(0.3d0), press, drag, &
+            relative=stickslip_relative_displacement(c_loc(stretched), c_loc(none), size(none, kind=c_size_t)))
+        call solver%solve(other)
+        call other%results(tangential=shear)
+        call check(abs(shear%force(1) / 20 - 1) < 1d-6 .and. shear%stick_ratio < 1, 'bulk strain of coupled bodies')
+
+        ! What cannot be made leaves what was there.
+        before = solver%address()
+        call solver%new(bodies, heights(:, 2:), stickslip_coulomb(0.3d0), press, drag, status=status)
+        call check(status == STICKSLIP_LENGTH .and. c_associated(solver%address(), before), 'no other coupled solver')
+        call solver%set_gap(heights(2:, :), status)
+        call check(status == STICKSLIP_LENGTH, 'the shape of a gap')
+        call solver%new(bodies, heights, stickslip_coulomb(-1d0), press, drag, status=status)
+        call check(status /= STICKSLIP_OK .and. c_associated(solver%address(), before), 'no friction less than none')
+        call solution%free()
+        call check(.not. c_associated(solution%address()), 'a coupled solution that is freed')
+        pressure => solution%field(STICKSLIP_PRESSURE, status)
+        call check(status == STICKSLIP_BAD_POINTER .and. .not. associated(pressure), 'no field of none')
+    end subroutine dissimilar
 
     subroutine histories()
         type(half_space) :: bodies

@@ -69,7 +69,7 @@ contains
         call check(status == STICKSLIP_LENGTH, 'no such depth')
         call planes%solve(1, STICKSLIP_BODY_1, pressure, pressure, status=status)
         call check(status == STICKSLIP_BAD_POINTER, 'half a traction')
-        call planes%solve(1, STICKSLIP_BODY_1, pressure, pressure(:, 2:), pressure, status)
+        call planes%solve(1, STICKSLIP_BODY_1, pressure, pressure(:, 2:), pressure, status=status)
         call check(status == STICKSLIP_LENGTH, 'a shorter traction')
     end subroutine below_a_sphere
 

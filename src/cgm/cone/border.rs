@@ -38,6 +38,28 @@ impl Border {
     }
 }
 
+/// The cells that slip least of those that could carry more of what is missing.
+#[derive(Debug, Clone, Copy)]
+struct Nearest {
+    missing: [f64; 2],
+    /// The most that they slip.
+    most: f64,
+}
+
+impl Nearest {
+    fn include(self, law: Law, gradient: [f64; N]) -> bool {
+        slip_against(law, gradient, self.missing).is_some_and(|slip| slip <= self.most)
+    }
+}
+
+/// How far a cell slips whose traction points against what is missing.
+fn slip_against(law: Law, [_, x, y]: [f64; N], missing: [f64; 2]) -> Option<f64> {
+    match law {
+        Law::Slip(slip) if dot(slip.normal, missing) < 0.0 => Some(norm([x, y])),
+        _ => None,
+    }
+}
+
 impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     /// Finds how changes of the multipliers spread.
     pub(super) fn border(&mut self) -> Border {
@@ -136,9 +158,11 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         }
         self.times_held += 1;
         let nearest = self.nearest_to_stick();
-        parallel::update(&mut self.workspace.laws, |first, laws| {
+        let w = &mut *self.workspace;
+        let gradient = gradient(&w.product, self.problem.linear, w.multiplier);
+        parallel::update(&mut w.laws, |first, laws| {
             for (i, law) in (first..).zip(laws) {
-                if nearest.as_ref().is_none_or(|near| near[i]) {
+                if nearest.is_none_or(|nearest| nearest.include(*law, gradient(i))) {
                     *law = law.stuck();
                 }
             }
@@ -147,24 +171,20 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
 
     /// Once it has not helped that all cells stick: the slipping cells that could carry more of what is missing, and of
     /// these those that slip least.
-    fn nearest_to_stick(&self) -> Option<Vec<bool>> {
+    fn nearest_to_stick(&self) -> Option<Nearest> {
         if self.times_held <= TRIALS {
             return None;
         }
         let ([_, x, y], w) = (self.missing(), &*self.workspace);
         let gradient = gradient(&w.product, self.problem.linear, w.multiplier);
         let laws = &w.laws;
-        let slip = |i: usize| match laws[i] {
-            Law::Slip(slip) if dot(slip.normal, [x, y]) < 0.0 => {
-                let [_, x, y] = gradient(i);
-                Some(norm([x, y]))
-            }
-            _ => None,
-        };
+        let slip = |i: usize| slip_against(laws[i], gradient(i), [x, y]);
         let least = reduce::least(self.problem.layout, |i| slip(i).map(|s| (s, ())));
         let (least, ()) = least?;
-        let near = |i| slip(i).is_some_and(|s| s <= least * (1.0 + 1e-9));
-        Some((0..laws.len()).map(near).collect())
+        Some(Nearest {
+            missing: [x, y],
+            most: least * (1.0 + 1e-9),
+        })
     }
 
     /// Adds the spread of changes of the multipliers to the correction.
