@@ -1,0 +1,59 @@
+//! States that were saved and then changed, with the checksum of what they have become.
+
+use std::hash::Hasher;
+use std::sync::LazyLock;
+
+use stickslip::{
+    Axis, Coupling, ElasticPair, Friction, Grid, HalfSpace, History, LoadStep, Material,
+    NormalControl, Result, TangentialControl, TangentialModel, surface,
+};
+
+/// Bytes of the checksum at the end.
+const SUM: usize = 8;
+
+/// The bodies of all states.
+pub static BODIES: LazyLock<HalfSpace> = LazyLock::new(|| bodies().expect("valid bodies"));
+
+static STATES: LazyLock<[Vec<u8>; 3]> = LazyLock::new(|| {
+    [
+        (TangentialModel::Scalar, Coupling::OneWay),
+        (TangentialModel::Vector, Coupling::OneWay),
+        (TangentialModel::Vector, Coupling::Full),
+    ]
+    .map(|(model, coupling)| state(model, coupling).expect("a history of two steps"))
+});
+
+fn bodies() -> Result<HalfSpace> {
+    let grid = Grid::new(5, 4, 1.0, 1.0)?;
+    HalfSpace::new(
+        grid,
+        ElasticPair::new(Material::new(1.0, 0.3)?, Material::rigid())?,
+    )
+}
+
+fn state(model: TangentialModel, coupling: Coupling) -> Result<Vec<u8>> {
+    let ball = surface::sphere(BODIES.grid(), 10.0)?;
+    let mut history = History::builder(&BODIES, &ball, Friction::coulomb(0.3)?)
+        .model(model)
+        .coupling(coupling)
+        .build()?;
+    history.step(&LoadStep::hold().normal(NormalControl::Force(0.5)))?;
+    history.step(&LoadStep::hold().tangential(Axis::X, TangentialControl::Force(0.05)))?;
+    Ok(history.to_bytes())
+}
+
+/// One of the states, with bytes replaced: the first byte selects it, each following three are a place and what stands
+/// there.
+pub fn changed(input: &[u8]) -> Vec<u8> {
+    let (&selector, changes) = input.split_first().unwrap_or((&0, &[]));
+    let mut bytes = STATES[usize::from(selector) % STATES.len()].clone();
+    let contents = bytes.len() - SUM;
+    for change in changes.chunks_exact(3) {
+        let place = usize::from(u16::from_le_bytes([change[0], change[1]]));
+        bytes[place % contents] = change[2];
+    }
+    let mut sum = fnv::FnvHasher::default();
+    sum.write(&bytes[..contents]);
+    bytes[contents..].copy_from_slice(&sum.finish().to_le_bytes());
+    bytes
+}
