@@ -7,6 +7,7 @@
     clippy::unwrap_used,
     clippy::float_cmp,
     clippy::print_stdout,
+    clippy::wildcard_imports,
     dead_code,
     unused_imports,
     reason = "a test fails loudly and says what it has done; what threads alone are tested for lies beside the scenes"
