@@ -248,7 +248,7 @@ impl Contact {
             &mut row,
             &pressed,
             |normal| Some(normal.report()),
-            Expected::Answer,
+            self.expected(0.0),
         );
         let Ok(normal) = pressed else {
             return Ok(vec![row]);
@@ -309,9 +309,18 @@ impl Contact {
         Ok(vec![row])
     }
 
+    /// Displacement by the force over a contact of the size of the grid.
+    fn reach(&self) -> f64 {
+        let (modulus, grid) = (self.bodies.pair().contact_modulus(), self.bodies.grid());
+        self.force / (modulus * grid.area().sqrt())
+    }
+
     /// How a force of this part of the sliding one has to end.
     fn expected(&self, part: f64) -> Expected {
-        if self.model == TangentialModel::Vector && 1.0 - part < 1.01 * LAST_DIGITS {
+        let is_sliding = self.model == TangentialModel::Vector && 1.0 - part < 1.01 * LAST_DIGITS;
+        // The last digit of a height, of the displacement.
+        let digit = f64::EPSILON * self.gap.max().max(-self.gap.min()) / self.reach();
+        if is_sliding || self.settings.tolerance < digit {
             Expected::AnswerOrRoundOff
         } else {
             Expected::Answer
@@ -330,8 +339,7 @@ impl Contact {
         }
         let mut history = builder.build()?;
         let capacity = self.friction.limit(0, 1.0) * self.force;
-        let reach =
-            self.force / (self.bodies.pair().contact_modulus() * self.bodies.grid().area().sqrt());
+        let reach = self.reach();
         let force = |part: f64| LoadStep::force(self.direction.map(|n| n * part * capacity));
         let shift = |part: f64| LoadStep::shift(self.direction.map(|n| n * part * reach));
         let press = |part: f64| NormalControl::Force(part * self.force);
