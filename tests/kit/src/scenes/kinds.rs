@@ -318,8 +318,8 @@ impl Contact {
     /// How a force of this part of the sliding one has to end.
     fn expected(&self, part: f64) -> Expected {
         let is_sliding = self.model == TangentialModel::Vector && 1.0 - part < 1.01 * LAST_DIGITS;
-        // The last digit of a height, of the displacement.
-        let digit = f64::EPSILON * self.gap.max().max(-self.gap.min()) / self.reach();
+        // The last digit of a height, of a displacement that is known to an order of magnitude.
+        let digit = 10.0 * f64::EPSILON * self.gap.max().max(-self.gap.min()) / self.reach();
         if is_sliding || self.settings.tolerance < digit {
             Expected::AnswerOrRoundOff
         } else {
