@@ -6,9 +6,8 @@ use proptest::prelude::*;
 use stickslip::cgm::Method;
 use stickslip::influence::Component;
 use stickslip::{
-    Axis, Boundary, Error, Field, Friction, Grid, HalfSpace, NormalControl, NormalSolution,
-    Operator, TangentialControl, TangentialLoad, TangentialModel, TangentialProblem,
-    TangentialSolution, Zone, surface,
+    Boundary, Error, Field, Friction, Grid, HalfSpace, NormalControl, NormalSolution, Operator,
+    TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution, surface,
 };
 
 const FRICTION: f64 = 0.5;
@@ -129,82 +128,6 @@ fn what_the_scalar_model_neglects_is_what_theory_says() {
                 .filter(|(a, b)| a != b);
             assert!(differ.count() <= 20);
         }
-    }
-}
-
-#[test]
-fn slip_opposes_traction() {
-    for (bodies, normal) in [ball(64, 0.3), rough_contact(64, 0.4, Boundary::Periodic)] {
-        let plane = shear(
-            &bodies,
-            &normal,
-            TangentialModel::Vector,
-            along(&normal, 0.6, [2.0, 1.0]),
-            1e-12,
-        );
-        let (q, s) = (plane.traction(), plane.slip());
-        let largest = s
-            .map(|s| max_abs(s.as_slice()))
-            .into_iter()
-            .fold(0.0, f64::max);
-        for (i, zone) in plane.zones().iter().enumerate() {
-            let at = |field: [&Field; 2]| field.map(|component| component.as_slice()[i]);
-            let ([qx, qy], [sx, sy]) = (at(q), at(s));
-            let limit = FRICTION * normal.pressure().as_slice()[i];
-            assert!(qx.hypot(qy) <= limit * (1.0 + 1e-12));
-            // Where it has hardly begun a direction of the slip means nothing.
-            if *zone == Zone::Slip && sx.hypot(sy) > 1e-5 * largest {
-                let angle = (qx * sy - qy * sx).atan2(-(qx * sx + qy * sy));
-                assert!(angle.abs() < 1e-6, "{angle:e}");
-            }
-        }
-        assert!(plane.dissipated_energy() > 0.0);
-    }
-}
-
-/// A field of the square turned by a right angle: what was along x is then along y.
-fn turned(field: &Field) -> Field {
-    let n = field.grid().nx();
-    Field::from_indices(field.grid(), |ix, iy| {
-        field.as_slice()[(n - 1 - ix) * n + iy]
-    })
-}
-
-#[test]
-fn a_turned_load_turns_the_answer() {
-    let grid = Grid::square(48, 64.0).unwrap();
-    for boundary in [Boundary::NonPeriodic, Boundary::Periodic] {
-        let bodies = HalfSpace::with_boundary(grid, unit_pair(0.4), boundary).unwrap();
-        let gap = rough(grid, 8);
-        let [normal, normal_turned] =
-            [gap.clone(), turned(&gap)].map(|gap| press(&bodies, &gap, 0.02 * grid.area()));
-        let load = along(&normal, 0.7, [3.0, 1.0]);
-        let [TangentialControl::Force(x), TangentialControl::Force(y)] =
-            [Axis::X, Axis::Y].map(|axis| load.control(axis))
-        else {
-            unreachable!()
-        };
-        let plane = shear(&bodies, &normal, TangentialModel::Vector, load, 1e-11);
-        let load = TangentialLoad::force([-y, x]);
-        let there = shear(
-            &bodies,
-            &normal_turned,
-            TangentialModel::Vector,
-            load,
-            1e-11,
-        );
-        let scale = FRICTION * normal.pressure().max();
-        let [qx, qy] = plane.traction().map(turned);
-        let differences = [
-            (there.traction()[0], qy, -1.0),
-            (there.traction()[1], qx, 1.0),
-        ];
-        for (found, expected, sign) in differences {
-            let expected: Vec<f64> = expected.as_slice().iter().map(|q| sign * q).collect();
-            assert!(kit::max_difference(found.as_slice(), &expected) < 1e-7 * scale);
-        }
-        assert!((there.shift()[1] / plane.shift()[0] - 1.0).abs() < 1e-8);
-        assert!((there.stick_ratio() - plane.stick_ratio()).abs() < 1e-12);
     }
 }
 

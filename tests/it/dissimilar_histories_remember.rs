@@ -1,13 +1,13 @@
-//! Histories of dissimilar bodies: another code step by step, energies that balance, and states that restart.
+//! Histories of dissimilar bodies: another code step by step, loops, wear, and steps of any length.
 
 use kit::contact::{Case, Normal};
 use kit::{Random, max_difference};
 use stickslip::analytical::HertzSphere;
 use stickslip::history::wear::{self, CycleJump};
-use stickslip::history::{AdaptiveSteps, Cycle, FrettingLoop, LoadPath, State, TouchRule};
+use stickslip::history::{AdaptiveSteps, Cycle, FrettingLoop, LoadPath, TouchRule};
 use stickslip::{
-    Axis, Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
-    Material, NormalControl, TangentialControl, TangentialModel, Zone, surface,
+    Axis, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
+    NormalControl, TangentialControl, TangentialModel, Zone, surface,
 };
 
 /// Of the largest pressure.
@@ -121,66 +121,6 @@ fn the_stick_radius_is_of_first_order_in_the_steps() {
     }
 }
 
-/// Steps of all kinds: pressed, sheared by force, shift and spring, turned, unloaded, worn, apart, pressed again.
-fn steps(history: &mut History, worn: &Field) -> Vec<f64> {
-    let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
-    let spring = TangentialControl::Spring {
-        position: -0.05,
-        stiffness: 0.8,
-    };
-    let path = [
-        press(0.05),
-        press(0.1),
-        press(0.1).tangential(Axis::X, TangentialControl::Force(0.02)),
-        press(0.12).tangential(Axis::Y, TangentialControl::Shift(0.01)),
-        LoadStep::hold().twist(0.02),
-        press(0.08).tangential(Axis::X, spring),
-        press(0.03).tangential(Axis::X, TangentialControl::Force(-0.005)),
-        press(0.0).tangential(Axis::X, TangentialControl::Hold),
-        LoadStep::hold().normal(NormalControl::Approach(0.05)),
-        press(0.06).tangential(Axis::Y, TangentialControl::Force(0.01)),
-    ];
-    let mut imbalances = Vec::new();
-    for (number, load) in path.iter().enumerate() {
-        if number == 6 {
-            let mut gap = history.gap().clone();
-            gap.add_scaled(1.0, worn).unwrap();
-            history.set_gap(&gap).unwrap();
-        }
-        let step = history.step(load).unwrap();
-        let energy = *step.energy();
-        let size = energy.elastic_before + energy.elastic_after;
-        imbalances.push(energy.imbalance().abs() / size.max(1e-30));
-        assert!(energy.dissipated_energy >= 0.0, "{number}: {energy:?}");
-    }
-    imbalances
-}
-
-#[test]
-fn energies_balance() {
-    let grid = Grid::new(26, 22, 0.1, 0.12).unwrap();
-    for boundary in kit::boundaries(grid) {
-        let bodies = HalfSpace::with_boundary(grid, on_rigid(0.1), boundary).unwrap();
-        let gap = surface::ellipsoid(grid, 9.0, 7.0).unwrap();
-        let worn = Field::from_fn(grid, |x, y| 1e-3 * (0.5 - x * x - y * y).max(0.0));
-        let friction = Friction::coulomb(0.4).unwrap();
-        let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
-        let path = |history: &mut History| {
-            if boundary == Boundary::NonPeriodic {
-                return steps(history, &worn);
-            }
-            let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
-            let shear = |force| press(0.3).tangential(Axis::X, TangentialControl::Force(force));
-            let loads = [press(0.2), press(0.3), shear(0.06), shear(-0.05)];
-            let imbalance = |load| history.step(load).unwrap().energy().imbalance().abs();
-            loads.iter().map(imbalance).collect()
-        };
-        for (number, imbalance) in path(&mut history).into_iter().enumerate() {
-            assert!(imbalance < 1e-13, "{boundary:?} {number}: {imbalance:e}");
-        }
-    }
-}
-
 /// A closed loop of force and shift dissipates its area.
 #[test]
 fn loops_dissipate_their_area() {
@@ -207,61 +147,6 @@ fn loops_dissipate_their_area() {
         lost > 0.0 && (work / lost - 1.0).abs() < 1e-8,
         "{work:e} {lost:e}"
     );
-}
-
-#[test]
-fn a_restart_continues_with_the_same_bits() {
-    let (bodies, gap) = ball(25);
-    let worn = Field::from_fn(gap.grid(), |x, y| 1e-3 * (0.5 - x * x - y * y).max(0.0));
-    let start = || {
-        let friction = Friction::coulomb(0.4).unwrap();
-        let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
-        let press = LoadStep::hold().normal(NormalControl::Force(0.05));
-        history.step(&press).unwrap();
-        history
-    };
-    let mut whole = start();
-    let saved = whole.to_bytes();
-    let mut restored = History::from_bytes(&bodies, &saved).unwrap();
-    let mut returned = start();
-    steps(&mut returned, &worn);
-    let kept: State = whole.state().clone();
-    returned.set_state(&kept).unwrap();
-    steps(&mut whole, &worn);
-    for history in [&mut restored, &mut returned] {
-        steps(history, &worn);
-        assert!(history.to_bytes() == whole.to_bytes());
-    }
-}
-
-/// A step that fails leaves the history as it was.
-#[test]
-fn failures_leave_no_trace() {
-    let (bodies, gap) = ball(25);
-    let friction = Friction::coulomb(0.4).unwrap();
-    let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
-    let press = LoadStep::hold().normal(NormalControl::Force(0.1));
-    history.step(&press).unwrap();
-    let saved = history.to_bytes();
-    let drag = |force| press.tangential(Axis::X, TangentialControl::Force(force));
-    let refused = history.step(&drag(0.05)).map(|_| ());
-    assert!(matches!(refused, Err(Error::BeyondFrictionCapacity { .. })));
-    let refused = history.step(&LoadStep::hold().normal(NormalControl::Force(-1.0)));
-    assert!(matches!(refused, Err(Error::Negative { .. })));
-    let cancelled = history.step_observed(&drag(0.03), |step| {
-        if step.iteration > 3 {
-            std::ops::ControlFlow::Break(())
-        } else {
-            std::ops::ControlFlow::Continue(())
-        }
-    });
-    assert!(matches!(cancelled, Err(Error::NotConverged(_))));
-    assert!(history.to_bytes() == saved);
-    assert!(matches!(
-        history.stiffness(),
-        Err(Error::CoupledMaterials { .. })
-    ));
-    history.step(&drag(0.03)).unwrap();
 }
 
 /// Where the coupling is forced upon bodies that have none, nothing changes: by a Dundurs' constant just above the one
@@ -346,29 +231,6 @@ fn adaptive_steps_press() {
     assert!(taken > 1 && radius > 0.46, "{taken} {radius}");
 }
 
-/// On any number of threads.
-#[test]
-fn threads_leave_the_same_bits() {
-    let run = |threads: usize| {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .unwrap();
-        pool.install(|| {
-            let (bodies, gap) = ball(101);
-            let friction = Friction::coulomb(0.3).unwrap();
-            let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
-            let press = LoadStep::hold().normal(NormalControl::Force(0.1));
-            let drag = TangentialControl::Force(0.01);
-            history.step(&press).unwrap();
-            history.step(&press.tangential(Axis::X, drag)).unwrap();
-            history.to_bytes()
-        })
-    };
-    let alone = run(1);
-    assert!(run(2) == alone && run(3) == alone);
-}
-
 /// A thousand cycles of wear in jumps; saved and restored half way, they come to the same bits.
 #[test]
 fn wear_goes_on_after_a_restart() {
@@ -406,50 +268,6 @@ fn wear_goes_on_after_a_restart() {
     assert!(history.to_bytes() == restored.to_bytes());
     let worn = history.gap().minus(&gap).unwrap();
     assert!(worn.max() > 1e-4 && worn.min() >= 0.0, "{}", worn.max());
-}
-
-/// Lengths in millionths, pressures in billionths: the same contact.
-#[test]
-fn units_do_not_matter() {
-    let run = |length: f64, pressure: f64| {
-        let grid = Grid::square(25, 2.6 * length).unwrap();
-        let body = Material::new(pressure, 0.1).unwrap();
-        let pair = ElasticPair::new(body, Material::rigid()).unwrap();
-        let bodies = HalfSpace::new(grid, pair).unwrap();
-        let gap = surface::sphere(grid, 10.0 * length).unwrap();
-        let friction = Friction::coulomb(0.4).unwrap();
-        let builder = History::builder(&bodies, &gap, friction).tolerance(1e-10);
-        let mut history = builder.build().unwrap();
-        let force = pressure * length * length;
-        let press = LoadStep::hold().normal(NormalControl::Force(0.1 * force));
-        history.step(&press).unwrap();
-        let drag = TangentialControl::Force(0.02 * force);
-        let spring = TangentialControl::Spring {
-            position: 0.02 * length,
-            stiffness: pressure * length,
-        };
-        let sheared = press.tangential(Axis::X, drag).tangential(Axis::Y, spring);
-        history.step(&sheared).unwrap();
-        let scaled = history.traction().map(|field| field.scaled(1.0 / pressure));
-        (
-            scaled,
-            history.approach() / length,
-            history.zones().to_vec(),
-        )
-    };
-    let (tractions, approach, zones) = run(1.0, 1.0);
-    for (length, pressure) in [
-        (1e-6, 1e9),
-        (1e3, 1e-6),
-        (2.0_f64.powi(20), 2.0_f64.powi(-30)),
-    ] {
-        let (others, other_approach, other_zones) = run(length, pressure);
-        assert_eq!(zones, other_zones);
-        assert!((other_approach / approach - 1.0).abs() < 1e-9);
-        for (a, b) in tractions.iter().zip(&others) {
-            assert!(max_difference(a.as_slice(), b.as_slice()) < 1e-8 * a.max());
-        }
-    }
 }
 
 /// Pressed and sheared at once along a straight leg that sticks: between bodies of weak coupling the touch rule does in one

@@ -1,4 +1,4 @@
-//! Laws that hold for any history: mirror images, nothing without slip, no slip at first touch, traction
+//! Laws that hold for any history: nothing without slip, no slip at first touch, traction
 //! within the limit of its own pressure.
 
 use kit::{max_abs, max_difference, rough, unit_bodies};
@@ -51,44 +51,6 @@ const PATH: [(NormalControl, TangentialControl); 6] = [
     (NormalControl::Approach(1.6), TangentialControl::Shift(0.05)),
     (NormalControl::Hold, TangentialControl::Hold),
 ];
-
-#[test]
-fn mirror_images() {
-    let grid = Grid::square(48, 100.0).unwrap();
-    let gap = rough(grid, 8);
-    let flipped = Field::from_indices(grid, |ix, iy| gap.get(47 - ix, iy).unwrap());
-    let turned = Field::from_indices(grid, |ix, iy| gap.get(iy, ix).unwrap());
-    let mut original = history(&gap, Axis::X);
-    let mut mirror = history(&flipped, Axis::X);
-    let mut reversed = history(&gap, Axis::X);
-    let mut transposed = history(&turned, Axis::Y);
-    run(&mut original, &PATH, 1.0);
-    run(&mut mirror, &PATH, -1.0);
-    run(&mut reversed, &PATH, -1.0);
-    run(&mut transposed, &PATH, 1.0);
-    let traction = original.traction()[0];
-    let scale = max_abs(traction.as_slice());
-    let assert_same = |field: &Field, sign: f64, cell: &dyn Fn(usize, usize) -> [usize; 2]| {
-        let moved = Field::from_indices(grid, |ix, iy| {
-            let [ix, iy] = cell(ix, iy);
-            sign * field.get(ix, iy).unwrap()
-        });
-        let difference = max_difference(moved.as_slice(), traction.as_slice());
-        assert!(difference < 1e-5 * scale, "{difference:e}");
-    };
-    assert_same(reversed.traction()[0], -1.0, &|ix, iy| [ix, iy]);
-    assert_same(mirror.traction()[0], -1.0, &|ix, iy| [47 - ix, iy]);
-    assert_same(transposed.traction()[1], 1.0, &|ix, iy| [iy, ix]);
-    for (other, sign, axis) in [
-        (&mirror, -1.0, 0),
-        (&reversed, -1.0, 0),
-        (&transposed, 1.0, 1),
-    ] {
-        assert!((sign * other.shift()[axis] - original.shift()[0]).abs() < 1e-8);
-        let [a, b] = [other, &original].map(|history| history.dissipated_energy().integral());
-        assert!((a / b - 1.0).abs() < 1e-6);
-    }
-}
 
 /// Where nothing slips, load taken back leaves nothing behind: not a bit.
 #[test]

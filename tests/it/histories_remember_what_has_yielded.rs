@@ -3,8 +3,8 @@
 use kit::{max_difference, rough, unit_bodies};
 use stickslip::normal::Hardness;
 use stickslip::{
-    Axis, Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
-    Material, NormalControl, NormalProblem, TangentialControl, TangentialModel, Warning, surface,
+    Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
+    NormalControl, NormalProblem, TangentialModel, Warning, surface,
 };
 
 const LIMIT: f64 = 0.02;
@@ -23,10 +23,6 @@ fn history(bodies: &HalfSpace, gap: &Field, model: TangentialModel, stays: bool)
 
 fn press(force: f64) -> LoadStep {
     LoadStep::hold().normal(NormalControl::Force(force))
-}
-
-fn drag(force: f64, shear: f64) -> LoadStep {
-    press(force).tangential(Axis::X, TangentialControl::Force(shear))
 }
 
 #[test]
@@ -63,47 +59,6 @@ fn a_second_loading_is_elastic() {
     assert!(further.integral() > 1.1 * yielded.integral());
     let grew = further.as_slice().iter().zip(yielded.as_slice());
     assert!(grew.into_iter().all(|(now, before)| now >= before));
-}
-
-#[test]
-fn shear_wear_restarts_and_failures_keep_it() {
-    let (bodies, gap) = scene();
-    for model in [TangentialModel::Scalar, TangentialModel::Vector] {
-        let mut history = history(&bodies, &gap, model, true);
-        let path = [drag(0.004, 0.0), drag(0.005, 0.0008), drag(0.003, -0.0004)];
-        for step in &path {
-            let balance = *history.step(step).unwrap().energy();
-            let work = balance.work.abs() + balance.dissipated_energy + balance.elastic_after;
-            assert!(balance.residual.abs() < 1e-8 * work.max(1e-9));
-        }
-        let bytes = history.to_bytes();
-        let mut restored = History::from_bytes(&bodies, &bytes).unwrap();
-        assert_eq!(restored.to_bytes(), bytes);
-        assert_eq!(
-            restored.normal().yielded_cells(),
-            history.normal().yielded_cells()
-        );
-        // More than friction or hardness holds: refused, and nothing has changed.
-        let capacity = LIMIT * gap.grid().area();
-        let refused = history.step(&press(1.1 * capacity));
-        assert!(matches!(refused, Err(Error::BeyondHardness { .. })));
-        assert!(history.step(&drag(0.005, 0.1)).is_err());
-        assert_eq!(history.to_bytes(), bytes);
-        // The user's gap wears by the same everywhere: only the approach follows.
-        let worn = Field::from_vec(
-            gap.grid(),
-            gap.as_slice().iter().map(|gap| gap + 0.5).collect(),
-        )
-        .unwrap();
-        let (approach, yielded) = (history.approach(), history.state().yielded().cloned());
-        for history in [&mut history, &mut restored] {
-            history.set_gap(&worn).unwrap();
-            history.step(&drag(0.003, -0.0004)).unwrap();
-            assert_eq!(history.state().yielded(), yielded.as_ref());
-            assert!((history.approach() - approach - 0.5).abs() < 1e-8 * approach.abs());
-        }
-        assert_eq!(history.to_bytes(), restored.to_bytes());
-    }
 }
 
 #[test]

@@ -13,18 +13,19 @@
     reason = "a test fails loudly and says what it has done; what threads alone are tested for lies beside the scenes"
 )]
 
+mod every_scene_goes_on_to_the_same_bits;
+mod every_scene_obeys_the_laws;
 mod ranks_share_a_contact;
-mod ranks_share_a_coupled_contact;
-mod ranks_share_a_history;
 
 use std::process::{Command, ExitCode};
 use std::sync::Arc;
 use std::time::Duration;
 
+use kit::table::{Pose, Scene};
 use stickslip::ranks::{Mpi, Ranks};
 use stickslip::{Field, HalfSpace};
 
-use ranks_share_a_contact::{Scene, pair, same};
+use every_scene_goes_on_to_the_same_bits::{found, shared_scenes};
 
 /// Longer than a rank solves a scene by itself.
 const PATIENCE: Duration = Duration::from_secs(300);
@@ -38,19 +39,7 @@ fn main() -> ExitCode {
     }
     let failed = Mpi::run(PATIENCE, |rank| {
         let ranks: Arc<dyn Ranks> = Arc::new(rank);
-        let groups = [
-            ranks_share_a_contact::normal_contacts(),
-            ranks_share_a_contact::sheared_contacts(),
-            ranks_share_a_contact::sequences(),
-            ranks_share_a_history::worn_contacts(),
-            ranks_share_a_history::cycles(),
-            ranks_share_a_history::yielding_and_strained_contacts(),
-            ranks_share_a_coupled_contact::contacts_from_rest(),
-            ranks_share_a_coupled_contact::sequences(),
-            ranks_share_a_coupled_contact::histories(),
-        ];
-        assert!(groups.iter().all(|scenes| !scenes.is_empty()));
-        let scenes: Vec<Scene> = groups.into_iter().flatten().collect();
+        let scenes = shared_scenes();
         let failures = scenes.iter().map(|scene| compare(scene, &ranks)).collect();
         (scenes.len(), failures)
     });
@@ -74,9 +63,8 @@ fn main() -> ExitCode {
 fn stop_the_last() -> ExitCode {
     let ended = Mpi::run(BRIEFLY, |rank| {
         let (number, is_last) = (rank.rank(), rank.rank() + 1 == rank.size());
-        let scene = ranks_share_a_contact::normal_contacts().swap_remove(0);
-        let (grid, boundary) = (scene.grid, scene.boundary);
-        let bodies = HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank)).unwrap();
+        let scene = shared_scenes().swap_remove(0);
+        let bodies = scene.half_space_on(Arc::new(rank)).unwrap();
         if is_last {
             let mut stop = Command::new("sh");
             stop.args(["-c", "kill -STOP $PPID"]).status().unwrap();
@@ -90,15 +78,17 @@ fn stop_the_last() -> ExitCode {
 
 /// What differs between the slab of this rank and what it finds by itself, if anything does.
 fn compare(scene: &Scene, ranks: &Arc<dyn Ranks>) -> Option<String> {
-    let (own, alone) = (scene.on(Arc::clone(ranks)), scene.alone());
-    let bodies = HalfSpace::distributed(scene.grid, pair(), scene.boundary, Arc::clone(ranks));
-    let slab = bodies.unwrap().grid();
+    let bodies = scene.half_space_on(Arc::clone(ranks)).unwrap();
+    let run = |bodies: &HalfSpace| {
+        let mut history = scene.history(bodies, &Pose::IN_PLACE);
+        scene.run(&mut history, &Pose::IN_PLACE);
+        found(&history)
+    };
+    let (own, alone) = (run(&bodies), run(&scene.half_space(&Pose::IN_PLACE)));
+    let slab = bodies.grid();
     let first = slab.rows().start * slab.nx();
-    let cells = &alone.cells[first..first + own.cells.len()];
-    let known = same(&own.known, &alone.known);
-    let differs = known.and_then(|()| same(own.cells.as_flattened(), cells.as_flattened()));
+    let cells = &alone.1[first..first + own.1.len()];
+    let is_same = own.0 == alone.0 && own.1 == cells;
     let number = ranks.rank();
-    differs
-        .err()
-        .map(|error| format!("rank {number}: {}: {error}", scene.what))
+    (!is_same).then(|| format!("rank {number}: {} differs", scene.name))
 }

@@ -65,7 +65,7 @@ proptest! {
     /// To 1e-13 of the largest component, on the surface and below it, in both bodies, also without shear.
     #[test]
     fn planes_are_sums_over_cells(
-        nx in 1..20_usize, ny in 1..20_usize, aspect in 0.3..3.0_f64,
+        nx in 1..12_usize, ny in 1..12_usize, aspect in 0.3..3.0_f64,
         depth in prop_oneof![Just(0.0), 1e-3..60.0_f64], nu in -0.4..0.5_f64, seed in 0..1000_usize,
     ) {
         let grid = Grid::new(nx, ny, 1.0, aspect).unwrap();
@@ -97,7 +97,7 @@ proptest! {
 /// The same where rows repeat along y; and whole periods away.
 #[test]
 fn planes_of_rows_are_sums_over_images() {
-    for (nx, ny) in [(9, 1), (6, 4), (5, 7)] {
+    for (nx, ny) in [(9, 1), (5, 4)] {
         let grid = Grid::new(nx, ny, 1.0, 0.8).unwrap();
         let boundary = Boundary::PeriodicAlongY { datum: 20.0 };
         let bodies = HalfSpace::with_boundary(grid, pair(0.3, 0.1), boundary).unwrap();
@@ -613,7 +613,7 @@ proptest! {
     /// of the sixth order.
     #[test]
     fn stresses_below_any_tractions_are_in_equilibrium(
-        nx in 1..9_usize, ny in 1..9_usize, aspect in 0.3..3.0_f64, nu in -0.4..0.5_f64, repeats in any::<bool>(),
+        nx in 1..6_usize, ny in 1..6_usize, aspect in 0.3..3.0_f64, nu in -0.4..0.5_f64, repeats in any::<bool>(),
         at in [-6.0..6.0_f64, -6.0..6.0_f64, 0.4..6.0_f64], seed in 0..1000_usize,
     ) {
         let grid = Grid::new(nx, ny, 1.0, aspect).unwrap();

@@ -187,7 +187,7 @@ fn failed_steps_leave_no_trace_on_ranks() {
 /// A rank may be lost at any moment of a step: the others have taken it wholly, or not at all.
 #[test]
 fn a_step_is_taken_wholly_or_not_at_all() {
-    let grid = Grid::new(96, 180, 0.1, 0.08).unwrap();
+    let grid = Grid::new(64, 150, 0.15, 0.1).unwrap();
     let last = usize::MAX;
     // What a rank has before and after the step, its outcome, and the calls it has made.
     let step_until = |calls: usize, coupling: Coupling, is_adaptive: bool| {
@@ -227,7 +227,7 @@ fn a_step_is_taken_wholly_or_not_at_all() {
         let whole = step_until(last, coupling, is_adaptive);
         let (all, mut refused) = (whole[1].3, 0);
         // The last calls of a step are those on the way into the state.
-        let moments = (0..all).step_by(all / 12).chain(all - 24..all);
+        let moments = (0..all).step_by(all / 6).chain(all - 24..all);
         for calls in moments {
             let parts = step_until(calls, coupling, is_adaptive);
             for rank in [0, 2] {

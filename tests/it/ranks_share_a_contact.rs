@@ -60,7 +60,7 @@ pub(crate) fn boundaries(grid: Grid) -> [Boundary; 3] {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(ProptestConfig::with_cases(12))]
 
     /// Transforms of rows and columns are the same wherever they are done, of any size, with rows without traction too.
     #[test]
@@ -100,206 +100,41 @@ proptest! {
     }
 }
 
-/// Heights of a body over the plane, as a function of the place.
-type Gap<'a> = &'a (dyn Fn(f64, f64) -> f64 + Sync);
-
-/// A ball, one beside the middle that touches few rows, and waves that touch everywhere.
-const GAPS: [fn(f64, f64) -> f64; 3] = [
-    |x, y| 0.05 * (x * x + y * y),
-    |x, y| 0.05 * ((x - 5.0).powi(2) + (y + 20.0).powi(2)),
-    |x, y| 0.3 * (2.0 + (0.9 * x).sin() * (1.3 * y).cos() + (0.31 * x + 0.17 * y).sin()),
-];
-
-fn press(bodies: &HalfSpace, gap: Gap<'_>, load: NormalControl) -> NormalSolution {
-    let gap = Field::from_fn(bodies.grid(), gap);
-    let problem = NormalProblem::builder(bodies, gap, load).build().unwrap();
-    problem.solve().unwrap()
-}
-
-/// Samples of the fields in every cell, and numbers that every rank knows.
-pub(crate) struct Found {
-    pub(crate) cells: Vec<[f64; 7]>,
-    pub(crate) known: Vec<f64>,
-}
-
-impl Found {
-    /// Of a pressed contact.
-    fn normal(contact: &NormalSolution) -> Self {
-        let pairs = contact
-            .pressure()
-            .as_slice()
-            .iter()
-            .zip(contact.gap().as_slice());
-        let [mx, my] = contact.moments();
-        let report = contact.report();
-        let extent = contact.contact_extent().unwrap_or_default();
-        Self {
-            cells: pairs
-                .map(|(p, g)| [*p, *g, 0.0, 0.0, 0.0, 0.0, 0.0])
-                .collect(),
-            known: vec![
-                contact.approach(),
-                contact.force(),
-                mx,
-                my,
-                contact.contact_cells() as f64,
-                contact.contact_area_corrected(),
-                extent[0],
-                extent[1],
-                contact.warnings().len() as f64,
-                report.residual,
-                report.energy_error_bound(),
-                report.iterations as f64,
-                report.double_precision_products as f64,
-                report.single_precision_products as f64,
-            ],
-        }
-    }
-
-    /// And of the shear under it.
-    fn with_shear(mut self, shear: &TangentialSolution) -> Self {
-        let [[qx, qy], [sx, sy]] =
-            [shear.traction(), shear.slip()].map(|both| both.map(Field::as_slice));
-        for (i, cell) in self.cells.iter_mut().enumerate() {
-            let zone = f64::from(shear.zones()[i] as u8);
-            cell[2..].copy_from_slice(&[qx[i], qy[i], sx[i], sy[i], zone]);
-        }
-        let report = shear.report();
-        let [[fx, fy], [dx, dy]] = [shear.force(), shear.shift()];
-        self.known.extend([
-            fx,
-            fy,
-            dx,
-            dy,
-            shear.moment(),
-            shear.stick_ratio(),
-            shear.slip_area(),
-            shear.dissipated_energy(),
-            report.residual,
-            report.energy_error_bound(),
-            report.iterations as f64,
-        ]);
-        self
-    }
-}
-
-/// What is found on bodies, alone or shared by ranks.
-pub(crate) struct Scene {
-    pub(crate) what: String,
-    pub(crate) grid: Grid,
-    pub(crate) boundary: Boundary,
-    pub(crate) find: Box<dyn Fn(&HalfSpace) -> Found + Sync>,
-}
-
-impl Scene {
-    pub(crate) fn new(
-        what: impl Into<String>,
-        grid: Grid,
-        boundary: Boundary,
-        find: impl Fn(&HalfSpace) -> Found + Sync + 'static,
-    ) -> Self {
-        Self {
-            what: what.into(),
-            grid,
-            boundary,
-            find: Box::new(find),
-        }
-    }
-
-    /// What one process finds.
-    pub(crate) fn alone(&self) -> Found {
-        (self.find)(&HalfSpace::with_boundary(self.grid, pair(), self.boundary).unwrap())
-    }
-
-    /// What a rank finds.
-    pub(crate) fn on(&self, rank: Arc<dyn Ranks>) -> Found {
-        (self.find)(&HalfSpace::distributed(self.grid, pair(), self.boundary, rank).unwrap())
-    }
-}
+/// What a rank finds in its cells, and what every rank knows.
+pub(crate) type Found = (Vec<f64>, Vec<f64>);
 
 /// Asserts that ranks find what one process finds.
-pub(crate) fn assert_same(scenes: Vec<Scene>) {
-    for scene in scenes {
-        let alone = scene.alone();
-        for size in RANKS {
-            let parts = Threads::run(size, PATIENCE, |rank| scene.on(Arc::new(rank)));
-            let Scene {
-                what,
-                grid,
-                boundary,
-                ..
-            } = &scene;
-            let cells = [grid.nx(), grid.ny()];
-            let what = format!("{what}, {cells:?}, {boundary:?}, {size} ranks");
-            for part in &parts {
-                let same = same(&part.known, &alone.known);
-                same.unwrap_or_else(|error| panic!("{what}: known {error}"));
-            }
-            let cells: Vec<[f64; 7]> = parts.into_iter().flat_map(|part| part.cells).collect();
-            let (cells, alone) = (cells.as_flattened(), alone.cells.as_flattened());
-            same(cells, alone).unwrap_or_else(|error| panic!("{what}: {error}"));
+pub(crate) fn assert_shared(
+    grid: Grid,
+    boundary: Boundary,
+    find: impl Fn(&HalfSpace) -> Found + Sync,
+) {
+    let (cells, known) = find(&HalfSpace::with_boundary(grid, pair(), boundary).unwrap());
+    for size in RANKS {
+        let parts = Threads::run(size, PATIENCE, |rank| {
+            find(&HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank)).unwrap())
+        });
+        for (_, part) in &parts {
+            same(part, &known).unwrap();
         }
+        let parts: Vec<f64> = parts.into_iter().flat_map(|(cells, _)| cells).collect();
+        same(&parts, &cells).unwrap();
     }
 }
 
-pub(crate) fn normal_contacts() -> Vec<Scene> {
-    let mut scenes = Vec::new();
-    for [nx, ny] in [[96, 130], [33, 320]] {
-        let grid = Grid::new(nx, ny, 0.3, 0.2).unwrap();
-        for boundary in boundaries(grid) {
-            scenes.extend(GAPS.map(|gap| {
-                Scene::new("a force", grid, boundary, move |bodies| {
-                    Found::normal(&press(bodies, &gap, NormalControl::Force(20.0)))
-                })
-            }));
-        }
-        let free = Boundary::NonPeriodic;
-        scenes.push(Scene::new("an approach", grid, free, |bodies| {
-            Found::normal(&press(bodies, &GAPS[0], NormalControl::Approach(0.3)))
-        }));
-    }
-    scenes
-}
-
-#[test]
-fn normal_contacts_have_the_same_bits() {
-    assert_same(normal_contacts());
-}
-
-pub(crate) fn sheared_contacts() -> Vec<Scene> {
-    let slanting =
-        |grid| Friction::per_cell(Field::from_fn(grid, |x, y| 0.3 + 0.01 * (x + y).sin())).unwrap();
-    let grid = Grid::new(96, 130, 0.3, 0.2).unwrap();
-    let mut scenes = Vec::new();
-    for gap in GAPS {
-        for (model, load) in [
-            (TangentialModel::Scalar, TangentialLoad::force([3.0, 0.0])),
-            (TangentialModel::Vector, TangentialLoad::force([2.0, 2.5])),
-        ] {
-            let find = move |bodies: &HalfSpace| {
-                let normal = press(bodies, &gap, NormalControl::Force(20.0));
-                let problem =
-                    TangentialProblem::builder(bodies, &normal, slanting(bodies.grid()), load);
-                let shear = problem.model(model).build().unwrap().solve().unwrap();
-                Found::normal(&normal).with_shear(&shear)
-            };
-            let what = format!("{model:?}");
-            scenes.push(Scene::new(what, grid, Boundary::NonPeriodic, find));
-        }
-    }
-    scenes
-}
-
-#[test]
-fn sheared_contacts_have_the_same_bits() {
-    assert_same(sheared_contacts());
+/// The samples of fields, cell by cell.
+pub(crate) fn by_cell<const N: usize>(fields: [&Field; N]) -> Vec<f64> {
+    let cell = |i: usize| fields.map(|field| field.as_slice()[i]);
+    (0..fields[0].grid().cells()).flat_map(cell).collect()
 }
 
 /// From the last answer, along its trend, in boxes that are left for wider ones; on small boxes some ranks have no cells.
-pub(crate) fn sequences() -> Vec<Scene> {
+#[test]
+fn solvers_continue_with_the_same_bits() {
     let grid = Grid::new(96, 130, 0.3, 0.2).unwrap();
-    let sequence = Scene::new("a sequence", grid, Boundary::NonPeriodic, |bodies| {
-        let gap = Field::from_fn(bodies.grid(), GAPS[1]);
+    assert_shared(grid, Boundary::NonPeriodic, |bodies| {
+        let beside = |x: f64, y: f64| 0.05 * ((x - 5.0).powi(2) + (y + 20.0).powi(2));
+        let gap = Field::from_fn(bodies.grid(), beside);
         let force = NormalControl::Force(0.5);
         let problem = NormalProblem::builder(bodies, gap, force).build().unwrap();
         let mut press = problem.into_solver().unwrap();
@@ -315,19 +150,24 @@ pub(crate) fn sequences() -> Vec<Scene> {
             press.solve_into(&mut normal).unwrap();
             slide.set_load(TangentialLoad::force([0.0; 2])).unwrap();
             slide.set_pressure(&normal).unwrap();
-            slide
-                .set_load(TangentialLoad::force([0.1 * force, 0.0]))
-                .unwrap();
+            let load = TangentialLoad::force([0.1 * force, 0.0]);
+            slide.set_load(load).unwrap();
             slide.solve_into(&mut shear).unwrap();
         }
-        Found::normal(&normal).with_shear(&shear)
+        let cells = by_cell([
+            normal.pressure(),
+            normal.gap(),
+            shear.traction()[0],
+            shear.slip()[0],
+        ]);
+        let known = vec![
+            normal.approach(),
+            normal.force(),
+            shear.shift()[0],
+            shear.report().residual,
+        ];
+        (cells, known)
     });
-    vec![sequence]
-}
-
-#[test]
-fn solvers_continue_with_the_same_bits() {
-    assert_same(sequences());
 }
 
 #[test]

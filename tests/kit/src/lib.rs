@@ -22,6 +22,7 @@ mod random;
 pub mod refusal;
 #[cfg(feature = "dense")]
 pub mod scenes;
+pub mod table;
 pub mod waves;
 
 pub use random::Random;

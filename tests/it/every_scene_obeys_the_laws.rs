@@ -1,0 +1,269 @@
+//! Every kind of history obeys the laws of mechanics in every step, and is the same in other units, turned, mirrored and with
+//! its bodies exchanged.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use kit::max_abs;
+use kit::table::{Measured, Pose, Scene, scenes};
+use stickslip::history::TouchRule;
+use stickslip::{Coupling, Field, TangentialModel, Zone};
+
+/// What a scene breaks a law by.
+pub(crate) type Law = Result<(), String>;
+
+/// Asserts a law of all scenes, and names those that break it.
+pub(crate) fn every(scenes: Vec<Scene>, mut law: impl FnMut(&Scene) -> Law) {
+    let mut broken = Vec::new();
+    for scene in scenes {
+        let outcome = catch_unwind(AssertUnwindSafe(|| law(&scene)));
+        let outcome = outcome.unwrap_or_else(|_| Err("panicked".to_owned()));
+        if let Err(by) = outcome {
+            broken.push(format!("{}: {by}", scene.name));
+        }
+    }
+    assert!(broken.is_empty(), "broken by {broken:#?}");
+}
+
+/// Whether numbers in another pose are those of the scene, to this part of the largest of their kind.
+fn compare(scene: &Scene, one: &Measured, pose: &Pose, tolerance: f64) -> Law {
+    let other = Measured::run(scene, pose);
+    for ((name, a), (_, b)) in one.groups().into_iter().zip(other.groups()) {
+        let scale = max_abs(a);
+        for (i, (a, b)) in a.iter().zip(b).enumerate() {
+            let difference = (a - b).abs() / scale;
+            let is_same = if tolerance == 0.0 {
+                a == b
+            } else {
+                difference <= tolerance
+            };
+            if !is_same {
+                return Err(format!(
+                    "{name} {i}: {a:e}, {b:e} ({difference:e}), {pose:?}"
+                ));
+            }
+        }
+    }
+    Ok(())
+}
+
+fn posed(scene: &Scene, poses: &[Pose], tolerance: f64) -> Law {
+    let one = Measured::run(scene, &Pose::IN_PLACE);
+    let mut poses = poses.iter();
+    poses.try_for_each(|pose| compare(scene, &one, pose, tolerance))
+}
+
+/// Units that are powers of two round nothing; those of other systems do.
+#[test]
+fn in_any_units() {
+    every(scenes(), |scene| {
+        let exact = [(-10, 20), (7, -30), (-40, 3)];
+        let exact = exact.map(|units| <[i32; 2]>::from(units).map(|power| 2_f64.powi(power)));
+        let exact = exact.map(|[length, pressure]| Pose::in_units(length, pressure));
+        posed(scene, &exact, 0.0)?;
+        let others = [(1e-3, 1e9), (1e3, 1e-6), (1e-6, 1e5)];
+        let others = others.map(|(length, pressure)| Pose::in_units(length, pressure));
+        posed(scene, &others, ROUND_OFF)
+    });
+}
+
+/// What the solves leave and round-off makes of it.
+const ROUND_OFF: f64 = 1e-7;
+
+#[test]
+fn turned_and_mirrored() {
+    every(scenes(), |scene| {
+        let pose = |swaps, signs| Pose {
+            swaps,
+            signs,
+            ..Pose::IN_PLACE
+        };
+        let mirrors = [pose(false, [-1.0, 1.0]), pose(false, [1.0, -1.0])];
+        posed(scene, &mirrors, ROUND_OFF)?;
+        if !scene.can_turn() {
+            return Ok(());
+        }
+        let quarter_turn = pose(true, [-1.0, 1.0]);
+        let axes = pose(true, [1.0, 1.0]);
+        posed(scene, &[quarter_turn, axes], ROUND_OFF)
+    });
+}
+
+/// All that is tangential changes its sign, and nothing else does.
+#[test]
+fn with_the_bodies_exchanged() {
+    every(scenes(), |scene| {
+        let exchanged = Pose {
+            exchanges: true,
+            ..Pose::IN_PLACE
+        };
+        posed(scene, &[exchanged], ROUND_OFF)
+    });
+}
+
+/// `Err` unless what is said holds.
+fn check(holds: bool, what: impl FnOnce() -> String) -> Law {
+    if holds { Ok(()) } else { Err(what()) }
+}
+
+/// The work of every step is found again; nothing gains energy by slip.
+#[test]
+fn work_is_stored_or_dissipated() {
+    every(scenes(), |scene| {
+        let pose = Pose::IN_PLACE;
+        let mut history = scene.history(&scene.half_space(&pose), &pose);
+        let (mut total, mut released) = (0.0, 0.0_f64);
+        for (number, step) in scene.path.iter().enumerate() {
+            scene.take(&mut history, step, &pose);
+            let (taken, energy) = (history.last_step(), history.last_step().energy());
+            let scale = energy.elastic_before.max(energy.elastic_after) + energy.work.abs();
+            let what = || format!("step {number}: {energy:?}");
+            check(energy.imbalance().abs() <= 1e-12 * scale, what)?;
+            check(taken.dissipated_energy().min() >= 0.0, what)?;
+            let sums = [
+                taken.dissipated_energy(),
+                taken.mid_step_dissipated_energy(),
+            ];
+            let sums = sums.map(|field| field.as_slice().iter().sum::<f64>());
+            let named = [energy.dissipated_energy, energy.mid_step_dissipated_energy];
+            for (sum, named) in sums.into_iter().zip(named) {
+                check((sum - named).abs() <= 1e-12 * scale, what)?;
+            }
+            if taken.normal_report().is_none() && scene.wear == 0.0 {
+                // The pressure stands: nothing is let go, and the tolerance leaves next to nothing.
+                check(
+                    taken.mid_step_dissipated_energy().min() >= -1e-9 * scale,
+                    what,
+                )?;
+                check(energy.released.abs() <= 1e-14 * scale, what)?;
+                check(energy.residual.abs() <= 1e-6 * scale, what)?;
+            }
+            total += energy.dissipated_energy;
+            released = released.max(energy.released);
+        }
+        // What leaves the contact takes its energy along.
+        check(released > 0.0, || "nothing is released".to_owned())?;
+        let sum: f64 = history.dissipated_energy().as_slice().iter().sum();
+        check(total > 0.0 && (sum / total - 1.0).abs() < 1e-12, || {
+            format!("{sum:e} of {total:e} is remembered")
+        })
+    });
+}
+
+/// In the pressure and the tractions at the end of a step, and in what slipped against them.
+#[test]
+fn pressure_pushes_and_friction_holds_back() {
+    every(scenes(), |scene| {
+        let pose = Pose::IN_PLACE;
+        let mut history = scene.history(&scene.half_space(&pose), &pose);
+        let grid = history.grid();
+        let mut slipped = 0;
+        for (number, step) in scene.path.iter().enumerate() {
+            let load = scene.load(step, &pose);
+            history.step(&load).map_err(|error| error.to_string())?;
+            let (taken, pressed) = (history.last_step(), history.normal());
+            let largest = taken.slip_distance().max();
+            let [sx, sy] = taken.slip();
+            let [qx, qy] = history.traction();
+            let overlap = 1e-8 * history.approach().abs();
+            for (i, zone) in history.zones().iter().enumerate() {
+                let at = |field: &Field| field.as_slice()[i];
+                let (p, g) = (at(history.pressure()), at(pressed.gap()));
+                let (q, s) = ([at(qx), at(qy)], [at(sx), at(sy)]);
+                let size = q[0].hypot(q[1]);
+                let limit = history.friction().limit(i, p);
+                let what = |law: &str| {
+                    let cell = [i % grid.nx(), i / grid.nx()];
+                    format!("step {number}, {cell:?}, {zone:?}: {law}, {p:e} {g:e} {q:?} {s:?}")
+                };
+                check(p >= 0.0, || what("pulls"))?;
+                check(scene.hardness.is_some() || g >= -overlap, || {
+                    what("overlaps")
+                })?;
+                let touches = p == 0.0 || g <= overlap;
+                check(touches, || what("carries apart"))?;
+                match zone {
+                    Zone::Separated => check(p == 0.0 && size == 0.0, || what("loaded"))?,
+                    Zone::Stick => check(s == [0.0; 2] && size <= limit, || what("slips"))?,
+                    Zone::Slip => {
+                        slipped += 1;
+                        check((size / limit - 1.0).abs() < 1e-11, || what("off its limit"))?;
+                        let along = q[0] * s[0] + q[1] * s[1];
+                        let across = q[0] * s[1] - q[1] * s[0];
+                        let small = 1e-6 * largest * size;
+                        check(along <= small, || what("slips with its traction"))?;
+                        check(across.abs() <= small, || what("slips across its traction"))?;
+                    }
+                }
+            }
+            scene.wear(&mut history, &pose);
+        }
+        check(slipped >= scene.size[0], || format!("{slipped} cells slip"))
+    });
+}
+
+/// Where a cell does not come into contact, and follows a part of the step, slip is the change of the displacement by all tractions of the grid and by the strain, less that of the rigid motion;
+/// half of traction times displacement is the elastic energy.
+#[test]
+fn slip_is_what_moves_the_surfaces_apart() {
+    every(scenes(), |scene| {
+        let bodies = scene.half_space(&Pose::IN_PLACE);
+        // One-way coupling moves surfaces by the pressure, which the displacement leaves out.
+        let is_coupled = bodies.pair().is_coupled();
+        if is_coupled && scene.coupling == Coupling::OneWay {
+            return Ok(());
+        }
+        let is_joint = is_coupled && scene.coupling == Coupling::Full;
+        let pose = Pose::IN_PLACE;
+        let mut history = scene.history(&bodies, &pose);
+        let grid = history.grid();
+        let strain = scene.strain.unwrap_or_default();
+        let mut stretched = 0.0;
+        for (number, step) in scene.path.iter().enumerate() {
+            let (before, shift) = (history.displacement().unwrap(), history.shift());
+            let (twist, stretch) = (history.twist(), stretched);
+            let touched = history.pressure().as_slice().to_vec();
+            scene.take(&mut history, step, &pose);
+            stretched = step.strain.unwrap_or(stretch);
+            let after = history.displacement().unwrap();
+            let scale = after
+                .iter()
+                .map(|u| max_abs(u.as_slice()))
+                .fold(0.0, f64::max);
+            let turned = history.twist() - twist;
+            let axes = match scene.model {
+                TangentialModel::Scalar if !is_joint => 1,
+                _ => 2,
+            };
+            for axis in 0..axes {
+                for (i, zone) in history.zones().iter().enumerate() {
+                    let is_new = touched[i] == 0.0 && scene.touch_rule == TouchRule::Growth;
+                    if *zone == Zone::Separated || is_new {
+                        continue;
+                    }
+                    let [x, y] = [grid.x(i % grid.nx()), grid.y(i / grid.nx())];
+                    let rigid = history.shift()[axis] - shift[axis] + turned * [-y, x][axis];
+                    let bulk = (stretched - stretch) * (strain[axis][0] * x + strain[axis][1] * y);
+                    let moved = after[axis].as_slice()[i] - before[axis].as_slice()[i];
+                    let slip = history.last_step().slip()[axis].as_slice()[i];
+                    let error = (moved + bulk - rigid - slip).abs();
+                    check(error <= 1e-6 * scale, || {
+                        format!(
+                            "step {number}, cell {i}, {zone:?}, axis {axis}: {slip:e} {error:e}"
+                        )
+                    })?;
+                }
+            }
+            if is_joint {
+                continue;
+            }
+            let pairs = history.traction().into_iter().zip(&after);
+            let products = pairs.flat_map(|(q, u)| q.as_slice().iter().zip(u.as_slice()));
+            let energy = 0.5 * grid.cell_area() * products.map(|(q, u)| q * u).sum::<f64>();
+            let found = history.last_step().energy().elastic_after;
+            check((energy - found).abs() <= 1e-10 * found, || {
+                format!("step {number}: energies of {energy:e} and {found:e}")
+            })?;
+        }
+        Ok(())
+    });
+}

@@ -1,0 +1,231 @@
+//! The table of scenes.
+
+use stickslip::NormalControl::{Approach, Force};
+use stickslip::history::TouchRule;
+use stickslip::{Coupling, NormalControl, TangentialControl, TangentialModel};
+
+use super::{Around, Scene, Step};
+
+const HOLD: TangentialControl = TangentialControl::Hold;
+
+/// Equal bodies of unit contact modulus.
+const ALIKE: [(f64, f64); 2] = [(1.82, 0.3), (1.82, 0.3)];
+/// Bodies of which the first gives way more.
+const UNLIKE: [(f64, f64); 2] = [(1.0, 0.1), (6.0, 0.35)];
+const ON_RIGID: [(f64, f64); 2] = [(1.0, 0.0), (f64::INFINITY, 0.0)];
+
+/// A ball beside the middle, alike in no direction.
+fn ball(x: f64, y: f64) -> f64 {
+    0.05 * ((x - 0.1).powi(2) + 0.8 * (y + 0.07).powi(2) + 0.1 * x * y)
+}
+
+/// The ball with bumps.
+fn bumpy(x: f64, y: f64) -> f64 {
+    ball(x, y) + 0.004 * (7.0 * x + 3.0 * y).sin() + 0.003 * (2.0 * x - 8.0 * y).cos()
+}
+
+fn waves(x: f64, y: f64) -> f64 {
+    0.02 * (2.0 + (3.1 * x).sin() * (2.3 * y).cos() + (4.1 * x + 2.7 * y).sin())
+}
+
+fn roller(x: f64, y: f64) -> f64 {
+    0.05 * x * x + 0.003 * (3.0 * y).sin() * x
+}
+
+fn patches(x: f64, y: f64) -> f64 {
+    0.1 * (2.0 * x + y).sin()
+}
+
+fn hard(x: f64, y: f64) -> f64 {
+    0.04 + 0.003 * x - 0.002 * y
+}
+
+fn step(normal: NormalControl, x: TangentialControl, y: TangentialControl) -> Step {
+    Step {
+        normal,
+        shear: [x, y],
+        twist: None,
+        strain: None,
+    }
+}
+
+fn spring(position: f64, stiffness: f64) -> TangentialControl {
+    TangentialControl::Spring {
+        position,
+        stiffness,
+    }
+}
+
+/// Along x alone: pressed, sheared, turned round, pressed more, dragged, let go.
+fn to_and_fro(load: f64) -> Vec<Step> {
+    use TangentialControl::{Force as Pull, Shift};
+    vec![
+        step(Force(0.5 * load), HOLD, HOLD),
+        step(Force(load), Pull(0.17 * load), HOLD),
+        step(NormalControl::Hold, Pull(-0.15 * load), HOLD),
+        step(Force(0.7 * load), Shift(0.01), HOLD),
+        step(Force(1.3 * load), spring(-0.04, 0.8), HOLD),
+        step(Force(0.4 * load), HOLD, HOLD),
+    ]
+}
+
+/// In all directions, and apart on the way.
+fn around(load: f64) -> Vec<Step> {
+    use TangentialControl::{Force as Pull, Shift};
+    vec![
+        step(Force(0.5 * load), HOLD, HOLD),
+        step(Force(load), Pull(0.15 * load), Pull(-0.1 * load)),
+        step(NormalControl::Hold, Shift(-0.008), Pull(0.12 * load)),
+        step(Force(1.2 * load), spring(0.03, 0.8), spring(-0.02, 0.5)),
+        step(Force(0.5 * load), Pull(-0.05 * load), HOLD),
+        step(Force(0.0), HOLD, HOLD),
+        step(Force(0.8 * load), Shift(0.006), Shift(0.004)),
+    ]
+}
+
+/// With these amounts of twist.
+fn twisted(mut path: Vec<Step>, twists: &[f64]) -> Vec<Step> {
+    for (step, twist) in path.iter_mut().zip(twists) {
+        step.twist = Some(*twist);
+    }
+    path
+}
+
+/// With these amounts of strain.
+fn strained(mut path: Vec<Step>, amounts: &[f64]) -> Vec<Step> {
+    for (step, amount) in path.iter_mut().zip(amounts) {
+        step.strain = Some(*amount);
+    }
+    path
+}
+
+const TWISTS: [f64; 6] = [0.0, 0.01, 0.02, -0.015, 0.0, 0.0];
+const STRAINS: [f64; 6] = [0.0, 0.004, 0.01, -0.006, 0.002, 0.0];
+
+/// A bumpy ball between equal bodies, sheared along x: what the others differ from.
+fn scalar(name: &'static str) -> Scene {
+    Scene {
+        name,
+        size: [18, 15],
+        sides: [0.13, 0.15],
+        around: Around::Nothing,
+        bodies: ALIKE,
+        gap: bumpy,
+        friction: 0.4,
+        slippery: None,
+        shear_strength: f64::INFINITY,
+        model: TangentialModel::Scalar,
+        coupling: Coupling::Full,
+        touch_rule: TouchRule::Growth,
+        hardness: None,
+        is_set_permanent: false,
+        strain: None,
+        wear: 0.0,
+        tolerance: 1e-10,
+        path: to_and_fro(0.06),
+    }
+}
+
+/// In the plane, with twist.
+fn plane(name: &'static str) -> Scene {
+    Scene {
+        model: TangentialModel::Vector,
+        path: twisted(around(0.06), &TWISTS),
+        ..scalar(name)
+    }
+}
+
+/// Pressure and shear of dissimilar bodies together, with twist.
+fn coupled(name: &'static str) -> Scene {
+    Scene {
+        bodies: UNLIKE,
+        ..plane(name)
+    }
+}
+
+/// Waves on a grid that repeats; nothing twists there.
+fn repeating(scene: &Scene, load: f64) -> Scene {
+    Scene {
+        around: Around::Everywhere,
+        gap: waves,
+        path: match scene.model {
+            TangentialModel::Scalar => to_and_fro(load),
+            TangentialModel::Vector => around(load),
+        },
+        ..*scene
+    }
+}
+
+/// A contact that is large, then small, and large again.
+fn shrinking(scene: &Scene) -> Scene {
+    let press = |approach, shift| step(Approach(approach), TangentialControl::Shift(shift), HOLD);
+    let steps = [
+        (0.07, 0.005),
+        (0.004, -0.001),
+        (0.004, 0.0008),
+        (0.005, -0.0004),
+        (0.07, 0.01),
+        (0.006, 0.009),
+    ];
+    Scene {
+        size: [44, 40],
+        sides: [0.055, 0.06],
+        gap: ball,
+        touch_rule: TouchRule::WholeStep,
+        path: steps.map(|(approach, shift)| press(approach, shift)).into(),
+        ..*scene
+    }
+}
+
+/// Every kind of history.
+#[rustfmt::skip] // a line a scene
+pub fn scenes() -> Vec<Scene> {
+    let [one_way, neglected] = [Coupling::OneWay, Coupling::Neglected];
+    let strain = Some([[1.0, 0.2], [0.1, -0.3]]);
+    let stretch = Some([[1.0, 0.0], [0.0, 0.0]]);
+    let line = |scene: Scene| Scene {
+        size: [24, 1],
+        sides: [0.09, 1.0],
+        around: Around::Line,
+        gap: roller,
+        ..scene
+    };
+    let rows = |scene: Scene| Scene {
+        around: Around::AlongY,
+        gap: roller,
+        ..scene
+    };
+    vec![
+        scalar("scalar"),
+        Scene { slippery: Some(patches), ..scalar("friction of each cell") },
+        Scene { shear_strength: 0.01, ..scalar("shear strength") },
+        Scene { wear: 1.0, ..scalar("wear") },
+        Scene { hardness: Some(hard), ..scalar("hardness") },
+        Scene { hardness: Some(hard), is_set_permanent: true, ..scalar("permanent set") },
+        Scene { size: [9, 40], sides: [0.26, 0.055], ..scalar("slender cells") },
+        shrinking(&scalar("shrinking")),
+        repeating(&scalar("repeating"), 0.1),
+        rows(Scene { path: to_and_fro(0.09), ..scalar("rows") }),
+        line(Scene { path: to_and_fro(0.04), ..scalar("line") }),
+        line(Scene { strain: stretch, path: strained(to_and_fro(0.04), &STRAINS), ..scalar("strained line") }),
+        Scene { bodies: UNLIKE, coupling: one_way, ..scalar("one way") },
+        Scene { bodies: UNLIKE, coupling: neglected, ..scalar("coupling neglected") },
+        plane("plane"),
+        Scene { slippery: Some(patches), shear_strength: 0.012, ..plane("plane, friction of each cell") },
+        Scene { hardness: Some(hard), is_set_permanent: true, ..plane("plane, permanent set") },
+        Scene { wear: 1.0, ..plane("plane, wear") },
+        Scene { strain, path: strained(around(0.06), &STRAINS), ..plane("plane, strained") },
+        Scene { bodies: UNLIKE, coupling: one_way, ..plane("plane, one way") },
+        shrinking(&plane("plane, shrinking")),
+        repeating(&plane("plane, repeating"), 0.1),
+        rows(Scene { path: around(0.09), ..plane("plane, rows") }),
+        coupled("coupled"),
+        Scene { bodies: ON_RIGID, gap: ball, touch_rule: TouchRule::WholeStep, ..coupled("on a rigid body") },
+        Scene { wear: 1.0, slippery: Some(patches), ..coupled("coupled, wear") },
+        Scene { strain, path: strained(around(0.06), &STRAINS), ..coupled("coupled, strained") },
+        shrinking(&coupled("coupled, shrinking")),
+        repeating(&coupled("coupled, repeating"), 0.1),
+        rows(Scene { path: around(0.09), ..coupled("coupled, rows") }),
+        line(Scene { path: around(0.04), ..coupled("coupled, line") }),
+    ]
+}

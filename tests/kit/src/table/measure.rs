@@ -1,0 +1,152 @@
+//! What a history has come to: in bits, and in numbers that another pose of the scene must find again.
+
+use stickslip::{Field, History};
+
+use super::{Pose, Scene};
+
+/// All that the history is and its last step did, in bits.
+pub fn bits(history: &History) -> Vec<u8> {
+    let (mut bits, step) = (history.to_bytes(), history.last_step());
+    let [x, y] = step.slip();
+    let fields = [
+        x,
+        y,
+        step.slip_distance(),
+        step.dissipated_energy(),
+        step.mid_step_dissipated_energy(),
+    ];
+    let samples = fields.into_iter().flat_map(Field::as_slice);
+    let numbers = known(history);
+    let numbers = samples.chain(&numbers);
+    bits.extend(numbers.flat_map(|value| value.to_le_bytes()));
+    bits
+}
+
+/// What every rank knows of a history and its last step.
+pub fn known(history: &History) -> Vec<f64> {
+    let (step, normal) = (history.last_step(), history.normal());
+    let energy = step.energy();
+    let ([fx, fy], [dx, dy], [mx, my]) = (history.force(), history.shift(), normal.moments());
+    let [width, height] = normal.contact_extent().unwrap_or_default();
+    let mut known = vec![
+        fx,
+        fy,
+        dx,
+        dy,
+        mx,
+        my,
+        width,
+        height,
+        history.moment(),
+        history.approach(),
+        history.friction_capacity(),
+        normal.force(),
+        normal.contact_cells() as f64,
+        normal.contact_area_corrected(),
+        normal.yielded_cells() as f64,
+        energy.work,
+        energy.elastic_before,
+        energy.elastic_after,
+        energy.dissipated_energy,
+        energy.mid_step_dissipated_energy,
+        energy.released,
+        energy.residual,
+        step.stick_ratio(),
+        step.warnings().len() as f64,
+    ];
+    for report in [step.normal_report(), step.tangential_report()] {
+        known.extend(report.into_iter().flat_map(|report| {
+            [
+                report.residual,
+                report.iterations as f64,
+                report.double_precision_products as f64,
+                report.single_precision_products as f64,
+            ]
+        }));
+    }
+    known
+}
+
+/// What a history has come to in each cell.
+pub fn cells(history: &History) -> Vec<[f64; 8]> {
+    let ([qx, qy], step) = (history.traction(), history.last_step());
+    let fields = [
+        history.pressure(),
+        history.normal().gap(),
+        qx,
+        qy,
+        history.accumulated_slip(),
+        history.dissipated_energy(),
+        step.slip_distance(),
+    ]
+    .map(Field::as_slice);
+    let cell = |i: usize| {
+        let [p, g, x, y, s, e, d] = fields.map(|field| field[i]);
+        [p, g, x, y, s, e, d, f64::from(history.zones()[i] as u8)]
+    };
+    (0..history.grid().cells()).map(cell).collect()
+}
+
+/// The numbers of all steps, as they are in the scene without its pose: those of each group are told from round-off by the
+/// largest of it.
+#[derive(Debug, Default)]
+pub struct Measured {
+    pub pressures: Vec<f64>,
+    pub lengths: Vec<f64>,
+    pub energies: Vec<f64>,
+}
+
+impl Measured {
+    /// Of all steps of a scene.
+    pub fn run(scene: &Scene, pose: &Pose) -> Self {
+        let mut history = scene.history(&scene.half_space(pose), pose);
+        let mut measured = Self::default();
+        for step in &scene.path {
+            scene.take(&mut history, step, pose);
+            measured.add(scene, pose, &history);
+        }
+        measured
+    }
+
+    pub fn groups(&self) -> [(&'static str, &[f64]); 3] {
+        [
+            ("pressures", &self.pressures),
+            ("lengths", &self.lengths),
+            ("energies", &self.energies),
+        ]
+    }
+
+    fn add(&mut self, scene: &Scene, pose: &Pose, history: &History) {
+        let step = history.last_step();
+        let (length, pressure) = (pose.length, pose.pressure);
+        let energy = pressure * length * length * scene.depth(pose);
+        let into = |group: &mut Vec<f64>, field: &Field, unit: f64| {
+            group.extend(pose.cells_back(field).into_iter().map(|value| value / unit));
+        };
+        into(&mut self.pressures, history.pressure(), pressure);
+        into(&mut self.lengths, history.accumulated_slip(), length);
+        into(&mut self.lengths, step.slip_distance(), length);
+        into(&mut self.energies, step.dissipated_energy(), energy);
+        let vectors = |fields: [&Field; 2], group: &mut Vec<f64>, unit: f64| {
+            for (axis, field) in pose.swapped(fields).into_iter().enumerate() {
+                let sign = pose.swapped(pose.signs)[axis] * pose.side();
+                into(group, field, sign * unit);
+            }
+        };
+        vectors(history.traction(), &mut self.pressures, pressure);
+        vectors(history.slip(), &mut self.lengths, length);
+        vectors(step.slip(), &mut self.lengths, length);
+        let shift = pose.back(history.shift()).map(|shift| pose.side() * shift);
+        self.lengths.push(history.approach() / length);
+        self.lengths.extend(shift.map(|shift| shift / length));
+        let balance = step.energy();
+        let energies = [
+            balance.work,
+            balance.elastic_after,
+            balance.dissipated_energy,
+            balance.mid_step_dissipated_energy,
+            pose.turn() * history.moment(),
+        ];
+        self.energies.extend(energies.map(|value| value / energy));
+    }
+}
