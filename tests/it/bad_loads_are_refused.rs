@@ -6,7 +6,7 @@ use kit::unit_bodies;
 use stickslip::cgm::{Method, Settings};
 use stickslip::tangential::JaegerSuperposition;
 use stickslip::{
-    Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, Material,
+    Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
     NormalControl, NormalProblem, NormalSolution, TangentialLoad, TangentialModel,
     TangentialProblem, surface,
 };
@@ -498,4 +498,22 @@ fn a_method_that_the_model_does_not_have() {
     // A normal problem has no pressure to hold.
     let held = NormalProblem::builder(&bodies, &gap, NormalControl::Hold).build();
     assert_eq!(held.err(), Some(Error::NothingToHold));
+}
+
+#[test]
+fn loads_of_another_number_than_the_histories() {
+    let bodies = bodies();
+    let friction = Friction::coulomb(0.3).unwrap();
+    let history = History::builder(&bodies, &ball(&bodies), friction).build();
+    let mut histories = [history.unwrap()];
+    let before = histories[0].to_bytes();
+    let two = [LoadStep::hold().normal(NormalControl::Force(1.0)); 2];
+    for loads in [&two[..0], &two] {
+        assert!(matches!(
+            History::step_all(&mut histories, loads),
+            Err(Error::Length { expected: 1, found, .. }) if found == loads.len()
+        ));
+    }
+    assert_eq!(histories[0].to_bytes(), before);
+    assert!(History::step_all(&mut [], &[]).unwrap().is_empty());
 }
