@@ -322,7 +322,7 @@ impl TangentialSolution {
     /// [`Self::warnings`] where memory may run out.
     ///
     /// # Errors
-    /// [`Error::Memory`](crate::Error::Memory).
+    /// [`Error::Memory`].
     pub fn try_warnings(&self) -> Result<Vec<Warning>> {
         let mut warnings = self.contact_map().warnings()?;
         warnings.extend(self.zone_warnings());
