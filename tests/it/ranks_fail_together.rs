@@ -202,7 +202,8 @@ fn a_step_is_taken_wholly_or_not_at_all() {
             let bodies = HalfSpace::distributed(grid, pair(), boundary, shared).unwrap();
             let gap = ball(&bodies);
             let builder = History::builder(&bodies, &gap, friction(&bodies));
-            let mut history = builder.coupling(coupling).build().unwrap();
+            let builder = builder.coupling(coupling).tolerance(1e-3);
+            let mut history = builder.build().unwrap();
             let press = LoadStep::force([0.2, 0.0]).normal(NormalControl::Force(2.0));
             history.step(&press).unwrap();
             let before = history.to_bytes();
