@@ -107,7 +107,7 @@ impl Point {
         let step = history.last_step();
         let energy = step.energy();
         Self {
-            force: step.force()[0],
+            force: step.tangential_force()[0],
             shift: step.shift()[0],
             exact_shift: exact.shift(),
             stick_ratio: step.stick_ratio(),

@@ -61,7 +61,7 @@ pub struct StepError {
 /// let whole = steps.error(&mut history, &load)?;
 /// let taken = steps.step(&mut history, &load)?;
 /// assert!(whole.traction > 0.003 && taken > 2);
-/// assert!((history.force()[1] - 20.0).abs() < 1e-9);
+/// assert!((history.tangential_force()[1] - 20.0).abs() < 1e-9);
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone)]
@@ -199,7 +199,7 @@ impl AdaptiveSteps {
     ) -> Result<StepError> {
         let part = |part| load.part(&self.beginning, part);
         let whole = history.step(&part(end))?;
-        let (force, shift) = (whole.force(), whole.shift());
+        let (force, shift) = (whole.tangential_force(), whole.shift());
         let dissipated = whole.energy().dissipated_energy;
         for (kept, traction) in self.whole.iter_mut().zip(history.traction()) {
             kept.clone_from(traction);
@@ -213,7 +213,7 @@ impl AdaptiveSteps {
         let halves = step.energy().dissipated_energy + second.energy().dissipated_energy;
         let difference = |a: [f64; 2], b: [f64; 2]| [a[0] - b[0], a[1] - b[1]];
         Ok(StepError {
-            force: difference(force, second.force()),
+            force: difference(force, second.tangential_force()),
             shift: difference(shift, second.shift()),
             dissipated_energy: dissipated - halves,
             traction: self.distance(history),

@@ -37,7 +37,7 @@ impl History {
     /// let drag = |force| LoadStep::hold().tangential(Axis::X, TangentialControl::Force(force));
     /// let failed = History::step_all(&mut contacts, &[drag(10.0), drag(30.0), drag(20.0)])?;
     /// assert!(matches!(failed[..], [(1, Error::BeyondFrictionCapacity { .. })]));
-    /// assert_eq!(contacts[1].force(), [0.0, 0.0]);
+    /// assert_eq!(contacts[1].tangential_force(), [0.0, 0.0]);
     /// # Ok::<(), Error>(())
     /// ```
     pub fn step_all(histories: &mut [Self], loads: &[LoadStep]) -> Result<Vec<(usize, Error)>> {

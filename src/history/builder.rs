@@ -75,7 +75,7 @@ impl HistoryBuilder<'_> {
     ///     .tangential(Axis::X, TangentialControl::Force(20.0))
     ///     .tangential(Axis::Y, TangentialControl::Shift(0.4e-6));
     /// history.step(&shear)?;
-    /// assert!(history.force()[1] > 0.0 && history.moment().abs() < 1e-9);
+    /// assert!(history.tangential_force()[1] > 0.0 && history.moment().abs() < 1e-9);
     /// let twist = history.step(&shear.twist(2e-3))?;
     /// assert!(twist.moment() > 0.0 && twist.energy().dissipated_energy > 0.0);
     /// # Ok::<(), Error>(())

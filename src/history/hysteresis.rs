@@ -23,7 +23,7 @@ impl LoopPoint {
     /// Where the history is.
     pub(super) fn of(history: &History) -> Self {
         Self {
-            force: history.force(),
+            force: history.tangential_force(),
             shift: history.shift(),
             moment: history.moment(),
             twist: history.twist(),

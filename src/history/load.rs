@@ -81,7 +81,7 @@ impl LoadStep {
     ///     let drag = LoadStep::spring(position, stiffness).normal(NormalControl::Force(100.0));
     ///     let step = history.step(&drag)?;
     ///     let stretch = position[0] - step.shift()[0];
-    ///     assert!((step.force()[0] - stiffness * stretch).abs() < 1e-6);
+    ///     assert!((step.tangential_force()[0] - stiffness * stretch).abs() < 1e-6);
     /// }
     /// # Ok::<(), Error>(())
     /// ```
@@ -138,7 +138,7 @@ impl LoadStep {
             }
         };
         let along = |axis: usize| {
-            let (shift, force) = (state.shift()[axis], state.force()[axis]);
+            let (shift, force) = (state.shift()[axis], state.tangential_force()[axis]);
             match self.tangential[axis] {
                 TangentialControl::Force(end) => TangentialControl::Force(between(force, end)),
                 TangentialControl::Shift(end) => TangentialControl::Shift(between(shift, end)),

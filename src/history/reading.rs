@@ -143,8 +143,8 @@ impl History {
 
     /// Tangential force that body 2 exerts on body 1.
     #[must_use]
-    pub fn force(&self) -> [f64; 2] {
-        self.state.force()
+    pub fn tangential_force(&self) -> [f64; 2] {
+        self.state.tangential_force()
     }
 
     /// Largest tangential force friction holds at the present pressure (a force): the integral of the friction limit.

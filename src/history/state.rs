@@ -39,12 +39,12 @@ use crate::window::Window;
 /// let shear = |force| LoadStep::hold().tangential(Axis::X, TangentialControl::Force(force));
 /// history.step(&shear(40.0))?;
 /// history.set_state(&kept)?;
-/// assert_eq!((history.steps(), history.force()), (1, [0.0, 0.0]));
+/// assert_eq!((history.steps(), history.tangential_force()), (1, [0.0, 0.0]));
 ///
 /// // Take a smaller one, and keep it.
 /// history.step(&shear(20.0))?;
 /// kept.clone_from(history.state());
-/// assert!(kept.force()[0] > 19.9 && kept.shift()[0] > 0.0);
+/// assert!(kept.tangential_force()[0] > 19.9 && kept.shift()[0] > 0.0);
 ///
 /// // Continue elsewhere, or later, to the same bits.
 /// let mut other = History::from_state(&bodies, kept)?;
@@ -98,7 +98,7 @@ pub struct State {
     pub(super) capacity: Option<f64>,
 }
 
-shown!(State: grid(), steps(), approach(), force(), shift(), twist());
+shown!(State: grid(), steps(), approach(), tangential_force(), shift(), twist());
 
 clone_in_place!(State {
     axes,
@@ -381,7 +381,7 @@ impl State {
 
     /// Tangential force that body 2 exerts on body 1.
     #[must_use]
-    pub fn force(&self) -> [f64; 2] {
+    pub fn tangential_force(&self) -> [f64; 2] {
         self.force
     }
 

@@ -184,7 +184,7 @@ impl StepResult {
 
     /// Tangential force that body 2 exerts on body 1 at the end of the step.
     #[must_use]
-    pub fn force(&self) -> [f64; 2] {
+    pub fn tangential_force(&self) -> [f64; 2] {
         self.force
     }
 

@@ -299,7 +299,7 @@ fn slope(
     // One row per axis. That of an axis which the scalar model leaves out sets its component to zero.
     let (mut rows, mut right) = ([[1.0, 0.0], [0.0, 1.0]], [0.0; 2]);
     for a in increment.axes().iter().map(|axis| axis.index()) {
-        let (shift, force) = (press.state.shift()[a], press.state.force()[a]);
+        let (shift, force) = (press.state.shift()[a], press.state.tangential_force()[a]);
         let by_shift = compliance[a].map(|part| part * press.approach);
         let by_force = rows[a].map(|part| part * press.force);
         (rows[a], right[a]) = match demand.controls[a] {
@@ -347,13 +347,13 @@ fn is_driven(state: &State, demand: &Demand, limit: f64) -> bool {
     let asks = |a: usize| match demand.controls[a] {
         TangentialControl::Hold => false,
         TangentialControl::Shift(end) => end.to_bits() != state.shift()[a].to_bits(),
-        TangentialControl::Force(end) => !is_same(end, state.force()[a], limit),
+        TangentialControl::Force(end) => !is_same(end, state.tangential_force()[a], limit),
         TangentialControl::Spring {
             position,
             stiffness,
         } => {
             let force = stiffness * (position - state.shift()[a]);
-            !is_same(force, state.force()[a], limit)
+            !is_same(force, state.tangential_force()[a], limit)
         }
     };
     asks(0) || asks(1) || demand.twist.to_bits() != state.motion.twist.to_bits()

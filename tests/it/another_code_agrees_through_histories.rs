@@ -61,7 +61,12 @@ fn scalars_agree(case: &Case, step: &Step, shift: [f64; 2], history: &History) {
     };
     for axis in 0..2 {
         let size = step.force[0].hypot(step.force[1]);
-        close("force", history.force()[axis], step.force[axis], size);
+        close(
+            "force",
+            history.tangential_force()[axis],
+            step.force[axis],
+            size,
+        );
         let size = shift[0].hypot(shift[1]);
         close("shift", history.shift()[axis], shift[axis], size);
     }

@@ -40,7 +40,7 @@ fn one_cell_that_repeats_slides() {
                 .unwrap();
             history.step(&LoadStep::hold().normal(press)).unwrap();
             history.step(&LoadStep::shift([shift, 0.0])).unwrap();
-            for force in [sheared.force(), history.force()] {
+            for force in [sheared.force(), history.tangential_force()] {
                 let expected = coefficient * load * shift.signum();
                 assert!(
                     (force[0] - expected).abs() < 1e-15 && force[1] == 0.0,
@@ -79,7 +79,7 @@ fn one_cell_that_repeats_slides_in_any_direction() {
         history
             .step(&LoadStep::shift(direction.map(|n| n * shift)))
             .unwrap();
-        for force in [sheared.force(), history.force()] {
+        for force in [sheared.force(), history.tangential_force()] {
             for (force, n) in force.into_iter().zip(direction) {
                 assert!((force - coefficient * load * n).abs() < 1e-7 * coefficient * load);
             }

@@ -273,7 +273,7 @@ impl<'a> Steps<'a> {
                 self.record.costs(name, report);
             }
         }
-        let (force, shift, energy) = (step.force(), step.shift(), step.energy());
+        let (force, shift, energy) = (step.tangential_force(), step.shift(), step.energy());
         let numbers = [
             step.normal_force(),
             force[0],

@@ -148,15 +148,18 @@ fn straight_legs_take_one_step_under_shift_force_and_spring() {
                 follow(&mut many, &legs, 40, shifted);
                 follow(&mut one, &legs, 1, shifted);
                 assert!(distance(&one, &many) < 1e-8);
-                assert!((one.force()[0] / many.force()[0] - 1.0).abs() < 1e-9);
+                assert!(
+                    (one.tangential_force()[0] / many.tangential_force()[0] - 1.0).abs() < 1e-9
+                );
 
                 // The same legs by springs whose ends go where the force and the shift ask for.
                 let (stiffness, mut spring) = (0.3 * scene.load, scene.history(TouchRule::Growth));
                 let mut guide = scene.history(TouchRule::Growth);
                 for leg in &legs {
                     guide.step(&shifted(*leg)).unwrap();
-                    let end =
-                        [0, 1].map(|axis| guide.shift()[axis] + guide.force()[axis] / stiffness);
+                    let end = [0, 1].map(|axis| {
+                        guide.shift()[axis] + guide.tangential_force()[axis] / stiffness
+                    });
                     let load = LoadStep::spring(end, stiffness);
                     spring
                         .step(&load.normal(NormalControl::Approach(leg.0)))
@@ -170,7 +173,7 @@ fn straight_legs_take_one_step_under_shift_force_and_spring() {
                     let mut guide = scene.history(TouchRule::Growth);
                     for leg in &legs {
                         guide.step(&shifted(*leg)).unwrap();
-                        let force = TangentialControl::Force(guide.force()[0]);
+                        let force = TangentialControl::Force(guide.tangential_force()[0]);
                         mixed
                             .step(&shifted(*leg).tangential(Axis::X, force))
                             .unwrap();

@@ -214,7 +214,7 @@ fn is_of_numbers(history: &History) -> bool {
     let energy = history.last_step().energy();
     let scalars = [
         history.shift(),
-        history.force(),
+        history.tangential_force(),
         [energy.work, energy.dissipated_energy],
     ]
     .concat();

@@ -27,7 +27,7 @@ fn pressed(cells: usize, tolerance: f64) -> History {
 
 /// To a part of the friction limit, in equal steps.
 fn shear_to(history: &mut History, part: f64, steps: usize) {
-    let start = history.force()[0];
+    let start = history.tangential_force()[0];
     for step in 1..=steps {
         let force = start + (part * LIMIT - start) * step as f64 / steps as f64;
         let load = LoadStep::hold().tangential(Axis::X, TangentialControl::Force(force));

@@ -171,7 +171,7 @@ fn sliding_along_x_leaves_the_shift_along_y() {
         .unwrap();
     assert!(history.last_step().is_gross_slip());
     assert!((history.shift()[1] - 0.01).abs() < 1e-15);
-    assert!((history.force()[0] / LIMIT - 1.0).abs() < 1e-12);
+    assert!((history.tangential_force()[0] / LIMIT - 1.0).abs() < 1e-12);
     assert!(history.last_step().dissipated_energy().min() >= 0.0);
 }
 
@@ -188,7 +188,7 @@ fn all_slides_under_a_force() {
             for shift in [0.1, 1.0, 1.2, 0.0, -1.0] {
                 let load = both(force, TangentialControl::Shift(shift));
                 history.step(&load).unwrap();
-                let [x, y] = history.force();
+                let [x, y] = history.tangential_force();
                 assert!((x - part * LIMIT).abs() < 1e-11 * LIMIT);
                 assert!(history.last_step().dissipated_energy().min() >= 0.0);
                 if shift.abs() >= 1.0 {

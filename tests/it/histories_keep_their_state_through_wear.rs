@@ -104,7 +104,7 @@ fn a_new_gap_keeps_the_state() {
     press(&mut twin, NormalControl::Force(4.0));
     assert!(twin.pressure().max() < 0.99 * pressure.max());
     // The shift was held; force and traction have followed the pressure.
-    assert!(twin.force()[0] != 0.5 && twin.force()[0].abs() < 1.6);
+    assert!(twin.tangential_force()[0] != 0.5 && twin.tangential_force()[0].abs() < 1.6);
 }
 
 /// The warnings that do not tell of the resolution, which another test is about.

@@ -43,7 +43,7 @@ fn springs_of_all_stiffnesses() {
                     stiffness,
                 },
             );
-            let (force, shift) = (by_spring.force()[1], by_spring.shift()[1]);
+            let (force, shift) = (by_spring.tangential_force()[1], by_spring.shift()[1]);
             // As good as the stretch of the spring can be told from its ends.
             let error = force - stiffness * (position - shift);
             let round_off = 1e-13 * stiffness * (position.abs() + shift.abs());
@@ -51,7 +51,7 @@ fn springs_of_all_stiffnesses() {
                 error.abs() < 1e-13 * LIMIT + round_off,
                 "{stiffness}: {error:e}"
             );
-            assert!(force.abs() < LIMIT && by_spring.force()[0] == 0.0);
+            assert!(force.abs() < LIMIT && by_spring.tangential_force()[0] == 0.0);
 
             shear(&mut by_force, TangentialControl::Force(force));
             shear(&mut by_shift, TangentialControl::Shift(shift));
@@ -82,10 +82,10 @@ fn a_spring_slides_the_contact() {
         let step = history.last_step();
         assert_eq!(step.is_gross_slip(), slides);
         if slides {
-            assert!((step.force()[1] / limit - 1.0).abs() < 1e-12);
+            assert!((step.tangential_force()[1] / limit - 1.0).abs() < 1e-12);
             assert!((step.shift()[1] - (position - limit / 4.0)).abs() < 1e-12);
         } else {
-            assert!(step.force()[1].abs() < 0.5 * limit);
+            assert!(step.tangential_force()[1].abs() < 0.5 * limit);
         }
     }
 }

@@ -74,7 +74,7 @@ fn nothing_is_left_without_slip() {
     let shift = |shift| LoadStep::hold().tangential(Axis::X, TangentialControl::Shift(shift));
     history.step(&shift(0.2)).unwrap();
     history.step(&shift(0.0)).unwrap();
-    assert!(history.force() == [0.0; 2]);
+    assert!(history.tangential_force() == [0.0; 2]);
 }
 
 /// A held step changes nothing beyond the tolerance, and needs no product in the normal direction.

@@ -221,7 +221,11 @@ fn cycles_dissipate_the_area_of_their_loops() {
             .unwrap();
         let mut dissipated = [0.0; 4];
         for half in &mut dissipated {
-            let sign = if history.force()[0] > 0.0 { -1.0 } else { 1.0 };
+            let sign = if history.tangential_force()[0] > 0.0 {
+                -1.0
+            } else {
+                1.0
+            };
             let control = TangentialControl::Force(sign * force);
             let step = history
                 .step(&LoadStep::hold().tangential(Axis::X, control))

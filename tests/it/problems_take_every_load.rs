@@ -72,7 +72,7 @@ fn problem_is_step(
         assert!(max_difference(a, b) < 1e-8 * largest, "{what}");
     }
     assert!(
-        max_difference(&found.force(), &history.force()) < 1e-8 * LIMIT,
+        max_difference(&found.force(), &history.tangential_force()) < 1e-8 * LIMIT,
         "{what}"
     );
     assert!(

@@ -92,7 +92,7 @@ fn springs_of_all_stiffnesses() {
                     _ => 0.0,
                 };
                 by_spring.step(&both(x, y).twist(twist)).unwrap();
-                let (force, shift) = (by_spring.force(), by_spring.shift());
+                let (force, shift) = (by_spring.tangential_force(), by_spring.shift());
                 for (axis, load) in [x, y].into_iter().enumerate() {
                     if let TangentialControl::Spring {
                         position,
@@ -143,7 +143,7 @@ fn flat_surfaces_that_repeat_yield_by_their_springs() {
                     TangentialModel::Vector => both(pull, spring(0.1 * LIMIT, 1.0)),
                 };
                 history.step(&load).unwrap();
-                let error = history.force()[0] / (part * LIMIT) - 1.0;
+                let error = history.tangential_force()[0] / (part * LIMIT) - 1.0;
                 assert!(error.abs() < 1e-12, "{stiffness}, {lateral:?}: {error:e}");
                 assert!(history.accumulated_slip().max() == 0.0);
             }
@@ -165,7 +165,7 @@ fn stiff_springs_tell_the_force_of_flat_surfaces_or_say_they_cannot() {
                 let step = LoadStep::hold().tangential(Axis::X, pull);
                 if history.step(&step).is_ok() {
                     answered += 1;
-                    let error = (history.force()[0] / (0.5 * LIMIT) - 1.0).abs();
+                    let error = (history.tangential_force()[0] / (0.5 * LIMIT) - 1.0).abs();
                     assert!(
                         error < 2.0 * tolerance,
                         "{stiffness}, {lateral:?}: {error:e}"
@@ -229,13 +229,13 @@ fn a_closed_loop_dissipates_the_work_of_the_far_ends() {
         0.5 * (force[0] * force[0] / stiffness[0] + force[1] * force[1] / stiffness[1])
     };
     for cycle in 0..3 {
-        let before = history.force();
+        let before = history.tangential_force();
         let (mut work, mut dissipated, mut stored) = (0.0, 0.0, 0.0);
         for position in path.steps() {
-            let force = history.force();
+            let force = history.tangential_force();
             let [x, y] = [0, 1].map(|axis| spring(position[axis], stiffness[axis]));
             let step = history.step(&both(x, y)).unwrap();
-            let (after, energy) = (step.force(), step.energy());
+            let (after, energy) = (step.tangential_force(), step.energy());
             for axis in 0..2 {
                 work += 0.5 * (force[axis] + after[axis]) * (position[axis] - last[axis]);
             }
@@ -246,7 +246,7 @@ fn a_closed_loop_dissipates_the_work_of_the_far_ends() {
             dissipated += energy.mid_step_dissipated_energy;
             stored += energy.elastic_after - energy.elastic_before;
         }
-        stored += spring_energy(history.force()) - spring_energy(before);
+        stored += spring_energy(history.tangential_force()) - spring_energy(before);
         let lost = (work - stored) / dissipated - 1.0;
         assert!(lost.abs() < 1e-9, "{cycle}: {lost:e}");
     }
@@ -264,7 +264,7 @@ fn springs_slide_the_contact() {
         let before = history.shift();
         let step = history.step(&both(x, y)).unwrap();
         assert_eq!(step.is_gross_slip(), slides, "{way}");
-        let (force, shift) = (step.force(), step.shift());
+        let (force, shift) = (step.tangential_force(), step.shift());
         let pull = force[0].hypot(force[1]);
         for axis in 0..2 {
             let given_way = position[axis] - force[axis] / stiffness[axis];
@@ -285,7 +285,10 @@ fn springs_slide_the_contact() {
     let slide = both(TangentialControl::Force(limit), spring(70.0, 2.0));
     let step = history.step(&slide).unwrap();
     assert!(step.is_gross_slip());
-    assert!((step.force()[0] / limit - 1.0).abs() < 1e-12 && step.force()[1].abs() < 1e-12);
+    assert!(
+        (step.tangential_force()[0] / limit - 1.0).abs() < 1e-12
+            && step.tangential_force()[1].abs() < 1e-12
+    );
     assert!((step.shift()[1] - 70.0).abs() < 1e-12);
 }
 

@@ -65,5 +65,8 @@ fn of_numbers_that_the_history_shows_too() {
     assert_eq!(read.settings(), history.settings());
     let bits = |[x, y]: [f64; 2]| [x.to_bits(), y.to_bits()];
     assert_eq!(bits(read.shift()), bits(history.shift()));
-    assert_eq!(bits(read.force()), bits(history.force()));
+    assert_eq!(
+        bits(read.tangential_force()),
+        bits(history.tangential_force())
+    );
 }

@@ -277,14 +277,14 @@ fn histories_go_on_by_loading_and_turn_by_reversal() {
     history.step(&shear(1.3)).unwrap();
     history.step(&shear(0.4)).unwrap();
     let (found, start) = (history.stiffness().unwrap(), history.state().clone());
-    let (shift, force) = (history.shift()[1], history.force()[1]);
+    let (shift, force) = (history.shift()[1], history.tangential_force()[1]);
     let mut slope = |step: f64| {
         history.set_state(&start).unwrap();
         let moved = TangentialControl::Shift(shift + step);
         history
             .step(&LoadStep::hold().tangential(Axis::Y, moved))
             .unwrap();
-        (history.force()[1] - force) / step
+        (history.tangential_force()[1] - force) / step
     };
     let step = 1e-6 * shift.abs();
     let [loading, own] =

@@ -191,7 +191,7 @@ pub(crate) fn histories(grid: Grid, watch: Watch<'_>) {
         let _ = (
             history.friction_capacity(),
             history.moment(),
-            history.force(),
+            history.tangential_force(),
         );
         let _ = (
             history.spots(),

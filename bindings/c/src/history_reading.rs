@@ -87,7 +87,7 @@ impl From<&History> for stickslip_step_result {
         Self {
             normal_force: history.normal().force(),
             approach: history.approach(),
-            force: history.force(),
+            force: history.tangential_force(),
             shift: history.shift(),
             moment: history.moment(),
             twist: history.twist(),

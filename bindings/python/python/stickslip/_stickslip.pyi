@@ -2013,7 +2013,7 @@ class History:
         Energy that each cell dissipated since the start (not negative), a copy.
         """
     @property
-    def force(self, /) -> tuple[float, float]:
+    def tangential_force(self, /) -> tuple[float, float]:
         """
         Tangential force that body 2 exerts on body 1 along x and y.
         """
@@ -4121,7 +4121,7 @@ class State:
         Energy that each cell dissipated since the start (not negative).
         """
     @property
-    def force(self, /) -> tuple[float, float]:
+    def tangential_force(self, /) -> tuple[float, float]:
         """
         Tangential force that body 2 exerts on body 1 along x and y.
         """
@@ -4361,7 +4361,7 @@ class StepResult:
         Work, elastic energy and dissipation.
         """
     @property
-    def force(self, /) -> tuple[float, float]:
+    def tangential_force(self, /) -> tuple[float, float]:
         """
         Tangential force on body 1 along x and y at its end.
         """

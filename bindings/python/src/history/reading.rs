@@ -135,8 +135,8 @@ impl History {
 
     /// Tangential force that body 2 exerts on body 1 along x and y.
     #[getter]
-    fn force(&self) -> PyResult<(f64, f64)> {
-        self.read(|history| pair(history.force()))
+    fn tangential_force(&self) -> PyResult<(f64, f64)> {
+        self.read(|history| pair(history.tangential_force()))
     }
 
     /// Moment about z, at the origin of the grid, on body 1 (a force times a length, positive from x to y).
@@ -179,7 +179,7 @@ impl History {
                 "History(steps={}, normal_force={}, force={}, shift={})",
                 history.steps(),
                 short(history.normal().force()),
-                tuple(&history.force()),
+                tuple(&history.tangential_force()),
                 tuple(&history.shift())
             )
         })

@@ -195,8 +195,8 @@ impl State {
 
     /// Tangential force that body 2 exerts on body 1 along x and y.
     #[getter]
-    fn force(&self) -> (f64, f64) {
-        pair(self.0.force())
+    fn tangential_force(&self) -> (f64, f64) {
+        pair(self.0.tangential_force())
     }
 
     /// Moment about z, at the origin of the grid, on body 1 (a force times a length, positive from x to y).
@@ -221,7 +221,7 @@ impl State {
             "State(steps={}, normal_force={}, force={}, shift={})",
             self.0.steps(),
             short(self.0.normal().force()),
-            tuple(&self.0.force()),
+            tuple(&self.0.tangential_force()),
             tuple(&self.0.shift())
         )
     }

@@ -36,7 +36,7 @@ impl Numbers {
             energy: *step.energy(),
             normal_force: step.normal_force(),
             approach: step.approach(),
-            force: step.force(),
+            force: step.tangential_force(),
             moment: step.moment(),
             shift: step.shift(),
             twist: step.twist(),
@@ -186,7 +186,7 @@ impl StepResult {
 
     /// Tangential force on body 1 along x and y at its end.
     #[getter]
-    fn force(&self) -> (f64, f64) {
+    fn tangential_force(&self) -> (f64, f64) {
         pair(self.numbers.force)
     }
 

@@ -26,7 +26,11 @@ pub fn bits(history: &History) -> Vec<u8> {
 pub fn known(history: &History) -> Vec<f64> {
     let (step, normal) = (history.last_step(), history.normal());
     let energy = step.energy();
-    let ([fx, fy], [dx, dy], [mx, my]) = (history.force(), history.shift(), normal.moments());
+    let ([fx, fy], [dx, dy], [mx, my]) = (
+        history.tangential_force(),
+        history.shift(),
+        normal.moments(),
+    );
     let [width, height] = normal.contact_extent().unwrap_or_default();
     let mut known = vec![
         fx,

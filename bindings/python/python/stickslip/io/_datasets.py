@@ -26,7 +26,7 @@ _FIELDS = (
     "normal_stress", "shear_stress", "von_mises",
 )  # fmt: skip
 _NUMBERS = (
-    "force", "approach", "moment", "shift", "twist", "stick_ratio", "is_gross_slip", "contact_area", "contact_area_corrected",
+    "force", "tangential_force", "approach", "moment", "shift", "twist", "stick_ratio", "is_gross_slip", "contact_area", "contact_area_corrected",
     "yielded_cells", "dissipated_energy", "elastic_energy", "steps",
 )  # fmt: skip
 _PARTS = {"normal_stress": ("xx", "yy", "zz"), "shear_stress": ("xy", "xz", "yz")}
