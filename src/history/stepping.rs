@@ -365,7 +365,7 @@ impl History {
     }
 }
 
-/// A clone goes on with the same bits, in buffers that its next step makes.
+/// The clone takes the same steps, bit for bit. Its first step allocates the buffers that it works in.
 impl TryClone for History {
     fn try_clone(&self) -> Result<Self> {
         let (bodies, state) = (&self.bodies, self.state.try_clone()?);

@@ -53,7 +53,7 @@ impl History {
     ///     history.save(&path)?;
     ///     Ok(history.step(&LoadStep::force([0.1, 0.0]))?.shift())
     /// });
-    /// // One process goes on where three ranks were.
+    /// // One process loads what three ranks have saved.
     /// let mut history = History::load(&HalfSpace::new(grid, pair)?, &path)?;
     /// let shift = history.step(&LoadStep::force([0.1, 0.0]))?.shift();
     /// for outcome in outcomes {
