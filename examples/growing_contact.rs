@@ -1,7 +1,7 @@
-//! A contact that grows while it is sheared, in few steps and in many: what the touch rule is worth.
+//! A contact that grows while it is sheared, in few steps and in many: what the law of entering cells is worth.
 //!
 //! `cargo run --release -p stickslip --example growing_contact [reference]` prints, for a ball and a rough ball, the
-//! error of the traction field with and without the rule, in 1, 4 and 8 steps a leg. The reference takes 64 steps a
+//! error of the traction field in whole steps and with the law, in 1, 4 and 8 steps a leg. The reference takes 64 steps a
 //! leg.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
@@ -52,7 +52,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         Some(steps) => steps.parse()?,
         None => 64,
     };
-    println!("error of the traction field without the rule / with it, in steps a leg");
+    println!(
+        "error of the traction field in whole steps / with the law of entering cells, in steps a leg"
+    );
     println!(
         "{:<32} {:<13} {:>19} {:>19} {:>19}",
         "path", "scene", "1", "4", "8"

@@ -171,6 +171,7 @@ fn solve<S: Scene<N>, const N: usize>(
     };
     let mut solver = ElasticSolver::<S::Set, N>::new(bodies, scene.directions(), size)?;
     let posed = Posed {
+        diagonal: &[],
         linear: scene.linear(),
         datum: [0.0; N],
         constraint: scene.constraint(),

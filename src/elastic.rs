@@ -27,10 +27,11 @@ pub(crate) struct ElasticSolver<S: Admissible<N>, const N: usize> {
     report: Report,
 }
 
-/// What an engine is asked: the linear term, the number that each of its components is measured from, the sets of the
+/// What an engine is asked: a compliance that cells have of their own, if any do, the linear term, the number that each of its components is measured from, the sets of the
 /// cells, and the totals; and what is known of its start.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Posed<'a, K, const N: usize> {
+    pub(crate) diagonal: &'a [f64],
     pub(crate) linear: [&'a [f64]; N],
     pub(crate) datum: [f64; N],
     pub(crate) constraint: K,
@@ -69,6 +70,7 @@ impl<S: Admissible<N>, const N: usize> ElasticSolver<S, N> {
         let Compliance { operator, inverse } = &self.compliance;
         let problem = Problem::new(Arc::clone(operator), posed.linear, posed.constraint)
             .datum(posed.datum)
+            .diagonal(posed.diagonal)
             .layout(&self.layout)
             .preconditioner(Arc::clone(inverse))
             .totals(posed.totals);

@@ -160,23 +160,6 @@ impl Share {
         combine(low, self.finish(high, words, combine))
     }
 
-    /// Hands what is known of the first row held here to who holds the row before, and of the last to who holds the row
-    /// after; returns what is known of the row before and of the row after. The last row of all is before the first. Of
-    /// ranks without rows none takes part.
-    pub(crate) fn edges(&self, first: Vec<u64>, last: Vec<u64>) -> [Vec<u64>; 2] {
-        let (me, ranks) = (self.team.rank(), self.team.size());
-        let is_there = |rank: &usize| !self.rows_of(*rank).is_empty();
-        let next = (1..=ranks).map(|step| (me + step) % ranks).find(is_there);
-        let mut before = (1..=ranks).map(|step| (me + ranks - step) % ranks);
-        match (next, before.find(is_there)) {
-            (Some(after), Some(before)) if after != me => [
-                self.team.swap(last, after, before),
-                self.team.swap(first, before, after),
-            ],
-            _ => [last, first],
-        }
-    }
-
     /// The columns and rows that each rank wants of a field whose rows, of so many columns, are dealt out so: those for
     /// this rank, row by row.
     pub(crate) fn fetch(

@@ -145,7 +145,7 @@ impl Linearised<2> for Disc {
         q: [f64; 2],
         g: [f64; 2],
         noise: f64,
-        lower_bound: f64,
+        [lower_bound, diagonal]: [f64; 2],
     ) -> (Turn, [f64; 2]) {
         let size = norm(q);
         match was {
@@ -156,11 +156,11 @@ impl Linearised<2> for Disc {
             Turn::Free => {
                 let excess = SINGLE * lower_bound * (1.0 - self.radius / size);
                 let held = self.measured(Turn::along(q, 0.0), q.map(|q| -excess * q));
-                (held.weighed(lower_bound), self.rim_along(q))
+                (held.weighed(lower_bound, diagonal), self.rim_along(q))
             }
             Turn::Along { .. } if dot(g, q) > noise * size => (Turn::Free, self.project(q)),
             Turn::Along { stiffness, .. } => {
-                let turned = Turn::along(q, stiffness).weighed(lower_bound);
+                let turned = Turn::along(q, stiffness).weighed(lower_bound, diagonal);
                 (turned, self.rim_along(q))
             }
         }

@@ -116,6 +116,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         step: Option<&Move<N>>,
     ) -> Residual<N> {
         self.is_fresh &= step.is_none();
+        let (problem, lower_bound) = (self.problem, self.lower_bound);
         let w = &mut *self.workspace;
         std::mem::swap(&mut w.inner.residual, &mut w.inner.last_residual);
         let (image, multiplier) = (slices(&w.image), w.multiplier);
@@ -165,7 +166,8 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
                         _ => motion.project(minus(multiplier, held(&gradient, place))),
                     };
                     residual.items[k] = r;
-                    put(&mut full, place, motion.weighted(r));
+                    let weight = problem.weight_of(entries.chunk.start + place, lower_bound);
+                    put(&mut full, place, motion.weighted(r, weight));
                     (r, dot(r, r), spread[k].map(|w| dot(w, r)))
                 })
             },
@@ -200,6 +202,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         products: [f64; N],
         last_products: [f64; N],
     ) -> Correction<N> {
+        let (problem, lower_bound) = (self.problem, self.lower_bound);
         let w = &mut *self.workspace;
         let image = slices(&w.image);
         let (residual, last) = (&w.inner.residual, &w.inner.last_residual);
@@ -214,7 +217,8 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
                 );
                 entries.sums(|k, place| {
                     let motion = entries.motion(motions, k, place);
-                    let z = motion.preconditioned(at(&image, place), residual[k]);
+                    let weight = problem.weight_of(entries.chunk.start + place, lower_bound);
+                    let z = motion.preconditioned(at(&image, place), residual[k], weight);
                     correction.items[k] = z;
                     (z, dot(z, residual[k]), dot(z, last[k]))
                 })

@@ -2,6 +2,7 @@
 
 use crate::cgm::motion::{Linearised, Motion, Reach};
 use crate::cgm::run::Run;
+use crate::cgm::turn::Weight;
 use crate::cgm::vector::update_cells;
 use crate::cgm::{Admissible, Constraint, reduce};
 use crate::error::{Error, Result};
@@ -61,16 +62,16 @@ impl Motion<1> for Side {
     }
 
     #[inline]
-    fn weighted(self, r: [f64; 1]) -> [f64; 1] {
-        r
+    fn weighted(self, [r]: [f64; 1], weight: Weight) -> [f64; 1] {
+        [weight.weighted(r)]
     }
 
     #[inline]
-    fn preconditioned(self, answer: [f64; 1], _: [f64; 1]) -> [f64; 1] {
-        answer
+    fn preconditioned(self, [answer]: [f64; 1], [r]: [f64; 1], weight: Weight) -> [f64; 1] {
+        [weight.preconditioned(answer, r)]
     }
 
-    fn weighed(self, _: f64) -> Self {
+    fn weighed(self, _: f64, _: f64) -> Self {
         self
     }
 
@@ -183,7 +184,14 @@ impl Linearised<1> for Interval {
     }
 
     #[inline]
-    fn next(self, was: Side, [x]: [f64; 1], [g]: [f64; 1], noise: f64, _: f64) -> (Side, [f64; 1]) {
+    fn next(
+        self,
+        was: Side,
+        [x]: [f64; 1],
+        [g]: [f64; 1],
+        noise: f64,
+        _: [f64; 2],
+    ) -> (Side, [f64; 1]) {
         let next = match was {
             Side::Free if x < self.lower => Side::Lower,
             Side::Free if x > self.upper => Side::Upper,

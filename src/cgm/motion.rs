@@ -4,6 +4,7 @@
 //! its set moves freely, and one on a curved bound moves along the tangent, against the curvature of the bound.
 
 use crate::cgm::run::Run;
+use crate::cgm::turn::Weight;
 use crate::cgm::{Admissible, Constraint};
 use crate::error::Result;
 use crate::layout::Layout;
@@ -37,15 +38,16 @@ pub trait Motion<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static
     /// What the curvature of the bound adds to the product of the operator with a direction `d` of the motion.
     fn bend(self, d: [f64; N]) -> [f64; N];
 
-    /// What of a residual goes to the inverse operator.
-    fn weighted(self, r: [f64; N]) -> [f64; N];
+    /// What of a residual goes to the inverse operator, of a cell with this weight while it moves freely.
+    fn weighted(self, r: [f64; N], weight: Weight) -> [f64; N];
 
     /// The preconditioned residual, with the `answer` of the inverse operator.
-    fn preconditioned(self, answer: [f64; N], r: [f64; N]) -> [f64; N];
+    fn preconditioned(self, answer: [f64; N], r: [f64; N], weight: Weight) -> [f64; N];
 
-    /// With the stiffness in force known to the preconditioner, beside an operator of this least eigenvalue.
+    /// With the stiffness in force known to the preconditioner, beside an operator of this least eigenvalue and what the
+    /// cell has of its own.
     #[must_use]
-    fn weighed(self, lower_bound: f64) -> Self;
+    fn weighed(self, lower_bound: f64, diagonal: f64) -> Self;
 
     /// A cell that has to move although its bound holds it, if a gradient `g` pushes it from there.
     #[must_use]
@@ -101,14 +103,15 @@ pub trait Linearised<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'st
     fn measured(self, motion: Self::Motion, g: [f64; N]) -> Self::Motion;
 
     /// How the cell moves next, and where it stands, after the linear system has left it at `x` with the gradient
-    /// `g`; a gradient of the wrong sign below `noise` is not taken for one.
+    /// `g`; a gradient of the wrong sign below `noise` is not taken for one. Its weight depends on the least eigenvalue of the operator
+    /// and on what the cell has of its own, `weighing`.
     fn next(
         self,
         was: Self::Motion,
         x: [f64; N],
         g: [f64; N],
         noise: f64,
-        lower_bound: f64,
+        weighing: [f64; 2],
     ) -> (Self::Motion, [f64; N]);
 
     /// Where prescribed sums lie, or an error if the sets cannot hold them.

@@ -203,7 +203,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         if !MotionOf::<K, N>::IS_CURVED {
             return;
         }
-        let (constraint, lower_bound) = (&self.problem.constraint, self.lower_bound);
+        let (problem, lower_bound) = (self.problem, self.lower_bound);
         let w = &mut *self.workspace;
         let (gradient, multiplier) = (slices(&w.gradient), w.multiplier);
         let data = w.moving.motions(&mut w.motions);
@@ -211,9 +211,10 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             entries.visit::<MotionOf<K, N>, N>(|kept, place| {
                 let cell = entries.chunk.start + place;
                 let g = minus(at(&gradient, cell), multiplier);
-                let measured = constraint.of(cell).measured(motions.items[kept], g);
+                let set = problem.constraint.of(cell);
+                let measured = set.measured(motions.items[kept], g);
                 motions.items[kept] = if weighed {
-                    measured.weighed(lower_bound)
+                    measured.weighed(lower_bound, problem.diagonal_of(cell))
                 } else {
                     measured
                 };
@@ -224,7 +225,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     /// Decides at the equilibrated state how every cell moves next, all at once, and puts it into its set. Returns
     /// how many changed, and the sums of all unknowns.
     fn reclassify(&mut self, largest: f64) -> (usize, [f64; N]) {
-        let constraint = &self.problem.constraint;
+        let problem = self.problem;
         // Below this a wrong sign is noise of the inner solution, and would come and go.
         let noise = (0.01 * self.monitor.tolerance()).max(f64::EPSILON) * largest;
         let lower_bound = self.lower_bound;
@@ -232,7 +233,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         let w = &mut *self.workspace;
         let (gradient, multiplier) = (slices(&w.gradient), w.multiplier);
         let data = (
-            chunks(&self.problem.layout, &mut self.x),
+            chunks(&problem.layout, &mut self.x),
             w.moving.motions(&mut w.motions),
         );
         w.moving.sweep(data, |entries, (mut x, motions)| {
@@ -241,8 +242,9 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
                 let cell = entries.chunk.start + place;
                 let g = minus(at(&gradient, cell), multiplier);
                 let was = motions.items[kept];
-                let set = constraint.of(cell);
-                let (next, value) = set.next(was, held(&x, place), g, noise, lower_bound);
+                let set = problem.constraint.of(cell);
+                let weighing = [lower_bound, problem.diagonal_of(cell)];
+                let (next, value) = set.next(was, held(&x, place), g, noise, weighing);
                 let is_same = next.moves() == was.moves() && next.is_free() == was.is_free();
                 changed += usize::from(!is_same);
                 motions.items[kept] = next;

@@ -8,9 +8,10 @@ use crate::cgm::motion::{Linearised, Reach};
 use crate::cgm::projected_gradient::Objective;
 use crate::cgm::run::Run;
 use crate::cgm::totals::Total;
+use crate::cgm::turn::Weight;
 use crate::cgm::vector::{at, minus};
 use crate::cgm::{Constraint, Known, Method, MotionOf, Settings, Workspace, set};
-use crate::error::{Error, Result, all_finite, finite, length, positive};
+use crate::error::{Error, Result, all_finite, all_non_negative, finite, length, positive};
 use crate::layout::Layout;
 use crate::operator::{Identity, Operator};
 use crate::parallel;
@@ -22,6 +23,8 @@ pub struct Problem<'a, C, K, P = Identity, const N: usize = 1> {
     pub(super) operator: C,
     pub(super) preconditioner: P,
     pub(super) layout: Layout,
+    /// Empty where there is none.
+    diagonal: &'a [f64],
     linear: [&'a [f64]; N],
     datum: [f64; N],
     pub(super) constraint: K,
@@ -37,6 +40,7 @@ impl<'a, C: Operator<N>, K: Constraint<N>, const N: usize> Problem<'a, C, K, Ide
             layout: operator.layout(),
             operator,
             preconditioner,
+            diagonal: &[],
             linear,
             datum: [0.0; N],
             constraint,
@@ -50,6 +54,14 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
     #[must_use]
     pub fn totals(mut self, totals: [Total; N]) -> Self {
         self.totals = totals;
+        self
+    }
+
+    /// With a compliance of its own added to each cell, `C + D` in place of `C`: a number that is not negative for all
+    /// components of the cell (default: none).
+    #[must_use]
+    pub fn diagonal(mut self, diagonal: &'a [f64]) -> Self {
+        self.diagonal = diagonal;
         self
     }
 
@@ -73,6 +85,7 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
             operator: self.operator,
             preconditioner,
             layout: self.layout,
+            diagonal: self.diagonal,
             linear: self.linear,
             datum: self.datum,
             constraint: self.constraint,
@@ -92,6 +105,25 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
     /// [`Error::Memory`].
     pub fn try_workspace(&self) -> Result<Workspace<C, P, MotionOf<K, N>, N>> {
         Workspace::new(&self.operator, &self.preconditioner)
+    }
+
+    /// Whether cells have a compliance of their own.
+    pub(super) fn has_diagonal(&self) -> bool {
+        !self.diagonal.is_empty()
+    }
+
+    /// The compliance that a cell has of its own.
+    pub(super) fn diagonal_of(&self, cell: usize) -> f64 {
+        self.diagonal.get(cell).copied().unwrap_or(0.0)
+    }
+
+    /// What the preconditioner makes of a residual of a cell, beside an operator of this least eigenvalue.
+    pub(super) fn weight_of(&self, cell: usize, lower_bound: f64) -> Weight {
+        if self.has_diagonal() {
+            Weight::new(self.diagonal[cell], lower_bound)
+        } else {
+            Weight::PATTERN
+        }
     }
 
     /// The linear term of a cell.
@@ -124,6 +156,10 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
         }
         let cells = self.operator.cells();
         length("preconditioner", cells, self.preconditioner.cells())?;
+        if self.has_diagonal() {
+            length("diagonal", cells, self.diagonal.len())?;
+            all_non_negative("diagonal", self.diagonal)?;
+        }
         for linear in self.linear {
             length("linear term", cells, linear.len())?;
             all_finite("linear term", linear)?;
@@ -246,11 +282,16 @@ pub(crate) fn minimise_from<C: Operator<N>, K: Constraint<N>, P: Operator<N>, co
             (Some(multiplier), _) => run.at_zero(multiplier),
             (None, Reach::Extreme(direction)) => run.at_extreme(direction),
             (None, Reach::Inside) => match run.look(known) {
-                Some(status) => return Ok(status),
+                Some(status) => {
+                    run.add_diagonal(-1.0);
+                    return Ok(status);
+                }
                 None => iterate(&mut run),
             },
         };
         let status = run.finish(status);
+        // The product that is kept is that of the operator alone.
+        run.add_diagonal(-1.0);
         if let Some(lack) = run.lack.take() {
             return Err(lack);
         }

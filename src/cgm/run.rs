@@ -168,19 +168,21 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         K::Set::restore(layout, slices_mut(&mut self.x), constraint, preferred, sums)
     }
 
-    /// `image = C direction`.
+    /// `image = (C + D) direction`.
     pub(super) fn apply_to_direction(&mut self, precision: Precision) {
         let w = &mut *self.workspace;
         let (direction, image) = (slices(&w.direction), slices_mut(&mut w.image));
         let (operator, report) = (&self.problem.operator, &mut w.report);
         precision.apply(operator, direction, image, &mut w.operator, report);
-        let restraint = self.restraint;
-        if restraint > 0.0 {
-            update_cells(&mut w.image, |i, u| plus(u, restraint, at(&direction, i)));
+        let (restraint, problem) = (self.restraint, self.problem);
+        if restraint > 0.0 || problem.has_diagonal() {
+            update_cells(&mut w.image, |i, u| {
+                plus(u, restraint + problem.diagonal_of(i), at(&direction, i))
+            });
         }
     }
 
-    /// `product = C x`, `gradient = C x + b`.
+    /// `product = (C + D) x`, `gradient = (C + D) x + b`.
     pub(super) fn refresh(&mut self) {
         self.refresh_in(Precision::Double);
         self.is_fresh = true;
@@ -204,7 +206,18 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
                 plus(u, restraint, minus(at(&x, i), at(&centre, i)))
             });
         }
+        self.add_diagonal(1.0);
         self.form_gradient();
+    }
+
+    /// Adds a multiple of what the cells displace themselves to the product.
+    pub(super) fn add_diagonal(&mut self, part: f64) {
+        let (x, problem) = (slices(&self.x), self.problem);
+        if problem.has_diagonal() {
+            update_cells(&mut self.workspace.product, |i, u| {
+                plus(u, part * problem.diagonal_of(i), at(&x, i))
+            });
+        }
     }
 
     fn form_gradient(&mut self) {

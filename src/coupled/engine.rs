@@ -55,6 +55,9 @@ pub(super) struct Engine {
     asked: [Vec<f64>; N],
     /// What a half adds to what the other asks.
     linear: [Vec<f64>; N],
+    /// `kappa g` of the cells that would enter the contact, if any would.
+    closing: Vec<f64>,
+    enters: bool,
     image: [Vec<f64>; N],
     limits: Vec<f64>,
 }
@@ -111,6 +114,8 @@ impl Engine {
             x: buffer::vector(cells)?,
             asked: buffer::vector(cells)?,
             linear: buffer::vector(cells)?,
+            closing: Vec::new(),
+            enters: false,
             image: buffer::vector(cells)?,
             limits: buffer::zeros(cells)?,
         })
@@ -166,7 +171,7 @@ impl Engine {
     /// Solves into the tractions, from the gap and the demands of every cell; says how it ended in the report.
     pub(super) fn solve(
         &mut self,
-        linear: [&[f64]; N],
+        (linear, closing): ([&[f64]; N], Option<&[f64]>),
         task: Task<'_>,
         start: Start,
         conditions: &mut Conditions<'_, '_>,
@@ -175,6 +180,11 @@ impl Engine {
         self.workspace.set_multiplier(task.multiplier);
         for (asked, whole) in self.asked.iter_mut().zip(linear) {
             self.region.gather(whole, asked);
+        }
+        self.enters = closing.is_some();
+        if let Some(closing) = closing {
+            buffer::resize(&mut self.closing, self.region.cells(), 0.0)?;
+            self.region.gather(closing, &mut self.closing);
         }
         let friction = &task.friction.within(&self.region);
         let (mut sweeps, mut opening) = match start {
@@ -229,6 +239,7 @@ impl Engine {
             preconditioner: Arc::clone(&self.compliance.inverse),
             layout: &self.layout,
             linear: slices(&self.asked),
+            closing: self.enters.then_some(&self.closing),
             friction,
             totals: task.totals,
             lower_bounds: self.lower_bounds,
@@ -281,6 +292,7 @@ impl Engine {
     ) -> Result<Option<Status>> {
         self.add_displacements_of(&[1, 2]);
         let posed = Posed {
+            diagonal: &[],
             linear: [&self.linear[0]],
             datum: [0.0],
             constraint: NonNegative,
@@ -320,6 +332,7 @@ impl Engine {
         }
         let ([_, x, y], [_, asked_x, asked_y]) = (&mut self.x, &self.linear);
         let posed = Posed {
+            diagonal: &[],
             linear: [asked_x.as_slice(), asked_y],
             datum: [0.0; 2],
             constraint: Magnitude(&self.limits),

@@ -40,6 +40,9 @@ pub(crate) struct CoupledIncrement {
     pub(crate) pressed: Pressed,
     pub(super) offset: PlaneVector,
     pub(super) linear: [Vec<f64>; N],
+    /// $`\kappa g`$ of the cells that would enter the contact in this step, if they are to lag.
+    pub(super) closing: Vec<f64>,
+    pub(super) enters: bool,
     motion: Motion,
     /// Shift of the state that the start is from.
     last_shift: [f64; 2],
@@ -82,6 +85,8 @@ impl CoupledIncrement {
             pressed: Pressed::new(bodies, Window::whole(grid))?,
             offset: zeros(Axis::BOTH, grid.cells())?,
             linear: zeros_of_all()?,
+            closing: Vec::new(),
+            enters: false,
             motion: Motion::default(),
             last_shift: [0.0; 2],
             approach: 0.0,
@@ -193,19 +198,6 @@ impl CoupledIncrement {
         })
     }
 
-    /// The same from the answer, whose cells have since been made to lag: as a further part of the solve.
-    pub(crate) fn solve_further(
-        &mut self,
-        demand: CoupledDemand<'_>,
-        before: Motion,
-        conditions: &mut Conditions<'_, '_>,
-    ) -> Result<()> {
-        self.set_known(self.approach, self.motion.shift);
-        parallel::enter_with(self.bodies.grid().cells(), || {
-            self.find(demand, before, conditions)
-        })
-    }
-
     fn find(
         &mut self,
         demand: CoupledDemand<'_>,
@@ -264,6 +256,7 @@ impl CoupledIncrement {
         self.approach = datum + approach;
         self.motion.shift = [self.motion.shift[0] + x, self.motion.shift[1] + y];
         self.pressed.set(&self.tractions[0], demand.friction);
+        self.lag_behind();
         outcome
     }
 
@@ -310,8 +303,9 @@ impl CoupledIncrement {
                 return Err(Error::EmptyContact);
             };
             engine.take(&self.tractions);
-            let linear = slices(&self.linear);
-            let outcome = engine.solve(linear, task, start, conditions, &mut self.report);
+            let closing = self.enters.then_some(&*self.closing);
+            let asked = (slices(&self.linear), closing);
+            let outcome = engine.solve(asked, task, start, conditions, &mut self.report);
             engine.write(&mut self.tractions, &mut self.displacement);
             task.multiplier = engine.multiplier();
             let (window, [delta, ..]) = (engine.window(), task.multiplier);

@@ -27,6 +27,9 @@ impl CoupledIncrement {
         let friction = demand.friction.coarsened(&self.bodies, &bodies)?;
         let mut coarse = Self::new(&bodies)?;
         coarse.set_offset(&try_each(|axis| coarsened(self.offset()[axis]))?);
+        if self.enters {
+            (coarse.closing, coarse.enters) = (coarsened(&self.closing)?, true);
+        }
         let mut rough = Conditions {
             settings: &conditions.rough_settings(),
             start: conditions.start,

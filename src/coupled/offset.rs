@@ -1,18 +1,40 @@
 //! The offsets of a step: what tangential displacement less motion is in a cell while it sticks.
 
+use crate::buffer;
 use crate::coupled::CoupledIncrement;
-use crate::half_space::Region;
-use crate::tangential::PlaneVector;
+use crate::error::Result;
+use crate::tangential::{PlaneVector, ratio_of_compliances};
 
 impl CoupledIncrement {
     pub(super) fn offset(&self) -> [&[f64]; 2] {
         [&self.offset[0], &self.offset[1]]
     }
 
-    /// Takes the offsets of the cells of a region.
-    pub(crate) fn set_offset_within(&mut self, region: &Region, offset: [&[f64]; 2]) {
-        for (target, offset) in self.offset.iter_mut().zip(offset) {
-            region.scatter(offset, target);
+    /// Lets the cells that would enter the contact from a gap lag behind their motion; none without one.
+    pub(crate) fn enter(&mut self, gap: Option<impl Fn(usize) -> f64>) -> Result<()> {
+        self.enters = gap.is_some();
+        if let Some(gap) = gap {
+            let kappa = ratio_of_compliances(self.bodies.pair());
+            buffer::resize(&mut self.closing, self.offset[0].len(), 0.0)?;
+            for (i, closing) in self.closing.iter_mut().enumerate() {
+                *closing = kappa * gap(i);
+            }
+        }
+        Ok(())
+    }
+
+    /// Moves the offsets of the cells that entered back by what they have not followed of the motion.
+    pub(super) fn lag_behind(&mut self) {
+        if !self.enters {
+            return;
+        }
+        let [pressure, traction @ ..] = &self.tractions;
+        for (offset, traction) in self.offset.iter_mut().zip(traction) {
+            for (i, closing) in self.closing.iter().enumerate() {
+                if pressure[i] > 0.0 {
+                    offset[i] -= closing * traction[i] / pressure[i];
+                }
+            }
         }
     }
 

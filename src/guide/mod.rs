@@ -6,7 +6,7 @@
 //! | [`why_is_my_answer_wrong`] | symptoms, where to look, remedies: grid, load history, units, signs, tolerance |
 //! | [`rough_surfaces`] | a surface, generated or measured, pressed and sheared |
 //! | [`fretting_and_wear`] | cyclic loads, wear, cycle jumps |
-//! | [`growing_contacts`] | contacts that grow while they are sheared: the touch rule, steps of a given error |
+//! | [`growing_contacts`] | contacts that grow while they are sheared: the law of entering cells, steps of a given error |
 //! | [`dissimilar_bodies`] | bodies of different materials: when their coupling matters, and in which steps to load them |
 //! | [`from_tractions_to_stresses`] | stress below the surface, bulk stress, series for a fatigue criterion; what a half-space can say |
 //! | [`studies`] | thousands of surfaces on one machine or over a cluster: shards, restart, merge |

@@ -1,7 +1,6 @@
 //! A window of the grid, and what of it is held here.
 
 use std::borrow::Cow;
-use std::ops::Range;
 use std::sync::Arc;
 
 use crate::grid::Grid;
@@ -176,34 +175,5 @@ impl Region {
     fn moved(&self, field: &[f64], from: &Share, to: &Share) -> Vec<f64> {
         let [columns, _] = self.window.size;
         from.fetch(field, columns, |rank| [0..columns, to.rows_of(rank)])
-    }
-
-    /// Whether something holds on any rank.
-    pub(crate) fn any(&self, own: bool) -> bool {
-        self.layout.combined(own, |a, b| a || b)
-    }
-
-    /// What is known of the row before the first one solved here, and of the row after the last, from what is known of
-    /// these two. Nothing at the ends of the window, unless it repeats, and where it is not shared.
-    pub(crate) fn edges(
-        &self,
-        repeats: bool,
-        known: impl Fn(Range<usize>) -> Vec<f64>,
-    ) -> [Option<Vec<f64>>; 2] {
-        let ([columns, rows], [_, all]) = (self.own.size, self.window.size);
-        let Some(dealt) = self.dealt.as_deref().filter(|_| rows > 0) else {
-            return [None, None];
-        };
-        let words = |row: usize| {
-            let known = known(row * columns..(row + 1) * columns);
-            known.into_iter().map(f64::to_bits).collect()
-        };
-        let found = dealt.inner.edges(words(0), words(rows - 1));
-        let own = dealt.inner.own_rows();
-        let [before, after] = found.map(|row| row.into_iter().map(f64::from_bits).collect());
-        [
-            (own.start > 0 || repeats).then_some(before),
-            (own.end < all || repeats).then_some(after),
-        ]
     }
 }

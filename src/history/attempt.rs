@@ -8,7 +8,7 @@ use crate::error::Result;
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::memory::Memory;
-use crate::history::{History, LoadStep, State, touch};
+use crate::history::{History, LoadStep, State};
 use crate::normal::{NormalControl, Pressing};
 use crate::parallel;
 use crate::tangential::{Motion, Start};
@@ -114,7 +114,11 @@ impl History {
         }
         if candidate.is_some() {
             increment.draw_from(state.pressure().as_slice());
-            touch::follow_growth(increment, &self.bodies, state, pressed, load, &demand)?;
+        }
+        let control = load.normal_control();
+        match state.closing(&self.bodies, control) {
+            Some(gap) if candidate.is_some() => increment.enter(gap)?,
+            _ => increment.enter_nowhere(),
         }
         increment.set_traction(state.traction.each_ref().map(Field::as_slice));
         let mut conditions = Conditions {

@@ -94,8 +94,7 @@ impl HistoryBuilder<'_> {
     }
 
     /// How far a cell that comes into contact within a step follows its motion (default
-    /// [`TouchRule::Growth`]). Where pressure and shear are coupled strongly, beyond
-    /// $`\beta`$ of 0.25, [`TouchRule::WholeStep`] is better.
+    /// [`TouchRule::Growth`]).
     pub fn touch_rule(mut self, touch_rule: TouchRule) -> Self {
         self.touch_rule = touch_rule;
         self

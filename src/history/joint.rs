@@ -8,11 +8,10 @@ use crate::coupling::Coupling;
 use crate::elastic::Observer;
 use crate::error::Result;
 use crate::half_space::HalfSpace;
-use crate::history::increments::Increments;
 use crate::history::memory::Memory;
 use crate::history::state::State;
-use crate::history::{History, LoadStep, touch};
-use crate::normal::{NormalControl, NormalSolution};
+use crate::history::{History, LoadStep};
+use crate::normal::NormalControl;
 use crate::tangential::{Axis, Motion};
 use crate::trend::Trend;
 use crate::window::Window;
@@ -66,6 +65,7 @@ impl History {
         if let Some(change) = state.displaced_by(load) {
             joint.displace(change);
         }
+        joint.enter(state.closing(&self.bodies, normal))?;
         let (pressure, traction) = (state.pressure(), state.traction());
         joint.set_start(pressure, traction, state.approach(), state.shift());
         let mut conditions = Conditions {
@@ -82,47 +82,8 @@ impl History {
         joint.solve(demand, state.motion, &mut conditions)?;
         let candidate = self.candidate.take(|| state.normal.try_clone())?;
         joint.write(&state.gap, candidate);
-        if make_lag(
-            joint,
-            &mut self.increments,
-            &self.bodies,
-            state,
-            candidate,
-            load,
-        )? {
-            joint.solve_further(demand, state.motion, &mut conditions)?;
-            joint.write(&state.gap, candidate);
-        }
         Ok(Some(joint.answer().motion))
     }
-}
-
-/// Makes the cells that have come into contact lag as the touch rule has it, by the pressure that the step was found to
-/// have; returns whether any does.
-fn make_lag(
-    joint: &mut CoupledIncrement,
-    increments: &mut Increments,
-    bodies: &HalfSpace,
-    state: &State,
-    pressed: &NormalSolution,
-    load: &LoadStep,
-) -> Result<bool> {
-    let Some(window) = joint.window() else {
-        return Ok(false);
-    };
-    let demand = load.demand(state.motion.twist);
-    if !touch::is_asked(bodies, state, pressed, &demand, joint.pressed.limits.sum) {
-        return Ok(false);
-    }
-    let kind = (state.axes, Coupling::Neglected);
-    let mut increment = increments.take(bodies, kind, window)?;
-    let pressures = pressed.pressure().as_slice();
-    increment.pressed.set(pressures, &state.friction);
-    increment.gather_offset(joint.answer().offset);
-    let lags = touch::follow_growth(&mut increment, bodies, state, pressed, load, &demand)?;
-    joint.set_offset_within(&increment.pressed.region, increment.offset());
-    increments.give_back(increment);
-    Ok(lags)
 }
 
 /// What solves the steps of a coupled state.

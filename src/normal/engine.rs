@@ -227,6 +227,7 @@ impl Engine {
         let (region, solver) = (&self.region, &mut self.solver);
         let mut minimise = |surfaces: Surfaces<'_>, pressure: &mut [f64]| {
             let posed = Posed {
+                diagonal: &[],
                 linear: [surfaces.gap],
                 datum: [load.datum],
                 constraint: Carried(surfaces.limits),

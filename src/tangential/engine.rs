@@ -38,6 +38,8 @@ pub(crate) fn at<V: AsRef<[f64]>>(vector: &[V; 2], cell: usize) -> [f64; 2] {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Task<'a> {
     pub(super) limits: &'a [f64],
+    /// Compliance that cells have of their own, if any do.
+    pub(super) diagonal: &'a [f64],
     pub(super) linear: &'a PlaneVector,
     pub(super) totals: [Total; 2],
     /// The multipliers at which the start has been an answer, if it has.
@@ -186,6 +188,7 @@ where
         observer: Observer<'_>,
     ) -> Result<()> {
         let posed = Posed {
+            diagonal: task.diagonal,
             linear: self.of(task.linear),
             datum: [0.0; N],
             constraint: Magnitude(task.limits),

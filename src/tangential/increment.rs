@@ -16,7 +16,6 @@ use crate::tangential::answer::Answer;
 use crate::tangential::control::Demand;
 use crate::tangential::drawing::Drawing;
 use crate::tangential::engine::{PlaneVector, ShearEngine, Task, at, engine_along, zeros};
-use crate::tangential::growth::GrowthFields;
 use crate::tangential::motion::{Motion, centre};
 use crate::tangential::{Axis, Pressed, TangentialControl};
 use crate::trend::Trend;
@@ -24,7 +23,8 @@ use crate::trend::Trend;
 /// The tangential contact on a window: pressure, limits and tractions of its cells, and the engine that solves a step.
 ///
 /// A step finds tractions $`q`$ and a motion $`\delta`$ of body 2 with $`s = C q - S - \delta`$ for the slip of the
-/// step. The offset $`S`$ is what $`u - \delta`$ is in a cell while it sticks, zero from rest. A history sets it.
+/// step. The offset $`S`$ is what $`u - \delta`$ is in a cell while it sticks, zero from rest. A history sets it, and the
+/// diagonal $`B`$ of the cells that enter the contact in the step, for which $`s = C q + B q - S - \delta`$.
 #[derive(Debug, Clone)]
 pub(crate) struct Increment {
     pub(super) bodies: HalfSpace,
@@ -37,7 +37,8 @@ pub(crate) struct Increment {
     pub(super) offset: PlaneVector,
     /// What a solve asks of each cell; it is written first, and serves before as a buffer.
     pub(super) linear: PlaneVector,
-    pub(crate) growth: GrowthFields,
+    /// Compliance of their own of the cells that enter the contact in this step; empty where none does.
+    pub(super) diagonal: Vec<f64>,
     /// How pressure moves the surfaces, if it is to.
     pub(super) drawing: Option<Drawing>,
     /// Motion of body 2 at the end of the last step.
@@ -74,7 +75,7 @@ impl Increment {
             traction: zeros(axes, cells)?,
             offset: zeros(axes, cells)?,
             linear: zeros(axes, cells)?,
-            growth: GrowthFields::default(),
+            diagonal: Vec::new(),
             motion: Motion::default(),
             pressed,
         })
@@ -179,6 +180,7 @@ impl Increment {
         };
         let beyond = self.engine.multiplier();
         self.motion.shift = [0, 1].map(|axis| self.motion.shift[axis] + beyond[axis]);
+        self.lag_behind();
         outcome
     }
 
@@ -192,6 +194,7 @@ impl Increment {
         let Pressed { region, limits, .. } = &self.pressed;
         let mut task = Task {
             limits: &limits.cells,
+            diagonal: &self.diagonal,
             linear: &self.linear,
             totals,
             known: None,

@@ -4,31 +4,11 @@ use crate::half_space::Region;
 use crate::tangential::{Increment, PlaneVector, RelativeDisplacement};
 
 impl Increment {
-    /// The offsets of the step, of the cells of the window.
-    pub(crate) fn offset(&self) -> [&[f64]; 2] {
-        [&self.offset[0], &self.offset[1]]
-    }
-
-    /// Takes the offsets of a step from those of the whole grid.
-    pub(crate) fn gather_offset(&mut self, offset: [&[f64]; 2]) {
-        for axis in self.axes.iter().map(|axis| axis.index()) {
-            let part = &mut self.offset[axis];
-            self.pressed.region.gather(offset[axis], part);
-        }
-    }
-
     /// Takes the offsets of a step from those of the cells held here.
     pub(crate) fn set_offset(&mut self, offset: &PlaneVector) {
         for axis in self.axes.iter().map(|axis| axis.index()) {
             let part = &mut self.offset[axis];
             self.pressed.region.take(&offset[axis], part);
-        }
-    }
-
-    /// Moves the offset of a cell back, as if body 2 had moved so much less there.
-    pub(crate) fn lag(&mut self, cell: usize, lag: [f64; 2]) {
-        for axis in self.axes.iter().map(|axis| axis.index()) {
-            self.offset[axis][cell] -= lag[axis];
         }
     }
 

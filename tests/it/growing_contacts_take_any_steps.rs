@@ -275,9 +275,10 @@ fn growth_is_the_superposition_of_jaeger() {
     assert!((history.shift()[0] / shift - 1.0).abs() < 1e-8);
 }
 
-/// With Poisson's effect the rule is exact on spheres up to the grid, and better than none on rough contacts.
+/// With Poisson's effect a long step has an error of some per cent, far less than that of the whole step; where all
+/// slips from the moment it touches the two are the same.
 #[test]
-fn the_rule_is_never_worse_than_none() {
+fn long_steps_err_far_less_than_whole_ones() {
     let paths: [&[Leg]; 5] = [
         &[(1.0, [0.224, 0.168])],
         &[(0.4, [0.0; 2]), (0.5, [0.2, 0.0]), (1.0, [0.35, 0.0])],
@@ -302,24 +303,30 @@ fn the_rule_is_never_worse_than_none() {
                     distance(&few, &many)
                 });
                 assert!(
-                    with <= (1.0 + 1e-9) * without,
+                    with <= 1.001 * without,
                     "path {number}: {with:e} {without:e}"
                 );
-                // Twice the prototype's; beyond the last straight leg the direction of slip decides.
-                let bound = if roughness == 0.0 { 0.006 } else { 0.06 };
-                assert!(number > 2 || with < bound, "path {number}: {with:e}");
-                if number < 2 && roughness == 0.0 {
-                    assert!(with < 0.05 * without);
+                // Beyond the last straight leg the direction of slip decides.
+                if number <= 2 {
+                    let bound = if steps == 1 { 0.045 } else { 0.025 };
+                    assert!(with < bound, "path {number}: {with:e}");
+                    assert!(with < 0.25 * without, "path {number}: {with:e} {without:e}");
                 }
             }
         }
     }
 }
 
-/// A shift in proportion to the square of the approach, and one that turns.
+/// A shift in proportion to the square of the approach, and one that turns; with Poisson's effect nearly of second order.
 #[test]
 fn bent_paths_are_of_second_order() {
-    let scene = Scene::new(0.0, 0.0, TangentialModel::Vector);
+    for (poisson_ratio, roughness, least) in [(0.0, 0.0, 1.9), (0.3, 0.15, 1.6)] {
+        let scene = Scene::new(poisson_ratio, roughness, TangentialModel::Vector);
+        bends_are_of_order(&scene, least);
+    }
+}
+
+fn bends_are_of_order(scene: &Scene, least: f64) {
     let straight = |part: f64| 0.3 + 0.7 * part;
     let paths: [fn(f64) -> [f64; 2]; 2] = [
         |part| [0.25 * 0.7 * part * (0.3 + 0.7 * part), 0.0],
@@ -337,21 +344,21 @@ fn bent_paths_are_of_second_order() {
             }
             history
         };
-        let exact = taken(TouchRule::Growth, 256);
+        let exact = taken(TouchRule::Growth, 128);
         let [coarse, fine] =
-            [4, 32].map(|steps| distance(&taken(TouchRule::Growth, steps), &exact));
-        let order = (coarse / fine).log2() / 3.0;
-        assert!(order > 1.8, "{order}: {coarse:e} {fine:e}");
+            [8, 32].map(|steps| distance(&taken(TouchRule::Growth, steps), &exact));
+        let order = (coarse / fine).log2() / 2.0;
+        assert!(order > least, "{order}: {coarse:e} {fine:e}");
         let [coarse, fine] =
-            [4, 32].map(|steps| distance(&taken(TouchRule::WholeStep, steps), &exact));
-        assert!((coarse / fine).log2() / 3.0 < 1.2);
+            [4, 16].map(|steps| distance(&taken(TouchRule::WholeStep, steps), &exact));
+        assert!((coarse / fine).log2() / 2.0 < 1.2);
     }
 }
 
 /// A ball that turns while it is pressed, about its centre and about a point beside it.
 #[test]
 fn a_twist_grows_with_the_contact() {
-    for (poisson_ratio, bound) in [(0.0, 1e-3), (0.3, 6e-3)] {
+    for poisson_ratio in [0.0, 0.3] {
         let scene = Scene::new(poisson_ratio, 0.0, TangentialModel::Vector);
         for shift in [[0.0; 2], [0.15, 0.0]] {
             let pressed = |rule: TouchRule, steps: usize| {
@@ -364,9 +371,10 @@ fn a_twist_grows_with_the_contact() {
                 history
             };
             let many = pressed(TouchRule::Growth, 40);
-            let error = distance(&pressed(TouchRule::Growth, 1), &many);
-            assert!(error < bound, "{error:e}");
-            assert!(distance(&pressed(TouchRule::WholeStep, 1), &many) > 0.3);
+            let [once, four] =
+                [1, 4].map(|steps| distance(&pressed(TouchRule::Growth, steps), &many));
+            assert!(once < 0.13 && four < 0.45 * once, "{once:e} {four:e}");
+            assert!(distance(&pressed(TouchRule::WholeStep, 1), &many) > 3.0 * once);
         }
     }
 }

@@ -77,7 +77,7 @@ fn energies_of_hertz_and_mindlin() {
     let [dx, dy] = shear.shift();
     let work = 0.5 * (0.002 * dx + 0.001 * dy);
     let energy = shear.elastic_energy(&bodies).unwrap();
-    assert!((energy / work - 1.0).abs() < 1e-2 && energy <= work);
+    assert!((energy / work - 1.0).abs() < 1e-6);
     let [ux, _] = shear.displacement(&bodies).unwrap();
     let middle = 64 * 128 + 64;
     assert!((ux.as_slice()[middle] / dx - 1.0).abs() < 1e-6);

@@ -8,6 +8,7 @@ use crate::cgm::cone::krylov::{Hessenberg, RESTART};
 use crate::cgm::cone::workspace::gradient;
 use crate::cgm::cone::{Cone, ConeRun, N};
 use crate::cgm::run::Precision;
+use crate::cgm::turn::Weight;
 use crate::cgm::vector::{at, chunks, dot, norm, put, slices, slices_mut, within};
 use crate::operator::Operator;
 use crate::parallel;
@@ -85,13 +86,19 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     pub(super) fn precondition(&mut self) {
         let w = &mut *self.workspace;
         let (laws, residual) = (&w.laws, &w.residual);
+        let (own, [_, least_plane]) = (&w.own, self.problem.lower_bounds);
+        let weight = |i: usize| match own.get(i) {
+            Some(&own) => Weight::new(own, least_plane),
+            None => Weight::PATTERN,
+        };
         w.contact.sweep(
             chunks(self.problem.layout, &mut w.direction),
             |entries, mut full| {
                 let residual = &residual[entries.range.clone()];
                 for (k, place) in entries.places().enumerate() {
-                    let law = laws[entries.chunk.start + place];
-                    put(&mut full, place, law.weighted(residual[k]));
+                    let cell = entries.chunk.start + place;
+                    let pattern = laws[cell].weighted(residual[k], weight(cell));
+                    put(&mut full, place, pattern);
                 }
             },
         );
@@ -104,8 +111,9 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
             let residual = &residual[entries.range.clone()];
             let image = within(&image, &entries.chunk);
             for (k, place) in entries.places().enumerate() {
-                let law = laws[entries.chunk.start + place];
-                correction.items[k] = law.preconditioned(at(&image, place), residual[k]);
+                let cell = entries.chunk.start + place;
+                let (answer, r) = (at(&image, place), residual[k]);
+                correction.items[k] = laws[cell].preconditioned(answer, r, weight(cell));
             }
         });
     }
@@ -127,6 +135,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         let (direction, image) = (slices(&w.direction), slices_mut(&mut w.image));
         let (operator, report) = (&self.problem.operator, &mut w.report);
         Precision::Single.apply(operator, direction, image, &mut w.operator, report);
+        self.add_change_of_lag();
     }
 
     /// Takes the correction, with changes of the multipliers.

@@ -57,6 +57,8 @@ pub(super) struct Noise {
     pub(super) gap: f64,
     /// A slip along the traction that is.
     pub(super) slip: f64,
+    /// By how much a cell that touches lags, for each traction over pressure.
+    pub(super) lag: f64,
 }
 
 /// Relative distance from the limit within which a traction is at it.
@@ -111,13 +113,14 @@ impl Law {
         }
     }
 
-    /// With limit, slope and stiffness at slip `s`; limits below `least` have the stiffness of that.
+    /// With limit, slope and stiffness at slip `s`; limits below `least` have the stiffness of that. The last are the least
+    /// eigenvalue of the operator and what the cell has of its own.
     pub(super) fn measured(
         self,
         s: [f64; 2],
         [limit, slope]: [f64; 2],
         least: f64,
-        lower_bound: f64,
+        [lower_bound, own]: [f64; 2],
     ) -> Self {
         let Self::Slip(slip) = self else { return self };
         let stiffness = (-dot(s, slip.normal)).max(0.0) / limit.max(least);
@@ -125,7 +128,7 @@ impl Law {
             limit,
             slope,
             stiffness,
-            weight: Weight::new(stiffness, lower_bound),
+            weight: Weight::new(stiffness + own, lower_bound),
             ..slip
         })
     }
@@ -171,9 +174,11 @@ impl Law {
         }
     }
 
-    /// The pattern of tractions that goes to the inverse operator for a residual.
-    pub(super) fn weighted(self, r: [f64; N]) -> [f64; N] {
+    /// The pattern of tractions that goes to the inverse operator for a residual, of a cell with this weight while it
+    /// sticks.
+    pub(super) fn weighted(self, r: [f64; N], weight: Weight) -> [f64; N] {
         match self {
+            Self::Stick => [r[0], weight.weighted(r[1]), weight.weighted(r[2])],
             Self::Slip(slip) => {
                 let (t, along) = (slip.tangent(), slip.weight.weighted(r[1]));
                 [r[0], along * t[0], along * t[1]]
@@ -183,10 +188,16 @@ impl Law {
     }
 
     /// The preconditioned residual, with the `answer` of the inverse operator.
-    pub(super) fn preconditioned(self, answer: [f64; N], r: [f64; N]) -> [f64; N] {
+    pub(super) fn preconditioned(self, answer: [f64; N], r: [f64; N], weight: Weight) -> [f64; N] {
         let mut z = self.restrict(answer);
-        if let Self::Slip(slip) = self {
-            z[1] = slip.weight.preconditioned(z[1], r[1]);
+        match self {
+            Self::Open | Self::Smooth => {}
+            Self::Stick => {
+                for c in 1..N {
+                    z[c] = weight.preconditioned(z[c], r[c]);
+                }
+            }
+            Self::Slip(slip) => z[1] = slip.weight.preconditioned(z[1], r[1]),
         }
         z
     }
@@ -248,7 +259,7 @@ impl Law {
             Self::Open
         } else if slope <= 0.0 {
             Self::Smooth
-        } else if norm(s) > slope * -g {
+        } else if norm(s) > slope * (noise.lag - g) {
             Slip::along(along(s, -1.0))
         } else {
             Self::Stick

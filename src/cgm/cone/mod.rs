@@ -19,6 +19,7 @@
 mod border;
 mod gmres;
 mod krylov;
+mod lag;
 mod law;
 mod newton;
 mod workspace;
@@ -54,6 +55,9 @@ pub(crate) struct ConeProblem<'a, C, P, F> {
     pub(crate) layout: &'a Layout,
     /// The gap before loading, and minus what the cells are asked to follow along x and y.
     pub(crate) linear: [&'a [f64]; N],
+    /// $`\kappa g`$ of the cells that would enter the contact from a gap g: they lag behind their motion by
+    /// $`\kappa g\,q/p`$. Zero elsewhere; `None` where no cell of any rank does.
+    pub(crate) closing: Option<&'a [f64]>,
     pub(crate) friction: F,
     pub(crate) totals: [Total; N],
     /// Lower bounds of the eigenvalues of the normal and of the tangential part of the operator.
@@ -149,6 +153,7 @@ pub(crate) fn solve<C: Operator<N>, P: Operator<N>, F: Cone>(
     }
     run.refresh();
     let findings = run.examine();
+    run.add_lag(-1.0);
     let report = &mut run.workspace.report;
     let ended = status.unwrap_or(Status::Stalled);
     run.monitor.finish(ended, findings.merit(), report);

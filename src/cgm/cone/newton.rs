@@ -43,6 +43,8 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         let tolerance = self.monitor.tolerance();
         let (mut best, mut without, mut changes) = (f64::INFINITY, 0, usize::MAX);
         let mut missing = f64::INFINITY;
+        let room = self.make_own();
+        self.unless_lacking(room)?;
         self.set_laws();
         loop {
             let is_early = best > EARLY && best.is_finite();
@@ -137,6 +139,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
                 *limit = friction.limit(i, pressure[i]);
             }
         });
+        self.refresh_lag();
     }
 
     /// Examines the iterate by the product at hand, and writes the findings to the report.
@@ -228,7 +231,8 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
                 if law.touches() {
                     let [_, x, y] = gradient(i);
                     let limit = [limits[i], friction.slope(i, pressure[i])];
-                    *law = law.measured([x, y], limit, least, least_plane);
+                    let own = w.own.get(i).copied().unwrap_or(0.0);
+                    *law = law.measured([x, y], limit, least, [least_plane, own]);
                 }
             }
         });
@@ -242,16 +246,25 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         let [z, x, y] = slices(&w.product);
         let sizes = |i: usize| norm([x[i], y[i]]);
         let noise = Noise {
+            lag: 0.0,
             gap: NOISE * tolerance * reduce::max(self.problem.layout, |i| z[i].abs()),
             slip: NOISE * tolerance * reduce::max(self.problem.layout, sizes),
         };
-        let friction = &self.problem.friction;
+        let problem = self.problem;
+        let friction = &problem.friction;
         move_cells(
-            self.problem.layout,
+            problem.layout,
             &mut self.x,
             &mut w.laws,
             |cell, law, tractions| {
-                let (next, value) = law.next(cell, tractions, gradient(cell), friction, noise);
+                let lag = problem.closing_of(cell);
+                let (next, value) = law.next(
+                    cell,
+                    tractions,
+                    gradient(cell),
+                    friction,
+                    Noise { lag, ..noise },
+                );
                 let is_same = law.touches() == next.touches() && law.sticks() == next.sticks();
                 (next, value, !is_same)
             },

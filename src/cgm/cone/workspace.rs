@@ -20,6 +20,8 @@ pub(crate) struct ConeWorkspace<C: Operator<N>, P: Operator<N>> {
     /// The friction limit of every cell.
     pub(super) limits: Vec<f64>,
     pub(super) laws: Vec<Law>,
+    /// $`\kappa g/p`$ of every cell; empty where none enters.
+    pub(super) own: Vec<f64>,
     /// The cells in contact; the vectors below hold these alone.
     pub(super) contact: MovingCells,
     pub(super) residual: Vec<[f64; N]>,
@@ -43,6 +45,7 @@ impl<C: Operator<N>, P: Operator<N>> ConeWorkspace<C, P> {
             image: buffer::vector(cells)?,
             limits: buffer::zeros(cells)?,
             laws: buffer::filled(Law::Open, cells)?,
+            own: Vec::new(),
             contact: MovingCells::new(operator.layout())?,
             residual: Vec::new(),
             correction: Vec::new(),

@@ -44,7 +44,7 @@ class Coupling(_Name):
 class TouchRule(_Name):
     """How far a cell that comes into contact within a step follows the motion of the step.
 
-    "growth": as far as it would if all that grows within the step stuck, so that a step may press and shear at once.
+    "growth": from the moment it touches, so that a step may press and shear at once.
     "whole_step": all of it, as in codes that know the start of the step only.
     """
 

@@ -39,8 +39,8 @@ use crate::work::unobserved_on;
 ///     Of bodies of different materials: "full" finds pressure and shear together, "one_way" has the pressure move the
 ///     surfaces tangentially, "neglected" neither.
 /// touch_rule : TouchRule or str, default "growth"
-///     How far a cell that comes into contact within a step follows its motion: "growth" as far as it would if all that grows
-///     in the step stuck, "whole_step" all of it.
+///     How far a cell that comes into contact within a step follows its motion: "growth" from the moment it touches,
+///     "whole_step" all of it.
 /// relative_displacement : RelativeDisplacement, optional
 ///     The pattern of a displacement that the contact does not cause, of which steps prescribe the amount; none by default.
 /// hardness : Hardness, float or array_like of shape (ny, nx), optional

@@ -1,0 +1,55 @@
+//! The cells that come into contact within a step, and the rule that they follow.
+
+use crate::cgm::reduce;
+use crate::field::Field;
+use crate::half_space::HalfSpace;
+use crate::history::state::State;
+use crate::normal::NormalControl;
+
+/// How far a cell that comes into contact within a step follows the motion of the step.
+///
+/// [`crate::guide::growing_contacts`] derives the first and compares the two.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub enum TouchRule {
+    /// From the moment it touches, by the growth of its own pressure: it lags behind the motion by
+    /// $`\kappa\,(g/p)\,q`$, with the gap g at the beginning of the step and pressure p and traction q at its end.
+    #[default]
+    Growth,
+    /// All of it, also the part before it touched: the rule of codes that use the start of the step only, such as
+    /// CONTACT. The error is of first order in the length of steps in which the contact grows.
+    WholeStep,
+}
+
+impl State {
+    /// The gap that a cell closes as it comes into contact in a step under this load, zero of one that was in contact;
+    /// `None` where cells follow the whole step.
+    pub(super) fn closing(
+        &self,
+        bodies: &HalfSpace,
+        control: NormalControl,
+    ) -> Option<impl Fn(usize) -> f64 + use<'_>> {
+        if self.touch_rule == TouchRule::WholeStep {
+            return None;
+        }
+        let [gap, pressed_gap] = [&self.gap, &self.pressed_gap].map(Field::as_slice);
+        let (apart, pressure) = (self.normal.gap().as_slice(), self.pressure().as_slice());
+        let worn = move |i: usize| apart[i] + (gap[i] - pressed_gap[i]);
+        // Bodies that a force brings together move freely until they touch.
+        let until_touch = match control {
+            NormalControl::Force(_) => {
+                reduce::least(&bodies.grid_layout(), |i| Some((worn(i), ())))
+                    .map_or(0.0, |(least, ())| least.max(0.0))
+            }
+            NormalControl::Approach(_) | NormalControl::Hold => 0.0,
+        };
+        Some(move |i: usize| {
+            if pressure[i] > 0.0 {
+                0.0
+            } else {
+                (worn(i) - until_touch).max(0.0)
+            }
+        })
+    }
+}

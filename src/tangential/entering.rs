@@ -1,0 +1,55 @@
+//! The law of cells that come into contact within a step.
+
+use crate::buffer;
+use crate::cgm::reduce;
+use crate::error::Result;
+use crate::material::ElasticPair;
+use crate::parallel;
+use crate::tangential::Increment;
+
+/// $`\kappa = 1 + c_l / 2 c_n`$, the tangential displacement of a cell by a traction of its own over the normal one by a
+/// pressure, where $`c_n = \sum (1 - \nu)/G`$ and $`c_l = \sum \nu/G`$.
+pub(crate) fn ratio_of_compliances(pair: &ElasticPair) -> f64 {
+    let compliances = pair.compliances();
+    1.0 + 0.5 * compliances.lateral / compliances.normal
+}
+
+impl Increment {
+    /// Gives the cells that enter the contact the compliance $`B = \kappa\,g/p`$ of their own in this step, by the gap
+    /// that each cell of the grid had at its beginning, zero where there was contact.
+    pub(crate) fn enter(&mut self, gap: impl Fn(usize) -> f64) -> Result<()> {
+        let (pressed, diagonal) = (&self.pressed, &mut self.diagonal);
+        buffer::resize(diagonal, pressed.region.cells(), 0.0)?;
+        pressed.region.collect(gap, diagonal);
+        let kappa = ratio_of_compliances(self.bodies.pair());
+        let (pressure, limits) = (&pressed.pressure, &pressed.limits.cells);
+        parallel::update(diagonal, |first, chunk| {
+            for (k, value) in (first..).zip(chunk) {
+                *value = if limits[k] > 0.0 {
+                    (kappa * *value / pressure[k]).min(f64::MAX)
+                } else {
+                    0.0
+                };
+            }
+        });
+        if !reduce::any(pressed.region.layout(), |k| diagonal[k] > 0.0) {
+            self.enter_nowhere();
+        }
+        Ok(())
+    }
+
+    /// No cell enters the contact in this step.
+    pub(crate) fn enter_nowhere(&mut self) {
+        self.diagonal.clear();
+    }
+
+    /// Moves the offsets of the cells that entered back by $`B q`$, what they have not followed of the motion.
+    pub(super) fn lag_behind(&mut self) {
+        for axis in self.axes.iter().map(|axis| axis.index()) {
+            let (offset, traction) = (&mut self.offset[axis], &self.traction[axis]);
+            for ((offset, traction), own) in offset.iter_mut().zip(traction).zip(&self.diagonal) {
+                *offset -= own * traction;
+            }
+        }
+    }
+}
