@@ -134,6 +134,7 @@ pub use set::{Admissible, Ball, Bounds, Constraint, Magnitude, NonNegative, With
 pub use settings::{Method, Settings};
 pub(crate) use settings::{settings_methods, solver_settings};
 pub use totals::Total;
+pub(crate) use turn::Weight;
 pub use workspace::Workspace;
 
 pub use crate::report::{Iteration, Report, Status};

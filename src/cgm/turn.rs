@@ -64,7 +64,7 @@ impl Weight {
     };
 
     /// For a stiffness of the circle beside an operator of this least eigenvalue.
-    pub(super) fn new(stiffness: f64, lower_bound: f64) -> Self {
+    pub(crate) fn new(stiffness: f64, lower_bound: f64) -> Self {
         let even = EVEN * lower_bound;
         if even <= 0.0 {
             return Self::PATTERN;
@@ -77,12 +77,12 @@ impl Weight {
     }
 
     /// What of a residual goes to the inverse operator.
-    pub(super) fn weighted(self, r: f64) -> f64 {
+    pub(crate) fn weighted(self, r: f64) -> f64 {
         self.pattern * r
     }
 
     /// The preconditioned residual, with the answer of the inverse operator.
-    pub(super) fn preconditioned(self, answer: f64, r: f64) -> f64 {
+    pub(crate) fn preconditioned(self, answer: f64, r: f64) -> f64 {
         self.pattern * answer + self.own * r
     }
 }

@@ -11,7 +11,7 @@ use crate::history::memory::Memory;
 use crate::history::{History, LoadStep, State};
 use crate::normal::{NormalControl, Pressing};
 use crate::parallel;
-use crate::tangential::{Motion, Start};
+use crate::tangential::{Increment, Motion, Start};
 use crate::window::Window;
 
 impl History {
@@ -39,7 +39,9 @@ impl History {
     fn make_room(&mut self) -> Result<()> {
         let State { trend, .. } = &mut self.state;
         let [change] = &mut trend.change;
-        buffer::make_room(change, self.press.trend_cells())
+        buffer::make_room(change, self.press.trend_cells())?;
+        let entered = self.increment.as_ref().map_or(0, Increment::entered_cells);
+        buffer::make_room(&mut self.entered, entered)
     }
 
     /// Solves both halves of a step.

@@ -159,7 +159,8 @@ impl History {
     ///
     /// Loading is the derivative of the force of the last step by its motion, the sets held: call it after the step. In the
     /// vector model the slip of [the last step](Self::last_step) adds to the stiffness of cells that slip; after
-    /// [`set_state`](Self::set_state) that slip is of another step, after a restart it is zero. Cells that come into
+    /// [`set_state`](Self::set_state) that slip is of another step, after a restart it is zero. So it is with the compliance of
+    /// the cells that [entered](crate::guide::growing_contacts) the contact in the step. Cells that come into
     /// contact during further motion are not included.
     ///
     /// # Errors
@@ -191,6 +192,7 @@ impl History {
             zones: self.zones(),
             traction: self.traction(),
             slip: self.last_step().slip(),
+            entered: &self.entered,
         };
         let (normal, friction) = (self.normal(), self.friction());
         let (bodies, axis) = (&self.bodies, self.axis());

@@ -86,6 +86,8 @@ pub struct History {
     /// Pressure and shear found together, instead of the above; none where they are not coupled.
     pub(super) joint: Option<Box<CoupledIncrement>>,
     pub(super) step: StepResult,
+    /// Compliance of their own of the cells that entered the contact in the last step; of no cells where none did.
+    pub(super) entered: Vec<f64>,
     /// Where the fields of the step are not all zero, if anywhere.
     written: Option<Window>,
 }
@@ -136,6 +138,7 @@ impl History {
             increment: None,
             joint: new_joint(bodies, &state)?,
             step: StepResult::new(state.grid())?,
+            entered: Vec::new(),
             written: None,
             state,
         })
@@ -297,6 +300,9 @@ impl History {
         step.tangential_report
             .clone_from(report.unwrap_or(&Report::unsolved()));
         commit(answer.as_ref(), motion, state, step, &mut self.written);
+        if let Some(increment) = increment {
+            increment.write_entered(&mut self.entered);
+        }
         let zones = [step.stick_cells, step.slip_cells];
         step.remarks.resolution = Resolution::of_contact(state.grid().whole(), zones[0] + zones[1])
             .with_zones(zones, || state.normal.edge_sides());
@@ -379,6 +385,7 @@ impl TryClone for History {
             increment: None,
             joint,
             step: self.step.try_clone()?,
+            entered: self.entered.try_clone()?,
             written: self.written,
             state,
         })

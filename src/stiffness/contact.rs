@@ -59,7 +59,7 @@ pub struct ContactStiffness {
     /// Tangential forces and moment by shift and twist.
     pub tangential: TangentialStiffness,
     /// Tangential forces (over a length) and moment (a force) by the approach while slip continues, through the friction
-    /// limit of the cells that slip: if the shift grows in the same step, or the approach decreases. Pressed further at a
+    /// limit of the cells that slip and the lag of those that entered the contact in the step of a history: if the shift grows in the same step, or the approach decreases. Pressed further at a
     /// held shift these cells stick, and the slope is zero. Without a bound of its own; the change of pressure behind it
     /// has a relative error, in the energy norm, of the root of the bound of `normal`. `None` of loads that the model does
     /// not have.
@@ -167,6 +167,7 @@ impl TangentialSolution {
             zones: self.zones(),
             traction: self.traction(),
             slip: self.slip(),
+            entered: &[],
         };
         let found = parallel::enter_with(bodies.grid().cells(), || {
             let watch = &mut Watch::new(&mut observer);
@@ -209,6 +210,7 @@ impl ContactStiffness {
             zones: shear.zones(),
             traction: shear.traction(),
             slip: shear.slip(),
+            entered: &[],
         };
         let axis = shear.axis();
         Self::of(bodies, normal, friction, &sheared, axis, &mut observer)
@@ -238,14 +240,21 @@ impl ContactStiffness {
         watch: &mut Watch<'_>,
     ) -> Result<Self> {
         let press = pressed(bodies, normal, watch)?;
-        let mut limits = buffer::zeros(bodies.grid().cells())?;
+        let zeros = || buffer::zeros(bodies.grid().cells());
+        let mut changes = ByApproach {
+            limits: zeros()?,
+            relative: zeros()?,
+        };
         if let Some(press) = &press {
             let pressure = normal.pressure().as_slice();
             for (i, growth) in press.window.indices().zip(&press.growth) {
-                limits[i] = friction.slope(i, pressure[i]) * growth;
+                if pressure[i] > 0.0 {
+                    changes.limits[i] = friction.slope(i, pressure[i]) * growth;
+                    changes.relative[i] = growth / pressure[i];
+                }
             }
         }
-        let (tangential, by_approach) = sheared.stiffness(bodies, axis, Some(&limits), watch)?;
+        let (tangential, by_approach) = sheared.stiffness(bodies, axis, Some(&changes), watch)?;
         Ok(Self {
             normal: stiffness_of(press.as_ref()),
             tangential,
@@ -276,15 +285,25 @@ pub(crate) struct Sheared<'a> {
     pub(crate) traction: [&'a Field; 2],
     /// Slip of the step.
     pub(crate) slip: [&'a Field; 2],
+    /// Compliance of their own of the cells that entered the contact in the step; of no cells where none did.
+    pub(crate) entered: &'a [f64],
+}
+
+/// What the approach changes in the cells of the grid, for each unit.
+struct ByApproach {
+    /// The friction limits.
+    limits: Vec<f64>,
+    /// The pressures, each over itself.
+    relative: Vec<f64>,
 }
 
 impl Sheared<'_> {
-    /// The stiffness; and the loads by the approach, if the growth of the limits with it is given.
+    /// The stiffness; and the loads by the approach, if what that changes is given.
     fn stiffness(
         &self,
         bodies: &HalfSpace,
         axis: Option<Axis>,
-        limits: Option<&[f64]>,
+        changes: Option<&ByApproach>,
         watch: &mut Watch<'_>,
     ) -> Result<(TangentialStiffness, [Option<f64>; 3])> {
         let grid = bodies.grid();
@@ -293,8 +312,8 @@ impl Sheared<'_> {
         };
         let window = bodies.confined(window);
         match axis {
-            Some(axis) => self.along(bodies, window, [axis], limits, watch),
-            None => self.along(bodies, window, [Axis::X, Axis::Y], limits, watch),
+            Some(axis) => self.along(bodies, window, [axis], changes, watch),
+            None => self.along(bodies, window, [Axis::X, Axis::Y], changes, watch),
         }
     }
 
@@ -303,7 +322,7 @@ impl Sheared<'_> {
         bodies: &HalfSpace,
         window: Window,
         axes: [Axis; N],
-        limits: Option<&[f64]>,
+        changes: Option<&ByApproach>,
         watch: &mut Watch<'_>,
     ) -> Result<(TangentialStiffness, [Option<f64>; 3])> {
         let grid = bodies.grid();
@@ -323,15 +342,26 @@ impl Sheared<'_> {
         let area = grid.cell_area();
         let boundary = bodies.boundary();
         let freedoms = buffer::collected(window.cells(), window.indices().map(sticking))?;
-        let reversal = System::new(boundary, &compliance, freedoms)?;
+        let reversal = System::new(boundary, &compliance, freedoms, Vec::new())?;
         let reversal = reversal.stiffness(&motions.cells, watch)?;
         let freedoms = buffer::collected(window.cells(), window.indices().map(slipping))?;
-        let loading = System::new(boundary, &compliance, freedoms)?;
+        let own = match self.entered {
+            [] => Vec::new(),
+            entered => buffer::collected(window.cells(), window.indices().map(|i| entered[i]))?,
+        };
+        let loading = System::new(boundary, &compliance, freedoms, own)?;
         let found = loading.stiffness(&motions.cells, watch)?;
         let mut by_approach = [None; 3];
-        if let Some(limits) = limits {
-            let forced = self.forced(axes, window, limits)?;
-            let displacement = loading.displacement(&forced, watch)?;
+        if let Some(changes) = changes {
+            let forced = self.forced(axes, window, &changes.limits)?;
+            let mut displacement = loading.displacement(&forced, watch)?;
+            // A compliance of its own falls as the pressure grows.
+            for (k, i) in window.indices().enumerate() {
+                let q = Self::at(self.traction, axes, i);
+                for ((u, forced), q) in displacement.iter_mut().zip(&forced).zip(q) {
+                    u[k] += loading.own(k) * (forced[k] - q * changes.relative[i]);
+                }
+            }
             let own = motions
                 .cells
                 .iter()

@@ -41,7 +41,7 @@ pub(super) fn pressed(
     };
     let compliance = bodies.compliance([Direction::Z], window.size)?;
     let freedoms = buffer::collected(window.cells(), window.indices().map(freedom))?;
-    let system = System::new(bodies.boundary(), &compliance, freedoms)?;
+    let system = System::new(bodies.boundary(), &compliance, freedoms, Vec::new())?;
     let Stiffness {
         matrix,
         bound,

@@ -2,7 +2,8 @@
 //!
 //! Cells that stick are free, cells that slip move along a line, all others are fixed. With the projection P onto what
 //! cells may do, the turning stiffness D and the motions $`b_a`$ of the cells, the tractions $`y_a`$ that a unit of each
-//! motion causes solve $`A\,y_a = P\,b_a`$, $`A = P C P + D`$. Their combinations $`x_a`$ with the loads
+//! motion causes solve $`A\,y_a = P\,b_a`$, $`A = P C P + D`$; to D comes the compliance of cells that entered the contact
+//! in the step. Their combinations $`x_a`$ with the loads
 //! $`b_b\cdot x_a = \delta_{ab}`$ have the least energy of all tractions with these loads, so that $`S = X'A X`$ is a
 //! compliance from above. With the residuals $`R = P B S - A X`$, an error $`e_a`$ of $`x_a`$ has no load, and
 //!
@@ -14,9 +15,9 @@
 
 use crate::boundary::Boundary;
 use crate::buffer::{self, TryClone};
-use crate::cgm::reduce;
 use crate::cgm::small::Small;
 use crate::cgm::vector::{at, dot, minus, plus, slices, slices_mut, update_cells};
+use crate::cgm::{Weight, reduce};
 use crate::error::{Result, finite, not_converged};
 use crate::fft::ConvolutionWorkspace;
 use crate::half_space::Compliance;
@@ -77,6 +78,8 @@ impl<const N: usize> Freedom<N> {
 pub(super) struct System<'a, const N: usize> {
     compliance: &'a Compliance<N>,
     freedoms: Vec<Freedom<N>>,
+    /// What cells have of their own beside the operator; of no cells where none has.
+    own: Vec<f64>,
 }
 
 /// A solution of `A y = P b`, and `A y` computed anew.
@@ -92,6 +95,7 @@ impl<'a, const N: usize> System<'a, N> {
         boundary: Boundary,
         compliance: &'a Compliance<N>,
         freedoms: Vec<Freedom<N>>,
+        own: Vec<f64>,
     ) -> Result<Self> {
         let is_closed = freedoms.iter().all(|freedom| *freedom == Freedom::Free);
         if is_closed && boundary == Boundary::Periodic {
@@ -103,7 +107,18 @@ impl<'a, const N: usize> System<'a, N> {
         Ok(Self {
             compliance,
             freedoms,
+            own,
         })
+    }
+
+    /// What a cell has of its own beside the operator.
+    pub(super) fn own(&self, cell: usize) -> f64 {
+        self.own.get(cell).copied().unwrap_or(0.0)
+    }
+
+    /// What is added to the operator in a cell.
+    fn diagonal(&self, cell: usize) -> f64 {
+        self.freedoms[cell].stiffness() + self.own(cell)
     }
 
     pub(super) fn zeros(&self) -> Result<Vector<N>> {
@@ -130,8 +145,7 @@ impl<'a, const N: usize> System<'a, N> {
         operator.apply(slices(x), slices_mut(out), workspace);
         let x = slices(x);
         update_cells(out, |i, u| {
-            let freedom = self.freedoms[i];
-            plus(freedom.project(u), freedom.stiffness(), at(&x, i))
+            plus(self.freedoms[i].project(u), self.diagonal(i), at(&x, i))
         });
         Ok(())
     }
@@ -165,10 +179,20 @@ impl<'a, const N: usize> System<'a, N> {
         update_cells(&mut residual, |i, _| minus(at(&right, i), at(&image, i)));
         let (mut direction, mut image) = (self.zeros()?, self.zeros()?);
         let (mut corrected, mut last) = (self.zeros()?, self.zeros()?);
+        let least = operator.lower_bound();
+        let weight = |i: usize| Weight::new(self.diagonal(i), least);
         let mut before = 0.0;
         for step in 0..ROUND {
-            inverse.apply(slices(&residual), slices_mut(&mut corrected), &mut inverses);
-            update_cells(&mut corrected, |i, z| self.freedoms[i].project(z));
+            let residuals = slices(&residual);
+            update_cells(&mut image, |i, _| {
+                at(&residuals, i).map(|r| weight(i).weighted(r))
+            });
+            inverse.apply(slices(&image), slices_mut(&mut corrected), &mut inverses);
+            update_cells(&mut corrected, |i, z| {
+                let (weight, r) = (weight(i), at(&residuals, i));
+                let z = std::array::from_fn(|c| weight.preconditioned(z[c], r[c]));
+                self.freedoms[i].project(z)
+            });
             let along = self.product(&residual, &corrected);
             if along.is_nan() || along <= 0.0 {
                 break;

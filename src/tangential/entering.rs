@@ -43,6 +43,25 @@ impl Increment {
         self.diagonal.clear();
     }
 
+    /// Cells of the grid that [`Self::write_entered`] needs room for.
+    pub(crate) fn entered_cells(&self) -> usize {
+        if self.diagonal.is_empty() || self.pressed.region.is_shared() {
+            0
+        } else {
+            self.bodies.grid().cells()
+        }
+    }
+
+    /// Writes the compliance that the cells of the grid have had of their own in the last step; of no cells where none has
+    /// entered, and of a grid that ranks share.
+    pub(crate) fn write_entered(&self, entered: &mut Vec<f64>) {
+        entered.clear();
+        entered.resize(self.entered_cells(), 0.0);
+        if !entered.is_empty() {
+            self.pressed.region.scatter(&self.diagonal, entered);
+        }
+    }
+
     /// Moves the offsets of the cells that entered back by $`B q`$, what they have not followed of the motion.
     pub(super) fn lag_behind(&mut self) {
         for axis in self.axes.iter().map(|axis| axis.index()) {

@@ -465,3 +465,62 @@ fn other_bodies_and_closed_gaps_are_refused() {
         "{refused:?}"
     );
 }
+
+/// A step in which the contact grows, without slip and with it: loads by the motion at its end, and by the approach there.
+#[test]
+fn steps_that_grow_have_the_stiffness_of_whole_steps() {
+    use TangentialModel::{Scalar, Vector};
+    let scenes = [
+        Scene::ball(48, 0.0, Scalar),
+        Scene::ball(48, 0.3, Vector),
+        Scene::rough(Boundary::NonPeriodic, Vector),
+        Scene::rough(Boundary::Periodic, Vector),
+    ];
+    for scene in &scenes {
+        let deep = scene.press(NormalControl::Force(6.0)).approach();
+        let low = scene.press(NormalControl::Force(3.0)).approach();
+        let growth = deep - low;
+        for part in [0.1, 0.35] {
+            let y = f64::from(u8::from(scene.model == Vector));
+            let shift = [part * growth, 0.4 * part * growth * y];
+            let mut start = History::builder(&scene.bodies, &scene.gap, scene.friction.clone())
+                .model(scene.model)
+                .tolerance(SOLVE)
+                .build()
+                .unwrap();
+            let load = |approach: f64, shift: [f64; 2]| {
+                LoadStep::shift(shift).normal(NormalControl::Approach(approach))
+            };
+            start.step(&load(low, [0.0; 2])).unwrap();
+            start.step(&load(low, shift.map(|s| 0.5 * s))).unwrap();
+            let taken = |approach: f64, shift: [f64; 2]| {
+                let mut history = start.clone();
+                history.step(&load(approach, shift)).unwrap();
+                history
+            };
+            let end = taken(deep, shift);
+            let stiffness = end.stiffness().unwrap();
+            let small = 1e-5 * growth;
+            let slope = |change: [f64; 3]| {
+                let [more, less] = [small, -small].map(|h| {
+                    let [z, x, y] = change.map(|part| h * part);
+                    let moved = taken(deep + z, [shift[0] + x, shift[1] + y]);
+                    assert_eq!(moved.zones(), end.zones());
+                    moved.tangential_force()
+                });
+                [0, 1].map(|axis| (more[axis] - less[axis]) / (2.0 * small))
+            };
+            let scale = numbers(stiffness.tangential.reversal)[0][0];
+            let loading = numbers(stiffness.tangential.loading);
+            let by_approach = stiffness.by_approach.map(|load| load.unwrap_or(f64::NAN));
+            for axis in 0..if scene.model == Vector { 2 } else { 1 } {
+                let along_x = slope([0.0, 1.0, 0.0])[axis];
+                let by_press = slope([1.0, 0.0, 0.0])[axis];
+                let errors = [along_x - loading[axis][0], by_press - by_approach[axis]];
+                for error in errors {
+                    assert!((error / scale).abs() < 1e-6, "{part} {axis}: {errors:?}");
+                }
+            }
+        }
+    }
+}
