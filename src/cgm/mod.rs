@@ -11,7 +11,8 @@
 //! prescribes the sum of a component, or ties it to a spring; its multiplier is returned. For a normal contact `x` is
 //! the pressure, `b` the gap, `S` the load over the cell area and the multiplier the approach; for a tangential one `x`
 //! is the traction within its friction limit, along one axis or in the plane, and the multiplier the shift. Vectors are
-//! arrays of one slice a component.
+//! arrays of one slice a component. To `C` a [diagonal](Problem::diagonal) `D` may be added, a compliance that cells have of
+//! their own; what follows then holds of `C + D`.
 //!
 //! The solver is Newton's method on the law of every cell: the sets decide how each cell may move, conjugate gradients
 //! solve the linear problem of the cells that move, bordered by the totals, and then the sets are decided again. For

@@ -17,7 +17,7 @@ use crate::operator::{Identity, Operator};
 use crate::parallel;
 use crate::report::{Iteration, Report, Status};
 
-/// What to minimise: `1/2 x'Cx + b'x` over `x_i` in `K_i`, optionally with totals of the components.
+/// What to minimise: `1/2 x'(C + D)x + b'x` over `x_i` in `K_i`, optionally with totals of the components.
 #[derive(Debug, Clone)]
 pub struct Problem<'a, C, K, P = Identity, const N: usize = 1> {
     pub(super) operator: C,
@@ -58,7 +58,20 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
     }
 
     /// With a compliance of its own added to each cell, `C + D` in place of `C`: a number that is not negative for all
-    /// components of the cell (default: none).
+    /// components of the cell (default: none). [`Workspace::product`] stays that of `C`.
+    ///
+    /// ```
+    /// use stickslip::cgm::{self, NonNegative, Problem, Settings};
+    /// use stickslip::Identity;
+    ///
+    /// // Two springs pressed by 1, one of them in series with another that is three times as soft.
+    /// let (linear, own) = ([-1.0; 2], [0.0, 3.0]);
+    /// let problem = Problem::new(Identity::new(2), [&linear], NonNegative).diagonal(&own);
+    /// let mut x = [0.0; 2];
+    /// cgm::minimise(&problem, &Settings::default(), [&mut x])?;
+    /// assert!((x[0] - 1.0).abs() < 1e-8 && (x[1] - 0.25).abs() < 1e-8);
+    /// # Ok::<(), stickslip::Error>(())
+    /// ```
     #[must_use]
     pub fn diagonal(mut self, diagonal: &'a [f64]) -> Self {
         self.diagonal = diagonal;

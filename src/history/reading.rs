@@ -4,14 +4,13 @@ use std::ops::ControlFlow;
 
 use crate::boundary::Boundary;
 use crate::cgm::Settings;
-use crate::coupling::Coupling;
 use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::history::{History, StepResult};
 use crate::normal::NormalSolution;
 use crate::report::Iteration;
-use crate::stiffness::{ContactStiffness, Sheared};
+use crate::stiffness::{ContactStiffness, Pressed, Sheared};
 use crate::tangential::{self, Axis, Friction, Zone};
 use crate::watch::unwatched;
 
@@ -165,7 +164,7 @@ impl History {
     ///
     /// # Errors
     /// [`Error::NotFinite`] where a periodic contact is closed everywhere, [`Error::CoupledMaterials`] where pressure and
-    /// shear are coupled and that is not [neglected](Coupling::Neglected), [`Error::NotConverged`], as [`HalfSpace::operator`](crate::HalfSpace::operator).
+    /// shear are found [together](Coupling::Full), [`Error::NotConverged`], as [`HalfSpace::operator`](crate::HalfSpace::operator).
     #[doc(alias = "tangential stiffness")]
     #[doc(alias = "jacobian")]
     #[doc(alias = "tangent")]
@@ -184,7 +183,7 @@ impl History {
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<ContactStiffness> {
         let pair = self.bodies.pair();
-        if pair.is_coupled() && self.state.coupling != Coupling::Neglected {
+        if self.state.is_joint() {
             let beta = pair.dundurs_beta();
             return Err(Error::CoupledMaterials { beta });
         }
@@ -194,9 +193,14 @@ impl History {
             slip: self.last_step().slip(),
             entered: &self.entered,
         };
-        let (normal, friction) = (self.normal(), self.friction());
+        let pressed = Pressed {
+            normal: self.normal(),
+            friction: self.friction(),
+            hardness: self.state.hardness.as_ref(),
+            is_drawn: self.state.coupling.is_one_way(pair),
+        };
         let (bodies, axis) = (&self.bodies, self.axis());
-        ContactStiffness::of(bodies, normal, friction, &sheared, axis, &mut observer)
+        ContactStiffness::of(bodies, &pressed, &sheared, axis, &mut observer)
     }
 
     /// Moment about z, at the origin of the grid, that the tractions of body 2 exert on body 1.

@@ -8,7 +8,9 @@ use crate::cgm::small::Small;
 use crate::error::{Result, positive};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
-use crate::normal::NormalSolution;
+use crate::influence::{Component, Direction};
+use crate::normal::{Hardness, NormalSolution};
+use crate::operator::Operator;
 use crate::parallel;
 use crate::report::Iteration;
 use crate::stiffness::motions::{Motions, kinds};
@@ -127,7 +129,7 @@ impl NormalSolution {
     ) -> Result<NormalStiffness> {
         bodies.check_alone("a stiffness")?;
         let press = parallel::enter_with(bodies.grid().cells(), || {
-            pressed(bodies, self, &mut Watch::new(&mut observer))
+            pressed(bodies, self, None, &mut Watch::new(&mut observer))
         });
         Ok(stiffness_of(press?.as_ref()))
     }
@@ -213,37 +215,44 @@ impl ContactStiffness {
             entered: &[],
         };
         let axis = shear.axis();
-        Self::of(bodies, normal, friction, &sheared, axis, &mut observer)
+        let pressed = Pressed::new(normal, friction);
+        Self::of(bodies, &pressed, &sheared, axis, &mut observer)
     }
 
     pub(crate) fn of(
         bodies: &HalfSpace,
-        normal: &NormalSolution,
-        friction: &Friction,
+        pressed: &Pressed<'_>,
         sheared: &Sheared<'_>,
         axis: Option<Axis>,
         observer: Observer<'_>,
     ) -> Result<Self> {
-        friction.check(bodies.grid())?;
+        pressed.friction.check(bodies.grid())?;
         parallel::enter_with(bodies.grid().cells(), || {
             let watch = &mut Watch::new(observer);
-            Self::watched(bodies, normal, friction, sheared, axis, watch)
+            Self::watched(bodies, pressed, sheared, axis, watch)
         })
     }
 
     fn watched(
         bodies: &HalfSpace,
-        normal: &NormalSolution,
-        friction: &Friction,
+        contact: &Pressed<'_>,
         sheared: &Sheared<'_>,
         axis: Option<Axis>,
         watch: &mut Watch<'_>,
     ) -> Result<Self> {
-        let press = pressed(bodies, normal, watch)?;
+        let Pressed {
+            normal,
+            friction,
+            hardness,
+            is_drawn,
+        } = *contact;
+        let press = pressed(bodies, normal, hardness, watch)?;
         let zeros = || buffer::zeros(bodies.grid().cells());
         let mut changes = ByApproach {
             limits: zeros()?,
             relative: zeros()?,
+            pressure: zeros()?,
+            is_drawn,
         };
         if let Some(press) = &press {
             let pressure = normal.pressure().as_slice();
@@ -251,6 +260,7 @@ impl ContactStiffness {
                 if pressure[i] > 0.0 {
                     changes.limits[i] = friction.slope(i, pressure[i]) * growth;
                     changes.relative[i] = growth / pressure[i];
+                    changes.pressure[i] = *growth;
                 }
             }
         }
@@ -279,6 +289,51 @@ fn without_contact(
     (stiffness, none)
 }
 
+/// What is known of a pressed contact.
+#[derive(Clone, Copy)]
+pub(crate) struct Pressed<'a> {
+    pub(crate) normal: &'a NormalSolution,
+    pub(crate) friction: &'a Friction,
+    pub(crate) hardness: Option<&'a Hardness>,
+    /// Whether pressure moves the surfaces tangentially, and shear does not change it.
+    pub(crate) is_drawn: bool,
+}
+
+impl<'a> Pressed<'a> {
+    /// Of elastic bodies whose pressure moves the surfaces normally alone.
+    fn new(normal: &'a NormalSolution, friction: &'a Friction) -> Self {
+        Self {
+            normal,
+            friction,
+            hardness: None,
+            is_drawn: false,
+        }
+    }
+}
+
+/// Adds the tangential displacement that pressures of the grid cause in the cells of a window.
+fn add_drawn<const N: usize>(
+    bodies: &HalfSpace,
+    axes: [Axis; N],
+    window: Window,
+    pressure: &[f64],
+    displacement: &mut Vector<N>,
+) -> Result<()> {
+    let mut inside = buffer::zeros(window.cells())?;
+    window.gather(pressure, &mut inside);
+    let mut drawn = buffer::zeros(window.cells())?;
+    for (part, axis) in displacement.iter_mut().zip(axes) {
+        let component = Component::of(axis.direction(), Direction::Z);
+        let operator = bodies.convolution([[component]], window.size)?;
+        let mut workspace = operator.try_workspace()?;
+        operator.apply([&inside], [&mut drawn], &mut workspace);
+        for (u, drawn) in part.iter_mut().zip(&drawn) {
+            *u += drawn;
+        }
+    }
+    Ok(())
+}
+
 /// What is known of a sheared contact.
 pub(crate) struct Sheared<'a> {
     pub(crate) zones: &'a [Zone],
@@ -295,6 +350,9 @@ struct ByApproach {
     limits: Vec<f64>,
     /// The pressures, each over itself.
     relative: Vec<f64>,
+    pressure: Vec<f64>,
+    /// Whether pressure moves the surfaces tangentially.
+    is_drawn: bool,
 }
 
 impl Sheared<'_> {
@@ -355,6 +413,9 @@ impl Sheared<'_> {
         if let Some(changes) = changes {
             let forced = self.forced(axes, window, &changes.limits)?;
             let mut displacement = loading.displacement(&forced, watch)?;
+            if changes.is_drawn {
+                add_drawn(bodies, axes, window, &changes.pressure, &mut displacement)?;
+            }
             // A compliance of its own falls as the pressure grows.
             for (k, i) in window.indices().enumerate() {
                 let q = Self::at(self.traction, axes, i);

@@ -16,7 +16,9 @@
 //! All of that holds the pressure while the bodies are sheared, and the tractions while they are pressed. Where pressure and
 //! shear have been found together, in [coupled](crate::coupled) solutions and histories of dissimilar bodies, a stiffness
 //! is refused with [`Error::CoupledMaterials`](crate::Error::CoupledMaterials); of solutions that neglect the coupling it
-//! is that of the model.
+//! is that of the model. Histories have more: in steps that grow, cells that entered follow the motion by
+//! their [own compliance](crate::guide::growing_contacts); under a hardness, cells that have reached it carry no more as long as
+//! the bodies are pressed further; where pressure draws the surfaces in one way, pressing shears.
 //!
 //! The motions are shift along x, shift along y and twist; the loads are the forces and the moment about the origin of
 //! the grid. What a model leaves out is `None`: in the scalar model the motion across its axis and the twist. The matrices
@@ -53,5 +55,5 @@ mod motions;
 mod press;
 mod system;
 
-pub(crate) use contact::Sheared;
 pub use contact::{ContactStiffness, NormalStiffness, TangentialStiffness};
+pub(crate) use contact::{Pressed, Sheared};

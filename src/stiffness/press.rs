@@ -4,7 +4,7 @@ use crate::buffer;
 use crate::error::Result;
 use crate::half_space::HalfSpace;
 use crate::influence::Direction;
-use crate::normal::NormalSolution;
+use crate::normal::{Hardness, NormalSolution};
 use crate::stiffness::contact::NormalStiffness;
 use crate::stiffness::system::{Freedom, Stiffness, System};
 use crate::watch::Watch;
@@ -18,22 +18,27 @@ pub(super) struct Press {
     pub(super) growth: Vec<f64>,
 }
 
-/// `None` without contact.
+/// `None` without contact. Cells at this hardness carry no more pressure.
 pub(super) fn pressed(
     bodies: &HalfSpace,
     normal: &NormalSolution,
+    hardness: Option<&Hardness>,
     watch: &mut Watch<'_>,
 ) -> Result<Option<Press>> {
     normal.check_bodies(bodies)?;
     normal.check_uncoupled()?;
-    normal.check_elastic("the stiffness")?;
+    if hardness.is_none() {
+        normal.check_elastic("the stiffness")?;
+    }
     let pressure = normal.pressure().as_slice();
     let Some(window) = Window::around(bodies.grid(), |i| pressure[i] > 0.0) else {
         return Ok(None);
     };
     let window = bodies.confined(window);
     let freedom = |i: usize| {
-        if pressure[i] > 0.0 {
+        let limits = hardness.map(Hardness::limits);
+        let yields = limits.is_some_and(|limits| limits.are_reached(i, pressure[i]));
+        if pressure[i] > 0.0 && !yields {
             Freedom::Free
         } else {
             Freedom::Fixed

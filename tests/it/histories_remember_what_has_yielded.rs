@@ -85,11 +85,13 @@ fn what_it_cannot_model_is_refused() {
     let mut one_way = builder(&coupled, Coupling::OneWay).unwrap();
     one_way.step(&press(0.05)).unwrap();
     assert_eq!(one_way.pressure().max(), 0.01);
-    // The slope of an elastic contact is not that of one that yields.
+    // A solution does not know which of its cells have yielded, a history does.
     let (bodies, gap) = scene();
     let mut yields = history(&bodies, &gap, TangentialModel::Scalar, false);
     yields.step(&press(0.004)).unwrap();
-    assert!(matches!(yields.stiffness(), Err(Error::Yielded { cells, .. }) if cells > 10));
+    let outcome = yields.normal().stiffness(&bodies);
+    assert!(matches!(outcome, Err(Error::Yielded { cells, .. }) if cells > 10));
+    assert!(yields.stiffness().is_ok());
 
     // Without a limit, a material that states what it bears is heard.
     let stated = rubber.with_hardness(0.01).unwrap();

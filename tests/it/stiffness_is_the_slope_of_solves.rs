@@ -1,10 +1,12 @@
 //! The stiffness of a contact is the slope of its solves, and that of the closed forms.
 
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};
+use stickslip::history::HistoryBuilder;
+use stickslip::normal::Hardness;
 use stickslip::stiffness::ContactStiffness;
 use stickslip::{
-    Axis, Boundary, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
-    LoadStep, Material, NormalControl, NormalProblem, NormalSolution, TangentialControl,
+    Axis, Boundary, CoupledProblem, Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace,
+    History, LoadStep, Material, NormalControl, NormalProblem, NormalSolution, TangentialControl,
     TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution, surface,
 };
 
@@ -470,57 +472,92 @@ fn other_bodies_and_closed_gaps_are_refused() {
 #[test]
 fn steps_that_grow_have_the_stiffness_of_whole_steps() {
     use TangentialModel::{Scalar, Vector};
-    let scenes = [
+    for scene in [
         Scene::ball(48, 0.0, Scalar),
         Scene::ball(48, 0.3, Vector),
         Scene::rough(Boundary::NonPeriodic, Vector),
         Scene::rough(Boundary::Periodic, Vector),
-    ];
-    for scene in &scenes {
-        let deep = scene.press(NormalControl::Force(6.0)).approach();
-        let low = scene.press(NormalControl::Force(3.0)).approach();
-        let growth = deep - low;
-        for part in [0.1, 0.35] {
-            let y = f64::from(u8::from(scene.model == Vector));
-            let shift = [part * growth, 0.4 * part * growth * y];
-            let mut start = History::builder(&scene.bodies, &scene.gap, scene.friction.clone())
-                .model(scene.model)
-                .tolerance(SOLVE)
-                .build()
-                .unwrap();
-            let load = |approach: f64, shift: [f64; 2]| {
-                LoadStep::shift(shift).normal(NormalControl::Approach(approach))
-            };
-            start.step(&load(low, [0.0; 2])).unwrap();
-            start.step(&load(low, shift.map(|s| 0.5 * s))).unwrap();
-            let taken = |approach: f64, shift: [f64; 2]| {
-                let mut history = start.clone();
-                history.step(&load(approach, shift)).unwrap();
-                history
-            };
-            let end = taken(deep, shift);
-            let stiffness = end.stiffness().unwrap();
-            let small = 1e-5 * growth;
-            let slope = |change: [f64; 3]| {
-                let [more, less] = [small, -small].map(|h| {
-                    let [z, x, y] = change.map(|part| h * part);
-                    let moved = taken(deep + z, [shift[0] + x, shift[1] + y]);
-                    assert_eq!(moved.zones(), end.zones());
-                    moved.tangential_force()
-                });
-                [0, 1].map(|axis| (more[axis] - less[axis]) / (2.0 * small))
-            };
-            let scale = numbers(stiffness.tangential.reversal)[0][0];
-            let loading = numbers(stiffness.tangential.loading);
-            let by_approach = stiffness.by_approach.map(|load| load.unwrap_or(f64::NAN));
-            for axis in 0..if scene.model == Vector { 2 } else { 1 } {
-                let along_x = slope([0.0, 1.0, 0.0])[axis];
-                let by_press = slope([1.0, 0.0, 0.0])[axis];
-                let errors = [along_x - loading[axis][0], by_press - by_approach[axis]];
-                for error in errors {
-                    assert!((error / scale).abs() < 1e-6, "{part} {axis}: {errors:?}");
-                }
-            }
+    ] {
+        let builder = History::builder(&scene.bodies, &scene.gap, scene.friction.clone());
+        assert_steps_have_their_stiffness(&scene, builder.model(scene.model));
+    }
+}
+
+/// Cells at the hardness carry no more as the approach grows.
+#[test]
+fn contacts_that_yield_have_the_stiffness_of_steps() {
+    for scene in [
+        Scene::ball(48, 0.3, TangentialModel::Scalar),
+        Scene::ball(48, 0.3, TangentialModel::Vector),
+    ] {
+        let elastic = scene.press(NormalControl::Force(6.0));
+        let hardness = Hardness::uniform(0.7 * elastic.pressure().max()).unwrap();
+        let builder = History::builder(&scene.bodies, &scene.gap, scene.friction.clone());
+        let builder = builder.model(scene.model).hardness(hardness);
+        assert_steps_have_their_stiffness(&scene, builder);
+    }
+}
+
+/// Pressing shears where it draws the surfaces.
+#[test]
+fn contacts_that_pressure_draws_have_the_stiffness_of_steps() {
+    let mut scene = Scene::ball(48, 0.3, TangentialModel::Vector);
+    let body = Material::new(1.0, 0.2).unwrap();
+    let pair = ElasticPair::new(body, Material::rigid()).unwrap();
+    scene.bodies = HalfSpace::new(scene.gap.grid(), pair).unwrap();
+    let builder = History::builder(&scene.bodies, &scene.gap, scene.friction.clone());
+    let builder = builder.model(scene.model).coupling(Coupling::OneWay);
+    assert_steps_have_their_stiffness(&scene, builder);
+}
+
+/// Central differences of whole steps, from contact to a larger one, are the stiffness at the end.
+fn assert_steps_have_their_stiffness(scene: &Scene, builder: HistoryBuilder<'_>) {
+    let [low, deep] = [3.0, 6.0].map(|force| scene.press(NormalControl::Force(force)).approach());
+    let growth = deep - low;
+    let first = builder.tolerance(SOLVE).build().unwrap();
+    let axes = if scene.model == TangentialModel::Vector {
+        2
+    } else {
+        1
+    };
+    for part in [0.1, 0.35] {
+        let across = if axes == 2 { 0.4 } else { 0.0 };
+        let shift = [part * growth, across * part * growth];
+        let load = |approach: f64, shift: [f64; 2]| {
+            LoadStep::shift(shift).normal(NormalControl::Approach(approach))
+        };
+        let mut start = first.clone();
+        start.step(&load(low, [0.0; 2])).unwrap();
+        start.step(&load(low, shift.map(|s| 0.5 * s))).unwrap();
+        let taken = |approach: f64, shift: [f64; 2]| {
+            let mut history = start.clone();
+            history.step(&load(approach, shift)).unwrap();
+            history
+        };
+        let end = taken(deep, shift);
+        let stiffness = end.stiffness().unwrap();
+        let small = 1e-5 * growth;
+        let slope = |change: [f64; 3]| {
+            let [more, less] = [small, -small].map(|h| {
+                let [z, x, y] = change.map(|part| h * part);
+                let moved = taken(deep + z, [shift[0] + x, shift[1] + y]);
+                assert_eq!(moved.zones(), end.zones());
+                let [fx, fy] = moved.tangential_force();
+                [moved.normal().force(), fx, fy]
+            });
+            [0, 1, 2].map(|load| (more[load] - less[load]) / (2.0 * small))
+        };
+        let scale = numbers(stiffness.tangential.reversal)[0][0];
+        let loading = numbers(stiffness.tangential.loading);
+        let by_approach = stiffness.by_approach.map(|load| load.unwrap_or(f64::NAN));
+        let (along_x, by_press) = (slope([0.0, 1.0, 0.0]), slope([1.0, 0.0, 0.0]));
+        let mut errors = vec![by_press[0] - stiffness.normal.value];
+        for axis in 0..axes {
+            errors.push(along_x[1 + axis] - loading[axis][0]);
+            errors.push(by_press[1 + axis] - by_approach[axis]);
+        }
+        for error in &errors {
+            assert!((error / scale).abs() < 1e-6, "{part}: {errors:?}");
         }
     }
 }

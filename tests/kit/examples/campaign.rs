@@ -61,7 +61,8 @@ struct Summary {
     name: &'static str,
     /// Whether endings are counted kind by kind.
     has_kinds: bool,
-    endings: BTreeMap<String, usize>,
+    /// Solves that ended so, and their products.
+    endings: BTreeMap<String, [usize; 2]>,
     compared: BTreeMap<&'static str, usize>,
     /// Largest ratio of the true error to the certified one, and its scene.
     tightest: (f64, u64),
@@ -77,7 +78,11 @@ impl Summary {
         } else {
             row.ending.clone()
         };
-        *self.endings.entry(ending).or_default() += 1;
+        let products = row.report.as_ref().map_or(0, |report| {
+            report.double_precision_products + report.single_precision_products
+        });
+        let [solves, sum] = self.endings.entry(ending).or_default();
+        (*solves, *sum) = (*solves + 1, *sum + products);
         if let (Some(error), Some(report)) = (row.error, &row.report) {
             *self.compared.entry(error.against).or_default() += 1;
             let ratio = (error.value - error.slack).max(0.0) / report.energy_error_bound();
@@ -105,8 +110,8 @@ impl Summary {
 
 impl std::fmt::Display for Summary {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        for (ending, count) in &self.endings {
-            writeln!(formatter, "{count:>8}  {ending}")?;
+        for (ending, [solves, products]) in &self.endings {
+            writeln!(formatter, "{solves:>8}  {ending}, {products} products")?;
         }
         for (against, count) in &self.compared {
             writeln!(formatter, "{count:>8}  compared with: {against}")?;
