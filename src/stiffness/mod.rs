@@ -51,9 +51,11 @@
 //! ```
 
 mod contact;
+mod coupled;
 mod motions;
 mod press;
 mod system;
 
 pub use contact::{ContactStiffness, NormalStiffness, TangentialStiffness};
 pub(crate) use contact::{Pressed, Sheared};
+pub(crate) use coupled::Coupled;
