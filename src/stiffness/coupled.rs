@@ -3,11 +3,10 @@
 use std::sync::Arc;
 
 use crate::boundary::Boundary;
-use crate::buffer;
+use crate::buffer::{self, try_each};
 use crate::cgm::cone::{ConeProblem, ConeWorkspace, Stand, responses};
-use crate::cgm::vector::slices;
 use crate::cgm::{Settings, Total};
-use crate::error::{Result, finite};
+use crate::error::{Error, Result, finite};
 use crate::field::Field;
 use crate::half_space::{Compliance, HalfSpace, Region};
 use crate::influence::Direction;
@@ -70,7 +69,7 @@ impl Coupled<'_> {
         })
     }
 
-    /// The loads by a unit of each motion, of those that the grid allows: the approach first.
+    /// The loads by a unit of each motion that the grid allows, the approach first.
     fn loads(
         &self,
         bodies: &HalfSpace,
@@ -78,31 +77,11 @@ impl Coupled<'_> {
         slips: bool,
         observer: Observer<'_>,
     ) -> Result<[Loads; 4]> {
-        let (grid, region) = (bodies.grid(), Region::new(bodies, window));
-        let directions = [Direction::Z, Direction::X, Direction::Y];
-        let Compliance { operator, inverse } = bodies.compliance(directions, window.size)?;
-        let normal = bodies.compliance([Direction::Z], window.size)?.operator;
-        let plane = bodies
-            .compliance([Direction::X, Direction::Y], window.size)?
-            .operator;
-        let lower_bounds = [normal.lower_bound(), plane.lower_bound()];
-        let gathered = |field: &[f64]| {
-            let mut part = buffer::zeros(window.cells())?;
-            region.gather(field, &mut part);
-            Ok::<_, crate::Error>(part)
-        };
-        let [x, y] = self.traction.map(Field::as_slice);
-        let tractions = [
-            gathered(self.pressure.as_slice())?,
-            gathered(x)?,
-            gathered(y)?,
-        ];
-        let [x, y] = self.slip.map(Field::as_slice);
-        let slip = [gathered(x)?, gathered(y)?];
-        let entered = match self.entered {
-            entered if slips && !entered.is_empty() => gathered(entered)?,
-            _ => Vec::new(),
-        };
+        let (size, region) = (window.size, Region::new(bodies, window));
+        let [x, y, z] = [Direction::X, Direction::Y, Direction::Z];
+        let Compliance { operator, inverse } = bodies.compliance([z, x, y], size)?;
+        let normal = bodies.compliance([z], size)?.operator;
+        let plane = bodies.compliance([x, y], size)?.operator;
         let friction = &self.friction.within(&region);
         let problem = ConeProblem {
             operator: Arc::clone(&operator),
@@ -112,38 +91,33 @@ impl Coupled<'_> {
             closing: None,
             friction,
             totals: [Total::Free; N],
-            lower_bounds,
+            lower_bounds: [normal.lower_bound(), plane.lower_bound()],
             coupling: 0.0,
         };
+        let gathered = |field: &[f64]| {
+            let mut part = buffer::zeros(window.cells())?;
+            region.gather(field, &mut part);
+            Ok::<Vec<f64>, Error>(part)
+        };
+        let pressure = gathered(self.pressure.as_slice())?;
+        let [qx, qy, sx, sy] = try_each(|c| {
+            let [q, s] = [self.traction, self.slip];
+            gathered([q[0], q[1], s[0], s[1]][c].as_slice())
+        })?;
+        let has_entered = slips && !self.entered.is_empty();
+        let entered = has_entered.then(|| gathered(self.entered)).transpose()?;
         let stand = Stand {
-            x: slices(&tractions),
-            slip: slices(&slip),
-            own: &entered,
+            x: [&pressure, &qx, &qy],
+            slip: [&sx, &sy],
+            own: entered.as_deref().unwrap_or(&[]),
             slips,
         };
-        let points: Vec<[f64; 2]> = window.indices().map(|i| centre(grid, i)).collect();
-        let motions: [fn([f64; 2]) -> [f64; N]; 4] = [
-            |_| [1.0, 0.0, 0.0],
-            |_| [0.0, 1.0, 0.0],
-            |_| [0.0, 0.0, 1.0],
-            |[x, y]| [0.0, -y, x],
-        ];
-        let kinds = if bodies.boundary().may_turn() { 4 } else { 3 };
-        let motion = |of: fn([f64; 2]) -> [f64; N]| {
-            let mut cells: [Vec<f64>; N] = buffer::vector(window.cells())?;
-            for (k, point) in points.iter().enumerate() {
-                for (part, value) in cells.iter_mut().zip(of(*point)) {
-                    part[k] = value;
-                }
-            }
-            Ok(cells)
-        };
-        let motions = motions[..kinds].iter().map(|of| motion(*of));
-        let motions = motions.collect::<Result<Vec<_>>>()?;
+        let (grid, motions) = (bodies.grid(), motions(bodies, window)?);
         let mut workspace = ConeWorkspace::new(&operator, &inverse)?;
+        let settings = self.settings;
         let found = responses(
             &problem,
-            self.settings,
+            settings,
             stand,
             &motions,
             &mut workspace,
@@ -151,14 +125,36 @@ impl Coupled<'_> {
         )?;
         let mut loads = [[0.0; 4]; 4];
         for (loads, found) in loads.iter_mut().zip(&found) {
-            for (k, [x, y]) in points.iter().enumerate() {
-                let [dp, dx, dy] = [0, 1, 2].map(|c| grid.cell_area() * found[c][k]);
-                let parts = [dp, dx, dy, x * dy - y * dx];
+            for (k, i) in window.indices().enumerate() {
+                let [x, y] = centre(grid, i);
+                let [p, qx, qy] = [0, 1, 2].map(|c| grid.cell_area() * found[c][k]);
+                let parts = [p, qx, qy, x * qy - y * qx];
                 *loads = [0, 1, 2, 3].map(|load| loads[load] + parts[load]);
             }
         }
         Ok(loads)
     }
+}
+
+/// Approach, shifts along x and y and, where the grid can turn, twist about its origin, as motions of the cells.
+fn motions(bodies: &HalfSpace, window: Window) -> Result<Vec<[Vec<f64>; N]>> {
+    let all: [fn([f64; 2]) -> [f64; N]; 4] = [
+        |_| [1.0, 0.0, 0.0],
+        |_| [0.0, 1.0, 0.0],
+        |_| [0.0, 0.0, 1.0],
+        |[x, y]| [0.0, -y, x],
+    ];
+    let kinds = if bodies.boundary().may_turn() { 4 } else { 3 };
+    let of_cells = |moved: &fn([f64; 2]) -> [f64; N]| {
+        let mut cells: [Vec<f64>; N] = buffer::vector(window.cells())?;
+        for (k, i) in window.indices().enumerate() {
+            for (part, value) in cells.iter_mut().zip(moved(centre(bodies.grid(), i))) {
+                part[k] = value;
+            }
+        }
+        Ok(cells)
+    };
+    all[..kinds].iter().map(of_cells).collect()
 }
 
 impl ContactStiffness {

@@ -12,8 +12,7 @@ use crate::cgm::vector::{at, slices, slices_mut, within};
 use crate::cgm::{Settings, reduce};
 use crate::error::{Error, Result};
 use crate::operator::Operator;
-use crate::report::Status;
-use crate::watch::Observer;
+use crate::report::{Iteration, Status};
 
 /// Residual of a response, over that without one.
 const SOLVED: f64 = 1e-11;
@@ -42,7 +41,7 @@ pub(crate) fn responses<C: Operator<N>, P: Operator<N>, F: Cone>(
     stand: Stand<'_>,
     motions: &[[Vec<f64>; N]],
     workspace: &mut ConeWorkspace<C, P>,
-    observer: Observer<'_>,
+    observer: &mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
 ) -> Result<Vec<[Vec<f64>; N]>> {
     let mut tractions: [Vec<f64>; N] = buffer::vector(stand.x[0].len())?;
     for (own, x) in tractions.iter_mut().zip(stand.x) {
