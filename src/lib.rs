@@ -94,7 +94,7 @@
 //! | [hardness](normal::Hardness), permanent set | yes | yes | yes | yes | not yet |
 //! | [stiffness](History::stiffness) of histories | yes | yes | yes | yes | yes, without a bound |
 //! | stiffness of problems | yes, elastic ones | yes | yes | yes | by a step of a history |
-//! | [ranks](crate::ranks) | yes | yes | yes | yes | yes |
+//! | [`ranks`] | yes | yes | yes | yes | yes |
 //! | twist | - | - | yes | yes | yes |
 //!
 //! A stiffness of contacts that ranks share is not there yet, and the twist needs a grid that does not repeat.

@@ -90,7 +90,7 @@ impl History {
 
     /// Displacement of the surface of body 1 relative to that of body 2 by the tractions (lengths), of all
     /// cells, in contact or not: computed when asked for, by the operators that the bodies then keep. With
-    /// [`Coupling::Full`] that by the pressure is part of it.
+    /// [`Coupling::Full`](crate::Coupling::Full) that by the pressure is part of it.
     ///
     /// # Errors
     /// As [`HalfSpace::operator`](crate::HalfSpace::operator); [`Error::Ranks`](crate::Error::Ranks).
