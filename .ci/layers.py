@@ -56,7 +56,7 @@ LAYERS = [
     }),
     ("the engine, and what it works on", {
         "half_space": FOUNDATION | {"contact_map", "levels", "operator", "influence", "fft", "io", "surface", "window"},
-        "cgm": {"buffer", "clock", "error", "layout", "report", "parallel", "operator", "ranks", "reduce", "serial"},
+        "cgm": {"buffer", "clock", "error", "layout", "report", "parallel", "per_cell", "operator", "ranks", "reduce", "serial"},
         "elastic": ENGINE,
         "passes": {"clock", "error", "report", "cgm", "elastic"},
         "cascade": ENGINE | {"elastic", "passes"},

@@ -91,7 +91,7 @@
 //! | [problems](NormalProblem), [histories](History), wear, cycles | yes | yes | yes | yes | yes |
 //! | grids that repeat along one axis or both, [lines](Grid::line) | yes | yes | yes | yes | yes |
 //! | [cells that enter](guide::growing_contacts) the contact in a step | - | yes | yes | yes | yes |
-//! | [hardness](normal::Hardness), permanent set | yes | yes | yes | yes | not yet |
+//! | [hardness](normal::Hardness), permanent set | yes | yes | yes | yes | histories |
 //! | [stiffness](History::stiffness) of histories | yes | yes | yes | yes | yes, without a bound |
 //! | stiffness of problems | yes, elastic ones | yes | yes | yes | by a step of a history |
 //! | [`ranks`] | yes | yes | yes | yes | yes |

@@ -132,6 +132,7 @@ pub use problem::{Minimum, Problem, minimise, minimise_with};
 #[cfg(feature = "dense")]
 pub(crate) use set::check as check_constraint;
 pub use set::{Admissible, Ball, Bounds, Constraint, Magnitude, NonNegative, Within};
+pub(crate) use set::{Carried, UNLIMITED};
 pub use settings::{Method, Settings};
 pub(crate) use settings::{settings_methods, solver_settings};
 pub use totals::Total;

@@ -8,7 +8,9 @@
 //!
 //! It is for cells much longer than wide that repeat, where the eigenvalues of $`C`$ span as many decades as the
 //! sides, with bounds in the plane: of 10 000 grids of white noise, sheared obliquely, with cells of 1 : 1 to 1 : 1e6
-//! and 2 to 15 of them along each side, none is left unsolved; projected gradients alone left 3 in 100.
+//! and 2 to 15 of them along each side, none is left unsolved; projected gradients alone left 3 in 100. Alone, without the
+//! projected gradients before them, they are dearer: of 80 000 solves of random scenes 16 more stalled, and those whose
+//! pressure the hardness bounds took half as many products more.
 
 use std::ops::ControlFlow;
 

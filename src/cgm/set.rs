@@ -2,6 +2,7 @@
 
 use crate::cgm::{Disc, Interval};
 use crate::error::{Result, length};
+use crate::per_cell::PerCell;
 
 /// The sets of all cells: one closed convex set a cell, from those that [`Admissible`] lists.
 ///
@@ -86,6 +87,32 @@ impl Constraint for NonNegative {
         }
     }
 }
+
+/// `0 <= p <= H`, with or without a limit.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Carried<'a>(pub(crate) PerCell<&'a [f64]>);
+
+impl Constraint for Carried<'_> {
+    type Set = Interval;
+
+    fn cells(&self) -> Option<usize> {
+        match self.0 {
+            PerCell::Uniform(_) => None,
+            PerCell::Cells(cells) => Some(cells.len()),
+        }
+    }
+
+    #[inline]
+    fn of(&self, cell: usize) -> Interval {
+        Interval {
+            lower: 0.0,
+            upper: self.0.of(cell),
+        }
+    }
+}
+
+/// Where nothing limits the pressure.
+pub(crate) const UNLIMITED: PerCell<&[f64]> = PerCell::Uniform(f64::INFINITY);
 
 /// `lower_i <= x_i <= upper_i`.
 ///

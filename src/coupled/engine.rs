@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use crate::boundary::Boundary;
-use crate::buffer;
+use crate::buffer::{self, TryClone};
 use crate::cascade::Conditions;
 use crate::cgm::cone::{self, Cone, ConeFindings, ConeProblem, ConeWorkspace, Opening};
 use crate::cgm::vector::{slices, slices_mut};
-use crate::cgm::{Disc, Interval, Known, Magnitude, NonNegative, Settings, Total, reduce};
+use crate::cgm::{Carried, Disc, Interval, Known, Magnitude, Settings, Total, UNLIMITED, reduce};
 use crate::coupled::CoupledReport;
 use crate::coupled::contraction::Contraction;
 use crate::coupled::task::{N, Start, Task};
@@ -18,8 +18,10 @@ use crate::half_space::{Compliance, HalfSpace, Region};
 use crate::influence::Direction;
 use crate::layout::Layout;
 use crate::left_behind::OfSize;
+use crate::normal::Hardness;
 use crate::operator::Operator;
 use crate::passes::{ended_from_outside, with_counts_of, with_time_left};
+use crate::per_cell::PerCell;
 use crate::report::{Report, Status};
 use crate::tangential::FrictionWithin;
 use crate::window::Window;
@@ -58,8 +60,12 @@ pub(super) struct Engine {
     /// `kappa g` of the cells that would enter the contact, if any would.
     closing: Vec<f64>,
     enters: bool,
+    /// `kappa g / p` of the pressure of a half; of no cells where none enters.
+    own: Vec<f64>,
     image: [Vec<f64>; N],
     limits: Vec<f64>,
+    /// The largest pressure of each cell.
+    hardness: PerCell<Vec<f64>>,
 }
 
 /// The products of the whole grid.
@@ -116,8 +122,10 @@ impl Engine {
             linear: buffer::vector(cells)?,
             closing: Vec::new(),
             enters: false,
+            own: Vec::new(),
             image: buffer::vector(cells)?,
             limits: buffer::zeros(cells)?,
+            hardness: PerCell::Uniform(f64::INFINITY),
         })
     }
 
@@ -186,6 +194,12 @@ impl Engine {
             buffer::resize(&mut self.closing, self.region.cells(), 0.0)?;
             self.region.gather(closing, &mut self.closing);
         }
+        let limits = task.hardness.map_or(UNLIMITED, Hardness::limits);
+        self.hardness = limits.try_map(|cells| {
+            let mut part = buffer::zeros(self.region.cells())?;
+            self.region.gather(cells, &mut part);
+            Ok(part)
+        })?;
         let friction = &task.friction.within(&self.region);
         let (mut sweeps, mut opening) = match start {
             Start::Halves => (1, Opening::Sound),
@@ -203,8 +217,15 @@ impl Engine {
             }
             // A half that was stopped left the tractions beyond the limits of its pressure: all at once they are brought
             // back and measured, and stopped too.
+            let halves = (sweeps > 0).then(|| self.x.try_clone()).transpose()?;
+            let multiplier = self.workspace.multiplier();
             let (status, findings) = self.newton(task, friction, opening, conditions, report)?;
             let status = status.or(stopped);
+            if let Some(halves) = halves.filter(|_| status.is_none()) {
+                // Where the sets have cycled nothing is better than what the halves came to, and they go on from there.
+                self.x = halves;
+                self.workspace.set_multiplier(multiplier);
+            }
             report.take(&findings);
             let (contraction, coefficient) = (self.contraction, task.largest_coefficient);
             report.error_estimate = contraction.estimate(coefficient, &findings);
@@ -240,6 +261,7 @@ impl Engine {
             layout: &self.layout,
             linear: slices(&self.asked),
             closing: self.enters.then_some(&self.closing),
+            hardness: self.hardness.map(Vec::as_slice),
             friction,
             totals: task.totals,
             lower_bounds: self.lower_bounds,
@@ -295,7 +317,7 @@ impl Engine {
             diagonal: &[],
             linear: [&self.linear[0]],
             datum: [0.0],
-            constraint: NonNegative,
+            constraint: Carried(self.hardness.map(Vec::as_slice)),
             totals: [task.totals[0]],
             known: Known::Nothing,
         };
@@ -330,9 +352,10 @@ impl Engine {
             self.x[2].fill(0.0);
             return Ok(None);
         }
+        self.set_own()?;
         let ([_, x, y], [_, asked_x, asked_y]) = (&mut self.x, &self.linear);
         let posed = Posed {
-            diagonal: &[],
+            diagonal: &self.own,
             linear: [asked_x.as_slice(), asked_y],
             datum: [0.0; 2],
             constraint: Magnitude(&self.limits),
@@ -347,6 +370,21 @@ impl Engine {
         self.plane.rest();
         report.tangential.add_pass(self.plane.report());
         ended
+    }
+
+    /// The compliance that the cells have of their own at the present pressure.
+    fn set_own(&mut self) -> Result<()> {
+        self.own.clear();
+        if self.enters {
+            buffer::resize(&mut self.own, self.closing.len(), 0.0)?;
+            let cells = self.closing.iter().zip(&self.x[0]);
+            for (own, (closing, pressure)) in self.own.iter_mut().zip(cells) {
+                if *pressure > 0.0 {
+                    *own = (closing / pressure).min(f64::MAX);
+                }
+            }
+        }
+        Ok(())
     }
 
     /// The friction limits of the present pressure; returns their sum.

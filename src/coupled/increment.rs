@@ -12,7 +12,7 @@ use crate::error::{Error, Result, finite};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::influence::Direction;
-use crate::normal::{NormalControl, NormalSolution};
+use crate::normal::{Hardness, NormalControl, NormalSolution};
 use crate::parallel;
 use crate::report::Report;
 use crate::tangential::{
@@ -56,6 +56,8 @@ pub(crate) struct CoupledDemand<'a> {
     /// The gap before loading.
     pub(crate) gap: &'a Field,
     pub(crate) friction: &'a Friction,
+    /// What limits the pressure, if anything does.
+    pub(crate) hardness: Option<&'a Hardness>,
     /// Force or approach.
     pub(crate) normal: NormalControl,
     pub(crate) tangential: Demand,
@@ -239,6 +241,7 @@ impl CoupledIncrement {
             totals,
             multiplier: self.expected(&totals, datum),
             friction: demand.friction,
+            hardness: demand.hardness,
             largest_coefficient,
             is_doubtful: demand.is_doubtful(),
         };
@@ -294,9 +297,18 @@ impl CoupledIncrement {
         let contact = self.contact().unwrap_or(Window::whole(grid));
         // What grows a little is better given room than solved twice.
         let grown = contact.with_margins(grid, [GROWTH; 2]);
-        let fits = self.window().is_some_and(|window| window.covers(grown));
-        if !fits {
-            self.engines.work_on(&self.bodies, contact.widened(grid))?;
+        let (bodies, total) = (&self.bodies, task.totals[0]);
+        let holds = |window: Window| {
+            let hardness = task.hardness;
+            hardness.is_none_or(|hardness| hardness.holds(bodies, window, total))
+        };
+        let fits = |window: Window| window.covers(grown) && holds(window);
+        if !self.window().is_some_and(fits) {
+            let mut window = contact.widened(grid);
+            while !holds(window) && window != Window::whole(grid) {
+                window = window.widened(grid);
+            }
+            self.engines.work_on(bodies, window)?;
         }
         loop {
             let Some(engine) = &mut self.engines.present else {

@@ -2,10 +2,11 @@
 
 use crate::buffer::try_each;
 use crate::cascade::{Conditions, is_worth_coarsening};
-use crate::cgm::{Admissible, Disc};
+use crate::cgm::{Admissible, Disc, UNLIMITED};
 use crate::coupled::increment::{CoupledDemand, CoupledIncrement};
 use crate::error::Result;
 use crate::field::Field;
+use crate::normal::Hardness;
 use crate::passes::ended_from_outside;
 use crate::tangential::Motion;
 
@@ -25,6 +26,9 @@ impl CoupledIncrement {
         let coarsened = |field: &[f64]| self.bodies.coarsened(&bodies, size, field);
         let gap = Field::from_vec(bodies.grid(), coarsened(demand.gap.as_slice())?)?;
         let friction = demand.friction.coarsened(&self.bodies, &bodies)?;
+        let hardness = demand.hardness;
+        let hardness = hardness.map(|hardness| hardness.coarsened(&self.bodies, &bodies));
+        let hardness = hardness.transpose()?;
         let mut coarse = Self::new(&bodies)?;
         coarse.set_offset(&try_each(|axis| coarsened(self.offset()[axis]))?);
         if self.enters {
@@ -38,6 +42,7 @@ impl CoupledIncrement {
         let coarse_demand = CoupledDemand {
             gap: &gap,
             friction: &friction,
+            hardness: hardness.as_ref(),
             ..demand
         };
         if ended_from_outside(coarse.solve(coarse_demand, before, &mut rough))?.is_some() {
@@ -56,9 +61,11 @@ impl CoupledIncrement {
         let [p, x, y] = try_each(|n| self.bodies.refined(&coarse.bodies, size, parts[n]))?;
         let at_limit = (0..answer.limits.len()).map(|cell| answer.is_at_limit(cell));
         let slips = self.bodies.inherited(&coarse.bodies, size, at_limit)?;
+        let limits = demand.hardness.map_or(UNLIMITED, Hardness::limits);
         for (cell, pressure) in p.iter().enumerate() {
+            let pressure = pressure.min(limits.of(cell));
             let disc = Disc {
-                radius: demand.friction.limit(cell, *pressure),
+                radius: demand.friction.limit(cell, pressure),
             };
             let q = [x[cell], y[cell]];
             let q = if slips[cell] && q[0].hypot(q[1]) > 0.0 {
@@ -66,7 +73,7 @@ impl CoupledIncrement {
             } else {
                 disc.project(q)
             };
-            self.set_cell(cell, [*pressure, q[0], q[1]]);
+            self.set_cell(cell, [pressure, q[0], q[1]]);
         }
         Ok(())
     }

@@ -166,6 +166,7 @@ impl CoupledSolver {
         let demand = CoupledDemand {
             gap: &problem.gap,
             friction: &problem.friction,
+            hardness: None,
             normal: problem.normal,
             tangential: problem.load.demand(),
         };

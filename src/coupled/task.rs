@@ -1,6 +1,7 @@
 //! What is asked of a solve.
 
 use crate::cgm::Total;
+use crate::normal::Hardness;
 use crate::tangential::Friction;
 
 /// Components of a vector: along z, x and y.
@@ -25,6 +26,8 @@ pub(super) struct Task<'a> {
     /// Approach and shift beyond what is prescribed, as far as they are known before.
     pub(super) multiplier: [f64; N],
     pub(super) friction: &'a Friction,
+    /// What limits the pressure, if anything does.
+    pub(super) hardness: Option<&'a Hardness>,
     /// The largest coefficient of the whole grid.
     pub(super) largest_coefficient: f64,
     /// Whether a force that friction does not hold at the pressure found so far ends the solve as stalled at once.

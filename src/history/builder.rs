@@ -3,7 +3,7 @@
 use crate::buffer::TryClone;
 use crate::cgm::{Settings, settings_methods};
 use crate::coupling::Coupling;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::relative::Relative;
@@ -132,7 +132,7 @@ impl HistoryBuilder<'_> {
         self
     }
 
-    /// The largest pressure the cells carry in every step (default: no limit). Not with pressure and shear found together.
+    /// The largest pressure the cells carry in every step (default: no limit).
     pub fn hardness(mut self, hardness: Hardness) -> Self {
         self.hardness = Some(hardness);
         self
@@ -168,11 +168,11 @@ impl HistoryBuilder<'_> {
     /// Checks everything and copies the gap; nothing is solved yet.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`] for gap, friction, hardness or relative displacement,
-    /// [`Error::Sample`] for the gap and for a bulk strain along an axis on which the grid repeats, [`Error::NotModelled`] for a hardness with pressure and shear found together and for
+    /// [`Error::GridMismatch`](crate::Error::GridMismatch) for gap, friction, hardness or relative displacement,
+    /// [`Error::Sample`](crate::Error::Sample) for the gap and for a bulk strain along an axis on which the grid repeats, [`Error::NotModelled`](crate::Error::NotModelled) for
     /// a relative displacement along an axis of which no traction is found,
-    /// [`Error::Method`] for a method that the model does not have,
-    /// [`Error::Tolerance`], [`Error::IterationLimit`]; [`Error::Ranks`].
+    /// [`Error::Method`](crate::Error::Method) for a method that the model does not have,
+    /// [`Error::Tolerance`](crate::Error::Tolerance), [`Error::IterationLimit`](crate::Error::IterationLimit); [`Error::Ranks`](crate::Error::Ranks).
     pub fn build(self) -> Result<History> {
         let bodies = self.bodies;
         let axes = bodies.agreed_alike(
@@ -216,13 +216,6 @@ impl HistoryBuilder<'_> {
         }
         if let Some(hardness) = &self.hardness {
             hardness.check(self.bodies.grid())?;
-            if is_joint {
-                return Err(Error::NotModelled {
-                    quantity: "hardness",
-                    value: hardness.of_cell(0),
-                    remedy: "build it with one-way coupling",
-                });
-            }
         }
         self.gap.check("gap", self.bodies.grid())?;
         self.friction.check(self.bodies.grid())?;

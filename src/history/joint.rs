@@ -59,6 +59,10 @@ impl History {
             control => control,
         };
         normal.check(&self.bodies, &state.gap)?;
+        let hardness = state.hardness.as_ref();
+        if let Some(hardness) = hardness {
+            hardness.check_load(&self.bodies, normal)?;
+        }
         if let Some(memory) = &state.contact {
             joint.set_offset(&memory.offset);
         }
@@ -76,12 +80,17 @@ impl History {
         let demand = CoupledDemand {
             gap: &state.gap,
             friction: &state.friction,
+            hardness,
             normal,
             tangential: load.demand(state.motion.twist),
         };
         joint.solve(demand, state.motion, &mut conditions)?;
         let candidate = self.candidate.take(|| state.normal.try_clone())?;
         joint.write(&state.gap, candidate);
+        if let Some(hardness) = hardness {
+            let pressure = candidate.pressure().as_slice();
+            candidate.set_yielded_cells(hardness.reached_cells(&self.bodies, pressure));
+        }
         Ok(Some(joint.answer().motion))
     }
 }

@@ -189,6 +189,7 @@ impl History {
                 slip: self.last_step().slip(),
                 entered: &self.entered,
                 friction: self.friction(),
+                hardness: self.state.hardness.as_ref(),
                 settings: &self.state.settings,
             };
             return coupled.stiffness(&self.bodies, &mut observer);

@@ -4,14 +4,13 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use crate::buffer::{self, TryClone};
-use crate::cgm::{self, Interval, Iterate, Known, Total};
+use crate::cgm::{self, Carried, Interval, Iterate, Known, Total};
 use crate::elastic::{ElasticSolver, Observer, Posed};
 use crate::error::{Error, Result};
 use crate::fft::{Convolution, ConvolutionWorkspace};
 use crate::half_space::{Compliance, HalfSpace, Region};
 use crate::influence::Direction;
 use crate::left_behind::OfSize;
-use crate::normal::hardness::Carried;
 use crate::operator::Operator;
 use crate::parallel::{self, Blocks};
 use crate::per_cell::PerCell;

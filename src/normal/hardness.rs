@@ -1,13 +1,17 @@
 //! The largest pressure that cells carry.
 
 use crate::buffer::{self, try_clone};
-use crate::cgm::{Constraint, Interval, reduce};
+use crate::cgm::{Total, reduce};
 use crate::error::{Error, Result, all_non_negative, positive};
 use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::normal::{NormalControl, NormalSolution};
 use crate::per_cell::PerCell;
+use crate::window::Window;
+
+/// What the cells of a window carry at least, over what is asked of them: less would leave the pressure no choice.
+const ROOM: f64 = 1.01;
 
 /// The largest pressure H that the softer body carries, of all cells or of each: $`0 \le p \le H`$.
 ///
@@ -156,12 +160,38 @@ impl Hardness {
         self.limit.map(Field::as_slice)
     }
 
+    /// On cells twice as large, each with the mean of those that lie in it.
+    pub(crate) fn coarsened(&self, bodies: &HalfSpace, coarser: &HalfSpace) -> Result<Self> {
+        let limit = self.limit.try_map(|cells| {
+            let size = bodies.grid().whole().size();
+            let coarse = bodies.coarsened(coarser, size, cells.as_slice())?;
+            Field::from_vec(coarser.grid(), coarse)
+        })?;
+        Ok(Self { limit })
+    }
+
     /// `Ok` if the limits fit the grid.
     pub(crate) fn check(&self, grid: Grid) -> Result<()> {
         match &self.limit {
             PerCell::Cells(limits) => grid.expect("hardness", limits.grid()),
             PerCell::Uniform(_) => Ok(()),
         }
+    }
+
+    /// Whether the cells of a window of the grid carry this total of the pressures, and some more.
+    pub(crate) fn holds(&self, bodies: &HalfSpace, window: Window, total: Total) -> bool {
+        let Some(total) = total.sum() else {
+            return true;
+        };
+        let (limits, first) = (self.limits(), bodies.first_cell());
+        let capacity = reduce::sum(&bodies.grid_layout(), |i| {
+            if window.contains(first + i) {
+                limits.of(i)
+            } else {
+                0.0
+            }
+        });
+        capacity > ROOM * total
     }
 
     /// That of it which is the same on all ranks.
@@ -183,29 +213,3 @@ impl Hardness {
         Ok(())
     }
 }
-
-/// `0 <= p <= H`, with or without a limit.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Carried<'a>(pub(super) PerCell<&'a [f64]>);
-
-impl Constraint for Carried<'_> {
-    type Set = Interval;
-
-    fn cells(&self) -> Option<usize> {
-        match self.0 {
-            PerCell::Uniform(_) => None,
-            PerCell::Cells(cells) => Some(cells.len()),
-        }
-    }
-
-    #[inline]
-    fn of(&self, cell: usize) -> Interval {
-        Interval {
-            lower: 0.0,
-            upper: self.0.of(cell),
-        }
-    }
-}
-
-/// Where nothing limits the pressure.
-pub(super) const UNLIMITED: PerCell<&[f64]> = PerCell::Uniform(f64::INFINITY);

@@ -2,11 +2,10 @@
 
 use crate::buffer;
 use crate::cascade::{Levels, Scene};
-use crate::cgm::{Constraint, Interval, Total};
+use crate::cgm::{Carried, Constraint, Interval, Total};
 use crate::error::Result;
 use crate::half_space::{HalfSpace, Region};
 use crate::influence::Direction;
-use crate::normal::hardness::Carried;
 use crate::per_cell::PerCell;
 
 /// How many times the cells of a coarse window a grid has at least: operators of the grid are kept, those of windows are

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use crate::buffer;
 use crate::cascade::{Conditions, Scene, nested_start};
-use crate::cgm::{Iteration, Known, Method, Settings, Total, reduce};
+use crate::cgm::{Iteration, Known, Method, Settings, Total, UNLIMITED, reduce};
 use crate::clock::Instant;
 use crate::elastic::Observer;
 use crate::error::{Error, Result};
@@ -12,7 +12,6 @@ use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::left_behind::LeftBehind;
 use crate::normal::engine::{Engine, Load, Surfaces};
-use crate::normal::hardness::UNLIMITED;
 use crate::normal::nested::PressureScene;
 use crate::normal::{Hardness, NormalControl, NormalSolution};
 use crate::parallel;
@@ -209,7 +208,13 @@ impl PressureSolver {
         };
         let layout = of.bodies.grid_layout();
         let from = [reduce::total(&layout, pressure), self.approach];
-        let last = self.engine.take();
+        let holds = |engine: &Engine| {
+            let window = engine.window();
+            of.hardness
+                .is_none_or(|hardness| hardness.holds(of.bodies, window, load.total))
+        };
+        // A window that cannot carry the load is no place to begin at.
+        let last = self.engine.take().filter(holds);
         let is_cold = last.is_none();
         // What nothing reaches is not to be seen in any iterate.
         let is_elastic = is_cold || of.yielded(pressure) == 0;

@@ -5,11 +5,12 @@ use std::sync::Arc;
 use crate::boundary::Boundary;
 use crate::buffer::{self, try_each};
 use crate::cgm::cone::{ConeProblem, ConeWorkspace, Stand, responses};
-use crate::cgm::{Settings, Total};
+use crate::cgm::{Settings, Total, UNLIMITED};
 use crate::error::{Error, Result, finite};
 use crate::field::Field;
 use crate::half_space::{Compliance, HalfSpace, Region};
 use crate::influence::Direction;
+use crate::normal::Hardness;
 use crate::operator::Operator;
 use crate::parallel;
 use crate::stiffness::contact::without_contact;
@@ -34,6 +35,7 @@ pub(crate) struct Coupled<'a> {
     /// Compliance of their own of the cells that entered the contact in the step; of no cells where none did.
     pub(crate) entered: &'a [f64],
     pub(crate) friction: &'a Friction,
+    pub(crate) hardness: Option<&'a Hardness>,
     pub(crate) settings: &'a Settings,
 }
 
@@ -83,21 +85,24 @@ impl Coupled<'_> {
         let normal = bodies.compliance([z], size)?.operator;
         let plane = bodies.compliance([x, y], size)?.operator;
         let friction = &self.friction.within(&region);
+        let gathered = |field: &[f64]| {
+            let mut part = buffer::zeros(window.cells())?;
+            region.gather(field, &mut part);
+            Ok::<Vec<f64>, Error>(part)
+        };
+        let limits = self.hardness.map_or(UNLIMITED, Hardness::limits);
+        let limits = limits.try_map(|cells| gathered(cells))?;
         let problem = ConeProblem {
             operator: Arc::clone(&operator),
             preconditioner: Arc::clone(&inverse),
             layout: region.layout(),
             linear: [&[]; N],
             closing: None,
+            hardness: limits.map(Vec::as_slice),
             friction,
             totals: [Total::Free; N],
             lower_bounds: [normal.lower_bound(), plane.lower_bound()],
             coupling: 0.0,
-        };
-        let gathered = |field: &[f64]| {
-            let mut part = buffer::zeros(window.cells())?;
-            region.gather(field, &mut part);
-            Ok::<Vec<f64>, Error>(part)
         };
         let pressure = gathered(self.pressure.as_slice())?;
         let [qx, qy, sx, sy] = try_each(|c| {

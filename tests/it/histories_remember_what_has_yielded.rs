@@ -74,17 +74,11 @@ fn what_it_cannot_model_is_refused() {
     };
     let pair = ElasticPair::new(soft, Material::rigid()).unwrap();
     let coupled = HalfSpace::new(grid, pair).unwrap();
-    let refused = builder(&coupled, Coupling::Full);
-    assert!(matches!(
-        refused,
-        Err(Error::NotModelled {
-            quantity: "hardness",
-            ..
-        })
-    ));
-    let mut one_way = builder(&coupled, Coupling::OneWay).unwrap();
-    one_way.step(&press(0.05)).unwrap();
-    assert_eq!(one_way.pressure().max(), 0.01);
+    for coupling in [Coupling::OneWay, Coupling::Full] {
+        let mut yields = builder(&coupled, coupling).unwrap();
+        yields.step(&press(0.05)).unwrap();
+        assert_eq!(yields.pressure().max(), 0.01);
+    }
     // A solution does not know which of its cells have yielded, a history does.
     let (bodies, gap) = scene();
     let mut yields = history(&bodies, &gap, TangentialModel::Scalar, false);
@@ -117,4 +111,72 @@ fn what_it_cannot_model_is_refused() {
         bytes
     );
     assert!(rubber.with_hardness(-1.0).is_err() && rubber.with_hardness(f64::NAN).is_err());
+}
+
+/// Pressure and shear found together: surfaces overlap where the pressure is at the hardness and nowhere else, and weak
+/// coupling comes to what one-way coupling does.
+#[test]
+fn coupled_contacts_yield() {
+    let grid = Grid::square(32, 4.0).unwrap();
+    let ball = surface::sphere(grid, 10.0).unwrap();
+    let hardness = Field::from_fn(grid, |x, _| 0.03 + 0.004 * x);
+    let limit = Hardness::per_cell(hardness.clone()).unwrap();
+    let load =
+        |force: f64, shear: [f64; 2]| LoadStep::force(shear).normal(NormalControl::Force(force));
+    let sheared = |poisson_ratio: f64, coupling: Coupling| {
+        let body = Material::new(1.0, poisson_ratio).unwrap();
+        let pair = ElasticPair::new(body, Material::rigid()).unwrap();
+        let bodies = HalfSpace::new(grid, pair).unwrap();
+        let builder = History::builder(&bodies, &ball, Friction::coulomb(0.5).unwrap());
+        let builder = builder.model(TangentialModel::Vector).coupling(coupling);
+        let mut history = builder.hardness(limit.clone()).build().unwrap();
+        for (force, shear) in [(0.05, [0.0; 2]), (0.09, [0.02, 0.01]), (0.06, [0.0, 0.015])] {
+            history.step(&load(force, shear)).unwrap();
+            let energy = history.last_step().energy();
+            assert!(energy.imbalance().abs() < 1e-12 * energy.elastic_after);
+            let normal = history.normal();
+            let (mut yielded, mut largest) = (0, 0.0_f64);
+            for i in 0..grid.cells() {
+                let [p, g, most] =
+                    [normal.pressure(), normal.gap(), &hardness].map(|field| field.as_slice()[i]);
+                largest = largest.max(g.abs());
+                assert!((0.0..=most).contains(&p));
+                yielded += usize::from(p == most);
+                assert!(
+                    p == 0.0 || g.abs() < 1e-9 || (p == most && g < 0.0),
+                    "{p} {g}"
+                );
+                assert!(p > 0.0 || g > -1e-9);
+            }
+            assert!(yielded > 20 && normal.yielded_cells() == yielded && largest > 1e-3);
+        }
+        history
+    };
+    sheared(0.0, Coupling::Full);
+    let [full, one_way] = [Coupling::Full, Coupling::OneWay].map(|c| sheared(0.49, c));
+    let beta = full.normal().pair().dundurs_beta();
+    assert!(beta > 0.005 && full.normal().yielded_cells() > 20);
+    let difference = full.pressure().minus(one_way.pressure()).unwrap();
+    assert!(difference.max().max(-difference.min()) < 2.0 * beta * full.pressure().max());
+    assert!((full.shift()[1] / one_way.shift()[1] - 1.0).abs() < beta);
+}
+
+/// A load beyond what the window of the last step carries at the hardness finds a wider one.
+#[test]
+fn loads_that_no_cell_of_the_last_window_could_carry_are_carried() {
+    let grid = Grid::square(64, 4.0).unwrap();
+    let ball = surface::sphere(grid, 10.0).unwrap();
+    let body = Material::new(1.0, 0.1).unwrap();
+    let pair = ElasticPair::new(body, Material::rigid()).unwrap();
+    let bodies = HalfSpace::new(grid, pair).unwrap();
+    for coupling in [Coupling::Neglected, Coupling::Full] {
+        let builder = History::builder(&bodies, &ball, Friction::coulomb(0.2).unwrap());
+        let builder = builder.hardness(Hardness::uniform(0.02).unwrap());
+        let mut history = builder.coupling(coupling).build().unwrap();
+        for force in [0.05, 0.09, 0.12, 0.3] {
+            history.step(&press(force)).unwrap();
+            assert!((history.normal().force() / force - 1.0).abs() < 1e-9);
+            assert!(history.pressure().max() <= 0.02);
+        }
+    }
 }

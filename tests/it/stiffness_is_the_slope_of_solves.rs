@@ -486,9 +486,14 @@ fn steps_that_grow_have_the_stiffness_of_whole_steps() {
 /// Cells at the hardness carry no more as the approach grows.
 #[test]
 fn contacts_that_yield_have_the_stiffness_of_steps() {
+    let mut coupled = Scene::ball(32, 0.3, TangentialModel::Vector);
+    let body = Material::new(1.0, 0.2).unwrap();
+    let pair = ElasticPair::new(body, Material::rigid()).unwrap();
+    coupled.bodies = HalfSpace::new(coupled.gap.grid(), pair).unwrap();
     for scene in [
         Scene::ball(48, 0.3, TangentialModel::Scalar),
         Scene::ball(48, 0.3, TangentialModel::Vector),
+        coupled,
     ] {
         let elastic = scene.press(NormalControl::Force(6.0));
         let hardness = Hardness::uniform(0.7 * elastic.pressure().max()).unwrap();

@@ -1,6 +1,6 @@
 //! The totals beside the cells: how changes of the multipliers spread, and which of them keep the totals.
 
-use crate::cgm::cone::law::Law;
+use crate::cgm::cone::law::{Kind, Law};
 use crate::cgm::cone::workspace::gradient;
 use crate::cgm::cone::{Cone, ConeRun, N};
 use crate::cgm::small::Small;
@@ -62,8 +62,8 @@ impl Nearest {
 
 /// How far a cell slips whose traction points against what is missing.
 fn slip_against(law: Law, [_, x, y]: [f64; N], missing: [f64; 2]) -> Option<f64> {
-    match law {
-        Law::Slip(slip) if dot(slip.normal, missing) < 0.0 => Some(norm([x, y])),
+    match law.kind {
+        Kind::Slip(slip) if dot(slip.normal, missing) < 0.0 => Some(norm([x, y])),
         _ => None,
     }
 }
@@ -140,6 +140,24 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
             if total.is_spring() {
                 multiplier[c] = total.held(multiplier[c], sums[c]);
             }
+        }
+    }
+
+    /// Where all cells in contact are at their hardness and a normal force is prescribed, their pressures may move: else
+    /// nothing would change the approach.
+    pub(super) fn let_press(&mut self) {
+        if self.problem.totals[0] == Total::Free {
+            return;
+        }
+        let w = &mut *self.workspace;
+        let laws = &w.laws;
+        let moves = |place: usize| laws[place].touches() && !laws[place].is_held;
+        if !reduce::any(self.problem.layout, moves) {
+            parallel::update(&mut w.laws, |_, laws| {
+                for law in laws {
+                    law.is_held = false;
+                }
+            });
         }
     }
 

@@ -4,7 +4,7 @@
 //! slips from the moment it touches has $`r = m'(0)\,n`$ while its pressure is zero.
 
 use crate::buffer;
-use crate::cgm::cone::law::Law;
+use crate::cgm::cone::law::{Kind, Law};
 use crate::cgm::cone::{Cone, ConeProblem, ConeRun, N};
 use crate::cgm::reduce;
 use crate::cgm::vector::{at, slices, update_cells};
@@ -23,10 +23,10 @@ impl<C, P, F: Cone> ConeProblem<'_, C, P, F> {
 
     /// Traction over pressure of a cell.
     fn ratio(&self, cell: usize, law: Law, [p, x, y]: [f64; N]) -> [f64; 2] {
-        match law {
+        match law.kind {
             _ if p > 0.0 => [x / p, y / p],
-            Law::Slip(slip) => slip.normal.map(|n| self.friction.slope(cell, 0.0) * n),
-            Law::Open | Law::Smooth | Law::Stick => [0.0; 2],
+            Kind::Slip(slip) => slip.normal.map(|n| self.friction.slope(cell, 0.0) * n),
+            Kind::Open | Kind::Smooth | Kind::Stick => [0.0; 2],
         }
     }
 }

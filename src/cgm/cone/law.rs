@@ -9,7 +9,15 @@ use crate::cgm::vector::{dot, norm};
 /// Its unknowns are the changes of the pressure and of the traction: of both components where it sticks, along the
 /// circle of its limit where it slips, where the limit follows the pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Law {
+pub(super) struct Law {
+    pub(super) kind: Kind,
+    /// Whether the cell is at its hardness: its pressure stays.
+    pub(super) is_held: bool,
+}
+
+/// How a cell of the cone stands.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Kind {
     /// Apart.
     Open,
     /// In contact, and carries no shear.
@@ -35,8 +43,8 @@ pub(super) struct Slip {
 
 impl Slip {
     /// Along a direction of length one; the rest is [measured](Law::measured).
-    fn along(normal: [f64; 2]) -> Law {
-        Law::Slip(Self {
+    fn along(normal: [f64; 2]) -> Kind {
+        Kind::Slip(Self {
             normal,
             limit: 0.0,
             slope: 0.0,
@@ -59,6 +67,8 @@ pub(super) struct Noise {
     pub(super) slip: f64,
     /// By how much a cell that touches lags, for each traction over pressure.
     pub(super) lag: f64,
+    /// The largest pressure of the cell.
+    pub(super) hardness: f64,
 }
 
 /// Relative distance from the limit within which a traction is at it.
@@ -71,42 +81,65 @@ fn along(v: [f64; 2], size: f64) -> [f64; 2] {
 }
 
 impl Law {
+    pub(super) const OPEN: Self = Self {
+        kind: Kind::Open,
+        is_held: false,
+    };
+
     /// At the tractions of a start.
-    pub(super) fn of([p, x, y]: [f64; N], limit: f64) -> Self {
+    pub(super) fn of([p, x, y]: [f64; N], limit: f64, hardness: f64) -> Self {
         let q = [x, y];
-        if p <= 0.0 {
-            Self::Open
+        let kind = if p <= 0.0 {
+            Kind::Open
         } else if limit <= 0.0 {
-            Self::Smooth
+            Kind::Smooth
         } else if norm(q) >= limit * (1.0 - RIM) {
             Slip::along(along(q, 1.0))
         } else {
-            Self::Stick
+            Kind::Stick
+        };
+        Self {
+            kind,
+            is_held: p >= hardness,
         }
     }
 
     pub(super) fn touches(self) -> bool {
-        self != Self::Open
+        self.kind != Kind::Open
     }
 
     pub(super) fn sticks(self) -> bool {
-        self == Self::Stick
+        self.kind == Kind::Stick
+    }
+
+    /// Whether the cell moves as under another law.
+    pub(super) fn is_like(self, other: Self) -> bool {
+        let [now, then] = [self, other].map(|law| (law.touches(), law.sticks(), law.is_held));
+        now == then
     }
 
     /// The same but slip, which becomes stick.
     pub(super) fn stuck(self) -> Self {
-        match self {
-            Self::Slip(_) => Self::Stick,
-            other => other,
+        match self.kind {
+            Kind::Slip(_) => Self {
+                kind: Kind::Stick,
+                ..self
+            },
+            _ => self,
         }
+    }
+
+    /// The change of the pressure, or the equation of the gap: nothing where the pressure stays.
+    fn pressed(self, value: f64) -> f64 {
+        if self.is_held { 0.0 } else { value }
     }
 
     /// What the cell can do of a uniform motion, a matrix of x and y.
     pub(super) fn mobility(self) -> [[f64; 2]; 2] {
-        match self {
-            Self::Open | Self::Smooth => [[0.0; 2]; 2],
-            Self::Stick => [[1.0, 0.0], [0.0, 1.0]],
-            Self::Slip(slip) => {
+        match self.kind {
+            Kind::Open | Kind::Smooth => [[0.0; 2]; 2],
+            Kind::Stick => [[1.0, 0.0], [0.0, 1.0]],
+            Kind::Slip(slip) => {
                 let t = slip.tangent();
                 t.map(|along| t.map(|t| along * t))
             }
@@ -122,45 +155,52 @@ impl Law {
         least: f64,
         [lower_bound, own]: [f64; 2],
     ) -> Self {
-        let Self::Slip(slip) = self else { return self };
+        let Kind::Slip(slip) = self.kind else {
+            return self;
+        };
         let stiffness = (-dot(s, slip.normal)).max(0.0) / limit.max(least);
-        Self::Slip(Slip {
-            limit,
-            slope,
-            stiffness,
-            weight: Weight::new(stiffness + own, lower_bound),
-            ..slip
-        })
+        Self {
+            kind: Kind::Slip(Slip {
+                limit,
+                slope,
+                stiffness,
+                weight: Weight::new(stiffness + own, lower_bound),
+                ..slip
+            }),
+            ..self
+        }
     }
 
     /// The change of the tractions that changes of the unknowns make.
     pub(super) fn extend(self, v: [f64; N]) -> [f64; N] {
-        match self {
-            Self::Open => [0.0; N],
-            Self::Smooth => [v[0], 0.0, 0.0],
-            Self::Stick => v,
-            Self::Slip(slip) => {
-                let (n, t, grown) = (slip.normal, slip.tangent(), slip.slope * v[0]);
-                [v[0], grown * n[0] + v[1] * t[0], grown * n[1] + v[1] * t[1]]
+        let p = self.pressed(v[0]);
+        match self.kind {
+            Kind::Open => [0.0; N],
+            Kind::Smooth => [p, 0.0, 0.0],
+            Kind::Stick => [p, v[1], v[2]],
+            Kind::Slip(slip) => {
+                let (n, t, grown) = (slip.normal, slip.tangent(), slip.slope * p);
+                [p, grown * n[0] + v[1] * t[0], grown * n[1] + v[1] * t[1]]
             }
         }
     }
 
     /// The equations of a cell, from displacements.
     pub(super) fn restrict(self, w: [f64; N]) -> [f64; N] {
-        match self {
-            Self::Open => [0.0; N],
-            Self::Smooth => [w[0], 0.0, 0.0],
-            Self::Stick => w,
-            Self::Slip(slip) => [w[0], dot(slip.tangent(), [w[1], w[2]]), 0.0],
+        let gap = self.pressed(w[0]);
+        match self.kind {
+            Kind::Open => [0.0; N],
+            Kind::Smooth => [gap, 0.0, 0.0],
+            Kind::Stick => [gap, w[1], w[2]],
+            Kind::Slip(slip) => [gap, dot(slip.tangent(), [w[1], w[2]]), 0.0],
         }
     }
 
     /// The negative equations of a cell at its tractions, with gap and slip `r`: what is left to solve.
     pub(super) fn residual(self, x: [f64; N], r: [f64; N]) -> [f64; N] {
-        let moved = match self {
-            Self::Slip(slip) => [0.0, dot(slip.tangent(), [x[1], x[2]]), 0.0],
-            Self::Open | Self::Smooth | Self::Stick => [0.0; N],
+        let moved = match self.kind {
+            Kind::Slip(slip) => [0.0, dot(slip.tangent(), [x[1], x[2]]), 0.0],
+            Kind::Open | Kind::Smooth | Kind::Stick => [0.0; N],
         };
         let (row, bend) = (self.restrict(r), self.bend(moved));
         std::array::from_fn(|c| -row[c] - bend[c])
@@ -168,36 +208,36 @@ impl Law {
 
     /// What the curvature of the circle adds to the equations at changes of the unknowns.
     pub(super) fn bend(self, v: [f64; N]) -> [f64; N] {
-        match self {
-            Self::Slip(slip) => [0.0, slip.stiffness * v[1], 0.0],
-            Self::Open | Self::Smooth | Self::Stick => [0.0; N],
+        match self.kind {
+            Kind::Slip(slip) => [0.0, slip.stiffness * v[1], 0.0],
+            Kind::Open | Kind::Smooth | Kind::Stick => [0.0; N],
         }
     }
 
     /// The pattern of tractions that goes to the inverse operator for a residual, of a cell with this weight while it
     /// sticks.
     pub(super) fn weighted(self, r: [f64; N], weight: Weight) -> [f64; N] {
-        match self {
-            Self::Stick => [r[0], weight.weighted(r[1]), weight.weighted(r[2])],
-            Self::Slip(slip) => {
+        match self.kind {
+            Kind::Stick => [r[0], weight.weighted(r[1]), weight.weighted(r[2])],
+            Kind::Slip(slip) => {
                 let (t, along) = (slip.tangent(), slip.weight.weighted(r[1]));
                 [r[0], along * t[0], along * t[1]]
             }
-            other => other.restrict(r),
+            Kind::Open | Kind::Smooth => self.restrict(r),
         }
     }
 
     /// The preconditioned residual, with the `answer` of the inverse operator.
     pub(super) fn preconditioned(self, answer: [f64; N], r: [f64; N], weight: Weight) -> [f64; N] {
         let mut z = self.restrict(answer);
-        match self {
-            Self::Open | Self::Smooth => {}
-            Self::Stick => {
+        match self.kind {
+            Kind::Open | Kind::Smooth => {}
+            Kind::Stick => {
                 for c in 1..N {
                     z[c] = weight.preconditioned(z[c], r[c]);
                 }
             }
-            Self::Slip(slip) => z[1] = slip.weight.preconditioned(z[1], r[1]),
+            Kind::Slip(slip) => z[1] = slip.weight.preconditioned(z[1], r[1]),
         }
         z
     }
@@ -212,33 +252,41 @@ impl Law {
         friction: &impl Cone,
         noise: Noise,
     ) -> (Self, [f64; N]) {
-        let (p, q, s) = (x[0], [x[1], x[2]], [r[1], r[2]]);
-        if self == Self::Open {
-            return (Self::entered(cell, r, friction, noise), [0.0; N]);
+        let (q, s) = ([x[1], x[2]], [r[1], r[2]]);
+        if self.kind == Kind::Open {
+            let kind = Kind::entered(cell, r, friction, noise);
+            return (Self { kind, ..self }, [0.0; N]);
         }
-        if p < 0.0 {
-            return (Self::Open, [0.0; N]);
+        if x[0] < 0.0 {
+            return (Self::OPEN, [0.0; N]);
         }
+        // A gap that opens at the hardness asks for less pressure.
+        let is_held = if self.is_held {
+            r[0] <= noise.gap
+        } else {
+            x[0] > noise.hardness
+        };
+        let p = x[0].min(noise.hardness);
         let limit = friction.limit(cell, p);
-        let carrying = |law: Self, q: [f64; 2]| (law, [p, q[0], q[1]]);
-        match self {
-            Self::Open | Self::Smooth => {
+        let carrying = |kind: Kind, q: [f64; 2]| (Self { kind, is_held }, [p, q[0], q[1]]);
+        match self.kind {
+            Kind::Open | Kind::Smooth => {
                 let has_friction = limit > 0.0;
-                let law = if has_friction {
-                    Self::Stick
+                let kind = if has_friction {
+                    Kind::Stick
                 } else {
-                    Self::Smooth
+                    Kind::Smooth
                 };
-                carrying(law, [0.0; 2])
+                carrying(kind, [0.0; 2])
             }
-            Self::Stick if norm(q) <= limit => carrying(self, q),
-            Self::Stick => carrying(Slip::along(along(q, 1.0)), along(q, limit)),
-            Self::Slip(slip) => {
+            Kind::Stick if norm(q) <= limit => carrying(self.kind, q),
+            Kind::Stick => carrying(Slip::along(along(q, 1.0)), along(q, limit)),
+            Kind::Slip(slip) => {
                 let t = slip.tangent();
                 if dot(s, slip.normal) > noise.slip {
                     let size = norm(q).min(limit);
                     let q = if size > 0.0 { along(q, size) } else { [0.0; 2] };
-                    return carrying(Self::Stick, q);
+                    return carrying(Kind::Stick, q);
                 }
                 // At most an eighth of a turn.
                 let size = limit.max(slip.limit);
@@ -250,7 +298,9 @@ impl Law {
             }
         }
     }
+}
 
+impl Kind {
     /// What becomes of a cell that is apart.
     fn entered(cell: usize, r: [f64; N], friction: &impl Cone, noise: Noise) -> Self {
         let (g, s) = (r[0], [r[1], r[2]]);

@@ -32,6 +32,7 @@ use crate::cgm::{Settings, Total, reduce};
 use crate::error::{Error, Result};
 use crate::layout::Layout;
 use crate::operator::Operator;
+use crate::per_cell::PerCell;
 use crate::report::{Iteration, Status};
 
 pub(crate) use response::{Stand, responses};
@@ -60,6 +61,8 @@ pub(crate) struct ConeProblem<'a, C, P, F> {
     /// $`\kappa g`$ of the cells that would enter the contact from a gap g: they lag behind their motion by
     /// $`\kappa g\,q/p`$. Zero elsewhere; `None` where no cell of any rank does.
     pub(crate) closing: Option<&'a [f64]>,
+    /// The largest pressure of each cell.
+    pub(crate) hardness: PerCell<&'a [f64]>,
     pub(crate) friction: F,
     pub(crate) totals: [Total; N],
     /// Lower bounds of the eigenvalues of the normal and of the tangential part of the operator.

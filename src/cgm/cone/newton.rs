@@ -8,7 +8,7 @@ use crate::cgm::cone::workspace::gradient;
 use crate::cgm::cone::{Cone, ConeFindings, ConeRun, N, Opening};
 use crate::cgm::run::Precision;
 use crate::cgm::vector::{chunks, held, norm, put, slices, slices_mut};
-use crate::cgm::{Admissible, Disc, Magnitude, NonNegative, reduce};
+use crate::cgm::{Admissible, Carried, Disc, Magnitude, reduce};
 use crate::error::Result;
 use crate::layout::Layout;
 use crate::operator::Operator;
@@ -101,20 +101,21 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     /// Brings the tractions within their cones, and finds how the cells move there.
     pub(super) fn set_laws(&mut self) {
         self.is_fresh = false;
-        let friction = &self.problem.friction;
+        let (friction, hardness) = (&self.problem.friction, self.problem.hardness);
         let laws = &mut self.workspace.laws;
         move_cells(
             self.problem.layout,
             &mut self.x,
             laws,
             |cell, _, [p, x, y]| {
-                let pressure = p.max(0.0);
+                let hardness = hardness.of(cell);
+                let pressure = p.max(0.0).min(hardness);
                 let disc = Disc {
                     radius: friction.limit(cell, pressure),
                 };
                 let [x, y] = disc.project([x, y]);
                 let tractions = [pressure, x, y];
-                (Law::of(tractions, disc.radius), tractions, false)
+                (Law::of(tractions, disc.radius, hardness), tractions, false)
             },
         );
         self.hold_springs();
@@ -164,7 +165,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
             multiplier: [w.multiplier[1], w.multiplier[2]],
         };
         let [least_normal, least_plane] = problem.lower_bounds;
-        let normal = measure(&normal, &NonNegative, least_normal);
+        let normal = measure(&normal, &Carried(problem.hardness), least_normal);
         let plane = measure(&plane, &Magnitude(&w.limits), least_plane);
         let findings = self.findings(&normal, &plane);
         let report = &mut self.workspace.report;
@@ -203,6 +204,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         for part in &mut w.direction {
             part.fill(0.0);
         }
+        self.let_press();
         self.let_stick();
         self.measure_slip();
         ControlFlow::Continue(())
@@ -247,6 +249,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         let sizes = |i: usize| norm([x[i], y[i]]);
         let noise = Noise {
             lag: 0.0,
+            hardness: f64::INFINITY,
             gap: NOISE * tolerance * reduce::max(self.problem.layout, |i| z[i].abs()),
             slip: NOISE * tolerance * reduce::max(self.problem.layout, sizes),
         };
@@ -257,16 +260,13 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
             &mut self.x,
             &mut w.laws,
             |cell, law, tractions| {
-                let lag = problem.closing_of(cell);
-                let (next, value) = law.next(
-                    cell,
-                    tractions,
-                    gradient(cell),
-                    friction,
-                    Noise { lag, ..noise },
-                );
-                let is_same = law.touches() == next.touches() && law.sticks() == next.sticks();
-                (next, value, !is_same)
+                let noise = Noise {
+                    lag: problem.closing_of(cell),
+                    hardness: problem.hardness.of(cell),
+                    ..noise
+                };
+                let (next, value) = law.next(cell, tractions, gradient(cell), friction, noise);
+                (next, value, !next.is_like(law))
             },
         )
     }

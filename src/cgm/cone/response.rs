@@ -74,7 +74,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         let least = super::newton::NOTHING * reduce::max(problem.layout, limit);
         for (i, law) in w.laws.iter_mut().enumerate() {
             let (tractions, slope) = (at(&x, i), problem.friction.slope(i, x[0][i]));
-            let now = Law::of(tractions, limit(i));
+            let now = Law::of(tractions, limit(i), problem.hardness.of(i));
             let own = [
                 problem.lower_bounds[1],
                 stand.own.get(i).copied().unwrap_or(0.0),

@@ -44,7 +44,7 @@ impl<C: Operator<N>, P: Operator<N>> ConeWorkspace<C, P> {
             direction: buffer::vector(cells)?,
             image: buffer::vector(cells)?,
             limits: buffer::zeros(cells)?,
-            laws: buffer::filled(Law::Open, cells)?,
+            laws: buffer::filled(Law::OPEN, cells)?,
             own: Vec::new(),
             contact: MovingCells::new(operator.layout())?,
             residual: Vec::new(),

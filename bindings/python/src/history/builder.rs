@@ -44,7 +44,7 @@ use crate::work::unobserved_on;
 /// relative_displacement : RelativeDisplacement, optional
 ///     The pattern of a displacement that the contact does not cause, of which steps prescribe the amount; none by default.
 /// hardness : Hardness, float or array_like of shape (ny, nx), optional
-///     The largest pressure that the cells carry; no limit by default. Not with pressure and shear found together.
+///     The largest pressure that the cells carry; no limit by default.
 /// permanent_set : bool, default False
 ///     Whether what yields under the hardness stays, and is added to the gap of later steps.
 /// settings : Settings, optional

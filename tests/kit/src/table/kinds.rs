@@ -222,6 +222,8 @@ pub fn scenes() -> Vec<Scene> {
         coupled("coupled"),
         Scene { bodies: ON_RIGID, gap: ball, touch_rule: TouchRule::WholeStep, ..coupled("on a rigid body") },
         Scene { wear: 1.0, slippery: Some(patches), ..coupled("coupled, wear") },
+        Scene { hardness: Some(hard), ..coupled("coupled, hardness") },
+        Scene { hardness: Some(hard), is_set_permanent: true, ..coupled("coupled, permanent set") },
         Scene { strain, path: strained(around(0.06), &STRAINS), ..coupled("coupled, strained") },
         shrinking(&coupled("coupled, shrinking")),
         repeating(&coupled("coupled, repeating"), 0.1),
