@@ -2,7 +2,7 @@
 
 use kit::refusal::Rule::Positive;
 use kit::refusal::assert_checked;
-use stickslip::cgm::{self, Bounds, Magnitude, NonNegative, Problem, Settings};
+use stickslip::cgm::{self, Bounds, Magnitude, Method, NonNegative, Problem, Settings, Total};
 use stickslip::influence::Rectangle;
 use stickslip::{
     ElasticPair, Error, Field, Friction, Grid, HalfSpace, Identity, Material, surface,
@@ -223,6 +223,24 @@ fn engine() {
     }
     let outcome = cgm::minimise(&problem, &settings.max_iterations(0), [&mut x]);
     assert_eq!(outcome.err(), Some(Error::IterationLimit));
+    assert_eq!(x, [1.0, 2.0], "refused before any work");
+}
+
+#[test]
+fn what_the_single_loop_does_not_solve() {
+    let settings = Settings::default().method(Method::PolonskyKeer);
+    let (linear, mut x, mut y) = ([0.0; 2], [1.0, 2.0], [0.0; 2]);
+    let refused = |outcome: Option<Error>, what: &str| matches!(outcome, Some(Error::Method { quantity, .. }) if quantity == what);
+    let spring = Total::Spring {
+        far_end: 1.0,
+        compliance: 1.0,
+    };
+    let problem = Problem::new(Identity::new(2), [&linear], NonNegative).totals([spring]);
+    let outcome = cgm::minimise(&problem, &settings, [&mut x]);
+    assert!(refused(outcome.err(), "springs"));
+    let discs = Problem::new(Identity::new(2), [&linear; 2], Magnitude(&[1.0, 2.0]));
+    let outcome = cgm::minimise(&discs, &settings, [&mut x, &mut y]);
+    assert!(refused(outcome.err(), "several components a cell"));
     assert_eq!(x, [1.0, 2.0], "refused before any work");
 }
 

@@ -67,7 +67,7 @@ fn on_the_sphere_of_table_2_within_their_cost() {
         "active sets: {sets:?} products"
     );
     assert!(
-        single.iter().all(|&count| count <= 150),
+        single.iter().all(|&count| count <= 85),
         "single loop: {single:?} products"
     );
 }
