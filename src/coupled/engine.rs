@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::boundary::Boundary;
-use crate::buffer::{self, TryClone};
+use crate::buffer;
 use crate::cascade::Conditions;
 use crate::cgm::cone::{self, Cone, ConeFindings, ConeProblem, ConeWorkspace, Opening};
 use crate::cgm::vector::{slices, slices_mut};
@@ -55,6 +55,8 @@ pub(super) struct Engine {
     x: [Vec<f64>; N],
     /// What is asked of the cells of the window.
     asked: [Vec<f64>; N],
+    /// The tractions that halves have come to; of no cells before there are any.
+    kept: [Vec<f64>; N],
     /// What a half adds to what the other asks.
     linear: [Vec<f64>; N],
     /// `kappa g` of the cells that would enter the contact, if any would.
@@ -119,6 +121,7 @@ impl Engine {
             lower_bounds,
             x: buffer::vector(cells)?,
             asked: buffer::vector(cells)?,
+            kept: Default::default(),
             linear: buffer::vector(cells)?,
             closing: Vec::new(),
             enters: false,
@@ -208,7 +211,7 @@ impl Engine {
         };
         let (least, mut tolerance) = (conditions.settings.tolerance.min(START), START);
         let mut stopped = None;
-        for _ in 0..ROUNDS {
+        for round in 1..=ROUNDS {
             for _ in 0..sweeps {
                 stopped = self.sweep(task, friction, tolerance, conditions, report)?;
                 if stopped.is_some() {
@@ -217,15 +220,13 @@ impl Engine {
             }
             // A half that was stopped left the tractions beyond the limits of its pressure: all at once they are brought
             // back and measured, and stopped too.
-            let halves = (sweeps > 0).then(|| self.x.try_clone()).transpose()?;
             let multiplier = self.workspace.multiplier();
+            let has_halves = sweeps > 0;
+            if has_halves {
+                self.keep_halves()?;
+            }
             let (status, findings) = self.newton(task, friction, opening, conditions, report)?;
             let status = status.or(stopped);
-            if let Some(halves) = halves.filter(|_| status.is_none()) {
-                // Where the sets have cycled nothing is better than what the halves came to, and they go on from there.
-                self.x = halves;
-                self.workspace.set_multiplier(multiplier);
-            }
             report.take(&findings);
             let (contraction, coefficient) = (self.contraction, task.largest_coefficient);
             report.error_estimate = contraction.estimate(coefficient, &findings);
@@ -240,10 +241,24 @@ impl Engine {
             {
                 break;
             }
+            if has_halves && round < ROUNDS {
+                // Where the sets have cycled nothing is better than what the halves came to.
+                std::mem::swap(&mut self.x, &mut self.kept);
+                self.workspace.set_multiplier(multiplier);
+            }
             (sweeps, opening) = (sweeps + 1, Opening::Sound);
             tolerance = (0.1 * findings.merit().min(tolerance)).clamp(least, START);
         }
         report.end(Status::Stalled)
+    }
+
+    /// Keeps the tractions that the halves have come to.
+    fn keep_halves(&mut self) -> Result<()> {
+        for (kept, x) in self.kept.iter_mut().zip(&self.x) {
+            buffer::resize(kept, x.len(), 0.0)?;
+            kept.copy_from_slice(x);
+        }
+        Ok(())
     }
 
     /// All at once.

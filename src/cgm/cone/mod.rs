@@ -13,6 +13,9 @@
 //! that is sought. Newton's method linearises both at once, `dq = m'(p) n dp + t dtau` where a cell slips along `n`,
 //! which leaves a system that is not symmetric: right-preconditioned GMRES solves it, on the cells in contact.
 //!
+//! A cell may have a hardness, `p <= H`: while its pressure stays there the bodies may overlap, and its equation of the gap
+//! is left out.
+//!
 //! A cell that newly touches slips against its slip unless that is less than what its overlap would hold,
 //! `|s| <= m' |g|`. Were it to stick, the method would circle at the edge of every contact that grows.
 
