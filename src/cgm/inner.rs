@@ -6,6 +6,7 @@ use std::ops::ControlFlow;
 use crate::cgm::motion::Motion;
 use crate::cgm::run::{Precision, Run};
 use crate::cgm::totals::TotalsSystem;
+use crate::cgm::turn::Weight;
 use crate::cgm::vector::{
     at, chunks, dot, held, minus, norm, plus, put, slices, slices_mut, update_cells, within,
 };
@@ -116,7 +117,6 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         step: Option<&Move<N>>,
     ) -> Residual<N> {
         self.is_fresh &= step.is_none();
-        let (problem, lower_bound) = (self.problem, self.lower_bound);
         let w = &mut *self.workspace;
         std::mem::swap(&mut w.inner.residual, &mut w.inner.last_residual);
         let (image, multiplier) = (slices(&w.image), w.multiplier);
@@ -166,8 +166,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
                         _ => motion.project(minus(multiplier, held(&gradient, place))),
                     };
                     residual.items[k] = r;
-                    let weight = problem.weight_of(entries.chunk.start + place, lower_bound);
-                    put(&mut full, place, motion.weighted(r, weight));
+                    put(&mut full, place, motion.weighted(r));
                     (r, dot(r, r), spread[k].map(|w| dot(w, r)))
                 })
             },
@@ -190,9 +189,43 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             });
             return;
         }
+        self.weigh_free(false);
+        let w = &mut *self.workspace;
         let (direction, image) = (slices(&w.direction), slices_mut(&mut w.image));
         let preconditioner = &self.problem.preconditioner;
         preconditioner.apply_f32(direction, image, &mut w.preconditioner);
+        self.weigh_free(true);
+    }
+
+    /// Weighs what cells that move freely, and have a compliance of their own, give to the inverse operator, or its
+    /// answer there.
+    fn weigh_free(&mut self, is_answer: bool) {
+        let (problem, lower_bound) = (self.problem, self.lower_bound);
+        if !problem.has_diagonal() {
+            return;
+        }
+        let w = &mut *self.workspace;
+        let motions = &w.motions;
+        let data = (
+            chunks(&problem.layout, &mut w.direction),
+            chunks(&problem.layout, &mut w.image),
+        );
+        w.moving.sweep(data, |entries, (mut direction, mut image)| {
+            for (k, place) in entries.places().enumerate() {
+                if !entries.motion(motions, k, place).is_free() {
+                    continue;
+                }
+                let own = problem.diagonal_of(entries.chunk.start + place);
+                let (weight, d) = (Weight::new(own, lower_bound), held(&direction, place));
+                if is_answer {
+                    let answer = held(&image, place);
+                    let z = std::array::from_fn(|c| weight.preconditioned_from(answer[c], d[c]));
+                    put(&mut image, place, z);
+                } else {
+                    put(&mut direction, place, d.map(|r| weight.weighted(r)));
+                }
+            }
+        });
     }
 
     /// Gathers `M r` from `image`, with the `w_a' r` and `w_a' r_last`.
@@ -202,7 +235,6 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         products: [f64; N],
         last_products: [f64; N],
     ) -> Correction<N> {
-        let (problem, lower_bound) = (self.problem, self.lower_bound);
         let w = &mut *self.workspace;
         let image = slices(&w.image);
         let (residual, last) = (&w.inner.residual, &w.inner.last_residual);
@@ -217,8 +249,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
                 );
                 entries.sums(|k, place| {
                     let motion = entries.motion(motions, k, place);
-                    let weight = problem.weight_of(entries.chunk.start + place, lower_bound);
-                    let z = motion.preconditioned(at(&image, place), residual[k], weight);
+                    let z = motion.preconditioned(at(&image, place), residual[k]);
                     correction.items[k] = z;
                     (z, dot(z, residual[k]), dot(z, last[k]))
                 })

@@ -2,7 +2,6 @@
 
 use crate::cgm::motion::{Linearised, Motion, Reach};
 use crate::cgm::run::Run;
-use crate::cgm::turn::Weight;
 use crate::cgm::vector::update_cells;
 use crate::cgm::{Admissible, Constraint, reduce};
 use crate::error::{Error, Result};
@@ -62,13 +61,13 @@ impl Motion<1> for Side {
     }
 
     #[inline]
-    fn weighted(self, [r]: [f64; 1], weight: Weight) -> [f64; 1] {
-        [weight.weighted(r)]
+    fn weighted(self, r: [f64; 1]) -> [f64; 1] {
+        r
     }
 
     #[inline]
-    fn preconditioned(self, [answer]: [f64; 1], [r]: [f64; 1], weight: Weight) -> [f64; 1] {
-        [weight.preconditioned(answer, r)]
+    fn preconditioned(self, answer: [f64; 1], _: [f64; 1]) -> [f64; 1] {
+        answer
     }
 
     fn weighed(self, _: f64, _: f64) -> Self {

@@ -4,7 +4,6 @@
 //! its set moves freely, and one on a curved bound moves along the tangent, against the curvature of the bound.
 
 use crate::cgm::run::Run;
-use crate::cgm::turn::Weight;
 use crate::cgm::{Admissible, Constraint};
 use crate::error::Result;
 use crate::layout::Layout;
@@ -38,11 +37,11 @@ pub trait Motion<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static
     /// What the curvature of the bound adds to the product of the operator with a direction `d` of the motion.
     fn bend(self, d: [f64; N]) -> [f64; N];
 
-    /// What of a residual goes to the inverse operator, of a cell with this weight while it moves freely.
-    fn weighted(self, r: [f64; N], weight: Weight) -> [f64; N];
+    /// What of a residual goes to the inverse operator.
+    fn weighted(self, r: [f64; N]) -> [f64; N];
 
     /// The preconditioned residual, with the `answer` of the inverse operator.
-    fn preconditioned(self, answer: [f64; N], r: [f64; N], weight: Weight) -> [f64; N];
+    fn preconditioned(self, answer: [f64; N], r: [f64; N]) -> [f64; N];
 
     /// With the stiffness in force known to the preconditioner, beside an operator of this least eigenvalue and what the
     /// cell has of its own.

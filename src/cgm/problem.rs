@@ -8,7 +8,6 @@ use crate::cgm::motion::{Linearised, Reach};
 use crate::cgm::projected_gradient::Objective;
 use crate::cgm::run::Run;
 use crate::cgm::totals::Total;
-use crate::cgm::turn::Weight;
 use crate::cgm::vector::{at, minus};
 use crate::cgm::{Constraint, Known, Method, MotionOf, Settings, Workspace, set};
 use crate::error::{Error, Result, all_finite, all_non_negative, finite, length, positive};
@@ -128,15 +127,6 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
     /// The compliance that a cell has of its own.
     pub(super) fn diagonal_of(&self, cell: usize) -> f64 {
         self.diagonal.get(cell).copied().unwrap_or(0.0)
-    }
-
-    /// What the preconditioner makes of a residual of a cell, beside an operator of this least eigenvalue.
-    pub(super) fn weight_of(&self, cell: usize, lower_bound: f64) -> Weight {
-        if self.has_diagonal() {
-            Weight::new(self.diagonal[cell], lower_bound)
-        } else {
-            Weight::PATTERN
-        }
     }
 
     /// The linear term of a cell.

@@ -257,7 +257,6 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     fn spread(&mut self, a: usize) -> [f64; N] {
         let mut unit = [0.0; N];
         unit[a] = 1.0;
-        let (problem, lower_bound) = (self.problem, self.lower_bound);
         let w = &mut *self.workspace;
         let motions = &w.motions;
         w.moving.sweep(
@@ -265,12 +264,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             |entries, mut full| {
                 for (k, place) in entries.places().enumerate() {
                     let motion = entries.motion(motions, k, place);
-                    let weight = problem.weight_of(entries.chunk.start + place, lower_bound);
-                    put(
-                        &mut full,
-                        place,
-                        motion.weighted(motion.project(unit), weight),
-                    );
+                    put(&mut full, place, motion.weighted(motion.project(unit)));
                 }
             },
         );
@@ -282,11 +276,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             let image = within(&image, &entries.chunk);
             entries.sums(|k, place| {
                 let motion = entries.motion(motions, k, place);
-                let (one, weight) = (
-                    motion.project(unit),
-                    problem.weight_of(entries.chunk.start + place, lower_bound),
-                );
-                let w = motion.preconditioned(at(&image, place), one, weight);
+                let w = motion.preconditioned(at(&image, place), motion.project(unit));
                 spread.items[k][a] = w;
                 w
             })

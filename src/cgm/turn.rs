@@ -81,6 +81,11 @@ impl Weight {
         self.pattern * r
     }
 
+    /// The preconditioned residual, with the answer of the inverse operator and what went there.
+    pub(super) fn preconditioned_from(self, answer: f64, weighted: f64) -> f64 {
+        self.preconditioned(answer, weighted / self.pattern.max(f64::MIN_POSITIVE))
+    }
+
     /// The preconditioned residual, with the answer of the inverse operator.
     pub(crate) fn preconditioned(self, answer: f64, r: f64) -> f64 {
         self.pattern * answer + self.own * r
@@ -95,14 +100,6 @@ impl Turn {
             tangent: [-q[1] / size, q[0] / size],
             stiffness,
             weight: Weight::PATTERN,
-        }
-    }
-
-    /// That of a cell at its limit.
-    fn weight(self) -> Option<Weight> {
-        match self {
-            Self::Along { weight, .. } => Some(weight),
-            Self::Free | Self::Fixed => None,
         }
     }
 }
@@ -139,15 +136,17 @@ impl Motion<2> for Turn {
     }
 
     #[inline]
-    fn weighted(self, r: [f64; 2], weight: Weight) -> [f64; 2] {
-        let weight = self.weight().unwrap_or(weight);
-        r.map(|r| weight.weighted(r))
+    fn weighted(self, r: [f64; 2]) -> [f64; 2] {
+        match self {
+            Self::Along { weight, .. } => r.map(|r| weight.weighted(r)),
+            Self::Free | Self::Fixed => r,
+        }
     }
 
     #[inline]
-    fn preconditioned(self, answer: [f64; 2], r: [f64; 2], weight: Weight) -> [f64; 2] {
+    fn preconditioned(self, answer: [f64; 2], r: [f64; 2]) -> [f64; 2] {
         match self {
-            Self::Free => [0, 1].map(|c| weight.preconditioned(answer[c], r[c])),
+            Self::Free => answer,
             Self::Along {
                 tangent, weight, ..
             } => {
