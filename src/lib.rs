@@ -84,6 +84,21 @@
 //! | get influence coefficients only | [`influence::Rectangle`], [`influence::Table`] |
 //! | check results with explicit matrices | `dense::DenseOperator`, with the feature `dense` |
 //!
+//! # Combinations
+//!
+//! | | pressure alone | and shear along an axis | in the plane | [one-way](Coupling::OneWay) | [found together](Coupling::Full) |
+//! |---|---|---|---|---|---|
+//! | [problems](NormalProblem), [histories](History), wear, cycles | yes | yes | yes | yes | yes |
+//! | grids that repeat along one axis or both, [lines](Grid::line) | yes | yes | yes | yes | yes |
+//! | [cells that enter](guide::growing_contacts) the contact in a step | - | yes | yes | yes | yes |
+//! | [hardness](normal::Hardness), permanent set | yes | yes | yes | yes | not yet |
+//! | [stiffness](History::stiffness) of histories | yes | yes | yes | yes | yes, without a bound |
+//! | stiffness of problems | yes, elastic ones | yes | yes | yes | by a step of a history |
+//! | [`ranks`] | yes | yes | yes | yes | yes |
+//! | twist | - | - | yes | yes | yes |
+//!
+//! A stiffness of contacts that ranks share is not there yet, and the twist needs a grid that does not repeat.
+//!
 //! # Units and signs
 //!
 //! Any consistent system of units; the code contains no length or pressure of its own.

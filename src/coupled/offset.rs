@@ -38,6 +38,22 @@ impl CoupledIncrement {
         }
     }
 
+    /// Writes the compliance that the cells have had of their own in the last step; of no cells where none entered.
+    pub(crate) fn write_entered(&self, entered: &mut Vec<f64>) {
+        entered.clear();
+        if self.enters {
+            let cells = self.closing.iter().zip(&self.tractions[0]);
+            let own = |(closing, pressure): (&f64, &f64)| {
+                if *pressure > 0.0 {
+                    closing / pressure
+                } else {
+                    0.0
+                }
+            };
+            entered.extend(cells.map(own));
+        }
+    }
+
     /// Moves the offsets back by the change of a relative displacement along each axis.
     pub(crate) fn displace(&mut self, change: impl Fn(usize, usize) -> f64) {
         for (axis, offset) in self.offset.iter_mut().enumerate() {

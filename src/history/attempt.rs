@@ -40,7 +40,10 @@ impl History {
         let State { trend, .. } = &mut self.state;
         let [change] = &mut trend.change;
         buffer::make_room(change, self.press.trend_cells())?;
-        let entered = self.increment.as_ref().map_or(0, Increment::entered_cells);
+        let entered = match &self.joint {
+            Some(_) => self.bodies.grid().cells(),
+            None => self.increment.as_ref().map_or(0, Increment::entered_cells),
+        };
         buffer::make_room(&mut self.entered, entered)
     }
 

@@ -49,7 +49,7 @@
 //! order in its steps: the stick
 //! radius of a ball pressed in 1, 2, 4, 8, 16, 32 steps is 0.29, 0.37, 0.44, 0.47, 0.49, 0.497 of the contact's, where 0.5
 //! is exact ($`\beta = 0.5`$, $`\mu = 0.299`$); equal growth of the contact radius spreads the steps best. Approach and
-//! peak pressure hardly depend on them. The [`stiffness`](crate::stiffness) is that of uncoupled bodies, and refused.
+//! peak pressure hardly depend on them.
 //!
 //! # All or nothing
 //! A step that is refused, cancelled or does not converge leaves the history bit for bit as it was, with all

@@ -4,13 +4,13 @@ use std::ops::ControlFlow;
 
 use crate::boundary::Boundary;
 use crate::cgm::Settings;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::history::{History, StepResult};
 use crate::normal::NormalSolution;
 use crate::report::Iteration;
-use crate::stiffness::{ContactStiffness, Pressed, Sheared};
+use crate::stiffness::{ContactStiffness, Coupled, Pressed, Sheared};
 use crate::tangential::{self, Axis, Friction, Zone};
 use crate::watch::unwatched;
 
@@ -90,10 +90,10 @@ impl History {
 
     /// Displacement of the surface of body 1 relative to that of body 2 by the tractions (lengths), of all
     /// cells, in contact or not: computed when asked for, by the operators that the bodies then keep. With
-    /// [`Coupling::Full`] that by the pressure is part of it.
+    /// [`Coupling::Full`](crate::Coupling::Full) that by the pressure is part of it.
     ///
     /// # Errors
-    /// As [`HalfSpace::operator`](crate::HalfSpace::operator); [`Error::Ranks`].
+    /// As [`HalfSpace::operator`](crate::HalfSpace::operator); [`Error::Ranks`](crate::Error::Ranks).
     pub fn displacement(&self) -> Result<[Field; 2]> {
         let joint = self.state.contact.as_ref();
         if let Some(memory) = joint.filter(|_| self.state.is_joint()) {
@@ -163,8 +163,7 @@ impl History {
     /// contact during further motion are not included.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] where a periodic contact is closed everywhere, [`Error::CoupledMaterials`] where pressure and
-    /// shear are found [together](Coupling::Full), [`Error::NotConverged`], as [`HalfSpace::operator`](crate::HalfSpace::operator).
+    /// [`Error::NotFinite`](crate::Error::NotFinite) where a periodic contact is closed everywhere, [`Error::NotConverged`](crate::Error::NotConverged), as [`HalfSpace::operator`](crate::HalfSpace::operator).
     #[doc(alias = "tangential stiffness")]
     #[doc(alias = "jacobian")]
     #[doc(alias = "tangent")]
@@ -184,8 +183,15 @@ impl History {
     ) -> Result<ContactStiffness> {
         let pair = self.bodies.pair();
         if self.state.is_joint() {
-            let beta = pair.dundurs_beta();
-            return Err(Error::CoupledMaterials { beta });
+            let coupled = Coupled {
+                pressure: self.pressure(),
+                traction: self.traction(),
+                slip: self.last_step().slip(),
+                entered: &self.entered,
+                friction: self.friction(),
+                settings: &self.state.settings,
+            };
+            return coupled.stiffness(&self.bodies, &mut observer);
         }
         let sheared = Sheared {
             zones: self.zones(),

@@ -300,8 +300,10 @@ impl History {
         step.tangential_report
             .clone_from(report.unwrap_or(&Report::unsolved()));
         commit(answer.as_ref(), motion, state, step, &mut self.written);
-        if let Some(increment) = increment {
-            increment.write_entered(&mut self.entered);
+        match (joint, increment) {
+            (Some(joint), _) => joint.write_entered(&mut self.entered),
+            (None, Some(increment)) => increment.write_entered(&mut self.entered),
+            (None, None) => self.entered.clear(),
         }
         let zones = [step.stick_cells, step.slip_cells];
         step.remarks.resolution = Resolution::of_contact(state.grid().whole(), zones[0] + zones[1])

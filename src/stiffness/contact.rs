@@ -66,6 +66,9 @@ pub struct ContactStiffness {
     /// has a relative error, in the energy norm, of the root of the bound of `normal`. `None` of loads that the model does
     /// not have.
     pub by_approach: [Option<f64>; 3],
+    /// Normal force (over a length, for the twist a force) by shifts along x and y and the twist: zero but where pressure and
+    /// shear are found together. `None` of motions that the model does not have.
+    pub normal_by_motion: [Option<f64>; 3],
 }
 
 impl TangentialStiffness {
@@ -267,6 +270,7 @@ impl ContactStiffness {
         let (tangential, by_approach) = sheared.stiffness(bodies, axis, Some(&changes), watch)?;
         Ok(Self {
             normal: stiffness_of(press.as_ref()),
+            normal_by_motion: by_approach.map(|load| load.map(|_| 0.0)),
             tangential,
             by_approach,
         })
@@ -274,7 +278,7 @@ impl ContactStiffness {
 }
 
 /// Zero of what the model has.
-fn without_contact(
+pub(super) fn without_contact(
     axis: Option<Axis>,
     boundary: Boundary,
 ) -> (TangentialStiffness, [Option<f64>; 3]) {

@@ -13,12 +13,20 @@
 //!   continues: where the shift grows in the same step, or the approach decreases. If the bodies are pressed further at a
 //!   held shift, the cells that slipped stick, and the force stays.
 //!
-//! All of that holds the pressure while the bodies are sheared, and the tractions while they are pressed. Where pressure and
-//! shear have been found together, in [coupled](crate::coupled) solutions and histories of dissimilar bodies, a stiffness
-//! is refused with [`Error::CoupledMaterials`](crate::Error::CoupledMaterials); of solutions that neglect the coupling it
-//! is that of the model. Histories have more: in steps that grow, cells that entered follow the motion by
-//! their [own compliance](crate::guide::growing_contacts); under a hardness, cells that have reached it carry no more as long as
-//! the bodies are pressed further; where pressure draws the surfaces in one way, pressing shears.
+//! All of that holds the pressure while the bodies are sheared, and the tractions while they are pressed. Histories have
+//! more:
+//!
+//! - in steps in which the contact grows, cells that entered follow the motion by their [own
+//!   compliance](crate::guide::growing_contacts): the stiffness is the derivative of the force of the step by the motion at
+//!   its end;
+//! - cells that have reached the hardness carry no more, as long as the bodies are pressed further;
+//! - where pressure moves the surfaces one way, pressing shears;
+//! - where pressure and shear are found together ([coupled](crate::coupled)), they answer each motion together: the normal
+//!   force has a [slope by the shift](ContactStiffness::normal_by_motion). That system is not symmetric, and its
+//!   stiffness has no bound (an infinite one); its residual is 1e-11.
+//!
+//! The halves of a solution of [`CoupledProblem`](crate::CoupledProblem) are refused with
+//! [`Error::CoupledMaterials`](crate::Error::CoupledMaterials): a step of a history has the stiffness of both.
 //!
 //! The motions are shift along x, shift along y and twist; the loads are the forces and the moment about the origin of
 //! the grid. What a model leaves out is `None`: in the scalar model the motion across its axis and the twist. The matrices
@@ -51,9 +59,11 @@
 //! ```
 
 mod contact;
+mod coupled;
 mod motions;
 mod press;
 mod system;
 
 pub use contact::{ContactStiffness, NormalStiffness, TangentialStiffness};
 pub(crate) use contact::{Pressed, Sheared};
+pub(crate) use coupled::Coupled;

@@ -510,6 +510,26 @@ fn contacts_that_pressure_draws_have_the_stiffness_of_steps() {
     assert_steps_have_their_stiffness(&scene, builder);
 }
 
+/// Pressure and shear found together: all loads by all motions, on a ball, a rough surface and one that repeats.
+#[test]
+fn coupled_contacts_have_the_stiffness_of_steps() {
+    for poisson_ratio in [0.45, 0.3, 0.0] {
+        let body = Material::new(1.0, poisson_ratio).unwrap();
+        let pair = ElasticPair::new(body, Material::rigid()).unwrap();
+        let mut scenes = vec![Scene::ball(32, 0.3, TangentialModel::Vector)];
+        if poisson_ratio == 0.3 {
+            scenes.push(Scene::rough(Boundary::NonPeriodic, TangentialModel::Vector));
+            scenes.push(Scene::rough(Boundary::Periodic, TangentialModel::Vector));
+        }
+        for mut scene in scenes {
+            let (grid, boundary) = (scene.gap.grid(), scene.bodies.boundary());
+            scene.bodies = HalfSpace::with_boundary(grid, pair, boundary).unwrap();
+            let builder = History::builder(&scene.bodies, &scene.gap, scene.friction.clone());
+            assert_steps_have_their_stiffness(&scene, builder);
+        }
+    }
+}
+
 /// Central differences of whole steps, from contact to a larger one, are the stiffness at the end.
 fn assert_steps_have_their_stiffness(scene: &Scene, builder: HistoryBuilder<'_>) {
     let [low, deep] = [3.0, 6.0].map(|force| scene.press(NormalControl::Force(force)).approach());
@@ -551,7 +571,8 @@ fn assert_steps_have_their_stiffness(scene: &Scene, builder: HistoryBuilder<'_>)
         let loading = numbers(stiffness.tangential.loading);
         let by_approach = stiffness.by_approach.map(|load| load.unwrap_or(f64::NAN));
         let (along_x, by_press) = (slope([0.0, 1.0, 0.0]), slope([1.0, 0.0, 0.0]));
-        let mut errors = vec![by_press[0] - stiffness.normal.value];
+        let pressed = stiffness.normal_by_motion[0].unwrap();
+        let mut errors = vec![by_press[0] - stiffness.normal.value, along_x[0] - pressed];
         for axis in 0..axes {
             errors.push(along_x[1 + axis] - loading[axis][0]);
             errors.push(by_press[1 + axis] - by_approach[axis]);

@@ -890,6 +890,9 @@ module stickslip_bindings
         type(stickslip_tangential_stiffness) :: tangential
         ! Tangential forces and moment by the approach while slip continues; NaN for those that the model does not have.
         real(c_double) :: by_approach(3) = 0
+        ! Normal force by shifts along x and y and the twist: zero but where pressure and shear are found together. NaN for
+        ! motions that the model does not have.
+        real(c_double) :: normal_by_motion(3) = 0
         ! Room for members to come: zero.
         integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_stiffness

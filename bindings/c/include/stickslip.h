@@ -904,6 +904,9 @@ typedef struct {
     stickslip_tangential_stiffness tangential;
     // Tangential forces and moment by the approach while slip continues; NaN for those that the model does not have.
     double by_approach[3];
+    // Normal force by shifts along x and y and the twist: zero but where pressure and shear are found together. NaN for
+    // motions that the model does not have.
+    double normal_by_motion[3];
     // Room for members to come: zero.
     uint64_t reserved[8];
 } stickslip_stiffness;

@@ -40,6 +40,9 @@ pub struct stickslip_stiffness {
     pub tangential: stickslip_tangential_stiffness,
     /// Tangential forces and moment by the approach while slip continues; NaN for those that the model does not have.
     pub by_approach: [f64; 3],
+    /// Normal force by shifts along x and y and the twist: zero but where pressure and shear are found together. NaN for
+    /// motions that the model does not have.
+    pub normal_by_motion: [f64; 3],
     /// Room for members to come: zero.
     pub reserved: [u64; 8],
 }
@@ -76,6 +79,7 @@ impl From<ContactStiffness> for stickslip_stiffness {
             normal: of.normal.into(),
             tangential: of.tangential.into(),
             by_approach: present(of.by_approach),
+            normal_by_motion: present(of.normal_by_motion),
             reserved: [0; 8],
         }
     }

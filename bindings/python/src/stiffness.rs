@@ -148,6 +148,13 @@ impl ContactStiffness {
         present(self.0.by_approach).into()
     }
 
+    /// By shifts along x and y and the twist, of the normal force: zero but where pressure and shear are found together.
+    /// NaN for motions that the model does not have.
+    #[getter]
+    fn normal_by_motion(&self) -> (f64, f64, f64) {
+        present(self.0.normal_by_motion).into()
+    }
+
     fn __repr__(&self) -> String {
         format!(
             "ContactStiffness(normal={}, tangential={}, by_approach={})",

@@ -25,6 +25,14 @@ pub(super) struct Border {
 }
 
 impl Border {
+    /// Of motions that are prescribed.
+    pub(super) fn none() -> Self {
+        Self {
+            active: [false; N],
+            matrix: Small([[0.0; N]; N]),
+        }
+    }
+
     /// Whether the cells can change the totals of which something is missing: not if none is in contact.
     pub(super) fn carries(&self, missing: [f64; N]) -> bool {
         let mut totals = self.active.iter().zip(missing);

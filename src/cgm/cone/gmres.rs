@@ -45,7 +45,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     }
 
     /// A basis of what the preconditioned system makes of the residual, of this size, until `aim` can be reached.
-    fn arnoldi(
+    pub(super) fn arnoldi(
         &mut self,
         border: &Border,
         size: f64,
@@ -62,7 +62,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
             w.residual.copy_from_slice(&w.basis[j]);
             let change = self.invert(border);
             self.proceed()?;
-            self.apply_to_correction();
+            self.apply_to_correction(Precision::Single);
             self.count_step();
             self.make_room(j + 1)?;
             self.set_next(j + 1, change);
@@ -75,7 +75,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     }
 
     /// `correction = M r` with the changes of the multipliers that keep the totals, which it returns.
-    fn invert(&mut self, border: &Border) -> [f64; N] {
+    pub(super) fn invert(&mut self, border: &Border) -> [f64; N] {
         self.precondition();
         let change = border.balance([0.0; N], self.added());
         self.add_spread(change);
@@ -119,7 +119,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     }
 
     /// `image = C` times the tractions that the correction makes, which are left in `direction`.
-    fn apply_to_correction(&mut self) {
+    pub(super) fn apply_to_correction(&mut self, precision: Precision) {
         let w = &mut *self.workspace;
         let (laws, correction) = (&w.laws, &w.correction);
         w.contact.sweep(
@@ -134,7 +134,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         );
         let (direction, image) = (slices(&w.direction), slices_mut(&mut w.image));
         let (operator, report) = (&self.problem.operator, &mut w.report);
-        Precision::Single.apply(operator, direction, image, &mut w.operator, report);
+        precision.apply(operator, direction, image, &mut w.operator, report);
         self.add_change_of_lag();
     }
 
@@ -142,7 +142,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     fn advance(&mut self, change: [f64; N]) -> ControlFlow<Status> {
         self.proceed()?;
         self.is_fresh = false;
-        self.apply_to_correction();
+        self.apply_to_correction(Precision::Single);
         self.count_step();
         let w = &mut *self.workspace;
         for (multiplier, change) in w.multiplier.iter_mut().zip(change) {
@@ -178,7 +178,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         });
     }
 
-    fn residual_size(&self) -> f64 {
+    pub(super) fn residual_size(&self) -> f64 {
         let w = &*self.workspace;
         let residual = &w.residual;
         w.contact.sum(|range| squares(&residual[range])).sqrt()
@@ -248,7 +248,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     }
 
     /// The residual becomes this combination of the basis.
-    fn combine(&mut self, parts: &[f64; RESTART]) {
+    pub(super) fn combine(&mut self, parts: &[f64; RESTART]) {
         let w = &mut *self.workspace;
         let basis = &w.basis;
         parallel::update(&mut w.residual, |first, chunk| {

@@ -76,7 +76,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     /// Adds to the image what changes of the tractions change of the lag.
     pub(super) fn add_change_of_lag(&mut self) {
         let (problem, w) = (self.problem, &mut *self.workspace);
-        if problem.closing.is_none() {
+        if w.own.is_empty() {
             return;
         }
         let (x, d) = (slices(&self.x), slices(&w.direction));

@@ -22,6 +22,7 @@ mod krylov;
 mod lag;
 mod law;
 mod newton;
+mod response;
 mod workspace;
 
 use std::ops::ControlFlow;
@@ -33,6 +34,7 @@ use crate::layout::Layout;
 use crate::operator::Operator;
 use crate::report::{Iteration, Status};
 
+pub(crate) use response::{Stand, responses};
 pub(crate) use workspace::ConeWorkspace;
 
 /// Components of a vector: along z, x and y.

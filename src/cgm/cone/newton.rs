@@ -28,7 +28,7 @@ const ROUND_OFF: f64 = 1e-12;
 /// Part of the tolerance that is noise of the inner solution.
 const NOISE: f64 = 0.1;
 /// Part of the largest limit below which a limit is as good as none.
-const NOTHING: f64 = 1e-9;
+pub(super) const NOTHING: f64 = 1e-9;
 
 impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     /// Ends with the status of the run; `None` if the start is refused, or the sets cycle.

@@ -720,6 +720,12 @@ class ContactStiffness:
         By the approach, of the normal force.
         """
     @property
+    def normal_by_motion(self, /) -> tuple[float, float, float]:
+        """
+        By shifts along x and y and the twist, of the normal force: zero but where pressure and shear are found together.
+        NaN for motions that the model does not have.
+        """
+    @property
     def tangential(self, /) -> TangentialStiffness:
         """
         By shifts and twist, of the tangential forces and the moment.
