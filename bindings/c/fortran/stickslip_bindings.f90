@@ -894,7 +894,7 @@ module stickslip_bindings
         ! motions that the model does not have.
         real(c_double) :: normal_by_motion(3) = 0
         ! Room for members to come: zero.
-        integer(c_int64_t) :: reserved(8) = 0
+        integer(c_int64_t) :: reserved(5) = 0
     end type stickslip_stiffness
 
     ! Numbers of a history after its last step.

@@ -908,7 +908,7 @@ typedef struct {
     // motions that the model does not have.
     double normal_by_motion[3];
     // Room for members to come: zero.
-    uint64_t reserved[8];
+    uint64_t reserved[5];
 } stickslip_stiffness;
 
 // Numbers of a history after its last step.

@@ -44,7 +44,7 @@ pub struct stickslip_stiffness {
     /// motions that the model does not have.
     pub normal_by_motion: [f64; 3],
     /// Room for members to come: zero.
-    pub reserved: [u64; 8],
+    pub reserved: [u64; 5],
 }
 
 /// What a model does not have as NaN.
@@ -80,7 +80,7 @@ impl From<ContactStiffness> for stickslip_stiffness {
             tangential: of.tangential.into(),
             by_approach: present(of.by_approach),
             normal_by_motion: present(of.normal_by_motion),
-            reserved: [0; 8],
+            reserved: [0; 5],
         }
     }
 }
