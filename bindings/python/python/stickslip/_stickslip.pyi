@@ -3164,7 +3164,7 @@ class NormalStiffness:
     @property
     def bound(self, /) -> float:
         """
-        Bound of its relative error.
+        Bound of its relative error; infinite where pressure and shear are found together.
         """
     @property
     def value(self, /) -> float:
@@ -4843,7 +4843,8 @@ class TangentialStiffness:
     @property
     def bound(self, /) -> float:
         """
-        Bound of the errors, relative to the root of the product of the two entries on the diagonal.
+        Bound of the errors, relative to the root of the product of the two entries on the diagonal; infinite where
+        pressure and shear are found together.
         """
     @property
     def loading(self, /) -> list[list[float]]:
