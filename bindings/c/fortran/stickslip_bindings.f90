@@ -862,7 +862,7 @@ module stickslip_bindings
     type, bind(c), public :: stickslip_normal_stiffness
         ! A force over a length; zero without contact.
         real(c_double) :: value = 0
-        ! Bound of its relative error.
+        ! Bound of its relative error; infinite where pressure and shear are found together.
         real(c_double) :: bound = 0
         ! Room for members to come: zero.
         integer(c_int64_t) :: reserved(8) = 0
@@ -876,7 +876,8 @@ module stickslip_bindings
         real(c_double) :: loading(3, 3) = 0
         ! If the motion reverses: all cells of the contact stick.
         real(c_double) :: reversal(3, 3) = 0
-        ! Bound of the errors: none is larger than this times the root of the product of the two entries on the diagonal.
+        ! Bound of the errors: none is larger than this times the root of the product of the two entries on the diagonal;
+        ! infinite where pressure and shear are found together.
         real(c_double) :: bound = 0
         ! Room for members to come: zero.
         integer(c_int64_t) :: reserved(8) = 0
@@ -894,7 +895,7 @@ module stickslip_bindings
         ! motions that the model does not have.
         real(c_double) :: normal_by_motion(3) = 0
         ! Room for members to come: zero.
-        integer(c_int64_t) :: reserved(8) = 0
+        integer(c_int64_t) :: reserved(5) = 0
     end type stickslip_stiffness
 
     ! Numbers of a history after its last step.

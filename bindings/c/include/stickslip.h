@@ -876,7 +876,7 @@ typedef struct {
 typedef struct {
     // A force over a length; zero without contact.
     double value;
-    // Bound of its relative error.
+    // Bound of its relative error; infinite where pressure and shear are found together.
     double bound;
     // Room for members to come: zero.
     uint64_t reserved[8];
@@ -890,7 +890,8 @@ typedef struct {
     double loading[3][3];
     // If the motion reverses: all cells of the contact stick.
     double reversal[3][3];
-    // Bound of the errors: none is larger than this times the root of the product of the two entries on the diagonal.
+    // Bound of the errors: none is larger than this times the root of the product of the two entries on the diagonal;
+    // infinite where pressure and shear are found together.
     double bound;
     // Room for members to come: zero.
     uint64_t reserved[8];
@@ -908,7 +909,7 @@ typedef struct {
     // motions that the model does not have.
     double normal_by_motion[3];
     // Room for members to come: zero.
-    uint64_t reserved[8];
+    uint64_t reserved[5];
 } stickslip_stiffness;
 
 // Numbers of a history after its last step.

@@ -8,7 +8,7 @@ use stickslip_rs::stiffness::{ContactStiffness, NormalStiffness, TangentialStiff
 pub struct stickslip_normal_stiffness {
     /// A force over a length; zero without contact.
     pub value: f64,
-    /// Bound of its relative error.
+    /// Bound of its relative error; infinite where pressure and shear are found together.
     pub bound: f64,
     /// Room for members to come: zero.
     pub reserved: [u64; 8],
@@ -24,7 +24,8 @@ pub struct stickslip_tangential_stiffness {
     pub loading: [[f64; 3]; 3],
     /// If the motion reverses: all cells of the contact stick.
     pub reversal: [[f64; 3]; 3],
-    /// Bound of the errors: none is larger than this times the root of the product of the two entries on the diagonal.
+    /// Bound of the errors: none is larger than this times the root of the product of the two entries on the diagonal;
+    /// infinite where pressure and shear are found together.
     pub bound: f64,
     /// Room for members to come: zero.
     pub reserved: [u64; 8],
@@ -44,7 +45,7 @@ pub struct stickslip_stiffness {
     /// motions that the model does not have.
     pub normal_by_motion: [f64; 3],
     /// Room for members to come: zero.
-    pub reserved: [u64; 8],
+    pub reserved: [u64; 5],
 }
 
 /// What a model does not have as NaN.
@@ -80,7 +81,7 @@ impl From<ContactStiffness> for stickslip_stiffness {
             tangential: of.tangential.into(),
             by_approach: present(of.by_approach),
             normal_by_motion: present(of.normal_by_motion),
-            reserved: [0; 8],
+            reserved: [0; 5],
         }
     }
 }

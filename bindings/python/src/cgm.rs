@@ -94,6 +94,14 @@ impl Product for Function {
     }
 }
 
+/// As many numbers as there are unknowns, from as many or from one for all.
+fn for_each(given: &Bound<'_, PyAny>, cells: usize) -> PyResult<Vec<f64>> {
+    match given.extract::<Real>() {
+        Ok(Real(value)) => Ok(vec![value; cells]),
+        Err(_) => Ok(numbers(given, cells)?.as_slice()?.to_vec()),
+    }
+}
+
 /// Lower and upper bounds of so many unknowns; zero and infinite by default.
 pub(crate) fn bounds(
     lower: Option<Bound<'_, PyAny>>,
@@ -102,10 +110,7 @@ pub(crate) fn bounds(
 ) -> PyResult<[Vec<f64>; 2]> {
     let bound = |given: Option<Bound<'_, PyAny>>, default: f64| match given {
         None => Ok(vec![default; cells]),
-        Some(object) => match object.extract::<Real>() {
-            Ok(Real(value)) => Ok(vec![value; cells]),
-            Err(_) => Ok::<_, PyErr>(numbers(&object, cells)?.as_slice()?.to_vec()),
-        },
+        Some(object) => for_each(&object, cells),
     };
     Ok([bound(lower, 0.0)?, bound(upper, f64::INFINITY)?])
 }
@@ -165,8 +170,10 @@ picklable!(Minimum: Found);
 ///     Sum of the unknowns; free by default.
 /// spring : (far_end, compliance), optional
 ///     Instead of a total: the multiplier is ``far_end - compliance * sum(x)``.
+/// diagonal : float or array_like, optional
+///     Numbers that are not negative, added to the diagonal of C; none by default.
 /// preconditioner : LinearOperator, optional
-///     An approximation of the inverse of C; none by default.
+///     An approximation of the inverse of C without ``diagonal``; none by default.
 /// lower_bound : float, default 0
 ///     A lower bound of the smallest eigenvalue of a callable, by which the error is certified.
 /// start : array_like, optional
@@ -195,9 +202,9 @@ picklable!(Minimum: Found);
 /// >>> minimum.x.round(6)
 /// array([1. , 0.5, 0. ])
 #[pyfunction]
-#[pyo3(signature = (operator, linear, *, lower=None, upper=None, total=None, spring=None, preconditioner=None,
-    lower_bound=Real(0.0), start=None, settings=None, tolerance=None, method=None, max_iterations=None, time_limit=None,
-    progress=None))]
+#[pyo3(signature = (operator, linear, *, lower=None, upper=None, total=None, spring=None, diagonal=None,
+    preconditioner=None, lower_bound=Real(0.0), start=None, settings=None, tolerance=None, method=None,
+    max_iterations=None, time_limit=None, progress=None))]
 pub(crate) fn minimise<'py>(
     py: Python<'py>,
     operator: Bound<'py, PyAny>,
@@ -206,6 +213,7 @@ pub(crate) fn minimise<'py>(
     upper: Option<Bound<'py, PyAny>>,
     total: Option<Real>,
     spring: Option<due::FarEnd>,
+    diagonal: Option<Bound<'py, PyAny>>,
     preconditioner: Option<&LinearOperator>,
     lower_bound: Real,
     start: Option<Bound<'py, PyAny>>,
@@ -256,6 +264,8 @@ pub(crate) fn minimise<'py>(
     let linear = numbers(&linear, cells)?;
     let linear = linear.as_slice()?;
     let bounds = bounds(lower, upper, cells)?;
+    let diagonal = diagonal.map(|given| for_each(&given, cells));
+    let diagonal = diagonal.transpose()?.unwrap_or_default();
     let mut x = match start {
         None => vec![0.0; cells],
         Some(start) => numbers(&start, cells)?.as_slice()?.to_vec(),
@@ -266,7 +276,9 @@ pub(crate) fn minimise<'py>(
     let outcome = solve(py, size, progress, |observer| {
         let [lower, upper] = bounds.each_ref().map(|bound| &bound[..]);
         let constraint = Bounds { lower, upper };
-        let problem = Problem::new(Shared(product), [linear], constraint).totals([total]);
+        let problem = Problem::new(Shared(product), [linear], constraint)
+            .diagonal(&diagonal)
+            .totals([total]);
         let stop = |iteration: &Iteration| {
             if function
                 .as_ref()

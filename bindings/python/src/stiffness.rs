@@ -24,7 +24,7 @@ impl NormalStiffness {
         self.0.value
     }
 
-    /// Bound of its relative error.
+    /// Bound of its relative error; infinite where pressure and shear are found together.
     #[getter]
     fn bound(&self) -> f64 {
         self.0.bound
@@ -65,7 +65,8 @@ impl TangentialStiffness {
         numbers(&self.0.reversal)
     }
 
-    /// Bound of the errors, relative to the root of the product of the two entries on the diagonal.
+    /// Bound of the errors, relative to the root of the product of the two entries on the diagonal; infinite where
+    /// pressure and shear are found together.
     #[getter]
     fn bound(&self) -> f64 {
         self.0.bound

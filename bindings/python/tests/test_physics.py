@@ -217,6 +217,12 @@ def test_the_engine_agrees_with_an_explicit_matrix():
     matrix = np.array([[dense.get(row, column) for column in range(108)] for row in range(108)])
     own = ss.cgm.minimise(lambda x: matrix @ x, gap.array, total=3.0, lower_bound=dense.lower_bound)
     assert own.x == pytest.approx(direct.x, abs=1e-8)
+    added = np.linspace(0.0, 1.0, 108)
+    softer = ss.cgm.minimise(bodies.operator("zz"), gap.array, total=3.0, diagonal=added)
+    direct = ss.dense.DenseOperator(matrix + np.diag(added)).minimise(gap.array, total=3.0)
+    assert softer.x == pytest.approx(direct.x, abs=1e-8) and softer.x != pytest.approx(own.x, abs=1e-3)
+    with pytest.raises(ss.errors.StickslipError, match="diagonal"):
+        ss.cgm.minimise(bodies.operator("zz"), gap.array, total=3.0, diagonal=-1.0)
     assert matrix @ gap.array.ravel() == pytest.approx(bodies.operator("zz")(gap.array).ravel(), abs=1e-12)
 
 

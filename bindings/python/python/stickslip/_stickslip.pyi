@@ -3164,7 +3164,7 @@ class NormalStiffness:
     @property
     def bound(self, /) -> float:
         """
-        Bound of its relative error.
+        Bound of its relative error; infinite where pressure and shear are found together.
         """
     @property
     def value(self, /) -> float:
@@ -4843,7 +4843,8 @@ class TangentialStiffness:
     @property
     def bound(self, /) -> float:
         """
-        Bound of the errors, relative to the root of the product of the two entries on the diagonal.
+        Bound of the errors, relative to the root of the product of the two entries on the diagonal; infinite where
+        pressure and shear are found together.
         """
     @property
     def loading(self, /) -> list[list[float]]:
@@ -5383,7 +5384,7 @@ def max_stable_cycles(bodies: HalfSpace, coefficient: Field | ArrayLike, slip_di
     25.2
     """
 
-def minimise(operator: Any, linear: Any, *, lower: Any | None = None, upper: Any | None = None, total: float | None = None, spring: tuple[float, float] | None = None, preconditioner: LinearOperator | None = None, lower_bound: float = ..., start: Any | None = None, settings: Settings | None = None, tolerance: float | None = None, method: Method | str | None = None, max_iterations: int | None = None, time_limit: float | None = None, progress: Any | None = None) -> Minimum:
+def minimise(operator: Any, linear: Any, *, lower: Any | None = None, upper: Any | None = None, total: float | None = None, spring: tuple[float, float] | None = None, diagonal: Any | None = None, preconditioner: LinearOperator | None = None, lower_bound: float = ..., start: Any | None = None, settings: Settings | None = None, tolerance: float | None = None, method: Method | str | None = None, max_iterations: int | None = None, time_limit: float | None = None, progress: Any | None = None) -> Minimum:
     """
     Minimises ``x'Cx/2 + linear'x`` within bounds, with ``sum(x) = total`` if given.
 
@@ -5399,8 +5400,10 @@ def minimise(operator: Any, linear: Any, *, lower: Any | None = None, upper: Any
         Sum of the unknowns; free by default.
     spring : (far_end, compliance), optional
         Instead of a total: the multiplier is ``far_end - compliance * sum(x)``.
+    diagonal : float or array_like, optional
+        Numbers that are not negative, added to the diagonal of C; none by default.
     preconditioner : LinearOperator, optional
-        An approximation of the inverse of C; none by default.
+        An approximation of the inverse of C without ``diagonal``; none by default.
     lower_bound : float, default 0
         A lower bound of the smallest eigenvalue of a callable, by which the error is certified.
     start : array_like, optional
