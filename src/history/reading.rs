@@ -163,7 +163,8 @@ impl History {
     /// contact during further motion are not included.
     ///
     /// # Errors
-    /// [`Error::NotFinite`](crate::Error::NotFinite) where a periodic contact is closed everywhere, [`Error::NotConverged`](crate::Error::NotConverged), as [`HalfSpace::operator`](crate::HalfSpace::operator).
+    /// [`Error::NotFinite`](crate::Error::NotFinite) where a periodic contact is closed everywhere,
+    /// [`Error::NotConverged`](crate::Error::NotConverged), as [`HalfSpace::operator`](crate::HalfSpace::operator).
     #[doc(alias = "tangential stiffness")]
     #[doc(alias = "jacobian")]
     #[doc(alias = "tangent")]

@@ -27,7 +27,7 @@ use crate::window::Window;
 pub struct NormalStiffness {
     /// $`dW/d\delta_z`$ (a force over a length), zero without contact. Hertz: $`2 E^* a`$.
     pub value: f64,
-    /// Bound of its relative error.
+    /// Bound of its relative error; infinite where pressure and shear are found together.
     pub bound: f64,
 }
 
@@ -47,7 +47,7 @@ pub struct TangentialStiffness {
     /// [Mindlin](crate::analytical::MindlinFullStick): $`8 G^* a`$.
     pub reversal: [[Option<f64>; 3]; 3],
     /// Bound of the errors: none is larger than this times the root of the product of the two entries on the diagonal,
-    /// of the matrix for a twist about the centre of the contact.
+    /// of the matrix for a twist about the centre of the contact. Infinite where pressure and shear are found together.
     pub bound: f64,
 }
 
@@ -61,10 +61,10 @@ pub struct ContactStiffness {
     /// Tangential forces and moment by shift and twist.
     pub tangential: TangentialStiffness,
     /// Tangential forces (over a length) and moment (a force) by the approach while slip continues, through the friction
-    /// limit of the cells that slip and the lag of those that entered the contact in the step of a history: if the shift grows in the same step, or the approach decreases. Pressed further at a
-    /// held shift these cells stick, and the slope is zero. Without a bound of its own; the change of pressure behind it
-    /// has a relative error, in the energy norm, of the root of the bound of `normal`. `None` of loads that the model does
-    /// not have.
+    /// limit of the cells that slip and the lag of those that entered the contact in the step of a history: if the shift
+    /// grows in the same step, or the approach decreases. Pressed further at a held shift these cells stick, and the slope
+    /// is zero. Without a bound of its own; the change of pressure behind it has a relative error, in the energy norm, of
+    /// the root of the bound of `normal`. `None` of loads that the model does not have.
     pub by_approach: [Option<f64>; 3],
     /// Normal force (over a length, for the twist a force) by shifts along x and y and the twist: zero but where pressure and
     /// shear are found together. `None` of motions that the model does not have.
