@@ -57,7 +57,7 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
     }
 
     /// With a compliance of its own added to each cell, `C + D` in place of `C`: a number that is not negative for all
-    /// components of the cell (default: none). [`Workspace::product`] stays that of `C`.
+    /// components of the cell (default: none, as an empty slice is). [`Workspace::product`] stays that of `C`.
     ///
     /// ```
     /// use stickslip::cgm::{self, NonNegative, Problem, Settings};

@@ -66,8 +66,9 @@ pub(super) struct Engine {
     own: Vec<f64>,
     image: [Vec<f64>; N],
     limits: Vec<f64>,
-    /// The largest pressure of each cell.
-    hardness: PerCell<Vec<f64>>,
+    /// The largest pressure of all cells, or of each in what follows.
+    hardness: PerCell<()>,
+    hardness_of_cells: Vec<f64>,
 }
 
 /// The products of the whole grid.
@@ -129,6 +130,7 @@ impl Engine {
             image: buffer::vector(cells)?,
             limits: buffer::zeros(cells)?,
             hardness: PerCell::Uniform(f64::INFINITY),
+            hardness_of_cells: Vec::new(),
         })
     }
 
@@ -198,11 +200,11 @@ impl Engine {
             self.region.gather(closing, &mut self.closing);
         }
         let limits = task.hardness.map_or(UNLIMITED, Hardness::limits);
-        self.hardness = limits.try_map(|cells| {
-            let mut part = buffer::zeros(self.region.cells())?;
-            self.region.gather(cells, &mut part);
-            Ok(part)
-        })?;
+        self.hardness = limits.map(|_| ());
+        if let PerCell::Cells(cells) = limits {
+            buffer::resize(&mut self.hardness_of_cells, self.region.cells(), 0.0)?;
+            self.region.gather(cells, &mut self.hardness_of_cells);
+        }
         let friction = &task.friction.within(&self.region);
         let (mut sweeps, mut opening) = match start {
             Start::Halves => (1, Opening::Sound),
@@ -276,7 +278,7 @@ impl Engine {
             layout: &self.layout,
             linear: slices(&self.asked),
             closing: self.enters.then_some(&self.closing),
-            hardness: self.hardness.map(Vec::as_slice),
+            hardness: self.hardness.map(|()| &*self.hardness_of_cells),
             friction,
             totals: task.totals,
             lower_bounds: self.lower_bounds,
@@ -332,7 +334,7 @@ impl Engine {
             diagonal: &[],
             linear: [&self.linear[0]],
             datum: [0.0],
-            constraint: Carried(self.hardness.map(Vec::as_slice)),
+            constraint: Carried(self.hardness.map(|()| &*self.hardness_of_cells)),
             totals: [task.totals[0]],
             known: Known::Nothing,
         };

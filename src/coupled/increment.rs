@@ -305,7 +305,7 @@ impl CoupledIncrement {
         let fits = |window: Window| window.covers(grown) && holds(window);
         if !self.window().is_some_and(fits) {
             let mut window = contact.widened(grid);
-            while !holds(window) && window != Window::whole(grid) {
+            while !holds(window) {
                 window = window.widened(grid);
             }
             self.engines.work_on(bodies, window)?;

@@ -45,7 +45,7 @@ impl CoupledIncrement {
             let cells = self.closing.iter().zip(&self.tractions[0]);
             let own = |(closing, pressure): (&f64, &f64)| {
                 if *pressure > 0.0 {
-                    closing / pressure
+                    (closing / pressure).min(f64::MAX)
                 } else {
                     0.0
                 }

@@ -121,9 +121,9 @@ impl History {
             increment.draw_from(state.pressure().as_slice());
         }
         let control = load.normal_control();
-        match state.closing(&self.bodies, control) {
-            Some(gap) if candidate.is_some() => increment.enter(gap)?,
-            _ => increment.enter_nowhere(),
+        match candidate.and_then(|_| state.closing(&self.bodies, control)) {
+            Some(gap) => increment.enter(gap)?,
+            None => increment.enter_nowhere(),
         }
         increment.set_traction(state.traction.each_ref().map(Field::as_slice));
         let mut conditions = Conditions {

@@ -178,9 +178,12 @@ impl Hardness {
         }
     }
 
-    /// Whether the cells of a window of the grid carry this total of the pressures, and some more.
+    /// Whether the cells of a window of the grid carry this total of the pressures, and some more, or are all there are.
     pub(crate) fn holds(&self, bodies: &HalfSpace, window: Window, total: Total) -> bool {
-        let Some(total) = total.sum() else {
+        let Some(total) = total
+            .sum()
+            .filter(|_| window != Window::whole(bodies.grid()))
+        else {
             return true;
         };
         let (limits, first) = (self.limits(), bodies.first_cell());

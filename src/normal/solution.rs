@@ -191,6 +191,8 @@ impl NormalSolution {
         report: &Report,
     ) {
         self.pair = *bodies.pair();
+        // Of another history, whose solution this has been.
+        (self.yielded_cells, self.is_coupled) = (0, false);
         self.gather_whole(bodies);
         let initial = initial.as_slice();
         parallel::update(self.gap.as_mut_slice(), |first, chunk| {

@@ -64,7 +64,8 @@ pub struct ContactStiffness {
     /// limit of the cells that slip and the lag of those that entered the contact in the step of a history: if the shift
     /// grows in the same step, or the approach decreases. Pressed further at a held shift these cells stick, and the slope
     /// is zero. Without a bound of its own; the change of pressure behind it has a relative error, in the energy norm, of
-    /// the root of the bound of `normal`. `None` of loads that the model does not have.
+    /// the root of the bound of `normal`. Of problems with [one-way coupling](crate::Coupling::OneWay) without what the
+    /// pressure moves the surfaces, which steps of histories have. `None` of loads that the model does not have.
     pub by_approach: [Option<f64>; 3],
     /// Normal force (over a length, for the twist a force) by shifts along x and y and the twist: zero but where pressure and
     /// shear are found together. `None` of motions that the model does not have.
@@ -262,7 +263,7 @@ impl ContactStiffness {
             for (i, growth) in press.window.indices().zip(&press.growth) {
                 if pressure[i] > 0.0 {
                     changes.limits[i] = friction.slope(i, pressure[i]) * growth;
-                    changes.relative[i] = growth / pressure[i];
+                    changes.relative[i] = (growth / pressure[i]).clamp(-f64::MAX, f64::MAX);
                     changes.pressure[i] = *growth;
                 }
             }
@@ -424,7 +425,10 @@ impl Sheared<'_> {
             for (k, i) in window.indices().enumerate() {
                 let q = Self::at(self.traction, axes, i);
                 for ((u, forced), q) in displacement.iter_mut().zip(&forced).zip(q) {
-                    u[k] += loading.own(k) * (forced[k] - q * changes.relative[i]);
+                    let own = loading.own(k);
+                    if own > 0.0 {
+                        u[k] += own * (forced[k] - q * changes.relative[i]);
+                    }
                 }
             }
             let own = motions

@@ -180,3 +180,33 @@ fn loads_that_no_cell_of_the_last_window_could_carry_are_carried() {
         }
     }
 }
+
+/// Histories of the same bodies take turns with their buffers, and leave nothing of what they were in them.
+#[test]
+fn histories_of_other_kinds_leave_no_marks() {
+    let grid = Grid::square(24, 4.0).unwrap();
+    let ball = surface::sphere(grid, 10.0).unwrap();
+    let body = Material::new(1.0, 0.1).unwrap();
+    let pair = ElasticPair::new(body, Material::rigid()).unwrap();
+    let bodies = HalfSpace::new(grid, pair).unwrap();
+    let new = |coupling: Coupling, hardness: Option<f64>| {
+        let builder = History::builder(&bodies, &ball, Friction::coulomb(0.3).unwrap());
+        let builder = builder.coupling(coupling);
+        match hardness {
+            Some(limit) => builder.hardness(Hardness::uniform(limit).unwrap()).build(),
+            None => builder.build(),
+        }
+        .unwrap()
+    };
+    let mut yields = new(Coupling::Full, Some(0.02));
+    let (mut full, mut one_way) = (new(Coupling::Full, None), new(Coupling::OneWay, None));
+    for force in [0.02, 0.05, 0.08] {
+        for history in [&mut yields, &mut full, &mut one_way] {
+            history.step(&press(force)).unwrap();
+        }
+        assert!(yields.normal().yielded_cells() > 0);
+        assert_eq!(full.normal().yielded_cells(), 0);
+        assert!(one_way.stiffness().is_ok() && one_way.normal().stiffness(&bodies).is_ok());
+        assert!(full.normal().stiffness(&bodies).is_err());
+    }
+}

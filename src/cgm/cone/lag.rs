@@ -7,7 +7,7 @@ use crate::buffer;
 use crate::cgm::cone::law::{Kind, Law};
 use crate::cgm::cone::{Cone, ConeProblem, ConeRun, N};
 use crate::cgm::reduce;
-use crate::cgm::vector::{at, slices, update_cells};
+use crate::cgm::vector::{at, plus, slices, update_cells};
 use crate::error::Result;
 use crate::operator::Operator;
 use crate::parallel;
@@ -33,10 +33,23 @@ impl<C, P, F: Cone> ConeProblem<'_, C, P, F> {
 
 impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     /// Makes room for what the cells have of their own.
-    pub(super) fn make_own(&mut self) -> Result<()> {
-        let own = &mut self.workspace.own;
-        own.clear();
-        buffer::resize(own, self.problem.closing.map_or(0, <[f64]>::len), 0.0)
+    pub(super) fn make_own(&mut self, cells: usize) -> Result<()> {
+        let w = &mut *self.workspace;
+        w.own.clear();
+        w.ratio.clear();
+        buffer::resize(&mut w.own, cells, 0.0)?;
+        buffer::resize(&mut w.ratio, cells, [0.0; 2])
+    }
+
+    /// Finds traction over pressure of the cells.
+    pub(super) fn set_ratios(&mut self) {
+        let (problem, w) = (self.problem, &mut *self.workspace);
+        let (x, laws) = (slices(&self.x), &w.laws);
+        parallel::update(&mut w.ratio, |first, ratios| {
+            for (i, ratio) in (first..).zip(ratios) {
+                *ratio = problem.ratio(i, laws[i], at(&x, i));
+            }
+        });
     }
 
     /// Finds what the cells have of their own at the present pressure, and adds the lag to the product.
@@ -55,37 +68,34 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
                 };
             }
         });
+        self.set_ratios();
         self.add_lag(1.0);
     }
 
-    /// Adds so many times the lag to the product.
+    /// Adds so many times the lag, as it was last found, to the product.
     pub(super) fn add_lag(&mut self, part: f64) {
         let (problem, w) = (self.problem, &mut *self.workspace);
         let Some(closing) = problem.closing else {
             return;
         };
-        let (x, laws) = (slices(&self.x), &w.laws);
+        let ratio = &w.ratio;
         let [_, along_x, along_y] = &mut w.product;
-        update_cells(&mut [&mut **along_x, &mut **along_y], |i, [ux, uy]| {
-            let [rx, ry] = problem.ratio(i, laws[i], at(&x, i));
-            let lag = part * closing[i];
-            [ux + lag * rx, uy + lag * ry]
+        update_cells(&mut [&mut **along_x, &mut **along_y], |i, u| {
+            plus(u, part * closing[i], ratio[i])
         });
     }
 
     /// Adds to the image what changes of the tractions change of the lag.
     pub(super) fn add_change_of_lag(&mut self) {
-        let (problem, w) = (self.problem, &mut *self.workspace);
+        let w = &mut *self.workspace;
         if w.own.is_empty() {
             return;
         }
-        let (x, d) = (slices(&self.x), slices(&w.direction));
-        let (own, laws) = (&w.own, &w.laws);
+        let (own, ratio, d) = (&w.own, &w.ratio, slices(&w.direction));
         let [_, along_x, along_y] = &mut w.image;
-        update_cells(&mut [&mut **along_x, &mut **along_y], |i, [ux, uy]| {
-            let [rx, ry] = problem.ratio(i, laws[i], at(&x, i));
+        update_cells(&mut [&mut **along_x, &mut **along_y], |i, u| {
             let [dp, dx, dy] = at(&d, i);
-            [ux + own[i] * (dx - rx * dp), uy + own[i] * (dy - ry * dp)]
+            plus(u, own[i], plus([dx, dy], -dp, ratio[i]))
         });
     }
 }

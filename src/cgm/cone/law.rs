@@ -100,7 +100,7 @@ impl Law {
         };
         Self {
             kind,
-            is_held: p >= hardness,
+            is_held: p > 0.0 && p >= hardness,
         }
     }
 

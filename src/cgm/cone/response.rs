@@ -65,9 +65,8 @@ pub(crate) fn responses<C: Operator<N>, P: Operator<N>, F: Cone>(
 impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     /// The law of every cell as it stands.
     fn stand(&mut self, stand: Stand<'_>) -> Result<()> {
+        self.make_own(stand.own.len())?;
         let (problem, w) = (self.problem, &mut *self.workspace);
-        w.own.clear();
-        buffer::resize(&mut w.own, stand.own.len(), 0.0)?;
         w.own.copy_from_slice(stand.own);
         let x = slices(&self.x);
         let limit = |i: usize| problem.friction.limit(i, x[0][i].max(0.0));
@@ -88,6 +87,8 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         let laws = &w.laws;
         w.contact.update(|i| laws[i].touches());
         w.make_room()?;
+        self.set_ratios();
+        let w = &mut *self.workspace;
         for part in &mut w.direction {
             part.fill(0.0);
         }
@@ -135,7 +136,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
             self.set_residual_of_response(motion);
             let left = self.residual_size();
             let start = *first.get_or_insert(left);
-            self.workspace.report.residual = left / start;
+            self.workspace.report.residual = if start > 0.0 { left / start } else { 0.0 };
             if left <= SOLVED * start {
                 return ControlFlow::Break(Status::Converged);
             }

@@ -22,6 +22,8 @@ pub(crate) struct ConeWorkspace<C: Operator<N>, P: Operator<N>> {
     pub(super) laws: Vec<Law>,
     /// $`\kappa g/p`$ of every cell; empty where none enters.
     pub(super) own: Vec<f64>,
+    /// Traction over pressure of these cells, where the lag was last found.
+    pub(super) ratio: Vec<[f64; 2]>,
     /// The cells in contact; the vectors below hold these alone.
     pub(super) contact: MovingCells,
     pub(super) residual: Vec<[f64; N]>,
@@ -46,6 +48,7 @@ impl<C: Operator<N>, P: Operator<N>> ConeWorkspace<C, P> {
             limits: buffer::zeros(cells)?,
             laws: buffer::filled(Law::OPEN, cells)?,
             own: Vec::new(),
+            ratio: Vec::new(),
             contact: MovingCells::new(operator.layout())?,
             residual: Vec::new(),
             correction: Vec::new(),
