@@ -154,6 +154,7 @@ pub(crate) fn solve<C: Operator<N>, P: Operator<N>, F: Cone>(
         lack: None,
         times_held: 0,
     };
+    run.make_own(problem.closing.map_or(0, <[f64]>::len))?;
     let status = run.newton(opening);
     if !run.is_fresh && status.is_some() {
         // It may have ended within a linear system, which lets cells leave their cones.

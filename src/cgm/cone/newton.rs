@@ -43,9 +43,6 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         let tolerance = self.monitor.tolerance();
         let (mut best, mut without, mut changes) = (f64::INFINITY, 0, usize::MAX);
         let mut missing = f64::INFINITY;
-        let cells = self.problem.closing.map_or(0, <[f64]>::len);
-        let room = self.make_own(cells);
-        self.unless_lacking(room)?;
         self.set_laws();
         loop {
             let is_early = best > EARLY && best.is_finite();
