@@ -1,6 +1,6 @@
 //! Intervals: one unknown a cell between two bounds.
 
-use crate::cgm::motion::{Linearised, Motion, Reach};
+use crate::cgm::motion::{Linearised, Motion, Reach, Row};
 use crate::cgm::run::Run;
 use crate::cgm::vector::update_cells;
 use crate::cgm::{Admissible, Constraint, reduce};
@@ -35,7 +35,7 @@ pub enum Side {
     Fixed,
 }
 
-impl Motion<1> for Side {
+impl Row<1> for Side {
     const IS_CURVED: bool = false;
     const IS_STEADY: bool = false;
     const FREE: Self = Self::Free;
@@ -51,8 +51,13 @@ impl Motion<1> for Side {
     }
 
     #[inline]
-    fn project(self, v: [f64; 1]) -> [f64; 1] {
+    fn extend(self, v: [f64; 1]) -> [f64; 1] {
         v
+    }
+
+    #[inline]
+    fn restrict(self, w: [f64; 1]) -> [f64; 1] {
+        w
     }
 
     #[inline]
@@ -69,7 +74,9 @@ impl Motion<1> for Side {
     fn preconditioned(self, answer: [f64; 1], _: [f64; 1]) -> [f64; 1] {
         answer
     }
+}
 
+impl Motion<1> for Side {
     fn weighed(self, _: f64, _: f64) -> Self {
         self
     }

@@ -43,8 +43,8 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         if merit > self.monitor.tolerance() || merit.is_nan() {
             return None;
         }
-        let status = self.judge(merit, findings.free).break_value()?;
-        let report = &mut self.workspace.report;
+        let status = self.judge(merit).break_value()?;
+        let report = &mut self.workspace.linear.report;
         Some(self.monitor.finish(status, merit, report))
     }
 

@@ -8,7 +8,7 @@
 
 use std::ops::ControlFlow;
 
-use crate::cgm::motion::{Linearised, Motion};
+use crate::cgm::motion::{Linearised, Motion, Row};
 use crate::cgm::progress::Progress;
 use crate::cgm::run::{Run, Start};
 use crate::cgm::standing::Standing;
@@ -59,7 +59,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
                 merit = self.merit(&feasible);
                 self.shown = self.monitor.is_last().then_some(merit);
             }
-            self.judge(merit, findings.free)?;
+            self.judge(merit)?;
             self.shown = None;
             if !keeps_sets {
                 // Cells were far beyond their bounds, and have pushed others off theirs.
@@ -136,8 +136,8 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     fn list_moving(&mut self) {
         let w = &mut *self.workspace;
         if !MotionOf::<K, N>::IS_STEADY {
-            w.moving.update(|i| w.motions[i].moves());
-            if w.moving.of_all_ranks() == 0 {
+            w.linear.moving.update(|i| w.linear.rows[i].moves());
+            if w.linear.moving.of_all_ranks() == 0 {
                 match self.stand_at_bounds([1.0; N]) {
                     Some(Standing::Rests) => {}
                     // All at once, those that can only lead away would come back in the next step.
@@ -150,16 +150,16 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
                     }
                 }
                 let w = &mut *self.workspace;
-                w.moving.update(|i| w.motions[i].moves());
+                w.linear.moving.update(|i| w.linear.rows[i].moves());
             }
         }
         let w = &mut *self.workspace;
         // The inner iteration writes these on the cells that move only; what has no total spreads nothing.
-        for part in &mut w.direction {
+        for part in &mut w.linear.direction {
             part.fill(0.0);
         }
         if N > 1 {
-            w.spread.fill([[0.0; N]; N]);
+            w.linear.spread.fill([[0.0; N]; N]);
         }
     }
 
@@ -167,7 +167,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     fn release(&mut self, push: impl Fn([f64; N], [f64; N]) -> [f64; N] + Sync) {
         let w = &mut *self.workspace;
         let (gradient, multiplier) = (slices(&w.gradient), w.multiplier);
-        parallel::update(&mut w.motions, |first, chunk| {
+        parallel::update(&mut w.linear.rows, |first, chunk| {
             for (i, motion) in (first..).zip(chunk) {
                 *motion = motion.released(push(at(&gradient, i), multiplier));
             }
@@ -177,12 +177,12 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     /// The mean of the gradient where cells are free, or of all that move if none is, for the totals; zero elsewhere.
     fn set_mean_multiplier(&mut self) {
         let w = &mut *self.workspace;
-        let (motions, gradient) = (&w.motions, slices(&w.gradient));
-        let means: [([f64; N], f64); 2] = w.moving.sweep((), |entries, ()| {
+        let (motions, gradient) = (&w.linear.rows, slices(&w.gradient));
+        let means: [([f64; N], f64); 2] = w.linear.moving.sweep((), |entries, ()| {
             let gradient = within(&gradient, &entries.chunk);
             entries.sums(|k, place| {
                 let (g, nothing) = ((at(&gradient, place), 1.0), ([0.0; N], 0.0));
-                if entries.motion(motions, k, place).is_free() {
+                if entries.row(motions, k, place).is_free() {
                     [g, nothing]
                 } else {
                     [nothing, g]
@@ -206,8 +206,8 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         let (problem, lower_bound) = (self.problem, self.lower_bound);
         let w = &mut *self.workspace;
         let (gradient, multiplier) = (slices(&w.gradient), w.multiplier);
-        let data = w.moving.motions(&mut w.motions);
-        w.moving.sweep(data, |entries, motions| {
+        let data = w.linear.moving.motions(&mut w.linear.rows);
+        w.linear.moving.sweep(data, |entries, motions| {
             entries.visit::<MotionOf<K, N>, N>(|kept, place| {
                 let cell = entries.chunk.start + place;
                 let g = minus(at(&gradient, cell), multiplier);
@@ -234,9 +234,9 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         let (gradient, multiplier) = (slices(&w.gradient), w.multiplier);
         let data = (
             chunks(&problem.layout, &mut self.x),
-            w.moving.motions(&mut w.motions),
+            w.linear.moving.motions(&mut w.linear.rows),
         );
-        w.moving.sweep(data, |entries, (mut x, motions)| {
+        w.linear.moving.sweep(data, |entries, (mut x, motions)| {
             let mut changed = 0_usize;
             entries.visit::<MotionOf<K, N>, N>(|kept, place| {
                 let cell = entries.chunk.start + place;

@@ -23,7 +23,7 @@ pub struct Problem<'a, C, K, P = Identity, const N: usize = 1> {
     pub(super) preconditioner: P,
     pub(super) layout: Layout,
     /// Empty where there is none.
-    diagonal: &'a [f64],
+    pub(super) diagonal: &'a [f64],
     linear: [&'a [f64]; N],
     datum: [f64; N],
     pub(super) constraint: K,
@@ -244,7 +244,7 @@ pub fn minimise<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize
     })?;
     Ok(Minimum {
         multiplier: workspace.multiplier,
-        report: workspace.report,
+        report: workspace.linear.report,
     })
 }
 
@@ -275,7 +275,7 @@ pub(crate) fn minimise_from<C: Operator<N>, K: Constraint<N>, P: Operator<N>, co
 ) -> Result<()> {
     let cells = x[0].len();
     let checked = problem.check(settings, &x);
-    let checked = checked.and_then(|()| length("workspace", cells, workspace.motions.len()));
+    let checked = checked.and_then(|()| length("workspace", cells, workspace.linear.rows.len()));
     problem.layout.agreed(checked)?;
     let solve = || -> Result<Status> {
         let sums = problem.totals.map(Total::sum);
@@ -295,7 +295,7 @@ pub(crate) fn minimise_from<C: Operator<N>, K: Constraint<N>, P: Operator<N>, co
         let status = run.finish(status);
         // The product that is kept is that of the operator alone.
         run.add_diagonal(-1.0);
-        if let Some(lack) = run.lack.take() {
+        if let Some(lack) = run.monitor.lack.take() {
             return Err(lack);
         }
         let has_failed = matches!(status, Status::Stalled | Status::IterationLimit);
@@ -309,7 +309,9 @@ pub(crate) fn minimise_from<C: Operator<N>, K: Constraint<N>, P: Operator<N>, co
     if status == Status::Converged {
         Ok(())
     } else {
-        Err(Error::NotConverged(Box::new(workspace.report.clone())))
+        Err(Error::NotConverged(Box::new(
+            workspace.linear.report.clone(),
+        )))
     }
 }
 

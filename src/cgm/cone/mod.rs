@@ -20,8 +20,6 @@
 //! `|s| <= m' |g|`. Were it to stick, the method would circle at the edge of every contact that grows.
 
 mod border;
-mod gmres;
-mod krylov;
 mod lag;
 mod law;
 mod newton;
@@ -30,9 +28,11 @@ mod workspace;
 
 use std::ops::ControlFlow;
 
+use crate::cgm::cone::law::Law;
+use crate::cgm::linear::{Linear, LinearWorkspace};
 use crate::cgm::monitor::Monitor;
 use crate::cgm::{Settings, Total, reduce};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::layout::Layout;
 use crate::operator::Operator;
 use crate::per_cell::PerCell;
@@ -72,6 +72,27 @@ pub(crate) struct ConeProblem<'a, C, P, F> {
     pub(crate) lower_bounds: [f64; 2],
     /// Tangential displacement by pressure, over the normal one: tangential residuals are relative to that at least.
     pub(crate) coupling: f64,
+}
+
+impl<C: Operator<N>, P: Operator<N>, F> ConeProblem<'_, C, P, F> {
+    /// The linear problem of the cells as they may move now: what they have of their own is in their laws.
+    fn linear_of<'a, 'm>(
+        &'a self,
+        monitor: &'a mut Monitor<'m>,
+        workspace: &'a mut LinearWorkspace<C::Workspace, P::Workspace, Law, N>,
+    ) -> Linear<'a, 'm, C, P, Law, N> {
+        Linear {
+            operator: &self.operator,
+            preconditioner: &self.preconditioner,
+            layout: self.layout,
+            diagonal: &[],
+            lower_bound: 0.0,
+            restraint: 0.0,
+            stiff: f64::INFINITY,
+            monitor,
+            workspace,
+        }
+    }
 }
 
 /// What an iterate shows, from one product.
@@ -120,12 +141,8 @@ pub(crate) struct ConeRun<'a, 'b, C: Operator<N>, P: Operator<N>, F> {
     monitor: Monitor<'a>,
     x: [&'a mut [f64]; N],
     workspace: &'a mut ConeWorkspace<C, P>,
-    /// Cells that stick, as last examined.
-    free: usize,
     /// Whether the product is that of the tractions, in double precision.
     is_fresh: bool,
-    /// The memory that could not be had on the way, if any.
-    lack: Option<Error>,
     /// Times that all cells slipped the same way.
     times_held: usize,
 }
@@ -146,15 +163,17 @@ pub(crate) fn solve<C: Operator<N>, P: Operator<N>, F: Cone>(
 ) -> Result<(Option<Status>, ConeFindings)> {
     let mut run = ConeRun {
         problem,
-        monitor: Monitor::new(settings, problem.layout, observer, &mut workspace.report),
+        monitor: Monitor::new(
+            settings,
+            problem.layout,
+            observer,
+            &mut workspace.linear.report,
+        ),
         x,
         workspace,
-        free: 0,
         is_fresh: false,
-        lack: None,
         times_held: 0,
     };
-    run.make_own(problem.closing.map_or(0, <[f64]>::len))?;
     let status = run.newton(opening);
     if !run.is_fresh && status.is_some() {
         // It may have ended within a linear system, which lets cells leave their cones.
@@ -163,8 +182,8 @@ pub(crate) fn solve<C: Operator<N>, P: Operator<N>, F: Cone>(
     run.refresh();
     let findings = run.examine();
     run.add_lag(-1.0);
-    let report = &mut run.workspace.report;
+    let report = &mut run.workspace.linear.report;
     let ended = status.unwrap_or(Status::Stalled);
     run.monitor.finish(ended, findings.merit(), report);
-    run.lack.map_or(Ok((status, findings)), Err)
+    run.monitor.lack.map_or(Ok((status, findings)), Err)
 }

@@ -5,11 +5,12 @@ use std::ops::ControlFlow;
 use crate::cgm::certificate::{Iterate, Shown, measure};
 use crate::cgm::cone::law::{Law, Noise};
 use crate::cgm::cone::workspace::gradient;
-use crate::cgm::cone::{Cone, ConeFindings, ConeRun, N, Opening};
+use crate::cgm::cone::{Cone, ConeFindings, ConeRun, ConeWorkspace, N, Opening};
+use crate::cgm::linear::{Border, Linear, Moved};
+use crate::cgm::motion::Row;
 use crate::cgm::run::Precision;
-use crate::cgm::vector::{chunks, held, norm, put, slices, slices_mut};
+use crate::cgm::vector::{at, chunks, held, norm, put, slices, slices_mut};
 use crate::cgm::{Admissible, Carried, Disc, Magnitude, reduce};
-use crate::error::Result;
 use crate::layout::Layout;
 use crate::operator::Operator;
 use crate::parallel;
@@ -19,6 +20,8 @@ use crate::report::Status;
 const FIRST_REDUCTION: f64 = 0.3;
 const INNER_REDUCTION: f64 = 0.03;
 const LEAST_REDUCTION: f64 = 1e-5;
+/// Bases begun before the sets are looked at again.
+const BASES: usize = 2;
 /// Residual above which a product in single precision tells the sets as well.
 const EARLY: f64 = 1e-3;
 /// Steps without halving the residual after which the method is stuck.
@@ -30,7 +33,7 @@ const NOISE: f64 = 0.1;
 /// Part of the largest limit below which a limit is as good as none.
 pub(super) const NOTHING: f64 = 1e-9;
 
-impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
+impl<'a, C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'a, '_, C, P, F> {
     /// Ends with the status of the run; `None` if the start is refused, or the sets cycle.
     pub(super) fn newton(&mut self, opening: Opening) -> Option<Status> {
         match self.steps(opening) {
@@ -59,7 +62,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
             }
             let merit = findings.merit();
             self.monitor
-                .judge(merit, self.free, &mut self.workspace.report)?;
+                .judge(merit, &mut self.workspace.linear.report)?;
             // What is missing of the totals does no harm: the first step adds it.
             if best.is_infinite() && opening.refuses(findings.residual) {
                 return ControlFlow::Continue(());
@@ -80,7 +83,9 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
             }
             self.linearise()?;
             let border = self.border();
-            if !border.carries(self.missing()) {
+            let missing = self.missing();
+            let is_carried = |c: usize| border.active[c] || missing[c] == 0.0;
+            if !(0..N).all(is_carried) {
                 return ControlFlow::Continue(());
             }
             let reduction = if changes == usize::MAX && opening == Opening::Coarse {
@@ -90,7 +95,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
             } else {
                 (0.3 * tolerance / merit).clamp(LEAST_REDUCTION, INNER_REDUCTION)
             };
-            self.solve_linear(&border, reduction)?;
+            self.solve_linear(&border, missing, reduction)?;
             changes = self.reclassify(tolerance);
             self.hold_springs();
         }
@@ -100,7 +105,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     pub(super) fn set_laws(&mut self) {
         self.is_fresh = false;
         let (friction, hardness) = (&self.problem.friction, self.problem.hardness);
-        let laws = &mut self.workspace.laws;
+        let laws = &mut self.workspace.linear.rows;
         move_cells(
             self.problem.layout,
             &mut self.x,
@@ -129,9 +134,15 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     fn refresh_in(&mut self, precision: Precision) {
         self.is_fresh = precision == Precision::Double;
         let w = &mut *self.workspace;
-        let (operator, report) = (&self.problem.operator, &mut w.report);
+        let (operator, report) = (&self.problem.operator, &mut w.linear.report);
         let product = slices_mut(&mut w.product);
-        precision.apply(operator, slices(&self.x), product, &mut w.operator, report);
+        precision.apply(
+            operator,
+            slices(&self.x),
+            product,
+            &mut w.linear.operator,
+            report,
+        );
         let (friction, pressure) = (&self.problem.friction, &*self.x[0]);
         parallel::update(&mut w.limits, |first, limits| {
             for (i, limit) in (first..).zip(limits) {
@@ -166,10 +177,10 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         let normal = measure(&normal, &Carried(problem.hardness), least_normal);
         let plane = measure(&plane, &Magnitude(&w.limits), least_plane);
         let findings = self.findings(&normal, &plane);
-        let report = &mut self.workspace.report;
+        let report = &mut self.workspace.linear.report;
         report.residual = findings.residual;
         report.load_error = findings.load_error;
-        self.free = findings.free;
+        self.monitor.free = findings.free;
         findings
     }
 
@@ -194,29 +205,11 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     /// The linear problem of the cells as they move now.
     fn linearise(&mut self) -> ControlFlow<Status> {
         let w = &mut *self.workspace;
-        let laws = &w.laws;
-        w.contact.update(|i| laws[i].touches());
-        let room = w.make_room();
-        self.unless_lacking(room)?;
-        let w = &mut *self.workspace;
-        for part in &mut w.direction {
-            part.fill(0.0);
-        }
+        self.monitor.unless_lacking(w.list_contact())?;
         self.let_press();
         self.let_stick();
         self.measure_slip();
         ControlFlow::Continue(())
-    }
-
-    /// Ends the run where memory could not be had.
-    pub(super) fn unless_lacking(&mut self, room: Result<()>) -> ControlFlow<Status> {
-        match room {
-            Ok(()) => ControlFlow::Continue(()),
-            Err(lack) => {
-                self.lack = Some(lack);
-                ControlFlow::Break(Status::Stalled)
-            }
-        }
     }
 
     /// The stiffness of every cell that slips, from the slip just measured.
@@ -226,16 +219,46 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         let gradient = gradient(&w.product, self.problem.linear, w.multiplier);
         let (pressure, limits) = (&*self.x[0], &w.limits);
         let least = NOTHING * reduce::max(self.problem.layout, |i| limits[i]);
-        parallel::update(&mut w.laws, |first, laws| {
+        parallel::update(&mut w.linear.rows, |first, laws| {
             for (i, law) in (first..).zip(laws) {
-                if law.touches() {
+                if law.moves() {
                     let [_, x, y] = gradient(i);
                     let limit = [limits[i], friction.slope(i, pressure[i])];
-                    let own = w.own.get(i).copied().unwrap_or(0.0);
-                    *law = law.measured([x, y], limit, least, [least_plane, own]);
+                    *law = law.measured([x, y], limit, least, least_plane);
                 }
             }
         });
+    }
+
+    /// Solves for the cells as they may move, letting them leave their sets; tractions, multipliers and product follow.
+    fn solve_linear(
+        &mut self,
+        border: &Border<N>,
+        missing: [f64; N],
+        reduction: f64,
+    ) -> ControlFlow<Status> {
+        self.is_fresh = false;
+        let ConeWorkspace {
+            linear,
+            product,
+            multiplier,
+            ..
+        } = &mut *self.workspace;
+        let mut moved = Moved {
+            x: &mut self.x,
+            displacement: product,
+            gap: |i: usize| at(&self.problem.linear, i),
+            multiplier,
+        };
+        let mut linear = self.problem.linear_of(&mut self.monitor, linear);
+        linear.solve(border, missing, (BASES, reduction), &mut moved)?;
+        ControlFlow::Continue(())
+    }
+
+    /// The linear problem of the cells as they may move now.
+    pub(super) fn linear(&mut self) -> Linear<'_, 'a, C, P, Law, N> {
+        self.problem
+            .linear_of(&mut self.monitor, &mut self.workspace.linear)
     }
 
     /// Decides at the equilibrated state how every cell moves next, and puts it into its set. Returns how many changed.
@@ -256,7 +279,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         move_cells(
             problem.layout,
             &mut self.x,
-            &mut w.laws,
+            &mut w.linear.rows,
             |cell, law, tractions| {
                 let noise = Noise {
                     lag: problem.closing_of(cell),
@@ -267,16 +290,6 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
                 (next, value, !next.is_like(law))
             },
         )
-    }
-
-    /// Counts a step.
-    pub(super) fn count_step(&mut self) {
-        self.monitor.count_step(&mut self.workspace.report);
-    }
-
-    /// Asks observer, clock and limit whether to take another step.
-    pub(super) fn proceed(&mut self) -> ControlFlow<Status> {
-        self.monitor.proceed(self.free, &self.workspace.report)
     }
 }
 
