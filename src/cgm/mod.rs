@@ -125,8 +125,9 @@ pub(crate) use crate::reduce;
 pub(crate) use certificate::{Certificate, Iterate, examine};
 pub use disc::Disc;
 pub use interval::Interval;
+pub(crate) use linear::{Held, LinearWorkspace};
 pub(crate) use look::Known;
-pub(crate) use motion::Linearised;
+pub(crate) use motion::{Linearised, Motion, Row};
 pub(crate) use problem::minimise_from;
 pub use problem::{Minimum, Problem, minimise, minimise_with};
 #[cfg(feature = "dense")]
@@ -136,7 +137,6 @@ pub(crate) use set::{Carried, UNLIMITED};
 pub use settings::{Method, Settings};
 pub(crate) use settings::{settings_methods, solver_settings};
 pub use totals::Total;
-pub(crate) use turn::Weight;
 pub use workspace::Workspace;
 
 pub use crate::report::{Iteration, Report, Status};

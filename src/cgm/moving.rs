@@ -164,6 +164,24 @@ impl MovingCells {
         self.layout.sweep((), work, |a, b| a || b)
     }
 
+    /// How many cells move in any direction.
+    pub(in crate::cgm) fn free<R: Row<N>, const N: usize>(&self, rows: &[R]) -> usize {
+        self.sweep((), |entries, ()| {
+            entries.sums(|k, place| usize::from(entries.row(rows, k, place).is_free()))
+        })
+    }
+
+    /// Visits the cells that move, with their place in a compressed vector.
+    pub(in crate::cgm) fn places(&self, f: &mut impl FnMut(usize, usize)) {
+        for task in 0..self.counts.len() {
+            let (start, first) = (self.starts[task], self.firsts[task]);
+            let offsets = &self.offsets[first..][..self.counts[task]];
+            for (k, &offset) in offsets.iter().enumerate() {
+                f(start + k, first + usize::from(offset));
+            }
+        }
+    }
+
     /// Sums over the parts of a compressed vector.
     pub(in crate::cgm) fn sum<T: Tally>(&self, leaf: impl Fn(Range<usize>) -> T + Sync) -> T {
         self.sweep((), |entries, ()| leaf(entries.range))

@@ -8,6 +8,7 @@
 
 use std::ops::ControlFlow;
 
+use crate::cgm::linear::BASES;
 use crate::cgm::motion::{Linearised, Motion, Row};
 use crate::cgm::progress::Progress;
 use crate::cgm::run::{Run, Start};
@@ -92,6 +93,24 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
                 }
             }
         }
+    }
+
+    /// Solves the linear problem of the cells that move, letting them leave their sets: unknowns, gradient and multipliers
+    /// follow.
+    fn solve_linear(&mut self, totals: &TotalsSystem<N>, reduction: f64) -> ControlFlow<Status> {
+        if self.problem.operator.is_symmetric() {
+            return self.conjugate_gradients(totals, reduction);
+        }
+        self.is_fresh = false;
+        let (mut linear, mut moved) = self.parts();
+        let w = &mut *linear.workspace;
+        let (cells, moving) = (w.rows.len(), w.moving.len());
+        linear.monitor.unless_lacking(w.make_room(moving))?;
+        let limits = (BASES, reduction);
+        let solved = linear.solve(&totals.border, [0.0; N], limits, &mut moved);
+        let room = linear.workspace.make_room(cells);
+        linear.monitor.unless_lacking(room)?;
+        solved.map_continue(|_| ())
     }
 
     /// Brings the start within its sets and near its totals, with a first gradient.

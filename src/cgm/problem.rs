@@ -184,19 +184,21 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
         set::check(&self.constraint, cells)
     }
 
-    /// The single loop solves problems of intervals without springs.
+    /// The single loop solves symmetric problems of intervals without springs.
     fn check_single_loop(&self) -> Result<()> {
         let has_spring = self.totals.iter().any(|total| total.is_spring());
-        if K::Set::HAS_SINGLE_LOOP && !has_spring {
+        let quantity = if has_spring {
+            "springs"
+        } else if !K::Set::HAS_SINGLE_LOOP {
+            "several components a cell"
+        } else if !self.operator.is_symmetric() {
+            "operators that are not symmetric"
+        } else {
             return Ok(());
-        }
+        };
         Err(Error::Method {
             method: "PolonskyKeer",
-            quantity: if has_spring {
-                "springs"
-            } else {
-                "several components a cell"
-            },
+            quantity,
         })
     }
 }
@@ -326,7 +328,9 @@ fn iterate<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
         Method::ActiveSet => run.newton(),
         Method::PolonskyKeer => K::Set::single_loop(run),
     };
-    for steps in GRADIENTS {
+    // Without symmetry there is no objective that could fall.
+    let is_symmetric = run.problem.operator.is_symmetric();
+    for steps in GRADIENTS.into_iter().filter(|_| is_symmetric) {
         if let Some(status) = once(run) {
             return status;
         }

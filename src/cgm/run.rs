@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use crate::cgm::certificate::{Certificate, examine};
-use crate::cgm::linear::Linear;
+use crate::cgm::linear::{Linear, Moved};
 use crate::cgm::monitor::Monitor;
 use crate::cgm::motion::{Linearised, Row};
 use crate::cgm::progress::INNER_REDUCTION;
@@ -169,7 +169,13 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
 
     /// The linear problem of the cells as they may move now.
     pub(super) fn linear(&mut self) -> Linear<'_, 'a, C, P, MotionOf<K, N>, N> {
-        Linear {
+        self.parts().0
+    }
+
+    /// The same, and the iterate that its solution moves.
+    pub(super) fn parts(&mut self) -> (Linear<'_, 'a, C, P, MotionOf<K, N>, N>, Moved<'_, 'a, N>) {
+        let w = &mut *self.workspace;
+        let linear = Linear {
             operator: &self.problem.operator,
             preconditioner: &self.problem.preconditioner,
             layout: &self.problem.layout,
@@ -178,8 +184,15 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
             restraint: self.restraint,
             stiff: self.stiff,
             monitor: &mut self.monitor,
-            workspace: &mut self.workspace.linear,
-        }
+            workspace: &mut w.linear,
+        };
+        let moved = Moved {
+            x: &mut self.x,
+            displacement: &mut w.gradient,
+            gap: [&[]; N],
+            multiplier: &mut w.multiplier,
+        };
+        (linear, moved)
     }
 
     /// `product = (C + D) x`, `gradient = (C + D) x + b`.

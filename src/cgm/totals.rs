@@ -145,7 +145,7 @@ pub(super) fn sums_of<const N: usize>(layout: &Layout, x: &[&[f64]; N]) -> [[f64
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TotalsSystem<const N: usize> {
     totals: [Total; N],
-    /// `e_b' w_a`.
+    /// `e_b' w_a` in row a.
     patterns: Small<N>,
     /// Of all components that are prescribed or held by a spring.
     pub(super) border: Border<N>,
@@ -240,9 +240,17 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         let prescribed = system.prescribed();
         for a in (0..N).filter(|&a| prescribed[a]) {
             system.patterns.0[a] = self.linear().spread(a);
-            system.border.matrix.0[a] = system.patterns.0[a];
-            if let Total::Spring { compliance, .. } = system.totals[a] {
-                system.border.matrix.0[a][a] += 1.0 / compliance;
+        }
+        let matrix = &mut system.border.matrix;
+        // The columns of a symmetric problem are its rows but for rounding.
+        *matrix = if self.problem.operator.is_symmetric() {
+            system.patterns
+        } else {
+            system.patterns.transposed()
+        };
+        for (a, total) in system.totals.iter().enumerate() {
+            if let Total::Spring { compliance, .. } = total {
+                matrix.0[a][a] += 1.0 / compliance;
             }
         }
         system

@@ -60,10 +60,13 @@
 
 mod contact;
 mod coupled;
+mod course;
 mod motions;
 mod press;
 mod system;
+mod workspace;
 
 pub use contact::{ContactStiffness, NormalStiffness, TangentialStiffness};
 pub(crate) use contact::{Pressed, Sheared};
 pub(crate) use coupled::Coupled;
+pub use workspace::StiffnessWorkspace;

@@ -1,9 +1,11 @@
 //! The stiffness of a contact is the slope of its solves, and that of the closed forms.
 
+use std::ops::ControlFlow;
+
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 use stickslip::history::HistoryBuilder;
 use stickslip::normal::Hardness;
-use stickslip::stiffness::ContactStiffness;
+use stickslip::stiffness::{ContactStiffness, StiffnessWorkspace};
 use stickslip::{
     Axis, Boundary, CoupledProblem, Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace,
     History, LoadStep, Material, NormalControl, NormalProblem, NormalSolution, TangentialControl,
@@ -586,4 +588,65 @@ fn assert_steps_have_their_stiffness(scene: &Scene, builder: HistoryBuilder<'_>)
             assert!((error / scale).abs() < 1e-6, "{part}: {errors:?}");
         }
     }
+}
+
+/// In buffers that are kept, of other contacts too, a stiffness has the same bits; without reversal it has the others.
+#[test]
+fn buffers_leave_no_trace() {
+    let go_on = |_: &_| ControlFlow::Continue(());
+    let mut workspace = StiffnessWorkspace::new();
+    let mut half = StiffnessWorkspace::new().reversal(false);
+    for (poisson_ratio, model) in [
+        (0.0, TangentialModel::Scalar),
+        (0.3, TangentialModel::Vector),
+        (0.3, TangentialModel::Scalar),
+    ] {
+        let scene = Scene::ball(32, poisson_ratio, model);
+        let mut history = History::builder(&scene.bodies, &scene.gap, scene.friction.clone())
+            .model(model)
+            .build()
+            .unwrap();
+        for approach in [0.2, 0.4, 0.3] {
+            let press = LoadStep::shift([0.02, 0.0]).normal(NormalControl::Approach(approach));
+            history.step(&press).unwrap();
+            let fresh = history.stiffness().unwrap();
+            assert_eq!(
+                history.stiffness_with(&mut workspace, go_on).unwrap(),
+                fresh
+            );
+            let mut without = history.stiffness_with(&mut half, go_on).unwrap();
+            assert_eq!(without.tangential.reversal, [[None; 3]; 3]);
+            assert!(without.tangential.bound <= fresh.tangential.bound);
+            assert!(half.report().products() < workspace.report().products());
+            without.tangential.reversal = fresh.tangential.reversal;
+            without.tangential.bound = fresh.tangential.bound;
+            assert_eq!(without, fresh);
+        }
+    }
+}
+
+/// The error is of second order in the residual.
+#[test]
+fn a_wider_tolerance_costs_less() {
+    let scene = Scene::ball(48, 0.3, TangentialModel::Vector);
+    let mut history = History::builder(&scene.bodies, &scene.gap, scene.friction.clone())
+        .model(scene.model)
+        .build()
+        .unwrap();
+    let load = LoadStep::shift([0.02, 0.01]).normal(NormalControl::Approach(0.3));
+    history.step(&load).unwrap();
+    let found = |tolerance: f64| {
+        let mut workspace = StiffnessWorkspace::new().tolerance(tolerance).unwrap();
+        let stiffness = history.stiffness_with(&mut workspace, |_| ControlFlow::Continue(()));
+        (stiffness.unwrap(), workspace.report().products())
+    };
+    let ((fine, dear), (rough, cheap)) = (found(1e-11), found(1e-4));
+    assert!(cheap < dear);
+    assert!((rough.normal.value / fine.normal.value - 1.0).abs() <= rough.normal.bound);
+    assert!(rough.normal.bound < 1e-6);
+    let along = |stiffness: &ContactStiffness| stiffness.tangential.loading[0][0].unwrap();
+    let error = (along(&rough) / along(&fine) - 1.0).abs();
+    let bound = rough.tangential.bound;
+    assert!(error <= bound && bound < 1e-5, "{error:e} for {bound:e}");
+    assert!(StiffnessWorkspace::new().tolerance(0.0).is_err());
 }

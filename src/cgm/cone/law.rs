@@ -10,7 +10,7 @@ use crate::cgm::vector::{dot, norm, plus};
 /// Its unknowns are the changes of the pressure and of the traction: of both components where it sticks, along the
 /// circle of its limit where it slips, where the limit follows the pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Law {
+pub(crate) struct Law {
     pub(super) kind: Kind,
     /// Whether the cell is at its hardness: its pressure stays.
     pub(super) is_held: bool,

@@ -28,8 +28,6 @@ mod workspace;
 
 use std::ops::ControlFlow;
 
-use crate::cgm::cone::law::Law;
-use crate::cgm::linear::{Linear, LinearWorkspace};
 use crate::cgm::monitor::Monitor;
 use crate::cgm::{Settings, Total, reduce};
 use crate::error::Result;
@@ -38,7 +36,7 @@ use crate::operator::Operator;
 use crate::per_cell::PerCell;
 use crate::report::{Iteration, Status};
 
-pub(crate) use response::{Stand, responses};
+pub(crate) use response::Stand;
 pub(crate) use workspace::ConeWorkspace;
 
 /// Components of a vector: along z, x and y.
@@ -72,27 +70,6 @@ pub(crate) struct ConeProblem<'a, C, P, F> {
     pub(crate) lower_bounds: [f64; 2],
     /// Tangential displacement by pressure, over the normal one: tangential residuals are relative to that at least.
     pub(crate) coupling: f64,
-}
-
-impl<C: Operator<N>, P: Operator<N>, F> ConeProblem<'_, C, P, F> {
-    /// The linear problem of the cells as they may move now: what they have of their own is in their laws.
-    fn linear_of<'a, 'm>(
-        &'a self,
-        monitor: &'a mut Monitor<'m>,
-        workspace: &'a mut LinearWorkspace<C::Workspace, P::Workspace, Law, N>,
-    ) -> Linear<'a, 'm, C, P, Law, N> {
-        Linear {
-            operator: &self.operator,
-            preconditioner: &self.preconditioner,
-            layout: self.layout,
-            diagonal: &[],
-            lower_bound: 0.0,
-            restraint: 0.0,
-            stiff: f64::INFINITY,
-            monitor,
-            workspace,
-        }
-    }
 }
 
 /// What an iterate shows, from one product.

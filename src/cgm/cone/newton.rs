@@ -5,11 +5,11 @@ use std::ops::ControlFlow;
 use crate::cgm::certificate::{Iterate, Shown, measure};
 use crate::cgm::cone::law::{Law, Noise};
 use crate::cgm::cone::workspace::gradient;
-use crate::cgm::cone::{Cone, ConeFindings, ConeRun, ConeWorkspace, N, Opening};
-use crate::cgm::linear::{Border, Linear, Moved};
+use crate::cgm::cone::{Cone, ConeFindings, ConeRun, N, Opening};
+use crate::cgm::linear::{BASES, Border, Linear, Moved};
 use crate::cgm::motion::Row;
 use crate::cgm::run::Precision;
-use crate::cgm::vector::{at, chunks, held, norm, put, slices, slices_mut};
+use crate::cgm::vector::{chunks, held, norm, put, slices, slices_mut};
 use crate::cgm::{Admissible, Carried, Disc, Magnitude, reduce};
 use crate::layout::Layout;
 use crate::operator::Operator;
@@ -20,8 +20,6 @@ use crate::report::Status;
 const FIRST_REDUCTION: f64 = 0.3;
 const INNER_REDUCTION: f64 = 0.03;
 const LEAST_REDUCTION: f64 = 1e-5;
-/// Bases begun before the sets are looked at again.
-const BASES: usize = 2;
 /// Residual above which a product in single precision tells the sets as well.
 const EARLY: f64 = 1e-3;
 /// Steps without halving the residual after which the method is stuck.
@@ -238,27 +236,37 @@ impl<'a, C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'a, '_, C, P, F> {
         reduction: f64,
     ) -> ControlFlow<Status> {
         self.is_fresh = false;
-        let ConeWorkspace {
-            linear,
-            product,
-            multiplier,
-            ..
-        } = &mut *self.workspace;
-        let mut moved = Moved {
-            x: &mut self.x,
-            displacement: product,
-            gap: |i: usize| at(&self.problem.linear, i),
-            multiplier,
-        };
-        let mut linear = self.problem.linear_of(&mut self.monitor, linear);
-        linear.solve(border, missing, (BASES, reduction), &mut moved)?;
-        ControlFlow::Continue(())
+        let (mut linear, mut moved) = self.parts();
+        let solved = linear.solve(border, missing, (BASES, reduction), &mut moved);
+        solved.map_continue(|_| ())
     }
 
-    /// The linear problem of the cells as they may move now.
+    /// The linear problem of the cells as they may move now: what they have of their own is in their laws.
     pub(super) fn linear(&mut self) -> Linear<'_, 'a, C, P, Law, N> {
-        self.problem
-            .linear_of(&mut self.monitor, &mut self.workspace.linear)
+        self.parts().0
+    }
+
+    /// The same, and the iterate that its solution moves.
+    fn parts(&mut self) -> (Linear<'_, 'a, C, P, Law, N>, Moved<'_, 'a, N>) {
+        let (problem, w) = (self.problem, &mut *self.workspace);
+        let linear = Linear {
+            operator: &problem.operator,
+            preconditioner: &problem.preconditioner,
+            layout: problem.layout,
+            diagonal: &[],
+            lower_bound: 0.0,
+            restraint: 0.0,
+            stiff: f64::INFINITY,
+            monitor: &mut self.monitor,
+            workspace: &mut w.linear,
+        };
+        let moved = Moved {
+            x: &mut self.x,
+            displacement: &mut w.product,
+            gap: problem.linear,
+            multiplier: &mut w.multiplier,
+        };
+        (linear, moved)
     }
 
     /// Decides at the equilibrated state how every cell moves next, and puts it into its set. Returns how many changed.

@@ -34,14 +34,9 @@ impl<C: Operator<N>, P: Operator<N>> ConeWorkspace<C, P> {
 
     /// Lists the cells in contact, and makes room for their unknowns.
     pub(super) fn list_contact(&mut self) -> Result<()> {
-        let w = &mut self.linear;
-        let laws = &w.rows;
-        w.moving.update(|i| laws[i].moves());
-        // The linear problem writes these on the cells that move only.
-        for part in &mut w.direction {
-            part.fill(0.0);
-        }
-        w.make_room(w.moving.len())
+        let (laws, moving) = (&self.linear.rows, &mut self.linear.moving);
+        moving.update(|i| laws[i].moves());
+        self.linear.list()
     }
 
     /// Writes `C x` to `out`; the answer stays.

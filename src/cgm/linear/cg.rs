@@ -50,7 +50,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     ///
     /// The multipliers of sums are eliminated: each preconditioned residual carries the change that keeps the sums,
     /// at once. Those of springs are unknowns that move along the direction, as far as it goes.
-    pub(in crate::cgm) fn solve_linear(
+    pub(in crate::cgm) fn conjugate_gradients(
         &mut self,
         totals: &TotalsSystem<N>,
         reduction: f64,

@@ -35,10 +35,14 @@ use crate::report::{Report, Status};
 
 use krylov::RESTART;
 pub(in crate::cgm) use moved::Moved;
+pub(crate) use response::Held;
+
+/// Bases of GMRES begun before the sets are looked at again.
+pub(in crate::cgm) const BASES: usize = 2;
 
 /// The buffers of the linear problem.
 #[derive(Debug, Clone)]
-pub(in crate::cgm) struct LinearWorkspace<C, P, R, const N: usize> {
+pub(crate) struct LinearWorkspace<C, P, R, const N: usize> {
     /// Of the operator, and of the preconditioner.
     pub(in crate::cgm) operator: C,
     pub(in crate::cgm) preconditioner: P,
@@ -59,7 +63,7 @@ pub(in crate::cgm) struct LinearWorkspace<C, P, R, const N: usize> {
 
 impl<C, P, R: Row<N>, const N: usize> LinearWorkspace<C, P, R, N> {
     /// For an operator and its preconditioner; the vectors of the cells that move have no cells yet.
-    pub(in crate::cgm) fn new(
+    pub(crate) fn new(
         operator: &impl Operator<N, Workspace = C>,
         preconditioner: &impl Operator<N, Workspace = P>,
     ) -> Result<Self> {
@@ -77,6 +81,14 @@ impl<C, P, R: Row<N>, const N: usize> LinearWorkspace<C, P, R, N> {
             basis: std::array::from_fn(|_| Vec::new()),
             report: Report::with_room(),
         })
+    }
+
+    /// Makes room for the unknowns of the cells that move, which alone the linear problem writes of its full vectors.
+    pub(in crate::cgm) fn list(&mut self) -> Result<()> {
+        for part in &mut self.direction {
+            part.fill(0.0);
+        }
+        self.make_room(self.moving.len())
     }
 
     /// Makes room for the unknowns of so many cells.
@@ -111,7 +123,7 @@ impl<const N: usize> Border<N> {
 }
 
 /// The linear problem of the cells as they may move now.
-pub(in crate::cgm) struct Linear<'a, 'm, C: Operator<N>, P: Operator<N>, R, const N: usize> {
+pub(crate) struct Linear<'a, 'm, C: Operator<N>, P: Operator<N>, R, const N: usize> {
     pub(in crate::cgm) operator: &'a C,
     pub(in crate::cgm) preconditioner: &'a P,
     pub(in crate::cgm) layout: &'a Layout,

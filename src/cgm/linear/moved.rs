@@ -11,23 +11,20 @@ use crate::operator::Operator;
 use crate::parallel;
 use crate::report::Status;
 
-/// Unknowns, displacements and multipliers of an iterate; `gap` is what is added to the displacements of a cell.
-pub(in crate::cgm) struct Moved<'a, 'x, F, const N: usize> {
+/// Unknowns, displacements and multipliers of an iterate, and the gap that is added to its displacements; of no cells where
+/// they have it in them.
+pub(in crate::cgm) struct Moved<'a, 'x, const N: usize> {
     pub(in crate::cgm) x: &'a mut [&'x mut [f64]; N],
     pub(in crate::cgm) displacement: &'a mut [Vec<f64>; N],
-    pub(in crate::cgm) gap: F,
+    pub(in crate::cgm) gap: [&'a [f64]; N],
     pub(in crate::cgm) multiplier: &'a mut [f64; N],
 }
 
-impl<C, P, R, F, const N: usize> Equations<C, P, R, N> for Moved<'_, '_, F, N>
-where
-    C: Operator<N>,
-    P: Operator<N>,
-    R: Row<N>,
-    F: Fn(usize) -> [f64; N] + Sync,
+impl<C: Operator<N>, P: Operator<N>, R: Row<N>, const N: usize> Equations<C, P, R, N>
+    for Moved<'_, '_, N>
 {
     fn set_residual(&mut self, linear: &mut Linear<'_, '_, C, P, R, N>) -> ControlFlow<Status> {
-        let (x, u, gap) = (slices(self.x), slices(self.displacement), &self.gap);
+        let (x, u, gap) = (slices(self.x), slices(self.displacement), self.gap);
         let multiplier = *self.multiplier;
         let w = &mut *linear.workspace;
         let rows = &w.rows;
@@ -35,7 +32,8 @@ where
         w.moving.sweep(residual, |entries, residual| {
             for (k, place) in entries.places().enumerate() {
                 let cell = entries.chunk.start + place;
-                let g = minus(plus(at(&u, cell), 1.0, gap(cell)), multiplier);
+                let gap = gap.map(|gap| gap.get(cell).copied().unwrap_or(0.0));
+                let g = minus(plus(at(&u, cell), 1.0, gap), multiplier);
                 let row = entries.row(rows, k, place);
                 let (left, bend) = (row.restrict(g), row.bend(row.restrict(at(&x, cell))));
                 residual.items[k] = std::array::from_fn(|c| -left[c] - bend[c]);
