@@ -14,6 +14,7 @@
 
 use crate::cgm::interval::EDGE;
 use crate::cgm::motion::{Linearised, Motion, Reach};
+use crate::cgm::newton::newton;
 use crate::cgm::run::Run;
 use crate::cgm::small::Small;
 use crate::cgm::turn::{SINGLE, Turn};
@@ -215,7 +216,7 @@ impl Linearised<2> for Disc {
     fn single_loop<C: Operator<2>, K: Constraint<2, Set = Self>, P: Operator<2>>(
         run: &mut Run<'_, '_, C, K, P, 2>,
     ) -> Option<Status> {
-        run.newton()
+        newton(run)
     }
 }
 

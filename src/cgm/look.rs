@@ -38,7 +38,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         self.refresh();
         self.start = Start::LookedAt;
         self.workspace.multiplier = multiplier;
-        let findings = self.examine();
+        let findings = self.certificate();
         let merit = self.merit(&findings);
         if merit > self.monitor.tolerance() || merit.is_nan() {
             return None;

@@ -44,7 +44,7 @@ impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, 
                 since_refresh = 0;
             }
             let free = self.set_mean_of_free();
-            let findings = self.examine();
+            let findings = self.certificate();
             let merit = self.merit(&findings);
             if merit <= self.monitor.tolerance() && !self.is_fresh {
                 since_refresh = REFRESH;

@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use crate::buffer::or_abort;
 use crate::cgm::certificate::Iterate;
 use crate::cgm::motion::{Linearised, Reach};
+use crate::cgm::newton::newton;
 use crate::cgm::projected_gradient::Objective;
 use crate::cgm::run::Run;
 use crate::cgm::totals::Total;
@@ -325,7 +326,7 @@ fn iterate<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
     run: &mut Run<'_, '_, C, K, P, N>,
 ) -> Status {
     let once = |run: &mut Run<'_, '_, C, K, P, N>| match run.monitor.settings.method {
-        Method::ActiveSet => run.newton(),
+        Method::ActiveSet => newton(run),
         Method::PolonskyKeer => K::Set::single_loop(run),
     };
     // Without symmetry there is no objective that could fall.

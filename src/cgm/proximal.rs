@@ -15,6 +15,7 @@
 use std::ops::ControlFlow;
 
 use crate::buffer;
+use crate::cgm::newton::newton;
 use crate::cgm::run::{Precision, Run};
 use crate::cgm::vector::{at, dot, slices, update_cells};
 use crate::cgm::{Constraint, reduce};
@@ -60,7 +61,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             let is_last = stiffness < least;
             self.restrain(if is_last { 0.0 } else { stiffness });
             self.inner_reduction = REDUCTION;
-            match self.newton() {
+            match newton(self) {
                 Some(Status::Converged) if !is_last => {
                     self.set_centre()?;
                     ratio = (ratio * ratio).min(RATIO);

@@ -6,8 +6,8 @@ use crate::cgm::certificate::{Certificate, examine};
 use crate::cgm::linear::{Linear, Moved};
 use crate::cgm::monitor::Monitor;
 use crate::cgm::motion::{Linearised, Row};
-use crate::cgm::progress::INNER_REDUCTION;
-use crate::cgm::totals::{Total, sums_of};
+use crate::cgm::progress::{INNER_REDUCTION, Progress};
+use crate::cgm::totals::{Total, TotalsSystem, sums_of};
 use crate::cgm::vector::{at, dot, minus, norm, plus, slices, slices_mut, update_cells};
 use crate::cgm::{Admissible, Constraint, MotionOf, Problem, Settings, Workspace, reduce};
 use crate::layout::Layout;
@@ -85,6 +85,12 @@ pub struct Run<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N
     pub(super) stiff: f64,
     /// What the iterate was shown to be worth, if it is feasible and has not changed since.
     pub(super) shown: Option<f64>,
+    pub(super) progress: Progress,
+    pub(super) totals: TotalsSystem<N>,
+    /// Whether the gradient of the start tells where cells become free.
+    pub(super) is_extrapolated: bool,
+    /// The largest displacement, as last examined.
+    pub(super) displacement: f64,
     /// Whether the totals leave no choice: every cell stands at an extreme of its set.
     is_extreme: bool,
 }
@@ -118,6 +124,10 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
             restraint: 0.0,
             stiff: f64::INFINITY,
             shown: None,
+            progress: Progress::new(0, INNER_REDUCTION),
+            totals: TotalsSystem::NONE,
+            is_extrapolated: false,
+            displacement: 0.0,
             is_extreme: false,
         }
     }
@@ -263,7 +273,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
 
     /// Examines the iterate by the product at hand, and writes the findings to the report. They are certain only if
     /// that product is [fresh](Self::is_fresh).
-    pub(super) fn examine(&mut self) -> Certificate {
+    pub(super) fn certificate(&mut self) -> Certificate {
         let w = &*self.workspace;
         let (x, product) = (slices(&self.x), slices(&w.product));
         let iterate = self.problem.iterate(x, product, w.multiplier);
@@ -411,7 +421,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
             return self.monitor.finish(status, merit, report);
         }
         self.make_feasible();
-        let findings = self.examine();
+        let findings = self.certificate();
         let mut merit = self.merit(&findings);
         if self.is_extreme && !merit.is_nan() {
             // No other unknowns have these sums: nothing is left to be wrong but the sums. Slip is along

@@ -154,6 +154,14 @@ pub(super) struct TotalsSystem<const N: usize> {
 }
 
 impl<const N: usize> TotalsSystem<N> {
+    /// Before the cells are known that move.
+    pub(super) const NONE: Self = Self {
+        totals: [Total::Free; N],
+        patterns: Small([[0.0; N]; N]),
+        border: Border::NONE,
+        mobility: Small([[0.0; N]; N]),
+    };
+
     /// Components whose sum is prescribed or held by a spring.
     fn prescribed(&self) -> [bool; N] {
         self.border.active
@@ -219,7 +227,7 @@ const LEAST_TURN: f64 = 1e-13;
 
 impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '_, C, K, P, N> {
     /// Finds how changes of the multipliers spread over the cells that move.
-    pub(super) fn totals_system(&mut self) -> TotalsSystem<N> {
+    pub(super) fn set_totals(&mut self) {
         let mut system = TotalsSystem {
             totals: self.problem.totals,
             patterns: Small([[0.0; N]; N]),
@@ -230,7 +238,8 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             mobility: self.mobility(),
         };
         if system.prescribed() == [false; N] {
-            return system;
+            self.totals = system;
+            return;
         }
         if MotionOf::<K, N>::IS_CURVED && !self.has_free_cell() {
             if let Some(normal) = system.locked() {
@@ -253,7 +262,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
                 matrix.0[a][a] += 1.0 / compliance;
             }
         }
-        system
+        self.totals = system;
     }
 
     fn has_free_cell(&self) -> bool {
@@ -279,7 +288,8 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     }
 
     /// Spreads what is missing of the totals, with the present sums of the components.
-    pub(super) fn spread_missing(&mut self, system: &TotalsSystem<N>, sums: [f64; N]) {
+    pub(super) fn spread_missing(&mut self, sums: [f64; N]) {
+        let system = self.totals;
         let prescribed = system.prescribed();
         if prescribed == [false; N] {
             return;
@@ -309,7 +319,8 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
 
     /// The multipliers that leave no mean residual, weighted as the totals spread; those of springs within the
     /// round-off of what the springs make of the sums.
-    pub(super) fn set_multiplier(&mut self, system: &TotalsSystem<N>) {
+    pub(super) fn set_multiplier(&mut self) {
+        let system = self.totals;
         let prescribed = system.prescribed();
         if prescribed == [false; N] {
             return;

@@ -28,7 +28,10 @@ mod workspace;
 
 use std::ops::ControlFlow;
 
+use crate::cgm::cone::newton::Course;
+use crate::cgm::linear::Border;
 use crate::cgm::monitor::Monitor;
+use crate::cgm::newton::newton;
 use crate::cgm::{Settings, Total, reduce};
 use crate::error::Result;
 use crate::layout::Layout;
@@ -122,6 +125,9 @@ pub(crate) struct ConeRun<'a, 'b, C: Operator<N>, P: Operator<N>, F> {
     is_fresh: bool,
     /// Times that all cells slipped the same way.
     times_held: usize,
+    opening: Opening,
+    course: Course,
+    border: Border<N>,
 }
 
 /// Solves from the tractions `x` into them, at multipliers that the workspace begins and ends with; `None` where the
@@ -150,14 +156,17 @@ pub(crate) fn solve<C: Operator<N>, P: Operator<N>, F: Cone>(
         workspace,
         is_fresh: false,
         times_held: 0,
+        opening,
+        course: Course::BEGIN,
+        border: Border::NONE,
     };
-    let status = run.newton(opening);
+    let status = newton(&mut run);
     if !run.is_fresh && status.is_some() {
         // It may have ended within a linear system, which lets cells leave their cones.
         run.set_laws();
     }
     run.refresh();
-    let findings = run.examine();
+    let findings = run.findings();
     run.add_lag(-1.0);
     let report = &mut run.workspace.linear.report;
     let ended = status.unwrap_or(Status::Stalled);

@@ -6,8 +6,9 @@ use crate::cgm::certificate::{Iterate, Shown, measure};
 use crate::cgm::cone::law::{Law, Noise};
 use crate::cgm::cone::workspace::gradient;
 use crate::cgm::cone::{Cone, ConeFindings, ConeRun, N, Opening};
-use crate::cgm::linear::{BASES, Border, Linear, Moved};
+use crate::cgm::linear::{BASES, Linear, Moved};
 use crate::cgm::motion::Row;
+use crate::cgm::newton::NewtonSteps;
 use crate::cgm::run::Precision;
 use crate::cgm::vector::{chunks, held, norm, put, slices, slices_mut};
 use crate::cgm::{Admissible, Carried, Disc, Magnitude, reduce};
@@ -31,74 +32,115 @@ const NOISE: f64 = 0.1;
 /// Part of the largest limit below which a limit is as good as none.
 pub(super) const NOTHING: f64 = 1e-9;
 
-impl<'a, C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'a, '_, C, P, F> {
-    /// Ends with the status of the run; `None` if the start is refused, or the sets cycle.
-    pub(super) fn newton(&mut self, opening: Opening) -> Option<Status> {
-        match self.steps(opening) {
-            ControlFlow::Break(status) => Some(status),
-            ControlFlow::Continue(()) => self.monitor.stuck(),
-        }
-    }
+/// How the steps of a solve go on.
+#[derive(Debug)]
+pub(super) struct Course {
+    /// Least residual so far, and steps without halving it.
+    best: f64,
+    without: usize,
+    /// Least that was missing of the totals.
+    missing: f64,
+    /// Cells that the last step has put into other sets.
+    changes: usize,
+    residual: f64,
+    load_error: f64,
+}
 
-    fn steps(&mut self, opening: Opening) -> ControlFlow<Status> {
-        let tolerance = self.monitor.tolerance();
-        let (mut best, mut without, mut changes) = (f64::INFINITY, 0, usize::MAX);
-        let mut missing = f64::INFINITY;
+impl Course {
+    pub(super) const BEGIN: Self = Self {
+        best: f64::INFINITY,
+        without: 0,
+        missing: f64::INFINITY,
+        changes: usize::MAX,
+        residual: f64::INFINITY,
+        load_error: f64::INFINITY,
+    };
+}
+
+impl<C: Operator<N>, P: Operator<N>, F: Cone> NewtonSteps for ConeRun<'_, '_, C, P, F> {
+    fn begin(&mut self) -> ControlFlow<Status> {
         self.set_laws();
-        loop {
-            let is_early = best > EARLY && best.is_finite();
-            self.refresh_in(if is_early {
-                Precision::Single
-            } else {
-                Precision::Double
-            });
-            let mut findings = self.examine();
-            if is_early && findings.merit() <= tolerance {
-                // Only what is exact is an end.
-                self.refresh();
-                findings = self.examine();
-            }
-            let merit = findings.merit();
-            self.monitor
-                .judge(merit, &mut self.workspace.linear.report)?;
-            // What is missing of the totals does no harm: the first step adds it.
-            if best.is_infinite() && opening.refuses(findings.residual) {
-                return ControlFlow::Continue(());
-            }
-            // Close to sliding the shift grows with each step and the cells turn into the direction of the force, at a
-            // residual that stays: the force comes nearer first.
-            let is_nearer = missing > ROUND_OFF && findings.load_error < 0.5 * missing;
-            missing = missing.min(findings.load_error);
-            if merit < 0.5 * best {
-                (best, without) = (merit, 0);
-            } else if is_nearer {
-                without = 0;
-            } else {
-                without += 1;
-                if without >= PATIENCE {
-                    return ControlFlow::Continue(());
-                }
-            }
-            self.linearise()?;
-            let border = self.border();
-            let missing = self.missing();
-            let is_carried = |c: usize| border.active[c] || missing[c] == 0.0;
-            if !(0..N).all(is_carried) {
-                return ControlFlow::Continue(());
-            }
-            let reduction = if changes == usize::MAX && opening == Opening::Coarse {
-                FIRST_REDUCTION
-            } else if changes > 0 {
-                INNER_REDUCTION
-            } else {
-                (0.3 * tolerance / merit).clamp(LEAST_REDUCTION, INNER_REDUCTION)
-            };
-            self.solve_linear(&border, missing, reduction)?;
-            changes = self.reclassify(tolerance);
-            self.hold_springs();
-        }
+        ControlFlow::Continue(())
     }
 
+    fn examine(&mut self) -> ControlFlow<Status, f64> {
+        let is_early = self.course.best > EARLY && self.course.best.is_finite();
+        self.refresh_in(if is_early {
+            Precision::Single
+        } else {
+            Precision::Double
+        });
+        let mut findings = self.findings();
+        if is_early && findings.merit() <= self.monitor.tolerance() {
+            // Only what is exact is an end.
+            self.refresh();
+            findings = self.findings();
+        }
+        let merit = findings.merit();
+        let report = &mut self.workspace.linear.report;
+        self.monitor.judge(merit, report)?;
+        (self.course.residual, self.course.load_error) = (findings.residual, findings.load_error);
+        ControlFlow::Continue(merit)
+    }
+
+    fn is_stuck_at(&mut self, merit: f64) -> bool {
+        let course = &mut self.course;
+        // What is missing of the totals does no harm: the first step adds it.
+        if course.best.is_infinite() && self.opening.refuses(course.residual) {
+            return true;
+        }
+        // Close to sliding the shift grows with each step and the cells turn into the direction of the force, at a
+        // residual that stays: the force comes nearer first.
+        let is_nearer = course.missing > ROUND_OFF && course.load_error < 0.5 * course.missing;
+        course.missing = course.missing.min(course.load_error);
+        if merit < 0.5 * course.best {
+            (course.best, course.without) = (merit, 0);
+        } else if is_nearer {
+            course.without = 0;
+        } else {
+            course.without += 1;
+        }
+        course.without >= PATIENCE
+    }
+
+    fn linearise(&mut self, _: f64) -> ControlFlow<Status, bool> {
+        self.monitor.unless_lacking(self.workspace.list_contact())?;
+        self.let_press();
+        self.let_stick();
+        self.measure_slip();
+        self.border = self.border();
+        let missing = self.missing();
+        let is_carried = |c: usize| self.border.active[c] || missing[c] == 0.0;
+        ControlFlow::Continue((0..N).all(is_carried))
+    }
+
+    fn solve_linear(&mut self, merit: f64) -> ControlFlow<Status> {
+        let (border, missing) = (self.border, self.missing());
+        let reduction = if self.course.changes == usize::MAX && self.opening == Opening::Coarse {
+            FIRST_REDUCTION
+        } else if self.course.changes > 0 {
+            INNER_REDUCTION
+        } else {
+            (0.3 * self.monitor.tolerance() / merit).clamp(LEAST_REDUCTION, INNER_REDUCTION)
+        };
+        self.is_fresh = false;
+        let (mut linear, mut moved) = self.parts();
+        let solved = linear.solve(&border, missing, (BASES, reduction), &mut moved);
+        solved.map_continue(|_| ())
+    }
+
+    fn decide(&mut self) -> ControlFlow<Status> {
+        self.course.changes = self.reclassify(self.monitor.tolerance());
+        self.hold_springs();
+        ControlFlow::Continue(())
+    }
+
+    fn stuck(&self) -> Option<Status> {
+        self.monitor.stuck()
+    }
+}
+
+impl<'a, C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'a, '_, C, P, F> {
     /// Brings the tractions within their cones, and finds how the cells move there.
     pub(super) fn set_laws(&mut self) {
         self.is_fresh = false;
@@ -151,7 +193,7 @@ impl<'a, C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'a, '_, C, P, F> {
     }
 
     /// Examines the iterate by the product at hand, and writes the findings to the report.
-    pub(super) fn examine(&mut self) -> ConeFindings {
+    pub(super) fn findings(&mut self) -> ConeFindings {
         let (problem, w) = (self.problem, &*self.workspace);
         let normal = Iterate {
             layout: problem.layout,
@@ -174,7 +216,7 @@ impl<'a, C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'a, '_, C, P, F> {
         let [least_normal, least_plane] = problem.lower_bounds;
         let normal = measure(&normal, &Carried(problem.hardness), least_normal);
         let plane = measure(&plane, &Magnitude(&w.limits), least_plane);
-        let findings = self.findings(&normal, &plane);
+        let findings = self.found(&normal, &plane);
         let report = &mut self.workspace.linear.report;
         report.residual = findings.residual;
         report.load_error = findings.load_error;
@@ -182,7 +224,7 @@ impl<'a, C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'a, '_, C, P, F> {
         findings
     }
 
-    fn findings(&self, normal: &Shown, plane: &Shown) -> ConeFindings {
+    fn found(&self, normal: &Shown, plane: &Shown) -> ConeFindings {
         let pressed = normal.measure();
         // A contact that sticks from rest does not move: what the pressure alone would do is the measure.
         let moved = reduce::larger(plane.measure(), self.problem.coupling * pressed);
@@ -198,16 +240,6 @@ impl<'a, C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'a, '_, C, P, F> {
             bounds: [ratio(normal.bound, energy), ratio(plane.bound, energy)],
             free: plane.free,
         }
-    }
-
-    /// The linear problem of the cells as they move now.
-    fn linearise(&mut self) -> ControlFlow<Status> {
-        let w = &mut *self.workspace;
-        self.monitor.unless_lacking(w.list_contact())?;
-        self.let_press();
-        self.let_stick();
-        self.measure_slip();
-        ControlFlow::Continue(())
     }
 
     /// The stiffness of every cell that slips, from the slip just measured.
@@ -226,19 +258,6 @@ impl<'a, C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'a, '_, C, P, F> {
                 }
             }
         });
-    }
-
-    /// Solves for the cells as they may move, letting them leave their sets; tractions, multipliers and product follow.
-    fn solve_linear(
-        &mut self,
-        border: &Border<N>,
-        missing: [f64; N],
-        reduction: f64,
-    ) -> ControlFlow<Status> {
-        self.is_fresh = false;
-        let (mut linear, mut moved) = self.parts();
-        let solved = linear.solve(border, missing, (BASES, reduction), &mut moved);
-        solved.map_continue(|_| ())
     }
 
     /// The linear problem of the cells as they may move now: what they have of their own is in their laws.

@@ -50,12 +50,9 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     ///
     /// The multipliers of sums are eliminated: each preconditioned residual carries the change that keeps the sums,
     /// at once. Those of springs are unknowns that move along the direction, as far as it goes.
-    pub(in crate::cgm) fn conjugate_gradients(
-        &mut self,
-        totals: &TotalsSystem<N>,
-        reduction: f64,
-    ) -> ControlFlow<Status> {
-        let first = self.step_and_residual(totals, None);
+    pub(in crate::cgm) fn conjugate_gradients(&mut self, reduction: f64) -> ControlFlow<Status> {
+        let totals = self.totals;
+        let first = self.step_and_residual(&totals, None);
         let (mut products, mut last_products) = (first.products, [0.0; N]);
         let (mut previous, mut turning) = (0.0, [0.0; N]);
         for step in 0..INNER_LIMIT {
@@ -64,7 +61,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
                 change,
                 product,
                 overlap,
-            } = self.correct(totals, products, last_products);
+            } = self.correct(&totals, products, last_products);
             let at_once = only(totals.has_sum(), change);
             self.add_to_multiplier(at_once);
             if product.is_nan() || product <= 0.0 {
@@ -92,7 +89,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             let moved = turning.map(|change| length * change);
             self.add_to_multiplier(moved);
             let change = plus(at_once, 1.0, moved);
-            let residual = self.step_and_residual(totals, Some(&Move { length, change }));
+            let residual = self.step_and_residual(&totals, Some(&Move { length, change }));
             (last_products, products) = (products, residual.products);
             if is_last || residual.square <= reduction * reduction * first.square {
                 self.add_to_multiplier(residual.change);
