@@ -6,7 +6,8 @@
 //! \quad\text{optionally}\quad \textstyle\sum_i x_i = S .
 //! ```
 //!
-//! Each cell `i` has `N` unknowns. `C` is an [`Operator`](crate::Operator), symmetric and positive definite; `K_i` is
+//! Each cell `i` has `N` unknowns. `C` is an [`Operator`](crate::Operator), positive definite, and symmetric but where it
+//! [says otherwise](crate::Operator::is_symmetric); `K_i` is
 //! the set that a [`Constraint`] gives the cell, an [`Interval`] for one unknown or a [`Disc`] for two. A [`Total`]
 //! prescribes the sum of a component, or ties it to a spring; its multiplier is returned. For a normal contact `x` is
 //! the pressure, `b` the gap, `S` the load over the cell area and the multiplier the approach; for a tangential one `x`
@@ -18,7 +19,8 @@
 //! solve the linear problem of the cells that move, bordered by the totals, and then the sets are decided again. For
 //! intervals that is an active-set method; for discs the linear problem contains the curvature of the circles. If the
 //! sets cycle, projected gradients lead past that place; if they still do, better conditioned problems lead to the
-//! minimum.
+//! minimum. Without symmetry there is no minimum, but the conditions are the same: GMRES takes the place of conjugate
+//! gradients.
 //!
 //! [`Method`] selects the iteration. Whatever the method and the outcome, the iterate returned is feasible and the
 //! [`Report`] is recomputed from a product with it; its duality gap bounds the error in the energy norm (see
