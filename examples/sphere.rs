@@ -106,7 +106,7 @@ fn print_table(normal: &NormalSolution, shear: &TangentialSolution, exact: &Catt
     }
 }
 
-/// Pressure and shear traction along the row of cells nearest the x axis.
+/// Pressure and traction traction along the row of cells nearest the x axis.
 fn draw_profiles(
     area: &Area<'_>,
     normal: &NormalSolution,

@@ -91,6 +91,18 @@ impl From<&Field> for Arc<Field> {
     }
 }
 
+/// Replaces a shared field, of which others may hold the old samples; allocates only if they do.
+///
+/// # Errors
+/// [`Error::Memory`](crate::Error::Memory); the field is then as it was.
+pub(crate) fn replace(shared: &mut Arc<Field>, field: &Field) -> Result<()> {
+    match Arc::get_mut(shared) {
+        Some(own) => own.try_clone_from(field)?,
+        None => *shared = Arc::new(field.try_clone()?),
+    }
+    Ok(())
+}
+
 impl Field {
     /// Zero in every cell.
     #[must_use]

@@ -161,8 +161,13 @@ impl CoupledIncrement {
         Answer::new(&self.pressed, Axis::BOTH, found, self.motion)
     }
 
-    /// Writes the normal half of the last step.
-    pub(crate) fn write(&self, initial: &Field, normal: &mut NormalSolution) {
+    /// Writes the normal half of the last step, of this gap before loading and this hardness.
+    pub(crate) fn write(
+        &self,
+        initial: &Field,
+        hardness: Option<&Hardness>,
+        normal: &mut NormalSolution,
+    ) {
         parallel::copy(&self.tractions[0], normal.pressure_mut());
         normal.fill(
             &self.bodies,
@@ -172,6 +177,8 @@ impl CoupledIncrement {
             self.report(),
         );
         normal.set_coupled(self.bodies.pair().is_coupled());
+        let reached = |of: &Hardness| of.reached_cells(&self.bodies, &self.tractions[0]);
+        normal.set_yielded_cells(hardness.map_or(0, reached));
     }
 
     /// Starts the next step from nothing.

@@ -1,4 +1,4 @@
-//! Bodies of different materials: pressure and shear found together.
+//! Bodies of different materials: pressure and traction found together.
 //!
 //! Where Dundurs' constant $`\beta`$ is not zero, pressure moves the surfaces tangentially and shear moves them
 //! normally (K and the signs as in [`influence`](crate::influence)):

@@ -68,10 +68,7 @@ impl History {
     /// Finds the pressure of the step, as the candidate.
     fn find_pressure(&mut self, control: NormalControl, observer: Observer<'_>) -> Result<()> {
         let state = &self.state;
-        control.check(&self.bodies, &state.gap)?;
-        if let Some(hardness) = &state.hardness {
-            hardness.check_load(&self.bodies, control)?;
-        }
+        control.check(&self.bodies, &state.gap, state.hardness.as_ref())?;
         let of = Pressing {
             bodies: &self.bodies,
             gap: &state.gap,

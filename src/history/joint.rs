@@ -1,4 +1,4 @@
-//! The steps of bodies whose pressure and shear are found together.
+//! The steps of bodies whose pressure and traction are found together.
 
 use crate::buffer::TryClone;
 use crate::cascade::Conditions;
@@ -17,7 +17,7 @@ use crate::trend::Trend;
 use crate::window::Window;
 
 impl State {
-    /// With this much coupling. Where pressure and shear are found together, that is on all of the grid and along both
+    /// With this much coupling. Where pressure and traction are found together, that is on all of the grid and along both
     /// axes.
     pub(super) fn coupled(mut self, coupling: Coupling) -> Result<Self> {
         self.coupling = coupling;
@@ -30,7 +30,7 @@ impl State {
         Ok(self)
     }
 
-    /// Whether pressure and shear are found together.
+    /// Whether pressure and traction are found together.
     pub(super) fn is_joint(&self) -> bool {
         self.coupling.is_joint(self.pair())
     }
@@ -44,7 +44,7 @@ impl State {
 }
 
 impl History {
-    /// Solves a step whose pressure and shear are coupled without a trace in the state; returns the motion of body 2 at
+    /// Solves a step whose pressure and traction are coupled without a trace in the state; returns the motion of body 2 at
     /// its end, `None` if they are not.
     pub(super) fn find_jointly(
         &mut self,
@@ -58,11 +58,8 @@ impl History {
             NormalControl::Hold => NormalControl::Force(state.normal.force()),
             control => control,
         };
-        normal.check(&self.bodies, &state.gap)?;
         let hardness = state.hardness.as_ref();
-        if let Some(hardness) = hardness {
-            hardness.check_load(&self.bodies, normal)?;
-        }
+        normal.check(&self.bodies, &state.gap, hardness)?;
         if let Some(memory) = &state.contact {
             joint.set_offset(&memory.offset);
         }
@@ -86,11 +83,7 @@ impl History {
         };
         joint.solve(demand, state.motion, &mut conditions)?;
         let candidate = self.candidate.take(|| state.normal.try_clone())?;
-        joint.write(&state.gap, candidate);
-        if let Some(hardness) = hardness {
-            let pressure = candidate.pressure().as_slice();
-            candidate.set_yielded_cells(hardness.reached_cells(&self.bodies, pressure));
-        }
+        joint.write(&state.gap, hardness, candidate);
         Ok(Some(joint.answer().motion))
     }
 }

@@ -174,7 +174,7 @@ impl History {
     }
 
     /// [`stiffness`](Self::stiffness) with an observer that is asked before every product with an operator and may cancel;
-    /// the residual it sees is the root of the last bound, or the relative residual where pressure and shear are found
+    /// the residual it sees is the root of the last bound, or the relative residual where pressure and traction are found
     /// together; there the limits of the [settings](crate::cgm::Settings) hold too.
     ///
     /// # Errors

@@ -1,6 +1,7 @@
 //! A history: its state, and how it takes a step.
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use crate::buffer::TryClone;
 use crate::cgm::{Iteration, Settings, reduce};
@@ -83,7 +84,7 @@ pub struct History {
     pub(super) increments: Increments,
     /// The tangential contact of the step under way.
     pub(super) increment: Option<Increment>,
-    /// Pressure and shear found together, instead of the above; none where they are not coupled.
+    /// Pressure and traction found together, instead of the above; none where they are not coupled.
     pub(super) joint: Option<Box<CoupledIncrement>>,
     pub(super) step: StepResult,
     /// Compliance of their own of the cells that entered the contact in the last step; of no cells where none did.
@@ -104,13 +105,14 @@ const _: () = {
 
 impl History {
     /// Starts from what is required: bodies, gap before loading (lengths, on the grid of the bodies) and
-    /// friction. Nothing touches and nothing is sheared before the first step.
-    pub fn builder<'a>(
-        bodies: &'a HalfSpace,
-        gap: &'a Field,
+    /// friction. The gap is copied from a reference, and from an [`Arc`] that others hold; given by value it is not. Nothing
+    /// touches and no traction acts before the first step.
+    pub fn builder(
+        bodies: &HalfSpace,
+        gap: impl Into<Arc<Field>>,
         friction: Friction,
-    ) -> HistoryBuilder<'a> {
-        HistoryBuilder::new(bodies, gap, friction)
+    ) -> HistoryBuilder<'_> {
+        HistoryBuilder::new(bodies, gap.into(), friction)
     }
 
     /// Starts from a state on the bodies it belongs to, to the same bits as the history that had it. Its

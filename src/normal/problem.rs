@@ -31,8 +31,13 @@ pub enum NormalControl {
 }
 
 impl NormalControl {
-    /// `Ok` if the load can press the gap, which must have been checked.
-    pub(crate) fn check(self, bodies: &HalfSpace, gap: &Field) -> Result<()> {
+    /// `Ok` if the load can press the gap, and the hardness carries it; both must have been checked.
+    pub(crate) fn check(
+        self,
+        bodies: &HalfSpace,
+        gap: &Field,
+        hardness: Option<&Hardness>,
+    ) -> Result<()> {
         match self {
             Self::Force(force) => {
                 non_negative("normal force", force)?;
@@ -49,7 +54,7 @@ impl NormalControl {
             }
             Self::Hold => return Err(Error::NothingToHold),
         }
-        Ok(())
+        hardness.map_or(Ok(()), |hardness| hardness.check_load(bodies, self))
     }
 }
 
@@ -166,10 +171,7 @@ impl NormalProblemBuilder<'_> {
                 ("settings", &self.settings.common()),
             ],
         )?;
-        self.load.check(self.bodies, &self.gap)?;
-        if let Some(hardness) = hardness {
-            hardness.check_load(self.bodies, self.load)?;
-        }
+        self.load.check(self.bodies, &self.gap, hardness)?;
         Ok(NormalProblem {
             bodies: self.bodies.clone(),
             gap: self.gap,

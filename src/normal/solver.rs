@@ -1,13 +1,12 @@
 //! The reusable solver of a normal contact.
 
 use std::ops::ControlFlow;
-use std::sync::Arc;
 
-use crate::buffer::{self, TryClone, or_abort};
+use crate::buffer::{self, or_abort};
 use crate::cgm::{Iteration, solver_settings};
 use crate::elastic::Observer;
 use crate::error::{Error, Result};
-use crate::field::Field;
+use crate::field::{self, Field};
 use crate::influence::Direction;
 use crate::normal::pressure::PressureSolver;
 use crate::normal::problem::check_gap;
@@ -73,10 +72,7 @@ impl NormalSolver {
             ..
         } = &self.problem;
         bodies.agreed_alike(Ok(()), &[("normal load", &load)])?;
-        load.check(bodies, gap)?;
-        if let Some(hardness) = hardness {
-            hardness.check_load(bodies, load)?;
-        }
+        load.check(bodies, gap, hardness.as_ref())?;
         self.problem.load = load;
         Ok(())
     }
@@ -89,11 +85,8 @@ impl NormalSolver {
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
         let bodies = &self.problem.bodies;
         bodies.agreed(check_gap(bodies, gap))?;
-        self.problem.load.check(&self.problem.bodies, gap)?;
-        match Arc::get_mut(&mut self.problem.gap) {
-            Some(own) => own.as_mut_slice().copy_from_slice(gap.as_slice()),
-            None => self.problem.gap = Arc::new(gap.try_clone()?),
-        }
+        self.problem.load.check(bodies, gap, None)?;
+        field::replace(&mut self.problem.gap, gap)?;
         self.least_gap = self.problem.bodies.least(gap);
         Ok(())
     }

@@ -47,7 +47,7 @@ pub(super) struct Task<'a> {
 }
 
 /// An engine, whatever the number of tractions.
-pub(super) trait ShearEngine: Debug + Send + Sync {
+pub(super) trait TangentialEngine: Debug + Send + Sync {
     /// Minimises from the tractions into them.
     fn minimise(
         &mut self,
@@ -88,10 +88,10 @@ pub(super) trait ShearEngine: Debug + Send + Sync {
     /// Gives the buffers back, and the displacements of the answer with them.
     fn rest(&mut self);
 
-    fn boxed(&self) -> Box<dyn ShearEngine>;
+    fn boxed(&self) -> Box<dyn TangentialEngine>;
 }
 
-impl Clone for Box<dyn ShearEngine> {
+impl Clone for Box<dyn TangentialEngine> {
     fn clone(&self) -> Self {
         self.boxed()
     }
@@ -102,7 +102,7 @@ pub(super) fn engine_along(
     bodies: &HalfSpace,
     axes: &[Axis],
     size: [usize; 2],
-) -> Result<Box<dyn ShearEngine>> {
+) -> Result<Box<dyn TangentialEngine>> {
     Ok(match axes {
         [axis] => Box::new(Engine::new(bodies, [*axis], size)?),
         _ => Box::new(Engine::new(bodies, [Axis::X, Axis::Y], size)?),
@@ -176,7 +176,7 @@ fn of_mut<const N: usize>(axes: [Axis; N], both: &mut PlaneVector) -> [&mut [f64
     axes.map(|axis| parts[axis.index()].take().map_or(&mut [][..], |part| part))
 }
 
-impl<const N: usize> ShearEngine for Engine<N>
+impl<const N: usize> TangentialEngine for Engine<N>
 where
     Within: Ball<N>,
 {
@@ -249,7 +249,7 @@ where
         self.solver.rest();
     }
 
-    fn boxed(&self) -> Box<dyn ShearEngine> {
+    fn boxed(&self) -> Box<dyn TangentialEngine> {
         Box::new(self.clone())
     }
 }

@@ -15,7 +15,7 @@ use crate::report::Report;
 use crate::tangential::answer::Answer;
 use crate::tangential::control::Demand;
 use crate::tangential::drawing::Drawing;
-use crate::tangential::engine::{PlaneVector, ShearEngine, Task, at, engine_along, zeros};
+use crate::tangential::engine::{PlaneVector, TangentialEngine, Task, at, engine_along, zeros};
 use crate::tangential::motion::{Motion, centre};
 use crate::tangential::{Axis, Pressed, TangentialControl};
 use crate::trend::Trend;
@@ -30,7 +30,7 @@ pub(crate) struct Increment {
     pub(super) bodies: HalfSpace,
     pub(super) axes: &'static [Axis],
     pub(crate) pressed: Pressed,
-    pub(super) engine: Box<dyn ShearEngine>,
+    pub(super) engine: Box<dyn TangentialEngine>,
     /// The start of the next step, and the answer of the last.
     pub(super) traction: PlaneVector,
     /// Offset of every cell in this step.

@@ -40,12 +40,12 @@ use crate::tangential::{
 ///     TangentialProblem::builder(&bodies, &normal, friction, TangentialLoad::force([0.0, 0.0]))
 ///         .build()?
 ///         .into_solver()?;
-/// let mut shear = solver.new_solution();
+/// let mut tangential = solver.new_solution();
 /// let mut stick = Vec::new();
 /// for force in [0.0, 0.05, 0.10, 0.149] {
 ///     solver.set_load(TangentialLoad::force([0.0, force]))?;
-///     solver.solve_into(&mut shear)?;
-///     stick.push(shear.stick_ratio());
+///     solver.solve_into(&mut tangential)?;
+///     stick.push(tangential.stick_ratio());
 /// }
 /// assert!(stick[0] == 1.0 && stick.is_sorted_by(|a, b| a > b));
 /// # Ok::<(), Error>(())
