@@ -752,14 +752,14 @@ class Convolution(LinearOperator):
 @final
 class CoupledProblem:
     """
-    Bodies, gap, friction and loads of a contact whose pressure and traction are found together: from rest, in one step.
+    Bodies, gap, friction and loads of a contact whose pressure and tractions are found together: from rest, in one step.
 
     Parameters
     ----------
     bodies : HalfSpace
         The two bodies and the grid.
     gap : Field or array_like of shape (ny, nx)
-        The gap before loading (lengths); copied.
+        The gap before loading (lengths). An array is copied, a Field is shared.
     friction : Friction, float or array_like of shape (ny, nx)
         Coulomb friction; a number or an array is the coefficient of friction (dimensionless, not negative).
     load : TangentialLoad, optional
@@ -772,6 +772,8 @@ class CoupledProblem:
     relative_displacement : RelativeDisplacement, optional
         A displacement of body 1 relative to body 2 that the contact does not cause, reached in proportion to the load; none
         by default.
+    hardness : Hardness, float or array_like of shape (ny, nx), optional
+        The largest pressure that the cells carry; no limit by default.
     settings : Settings, optional
         Method, tolerance and limits; those of ``Settings()`` by default.
     tolerance, method, max_iterations, time_limit : optional
@@ -779,8 +781,8 @@ class CoupledProblem:
 
     Raises
     ------
-    GridMismatch, Shape, Sample, Negative, NotFinite, NotPositive, NotModelled, ApproachBeyondMeanGap, Method, Tolerance,
-    IterationLimit
+    GridMismatch, Shape, Sample, Negative, NotFinite, NotPositive, NotModelled, ApproachBeyondMeanGap,
+    BeyondHardness, Method, Tolerance, IterationLimit
 
     Examples
     --------
@@ -794,7 +796,7 @@ class CoupledProblem:
     True
     """
     def __getnewargs_ex__(self, /) -> tuple[tuple[Any, ...], dict[str, Any]]: ...
-    def __new__(cls, /, bodies: HalfSpace, gap: Field | ArrayLike, friction: Friction | float | ArrayLike, load: TangentialLoad | None = None, *, normal_force: float | None = None, approach: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: tuple[Sequence[float], float] | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: tuple[float, float] | None = None, spring_y: tuple[float, float] | None = None, twist: float | None = None, relative_displacement: RelativeDisplacement | None = None, settings: Settings | None = None, tolerance: float | None = None, method: Method | str | None = None, max_iterations: int | None = None, time_limit: float | None = None) -> CoupledProblem: ...
+    def __new__(cls, /, bodies: HalfSpace, gap: Field | ArrayLike, friction: Friction | float | ArrayLike, load: TangentialLoad | None = None, *, normal_force: float | None = None, approach: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: tuple[Sequence[float], float] | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: tuple[float, float] | None = None, spring_y: tuple[float, float] | None = None, twist: float | None = None, relative_displacement: RelativeDisplacement | None = None, hardness: Hardness | float | ArrayLike | None = None, settings: Settings | None = None, tolerance: float | None = None, method: Method | str | None = None, max_iterations: int | None = None, time_limit: float | None = None) -> CoupledProblem: ...
     def __repr__(self, /) -> str: ...
     def solve(self, /, *, progress: Any | None = None, warn: bool = True) -> CoupledSolution:
         """
@@ -892,7 +894,7 @@ class CoupledSolution:
         How the solve ended, what it cost, and what is certified.
         """
     @property
-    def shear(self, /) -> TangentialSolution:
+    def tangential(self, /) -> TangentialSolution:
         """
         The tangential half.
         """
@@ -920,13 +922,10 @@ class CoupledSolver:
         """
         Changes the gap of the next solve (lengths).
         """
-    def set_load(self, /, load: TangentialLoad) -> None:
+    def set_load(self, /, load: TangentialLoad, *, normal_force: float | None = None, approach: float | None = None) -> None:
         """
-        Changes the tangential load of the next solve.
-        """
-    def set_normal(self, /, *, force: float | None = None, approach: float | None = None) -> None:
-        """
-        Changes the normal load of the next solve: one of a force (not negative) and an approach (a length).
+        Changes the loads of the next solve: the tangential one, and one of a normal force (not negative) and an approach (a
+        length).
         """
     @property
     def settings(self, /) -> Settings:
@@ -2019,11 +2018,6 @@ class History:
         Energy that each cell dissipated since the start (not negative), a copy.
         """
     @property
-    def tangential_force(self, /) -> tuple[float, float]:
-        """
-        Tangential force that body 2 exerts on body 1 along x and y.
-        """
-    @property
     def friction(self, /) -> Friction:
         """
         The friction.
@@ -2179,6 +2173,11 @@ class History:
     def stiffness(self, /) -> ContactStiffness:
         """
         The stiffness: the slopes of the forces and the moment by approach, shift and twist.
+        """
+    @property
+    def tangential_force(self, /) -> tuple[float, float]:
+        """
+        Tangential force that body 2 exerts on body 1 along x and y.
         """
     def to_bytes(self, /) -> bytes:
         """
@@ -4127,11 +4126,6 @@ class State:
         Energy that each cell dissipated since the start (not negative).
         """
     @property
-    def tangential_force(self, /) -> tuple[float, float]:
-        """
-        Tangential force that body 2 exerts on body 1 along x and y.
-        """
-    @property
     def friction(self, /) -> Friction:
         """
         The friction.
@@ -4205,6 +4199,11 @@ class State:
     def steps(self, /) -> int:
         """
         Steps taken since the start.
+        """
+    @property
+    def tangential_force(self, /) -> tuple[float, float]:
+        """
+        Tangential force that body 2 exerts on body 1 along x and y.
         """
     def to_bytes(self, /) -> bytes:
         """
@@ -4367,11 +4366,6 @@ class StepResult:
         Work, elastic energy and dissipation.
         """
     @property
-    def tangential_force(self, /) -> tuple[float, float]:
-        """
-        Tangential force on body 1 along x and y at its end.
-        """
-    @property
     def is_gross_slip(self, /) -> bool:
         """
         Whether the whole contact is at its friction limit.
@@ -4419,6 +4413,11 @@ class StepResult:
     def stick_ratio(self, /) -> float:
         """
         Stick cells over contact cells at its end.
+        """
+    @property
+    def tangential_force(self, /) -> tuple[float, float]:
+        """
+        Tangential force on body 1 along x and y at its end.
         """
     @property
     def tangential_report(self, /) -> Report | None:
