@@ -219,9 +219,9 @@
 pub mod analytical;
 mod boundary;
 mod buffer;
-mod cascade;
 pub mod cgm;
 mod clock;
+mod contact;
 mod contact_map;
 pub mod coupled;
 mod coupling;
@@ -247,7 +247,6 @@ mod material;
 pub mod normal;
 mod operator;
 mod parallel;
-mod passes;
 mod per_cell;
 mod pool;
 pub mod ranks;

@@ -1,14 +1,12 @@
 //! One step of a coupled contact, of a problem from rest or of a history.
 
 use crate::buffer;
-use crate::cascade::Conditions;
 use crate::cgm::vector::slices;
 use crate::cgm::{Total, reduce};
-use crate::coupled::CoupledReport;
-use crate::coupled::engine::Engine;
-use crate::coupled::engines::Engines;
-use crate::coupled::task::{N, Start, Task};
-use crate::error::{Error, Result, finite};
+use crate::contact::{self, Conditions, OnWindow, Seen, Windows};
+use crate::coupled::engine::{Engine, Start, Task};
+use crate::coupled::{CoupledReport, N};
+use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::influence::Direction;
@@ -16,14 +14,12 @@ use crate::normal::{Hardness, NormalControl, NormalSolution};
 use crate::parallel;
 use crate::report::Report;
 use crate::tangential::{
-    Answer, Axis, Demand, Friction, Motion, PlaneVector, Pressed, TangentialControl, centre, zeros,
+    Answer, Axis, Demand, Friction, Motion, PlaneVector, Pressed, centre, zeros,
 };
 use crate::window::Window;
 
 /// Cells by which a contact may grow in a step without a second look.
 const GROWTH: usize = 2;
-/// Overlap beyond the window, of the largest displacement, that is round-off.
-const ROUND_OFF: f64 = 1e-13;
 
 /// Pressure and traction on the grid, what the cells remember, and the engine that solves a step.
 ///
@@ -33,7 +29,7 @@ const ROUND_OFF: f64 = 1e-13;
 #[derive(Debug, Clone)]
 pub(crate) struct CoupledIncrement {
     pub(super) bodies: HalfSpace,
-    engines: Engines,
+    windows: Windows<Engine>,
     /// Pressure and tractions of the whole grid: the start of the next step, and the answer of the last.
     pub(super) tractions: [Vec<f64>; N],
     displacement: [Vec<f64>; N],
@@ -81,7 +77,7 @@ impl CoupledIncrement {
         bodies.compliance([Direction::Z, Direction::X, Direction::Y], size)?;
         let zeros_of_all = || buffer::vector(grid.cells());
         Ok(Self {
-            engines: Engines::default(),
+            windows: Windows::default(),
             tractions: zeros_of_all()?,
             displacement: zeros_of_all()?,
             pressed: Pressed::new(bodies, Window::whole(grid))?,
@@ -118,12 +114,12 @@ impl CoupledIncrement {
 
     /// Where the engine works; `None` before the first contact.
     pub(crate) fn window(&self) -> Option<Window> {
-        self.engines.present.as_ref().map(Engine::window)
+        self.windows.window()
     }
 
     /// Goes on as after a step that ended with this window.
     pub(crate) fn resume(&mut self, window: Option<Window>) -> Result<()> {
-        self.engines.resume(&self.bodies, window)
+        self.windows.resume(&self.bodies, window)
     }
 
     /// Takes pressure and tractions as the start of the next step, with the approach and the shift they belong to.
@@ -201,7 +197,7 @@ impl CoupledIncrement {
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<()> {
         self.report.clear();
-        self.engines.age();
+        self.windows.age();
         parallel::enter_with(self.bodies.grid().cells(), || {
             self.find(demand, before, conditions)
         })
@@ -259,7 +255,7 @@ impl CoupledIncrement {
         };
         self.report.work.time = conditions.start.elapsed();
         let [approach, x, y] = self
-            .engines
+            .windows
             .present
             .as_ref()
             .map_or([0.0; N], Engine::multiplier);
@@ -315,34 +311,23 @@ impl CoupledIncrement {
             while !holds(window) {
                 window = window.widened(grid);
             }
-            self.engines.work_on(bodies, window)?;
+            self.windows.work_on(bodies, window)?;
         }
-        loop {
-            let Some(engine) = &mut self.engines.present else {
-                return Err(Error::EmptyContact);
-            };
-            engine.take(&self.tractions);
-            let closing = self.enters.then_some(&*self.closing);
-            let asked = (slices(&self.linear), closing);
-            let outcome = engine.solve(asked, task, start, conditions, &mut self.report);
-            engine.write(&mut self.tractions, &mut self.displacement);
-            task.multiplier = engine.multiplier();
-            let (window, [delta, ..]) = (engine.window(), task.multiplier);
-            let ([displacement, ..], [gap, ..]) = (&self.displacement, &self.linear);
-            let largest = reduce::max(&self.bodies.grid_layout(), |i| displacement[i].abs());
-            let (first, round_off) = (self.bodies.first_cell(), ROUND_OFF * largest);
-            let missed = self.bodies.around(|i| {
-                displacement[i] + gap[i] - delta < -round_off && !window.contains(first + i)
-            });
-            match missed {
-                Some(missed) if outcome.is_ok() => {
-                    let wider = window.union(missed).widened(grid);
-                    self.engines.work_on(&self.bodies, wider)?;
-                    start = Start::Present;
-                }
-                _ => return outcome,
-            }
-        }
+        let (linear, tractions) = (&self.linear, &mut self.tractions);
+        let (displacement, report) = (&mut self.displacement, &mut self.report);
+        let asked = (slices(linear), self.enters.then_some(&*self.closing));
+        self.windows.solve(bodies, |engine, _| {
+            engine.take(tractions);
+            let outcome = engine.solve(asked, task, start, conditions, report);
+            engine.write(tractions, displacement);
+            outcome?;
+            (start, task.multiplier) = (Start::Present, engine.multiplier());
+            let ([lift, ..], [gap, ..], [delta, ..]) = (&*displacement, linear, task.multiplier);
+            let largest = reduce::max(&bodies.grid_layout(), |i| lift[i].abs());
+            let overlaps = |i: usize| lift[i] + gap[i] - delta;
+            let missed = contact::missed(bodies, engine.window(), largest, overlaps);
+            Ok(missed.map_or(Seen::Answer, Seen::Missed))
+        })
     }
 
     /// What is prescribed of the sums; the motion becomes the one they are measured from.
@@ -352,33 +337,16 @@ impl CoupledIncrement {
         largest_coefficient: f64,
     ) -> Result<[Total; N]> {
         let cell_area = self.bodies.grid().cell_area();
-        let mut totals = [Total::Free; N];
-        if let NormalControl::Force(force) = demand.normal {
-            totals[0] = Total::Sum(force / cell_area);
+        let pressure = if let NormalControl::Force(force) = demand.normal {
             check_force(demand, largest_coefficient * force)?;
-        }
-        for &axis in Axis::BOTH {
-            let (shift, total) = (
-                &mut self.motion.shift[axis.index()],
-                &mut totals[1 + axis.index()],
-            );
-            match demand.tangential.control(axis) {
-                TangentialControl::Shift(prescribed) => *shift = prescribed,
-                TangentialControl::Hold => {}
-                TangentialControl::Force(force) => *total = Total::Sum(force / cell_area),
-                TangentialControl::Spring {
-                    position,
-                    stiffness,
-                } => {
-                    let quantity = "cell area over the stiffness of the spring";
-                    *total = Total::Spring {
-                        far_end: position - *shift,
-                        compliance: finite(quantity, cell_area / stiffness)?,
-                    };
-                }
-            }
-        }
-        Ok(totals)
+            Total::Sum(force / cell_area)
+        } else {
+            Total::Free
+        };
+        let sums = demand.tangential.force().map(|force| force / cell_area);
+        let (tangential, measured) = (demand.tangential, (self.motion.shift, cell_area));
+        let [x, y] = tangential.prescribe(Axis::BOTH, Some(sums), measured, &mut self.motion)?;
+        Ok([pressure, x, y])
     }
 
     /// Asks every cell to close its gap and to follow the motion, from its offset.

@@ -53,7 +53,6 @@
 
 mod contraction;
 mod engine;
-mod engines;
 mod increment;
 mod nested;
 mod offset;
@@ -62,10 +61,12 @@ mod report;
 mod sliding;
 mod solution;
 mod solver;
-mod task;
 
 pub(crate) use increment::{CoupledDemand, CoupledIncrement};
 pub use problem::{CoupledProblem, CoupledProblemBuilder};
 pub use report::{CoupledReport, ErrorEstimate};
 pub use solution::CoupledSolution;
 pub use solver::CoupledSolver;
+
+/// Components of a vector: along z, x and y.
+const N: usize = 3;

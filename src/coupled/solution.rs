@@ -3,8 +3,7 @@
 use crate::buffer::{or_abort, try_clone, try_each};
 use crate::cgm::reduce;
 use crate::coupled::increment::CoupledIncrement;
-use crate::coupled::task::N;
-use crate::coupled::{CoupledProblem, CoupledReport};
+use crate::coupled::{CoupledProblem, CoupledReport, N};
 use crate::error::Result;
 use crate::field::Field;
 use crate::half_space::HalfSpace;

@@ -3,16 +3,14 @@
 use std::ops::ControlFlow;
 
 use crate::buffer::{TryClone, or_abort};
-use crate::cascade::Conditions;
 use crate::cgm::{Iteration, solver_settings};
-use crate::clock::Instant;
+use crate::contact::{Conditions, with_memory};
 use crate::coupled::increment::{CoupledDemand, CoupledIncrement};
 use crate::coupled::{CoupledProblem, CoupledSolution};
 use crate::elastic::Observer;
 use crate::error::{Error, Result};
 use crate::field::{self, Field};
 use crate::normal::NormalControl;
-use crate::passes::with_memory;
 use crate::shown::shown;
 use crate::tangential::{Axis, Friction, Motion, TangentialLoad, TangentialModel};
 
@@ -153,11 +151,7 @@ impl CoupledSolver {
     ) -> Result<()> {
         let problem = &self.problem;
         let mut observer = with_memory(observer);
-        let mut conditions = Conditions {
-            settings: &problem.settings,
-            start: Instant::now(),
-            observer: &mut observer,
-        };
+        let mut conditions = Conditions::new(&problem.settings, &mut observer);
         let demand = CoupledDemand {
             gap: &problem.gap,
             friction: &problem.friction,

@@ -1,8 +1,7 @@
 //! How a step is solved, before any of it enters the state.
 
 use crate::buffer::{self, TryClone};
-use crate::cascade::Conditions;
-use crate::clock::Instant;
+use crate::contact::Conditions;
 use crate::elastic::Observer;
 use crate::error::Result;
 use crate::field::Field;
@@ -123,11 +122,7 @@ impl History {
             None => increment.enter_nowhere(),
         }
         increment.set_traction(state.traction.each_ref().map(Field::as_slice));
-        let mut conditions = Conditions {
-            settings: &state.settings,
-            start: Instant::now(),
-            observer,
-        };
+        let mut conditions = Conditions::new(&state.settings, observer);
         let memory = state.contact.as_ref().filter(|_| !is_widened);
         let ahead = memory.and_then(|memory| Some((memory, memory.parts_ahead(state, &demand)?)));
         let start = match ahead {

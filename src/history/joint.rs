@@ -1,8 +1,7 @@
 //! The steps of bodies whose pressure and traction are found together.
 
 use crate::buffer::TryClone;
-use crate::cascade::Conditions;
-use crate::clock::Instant;
+use crate::contact::Conditions;
 use crate::coupled::{CoupledDemand, CoupledIncrement};
 use crate::coupling::Coupling;
 use crate::elastic::Observer;
@@ -69,11 +68,7 @@ impl History {
         joint.enter(state.closing(&self.bodies, normal))?;
         let (pressure, traction) = (state.pressure(), state.traction());
         joint.set_start(pressure, traction, state.approach(), state.shift());
-        let mut conditions = Conditions {
-            settings: &state.settings,
-            start: Instant::now(),
-            observer,
-        };
+        let mut conditions = Conditions::new(&state.settings, observer);
         let demand = CoupledDemand {
             gap: &state.gap,
             friction: &state.friction,

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use crate::buffer::TryClone;
 use crate::cgm::{Iteration, Settings, reduce};
+use crate::contact::with_memory;
 use crate::coupled::CoupledIncrement;
 use crate::elastic::Observer;
 use crate::error::{Error, Result};
@@ -21,7 +22,6 @@ use crate::history::yielding::{add_yielded, settle};
 use crate::history::{EnergyBalance, LoadStep, StepResult};
 use crate::normal::{NormalControl, NormalSolution, PressureSolver};
 use crate::parallel;
-use crate::passes::with_memory;
 use crate::pool::Lease;
 use crate::report::{Report, Status};
 use crate::shown::shown;

@@ -64,6 +64,7 @@ pub(crate) use friction::FrictionWithin;
 pub(crate) use increment::{Increment, Start};
 pub(crate) use limits::Pressed;
 pub(crate) use motion::{Motion, centre};
+pub(crate) use nested::handed_down;
 pub use pressure::PressureSource;
 pub use problem::{TangentialProblem, TangentialProblemBuilder};
 pub use relative::RelativeDisplacement;

@@ -3,15 +3,13 @@
 use std::ops::ControlFlow;
 
 use crate::buffer::{TryClone, or_abort};
-use crate::cascade::Conditions;
 use crate::cgm::{Iteration, Settings, solver_settings};
-use crate::clock::Instant;
+use crate::contact::{Conditions, with_memory};
 use crate::coupling::Coupling;
 use crate::elastic::Observer;
 use crate::error::{Error, Result};
 use crate::half_space::HalfSpace;
 use crate::parallel;
-use crate::passes::with_memory;
 use crate::report::Report;
 use crate::shown::shown;
 use crate::tangential::increment::{Increment, Start};
@@ -280,11 +278,7 @@ impl TangentialSolver {
         observer: Observer<'_>,
     ) -> Result<()> {
         let mut observer = with_memory(observer);
-        let mut conditions = Conditions {
-            settings: &self.settings,
-            start: Instant::now(),
-            observer: &mut observer,
-        };
+        let mut conditions = Conditions::new(&self.settings, &mut observer);
         let start = if self.is_warm {
             Start::Present(self.increment.motion().shift)
         } else {
