@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
-use crate::cgm::{self, Admissible, Constraint, Known, Problem, Settings, Workspace, WorkspaceOf};
+use crate::cgm::{
+    self, Admissible, Constraint, Known, Problem, Settings, Total, Workspace, WorkspaceOf,
+};
 use crate::error::{Error, Result};
 use crate::fft::{CirculantInverse, Convolution};
 use crate::half_space::{Compliance, HalfSpace};
@@ -28,6 +30,14 @@ pub(crate) struct ElasticSolver<S: Admissible<N>, const N: usize> {
 /// What such an engine is asked.
 pub(crate) type ElasticProblem<'a, K, const N: usize> =
     Problem<'a, Arc<Convolution<N>>, K, Arc<CirculantInverse<N>>, N>;
+
+/// The multipliers of totals that are known from before: zero where nothing is prescribed.
+pub(crate) fn multipliers<const N: usize>(totals: [Total; N], known: [f64; N]) -> [f64; N] {
+    std::array::from_fn(|n| match totals[n] {
+        Total::Free => 0.0,
+        _ => known[n],
+    })
+}
 
 type ElasticWorkspace<S, const N: usize> =
     WorkspaceOf<Arc<Convolution<N>>, Arc<CirculantInverse<N>>, S, N>;

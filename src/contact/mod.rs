@@ -3,8 +3,10 @@
 
 mod budget;
 mod nested_start;
+mod solver;
 mod windows;
 
 pub(crate) use budget::{Conditions, ended_from_outside, with_counts_of, with_memory};
 pub(crate) use nested_start::{Levels, Scene, is_worth_coarsening, nested_start};
+pub(crate) use solver::solver_methods;
 pub(crate) use windows::{OnWindow, Seen, Windows, missed};

@@ -9,6 +9,7 @@ use crate::cgm::vector::{slices, slices_mut};
 use crate::cgm::{Carried, Disc, Interval, Known, Magnitude, Settings, Total, UNLIMITED, reduce};
 use crate::contact::{Conditions, OnWindow, ended_from_outside, with_counts_of};
 use crate::coupled::contraction::Contraction;
+use crate::coupled::increment::CoupledDemand;
 use crate::coupled::{CoupledReport, N};
 use crate::elastic::{ElasticSolver, Observer};
 use crate::error::Result;
@@ -20,7 +21,7 @@ use crate::normal::Hardness;
 use crate::operator::Operator;
 use crate::per_cell::PerCell;
 use crate::report::{Report, Status};
-use crate::tangential::{Friction, FrictionWithin};
+use crate::tangential::{FrictionWithin, own_compliance};
 use crate::window::Window;
 
 /// Relative accuracy of the halves that a solve starts from.
@@ -43,16 +44,16 @@ pub(super) enum Start {
     Present,
 }
 
-/// What is asked of a solve beside gap and demands of the cells.
+/// What is asked of a solve.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Task<'a> {
+    pub(super) demand: CoupledDemand<'a>,
+    /// What the gap is measured from.
+    pub(super) datum: f64,
     /// What is prescribed of the sums.
     pub(super) totals: [Total; N],
     /// Approach and shift beyond what is prescribed, as far as they are known before.
     pub(super) multiplier: [f64; N],
-    pub(super) friction: &'a Friction,
-    /// What limits the pressure, if anything does.
-    pub(super) hardness: Option<&'a Hardness>,
     /// The largest coefficient of the whole grid.
     pub(super) largest_coefficient: f64,
     /// Whether a force that friction does not hold at the pressure found so far ends the solve as stalled at once.
@@ -229,13 +230,13 @@ impl Engine {
             buffer::resize(&mut self.closing, self.region.cells(), 0.0)?;
             self.region.gather(closing, &mut self.closing);
         }
-        let limits = task.hardness.map_or(UNLIMITED, Hardness::limits);
+        let limits = task.demand.hardness.map_or(UNLIMITED, Hardness::limits);
         self.hardness = limits.map(|_| ());
         if let PerCell::Cells(cells) = limits {
             buffer::resize(&mut self.hardness_of_cells, self.region.cells(), 0.0)?;
             self.region.gather(cells, &mut self.hardness_of_cells);
         }
-        let friction = &task.friction.within(&self.region);
+        let friction = &task.demand.friction.within(&self.region);
         let (mut sweeps, mut opening) = match start {
             Start::Halves => (1, Opening::Sound),
             Start::Coarse => (0, Opening::Coarse),
@@ -418,9 +419,7 @@ impl Engine {
             buffer::resize(&mut self.own, self.closing.len(), 0.0)?;
             let cells = self.closing.iter().zip(&self.x[0]);
             for (own, (closing, pressure)) in self.own.iter_mut().zip(cells) {
-                if *pressure > 0.0 {
-                    *own = (closing / pressure).min(f64::MAX);
-                }
+                *own = own_compliance(*closing, *pressure);
             }
         }
         Ok(())

@@ -6,6 +6,7 @@ use crate::cgm::{Total, reduce};
 use crate::contact::{self, Conditions, OnWindow, Seen, Windows};
 use crate::coupled::engine::{Engine, Start, Task};
 use crate::coupled::{CoupledReport, N};
+use crate::elastic::multipliers;
 use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
@@ -198,23 +199,10 @@ impl CoupledIncrement {
     ) -> Result<()> {
         self.report.clear();
         self.windows.age();
-        parallel::enter_with(self.bodies.grid().cells(), || {
-            self.find(demand, before, conditions)
-        })
-    }
-
-    fn find(
-        &mut self,
-        demand: CoupledDemand<'_>,
-        before: Motion,
-        conditions: &mut Conditions<'_, '_>,
-    ) -> Result<()> {
-        // Without a datum far from the contact the sums keep their last digits.
-        let least = self.bodies.least(demand.gap);
-        let (datum, is_apart) = match demand.normal {
-            NormalControl::Approach(approach) => (approach, approach <= least),
-            NormalControl::Force(force) => (least, force <= 0.0),
-            NormalControl::Hold => return Err(Error::NothingToHold),
+        let (datum, pressure) = demand.normal.posed(&self.bodies, demand.gap)?;
+        let is_apart = match demand.normal {
+            NormalControl::Force(force) => force <= 0.0,
+            _ => datum <= self.bodies.least(demand.gap),
         };
         if is_apart {
             self.motion = demand.tangential.without_contact(Axis::BOTH, before)?;
@@ -231,7 +219,8 @@ impl CoupledIncrement {
             ..before
         };
         let largest_coefficient = demand.friction.largest_coefficient(&self.bodies);
-        let totals = self.prescribe(&demand, largest_coefficient)?;
+        let [x, y] = self.prescribe(&demand, largest_coefficient)?;
+        let totals = [pressure, x, y];
         let start = if self.contact().is_some() {
             Start::Present
         } else if self.start_from_coarser(demand, before, conditions)? {
@@ -240,16 +229,19 @@ impl CoupledIncrement {
             Start::Halves
         };
         self.set_linear(demand.gap, datum);
+        let Motion { shift: [x, y], .. } = self.motion;
+        let [last_x, last_y] = self.last_shift;
+        let known = [self.approach - datum, last_x - x, last_y - y];
         let task = Task {
+            demand,
+            datum,
             totals,
-            multiplier: self.expected(&totals, datum),
-            friction: demand.friction,
-            hardness: demand.hardness,
+            multiplier: multipliers(totals, known),
             largest_coefficient,
             is_doubtful: demand.is_doubtful(),
         };
         let outcome = if task.is_doubtful {
-            self.solve_or_slide(task, demand, datum, start, conditions)
+            self.solve_or_slide(task, start, conditions)
         } else {
             self.solve_on_window(task, start, conditions)
         };
@@ -264,23 +256,6 @@ impl CoupledIncrement {
         self.pressed.set(&self.tractions[0], demand.friction);
         self.lag_behind();
         outcome
-    }
-
-    /// Approach and shift beyond what is prescribed, as they were.
-    fn expected(&self, totals: &[Total; N], datum: f64) -> [f64; N] {
-        let Motion { shift: [x, y], .. } = self.motion;
-        let known = [
-            self.approach - datum,
-            self.last_shift[0] - x,
-            self.last_shift[1] - y,
-        ];
-        std::array::from_fn(|c| {
-            if totals[c] == Total::Free {
-                0.0
-            } else {
-                known[c]
-            }
-        })
     }
 
     /// The window of the pressure.
@@ -302,7 +277,7 @@ impl CoupledIncrement {
         let grown = contact.with_margins(grid, [GROWTH; 2]);
         let (bodies, total) = (&self.bodies, task.totals[0]);
         let holds = |window: Window| {
-            let hardness = task.hardness;
+            let hardness = task.demand.hardness;
             hardness.is_none_or(|hardness| hardness.holds(bodies, window, total))
         };
         let fits = |window: Window| window.covers(grown) && holds(window);
@@ -330,23 +305,19 @@ impl CoupledIncrement {
         })
     }
 
-    /// What is prescribed of the sums; the motion becomes the one they are measured from.
+    /// What is prescribed of the sums of the tractions; the motion becomes the one they are measured from.
     fn prescribe(
         &mut self,
         demand: &CoupledDemand<'_>,
         largest_coefficient: f64,
-    ) -> Result<[Total; N]> {
-        let cell_area = self.bodies.grid().cell_area();
-        let pressure = if let NormalControl::Force(force) = demand.normal {
+    ) -> Result<[Total; 2]> {
+        if let NormalControl::Force(force) = demand.normal {
             check_force(demand, largest_coefficient * force)?;
-            Total::Sum(force / cell_area)
-        } else {
-            Total::Free
-        };
+        }
+        let cell_area = self.bodies.grid().cell_area();
         let sums = demand.tangential.force().map(|force| force / cell_area);
         let (tangential, measured) = (demand.tangential, (self.motion.shift, cell_area));
-        let [x, y] = tangential.prescribe(Axis::BOTH, Some(sums), measured, &mut self.motion)?;
-        Ok([pressure, x, y])
+        tangential.prescribe(Axis::BOTH, Some(sums), measured, &mut self.motion)
     }
 
     /// Asks every cell to close its gap and to follow the motion, from its offset.

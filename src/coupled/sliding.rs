@@ -4,7 +4,7 @@ use crate::buffer::TryClone;
 use crate::cgm::{Total, reduce};
 use crate::contact::Conditions;
 use crate::coupled::engine::{Start, Task};
-use crate::coupled::increment::{CoupledDemand, CoupledIncrement};
+use crate::coupled::increment::CoupledIncrement;
 use crate::error::{Error, Result};
 use crate::report::Status;
 
@@ -23,11 +23,10 @@ impl CoupledIncrement {
     pub(super) fn solve_or_slide(
         &mut self,
         task: Task<'_>,
-        demand: CoupledDemand<'_>,
-        datum: f64,
         start: Start,
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<()> {
+        let (demand, datum) = (task.demand, task.datum);
         let outcome = self.solve_on_window(task, start, conditions);
         if !is_stalled(&outcome) {
             return outcome;

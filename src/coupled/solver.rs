@@ -1,10 +1,8 @@
 //! The reusable solver of a coupled contact.
 
-use std::ops::ControlFlow;
-
-use crate::buffer::{TryClone, or_abort};
-use crate::cgm::{Iteration, solver_settings};
-use crate::contact::{Conditions, with_memory};
+use crate::buffer::TryClone;
+use crate::cgm::solver_settings;
+use crate::contact::{Conditions, solver_methods, with_memory};
 use crate::coupled::increment::{CoupledDemand, CoupledIncrement};
 use crate::coupled::{CoupledProblem, CoupledSolution};
 use crate::elastic::Observer;
@@ -105,11 +103,7 @@ impl CoupledSolver {
         self.increment.forget();
     }
 
-    /// An empty solution of the right size for [`CoupledSolver::solve_into`].
-    #[must_use]
-    pub fn new_solution(&self) -> CoupledSolution {
-        or_abort(self.try_new_solution())
-    }
+    solver_methods!(CoupledSolution.normal(), problem.bodies);
 
     /// [`Self::new_solution`] where memory may run out.
     ///
@@ -117,31 +111,6 @@ impl CoupledSolver {
     /// [`Error::Memory`].
     pub fn try_new_solution(&self) -> Result<CoupledSolution> {
         CoupledSolution::empty(&self.problem.bodies, &self.problem.gap)
-    }
-
-    /// Solves into `solution`, whose last content does not matter.
-    ///
-    /// # Errors
-    /// [`Error::GridMismatch`] or [`Error::BoundaryMismatch`] for a solution of others, nothing changed;
-    /// [`Error::NotConverged`] with the last iterate in `solution`; [`Error::BeyondFrictionCapacity`] for a force that
-    /// slides the contact; as [`HalfSpace::operator`](crate::HalfSpace::operator); [`Error::Ranks`].
-    pub fn solve_into(&mut self, solution: &mut CoupledSolution) -> Result<()> {
-        self.solve_observed(solution, |_| ControlFlow::Continue(()))
-    }
-
-    /// [`CoupledSolver::solve_into`] with an observer that sees every step and may cancel.
-    ///
-    /// # Errors
-    /// As [`CoupledSolver::solve_into`].
-    pub fn solve_observed(
-        &mut self,
-        solution: &mut CoupledSolution,
-        mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
-    ) -> Result<()> {
-        let bodies = self.problem.bodies.clone();
-        let (grid, boundary) = (solution.normal().grid(), solution.normal().boundary());
-        bodies.agreed(bodies.check_host("solution", grid, boundary))?;
-        bodies.joint(self.solve_checked(solution, &mut observer))
     }
 
     fn solve_checked(

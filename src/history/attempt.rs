@@ -71,7 +71,6 @@ impl History {
         let of = Pressing {
             bodies: &self.bodies,
             gap: &state.gap,
-            least_gap: self.bodies.least(&state.gap),
             hardness: state.hardness.as_ref(),
             control,
             settings: &state.settings,

@@ -296,9 +296,9 @@ impl History {
         step.normal_force = state.normal.force();
         step.approach = state.approach();
         let (joint, increment) = (self.joint.as_ref(), self.increment.as_ref());
-        let sheared = joint.map(|joint| (joint.answer(), joint.report()));
-        let sheared = sheared.or_else(|| increment.map(|part| (part.answer(), part.report())));
-        let (answer, report) = sheared.unzip();
+        let solved = joint.map(|joint| (joint.answer(), joint.report()));
+        let solved = solved.or_else(|| increment.map(|part| (part.answer(), part.report())));
+        let (answer, report) = solved.unzip();
         step.tangential_report
             .clone_from(report.unwrap_or(&Report::unsolved()));
         commit(answer.as_ref(), motion, state, step, &mut self.written);

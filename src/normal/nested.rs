@@ -46,14 +46,6 @@ impl<C: AsRef<[f64]>> PressureScene<C> {
             .totals([self.total])
     }
 
-    /// The multiplier there is, if this is it.
-    pub(super) fn multiplier(&self, multiplier: f64) -> f64 {
-        match self.total {
-            Total::Free => 0.0,
-            _ => multiplier,
-        }
-    }
-
     /// How far the load lies ahead of what was reached: nowhere, if that is round-off.
     pub(super) fn ahead(&self, reached: Reached) -> Ahead {
         let beyond = |wanted: f64, reached: f64| {

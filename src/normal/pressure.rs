@@ -3,10 +3,10 @@
 use std::ops::ControlFlow;
 
 use crate::buffer;
-use crate::cgm::{Iteration, Known, Method, Settings, Total, UNLIMITED, reduce};
+use crate::cgm::{Iteration, Known, Method, Settings, UNLIMITED, reduce};
 use crate::contact::{Conditions, OnWindow, Scene, Seen, Windows};
 use crate::contact::{nested_start, with_counts_of, with_memory};
-use crate::elastic::Observer;
+use crate::elastic::{Observer, multipliers};
 use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
@@ -14,6 +14,7 @@ use crate::normal::engine::Engine;
 use crate::normal::nested::PressureScene;
 use crate::normal::{Hardness, NormalControl, NormalSolution};
 use crate::parallel;
+use crate::per_cell::PerCell;
 use crate::report::{Report, Status};
 use crate::trend::{Ahead, Reached, Trend};
 use crate::window::Window;
@@ -26,8 +27,6 @@ const STRICTEST: f64 = 0.1;
 pub(crate) struct Pressing<'a> {
     pub(crate) bodies: &'a HalfSpace,
     pub(crate) gap: &'a Field,
-    /// The least of its samples.
-    pub(crate) least_gap: f64,
     pub(crate) hardness: Option<&'a Hardness>,
     pub(crate) control: NormalControl,
     pub(crate) settings: &'a Settings,
@@ -48,21 +47,17 @@ impl<'a> Pressing<'a> {
 
     /// As the engine takes it.
     fn scene(&self) -> Result<PressureScene<&'a [f64]>> {
-        // Without a datum far from the contact the sums keep their last digits.
-        let (datum, total) = match self.control {
-            NormalControl::Force(force) => {
-                let sum = force / self.bodies.grid().cell_area();
-                (self.least_gap, Total::Sum(sum))
-            }
-            NormalControl::Approach(approach) => (approach, Total::Free),
-            NormalControl::Hold => return Err(Error::NothingToHold),
-        };
+        let (datum, total) = self.control.posed(self.bodies, self.gap)?;
         Ok(PressureScene {
             gap: self.gap.as_slice(),
             datum,
-            limits: self.hardness.map_or(UNLIMITED, Hardness::limits),
+            limits: self.limits(),
             total,
         })
+    }
+
+    fn limits(&self) -> PerCell<&'a [f64]> {
+        self.hardness.map_or(UNLIMITED, Hardness::limits)
     }
 }
 
@@ -220,7 +215,8 @@ impl PressureSolver {
         self.report.clear();
         let mut outcome = self.solve_on_window(of.bodies, scene, (pressure, known), conditions);
         if matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) && of.exceeds(pressure) {
-            outcome = self.bring_within_limits(of, pressure, conditions);
+            scene.limits = of.limits();
+            outcome = self.bring_within_limits(of.bodies, scene, pressure, conditions);
         }
         let (Ok(()) | Err(Error::NotConverged(_)), Some(engine)) =
             (&outcome, &mut self.windows.present)
@@ -244,11 +240,11 @@ impl PressureSolver {
     /// has come to its limits, or was cancelled, the pressure is brought within the hardness and no step is taken.
     fn bring_within_limits(
         &mut self,
-        of: &Pressing<'_>,
+        bodies: &HalfSpace,
+        scene: PressureScene<&[f64]>,
         pressure: &mut [f64],
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<()> {
-        let (bodies, scene) = (of.bodies, of.scene()?);
         let may_go_on = matches!(self.report.status, Status::Converged | Status::Stalled)
             && conditions.check_iterations_left(&mut self.report).is_ok();
         if may_go_on {
@@ -330,7 +326,7 @@ fn set_out(
     pressure: &mut [f64],
 ) -> Result<Known<1>> {
     Ok(match scene.ahead(from) {
-        Ahead::Nothing => Known::Answer([scene.multiplier(approach - scene.datum)]),
+        Ahead::Nothing => Known::Answer(multipliers([scene.total], [approach - scene.datum])),
         ahead => {
             let parts = engine.parts(ahead).unwrap_or(0.0);
             engine.extrapolate(parts, pressure)?;

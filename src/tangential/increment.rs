@@ -7,6 +7,7 @@ use crate::cgm::vector::slices;
 use crate::cgm::{Total, reduce};
 use crate::contact::Conditions;
 use crate::coupling::Coupling;
+use crate::elastic::multipliers;
 use crate::error::Result;
 use crate::half_space::HalfSpace;
 use crate::parallel;
@@ -201,10 +202,8 @@ impl Increment {
         match start {
             Start::Near => {}
             Start::Present(shift) => {
-                task.known = Some([0, 1].map(|axis| match totals[axis] {
-                    Total::Free => 0.0,
-                    _ => (shift[axis] - self.motion.shift[axis]) / unit,
-                }));
+                let beyond = |axis: usize| (shift[axis] - self.motion.shift[axis]) / unit;
+                task.known = Some(multipliers(totals, [0, 1].map(beyond)));
             }
             Start::Nested => {
                 let is_at_rest = self.motion == Motion::default();

@@ -58,7 +58,7 @@ pub(crate) use answer::Answer;
 pub(crate) use control::Demand;
 pub use control::{TangentialControl, TangentialLoad};
 pub(crate) use engine::{PlaneVector, at, displacement, zeros};
-pub(crate) use entering::ratio_of_compliances;
+pub(crate) use entering::{own_compliance, ratio_of_compliances};
 pub use friction::Friction;
 pub(crate) use friction::FrictionWithin;
 pub(crate) use increment::{Increment, Start};

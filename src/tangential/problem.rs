@@ -8,8 +8,8 @@ use crate::half_space::HalfSpace;
 use crate::shown::shown;
 use crate::tangential::pressure::contact_window;
 use crate::tangential::{
-    Friction, Pressed, PressureSource, RelativeDisplacement, TangentialLoad, TangentialModel,
-    TangentialSolution, TangentialSolver,
+    Axis, Friction, Increment, Pressed, PressureSource, RelativeDisplacement, TangentialLoad,
+    TangentialModel, TangentialSolution, TangentialSolver,
 };
 
 /// Bodies, pressure, friction and tangential load.
@@ -108,6 +108,13 @@ impl TangentialProblem {
     /// As [`HalfSpace::operator`].
     pub fn into_solver(self) -> Result<TangentialSolver> {
         TangentialSolver::new(self)
+    }
+
+    /// Its step from rest, along these axes, under this pressure.
+    pub(super) fn increment(&self, axes: &'static [Axis], pressed: Pressed) -> Result<Increment> {
+        let mut increment = Increment::new(&self.bodies, axes, pressed, self.coupling)?;
+        increment.draw(self.relative.as_ref());
+        Ok(increment)
     }
 
     /// Largest tangential force friction holds: the integral of the friction limit.
