@@ -399,7 +399,7 @@ impl Engine {
         let ([_, x, y], [_, asked_x, asked_y]) = (&mut self.x, &self.linear);
         let problem = self
             .plane
-            .problem([asked_x.as_slice(), asked_y], Magnitude(&*self.limits))
+            .problem([asked_x.as_slice(), asked_y], Magnitude(&self.limits))
             .diagonal(&self.own)
             .totals(totals);
         let plane = &mut self.plane;

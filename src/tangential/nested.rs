@@ -48,7 +48,7 @@ where
         solver: &ElasticSolver<Self::Set, N>,
     ) -> ElasticProblem<'_, Magnitude<'_>, N> {
         solver
-            .problem(slices(&self.linear), Magnitude(&*self.limits))
+            .problem(slices(&self.linear), Magnitude(&self.limits))
             .diagonal(self.diagonal)
             .totals(self.totals)
     }
@@ -106,7 +106,7 @@ where
         }
         if N > 1 {
             // Else what is missing of the sums would move the slipping cells too, and they would count as sticking.
-            let (sums, limits) = (self.totals.map(Total::sum), Magnitude(&*self.limits));
+            let (sums, limits) = (self.totals.map(Total::sum), Magnitude(&self.limits));
             let sticks = |cell: usize| !slips[cell];
             let parts = slices_mut(&mut start);
             Self::Set::restore(&levels.layout(), parts, &limits, sticks, sums);

@@ -220,7 +220,7 @@ contains
         call check(any(warnings%kind == STICKSLIP_WARNING_PRESSED_AT_ONCE), 'pressed at once')
 
         ! A field and the zones obey the law of Coulomb, and their sums are the forces.
-        call solver%set_load(drag)
+        call solver%set_load(press, drag)
         call solver%solve(solution)
         call solution%results(tangential=shear)
         pressure => solution%field(STICKSLIP_PRESSURE)
