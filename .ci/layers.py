@@ -37,7 +37,7 @@ LAYERS = [
         "boundary": set(),
         "grid": {"error", "layout"},
         "warning": {"grid"},
-        "field": {"buffer", "error", "grid", "layout", "parallel", "serial", "shown"},
+        "field": {"buffer", "error", "grid", "layout", "parallel", "per_cell", "serial", "shown"},
         "material": {"error", "serial"},
         "coupling": {"material"},
     }),

@@ -9,6 +9,7 @@ use crate::error::{Result, all_finite, finite, length};
 use crate::grid::Grid;
 use crate::layout::Layout;
 use crate::parallel;
+use crate::per_cell::PerCell;
 use crate::shown::shown;
 
 /// One number per cell of a [`Grid`], row-major with x fastest.
@@ -101,6 +102,16 @@ pub(crate) fn replace(shared: &mut Arc<Field>, field: &Field) -> Result<()> {
         None => *shared = Arc::new(field.try_clone()?),
     }
     Ok(())
+}
+
+impl PerCell<Field> {
+    /// `Ok` if the samples fit the grid, named so in the error.
+    pub(crate) fn check(&self, quantity: &'static str, grid: Grid) -> Result<()> {
+        match self {
+            Self::Cells(field) => grid.expect(quantity, field.grid()),
+            Self::Uniform(_) => Ok(()),
+        }
+    }
 }
 
 impl Field {

@@ -5,7 +5,6 @@ use crate::cgm::UNLIMITED;
 use crate::contact::{Conditions, ended_from_outside, is_worth_coarsening};
 use crate::coupled::increment::{CoupledDemand, CoupledIncrement};
 use crate::error::Result;
-use crate::field::Field;
 use crate::normal::Hardness;
 use crate::tangential::{Motion, handed_down};
 
@@ -23,7 +22,7 @@ impl CoupledIncrement {
         }
         let bodies = self.bodies.coarser()?.clone();
         let coarsened = |field: &[f64]| self.bodies.coarsened(&bodies, size, field);
-        let gap = Field::from_vec(bodies.grid(), coarsened(demand.gap.as_slice())?)?;
+        let gap = self.bodies.coarsened_field(&bodies, demand.gap)?;
         let friction = demand.friction.coarsened(&self.bodies, &bodies)?;
         let hardness = demand.hardness;
         let hardness = hardness.map(|hardness| hardness.coarsened(&self.bodies, &bodies));

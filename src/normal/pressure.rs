@@ -194,7 +194,7 @@ impl PressureSolver {
         let mut scene = of.scene()?;
         let layout = of.bodies.grid_layout();
         let from = [reduce::total(&layout, pressure), self.approach];
-        // Nor is a window that cannot carry the load a place to begin at.
+        // A window that cannot carry the load is no place to begin at.
         let holds = |window: Window| {
             of.hardness
                 .is_none_or(|hardness| hardness.holds(of.bodies, window, scene.total))
