@@ -1,9 +1,9 @@
 //! Who watches the solves behind a stiffness, and what they have cost together.
 
 use crate::cgm::{Held, LinearWorkspace, Row};
+use crate::contact::with_counts_of;
 use crate::error::{Error, Result};
 use crate::operator::Operator;
-use crate::passes::with_counts_of;
 use crate::report::{Iteration, Report, Status};
 use crate::watch::Observer;
 

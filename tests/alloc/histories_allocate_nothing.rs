@@ -36,7 +36,7 @@ fn check(gap: &Field, load: f64, lateral: TangentialModel) {
     // What only one model has.
     let last = match lateral {
         TangentialModel::Scalar => dragged,
-        TangentialModel::Vector => dragged
+        _ => dragged
             .tangential(Axis::Y, TangentialControl::Force(-0.2 * load))
             .twist(1e-3),
     };
@@ -90,7 +90,7 @@ fn on_a_sphere_and_on_a_rough_surface() {
     }
 }
 
-/// Bodies of different materials, with pressure and shear found together or one after the other.
+/// Bodies of different materials, with pressure and traction found together or one after the other.
 #[test]
 fn of_dissimilar_bodies() {
     for coupling in [Coupling::Full, Coupling::OneWay] {

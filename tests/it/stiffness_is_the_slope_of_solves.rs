@@ -408,7 +408,7 @@ fn halves_of_a_coupled_solution_are_refused() {
     };
     let unlike = ElasticPair::new(Material::new(1.0, 0.0).unwrap(), Material::rigid()).unwrap();
     let (bodies, contact) = solve(unlike);
-    let (normal, shear) = (contact.normal(), contact.shear());
+    let (normal, shear) = (contact.normal(), contact.tangential());
     let beta = unlike.dundurs_beta();
     let refused = Error::CoupledMaterials { beta };
     let both = ContactStiffness::new(&bodies, normal, &friction, shear);
@@ -423,7 +423,7 @@ fn halves_of_a_coupled_solution_are_refused() {
     assert_eq!(mixed, Err(refused));
     // Of bodies without coupling the halves are solutions of their own.
     let (bodies, contact) = solve(kit::unit_pair(0.3));
-    let both = ContactStiffness::new(&bodies, contact.normal(), &friction, contact.shear());
+    let both = ContactStiffness::new(&bodies, contact.normal(), &friction, contact.tangential());
     assert!(both.is_ok());
 }
 
@@ -517,7 +517,7 @@ fn contacts_that_pressure_draws_have_the_stiffness_of_steps() {
     assert_steps_have_their_stiffness(&scene, builder);
 }
 
-/// Pressure and shear found together: all loads by all motions, on a ball, a rough surface and one that repeats.
+/// Pressure and traction found together: all loads by all motions, on a ball, a rough surface and one that repeats.
 #[test]
 fn coupled_contacts_have_the_stiffness_of_steps() {
     for poisson_ratio in [0.45, 0.3, 0.0] {

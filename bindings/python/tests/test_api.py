@@ -108,7 +108,7 @@ METHODS = {
     "normal::Hardness": {"per_cell": "the class", "uniform": "the class"},
     "subsurface::Plane": {"map": "arrays of NumPy", "stresses": "arrays of NumPy"},
     "subsurface::Planes": {"through": "solve of each in turn"},
-    "subsurface::Tractions": {"with_shear": "(pressure, (x, y))"},
+    "subsurface::Tractions": {"with_traction": "(pressure, (x, y))"},
     "tangential::Friction": {"coulomb": "the class", "per_cell": "the class"},
     "tangential::TangentialLoad": {"along": "force_x= and others"},
     "tangential::TangentialSolver": {"set_load": "solve(load)"},
