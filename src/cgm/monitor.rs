@@ -7,6 +7,7 @@ use crate::clock::Instant;
 use crate::error::{Error, Result};
 use crate::layout::Layout;
 use crate::report::{Iteration, Report, Status};
+use crate::watch::Observer;
 
 /// A residual at which sets change by round-off alone.
 const ROUND_OFF: f64 = 1e-12;
@@ -15,7 +16,7 @@ const ROUND_OFF: f64 = 1e-12;
 pub(super) struct Monitor<'a> {
     pub(super) settings: &'a Settings,
     layout: &'a Layout,
-    observer: &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
+    observer: Observer<'a>,
     start: Instant,
     /// Conjugate-gradient steps so far.
     steps: usize,
@@ -34,7 +35,7 @@ impl<'a> Monitor<'a> {
     pub(super) fn new(
         settings: &'a Settings,
         layout: &'a Layout,
-        observer: &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
+        observer: Observer<'a>,
         report: &mut Report,
     ) -> Self {
         report.iterations = 0;

@@ -16,6 +16,7 @@ use crate::layout::Layout;
 use crate::operator::{Identity, Operator};
 use crate::parallel;
 use crate::report::{Iteration, Report, Status};
+use crate::watch::Observer;
 
 /// What to minimise: `1/2 x'(C + D)x + b'x` over `x_i` in `K_i`, optionally with totals of the components.
 #[derive(Debug, Clone)]
@@ -274,7 +275,7 @@ pub(crate) fn minimise_from<C: Operator<N>, K: Constraint<N>, P: Operator<N>, co
     x: [&mut [f64]; N],
     known: Known<N>,
     workspace: &mut Workspace<C, P, MotionOf<K, N>, N>,
-    observer: &mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
+    observer: Observer<'_>,
 ) -> Result<()> {
     let cells = x[0].len();
     let checked = problem.check(settings, &x);

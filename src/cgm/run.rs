@@ -12,7 +12,8 @@ use crate::cgm::vector::{at, dot, minus, norm, plus, slices, slices_mut, update_
 use crate::cgm::{Admissible, Constraint, MotionOf, Problem, Settings, Workspace, reduce};
 use crate::layout::Layout;
 use crate::operator::Operator;
-use crate::report::{Iteration, Report, Status};
+use crate::report::{Report, Status};
+use crate::watch::Observer;
 
 /// Part of the smallest eigenvalue below which a curvature is round-off of single precision.
 const FLAT: f64 = 1e-3;
@@ -103,7 +104,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         settings: &'a Settings,
         x: [&'a mut [f64]; N],
         workspace: &'a mut Workspace<C, P, MotionOf<K, N>, N>,
-        observer: &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
+        observer: Observer<'a>,
     ) -> Self {
         workspace.multiplier = [0.0; N];
         Self {

@@ -26,8 +26,6 @@ mod newton;
 mod response;
 mod workspace;
 
-use std::ops::ControlFlow;
-
 use crate::cgm::cone::newton::Course;
 use crate::cgm::linear::Border;
 use crate::cgm::monitor::Monitor;
@@ -37,7 +35,8 @@ use crate::error::Result;
 use crate::layout::Layout;
 use crate::operator::Operator;
 use crate::per_cell::PerCell;
-use crate::report::{Iteration, Status};
+use crate::report::Status;
+use crate::watch::Observer;
 
 pub(crate) use response::Stand;
 pub(crate) use workspace::ConeWorkspace;
@@ -142,7 +141,7 @@ pub(crate) fn solve<C: Operator<N>, P: Operator<N>, F: Cone>(
     opening: Opening,
     x: [&mut [f64]; N],
     workspace: &mut ConeWorkspace<C, P>,
-    observer: &mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
+    observer: Observer<'_>,
 ) -> Result<(Option<Status>, ConeFindings)> {
     let mut run = ConeRun {
         problem,
