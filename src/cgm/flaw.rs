@@ -3,7 +3,7 @@
 use crate::cgm::motion::Linearised;
 use crate::cgm::run::Run;
 use crate::cgm::vector::{at, dot, minus, norm, slices, slices_mut, update_cells};
-use crate::cgm::{Admissible, Constraint, reduce};
+use crate::cgm::{Constraint, reduce};
 use crate::error::{Error, Result};
 use crate::operator::Operator;
 

@@ -95,33 +95,6 @@ impl Admissible<1> for Interval {
     fn project(self, [x]: [f64; 1]) -> [f64; 1] {
         [x.max(self.lower).min(self.upper)]
     }
-
-    #[inline]
-    fn forbidden(self, [x]: [f64; 1], [g]: [f64; 1]) -> [f64; 1] {
-        // The minimum or maximum of NaN and a number is the number: NaN is passed on.
-        [if g.is_nan() {
-            g
-        } else if self.lower >= self.upper {
-            0.0
-        } else if x <= self.lower {
-            g.min(0.0)
-        } else if x >= self.upper {
-            g.max(0.0)
-        } else {
-            g
-        }]
-    }
-
-    fn duality_gap(self, [x]: [f64; 1], [g]: [f64; 1]) -> f64 {
-        let least = if g > 0.0 {
-            self.lower * g
-        } else if g < 0.0 {
-            self.upper * g
-        } else {
-            0.0
-        };
-        g * x - least
-    }
 }
 
 impl Linearised<1> for Interval {
@@ -148,6 +121,33 @@ impl Linearised<1> for Interval {
     #[inline]
     fn is_inside(self, [x]: [f64; 1]) -> bool {
         x > self.lower && x < self.upper
+    }
+
+    #[inline]
+    fn forbidden(self, [x]: [f64; 1], [g]: [f64; 1]) -> [f64; 1] {
+        // The minimum or maximum of NaN and a number is the number: NaN is passed on.
+        [if g.is_nan() {
+            g
+        } else if self.lower >= self.upper {
+            0.0
+        } else if x <= self.lower {
+            g.min(0.0)
+        } else if x >= self.upper {
+            g.max(0.0)
+        } else {
+            g
+        }]
+    }
+
+    fn duality_gap(self, [x]: [f64; 1], [g]: [f64; 1]) -> f64 {
+        let least = if g > 0.0 {
+            self.lower * g
+        } else if g < 0.0 {
+            self.upper * g
+        } else {
+            0.0
+        };
+        g * x - least
     }
 
     fn excess(self, x: [f64; 1]) -> f64 {

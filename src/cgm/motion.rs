@@ -107,6 +107,14 @@ pub trait Linearised<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'st
     /// Whether a point is inside its bounds, where the whole gradient must vanish.
     fn is_inside(self, x: [f64; N]) -> bool;
 
+    /// The part of a gradient `g` at a point `x` of the set that is not the inward normal of a bound: what
+    /// must vanish at the minimum. NaN if `g` is.
+    #[must_use]
+    fn forbidden(self, x: [f64; N], g: [f64; N]) -> [f64; N];
+
+    /// `g.x` less the least `g.y` over the points `y` of the set; infinite if there is no least.
+    #[must_use]
+    fn duality_gap(self, x: [f64; N], g: [f64; N]) -> f64;
     /// How far a point lies outside, by more than round-off.
     fn excess(self, x: [f64; N]) -> f64;
 
