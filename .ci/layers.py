@@ -69,7 +69,7 @@ LAYERS = [
         "coupled": ENGINE | {"contact_map", "elastic", "contact", "normal", "tangential"},
     }),
     ("what follows from a solution", {
-        "stiffness": ENGINE | {"contact", "elastic", "normal", "tangential"},
+        "stiffness": ENGINE | {"contact", "coupled", "elastic", "normal", "tangential"},
     }),
     ("what goes on through many steps", {
         "history": ENGINE

@@ -1,5 +1,6 @@
 //! The stiffness of a contact whose pressure and shear are found together.
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::boundary::Boundary;
@@ -7,6 +8,7 @@ use crate::buffer;
 use crate::cgm::cone::{ConeProblem, ConeWorkspace, Stand};
 use crate::cgm::vector::slices;
 use crate::cgm::{Held, Total, UNLIMITED};
+use crate::coupled::CoupledSolution;
 use crate::error::{Result, finite};
 use crate::fft::{CirculantInverse, Convolution};
 use crate::field::Field;
@@ -16,6 +18,7 @@ use crate::normal::Hardness;
 use crate::operator::Operator;
 use crate::parallel;
 use crate::per_cell::PerCell;
+use crate::report::Iteration;
 use crate::stiffness::contact::{window_of, without_contact};
 use crate::stiffness::course::Course;
 use crate::stiffness::motions::kinds;
@@ -24,7 +27,7 @@ use crate::stiffness::{
     ContactStiffness, NormalStiffness, StiffnessWorkspace, TangentialStiffness,
 };
 use crate::tangential::{Axis, Friction, centre};
-use crate::watch::Observer;
+use crate::watch::{Observer, unwatched};
 use crate::window::Window;
 
 /// Components of a vector: along z, x and y.
@@ -198,6 +201,67 @@ impl Coupled<'_> {
             }
         }
         Ok(loads)
+    }
+}
+
+impl CoupledSolution {
+    /// The stiffness of the contact: normal force, tangential forces and moment, each by the approach and by the motions,
+    /// with the friction it was solved for. Loading is the derivative of this solution by its load.
+    ///
+    /// ```
+    /// use stickslip::*;
+    /// let grid = Grid::square(32, 3.0)?;
+    /// let rubber = ElasticPair::new(Material::new(1.0, 0.3)?, Material::rigid())?;
+    /// let bodies = HalfSpace::new(grid, rubber)?;
+    /// let (ball, friction) = (surface::sphere(grid, 10.0)?, Friction::coulomb(0.4)?);
+    /// let at = |approach: f64, shift: f64| {
+    ///     let (normal, load) = (NormalControl::Approach(approach), TangentialLoad::shift([shift, 0.0]));
+    ///     let problem = CoupledProblem::builder(&bodies, &ball, friction.clone(), normal, load);
+    ///     problem.tolerance(1e-10).build()?.solve()
+    /// };
+    /// let stiffness = at(0.1, 0.01)?.stiffness(&bodies, &friction)?;
+    /// // Shearing changes the normal force.
+    /// let force = |shift: f64| at(0.1, shift).map(|contact| contact.normal().force());
+    /// let slope = (force(0.010_001)? - force(0.009_999)?) / 2e-6;
+    /// let expected = stiffness.normal_by_motion[0].unwrap_or(0.0);
+    /// assert!((slope - expected).abs() < 1e-4 * stiffness.normal.value);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) or
+    /// [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) for bodies or friction that the solution is not of;
+    /// [`Error::NotFinite`](crate::Error::NotFinite) where a periodic contact is closed everywhere;
+    /// [`Error::NotConverged`](crate::Error::NotConverged); as [`HalfSpace::operator`]; those of a contact that has yielded
+    /// as [`NormalSolution::stiffness`](crate::NormalSolution::stiffness); [`Error::Ranks`](crate::Error::Ranks).
+    pub fn stiffness(&self, bodies: &HalfSpace, friction: &Friction) -> Result<ContactStiffness> {
+        self.stiffness_observed(bodies, friction, unwatched)
+    }
+
+    /// [`stiffness`](Self::stiffness) with an observer that is asked before every product with the operator and may cancel.
+    ///
+    /// # Errors
+    /// As [`stiffness`](Self::stiffness).
+    pub fn stiffness_observed(
+        &self,
+        bodies: &HalfSpace,
+        friction: &Friction,
+        mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
+    ) -> Result<ContactStiffness> {
+        let (normal, tangential) = (self.normal(), self.tangential());
+        normal.check_bodies(bodies)?;
+        normal.check_elastic("the stiffness")?;
+        friction.check(bodies.grid())?;
+        let contact = Coupled {
+            pressure: normal.pressure(),
+            traction: tangential.traction(),
+            slip: tangential.slip(),
+            entered: &[],
+            friction,
+            hardness: None,
+            window: None,
+        };
+        contact.stiffness(bodies, &mut StiffnessWorkspace::new(), &mut observer)
     }
 }
 

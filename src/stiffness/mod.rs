@@ -31,7 +31,8 @@
 //! have errors of their own, which change the sets and the slips that it is of.
 //!
 //! The halves of a solution of [`CoupledProblem`](crate::CoupledProblem) are refused with
-//! [`Error::CoupledMaterials`](crate::Error::CoupledMaterials): a step of a history has the stiffness of both.
+//! [`Error::CoupledMaterials`](crate::Error::CoupledMaterials): [the solution](crate::CoupledSolution::stiffness) has the
+//! stiffness of both.
 //!
 //! The motions are shift along x, shift along y and twist; the loads are the forces and the moment about the origin of
 //! the grid. What a model leaves out is `None`: in the scalar model the motion across its axis and the twist. The matrices

@@ -7,9 +7,10 @@ use stickslip::history::HistoryBuilder;
 use stickslip::normal::Hardness;
 use stickslip::stiffness::{ContactStiffness, StiffnessWorkspace};
 use stickslip::{
-    Axis, Boundary, CoupledProblem, Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace,
-    History, LoadStep, Material, NormalControl, NormalProblem, NormalSolution, TangentialControl,
-    TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution, surface,
+    Axis, Boundary, CoupledProblem, CoupledSolution, Coupling, ElasticPair, Error, Field, Friction,
+    Grid, HalfSpace, History, LoadStep, Material, NormalControl, NormalProblem, NormalSolution,
+    TangentialControl, TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution,
+    surface,
 };
 
 const FRICTION: f64 = 0.4;
@@ -425,6 +426,65 @@ fn halves_of_a_coupled_solution_are_refused() {
     let (bodies, contact) = solve(kit::unit_pair(0.3));
     let both = ContactStiffness::new(&bodies, contact.normal(), &friction, contact.tangential());
     assert!(both.is_ok());
+}
+
+/// A coupled solution has the slopes of solves from rest, slipping or not.
+#[test]
+fn coupled_problems_have_the_stiffness_of_their_solves() {
+    let grid = Grid::square(24, 3.0).unwrap();
+    let gap = surface::sphere(grid, 10.0).unwrap();
+    let friction = Friction::coulomb(FRICTION).unwrap();
+    let body = Material::new(1.0, 0.2).unwrap();
+    let pair = ElasticPair::new(body, Material::rigid()).unwrap();
+    let bodies = HalfSpace::new(grid, pair).unwrap();
+    let solve = |approach: f64, shift: [f64; 2]| {
+        let (press, load) = (
+            NormalControl::Approach(approach),
+            TangentialLoad::shift(shift),
+        );
+        let problem = CoupledProblem::builder(&bodies, &gap, friction.clone(), press, load);
+        problem.tolerance(SOLVE).build().unwrap().solve().unwrap()
+    };
+    let loads = |contact: &CoupledSolution| {
+        let [x, y] = contact.tangential().force();
+        [contact.normal().force(), x, y]
+    };
+    for shift in [0.004, 0.015] {
+        let contact = solve(0.1, [shift, 0.5 * shift]);
+        let stiffness = contact.stiffness(&bodies, &friction).unwrap();
+        let loading = numbers(stiffness.tangential.loading);
+        let scale = stiffness.normal.value;
+        let step = 1e-7;
+        let slope = |more: CoupledSolution, less: CoupledSolution| {
+            let (more, less) = (loads(&more), loads(&less));
+            [0, 1, 2].map(|load| (more[load] - less[load]) / (2.0 * step))
+        };
+        let moved = |step: f64| solve(0.1, [shift + step, 0.5 * shift]);
+        let along = slope(moved(step), moved(-step));
+        let expected = [
+            stiffness.normal_by_motion[0].unwrap(),
+            loading[0][0],
+            loading[1][0],
+        ];
+        let pressed = |step: f64| solve(0.1 + step, [shift, 0.5 * shift]);
+        let press = slope(pressed(step), pressed(-step));
+        let by_press = [
+            scale,
+            stiffness.by_approach[0].unwrap(),
+            stiffness.by_approach[1].unwrap(),
+        ];
+        for (found, expected) in along
+            .into_iter()
+            .zip(expected)
+            .chain(press.into_iter().zip(by_press))
+        {
+            let error = (found - expected).abs() / scale;
+            assert!(
+                error < 1e-6,
+                "{shift}: {found:e} for {expected:e}, {error:e}"
+            );
+        }
+    }
 }
 
 /// A grid that repeats cannot turn: nothing stands in the row and the column of the twist.

@@ -4,9 +4,7 @@ use std::ops::ControlFlow;
 
 use approx::assert_relative_eq;
 use kit::{Random, max_abs};
-use stickslip::cgm::{
-    self, Admissible, Bounds, Constraint, Method, NonNegative, Problem, Report, Settings,
-};
+use stickslip::cgm::{self, Bounds, Method, NonNegative, Problem, Report, Settings};
 use stickslip::{Error, Operator};
 
 /// Springs in a ring, each coupled to the next: 2 on the diagonal, beside it the coupling. Of -1 it maps
