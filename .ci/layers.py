@@ -10,7 +10,7 @@ import sys
 # The modules of the crate by layer, lowest first, and the modules each may use: those named, of its own layer or of
 # a lower one.
 FOUNDATION = {
-    "buffer", "clock", "error", "report", "boundary", "grid", "field", "material", "parallel", "per_cell", "pool", "left_behind", "serial", "warning",
+    "buffer", "clock", "error", "report", "boundary", "cell_value", "neighbours", "grid", "field", "material", "parallel", "per_cell", "pool", "left_behind", "serial", "warning",
     "gauss", "jacobi", "digest", "ranks", "share", "shown", "layout", "reduce", "watch",
 }
 ENGINE = FOUNDATION | {"operator", "influence", "fft", "half_space", "cgm", "levels", "window", "trend"}
@@ -35,6 +35,8 @@ LAYERS = [
         "gauss": set(),
         "jacobi": set(),
         "boundary": set(),
+        "cell_value": set(),
+        "neighbours": set(),
         "grid": {"error", "layout"},
         "warning": {"grid"},
         "field": {"buffer", "error", "grid", "layout", "parallel", "serial", "shown"},
@@ -43,7 +45,7 @@ LAYERS = [
     }),
     ("operators, kernels, transforms, closed forms, shapes; no physics of contact; and pages to read", {
         "operator": {"error", "layout"},
-        "contact_map": {"boundary", "buffer", "error", "grid", "warning"},
+        "contact_map": {"boundary", "buffer", "error", "grid", "neighbours", "warning"},
         "window": {"grid", "layout", "parallel", "ranks"},
         "levels": {"buffer", "error", "parallel"},
         "trend": {"buffer", "field"},

@@ -80,6 +80,7 @@ mod one_way_coupling_is_goodmans;
 mod plain_types_survive_serialisation;
 mod planes_below_the_surface;
 mod pressing_in_steps_meets_closed_forms;
+mod pressures_at_centres;
 mod problems_take_every_load;
 #[cfg(feature = "dense")]
 mod random_scenes_are_right;
