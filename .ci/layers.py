@@ -79,6 +79,7 @@ LAYERS = [
         | {"contact_map", "coupling", "elastic", "passes", "cascade", "normal", "tangential", "coupled", "stiffness", "io"},
     }),
     ("what is told of all of these", {
+        "edges": {"boundary", "buffer", "cell_value", "error", "field", "grid", "neighbours", "normal", "parallel", "shown", "tangential"},
         "spots": {"buffer", "contact_map", "error", "grid", "serial", "shown", "normal", "tangential", "history"},
         "subsurface": FOUNDATION | {"influence", "fft", "half_space", "io", "normal", "tangential", "coupled", "history"},
     }),

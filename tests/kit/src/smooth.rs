@@ -95,6 +95,23 @@ impl Smooth {
         })
     }
 
+    /// The mean pressure of the cells, by 24 x 24 points in each.
+    pub fn mean_pressure(&self, grid: Grid, [x0, y0]: [f64; 2]) -> Field {
+        let parts = 24;
+        let part = |k: i32| (f64::from(k) + 0.5) / f64::from(parts) - 0.5;
+        Field::from_fn(grid, |x, y| {
+            let mut sum = 0.0;
+            for (i, j) in (0..parts).flat_map(|i| (0..parts).map(move |j| (i, j))) {
+                let (x, y) = (
+                    x + (part(i) - x0) * grid.dx(),
+                    y + (part(j) - y0) * grid.dy(),
+                );
+                sum += (self.pressure)(x, y);
+            }
+            sum / f64::from(parts * parts)
+        })
+    }
+
     pub fn load(&self) -> NormalControl {
         NormalControl::Force(self.force)
     }

@@ -1,0 +1,128 @@
+//! The square of cells about one at the edge: places, powers of them, weights.
+
+use crate::grid::Grid;
+
+/// Cells on each side of the middle.
+pub(super) const REACH: usize = 3;
+/// Cells of the square.
+pub(super) const CELLS: usize = (2 * REACH + 1) * (2 * REACH + 1);
+/// Powers of a quadratic: 1, x, y, x^2, x y, y^2.
+pub(super) const POWERS: usize = 6;
+/// Products of two of them, up to the fourth degree.
+pub(super) const PRODUCTS: usize = 15;
+
+/// Width of the Gaussian that weighs the cells, in cells.
+const WIDTH: f64 = 1.8;
+
+/// Exponents of x and y of the products; those of the powers come first.
+const EXPONENTS: [[usize; 2]; PRODUCTS] = [
+    [0, 0],
+    [1, 0],
+    [0, 1],
+    [2, 0],
+    [1, 1],
+    [0, 2],
+    [3, 0],
+    [2, 1],
+    [1, 2],
+    [0, 3],
+    [4, 0],
+    [3, 1],
+    [2, 2],
+    [1, 3],
+    [0, 4],
+];
+
+/// Which product the powers of a row and a column have.
+pub(super) const PRODUCT_OF: [[usize; POWERS]; POWERS] = product_of();
+
+const fn product_of() -> [[usize; POWERS]; POWERS] {
+    let mut table = [[0; POWERS]; POWERS];
+    let mut i = 0;
+    while i < POWERS {
+        let mut j = 0;
+        while j < POWERS {
+            let x = EXPONENTS[i][0] + EXPONENTS[j][0];
+            let y = EXPONENTS[i][1] + EXPONENTS[j][1];
+            let mut k = 0;
+            while k < PRODUCTS {
+                if EXPONENTS[k][0] == x && EXPONENTS[k][1] == y {
+                    table[i][j] = k;
+                }
+                k += 1;
+            }
+            j += 1;
+        }
+        i += 1;
+    }
+    table
+}
+
+/// Lengths are in units of the root of the area of a cell.
+pub(super) struct Stencil {
+    size: [usize; 2],
+    repeats: [bool; 2],
+    /// The unit (a length), and the sides of a cell in it.
+    pub(super) unit: f64,
+    pub(super) sides: [f64; 2],
+    pub(super) products: [[f64; PRODUCTS]; CELLS],
+    pub(super) weights: [f64; CELLS],
+}
+
+impl Stencil {
+    pub(super) fn new(grid: Grid, repeats: [bool; 2]) -> Self {
+        let unit = grid.cell_area().sqrt();
+        let sides = [grid.dx() / unit, grid.dy() / unit];
+        let place = |k: usize| {
+            let steps = [k % (2 * REACH + 1), k / (2 * REACH + 1)];
+            [0, 1].map(|axis| (steps[axis] as f64 - REACH as f64) * sides[axis])
+        };
+        Self {
+            size: grid.size(),
+            repeats,
+            unit,
+            sides,
+            products: std::array::from_fn(|k| powers(place(k))),
+            weights: std::array::from_fn(|k| {
+                let [x, y] = place(k);
+                (-0.5 * (x * x + y * y) / (WIDTH * WIDTH)).exp()
+            }),
+        }
+    }
+
+    /// The cells of the square about one, by index; none beyond an edge of the grid.
+    pub(super) fn cells(&self, about: usize) -> [Option<usize>; CELLS] {
+        let [nx, ny] = self.size;
+        let columns = self.along(0, about % nx, nx);
+        let rows = self.along(1, about / nx, ny);
+        std::array::from_fn(|k| {
+            let (column, row) = (columns[k % (2 * REACH + 1)], rows[k / (2 * REACH + 1)]);
+            column.zip(row).map(|(column, row)| row * nx + column)
+        })
+    }
+
+    fn along(&self, axis: usize, place: usize, count: usize) -> [Option<usize>; 2 * REACH + 1] {
+        std::array::from_fn(|step| {
+            let place = place + step;
+            if self.repeats[axis] {
+                // As many periods more as make it positive.
+                Some((place + REACH * count - REACH) % count)
+            } else {
+                place.checked_sub(REACH).filter(|place| *place < count)
+            }
+        })
+    }
+}
+
+/// The products at a place.
+fn powers([x, y]: [f64; 2]) -> [f64; PRODUCTS] {
+    let (xx, yy) = (x * x, y * y);
+    let of = |exponent: usize, z: f64, zz: f64| match exponent {
+        0 => 1.0,
+        1 => z,
+        2 => zz,
+        3 => zz * z,
+        _ => zz * zz,
+    };
+    EXPONENTS.map(|[i, j]| of(i, x, xx) * of(j, y, yy))
+}
