@@ -1,6 +1,6 @@
 //! The quadratic that is zero at the edge, fitted to the cells about one.
 
-use crate::edges::stencil::{CELLS, POWERS, PRODUCT_OF, PRODUCTS, Stencil};
+use crate::edges::stencil::{CELLS, PLACES, POWERS, PRODUCT_OF, Stencil, dot};
 
 /// Unknowns: the quadratic, and a square of the distance outside.
 const UNKNOWNS: usize = POWERS + 1;
@@ -12,6 +12,9 @@ const ROUNDS: usize = 3;
 const BLURRED_INSIDE: f64 = 0.8;
 const BLURRED_OUTSIDE: f64 = 0.5;
 
+/// Distance outside, in cells, from which the edge is in another cell.
+const FAR_OUTSIDE: f64 = 1.2;
+
 /// Weight of values that are not trusted, beside those that are.
 const DISTRUSTED: f64 = 2e-3;
 
@@ -19,22 +22,24 @@ const DISTRUSTED: f64 = 2e-3;
 const NEAR: f64 = 2.5;
 const FADE: f64 = 1.5;
 
+/// How far beyond that a value counts as nothing, in the same.
+const NOTHING: f64 = 5.5;
+
 /// Pull of the squares to zero: an edge without evidence is straight.
 const STRAIGHT: f64 = 1e-3;
 
 /// Subdivisions of a cell, along each axis, over which it is averaged.
 const PARTS: usize = 8;
 
-/// What is known of the cells about one; values relative to the largest of the grid.
+/// What is known of the cells about one, relative to the largest value of the grid.
 pub(super) struct Values {
-    /// Pressures, zero outside.
-    pub(super) inside: [f64; CELLS],
-    pub(super) is_inside: [bool; CELLS],
+    /// Inside the square of the pressure, outside minus the power 2/3 of the gap times 3/4 over the unit of length and the
+    /// largest pressure, without the modulus.
+    pub(super) lifted: [f64; PLACES],
+    pub(super) is_inside: [bool; PLACES],
     /// Whether all four neighbours of a cell are inside too.
-    pub(super) is_core: [bool; CELLS],
-    /// Gaps times 3/4 over the unit of length and the largest pressure, without the modulus.
-    pub(super) outside: [f64; CELLS],
-    pub(super) is_known: [bool; CELLS],
+    pub(super) is_core: [bool; PLACES],
+    pub(super) is_known: [bool; PLACES],
 }
 
 /// The fit about one cell, in units of the largest pressure and of a cell.
@@ -56,17 +61,21 @@ impl Fit {
         values: &Values,
         modulus: impl Fn([f64; 2]) -> f64,
     ) -> Option<Self> {
-        let largest = values.inside.iter().copied().fold(0.0, f64::max);
+        let largest = values.lifted.iter().copied().fold(0.0, f64::max);
         let gradient = first_gradient(stencil, values)?;
         let mut fit = Self {
             coefficients: [0.0; POWERS],
-            square: length(gradient).max(1e-3 * largest * largest),
+            square: length(gradient).max(1e-3 * largest),
             gradient,
             missed: f64::INFINITY,
             count: 0,
         };
         for round in 0..ROUNDS {
             fit.refine(stencil, values, modulus(fit.normal()), round > 0)?;
+            // The edge is in none of the further rounds in this cell.
+            if fit.distance([0.0; 2]) < -FAR_OUTSIDE {
+                break;
+            }
         }
         Some(fit)
     }
@@ -88,46 +97,35 @@ impl Fit {
         modulus: f64,
         has_edge: bool,
     ) -> Option<()> {
-        let slope = self.square.cbrt().powi(2);
-        let (mut weights, mut trusted) = ([0.0; CELLS], [false; CELLS]);
-        let (mut levels, mut beyond) = ([0.0; CELLS], [0.0; CELLS]);
+        let slope = (self.square * modulus).cbrt().powi(2);
+        let inverse = 1.0 / self.square;
+        let fitted = self.distances(stencil);
+        let (mut weights, mut trusted) = ([0.0; PLACES], [0.0; PLACES]);
+        let (mut distances, mut squares) = ([0.0; PLACES], [0.0; PLACES]);
         for k in (0..CELLS).filter(|k| values.is_known[*k]) {
             let is_inside = values.is_inside[k];
-            let level = if is_inside {
-                values.inside[k] * values.inside[k]
-            } else {
-                -slope * (modulus * values.outside[k]).cbrt().powi(2)
-            };
-            let distance = level / self.square;
-            let fitted = self.at_products(&stencil.products[k]) / self.square;
-            trusted[k] = match (is_inside, has_edge) {
+            let level = values.lifted[k] * if is_inside { 1.0 } else { slope };
+            let distance = level * inverse;
+            let far = (distance.abs() - NEAR).max(0.0) * (1.0 / FADE);
+            if far > NOTHING {
+                continue;
+            }
+            let is_trusted = match (is_inside, has_edge) {
                 (true, false) => values.is_core[k] || distance > BLURRED_INSIDE,
                 (false, false) => distance < -BLURRED_OUTSIDE,
-                (true, true) => fitted > BLURRED_INSIDE,
-                (false, true) => distance < -BLURRED_OUTSIDE && fitted < -0.5 * BLURRED_OUTSIDE,
+                (true, true) => fitted[k] > BLURRED_INSIDE,
+                (false, true) => distance < -BLURRED_OUTSIDE && fitted[k] < -0.5 * BLURRED_OUTSIDE,
             };
-            let far = ((distance.abs() - NEAR).max(0.0) / FADE).powi(2);
-            let trust = if trusted[k] { 1.0 } else { DISTRUSTED };
-            weights[k] = stencil.weights[k] * trust * (-far).exp();
-            levels[k] = distance;
-            beyond[k] = if is_inside { 0.0 } else { distance * distance };
+            let fade = if far > 0.0 { (-far * far).exp() } else { 1.0 };
+            let weight = stencil.weights[k] * fade;
+            weights[k] = weight * if is_trusted { 1.0 } else { DISTRUSTED };
+            trusted[k] = if is_trusted { weight } else { 0.0 };
+            distances[k] = distance;
+            squares[k] = if is_inside { 0.0 } else { distance * distance };
         }
-        let solution = least_squares(stencil, &weights, &levels, &beyond)?;
-        let (mut squares, mut sum) = (0.0, 0.0);
-        self.count = 0;
-        for k in (0..CELLS).filter(|k| trusted[*k]) {
-            let products = &stencil.products[k];
-            let fitted: f64 = (0..POWERS).map(|i| solution[i] * products[i]).sum();
-            let missed = levels[k] - fitted - solution[POWERS] * beyond[k];
-            squares += weights[k] * missed * missed;
-            sum += weights[k];
-            self.count += 1;
-        }
-        self.missed = if sum > 0.0 {
-            (squares / sum).sqrt()
-        } else {
-            f64::INFINITY
-        };
+        let solution = least_squares(stencil, &weights, &distances, &squares)?;
+        self.count = trusted.iter().filter(|weight| **weight > 0.0).count();
+        self.missed = missed(stencil, &solution, &trusted, [distances, squares]);
         for (coefficient, part) in self.coefficients.iter_mut().zip(solution) {
             *coefficient = part * self.square;
         }
@@ -147,9 +145,16 @@ impl Fit {
         Some(())
     }
 
-    fn at_products(&self, products: &[f64; PRODUCTS]) -> f64 {
-        let terms = self.coefficients.iter().zip(products);
-        terms.map(|(coefficient, power)| coefficient * power).sum()
+    /// Those of all places inside the edge, as far as it is known.
+    fn distances(&self, stencil: &Stencil) -> [f64; PLACES] {
+        let mut distances = [0.0; PLACES];
+        for (coefficient, power) in self.coefficients.iter().zip(&stencil.products) {
+            let coefficient = coefficient / self.square;
+            for (distance, power) in distances.iter_mut().zip(power) {
+                *distance += coefficient * power;
+            }
+        }
+        distances
     }
 
     /// The squared pressure at a place from the middle of the cell.
@@ -173,11 +178,12 @@ impl Fit {
         // How much a part of the cell differs from its one side to the other.
         let across =
             (self.gradient[0].abs() * sides[0] + self.gradient[1].abs() * sides[1]) / PARTS as f64;
+        let steepness = 1.0 / across.max(f64::MIN_POSITIVE);
         let (mut covered, mut sum) = (0.0, 0.0);
         for j in 0..PARTS {
             for i in 0..PARTS {
                 let level = self.at([part(i, sides[0]), part(j, sides[1])]);
-                covered += (0.5 + level / across).clamp(0.0, 1.0);
+                covered += (0.5 + level * steepness).clamp(0.0, 1.0);
                 sum += level.max(0.0).sqrt();
             }
         }
@@ -191,58 +197,81 @@ fn length([x, y]: [f64; 2]) -> f64 {
 
 /// Slope of the squared pressure, by a plane through the cells inside.
 fn first_gradient(stencil: &Stencil, values: &Values) -> Option<[f64; 2]> {
-    let (mut matrix, mut right) = ([[0.0; 3]; 3], [0.0; 3]);
-    for k in (0..CELLS).filter(|k| values.is_inside[*k]) {
-        let (weight, products) = (stencil.weights[k], &stencil.products[k]);
-        let level = weight * values.inside[k] * values.inside[k];
-        for i in 0..3 {
-            right[i] += level * products[i];
-            for j in 0..=i {
-                matrix[i][j] += weight * products[PRODUCT_OF[i][j]];
-            }
+    let is_inside = |k: usize| {
+        if values.is_inside[k] {
+            stencil.weights[k]
+        } else {
+            0.0
         }
+    };
+    let weights: [f64; PLACES] = std::array::from_fn(is_inside);
+    let weighted = product(&weights, &values.lifted);
+    let products = &stencil.products;
+    let mut matrix = [[0.0; 3]; 3];
+    for i in 0..3 {
+        for j in 0..=i {
+            matrix[i][j] = dot(&weights, &products[PRODUCT_OF[i][j]]);
+        }
+        matrix[i][i] += 1e-9;
     }
-    for (i, row) in matrix.iter_mut().enumerate() {
-        row[i] += 1e-9;
-    }
-    let [_, x, y] = solved(matrix, right)?;
+    let [_, x, y] = solved(matrix, [0, 1, 2].map(|i| dot(&weighted, &products[i])))?;
     Some([x, y])
 }
 
 fn least_squares(
     stencil: &Stencil,
-    weights: &[f64; CELLS],
-    levels: &[f64; CELLS],
-    beyond: &[f64; CELLS],
+    weights: &[f64; PLACES],
+    distances: &[f64; PLACES],
+    squares: &[f64; PLACES],
 ) -> Option<[f64; UNKNOWNS]> {
-    let mut products = [0.0; PRODUCTS];
-    let (mut right, mut outside, mut last) = ([0.0; POWERS], [0.0; POWERS], [0.0; 2]);
-    for k in (0..CELLS).filter(|k| weights[*k] > 0.0) {
-        let (weight, powers) = (weights[k], &stencil.products[k]);
-        let (level, square) = (weight * levels[k], weight * beyond[k]);
-        for (sum, power) in products.iter_mut().zip(powers) {
-            *sum += weight * power;
-        }
-        for i in 0..POWERS {
-            right[i] += level * powers[i];
-            outside[i] += square * powers[i];
-        }
-        last[0] += square * beyond[k];
-        last[1] += square * levels[k];
-    }
+    let products = &stencil.products;
+    let sums = products.each_ref().map(|power| dot(weights, power));
+    let (right, outside) = (product(weights, distances), product(weights, squares));
     let mut matrix = [[0.0; UNKNOWNS]; UNKNOWNS];
     for i in 0..POWERS {
         for j in 0..=i {
-            matrix[i][j] = products[PRODUCT_OF[i][j]];
+            matrix[i][j] = sums[PRODUCT_OF[i][j]];
         }
-        matrix[POWERS][i] = outside[i];
+        matrix[POWERS][i] = dot(&outside, &products[i]);
     }
-    matrix[POWERS][POWERS] = last[0];
+    matrix[POWERS][POWERS] = dot(&outside, squares);
     for (i, row) in matrix.iter_mut().enumerate() {
         row[i] += 1e-12 + if i < 3 { 0.0 } else { STRAIGHT };
     }
-    let [c, x, y, xx, xy, yy] = right;
-    solved(matrix, [c, x, y, xx, xy, yy, last[1]])
+    let of_unknown = |i: usize| dot(&right, if i < POWERS { &products[i] } else { squares });
+    solved(matrix, std::array::from_fn(of_unknown))
+}
+
+/// Root mean square of what a solution misses, in cells.
+fn missed(
+    stencil: &Stencil,
+    solution: &[f64; UNKNOWNS],
+    trusted: &[f64; PLACES],
+    [distances, squares]: [[f64; PLACES]; 2],
+) -> f64 {
+    let mut missed = distances;
+    for (missed, square) in missed.iter_mut().zip(&squares) {
+        *missed -= solution[POWERS] * square;
+    }
+    for (part, power) in solution.iter().zip(&stencil.products[..POWERS]) {
+        for (missed, power) in missed.iter_mut().zip(power) {
+            *missed -= part * power;
+        }
+    }
+    let sum = dot(trusted, &stencil.products[0]);
+    if sum > 0.0 {
+        (dot(&product(trusted, &missed), &missed) / sum).sqrt()
+    } else {
+        f64::INFINITY
+    }
+}
+
+fn product(a: &[f64; PLACES], b: &[f64; PLACES]) -> [f64; PLACES] {
+    let mut products = *a;
+    for (product, b) in products.iter_mut().zip(b) {
+        *product *= b;
+    }
+    products
 }
 
 /// The solution of a positive definite system of which the lower triangle is given, by Cholesky; `None` for another.

@@ -60,6 +60,7 @@
 mod fit;
 mod outline;
 mod search;
+mod states;
 mod stencil;
 mod tangential;
 

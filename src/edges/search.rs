@@ -3,7 +3,8 @@
 use crate::buffer;
 use crate::edges::fit::{Fit, Values};
 use crate::edges::outline::{Corners, outline};
-use crate::edges::stencil::{CELLS, Stencil};
+use crate::edges::states::States;
+use crate::edges::stencil::{PLACES, Stencil};
 use crate::edges::{EdgeCell, Edges};
 use crate::error::Result;
 use crate::field::Field;
@@ -49,22 +50,25 @@ struct Found {
 
 impl Search<'_> {
     pub(super) fn edges(&self) -> Result<Edges> {
-        let cells = self.inside.len();
         let largest = self.inside.iter().copied().fold(0.0, f64::max);
+        let states = States::new(self.grid, self.repeats, |i| self.contains(i))?;
         let stencil = Stencil::new(self.grid, self.repeats);
-        let indices = (0..cells)
-            .filter(|i| self.is_at_edge(*i))
-            .map(|index| Found {
-                cell: EdgeCell {
-                    index,
-                    ..EdgeCell::default()
-                },
-                corners: None,
-            });
         let mut found = Vec::new();
-        for cell in indices {
-            buffer::push(&mut found, cell)?;
+        for index in states.at_edge() {
+            let cell = EdgeCell {
+                index,
+                ..EdgeCell::default()
+            };
+            buffer::push(
+                &mut found,
+                Found {
+                    cell,
+                    corners: None,
+                },
+            )?;
         }
+        let cells = self.inside.len();
+        let lifted = self.lifted(&stencil, &found, largest)?;
         parallel::enter_with(cells, || {
             let tasks = found.len().div_ceil(PER_TASK);
             let data = Blocks {
@@ -73,30 +77,28 @@ impl Search<'_> {
             };
             let work = |_, block: Blocks<'_, Found>| {
                 for found in block.items {
-                    *found = self.examine(&stencil, found.cell.index, largest);
+                    let values = self.values(&states, &stencil, found.cell.index, &lifted);
+                    *found = self.examine(&stencil, &values, found.cell.index, largest);
                 }
             };
             parallel::sweep(0..tasks, data, &work, &|(), ()| ());
         });
-        self.gathered(&found)
+        self.gathered(&states, &found)
     }
 
-    fn gathered(&self, found: &[Found]) -> Result<Edges> {
+    fn gathered(&self, states: &States, found: &[Found]) -> Result<Edges> {
         let mut centres = Field::try_zeros(self.grid)?;
         centres.as_mut_slice().copy_from_slice(self.inside);
         let mut means = Field::try_zeros(self.grid)?;
-        parallel::update(means.as_mut_slice(), |first, chunk| {
-            for (mean, i) in chunk.iter_mut().zip(first..) {
-                *mean = if self.contains(i) {
-                    self.raw_mean(i)
-                } else {
-                    0.0
-                };
+        parallel::rows(means.as_mut_slice(), self.grid.nx(), |row, out| {
+            let first = row * self.grid.nx();
+            for (mean, i) in out.iter_mut().zip(first..) {
+                if states.is_core(i) {
+                    *mean = self.raw_mean(i);
+                }
             }
         });
-        let all = self.inside.iter().filter(|value| **value > 0.0).count();
-        let counted = found.iter().filter(|found| self.contains(found.cell.index));
-        let mut covered = (all - counted.count()) as f64;
+        let mut covered = states.core_cells() as f64;
         for Found { cell, .. } in found {
             centres.as_mut_slice()[cell.index] = cell.centre;
             means.as_mut_slice()[cell.index] = cell.mean;
@@ -116,42 +118,15 @@ impl Search<'_> {
         self.inside[cell] > 0.0
     }
 
-    fn neighbours(&self, cell: usize) -> [Option<usize>; 4] {
-        neighbours(cell, self.grid.size(), self.repeats)
-    }
-
     /// Sides of a cell beyond which the set ends.
     fn open_sides(&self, cell: usize) -> usize {
         let is_open = |next: &Option<usize>| next.is_none_or(|next| !self.contains(next));
-        self.neighbours(cell)
-            .iter()
-            .filter(|next| is_open(next))
-            .count()
+        let neighbours = neighbours(cell, self.grid.size(), self.repeats);
+        neighbours.iter().filter(|next| is_open(next)).count()
     }
 
-    fn is_core(&self, cell: usize) -> bool {
-        self.contains(cell) && self.open_sides(cell) == 0
-    }
-
-    fn is_at_edge(&self, cell: usize) -> bool {
-        if self.contains(cell) {
-            return self.open_sides(cell) > 0;
-        }
-        let [left, below, right, above] = self.neighbours(cell);
-        let is_in = |next: Option<usize>| next.is_some_and(|next| self.contains(next));
-        // Diagonally: to the left and to the right of those below and above.
-        let is_beside = |next: Option<usize>| {
-            next.is_some_and(|next| {
-                let [left, _, right, _] = self.neighbours(next);
-                is_in(left) || is_in(right)
-            })
-        };
-        [left, below, right, above].into_iter().any(is_in) || is_beside(below) || is_beside(above)
-    }
-
-    fn examine(&self, stencil: &Stencil, index: usize, largest: f64) -> Found {
-        let values = self.values(stencil, index, largest);
-        let fit = Fit::new(stencil, &values, |normal| (self.modulus)(index, normal));
+    fn examine(&self, stencil: &Stencil, values: &Values, index: usize, largest: f64) -> Found {
+        let fit = Fit::new(stencil, values, |normal| (self.modulus)(index, normal));
         let fit = fit.filter(|fit| {
             let centre = fit.distance([0.0; 2]);
             let agrees = if self.contains(index) {
@@ -217,26 +192,38 @@ impl Search<'_> {
         (self.inside[cell] + difference / 24.0).max(0.0)
     }
 
-    fn values(&self, stencil: &Stencil, index: usize, largest: f64) -> Values {
-        let mut values = Values {
-            inside: [0.0; CELLS],
-            is_inside: [false; CELLS],
-            is_core: [false; CELLS],
-            outside: [0.0; CELLS],
-            is_known: [false; CELLS],
-        };
+    /// Of the cells about those found, what has a uniform slope at the edge: the square of the pressure inside, minus the gap to
+    /// the power 2/3 outside, as in [`Values`]; NaN of all others.
+    fn lifted(&self, stencil: &Stencil, found: &[Found], largest: f64) -> Result<Vec<f64>> {
+        let mut lifted = buffer::filled(f64::NAN, self.inside.len())?;
         let scale = 0.75 / (largest * stencil.unit);
+        for found in found {
+            for cell in stencil.cells(found.cell.index).into_iter().flatten() {
+                if lifted[cell].is_nan() {
+                    lifted[cell] = if self.contains(cell) {
+                        (self.inside[cell] / largest).powi(2)
+                    } else {
+                        -(scale * self.outside[cell].max(0.0)).cbrt().powi(2)
+                    };
+                }
+            }
+        }
+        Ok(lifted)
+    }
+
+    fn values(&self, states: &States, stencil: &Stencil, index: usize, lifted: &[f64]) -> Values {
+        let mut values = Values {
+            lifted: [0.0; PLACES],
+            is_inside: [false; PLACES],
+            is_core: [false; PLACES],
+            is_known: [false; PLACES],
+        };
         for (k, cell) in stencil.cells(index).into_iter().enumerate() {
             let Some(cell) = cell else { continue };
+            values.lifted[k] = lifted[cell];
             values.is_inside[k] = self.contains(cell);
-            if values.is_inside[k] {
-                values.inside[k] = self.inside[cell] / largest;
-                values.is_core[k] = self.is_core(cell);
-                values.is_known[k] = true;
-            } else {
-                values.outside[k] = scale * self.outside[cell].max(0.0);
-                values.is_known[k] = (self.is_outside_known)(cell);
-            }
+            values.is_core[k] = states.is_core(cell);
+            values.is_known[k] = values.is_inside[k] || (self.is_outside_known)(cell);
         }
         values
     }

@@ -6,6 +6,10 @@ use crate::grid::Grid;
 pub(super) const REACH: usize = 3;
 /// Cells of the square.
 pub(super) const CELLS: usize = (2 * REACH + 1) * (2 * REACH + 1);
+/// The same rounded up to whole [`LANES`].
+pub(super) const PLACES: usize = CELLS.div_ceil(LANES) * LANES;
+/// Sums that run side by side.
+const LANES: usize = 8;
 /// Powers of a quadratic: 1, x, y, x^2, x y, y^2.
 pub(super) const POWERS: usize = 6;
 /// Products of two of them, up to the fourth degree.
@@ -65,8 +69,9 @@ pub(super) struct Stencil {
     /// The unit (a length), and the sides of a cell in it.
     pub(super) unit: f64,
     pub(super) sides: [f64; 2],
-    pub(super) products: [[f64; PRODUCTS]; CELLS],
-    pub(super) weights: [f64; CELLS],
+    /// Of all places, which are zero beyond the cells.
+    pub(super) products: [[f64; PLACES]; PRODUCTS],
+    pub(super) weights: [f64; PLACES],
 }
 
 impl Stencil {
@@ -74,6 +79,7 @@ impl Stencil {
         let unit = grid.cell_area().sqrt();
         let sides = [grid.dx() / unit, grid.dy() / unit];
         let place = |k: usize| {
+            let k = k.min(CELLS - 1);
             let steps = [k % (2 * REACH + 1), k / (2 * REACH + 1)];
             [0, 1].map(|axis| (steps[axis] as f64 - REACH as f64) * sides[axis])
         };
@@ -82,10 +88,19 @@ impl Stencil {
             repeats,
             unit,
             sides,
-            products: std::array::from_fn(|k| powers(place(k))),
+            products: EXPONENTS.map(|exponents| {
+                std::array::from_fn(|k| {
+                    if k < CELLS {
+                        power(place(k), exponents)
+                    } else {
+                        0.0
+                    }
+                })
+            }),
             weights: std::array::from_fn(|k| {
                 let [x, y] = place(k);
-                (-0.5 * (x * x + y * y) / (WIDTH * WIDTH)).exp()
+                let weight = (-0.5 * (x * x + y * y) / (WIDTH * WIDTH)).exp();
+                if k < CELLS { weight } else { 0.0 }
             }),
         }
     }
@@ -114,15 +129,18 @@ impl Stencil {
     }
 }
 
-/// The products at a place.
-fn powers([x, y]: [f64; 2]) -> [f64; PRODUCTS] {
-    let (xx, yy) = (x * x, y * y);
-    let of = |exponent: usize, z: f64, zz: f64| match exponent {
-        0 => 1.0,
-        1 => z,
-        2 => zz,
-        3 => zz * z,
-        _ => zz * zz,
-    };
-    EXPONENTS.map(|[i, j]| of(i, x, xx) * of(j, y, yy))
+fn power([x, y]: [f64; 2], [i, j]: [usize; 2]) -> f64 {
+    let of = |z: f64, exponent: usize| (0..exponent).fold(1.0, |product, _| product * z);
+    of(x, i) * of(y, j)
+}
+
+/// The sum of products of two lists.
+pub(super) fn dot(a: &[f64; PLACES], b: &[f64; PLACES]) -> f64 {
+    let mut sums = [0.0; LANES];
+    for (a, b) in a.chunks_exact(LANES).zip(b.chunks_exact(LANES)) {
+        for (sum, (a, b)) in sums.iter_mut().zip(a.iter().zip(b)) {
+            *sum += a * b;
+        }
+    }
+    sums.iter().sum()
 }
