@@ -10,7 +10,7 @@ import sys
 # The modules of the crate by layer, lowest first, and the modules each may use: those named, of its own layer or of
 # a lower one.
 FOUNDATION = {
-    "buffer", "clock", "error", "report", "boundary", "cell_value", "neighbours", "grid", "field", "material", "parallel", "per_cell", "pool", "left_behind", "serial", "warning",
+    "buffer", "clock", "error", "report", "boundary", "cell_value", "discretisation", "neighbours", "grid", "field", "material", "parallel", "per_cell", "pool", "left_behind", "serial", "warning",
     "gauss", "jacobi", "digest", "ranks", "share", "shown", "layout", "reduce", "watch",
 }
 ENGINE = FOUNDATION | {"operator", "influence", "fft", "half_space", "cgm", "levels", "window", "trend"}
@@ -37,8 +37,9 @@ LAYERS = [
         "boundary": set(),
         "cell_value": set(),
         "neighbours": set(),
+        "discretisation": {"boundary", "cell_value", "field", "neighbours", "reduce"},
         "grid": {"error", "layout"},
-        "warning": {"grid"},
+        "warning": {"error", "grid"},
         "field": {"buffer", "error", "grid", "layout", "parallel", "serial", "shown"},
         "material": {"error", "serial"},
         "coupling": {"material"},

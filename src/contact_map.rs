@@ -116,6 +116,18 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
         Ok(warnings)
     }
 
+    /// Cells on the radius of a spot of mean size, of a line on half its width; zero without spots.
+    pub(crate) fn cells_per_radius(&self) -> Result<f64> {
+        let spots = self.survey_spots()?.len().max(1);
+        let cells = self.cells() as f64 / spots as f64;
+        let is_line = self.grid.size().contains(&1);
+        Ok(if is_line {
+            0.5 * cells
+        } else {
+            (cells / std::f64::consts::PI).sqrt()
+        })
+    }
+
     /// Size and place of each spot.
     fn survey_spots(&self) -> Result<Vec<Surveyed>> {
         let mut spots: Vec<Surveyed> = Vec::new();

@@ -229,6 +229,7 @@ mod coupling;
 #[cfg(feature = "dense")]
 pub mod dense;
 mod digest;
+mod discretisation;
 pub mod edges;
 mod elastic;
 mod error;

@@ -105,8 +105,9 @@ impl Search<'_> {
             covered += cell.covered;
         }
         let corners = found.iter().map(|found| (found.cell.index, found.corners));
+        let corners = buffer::collected(found.len(), corners)?;
         Ok(Edges {
-            outline: outline(self.grid, self.repeats, corners, |i| self.contains(i))?,
+            outline: outline(self.grid, self.repeats, &corners, |i| self.contains(i))?,
             cells: buffer::collected(found.len(), found.iter().map(|found| found.cell))?,
             centres,
             means,

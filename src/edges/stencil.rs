@@ -62,7 +62,7 @@ const fn product_of() -> [[usize; POWERS]; POWERS] {
     table
 }
 
-/// Lengths are in units of the root of the area of a cell.
+/// Lengths are in units of the root of the area of a cell, of a line of cells in units of their side along it.
 pub(super) struct Stencil {
     size: [usize; 2],
     repeats: [bool; 2],
@@ -76,8 +76,15 @@ pub(super) struct Stencil {
 
 impl Stencil {
     pub(super) fn new(grid: Grid, repeats: [bool; 2]) -> Self {
-        let unit = grid.cell_area().sqrt();
-        let sides = [grid.dx() / unit, grid.dy() / unit];
+        // Across a line of cells nothing changes, and any side will do.
+        let (unit, sides) = match grid.size() {
+            [_, 1] => (grid.dx(), [1.0; 2]),
+            [1, _] => (grid.dy(), [1.0; 2]),
+            _ => {
+                let unit = grid.cell_area().sqrt();
+                (unit, [grid.dx() / unit, grid.dy() / unit])
+            }
+        };
         let place = |k: usize| {
             let k = k.min(CELLS - 1);
             let steps = [k % (2 * REACH + 1), k / (2 * REACH + 1)];

@@ -345,6 +345,11 @@ impl TangentialSolution {
     pub fn try_warnings(&self) -> Result<Vec<Warning>> {
         let mut warnings = self.contact_map().warnings()?;
         warnings.extend(self.zone_warnings());
+        let radius = || self.contact_map().cells_per_radius();
+        warnings.extend(Warning::of_discretisation(
+            self.discretisation_estimate(),
+            radius,
+        )?);
         Ok(warnings)
     }
 
