@@ -5,6 +5,8 @@ use kit::{unit_bodies, unit_pair};
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 use stickslip::*;
 
+const OFFSET: [f64; 2] = [0.31, -0.17];
+
 fn bodies(grid: Grid, cell_value: CellValue) -> HalfSpace {
     unit_bodies(grid, 0.0).with_cell_value(cell_value).unwrap()
 }
@@ -21,7 +23,7 @@ fn estimates_of_pressures_are_near_the_error() {
         for cell_value in [CellValue::Uniform, CellValue::Centre] {
             let bodies = bodies(grid, cell_value);
             for shape in Smooth::all() {
-                for offset in [[0.0, 0.0], [0.31, -0.17]] {
+                for offset in [[0.12, 0.43], [0.31, -0.17]] {
                     let contact = press(&bodies, &shape.gap(grid, offset), shape.load());
                     let exact = shape.mean_pressure(grid, offset);
                     let error = l1_difference(contact.pressure(), &exact, |_| true);
@@ -47,14 +49,18 @@ fn estimates_of_tractions_are_near_the_error() {
         let grid = Grid::square(cells, 3.0).unwrap();
         let means = Field::from_fn(grid, |x, y| {
             let places = (0..parts).flat_map(|i| (0..parts).map(move |j| (i, j)));
-            let at = |(i, j)| (x + part(i) * grid.dx()).hypot(y + part(j) * grid.dy());
+            let at = |(i, j)| {
+                let along = |place, part, offset, side| place + (part - offset) * side;
+                let x = along(x, part(i), OFFSET[0], grid.dx());
+                x.hypot(along(y, part(j), OFFSET[1], grid.dy()))
+            };
             let sum: f64 = places.map(|place| exact.traction(at(place))).sum();
             sum / f64::from(parts * parts)
         });
         for cell_value in [CellValue::Uniform, CellValue::Centre] {
             let bodies = bodies(grid, cell_value);
             let shape = Smooth::sphere();
-            let contact = press(&bodies, &shape.gap(grid, [0.0; 2]), shape.load());
+            let contact = press(&bodies, &shape.gap(grid, OFFSET), shape.load());
             let load = TangentialLoad::force([exact.force(), 0.0]);
             let friction = Friction::coulomb(0.5).unwrap();
             let problem = TangentialProblem::builder(&bodies, &contact, friction, load);
