@@ -136,7 +136,9 @@ impl Samples {
                 Some((images, _)) => images.along_row(cell, integral, &xs, y, out),
             }
             if is_negative {
-                out.iter_mut().for_each(|value| *value = -*value);
+                for value in out {
+                    *value = -*value;
+                }
             }
         });
         Ok(values)

@@ -32,15 +32,11 @@ fn random_field(grid: Grid, seed: u64) -> Field {
 
 /// The second difference of a field, zero beyond the grid.
 fn second_difference(field: &Field, repeats_y: bool) -> Field {
-    let (nx, ny) = (field.grid().nx() as i64, field.grid().ny() as i64);
+    let ny = field.grid().ny() as i64;
     let at = |i: i64, j: i64| {
         let j = if repeats_y { j.rem_euclid(ny) } else { j };
-        let inside = (0..nx).contains(&i) && (0..ny).contains(&j);
-        if inside {
-            field.as_slice()[(j * nx + i) as usize]
-        } else {
-            0.0
-        }
+        let place = [i, j].map(|place| usize::try_from(place).unwrap_or(usize::MAX));
+        field.get(place[0], place[1]).unwrap_or(0.0)
     };
     Field::from_indices(field.grid(), |i, j| {
         let (i, j) = (i as i64, j as i64);
