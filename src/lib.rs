@@ -95,10 +95,10 @@
 //! | [hardness](normal::Hardness), permanent set of histories | yes | yes | yes | yes | yes |
 //! | [stiffness](History::stiffness) of histories | yes | yes | yes | yes | yes, without a bound |
 //! | stiffness of problems | yes, elastic ones | yes | yes | yes, but for pressing | yes, elastic ones |
-//! | [`ranks`] | yes | yes | yes | yes | yes |
+//! | [`ranks`], also of stiffnesses | yes | yes | yes | yes | yes |
 //! | twist | - | - | yes | yes | yes |
 //!
-//! A stiffness of contacts that ranks share is not there yet, and the twist needs a grid that does not repeat.
+//! The twist needs a grid that does not repeat.
 //!
 //! # Units and signs
 //!

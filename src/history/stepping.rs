@@ -246,12 +246,15 @@ impl History {
         let motion = self.attempt(load, &mut with_memory(observer))?;
         // Ranks that lose each other on the way into the state go back.
         let is_shared = self.bodies.is_shared();
-        let keep = || Ok::<_, Error>((self.state.try_clone()?, self.step.try_clone()?));
+        let keep = || {
+            let (state, step) = (self.state.try_clone()?, self.step.try_clone()?);
+            Ok::<_, Error>((state, step, self.entered.try_clone()?))
+        };
         let kept = is_shared.then(keep).transpose()?;
         self.enter(load, motion);
         let entered = self.bodies.joint(Ok(()));
         if let (Err(_), Some(kept)) = (&entered, kept) {
-            (self.state, self.step) = kept;
+            (self.state, self.step, self.entered) = kept;
             self.state.forget_beyond(remembered);
         }
         entered

@@ -21,8 +21,8 @@
 //! same numbers everywhere.
 //!
 //! Normal, tangential and coupled problems and histories of them can be shared, on all boundaries, with hardness, friction
-//! that differs from cell to cell, relative displacements and wear; what cannot is refused ([`RankFailure::NotShared`]):
-//! stiffness, stresses below the surface, dense matrices.
+//! that differs from cell to cell, relative displacements, wear and stiffnesses; what cannot is refused
+//! ([`RankFailure::NotShared`]): stresses below the surface, dense matrices.
 //!
 //! Surfaces are made ([`SelfAffine::generate_on`](crate::surface::SelfAffine::generate_on)), characterised
 //! ([`HalfSpace::statistics`](crate::HalfSpace::statistics)) and levelled slab by slab, and fields are read from and written

@@ -3,27 +3,21 @@
 use std::ops::ControlFlow;
 
 use crate::boundary::Boundary;
-use crate::buffer;
 use crate::cgm::small::Small;
-use crate::cgm::vector::{dot, norm};
-use crate::cgm::{Ball, Linearised, Motion, Row, Within};
 use crate::error::{Result, positive};
-use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::normal::{Hardness, NormalSolution};
 use crate::parallel;
 use crate::report::Iteration;
 use crate::stiffness::course::Course;
-use crate::stiffness::motions::{Motions, kinds};
+use crate::stiffness::motions::kinds;
 use crate::stiffness::press::press;
-use crate::stiffness::system::{CellMotions, Stiffness, System, times};
-use crate::stiffness::workspace::{Buffers, StiffnessWorkspace, SystemOf};
-use crate::tangential::{Axis, Drawing, Friction, TangentialSolution, Zone, centre};
+use crate::stiffness::sheared::Sheared;
+use crate::stiffness::system::times;
+use crate::stiffness::workspace::{Buffers, StiffnessWorkspace};
+use crate::tangential::{Axis, Friction, TangentialSolution};
 use crate::watch::{Observer, unwatched};
 use crate::window::Window;
-
-/// The set of what friction holds of `N` tractions.
-type BallOf<const N: usize> = <Within as Ball<N>>::Set;
 
 /// The normal stiffness of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -136,12 +130,12 @@ impl NormalSolution {
         bodies: &HalfSpace,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<NormalStiffness> {
-        bodies.check_alone("a stiffness")?;
         let mut workspace = StiffnessWorkspace::new();
-        let (mut course, Buffers { normal, .. }) = workspace.begin(&mut observer);
-        parallel::enter_with(bodies.grid().cells(), || {
-            press((bodies, None), self, None, normal, &mut course, |_, _| {})
-        })
+        let (mut course, Buffers { normal, growth, .. }) = workspace.begin(&mut observer);
+        let on = (bodies, None);
+        bodies.joint(parallel::enter_with(bodies.grid().cells(), || {
+            press(on, self, None, normal, &mut course, growth)
+        }))
     }
 }
 
@@ -172,9 +166,10 @@ impl TangentialSolution {
         bodies: &HalfSpace,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<TangentialStiffness> {
-        bodies.check_alone("a stiffness")?;
-        self.check_bodies(bodies)?;
-        self.check_uncoupled()?;
+        let checked = self
+            .check_bodies(bodies)
+            .and_then(|()| self.check_uncoupled());
+        bodies.agreed(checked)?;
         let sheared = Sheared {
             zones: self.zones(),
             traction: self.traction(),
@@ -187,7 +182,7 @@ impl TangentialSolution {
         let found = parallel::enter_with(bodies.grid().cells(), || {
             sheared.stiffness(bodies, self.axis(), None, buffers, &mut course)
         });
-        found.map(|found| found.0)
+        bodies.joint(found.map(|found| found.0))
     }
 }
 
@@ -218,8 +213,10 @@ impl ContactStiffness {
         shear: &TangentialSolution,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<Self> {
-        shear.check_bodies(bodies)?;
-        shear.check_uncoupled()?;
+        let checked = shear
+            .check_bodies(bodies)
+            .and_then(|()| shear.check_uncoupled());
+        bodies.agreed(checked)?;
         let sheared = Sheared {
             zones: shear.zones(),
             traction: shear.traction(),
@@ -240,41 +237,26 @@ impl ContactStiffness {
         workspace: &mut StiffnessWorkspace,
         observer: Observer<'_>,
     ) -> Result<Self> {
-        pressed.friction.check(bodies.grid())?;
+        bodies.agreed(pressed.friction.check(bodies.grid()))?;
         let (mut course, buffers) = workspace.begin(observer);
-        parallel::enter_with(bodies.grid().cells(), || {
+        bodies.joint(parallel::enter_with(bodies.grid().cells(), || {
             Self::found(bodies, pressed, sheared, axis, buffers, &mut course)
-        })
+        }))
     }
 
     fn found(
         bodies: &HalfSpace,
-        contact: &Pressed<'_>,
+        pressed: &Pressed<'_>,
         sheared: &Sheared<'_>,
         axis: Option<Axis>,
         buffers: &mut Buffers,
         course: &mut Course<'_>,
     ) -> Result<Self> {
-        let Pressed {
-            normal,
-            window,
-            friction,
-            hardness,
-            is_drawn,
-        } = *contact;
-        let mut changes = std::mem::take(&mut buffers.by_approach);
-        changes.clear(bodies.grid().cells(), is_drawn)?;
-        let pressure = normal.pressure().as_slice();
-        let grow = |i: usize, growth: f64| {
-            changes.limits[i] = friction.slope(i, pressure[i]) * growth;
-            changes.relative[i] = (growth / pressure[i]).clamp(-f64::MAX, f64::MAX);
-            changes.pressure[i] = growth;
-        };
-        let (on, slot) = ((bodies, window), &mut buffers.normal);
-        let normal = press(on, normal, hardness, slot, course, grow)?;
-        let found = sheared.stiffness(bodies, axis, Some(&changes), buffers, course);
-        buffers.by_approach = changes;
-        let (tangential, by_approach) = found?;
+        let (contact, on) = (pressed.normal, (bodies, pressed.window));
+        let Buffers { normal, growth, .. } = &mut *buffers;
+        let normal = press(on, contact, pressed.hardness, normal, course, growth)?;
+        let (tangential, by_approach) =
+            sheared.stiffness(bodies, axis, Some(pressed), buffers, course)?;
         Ok(Self {
             normal,
             normal_by_motion: by_approach.map(|load| load.map(|_| 0.0)),
@@ -325,218 +307,8 @@ impl<'a> Pressed<'a> {
     }
 }
 
-/// What is known of a sheared contact.
-pub(crate) struct Sheared<'a> {
-    pub(crate) zones: &'a [Zone],
-    pub(crate) traction: [&'a Field; 2],
-    /// Slip of the step.
-    pub(crate) slip: [&'a Field; 2],
-    /// Compliance of their own of the cells that entered the contact in the step; of no cells where none did.
-    pub(crate) entered: &'a [f64],
-    /// Where it was found, if that is known.
-    pub(crate) window: Option<Window>,
-}
-
 /// The window in which a contact was found, whose operators are at hand, or the smallest around it.
 pub(super) fn window_of(bodies: &HalfSpace, found: Option<Window>, contact: Window) -> Window {
     let found = found.filter(|window| window.covers(contact));
     found.unwrap_or_else(|| bodies.confined(contact))
-}
-
-/// What the approach changes in the cells of the grid, for each unit.
-#[derive(Debug, Default)]
-pub(super) struct ByApproach {
-    /// The friction limits.
-    limits: Vec<f64>,
-    /// The pressures, each over itself.
-    relative: Vec<f64>,
-    pressure: Vec<f64>,
-    /// Whether pressure moves the surfaces tangentially.
-    is_drawn: bool,
-}
-
-impl ByApproach {
-    /// Nothing, of so many cells.
-    fn clear(&mut self, cells: usize, is_drawn: bool) -> Result<()> {
-        self.is_drawn = is_drawn;
-        for part in [&mut self.limits, &mut self.relative, &mut self.pressure] {
-            part.clear();
-            buffer::resize(part, cells, 0.0)?;
-        }
-        Ok(())
-    }
-}
-
-impl Sheared<'_> {
-    /// The stiffness; and the loads by the approach, if what that changes is given.
-    fn stiffness(
-        &self,
-        bodies: &HalfSpace,
-        axis: Option<Axis>,
-        changes: Option<&ByApproach>,
-        buffers: &mut Buffers,
-        course: &mut Course<'_>,
-    ) -> Result<(TangentialStiffness, [Option<f64>; 3])> {
-        let grid = bodies.grid();
-        let Some(window) = Window::around(grid, |i| self.zones[i] != Zone::Separated) else {
-            return Ok(without_contact(axis, bodies.boundary()));
-        };
-        let on = (bodies, window_of(bodies, self.window, window));
-        match axis {
-            Some(axis) => self.along(on, [axis], changes, &mut buffers.along, course),
-            None => self.along(on, [Axis::X, Axis::Y], changes, &mut buffers.plane, course),
-        }
-    }
-
-    fn along<const N: usize>(
-        &self,
-        (bodies, window): (&HalfSpace, Window),
-        axes: [Axis; N],
-        changes: Option<&ByApproach>,
-        slot: &mut Option<SystemOf<BallOf<N>, N>>,
-        course: &mut Course<'_>,
-    ) -> Result<(TangentialStiffness, [Option<f64>; 3])>
-    where
-        Within: Ball<N>,
-    {
-        let (grid, boundary) = (bodies.grid(), bodies.boundary());
-        let compliance = bodies.compliance(axes.map(Axis::direction), window.size)?;
-        let system = System::provide(slot, compliance)?;
-        let touches = |i: usize| self.zones[i] != Zone::Separated;
-        let motions = Motions::new(grid, window, axes, boundary, touches);
-        let contact = window.indices().filter(|&i| touches(i));
-        let of_cells = CellMotions {
-            count: motions.count(),
-            of_cell: |motion: usize, cell: usize| {
-                motions.at(motion, centre(grid, window.index(cell)))
-            },
-            squares: motions.squares(contact.map(|i| centre(grid, i))),
-        };
-        let sticking = |cell: usize| self.sticking(window.index(cell));
-        let mut reversal = None;
-        if course.has_reversal {
-            system.hold(boundary, sticking, None::<fn(usize) -> f64>)?;
-            reversal = Some(system.stiffness(&of_cells, course)?);
-        }
-        let entered = |cell: usize| self.entered[window.index(cell)];
-        let has_own = !self.entered.is_empty();
-        let lower_bound = system.lower_bound();
-        let slipping = |cell: usize| {
-            let i = window.index(cell);
-            match self.zones[i] {
-                Zone::Slip => {
-                    let own = if has_own { self.entered[i] } else { 0.0 };
-                    self.turning(axes, i).weighed(lower_bound, own)
-                }
-                _ => sticking(cell),
-            }
-        };
-        system.hold(boundary, slipping, has_own.then_some(entered))?;
-        let found = system.stiffness(&of_cells, course)?;
-        let mut by_approach = [None; 3];
-        if let Some(changes) = changes {
-            self.force(axes, window, changes, system);
-            system.displace(course)?;
-            if changes.is_drawn {
-                let make = || Drawing::new(bodies, &axes, window.size);
-                let pressures = window.indices().map(|i| changes.pressure[i]);
-                system.draw(make, pressures, course)?;
-            }
-            self.add_own(axes, window, changes, system);
-            let mut loads = system.reaction(&found);
-            for (motion, load) in loads.iter_mut().enumerate().take(of_cells.count) {
-                for (cell, i) in window.indices().enumerate() {
-                    let forced = system.forced.each_ref().map(|part| part[cell]);
-                    *load += dot(motions.at(motion, centre(grid, i)), forced);
-                }
-            }
-            let area = grid.cell_area();
-            by_approach = motions
-                .loads(loads)
-                .map(|load| load.map(|load| load * area));
-        }
-        let whole = |stiffness: &Stiffness| {
-            let area = grid.cell_area();
-            motions
-                .matrix(&stiffness.matrix)
-                .map(|row| row.map(|entry| entry.map(|entry| entry * area)))
-        };
-        let bound_of = |stiffness: Stiffness| stiffness.bound;
-        let stiffness = TangentialStiffness {
-            loading: whole(&found),
-            reversal: reversal.as_ref().map_or([[None; 3]; 3], whole),
-            bound: found.bound.max(reversal.map_or(0.0, bound_of)),
-        };
-        Ok((stiffness, by_approach))
-    }
-
-    fn at<const N: usize>(vector: [&Field; 2], axes: [Axis; N], index: usize) -> [f64; N] {
-        axes.map(|axis| vector[axis.index()].as_slice()[index])
-    }
-
-    /// How a cell of the contact moves while it sticks.
-    fn sticking<R: Row<N>, const N: usize>(&self, index: usize) -> R {
-        match self.zones[index] {
-            Zone::Separated => R::FIXED,
-            // What carries nothing at its limit never sticks.
-            Zone::Slip if self.traction.iter().all(|q| q.as_slice()[index] == 0.0) => R::FIXED,
-            Zone::Stick | Zone::Slip => R::FREE,
-        }
-    }
-
-    /// How a cell moves that slips: not at all along one axis, in the plane it turns.
-    fn turning<const N: usize>(
-        &self,
-        axes: [Axis; N],
-        index: usize,
-    ) -> <BallOf<N> as Linearised<N>>::Motion
-    where
-        Within: Ball<N>,
-    {
-        let [q, slip] = [self.traction, self.slip].map(|vector| Self::at(vector, axes, index));
-        let limit = Within::of_radius(norm(q));
-        limit.measured(limit.motion(q), slip)
-    }
-
-    /// Forces upon cells that slip the tractions by which their limits grow.
-    fn force<R, const N: usize>(
-        &self,
-        axes: [Axis; N],
-        window: Window,
-        changes: &ByApproach,
-        system: &mut System<R, N>,
-    ) {
-        for (cell, i) in window.indices().enumerate() {
-            let q = Self::at(self.traction, axes, i);
-            let limit = norm(q);
-            let slips = self.zones[i] == Zone::Slip && limit > 0.0;
-            for (part, q) in system.forced.iter_mut().zip(q) {
-                part[cell] = if slips {
-                    changes.limits[i] * q / limit
-                } else {
-                    0.0
-                };
-            }
-        }
-    }
-
-    /// Adds what cells displace themselves: a compliance of its own falls as the pressure grows.
-    fn add_own<R: Row<N>, const N: usize>(
-        &self,
-        axes: [Axis; N],
-        window: Window,
-        changes: &ByApproach,
-        system: &mut System<R, N>,
-    ) {
-        for (cell, i) in window.indices().enumerate() {
-            let own = system.own(cell);
-            if own > 0.0 {
-                let q = Self::at(self.traction, axes, i);
-                for (c, q) in q.into_iter().enumerate() {
-                    let growth = system.forced[c][cell] - q * changes.relative[i];
-                    system.displacement[c][cell] += own * growth;
-                }
-            }
-        }
-    }
 }

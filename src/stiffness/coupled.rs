@@ -6,8 +6,8 @@ use std::sync::Arc;
 use crate::boundary::Boundary;
 use crate::buffer;
 use crate::cgm::cone::{ConeProblem, ConeWorkspace, Stand};
-use crate::cgm::vector::slices;
-use crate::cgm::{Held, Total, UNLIMITED};
+use crate::cgm::vector::{at, slices};
+use crate::cgm::{Held, Total, UNLIMITED, reduce};
 use crate::coupled::CoupledSolution;
 use crate::error::{Result, finite};
 use crate::fft::{CirculantInverse, Convolution};
@@ -90,21 +90,20 @@ impl Coupled<'_> {
         workspace: &mut StiffnessWorkspace,
         observer: Observer<'_>,
     ) -> Result<ContactStiffness> {
-        bodies.check_alone("a stiffness")?;
         let (mut course, Buffers { joint, .. }) = workspace.begin(observer);
         let pressure = self.pressure.as_slice();
-        let Some(window) = Window::around(bodies.grid(), |i| pressure[i] > 0.0) else {
+        let Some(window) = bodies.around(|i| pressure[i] > 0.0) else {
             return Ok(ContactStiffness::without_contact(bodies.boundary()));
         };
         let window = window_of(bodies, self.window, window);
-        let closed = window.indices().all(|i| pressure[i] > 0.0);
-        if closed && bodies.boundary() == Boundary::Periodic {
+        let is_open = || reduce::any(&bodies.grid_layout(), |i| pressure[i] <= 0.0);
+        if bodies.boundary() == Boundary::Periodic && !is_open() {
             finite(
                 "stiffness of a contact that is closed everywhere",
                 f64::INFINITY,
             )?;
         }
-        parallel::enter_with(bodies.grid().cells(), || {
+        bodies.joint(parallel::enter_with(bodies.grid().cells(), || {
             let [x, y, z] = [Direction::X, Direction::Y, Direction::Z];
             let compliance = bodies.compliance([z, x, y], window.size)?;
             let joint = Joint::provide(joint, compliance)?;
@@ -115,7 +114,7 @@ impl Coupled<'_> {
                 None
             };
             Ok(whole(bodies.boundary(), &loading, reversal.as_ref()))
-        })
+        }))
     }
 
     /// The loads by a unit of each motion that the grid allows, the approach first.
@@ -128,6 +127,8 @@ impl Coupled<'_> {
         course: &mut Course<'_>,
     ) -> Result<[Loads; 4]> {
         let (grid, region) = (bodies.grid(), Region::new(bodies, window));
+        let layout = region.layout().clone().alike(bodies.team());
+        let place = |cell: usize| centre(grid.whole(), region.own().index(cell));
         let Joint {
             compliance: Compliance { operator, inverse },
             workspace,
@@ -161,7 +162,7 @@ impl Coupled<'_> {
         let problem = ConeProblem {
             operator: &*operator,
             preconditioner: &*inverse,
-            layout: region.layout(),
+            layout: &layout,
             linear: [&[]; N],
             closing: None,
             hardness: limits.map(|_| hardness),
@@ -180,25 +181,21 @@ impl Coupled<'_> {
         let held = Held {
             operator: &*operator,
             preconditioner: &*inverse,
-            layout: region.layout(),
+            layout: &layout,
             own: &[],
         };
         let linear = workspace.hold(&problem, stand)?;
         let mut loads = [[0.0; 4]; 4];
         let count = if bodies.boundary().may_turn() { 4 } else { 3 };
         for (motion, loads) in loads.iter_mut().enumerate().take(count) {
-            linear.restrict(
-                |cell| moved(motion, centre(grid, window.index(cell))),
-                right,
-            )?;
+            linear.restrict(|cell| moved(motion, place(cell)), right)?;
             course.respond(&held, right, unknowns, linear)?;
             let found = linear.tractions();
-            for (k, i) in window.indices().enumerate() {
-                let [x, y] = centre(grid, i);
-                let [p, qx, qy] = found.map(|part| grid.cell_area() * part[k]);
-                let parts = [p, qx, qy, x * qy - y * qx];
-                *loads = [0, 1, 2, 3].map(|load| loads[load] + parts[load]);
-            }
+            *loads = reduce::sum(&layout, |cell| {
+                let [x, y] = place(cell);
+                let [p, qx, qy] = at(&found, cell).map(|q| grid.cell_area() * q);
+                [p, qx, qy, x * qy - y * qx]
+            });
         }
         Ok(loads)
     }

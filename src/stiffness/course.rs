@@ -1,8 +1,11 @@
 //! Who watches the solves behind a stiffness, and what they have cost together.
 
+use std::ops::ControlFlow;
+
 use crate::cgm::{Held, LinearWorkspace, Row};
 use crate::contact::with_counts_of;
 use crate::error::{Error, Result};
+use crate::layout::Layout;
 use crate::operator::Operator;
 use crate::report::{Iteration, Report, Status};
 use crate::watch::Observer;
@@ -35,8 +38,8 @@ impl Course<'_> {
         })
     }
 
-    /// Asks the observer before a product beside the solves, and counts it.
-    pub(super) fn ask(&mut self) -> Result<()> {
+    /// Asks the observer, the same of all ranks, before a product beside the solves, and counts it.
+    pub(super) fn ask(&mut self, layout: &Layout) -> Result<()> {
         let report = &mut *self.report;
         let shown = Iteration {
             iteration: report.iterations,
@@ -45,8 +48,9 @@ impl Course<'_> {
             residual: report.residual,
             free: 0,
         };
-        if (self.observer)(&shown).is_break() {
-            report.status = Status::Cancelled;
+        let own = (self.observer)(&shown).map_break(|()| Status::Cancelled);
+        if let ControlFlow::Break(status) = layout.decided(own) {
+            report.status = status;
             return Err(Error::NotConverged(Box::new(report.clone())));
         }
         report.double_precision_products += 1;

@@ -69,10 +69,12 @@ mod coupled;
 mod course;
 mod motions;
 mod press;
+mod sheared;
 mod system;
 mod workspace;
 
+pub(crate) use contact::Pressed;
 pub use contact::{ContactStiffness, NormalStiffness, TangentialStiffness};
-pub(crate) use contact::{Pressed, Sheared};
 pub(crate) use coupled::Coupled;
+pub(crate) use sheared::Sheared;
 pub use workspace::StiffnessWorkspace;

@@ -3,10 +3,10 @@
 use std::array::from_fn;
 
 use crate::boundary::Boundary;
+use crate::cgm::reduce;
 use crate::cgm::vector::{dot, minus, plus};
-use crate::grid::Grid;
-use crate::tangential::{Axis, centre};
-use crate::window::Window;
+use crate::layout::Layout;
+use crate::tangential::Axis;
 
 /// Which of shift along x, shift along y and twist a model of tractions along these axes has.
 pub(super) fn kinds(axes: &[Axis], boundary: Boundary) -> [bool; 3] {
@@ -22,26 +22,35 @@ pub(super) struct Motions<const N: usize> {
     /// Which of shift along x, shift along y and twist the model has.
     has: [bool; 3],
     centre: [f64; 2],
+    squares: [f64; 3],
 }
 
 impl<const N: usize> Motions<N> {
+    /// Of a contact whose cells have these centres.
     pub(super) fn new(
-        grid: Grid,
-        window: Window,
         axes: [Axis; N],
         boundary: Boundary,
-        is_contact: impl Fn(usize) -> bool,
+        layout: &Layout,
+        place: impl Fn(usize) -> Option<[f64; 2]> + Sync,
     ) -> Self {
-        let (mut sum, mut count) = ([0.0; 2], 0.0);
-        for i in window.indices().filter(|&i| is_contact(i)) {
-            let [x, y] = centre(grid, i);
-            (sum, count) = ([sum[0] + x, sum[1] + y], count + 1.0);
-        }
-        Self {
+        let (sum, count): ([f64; 2], f64) = reduce::sum(layout, |cell| {
+            place(cell).map_or(([0.0; 2], 0.0), |place| (place, 1.0))
+        });
+        let mut motions = Self {
             axes,
             has: kinds(&axes, boundary),
             centre: sum.map(|sum| sum / count),
-        }
+            squares: [0.0; 3],
+        };
+        motions.squares = reduce::sum(layout, |cell| {
+            place(cell).map_or([0.0; 3], |place| {
+                from_fn(|motion| {
+                    let moved = motions.at(motion, place);
+                    dot(moved, moved)
+                })
+            })
+        });
+        motions
     }
 
     /// The kinds of the motions, in their order.
@@ -65,16 +74,9 @@ impl<const N: usize> Motions<N> {
         self.axes.map(|axis| moved[axis.index()])
     }
 
-    /// The sums of the squares of the motions of these points.
-    pub(super) fn squares(&self, points: impl Iterator<Item = [f64; 2]>) -> [f64; 3] {
-        let count = self.count();
-        points.fold([0.0; 3], |sum, point| {
-            let square = |motion: usize| {
-                let moved = self.at(motion, point);
-                dot(moved, moved)
-            };
-            from_fn(|a| sum[a] + if a < count { square(a) } else { 0.0 })
-        })
+    /// The sums of the squares of the motions over the contact.
+    pub(super) fn squares(&self) -> [f64; 3] {
+        self.squares
     }
 
     /// Loads by the kinds of motions, about the origin of the grid; `None` of those that the model does not have.

@@ -18,11 +18,12 @@ use std::sync::Arc;
 use crate::boundary::Boundary;
 use crate::buffer;
 use crate::cgm::small::Small;
-use crate::cgm::vector::{dot, plus, slices, slices_mut};
-use crate::cgm::{Held, LinearWorkspace, Row};
+use crate::cgm::vector::{at, dot, plus, slices, slices_mut};
+use crate::cgm::{Held, LinearWorkspace, Row, reduce};
 use crate::error::{Error, Result, finite};
 use crate::fft::{ConvolutionWorkspace, SingleWorkspace};
-use crate::half_space::Compliance;
+use crate::half_space::{Compliance, HalfSpace};
+use crate::layout::Layout;
 use crate::operator::Operator;
 use crate::stiffness::course::Course;
 use crate::stiffness::workspace::provide;
@@ -40,6 +41,7 @@ pub(super) type Vector<const N: usize> = [Vec<f64>; N];
 #[derive(Debug)]
 pub(super) struct System<R, const N: usize> {
     compliance: Compliance<N>,
+    layout: Layout,
     linear: LinearWorkspace<ConvolutionWorkspace<N>, SingleWorkspace<N>, R, N>,
     /// Compliance that cells have of their own beside the operator; of no cells where none has.
     own: Vec<f64>,
@@ -88,11 +90,16 @@ struct Independent {
 
 impl<R: Row<N>, const N: usize> System<R, N> {
     /// That of a window, in the buffers there are if they are of it.
-    pub(super) fn provide(slot: &mut Option<Self>, compliance: Compliance<N>) -> Result<&mut Self> {
+    pub(super) fn provide<'a>(
+        slot: &'a mut Option<Self>,
+        bodies: &HalfSpace,
+        compliance: Compliance<N>,
+    ) -> Result<&'a mut Self> {
         let Compliance { operator, inverse } = compliance.clone();
         let is_own = |own: &Self| Arc::ptr_eq(&own.compliance.operator, &operator);
         provide(slot, is_own, || {
             Ok(Self {
+                layout: operator.layout().alike(bodies.team()),
                 linear: LinearWorkspace::new(&operator, &inverse)?,
                 own: Vec::new(),
                 columns: Default::default(),
@@ -105,32 +112,25 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         })
     }
 
-    /// Takes what each cell may do, and has of its own, if any has. Refuses cells that repeat and are all free: they resist
-    /// a common motion without limit.
+    /// Takes what each cell may do, and has of its own; of no cells where none has. Refuses cells that repeat and are all free:
+    /// they resist a common motion without limit.
     pub(super) fn hold(
         &mut self,
         boundary: Boundary,
         row: impl Fn(usize) -> R + Sync,
-        own: Option<impl Fn(usize) -> f64>,
+        own: &[f64],
     ) -> Result<()> {
-        let cells = self.compliance.operator.cells();
-        if boundary == Boundary::Periodic && (0..cells).all(|i| row(i).is_free()) {
+        let is_open = || reduce::any(&self.layout, |cell| !row(cell).is_free());
+        if boundary == Boundary::Periodic && !is_open() {
             finite(
                 "stiffness of a contact that is closed everywhere",
                 f64::INFINITY,
             )?;
         }
         self.own.clear();
-        if let Some(own) = own {
-            buffer::make_room(&mut self.own, cells)?;
-            self.own.extend((0..cells).map(own));
-        }
+        buffer::make_room(&mut self.own, own.len())?;
+        self.own.extend_from_slice(own);
         self.linear.hold(row)
-    }
-
-    /// What a cell has of its own beside the operator.
-    pub(super) fn own(&self, cell: usize) -> f64 {
-        self.own.get(cell).copied().unwrap_or(0.0)
     }
 
     /// The least eigenvalue of the operator.
@@ -152,11 +152,10 @@ impl<R: Row<N>, const N: usize> System<R, N> {
                 .restrict(|i| (motions.of_cell)(a, i), &mut column.right)?;
         }
         let Independent { active, parts } = self.independent(motions.count, motions.squares);
-        let layout = self.compliance.operator.layout();
         let held = Held {
             operator: &self.compliance.operator,
             preconditioner: &self.compliance.inverse,
-            layout: &layout,
+            layout: &self.layout,
             own: &self.own,
         };
         for (column, _) in self.columns.iter_mut().zip(active).filter(|(_, is)| *is) {
@@ -271,15 +270,23 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         Ok(())
     }
 
-    /// Visits the cells that move, with their traction under a unit of a load and none of the others.
-    pub(super) fn unit(&self, load: usize, mut f: impl FnMut(usize, [f64; N])) {
-        let unit = &self.columns[load].unit;
-        self.linear.places(|k, cell| f(cell, unit[k]));
+    /// The tractions of all cells under a unit of the first load and none of the others.
+    pub(super) fn unit(&mut self) -> [&[f64]; N] {
+        for part in &mut self.forced {
+            part.fill(0.0);
+        }
+        let (unit, forced) = (&self.columns[0].unit, &mut self.forced);
+        self.linear.places(|k, cell| {
+            for (part, value) in forced.iter_mut().zip(unit[k]) {
+                part[cell] = value;
+            }
+        });
+        slices(&self.forced)
     }
 
     /// The displacement that the forced tractions cause.
     pub(super) fn displace(&mut self, course: &mut Course<'_>) -> Result<()> {
-        course.ask()?;
+        course.ask(&self.layout)?;
         let (forced, out) = (slices(&self.forced), slices_mut(&mut self.displacement));
         self.linear.displace(&self.compliance.operator, forced, out);
         Ok(())
@@ -293,7 +300,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         course: &mut Course<'_>,
     ) -> Result<()> {
         for _ in 0..N {
-            course.ask()?;
+            course.ask(&self.layout)?;
         }
         let drawing = provide(&mut self.drawing, |_| true, make)?;
         let mut parts = self.displacement.iter_mut();
@@ -308,15 +315,13 @@ impl<R: Row<N>, const N: usize> System<R, N> {
 
     /// What the loads become when tractions are forced upon cells and displace them so, the motions held: minus the
     /// stiffness times the motions that would keep the loads.
-    pub(super) fn reaction(&self, stiffness: &Stiffness) -> [f64; 3] {
-        let mut motions = [0.0; 3];
-        for (load, motion) in motions.iter_mut().enumerate() {
-            self.unit(load, |cell, unit| {
-                let parts = self.displacement.each_ref().map(|part| part[cell]);
-                *motion += dot(unit, parts);
-            });
-        }
-        stiffness.own.map(|row| -dot(row, motions))
+    pub(super) fn reaction(&mut self, stiffness: &Stiffness) -> Result<[f64; 3]> {
+        let displacement = slices(&self.displacement);
+        let moved = |cell: usize| at(&displacement, cell);
+        self.linear.restrict(moved, &mut self.combined)?;
+        let motion = |unit: &[[f64; N]]| self.linear.product(unit, &self.combined);
+        let motions = self.columns.each_ref().map(|column| motion(&column.unit));
+        Ok(stiffness.own.map(|row| -dot(row, motions)))
     }
 }
 

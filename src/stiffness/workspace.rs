@@ -3,9 +3,9 @@
 use crate::cgm::{Disc, Interval, Linearised};
 use crate::error::{Result, positive};
 use crate::report::Report;
-use crate::stiffness::contact::ByApproach;
 use crate::stiffness::coupled::Joint;
 use crate::stiffness::course::Course;
+use crate::stiffness::sheared::Growth;
 use crate::stiffness::system::System;
 use crate::watch::Observer;
 
@@ -52,7 +52,7 @@ pub(super) struct Buffers {
     pub(super) along: Option<SystemOf<Interval, 1>>,
     pub(super) plane: Option<SystemOf<Disc, 2>>,
     pub(super) joint: Option<Joint>,
-    pub(super) by_approach: ByApproach,
+    pub(super) growth: Growth,
 }
 
 impl Default for StiffnessWorkspace {

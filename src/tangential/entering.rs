@@ -54,7 +54,7 @@ impl Increment {
 
     /// Cells of the grid that [`Self::write_entered`] needs room for.
     pub(crate) fn entered_cells(&self) -> usize {
-        if self.diagonal.is_empty() || self.pressed.region.is_shared() {
+        if self.diagonal.is_empty() {
             0
         } else {
             self.bodies.grid().cells()
@@ -62,7 +62,7 @@ impl Increment {
     }
 
     /// Writes the compliance that the cells of the grid have had of their own in the last step; of no cells where none has
-    /// entered, and of a grid that ranks share.
+    /// entered.
     pub(crate) fn write_entered(&self, entered: &mut Vec<f64>) {
         entered.clear();
         entered.resize(self.entered_cells(), 0.0);

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use stickslip::history::{AdaptiveSteps, FrettingLoop, LoadPath, wear};
 use stickslip::normal::Hardness;
 use stickslip::ranks::Threads;
+use stickslip::stiffness::{ContactStiffness, StiffnessWorkspace};
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::*;
 
@@ -79,6 +80,55 @@ fn fretted(bodies: &HalfSpace) -> Found {
 #[test]
 fn cycles_and_adaptive_steps_have_the_same_bits() {
     assert_shared(fine(), Boundary::NonPeriodic, fretted);
+}
+
+/// All entries of a stiffness.
+fn entries(stiffness: &ContactStiffness) -> impl Iterator<Item = f64> + use<> {
+    let ContactStiffness {
+        normal,
+        tangential,
+        by_approach,
+        normal_by_motion,
+        ..
+    } = *stiffness;
+    let matrices = [tangential.loading, tangential.reversal].concat();
+    let found = matrices.into_iter().flatten();
+    let found = found.chain(by_approach).chain(normal_by_motion);
+    let bounds = [normal.value, normal.bound, tangential.bound];
+    found.map(|entry| entry.unwrap_or(-1.0)).chain(bounds)
+}
+
+/// In steps that grow and that slip, of bodies alike, drawn one way, and coupled; along an axis too.
+#[test]
+fn stiffnesses_have_the_same_bits() {
+    let (alike, unlike) = (Coupling::Neglected, [Coupling::OneWay, Coupling::Full]);
+    let kinds = [
+        (alike, TangentialModel::Scalar),
+        (alike, TangentialModel::Vector),
+        (unlike[0], TangentialModel::Vector),
+        (unlike[1], TangentialModel::Vector),
+    ];
+    for (coupling, model) in kinds {
+        let grid = Grid::new(48, 90, 0.2, 0.16).unwrap();
+        assert_shared(grid, Boundary::NonPeriodic, |bodies| {
+            let gap = ball(bodies);
+            let builder = History::builder(bodies, &gap, friction(bodies)).model(model);
+            let mut history = builder.coupling(coupling).build().unwrap();
+            let mut known = Vec::new();
+            let mut workspace = StiffnessWorkspace::new();
+            for (force, approach) in [(0.0, 0.1), (0.4, 0.2), (0.2, 0.2)] {
+                let press = LoadStep::shift([0.1 * force, 0.0]);
+                history
+                    .step(&press.normal(NormalControl::Approach(approach)))
+                    .unwrap();
+                let go_on = |_: &Iteration| ControlFlow::Continue(());
+                let stiffness = history.stiffness_with(&mut workspace, go_on).unwrap();
+                known.extend(entries(&stiffness));
+                known.push(workspace.report().products() as f64);
+            }
+            (cells(&history), known)
+        });
+    }
 }
 
 /// A history with all that a state may hold, or with what is the same everywhere.
