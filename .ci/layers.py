@@ -56,7 +56,7 @@ LAYERS = [
     }),
     ("the engine, and what it works on", {
         "half_space": FOUNDATION | {"contact_map", "levels", "operator", "influence", "fft", "io", "surface", "window"},
-        "cgm": {"buffer", "clock", "error", "layout", "report", "parallel", "per_cell", "operator", "ranks", "reduce", "serial"},
+        "cgm": {"buffer", "clock", "error", "layout", "report", "parallel", "per_cell", "operator", "ranks", "reduce", "serial", "watch"},
         "elastic": ENGINE,
         "contact": ENGINE | {"elastic"},
         "dense": FOUNDATION | {"operator", "influence", "half_space", "cgm"},
@@ -69,7 +69,7 @@ LAYERS = [
         "coupled": ENGINE | {"contact_map", "elastic", "contact", "normal", "tangential"},
     }),
     ("what follows from a solution", {
-        "stiffness": ENGINE | {"elastic", "normal", "tangential"},
+        "stiffness": ENGINE | {"contact", "coupled", "elastic", "normal", "tangential"},
     }),
     ("what goes on through many steps", {
         "history": ENGINE

@@ -93,7 +93,7 @@
 //! | [cells that enter](guide::growing_contacts) the contact in a step | - | yes | yes | yes | yes |
 //! | [hardness](normal::Hardness), permanent set of histories | yes | yes | yes | yes | yes |
 //! | [stiffness](History::stiffness) of histories | yes | yes | yes | yes | yes, without a bound |
-//! | stiffness of problems | yes, elastic ones | yes | yes | yes, but for pressing | by a step of a history |
+//! | stiffness of problems | yes, elastic ones | yes | yes | yes, but for pressing | yes, elastic ones |
 //! | [`ranks`] | yes | yes | yes | yes | yes |
 //! | twist | - | - | yes | yes | yes |
 //!

@@ -57,6 +57,7 @@ mod zone;
 pub(crate) use answer::Answer;
 pub(crate) use control::Demand;
 pub use control::{TangentialControl, TangentialLoad};
+pub(crate) use drawing::Drawing;
 pub(crate) use engine::{PlaneVector, at, displacement, zeros};
 pub(crate) use entering::{own_compliance, ratio_of_compliances};
 pub use friction::Friction;
