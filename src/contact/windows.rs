@@ -1,9 +1,9 @@
 //! The loop of a contact that is found on a window of the grid: solve there, look at the whole grid, go on where the window
 //! was too small.
 
+use crate::contact::{LeftBehind, OfSize};
 use crate::error::{Error, Result};
 use crate::half_space::HalfSpace;
-use crate::left_behind::{LeftBehind, OfSize};
 use crate::window::Window;
 
 /// Overlap beyond the window, relative to the largest displacement, that a product may show by itself.

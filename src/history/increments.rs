@@ -3,11 +3,11 @@
 
 use std::sync::Arc;
 
+use crate::contact::{LeftBehind, OfSize};
 use crate::coupling::Coupling;
 use crate::error::{Error, Result};
 use crate::half_space::{HalfSpace, Region};
 use crate::influence::Component;
-use crate::left_behind::{LeftBehind, OfSize};
 use crate::pool::Pool;
 use crate::tangential::{Axis, Increment, Pressed};
 use crate::window::Window;

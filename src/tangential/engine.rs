@@ -5,8 +5,7 @@ use std::fmt::Debug;
 
 use crate::buffer::{self, try_each};
 use crate::cgm::{Ball, Known, Method, Settings, Total, Within};
-use crate::contact::{Conditions, Scene, nested_start};
-use crate::elastic::{ElasticSolver, Observer};
+use crate::contact::{Conditions, ElasticSolver, Scene, nested_start};
 use crate::error::Result;
 use crate::field::Field;
 use crate::half_space::HalfSpace;
@@ -15,6 +14,7 @@ use crate::operator::Operator;
 use crate::report::Report;
 use crate::tangential::Axis;
 use crate::tangential::nested::FrictionScene;
+use crate::watch::Observer;
 
 /// A vector of the plane on the cells of a window, `[x, y]`; a component that the model leaves out has no cells.
 pub(crate) type PlaneVector = [Vec<f64>; 2];

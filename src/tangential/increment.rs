@@ -5,9 +5,8 @@ use std::borrow::Cow;
 use crate::buffer;
 use crate::cgm::vector::slices;
 use crate::cgm::{Total, reduce};
-use crate::contact::Conditions;
+use crate::contact::{Conditions, Trend, multipliers};
 use crate::coupling::Coupling;
-use crate::elastic::multipliers;
 use crate::error::Result;
 use crate::half_space::HalfSpace;
 use crate::parallel;
@@ -18,7 +17,6 @@ use crate::tangential::drawing::Drawing;
 use crate::tangential::engine::{PlaneVector, TangentialEngine, Task, at, engine_along, zeros};
 use crate::tangential::motion::{Motion, centre};
 use crate::tangential::{Axis, Pressed};
-use crate::trend::Trend;
 
 /// The tangential contact on a window: pressure, limits and tractions of its cells, and the engine that solves a step.
 ///
