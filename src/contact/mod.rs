@@ -2,16 +2,16 @@
 //! starts from coarser cells and from earlier answers, and what the passes of a solve may take together.
 
 mod budget;
+mod by_size;
 mod elastic;
-mod left_behind;
 mod nested_start;
 mod solver;
 mod trend;
 mod windows;
 
 pub(crate) use budget::{Conditions, ended_from_outside, has_iterate, with_counts_of, with_memory};
+pub(crate) use by_size::{BySize, OfSize};
 pub(crate) use elastic::{ElasticProblem, ElasticSolver, multipliers};
-pub(crate) use left_behind::{LeftBehind, OfSize};
 pub(crate) use nested_start::{Levels, Scene, is_worth_coarsening, nested_start};
 pub(crate) use solver::solver_methods;
 pub(crate) use trend::{Ahead, Reached, Trend};
