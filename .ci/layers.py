@@ -10,10 +10,14 @@ import sys
 # The modules of the crate by layer, lowest first, and the modules each may use: those named, of its own layer or of
 # a lower one.
 FOUNDATION = {
+<<<<<<< HEAD
     "buffer", "clock", "error", "report", "boundary", "cell_value", "discretisation", "neighbours", "grid", "field", "material", "parallel", "per_cell", "pool", "left_behind", "serial", "warning",
+=======
+    "buffer", "clock", "error", "report", "boundary", "grid", "field", "material", "parallel", "per_cell", "pool", "serial", "warning",
+>>>>>>> contact
     "gauss", "jacobi", "digest", "ranks", "share", "shown", "layout", "reduce", "watch",
 }
-ENGINE = FOUNDATION | {"operator", "influence", "fft", "half_space", "cgm", "levels", "window", "trend"}
+ENGINE = FOUNDATION | {"operator", "influence", "fft", "half_space", "cgm", "levels", "window"}
 LAYERS = [
     ("words every layer speaks", {
         "buffer": {"error"},
@@ -31,7 +35,6 @@ LAYERS = [
         "per_cell": {"buffer", "error"},
         "shown": set(),
         "pool": {"error"},
-        "left_behind": set(),
         "gauss": set(),
         "jacobi": set(),
         "boundary": set(),
@@ -49,7 +52,6 @@ LAYERS = [
         "contact_map": {"boundary", "buffer", "error", "grid", "neighbours", "warning"},
         "window": {"grid", "layout", "parallel", "ranks"},
         "levels": {"buffer", "error", "parallel"},
-        "trend": {"buffer", "field"},
         "influence": FOUNDATION,
         "fft": FOUNDATION | {"operator", "influence"},
         "guide": set(),
@@ -60,23 +62,22 @@ LAYERS = [
     ("the engine, and what it works on", {
         "half_space": FOUNDATION | {"contact_map", "levels", "operator", "influence", "fft", "io", "surface", "window"},
         "cgm": {"buffer", "clock", "error", "layout", "report", "parallel", "per_cell", "operator", "ranks", "reduce", "serial", "watch"},
-        "elastic": ENGINE,
-        "contact": ENGINE | {"elastic"},
+        "contact": ENGINE,
         "dense": FOUNDATION | {"operator", "influence", "half_space", "cgm"},
     }),
     ("the two problems", {
-        "normal": ENGINE | {"contact_map", "elastic", "contact"},
-        "tangential": ENGINE | {"contact_map", "coupling", "elastic", "contact", "normal"},
+        "normal": ENGINE | {"contact_map", "contact"},
+        "tangential": ENGINE | {"contact_map", "coupling", "contact", "normal"},
     }),
     ("both problems at once", {
-        "coupled": ENGINE | {"contact_map", "elastic", "contact", "normal", "tangential"},
+        "coupled": ENGINE | {"contact_map", "contact", "normal", "tangential"},
     }),
     ("what follows from a solution", {
-        "stiffness": ENGINE | {"contact", "coupled", "elastic", "normal", "tangential"},
+        "stiffness": ENGINE | {"contact", "coupled", "normal", "tangential"},
     }),
     ("what goes on through many steps", {
         "history": ENGINE
-        | {"contact_map", "coupling", "elastic", "contact", "normal", "tangential", "coupled", "stiffness", "io"},
+        | {"contact_map", "coupling", "contact", "normal", "tangential", "coupled", "stiffness", "io"},
     }),
     ("what is told of all of these", {
         "edges": {"boundary", "buffer", "cell_value", "error", "field", "grid", "neighbours", "normal", "parallel", "shown", "tangential"},
@@ -89,7 +90,7 @@ LAYERS = [
 ITEMS = {("tangential", "normal"): {"NormalSolution"}}
 
 # Sums over cells have one home, which fixes their order: elsewhere in these modules nothing may look like one.
-REDUCTIONS_IN = ("cgm", "elastic", "contact", "normal", "tangential", "coupled", "history")
+REDUCTIONS_IN = ("cgm", "contact", "normal", "tangential", "coupled", "history")
 REDUCTIONS = [
     ("parallel::fold", re.compile(r"\bparallel\s*::\s*fold\b")),
     (".sum::<f64>()", re.compile(r"\.\s*sum\s*::\s*<\s*f(?:32|64)\s*>")),

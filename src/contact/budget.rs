@@ -5,9 +5,9 @@ use std::ops::ControlFlow;
 
 use crate::cgm::{Iteration, Settings};
 use crate::clock::Instant;
-use crate::elastic::Observer;
 use crate::error::{Error, Result};
 use crate::report::{Report, Status};
+use crate::watch::Observer;
 
 /// Relative accuracy of a coarse answer: its own discretisation error is not smaller.
 const COARSE_TOLERANCE: f64 = 1e-2;
@@ -96,6 +96,11 @@ pub(crate) fn with_counts_of(
 ) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send {
     let before = earlier.counts();
     move |step| observer(&step.after(before))
+}
+
+/// Whether a solve has left an iterate, converged or not.
+pub(crate) fn has_iterate(outcome: &Result<()>) -> bool {
+    matches!(outcome, Ok(()) | Err(Error::NotConverged(_)))
 }
 
 /// The status of a pass that observer or clock ended. Any other pass serves what follows it, finished or not.

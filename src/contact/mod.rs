@@ -1,12 +1,18 @@
-//! What normal, tangential and coupled contacts have in common: the loop over windows, starts from coarser cells, and what
-//! the passes of a solve may take together.
+//! What normal, tangential and coupled contacts have in common: the half-space posed to the engine, the loop over windows,
+//! starts from coarser cells and from earlier answers, and what the passes of a solve may take together.
 
 mod budget;
+mod by_size;
+mod elastic;
 mod nested_start;
 mod solver;
+mod trend;
 mod windows;
 
-pub(crate) use budget::{Conditions, ended_from_outside, with_counts_of, with_memory};
+pub(crate) use budget::{Conditions, ended_from_outside, has_iterate, with_counts_of, with_memory};
+pub(crate) use by_size::{BySize, OfSize};
+pub(crate) use elastic::{ElasticProblem, ElasticSolver, multipliers};
 pub(crate) use nested_start::{Levels, Scene, is_worth_coarsening, nested_start};
 pub(crate) use solver::solver_methods;
+pub(crate) use trend::{Ahead, Reached, Trend};
 pub(crate) use windows::{OnWindow, Seen, Windows, missed};

@@ -3,8 +3,7 @@
 
 use crate::buffer;
 use crate::cgm::{Admissible, Constraint, Known};
-use crate::contact::budget::{Conditions, ended_from_outside};
-use crate::elastic::{ElasticProblem, ElasticSolver};
+use crate::contact::{Conditions, ElasticProblem, ElasticSolver, ended_from_outside};
 use crate::error::Result;
 use crate::half_space::{HalfSpace, Region};
 use crate::influence::Direction;

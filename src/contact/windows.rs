@@ -1,9 +1,9 @@
 //! The loop of a contact that is found on a window of the grid: solve there, look at the whole grid, go on where the window
 //! was too small.
 
+use crate::contact::{BySize, OfSize};
 use crate::error::{Error, Result};
 use crate::half_space::HalfSpace;
-use crate::left_behind::{LeftBehind, OfSize};
 use crate::window::Window;
 
 /// Overlap beyond the window, relative to the largest displacement, that a product may show by itself.
@@ -40,21 +40,7 @@ pub(crate) enum Seen {
 }
 
 /// What solves on the window that a contact has, and on those it has left.
-#[derive(Debug, Clone)]
-pub(crate) struct Windows<E> {
-    /// `None` before the first contact.
-    pub(crate) present: Option<E>,
-    left_behind: LeftBehind<E>,
-}
-
-impl<E> Default for Windows<E> {
-    fn default() -> Self {
-        Self {
-            present: None,
-            left_behind: LeftBehind::default(),
-        }
-    }
-}
+pub(crate) type Windows<E> = BySize<E>;
 
 impl<E: OnWindow> Windows<E> {
     /// The window of the contact; `None` before the first.
@@ -62,18 +48,10 @@ impl<E: OnWindow> Windows<E> {
         self.present.as_ref().map(E::window)
     }
 
-    /// Counts a solve, or a step without one.
-    pub(crate) fn age(&mut self) {
-        self.left_behind.age();
-    }
-
     /// Changes to a window.
     pub(crate) fn work_on(&mut self, bodies: &HalfSpace, window: Window) -> Result<()> {
         let window = bodies.place(window);
-        let make = || E::new(bodies, window);
-        let engine = self
-            .left_behind
-            .provide(&mut self.present, window.size, make)?;
+        let engine = self.provide(window.size, || E::new(bodies, window))?;
         engine.move_to(bodies, window);
         Ok(())
     }

@@ -7,11 +7,10 @@ use crate::buffer;
 use crate::cgm::cone::{self, Cone, ConeFindings, ConeProblem, ConeWorkspace, Opening};
 use crate::cgm::vector::{slices, slices_mut};
 use crate::cgm::{Carried, Disc, Interval, Known, Magnitude, Settings, Total, UNLIMITED, reduce};
-use crate::contact::{Conditions, OnWindow, ended_from_outside, with_counts_of};
+use crate::contact::{Conditions, ElasticSolver, OnWindow, ended_from_outside, with_counts_of};
 use crate::coupled::contraction::Contraction;
 use crate::coupled::increment::CoupledDemand;
 use crate::coupled::{CoupledReport, N};
-use crate::elastic::{ElasticSolver, Observer};
 use crate::error::Result;
 use crate::fft::{CirculantInverse, Convolution, ConvolutionWorkspace};
 use crate::half_space::{Compliance, HalfSpace, Region};
@@ -22,6 +21,7 @@ use crate::operator::Operator;
 use crate::per_cell::PerCell;
 use crate::report::{Report, Status};
 use crate::tangential::{FrictionWithin, own_compliance};
+use crate::watch::Observer;
 use crate::window::Window;
 
 /// Relative accuracy of the halves that a solve starts from.

@@ -3,10 +3,9 @@
 use crate::buffer;
 use crate::cgm::vector::slices;
 use crate::cgm::{Total, reduce};
-use crate::contact::{self, Conditions, OnWindow, Seen, Windows};
+use crate::contact::{self, Conditions, OnWindow, Seen, Windows, multipliers};
 use crate::coupled::engine::{Engine, Start, Task};
 use crate::coupled::{CoupledReport, N};
-use crate::elastic::multipliers;
 use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::half_space::HalfSpace;

@@ -2,15 +2,15 @@
 
 use crate::buffer::TryClone;
 use crate::cgm::solver_settings;
-use crate::contact::{Conditions, solver_methods, with_memory};
+use crate::contact::{Conditions, has_iterate, solver_methods, with_memory};
 use crate::coupled::increment::{CoupledDemand, CoupledIncrement};
 use crate::coupled::{CoupledProblem, CoupledSolution};
-use crate::elastic::Observer;
 use crate::error::{Error, Result};
 use crate::field::{self, Field};
 use crate::normal::NormalControl;
 use crate::shown::shown;
 use crate::tangential::{Axis, Friction, Motion, TangentialLoad, TangentialModel};
+use crate::watch::Observer;
 
 /// Solves coupled contacts again and again, each from rest in one step, beginning with the last answer.
 ///
@@ -131,7 +131,7 @@ impl CoupledSolver {
         let outcome = self
             .increment
             .solve(demand, Motion::default(), &mut conditions);
-        if matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
+        if has_iterate(&outcome) {
             solution.fill(problem, &self.increment);
         }
         // Do not start from NaN, or from what lacked memory on the way.

@@ -2,7 +2,6 @@
 
 use crate::buffer::{self, TryClone};
 use crate::contact::Conditions;
-use crate::elastic::Observer;
 use crate::error::Result;
 use crate::field::Field;
 use crate::half_space::HalfSpace;
@@ -11,6 +10,7 @@ use crate::history::{History, LoadStep, State};
 use crate::normal::{NormalControl, Pressing};
 use crate::parallel;
 use crate::tangential::{Increment, Motion, Start};
+use crate::watch::Observer;
 use crate::window::Window;
 
 impl History {

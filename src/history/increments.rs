@@ -3,11 +3,11 @@
 
 use std::sync::Arc;
 
+use crate::contact::{BySize, OfSize};
 use crate::coupling::Coupling;
 use crate::error::{Error, Result};
 use crate::half_space::{HalfSpace, Region};
 use crate::influence::Component;
-use crate::left_behind::{LeftBehind, OfSize};
 use crate::pool::Pool;
 use crate::tangential::{Axis, Increment, Pressed};
 use crate::window::Window;
@@ -17,9 +17,7 @@ use crate::window::Window;
 pub(super) struct Increments {
     /// What all of them are made for.
     kind: Option<Kind>,
-    source: Option<Source>,
-    /// Those of other sizes.
-    left_behind: LeftBehind<Source>,
+    sources: BySize<Source>,
 }
 
 #[derive(Debug, Clone)]
@@ -51,13 +49,13 @@ impl Increments {
                 ..Self::default()
             };
         }
-        self.left_behind.age();
-        let (size, source) = (window.size, &mut self.source);
+        self.sources.age();
+        let size = window.size;
         let make = || {
             let pool = bodies.pool(components(bodies, kind), size)?;
             Ok::<_, Error>(Source { size, pool })
         };
-        let pool = &self.left_behind.provide(source, size, make)?.pool;
+        let pool = &self.sources.provide(size, make)?.pool;
         match pool.take() {
             Some(mut increment) => {
                 increment.pressed.region = Region::new(bodies, window);
@@ -70,7 +68,7 @@ impl Increments {
     /// Takes back what [`Self::take`] gave last.
     pub(super) fn give_back(&self, mut increment: Increment) {
         increment.rest();
-        if let Some(source) = &self.source {
+        if let Some(source) = &self.sources.present {
             source.pool.give(increment);
         }
     }

@@ -1,10 +1,9 @@
 //! The steps of bodies whose pressure and traction are found together.
 
 use crate::buffer::TryClone;
-use crate::contact::Conditions;
+use crate::contact::{Conditions, Trend};
 use crate::coupled::{CoupledDemand, CoupledIncrement};
 use crate::coupling::Coupling;
-use crate::elastic::Observer;
 use crate::error::Result;
 use crate::half_space::HalfSpace;
 use crate::history::memory::Memory;
@@ -12,7 +11,7 @@ use crate::history::state::State;
 use crate::history::{History, LoadStep};
 use crate::normal::NormalControl;
 use crate::tangential::{Axis, Motion};
-use crate::trend::Trend;
+use crate::watch::Observer;
 use crate::window::Window;
 
 impl State {

@@ -1,12 +1,12 @@
 //! What the cells in and around the contact remember of their slip.
 
 use crate::buffer::{self, TryClone, try_clone, try_each};
+use crate::contact::Trend;
 use crate::error::Result;
 use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
 use crate::history::state::State;
 use crate::tangential::{Axis, Demand, Increment, Motion, PlaneVector, centre, zeros};
-use crate::trend::Trend;
 use crate::window::Window;
 
 /// Displacement and offset of the cells of a window that are held here.

@@ -4,6 +4,7 @@ use crate::boundary::Boundary;
 use crate::buffer::{self, TryClone, try_clone};
 use crate::cell_value::CellValue;
 use crate::cgm::Settings;
+use crate::contact::Trend;
 use crate::coupling::Coupling;
 use crate::error::{Error, Result};
 use crate::field::{Field, clone_in_place};
@@ -16,7 +17,6 @@ use crate::material::ElasticPair;
 use crate::normal::{Hardness, NormalControl, NormalSolution, PressureSolver};
 use crate::shown::shown;
 use crate::tangential::{Axis, Friction, Motion, Zone};
-use crate::trend::Trend;
 use crate::window::Window;
 
 /// The state of a [`History`](crate::History): everything that its next step starts from, apart from the bodies and

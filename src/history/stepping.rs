@@ -7,7 +7,6 @@ use crate::buffer::TryClone;
 use crate::cgm::{Iteration, Settings, reduce};
 use crate::contact::with_memory;
 use crate::coupled::CoupledIncrement;
-use crate::elastic::Observer;
 use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
@@ -27,6 +26,7 @@ use crate::report::{Report, Status};
 use crate::shown::shown;
 use crate::tangential::{Friction, Increment, Motion, TangentialModel};
 use crate::warning::Resolution;
+use crate::watch::Observer;
 use crate::window::Window;
 
 /// Two bodies in contact that remember their load: pressure, traction, slip and energy, step by step.

@@ -5,9 +5,8 @@ use std::sync::Arc;
 
 use crate::buffer::{self, TryClone};
 use crate::cgm::{self, Interval, Iterate, Known};
-use crate::contact::{self, OnWindow};
-use crate::elastic::{ElasticSolver, Observer};
-use crate::error::{Error, Result};
+use crate::contact::{self, Ahead, ElasticSolver, OnWindow, Reached, Trend, has_iterate};
+use crate::error::Result;
 use crate::fft::{Convolution, ConvolutionWorkspace};
 use crate::half_space::{Compliance, HalfSpace, Region};
 use crate::influence::Direction;
@@ -15,7 +14,7 @@ use crate::normal::nested::PressureScene;
 use crate::operator::Operator;
 use crate::parallel::{self, Blocks};
 use crate::pool::Lease;
-use crate::trend::{Ahead, Reached, Trend};
+use crate::watch::Observer;
 use crate::window::Window;
 
 /// The engine, set up where it works: around the contact, if that is much smaller than the grid.
@@ -111,7 +110,7 @@ impl Engine {
     /// Takes a trend of the cells held here.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`Error::Memory`](crate::Error::Memory).
     pub(super) fn set_trend(&mut self, trend: &Trend<1>) -> Result<()> {
         if self.region.is_shared() && !trend.is_known() {
             self.trend.forget();
@@ -196,7 +195,7 @@ impl Engine {
         let problem = inside.problem(solver);
         let from = ([&mut *fields.pressure], known);
         let outcome = solver.minimise(&problem, from, settings, observer);
-        if matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
+        if has_iterate(&outcome) {
             pressure.fill(0.0);
             region.scatter(&fields.pressure, pressure);
         }

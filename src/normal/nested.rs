@@ -2,14 +2,12 @@
 
 use crate::buffer;
 use crate::cgm::{Carried, Interval, Total};
-use crate::contact::{Levels, Scene};
-use crate::elastic::{ElasticProblem, ElasticSolver};
+use crate::contact::{Ahead, ElasticProblem, ElasticSolver, Levels, Reached, Scene};
 use crate::error::Result;
 use crate::half_space::{HalfSpace, Region};
 use crate::influence::Direction;
 use crate::layout::Layout;
 use crate::per_cell::PerCell;
-use crate::trend::{Ahead, Reached};
 
 /// How many times the cells of a coarse window a grid has at least: operators of the grid are kept, those of windows are
 /// made for one solve.

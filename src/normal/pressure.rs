@@ -4,9 +4,10 @@ use std::ops::ControlFlow;
 
 use crate::buffer;
 use crate::cgm::{Iteration, Known, Method, Settings, UNLIMITED, reduce};
-use crate::contact::{Conditions, OnWindow, Scene, Seen, Windows};
-use crate::contact::{nested_start, with_counts_of, with_memory};
-use crate::elastic::{Observer, multipliers};
+use crate::contact::{
+    Ahead, Conditions, OnWindow, Reached, Scene, Seen, Trend, Windows, multipliers,
+};
+use crate::contact::{has_iterate, nested_start, with_counts_of, with_memory};
 use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
@@ -16,7 +17,7 @@ use crate::normal::{Hardness, NormalControl, NormalSolution};
 use crate::parallel;
 use crate::per_cell::PerCell;
 use crate::report::{Report, Status};
-use crate::trend::{Ahead, Reached, Trend};
+use crate::watch::Observer;
 use crate::window::Window;
 
 /// Part of the tolerance below which a window is not solved more strictly, that of the grid being out of reach.
@@ -179,7 +180,7 @@ impl PressureSolver {
         let mut observer = with_memory(observer);
         let mut conditions = Conditions::new(of.settings, &mut observer);
         let outcome = self.find(of, pressure, &mut conditions);
-        if !matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
+        if !has_iterate(&outcome) {
             self.windows.present = None;
         }
         outcome
@@ -214,13 +215,12 @@ impl PressureSolver {
         };
         self.report.clear();
         let mut outcome = self.solve_on_window(of.bodies, scene, (pressure, known), conditions);
-        if matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) && of.exceeds(pressure) {
+        if has_iterate(&outcome) && of.exceeds(pressure) {
             scene.limits = of.limits();
             outcome = self.bring_within_limits(of.bodies, scene, pressure, conditions);
         }
-        let (Ok(()) | Err(Error::NotConverged(_)), Some(engine)) =
-            (&outcome, &mut self.windows.present)
-        else {
+        let engine = self.windows.present.as_mut();
+        let Some(engine) = engine.filter(|_| has_iterate(&outcome)) else {
             return outcome;
         };
         self.report.time = conditions.start.elapsed();
@@ -285,7 +285,7 @@ impl PressureSolver {
             let left = conditions.left(report).tolerance(part * tolerance);
             let mut observer = with_counts_of(report, &mut *conditions.observer);
             let outcome = engine.solve(scene, (pressure, known), &left, &mut observer);
-            if !matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
+            if !has_iterate(&outcome) {
                 return outcome.map(|()| Seen::Answer);
             }
             drop(observer);

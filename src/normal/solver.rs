@@ -4,9 +4,8 @@ use std::ops::ControlFlow;
 
 use crate::buffer;
 use crate::cgm::solver_settings;
-use crate::contact::solver_methods;
-use crate::elastic::Observer;
-use crate::error::{Error, Result};
+use crate::contact::{has_iterate, solver_methods};
+use crate::error::Result;
 use crate::field::{self, Field};
 use crate::influence::Direction;
 use crate::normal::pressure::PressureSolver;
@@ -14,6 +13,7 @@ use crate::normal::problem::check_gap;
 use crate::normal::{NormalControl, NormalProblem, NormalSolution};
 use crate::parallel;
 use crate::shown::shown;
+use crate::watch::Observer;
 
 /// Solves normal contacts on one grid again and again, each time from the last answer, moved on along its trend where the
 /// load has changed.
@@ -61,8 +61,7 @@ impl NormalSolver {
     /// Changes the load of the next solve.
     ///
     /// # Errors
-    /// [`Error::Negative`], [`Error::NotFinite`], [`Error::BeyondHardness`] or, on a periodic grid,
-    /// [`Error::ApproachBeyondMeanGap`]; [`Error::Ranks`]; the load is then as it was.
+    /// As [`NormalProblemBuilder::build`](crate::normal::NormalProblemBuilder::build) for the load, which is then as it was.
     pub fn set_load(&mut self, load: NormalControl) -> Result<()> {
         let NormalProblem {
             bodies,
@@ -79,8 +78,7 @@ impl NormalSolver {
     /// Changes the gap of the next solve, as wear does; copies it without allocating.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`], [`Error::Sample`] or, on a periodic grid,
-    /// [`Error::ApproachBeyondMeanGap`]; [`Error::Ranks`]; the gap is then as it was.
+    /// As [`NormalProblemBuilder::build`](crate::normal::NormalProblemBuilder::build) for the gap, which is then as it was.
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
         let bodies = &self.problem.bodies;
         bodies.agreed(check_gap(bodies, gap))?;
@@ -100,7 +98,7 @@ impl NormalSolver {
     /// [`Self::new_solution`] where memory may run out.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`Error::Memory`](crate::Error::Memory).
     pub fn try_new_solution(&self) -> Result<NormalSolution> {
         let bodies = &self.problem.bodies;
         NormalSolution::empty(&self.problem.gap, bodies.boundary(), bodies.pair())
@@ -113,7 +111,7 @@ impl NormalSolver {
     ) -> Result<()> {
         let of = self.problem.pressing();
         let outcome = self.press.solve(&of, &mut self.pressure, observer);
-        if matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
+        if has_iterate(&outcome) {
             parallel::copy(&self.pressure, solution.pressure_mut());
             self.press.finish(&of, solution);
         }

@@ -2,9 +2,9 @@
 
 use crate::boundary::Boundary;
 use crate::cgm::Total;
+use crate::contact::Ahead;
 use crate::error::{Error, Result, finite, positive};
 use crate::tangential::{Axis, Motion, TangentialModel};
-use crate::trend::Ahead;
 
 /// What is prescribed along one axis.
 ///

@@ -5,8 +5,7 @@ use std::fmt::Debug;
 
 use crate::buffer::{self, try_each};
 use crate::cgm::{Ball, Known, Method, Settings, Total, Within};
-use crate::contact::{Conditions, Scene, nested_start};
-use crate::elastic::{ElasticSolver, Observer};
+use crate::contact::{Conditions, ElasticSolver, Scene, nested_start};
 use crate::error::Result;
 use crate::field::Field;
 use crate::half_space::HalfSpace;
@@ -15,6 +14,7 @@ use crate::operator::Operator;
 use crate::report::Report;
 use crate::tangential::Axis;
 use crate::tangential::nested::FrictionScene;
+use crate::watch::Observer;
 
 /// A vector of the plane on the cells of a window, `[x, y]`; a component that the model leaves out has no cells.
 pub(crate) type PlaneVector = [Vec<f64>; 2];
@@ -44,6 +44,9 @@ pub(super) struct Task<'a> {
     pub(super) totals: [Total; 2],
     /// The multipliers at which the start has been an answer, if it has.
     pub(super) known: Option<[f64; 2]>,
+    /// What tractions are to be measured in, if their squares would leave the range of numbers: the operator relates them
+    /// to displacements in any unit.
+    pub(super) unit: Option<f64>,
 }
 
 /// An engine, whatever the number of tractions.
@@ -79,9 +82,6 @@ pub(super) trait TangentialEngine: Debug + Send + Sync {
 
     /// The shift that forces and springs cause beyond what is prescribed.
     fn multiplier(&self) -> [f64; 2];
-
-    /// Measures the last answer in another unit.
-    fn rescale(&mut self, factor: f64);
 
     fn report(&self) -> &Report;
 
@@ -169,14 +169,32 @@ fn of<const N: usize>(axes: [Axis; N], both: &PlaneVector) -> [&[f64]; N] {
     axes.map(|axis| both[axis.index()].as_slice())
 }
 
-/// What is asked for along these axes.
-fn scene<const N: usize>(axes: [Axis; N], task: Task<'_>) -> FrictionScene<'_, N> {
-    FrictionScene {
+/// What is asked for along these axes, in the unit of the tractions.
+fn scene<const N: usize>(axes: [Axis; N], task: Task<'_>) -> Result<FrictionScene<'_, N>> {
+    let unit = task.unit.unwrap_or(1.0);
+    let in_unit = |field| measured(field, task.unit);
+    let linear = of(axes, task.linear);
+    Ok(FrictionScene {
         directions: axes.map(Axis::direction),
-        limits: task.limits.into(),
+        limits: in_unit(task.limits)?,
         diagonal: task.diagonal,
-        linear: of(axes, task.linear).map(Cow::from),
-        totals: axes.map(|axis| task.totals[axis.index()]),
+        linear: try_each(|n| in_unit(linear[n]))?,
+        totals: axes.map(|axis| task.totals[axis.index()].in_unit(unit)),
+    })
+}
+
+/// A field in a unit, if there is one.
+fn measured(field: &[f64], unit: Option<f64>) -> Result<Cow<'_, [f64]>> {
+    let Some(unit) = unit else {
+        return Ok(field.into());
+    };
+    let values = field.iter().map(|value| value / unit);
+    buffer::collected(field.len(), values).map(Cow::from)
+}
+
+fn rescale(vector: &mut PlaneVector, factor: f64) {
+    for value in vector.iter_mut().flatten() {
+        *value *= factor;
     }
 }
 
@@ -198,13 +216,22 @@ where
         settings: &Settings,
         observer: Observer<'_>,
     ) -> Result<()> {
+        let unit = task.unit.unwrap_or(1.0);
         let known = task.known.map_or(Known::Nothing, |multiplier| {
-            Known::Answer(self.axes.map(|axis| multiplier[axis.index()]))
+            Known::Answer(self.axes.map(|axis| multiplier[axis.index()] / unit))
         });
-        let from = (of_mut(self.axes, traction), known);
-        let scene = scene(self.axes, task);
+        let scene = scene(self.axes, task)?;
         let problem = scene.problem(&self.solver);
-        self.solver.minimise(&problem, from, settings, observer)
+        if task.unit.is_some() {
+            rescale(traction, 1.0 / unit);
+        }
+        let from = (of_mut(self.axes, traction), known);
+        let outcome = self.solver.minimise(&problem, from, settings, observer);
+        if task.unit.is_some() {
+            rescale(traction, unit);
+            self.solver.rescale(unit);
+        }
+        outcome
     }
 
     fn start(
@@ -215,13 +242,17 @@ where
         is_sliding: bool,
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<PlaneVector> {
-        let scene = scene(self.axes, task);
+        let scene = scene(self.axes, task)?;
         let found = if is_sliding || conditions.settings.method == Method::PolonskyKeer {
             scene.plain_start(&bodies.layout(size))?
         } else {
             nested_start(bodies, size, &scene, conditions)?
         };
-        Ok(self.both(found))
+        let mut found = self.both(found);
+        if let Some(unit) = task.unit {
+            rescale(&mut found, unit);
+        }
+        Ok(found)
     }
 
     fn apply(&mut self, traction: &PlaneVector, displacement: &mut PlaneVector) -> Result<()> {
@@ -235,10 +266,6 @@ where
 
     fn multiplier(&self) -> [f64; 2] {
         self.both(self.solver.multiplier())
-    }
-
-    fn rescale(&mut self, factor: f64) {
-        self.solver.rescale(factor);
     }
 
     fn report(&self) -> &Report {

@@ -5,9 +5,8 @@ use std::borrow::Cow;
 use crate::buffer;
 use crate::cgm::vector::slices;
 use crate::cgm::{Total, reduce};
-use crate::contact::Conditions;
+use crate::contact::{Conditions, Trend, multipliers};
 use crate::coupling::Coupling;
-use crate::elastic::multipliers;
 use crate::error::Result;
 use crate::half_space::HalfSpace;
 use crate::parallel;
@@ -18,7 +17,6 @@ use crate::tangential::drawing::Drawing;
 use crate::tangential::engine::{PlaneVector, TangentialEngine, Task, at, engine_along, zeros};
 use crate::tangential::motion::{Motion, centre};
 use crate::tangential::{Axis, Pressed};
-use crate::trend::Trend;
 
 /// The tangential contact on a window: pressure, limits and tractions of its cells, and the engine that solves a step.
 ///
@@ -167,17 +165,7 @@ impl Increment {
         };
         let totals = self.prescribe(demand)?;
         self.set_linear();
-        let outcome = match self.pressed.limits.unit() {
-            None => self.minimise(totals, start, 1.0, conditions),
-            Some(unit) => {
-                self.rescale(1.0 / unit);
-                let totals = totals.map(|total| total.in_unit(unit));
-                let outcome = self.minimise(totals, start, unit, conditions);
-                self.rescale(unit);
-                self.engine.rescale(unit);
-                outcome
-            }
-        };
+        let outcome = self.minimise(totals, start, conditions);
         let beyond = self.engine.multiplier();
         self.motion.shift = [0, 1].map(|axis| self.motion.shift[axis] + beyond[axis]);
         self.lag_behind();
@@ -188,7 +176,6 @@ impl Increment {
         &mut self,
         totals: [Total; 2],
         start: Start,
-        unit: f64,
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<()> {
         let Pressed { region, limits, .. } = &self.pressed;
@@ -198,11 +185,12 @@ impl Increment {
             linear: &self.linear,
             totals,
             known: None,
+            unit: limits.unit(),
         };
         match start {
             Start::Near => {}
             Start::Present(shift) => {
-                let beyond = |axis: usize| (shift[axis] - self.motion.shift[axis]) / unit;
+                let beyond = |axis: usize| shift[axis] - self.motion.shift[axis];
                 task.known = Some(multipliers(totals, [0, 1].map(beyond)));
             }
             Start::Nested => {
@@ -230,15 +218,6 @@ impl Increment {
         let observer = &mut *conditions.observer;
         self.engine
             .minimise(task, &mut self.traction, &settings, observer)
-    }
-
-    /// Measures limits, tractions and displacements in another unit; the operator relates them in any.
-    fn rescale(&mut self, factor: f64) {
-        self.pressed.limits.rescale(factor);
-        let fields = self.traction.iter_mut().chain(&mut self.linear);
-        for value in fields.flatten() {
-            *value *= factor;
-        }
     }
 
     /// What is prescribed of the sums of the tractions; the motion becomes the one they are measured from.

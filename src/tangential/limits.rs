@@ -112,13 +112,6 @@ impl Limits {
         is_extreme.then(|| largest.log2().clamp(-1000.0, 1000.0).floor().exp2())
     }
 
-    pub(crate) fn rescale(&mut self, factor: f64) {
-        for limit in &mut self.cells {
-            *limit *= factor;
-        }
-        self.sum *= factor;
-    }
-
     /// Refuses a force that friction cannot hold, and limits that overflow.
     pub(crate) fn check(&self, [x, y]: [f64; 2], cell_area: f64) -> Result<()> {
         finite("sum of the friction limits", self.sum)?;

@@ -2,8 +2,7 @@
 
 use crate::buffer::TryClone;
 use crate::cgm::solver_settings;
-use crate::contact::{Conditions, solver_methods, with_memory};
-use crate::elastic::Observer;
+use crate::contact::{Conditions, has_iterate, solver_methods, with_memory};
 use crate::error::{Error, Result};
 use crate::report::Report;
 use crate::shown::shown;
@@ -14,6 +13,7 @@ use crate::tangential::{
     Axis, Friction, Pressed, PressureSource, RelativeDisplacement, TangentialLoad,
     TangentialProblem, TangentialSolution,
 };
+use crate::watch::Observer;
 
 /// Solves tangential contacts again and again, each time from the last answer.
 ///
@@ -220,7 +220,7 @@ impl TangentialSolver {
         let outcome = self
             .increment
             .solve(&demand, Motion::default(), start, &mut conditions);
-        let is_answered = matches!(outcome, Ok(()) | Err(Error::NotConverged(_)));
+        let is_answered = has_iterate(&outcome);
         // Do not warm-start from NaN.
         self.is_warm = is_answered && self.increment.report().residual.is_finite();
         if !is_answered {

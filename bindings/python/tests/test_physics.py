@@ -102,8 +102,11 @@ def test_dissimilar_bodies_slip_when_pressed():
     assert contact.normal.force == pytest.approx(60.0) and contact.tangential.force[0] == pytest.approx(1.0)
     assert contact.tangential.slip_area > 0.0
     solver = ss.CoupledProblem(bodies, ball, 0.1, normal_force=60.0).solver()
-    solver.set_load(ss.TangentialLoad(force_x=1.0))
+    solver.set_load(ss.TangentialLoad(force_x=1.0), normal_force=60.0)
     assert solver.solve().normal.approach == pytest.approx(contact.normal.approach, rel=1e-6)
+    most = 0.8 * contact.normal.pressure.max()
+    soft = ss.CoupledProblem(bodies, ball, 0.1, normal_force=60.0, force_x=1.0, hardness=most).solve()
+    assert soft.normal.pressure.max() == most and soft.normal.yielded_cells > 0
     with pytest.raises(ss.errors.CoupledMaterials) as refused:
         ss.TangentialProblem(bodies, contact.normal, 0.1, force_x=1.0, coupling="full")
     assert refused.value.beta == pytest.approx(bodies.pair.dundurs_beta)

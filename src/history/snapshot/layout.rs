@@ -12,6 +12,7 @@ use crate::boundary::Boundary;
 use crate::buffer;
 use crate::cell_value::CellValue;
 use crate::cgm::{Method, Settings};
+use crate::contact::Trend;
 use crate::coupling::Coupling;
 use crate::error::Result;
 use crate::field::Field;
@@ -25,7 +26,6 @@ use crate::normal::{Hardness, NormalControl, NormalSolution};
 use crate::per_cell::PerCell;
 use crate::report::Status;
 use crate::tangential::{Axis, Friction, RelativeDisplacement, Zone};
-use crate::trend::Trend;
 use crate::window::Window;
 
 /// Counts of steps and products beyond this are damage: no machine reaches it, and one more never overflows.

@@ -5,7 +5,8 @@ use std::sync::Arc;
 use crate::cgm::{
     self, Admissible, Constraint, Known, Problem, Settings, Total, Workspace, WorkspaceOf,
 };
-use crate::error::{Error, Result};
+use crate::contact::has_iterate;
+use crate::error::Result;
 use crate::fft::{CirculantInverse, Convolution};
 use crate::half_space::{Compliance, HalfSpace};
 use crate::influence::Direction;
@@ -13,8 +14,7 @@ use crate::layout::Layout;
 use crate::operator::Operator;
 use crate::pool::Lease;
 use crate::report::Report;
-
-pub(crate) use crate::watch::Observer;
+use crate::watch::Observer;
 
 /// The engine on a rectangle of cells, for one kind of set. The buffers of its solves it has from the first solve until it
 /// gives them back; all engines of a rectangle that work one after the other have the same.
@@ -81,7 +81,7 @@ impl<S: Admissible<N>, const N: usize> ElasticSolver<S, N> {
     ) -> Result<()> {
         let workspace = self.workspace.take(|| problem.try_workspace())?;
         let outcome = cgm::minimise_from(problem, settings, x, known, workspace, observer);
-        if matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
+        if has_iterate(&outcome) {
             self.multiplier = workspace.multiplier();
             self.report.clone_from(workspace.report());
         }
@@ -96,7 +96,7 @@ impl<S: Admissible<N>, const N: usize> ElasticSolver<S, N> {
     /// Writes `C x` to `out`; the answer stays.
     ///
     /// # Errors
-    /// [`Error::Memory`] if the buffers are not there, and cannot be had.
+    /// [`Error::Memory`](crate::Error::Memory) if the buffers are not there, and cannot be had.
     pub(crate) fn apply(&mut self, x: [&[f64]; N], out: [&mut [f64]; N]) -> Result<()> {
         let Compliance { operator, inverse } = &self.compliance;
         let workspace = self

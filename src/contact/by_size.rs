@@ -1,0 +1,192 @@
+//! What is made for rectangles of one size, and what was made for others, for a while.
+
+/// Uses after which a size that none of them asked for is given up.
+const PATIENCE: u64 = 256;
+
+/// What is made for rectangles of one size.
+pub(crate) trait OfSize {
+    /// Cells along x and along y.
+    fn size(&self) -> [usize; 2];
+
+    fn cells(&self) -> usize {
+        self.size().iter().product()
+    }
+}
+
+/// What is made for the present size, and what was made for sizes that were left for smaller ones, and those of smaller
+/// sizes that were left since: what goes to and fro between sizes finds them again. When a size comes that is larger than all
+/// before, the others are dropped.
+///
+/// A clone has the present one alone.
+#[derive(Debug)]
+pub(crate) struct BySize<T> {
+    /// `None` before the first.
+    pub(crate) present: Option<T>,
+    /// The one that was left last comes last.
+    left: Vec<Left<T>>,
+    /// Cells of the largest size since there was last none here.
+    largest: usize,
+    uses: u64,
+}
+
+#[derive(Debug)]
+struct Left<T> {
+    made: T,
+    /// Count of uses when it was left.
+    at: u64,
+}
+
+impl<T> Default for BySize<T> {
+    fn default() -> Self {
+        Self::of(None)
+    }
+}
+
+impl<T: Clone> Clone for BySize<T> {
+    fn clone(&self) -> Self {
+        Self::of(self.present.clone())
+    }
+}
+
+impl<T> BySize<T> {
+    fn of(present: Option<T>) -> Self {
+        Self {
+            present,
+            left: Vec::new(),
+            largest: 0,
+            uses: 0,
+        }
+    }
+}
+
+impl<T: OfSize> BySize<T> {
+    /// Counts a use of the present size, and gives up what was not asked for in a long time.
+    pub(crate) fn age(&mut self) {
+        self.uses += 1;
+        let uses = self.uses;
+        self.left.retain(|left| uses - left.at <= PATIENCE);
+        if self.left.is_empty() {
+            self.largest = 0;
+        }
+    }
+
+    /// Makes the present one fit a size, or puts one in its place that does, found here or made; the old one then stays
+    /// here.
+    ///
+    /// # Errors
+    /// Those of `make`; nothing has changed then.
+    pub(crate) fn provide<E>(
+        &mut self,
+        size: [usize; 2],
+        make: impl FnOnce() -> Result<T, E>,
+    ) -> Result<&mut T, E> {
+        let fits = |present: &mut T| present.size() == size;
+        let next = if let Some(present) = self.present.take_if(fits) {
+            present
+        } else {
+            let place = self.left.iter().position(|left| left.made.size() == size);
+            let found = place.map(|place| self.left.remove(place).made);
+            let next = found.map_or_else(make, Ok)?;
+            if let Some(present) = self.present.take() {
+                self.leave(present, size);
+            }
+            next
+        };
+        Ok(self.present.insert(next))
+    }
+
+    /// Keeps what is left for another size.
+    fn leave(&mut self, made: T, next: [usize; 2]) {
+        let at = self.uses;
+        self.largest = self.largest.max(made.cells());
+        self.left.push(Left { made, at });
+        let next = next.iter().product();
+        if next > self.largest {
+            self.largest = next;
+            self.left.clear();
+        }
+        // What waits is to take no more than twice the largest.
+        let mut waiting: usize = self.left.iter().map(|left| left.made.cells()).sum();
+        while waiting > 2 * self.largest {
+            waiting -= self.left.remove(0).made.cells();
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A square of so many cells along a side.
+    #[derive(Debug)]
+    struct Square(usize);
+
+    impl OfSize for Square {
+        fn size(&self) -> [usize; 2] {
+            [self.0; 2]
+        }
+    }
+
+    /// Goes from the first of the sizes to the next, and so on; tells which were found.
+    fn found(squares: &mut BySize<Square>, sides: &[usize]) -> Vec<bool> {
+        let mut found = Vec::new();
+        for &side in sides {
+            let mut is_found = true;
+            let make = || {
+                is_found = false;
+                Ok::<_, ()>(Square(side))
+            };
+            let fitting = squares.provide([side; 2], make);
+            assert_eq!(fitting.unwrap().size(), [side; 2]);
+            found.push(is_found);
+        }
+        found
+    }
+
+    #[test]
+    fn sizes_to_and_fro_are_found_again() {
+        let mut squares = BySize::default();
+        assert_eq!(
+            found(&mut squares, &[9, 4, 9, 4, 4, 9]),
+            [false, false, true, true, true, true]
+        );
+    }
+
+    #[test]
+    fn a_size_larger_than_all_before_outgrows_them() {
+        let mut squares = BySize::default();
+        assert_eq!(
+            found(&mut squares, &[4, 5, 6, 5, 6, 7, 6]),
+            [false, false, false, false, true, false, false]
+        );
+        assert_eq!(squares.left.len(), 1);
+    }
+
+    #[test]
+    fn what_waits_takes_no_more_than_twice_the_largest() {
+        let mut squares = BySize::default();
+        found(&mut squares, &[20, 19, 18, 17, 16, 15]);
+        let sides: Vec<_> = squares.left.iter().map(|left| left.made.0).collect();
+        assert_eq!(sides, [17, 16]);
+    }
+
+    #[test]
+    fn what_nobody_asks_for_is_given_up() {
+        let mut squares = BySize::default();
+        found(&mut squares, &[9, 4]);
+        for _ in 0..PATIENCE {
+            squares.age();
+            assert_eq!(squares.left.len(), 1);
+        }
+        squares.age();
+        assert!(squares.left.is_empty());
+    }
+
+    #[test]
+    fn what_cannot_be_made_changes_nothing() {
+        let mut squares = BySize::of(Some(Square(4)));
+        let refused = squares.provide([5; 2], || Err("no memory"));
+        assert!(refused.is_err() && squares.left.is_empty());
+        assert_eq!(squares.present.map(|square| square.0), Some(4));
+    }
+}
