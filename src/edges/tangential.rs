@@ -103,8 +103,8 @@ impl TangentialSolution {
     /// let builder = TangentialProblem::builder(&bodies, &contact, friction.clone(), load);
     /// let shear = builder.build()?.solve()?;
     /// let edges = shear.edges(&contact, &friction)?;
-    /// assert!((edges.stick_ratio() - exact.stick_ratio()).abs() < 1e-3 * exact.stick_ratio());
-    /// assert!((shear.stick_ratio() - exact.stick_ratio()).abs() > 2e-3 * exact.stick_ratio()); // counted
+    /// assert!((edges.stick_ratio() - exact.stick_ratio()).abs() < 2e-3 * exact.stick_ratio());
+    /// assert!((shear.stick_ratio() - exact.stick_ratio()).abs() > 5e-3 * exact.stick_ratio()); // counted
     /// # Ok::<(), Error>(())
     /// ```
     ///
