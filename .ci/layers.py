@@ -40,7 +40,7 @@ LAYERS = [
         "discretisation": {"boundary", "cell_value", "field", "neighbours", "reduce"},
         "grid": {"error", "layout"},
         "warning": {"error", "grid"},
-        "field": {"buffer", "error", "grid", "layout", "parallel", "serial", "shown"},
+        "field": {"buffer", "error", "grid", "layout", "parallel", "per_cell", "serial", "shown"},
         "material": {"error", "serial"},
         "coupling": {"material"},
     }),
@@ -59,25 +59,24 @@ LAYERS = [
     }),
     ("the engine, and what it works on", {
         "half_space": FOUNDATION | {"contact_map", "levels", "operator", "influence", "fft", "io", "surface", "window"},
-        "cgm": {"buffer", "clock", "error", "layout", "report", "parallel", "per_cell", "operator", "ranks", "reduce", "serial"},
+        "cgm": {"buffer", "clock", "error", "layout", "report", "parallel", "per_cell", "operator", "ranks", "reduce", "serial", "watch"},
         "elastic": ENGINE,
-        "passes": {"clock", "error", "report", "cgm", "elastic"},
-        "cascade": ENGINE | {"elastic", "passes"},
+        "contact": ENGINE | {"elastic"},
         "dense": FOUNDATION | {"operator", "influence", "half_space", "cgm"},
     }),
     ("the two problems", {
-        "normal": ENGINE | {"contact_map", "elastic", "passes", "cascade"},
-        "tangential": ENGINE | {"contact_map", "coupling", "elastic", "passes", "cascade", "normal"},
+        "normal": ENGINE | {"contact_map", "elastic", "contact"},
+        "tangential": ENGINE | {"contact_map", "coupling", "elastic", "contact", "normal"},
     }),
     ("both problems at once", {
-        "coupled": ENGINE | {"contact_map", "elastic", "passes", "cascade", "normal", "tangential"},
+        "coupled": ENGINE | {"contact_map", "elastic", "contact", "normal", "tangential"},
     }),
     ("what follows from a solution", {
-        "stiffness": ENGINE | {"elastic", "normal", "tangential"},
+        "stiffness": ENGINE | {"contact", "coupled", "elastic", "normal", "tangential"},
     }),
     ("what goes on through many steps", {
         "history": ENGINE
-        | {"contact_map", "coupling", "elastic", "passes", "cascade", "normal", "tangential", "coupled", "stiffness", "io"},
+        | {"contact_map", "coupling", "elastic", "contact", "normal", "tangential", "coupled", "stiffness", "io"},
     }),
     ("what is told of all of these", {
         "edges": {"boundary", "buffer", "cell_value", "error", "field", "grid", "neighbours", "normal", "parallel", "shown", "tangential"},
@@ -90,7 +89,7 @@ LAYERS = [
 ITEMS = {("tangential", "normal"): {"NormalSolution"}}
 
 # Sums over cells have one home, which fixes their order: elsewhere in these modules nothing may look like one.
-REDUCTIONS_IN = ("cgm", "elastic", "passes", "cascade", "normal", "tangential", "coupled", "history")
+REDUCTIONS_IN = ("cgm", "elastic", "contact", "normal", "tangential", "coupled", "history")
 REDUCTIONS = [
     ("parallel::fold", re.compile(r"\bparallel\s*::\s*fold\b")),
     (".sum::<f64>()", re.compile(r"\.\s*sum\s*::\s*<\s*f(?:32|64)\s*>")),

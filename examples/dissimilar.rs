@@ -1,4 +1,4 @@
-//! An aluminium ball on steel: pressed in steps, then sheared to and fro, with pressure and shear found together.
+//! An aluminium ball on steel: pressed in steps, then sheared to and fro, with pressure and traction found together.
 //!
 //! `cargo run --release -p stickslip --example dissimilar [cells]` (default 96) prints what the coupling of the two
 //! materials changes, and writes `target/gallery/dissimilar.csv` and `.svg`.
@@ -136,7 +136,7 @@ fn draw(
     profiles: &[[f64; 4]],
     loops: &[Vec<(f64, f64)>; 2],
 ) -> Result<(), Box<dyn Error>> {
-    let title = "An aluminium ball on steel: pressure and shear found together";
+    let title = "An aluminium ball on steel: pressure and traction found together";
     let figure = support::figure(path, (2400, 860), title)?;
     let areas = figure.split_evenly((1, 3));
     let reach = 1.1

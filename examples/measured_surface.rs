@@ -54,17 +54,17 @@ fn main() -> Result<(), Box<dyn Error>> {
         .solve()?;
     let friction = Friction::coulomb(FRICTION)?;
     let load = TangentialLoad::force([LOADING * FRICTION * force, 0.0]);
-    let shear = TangentialProblem::builder(&bodies, &normal, friction, load)
+    let tangential = TangentialProblem::builder(&bodies, &normal, friction, load)
         .tolerance(1e-6)
         .build()?
         .solve()?;
 
     let theory = Persson::new(&pair, slope, pressure)?
         .with_area_coefficient(RoughSphere::AREA_COEFFICIENT)?;
-    print_contact(&normal, &shear, &theory);
-    write_fields(&heights, &normal, &shear)?;
+    print_contact(&normal, &tangential, &theory);
+    write_fields(&heights, &normal, &tangential)?;
     let path = support::gallery("measured.svg")?;
-    draw(&path, &heights, &normal, &shear)?;
+    draw(&path, &heights, &normal, &tangential)?;
     println!("figure: {}", path.display());
     Ok(())
 }
@@ -114,7 +114,7 @@ fn prepare(measured: &Field) -> Result<Field, Box<dyn Error>> {
     Ok(filled.into_heights())
 }
 
-fn print_contact(normal: &NormalSolution, shear: &TangentialSolution, theory: &Persson) {
+fn print_contact(normal: &NormalSolution, tangential: &TangentialSolution, theory: &Persson) {
     let area = normal.grid().area();
     println!(
         "force {:.3e} N, approach {:.3e} m, largest pressure {:.3e} Pa",
@@ -136,13 +136,13 @@ fn print_contact(normal: &NormalSolution, shear: &TangentialSolution, theory: &P
     );
     println!(
         "stick ratio {:.3} at F = {LOADING} mu W, shift {:.3e} m",
-        shear.stick_ratio(),
-        shear.shift()[0]
+        tangential.stick_ratio(),
+        tangential.shift()[0]
     );
     println!(
         "normal:     {}\ntangential: {}",
         normal.report(),
-        shear.report()
+        tangential.report()
     );
     for warning in normal.warnings() {
         println!("warning: {warning}");
@@ -152,14 +152,14 @@ fn print_contact(normal: &NormalSolution, shear: &TangentialSolution, theory: &P
 fn write_fields(
     heights: &Field,
     normal: &NormalSolution,
-    shear: &TangentialSolution,
+    tangential: &TangentialSolution,
 ) -> Result<(), Box<dyn Error>> {
     let zone = |zone: &Zone| match zone {
         Zone::Separated => 0.0,
         Zone::Stick => 1.0,
         Zone::Slip => 2.0,
     };
-    let zones = shear.zones().iter().map(zone).collect();
+    let zones = tangential.zones().iter().map(zone).collect();
     let zones = Field::from_vec(heights.grid(), zones)?;
     let path = support::gallery("measured.vti")?;
     io::vti::write(
@@ -168,8 +168,8 @@ fn write_fields(
             ("height", Array::from(heights)),
             ("gap", normal.gap().into()),
             ("pressure", normal.pressure().into()),
-            ("traction", shear.traction().into()),
-            ("slip", shear.slip().into()),
+            ("traction", tangential.traction().into()),
+            ("slip", tangential.slip().into()),
             ("zone", (&zones).into()),
         ],
     )?;
@@ -187,7 +187,7 @@ fn draw(
     path: &Path,
     heights: &Field,
     normal: &NormalSolution,
-    shear: &TangentialSolution,
+    tangential: &TangentialSolution,
 ) -> Result<(), Box<dyn Error>> {
     let figure = support::figure(
         path,
@@ -234,8 +234,8 @@ fn draw(
     let mut map = support::map_axes(&right, axes().0, axes().1)?;
     maps::zones(
         &mut map,
-        shear.grid(),
-        shear.zones(),
+        tangential.grid(),
+        tangential.zones(),
         1.0 / micro,
         [x.clone(), y.clone()],
     )?;

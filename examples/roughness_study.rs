@@ -209,7 +209,7 @@ fn solve(bodies: &HalfSpace, job: &Job) -> stickslip::Result<Answer> {
         .solve()?;
     let friction = Friction::coulomb(FRICTION)?;
     let load = TangentialLoad::force([LOADING * FRICTION * force, 0.0]);
-    let shear = TangentialProblem::builder(bodies, &normal, friction, load)
+    let tangential = TangentialProblem::builder(bodies, &normal, friction, load)
         .tolerance(TOLERANCE)
         .build()?
         .solve()?;
@@ -219,7 +219,7 @@ fn solve(bodies: &HalfSpace, job: &Job) -> stickslip::Result<Answer> {
         cells: normal.contact_cells(),
         areas: [normal.contact_area(), normal.contact_area_corrected()]
             .map(|area| area / grid.area()),
-        stick_ratio: shear.stick_ratio(),
+        stick_ratio: tangential.stick_ratio(),
     })
 }
 

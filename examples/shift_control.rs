@@ -46,7 +46,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut solver = TangentialProblem::builder(&bodies, &normal, friction, load)
         .build()?
         .into_solver()?;
-    let mut shear = solver.new_solution();
+    let mut tangential = solver.new_solution();
 
     // In fractions of the shift and the force at which the whole contact slides, the closed forms
     // are F = 1 - (1 - shift)^(3/2) and stick ratio = 1 - shift, until the whole contact slides.
@@ -59,32 +59,32 @@ fn main() -> Result<(), Box<dyn Error>> {
     for step in 0..=13 {
         let fraction = f64::from(step) / 10.0;
         solver.set_load(TangentialLoad::shift([fraction * sliding_shift, 0.0]))?;
-        solver.solve_into(&mut shear)?;
-        let force = shear.force()[0] / friction_capacity;
+        solver.solve_into(&mut tangential)?;
+        let force = tangential.force()[0] / friction_capacity;
         println!(
             "{fraction:>10.1} | {force:>9.6} | {:>11.6} | {:>9.5} | {:>11.5} | {:>10}{}",
             exact_force(fraction),
-            shear.stick_ratio(),
+            tangential.stick_ratio(),
             exact_stick(fraction),
-            shear.report().iterations,
-            if shear.is_gross_slip() {
+            tangential.report().iterations,
+            if tangential.is_gross_slip() {
                 "  gross sliding"
             } else {
                 ""
             },
         );
         forces.push((fraction, force));
-        stick_ratios.push((fraction, shear.stick_ratio()));
+        stick_ratios.push((fraction, tangential.stick_ratio()));
     }
 
     // Back to the shift that Cattaneo and Mindlin give for 20 N; each solve is a first loading.
     let exact = CattaneoMindlin::new(hertz, FRICTION, TANGENTIAL_FORCE)?;
     solver.set_load(TangentialLoad::shift([exact.shift(), 0.0]))?;
-    solver.solve_into(&mut shear)?;
+    solver.solve_into(&mut tangential)?;
     println!(
         "\nshift {:.4} um: tangential force {:.4} N, closed form {TANGENTIAL_FORCE} N",
-        shear.shift()[0] * 1e6,
-        shear.force()[0],
+        tangential.shift()[0] * 1e6,
+        tangential.force()[0],
     );
 
     let path = support::gallery("shift_control.svg")?;

@@ -40,14 +40,14 @@ fn main() -> Result<(), Box<dyn Error>> {
         .solve()?;
     let friction = Friction::coulomb(FRICTION)?;
     let load = TangentialLoad::force([TANGENTIAL_FORCE, 0.0]);
-    let shear = TangentialProblem::builder(&bodies, &normal, friction, load)
+    let tangential = TangentialProblem::builder(&bodies, &normal, friction, load)
         .build()?
         .solve()?;
 
-    print_table(&normal, &shear, &exact);
+    print_table(&normal, &tangential, &exact);
     println!("\nnormal:     {}", normal.report());
-    println!("tangential: {}", shear.report());
-    for warning in normal.warnings().iter().chain(&shear.warnings()) {
+    println!("tangential: {}", tangential.report());
+    for warning in normal.warnings().iter().chain(&tangential.warnings()) {
         println!("warning: {warning}");
     }
 
@@ -56,14 +56,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     // This height leaves a square for the map.
     let figure = support::figure(&path, (1960, 979), title)?;
     let (left, right) = figure.split_horizontally(980);
-    draw_profiles(&left, &normal, &shear, &exact)?;
-    draw_zones(&right, &shear, &exact)?;
+    draw_profiles(&left, &normal, &tangential, &exact)?;
+    draw_zones(&right, &tangential, &exact)?;
     figure.present()?;
     println!("\nfigure: {}", path.display());
     Ok(())
 }
 
-fn print_table(normal: &NormalSolution, shear: &TangentialSolution, exact: &CattaneoMindlin) {
+fn print_table(normal: &NormalSolution, tangential: &TangentialSolution, exact: &CattaneoMindlin) {
     let hertz = exact.hertz();
     let mega = 1e-6;
     let micro = 1e6;
@@ -83,16 +83,20 @@ fn print_table(normal: &NormalSolution, shear: &TangentialSolution, exact: &Catt
             normal.contact_area_corrected() * micro * micro,
             hertz.contact_area() * micro * micro,
         ),
-        ("shift, um", shear.shift()[0] * micro, exact.shift() * micro),
-        ("stick ratio", shear.stick_ratio(), exact.stick_ratio()),
+        (
+            "shift, um",
+            tangential.shift()[0] * micro,
+            exact.shift() * micro,
+        ),
+        ("stick ratio", tangential.stick_ratio(), exact.stick_ratio()),
         (
             "peak shear traction, MPa",
-            shear.traction()[0].max() * mega,
+            tangential.traction()[0].max() * mega,
             exact.traction(exact.stick_radius()) * mega,
         ),
         (
             "dissipated energy, uJ",
-            shear.dissipated_energy() * micro,
+            tangential.dissipated_energy() * micro,
             exact.energy_of_first_quarter() * micro,
         ),
     ];
@@ -106,11 +110,11 @@ fn print_table(normal: &NormalSolution, shear: &TangentialSolution, exact: &Catt
     }
 }
 
-/// Pressure and shear traction along the row of cells nearest the x axis.
+/// Pressure and traction traction along the row of cells nearest the x axis.
 fn draw_profiles(
     area: &Area<'_>,
     normal: &NormalSolution,
-    shear: &TangentialSolution,
+    tangential: &TangentialSolution,
     exact: &CattaneoMindlin,
 ) -> Result<(), Box<dyn Error>> {
     let hertz = exact.hertz();
@@ -151,7 +155,7 @@ fn draw_profiles(
         "shear",
         support::ORANGE,
         line(&|r| exact.traction(r) / shear_scale),
-        points(shear.traction()[0], shear_scale),
+        points(tangential.traction()[0], shear_scale),
     )?;
     support::legend(&mut chart, SeriesLabelPosition::MiddleMiddle)
 }
@@ -159,15 +163,15 @@ fn draw_profiles(
 /// The map of stick and slip, and the circles of the closed form that bound the two zones.
 fn draw_zones(
     area: &Area<'_>,
-    shear: &TangentialSolution,
+    tangential: &TangentialSolution,
     exact: &CattaneoMindlin,
 ) -> Result<(), Box<dyn Error>> {
     let a = exact.hertz().contact_radius();
     let mut chart = support::axes(area, (-VIEW..VIEW, "x / a"), (-VIEW..VIEW, "y / a"))?;
     support::maps::zones(
         &mut chart,
-        shear.grid(),
-        shear.zones(),
+        tangential.grid(),
+        tangential.zones(),
         a,
         [-VIEW..VIEW, -VIEW..VIEW],
     )?;

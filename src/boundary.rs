@@ -3,6 +3,7 @@
 /// The surroundings of the grid.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub enum Boundary {
     /// Unloaded half-space: the grid is a patch on infinite bodies (default). Exact, whatever the
     /// size of the grid, as long as contact stays inside it.

@@ -1,8 +1,8 @@
-//! How much of the coupling between pressure and shear is modelled.
+//! How much of the coupling between pressure and traction is modelled.
 
 use crate::material::ElasticPair;
 
-/// How much is modelled of the coupling between pressure and shear in bodies of different materials.
+/// How much is modelled of the coupling between pressure and traction in bodies of different materials.
 ///
 /// Pairs that [are not coupled](ElasticPair::is_coupled) have the same answer whatever the choice, by the same work.
 ///
@@ -23,8 +23,9 @@ use crate::material::ElasticPair;
 /// | 0.5 | 1 | 20 % | 36 % | -13 % | 0.953 for 0.936 |
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub enum Coupling {
-    /// Pressure and shear are found together ([`coupled`](crate::coupled)).
+    /// Pressure and traction are found together ([`coupled`](crate::coupled)).
     #[default]
     Full,
     /// Shear does not change the pressure, but pressure moves the surfaces tangentially (Goodman's assumption, J. Appl.
@@ -36,7 +37,7 @@ pub enum Coupling {
 }
 
 impl Coupling {
-    /// Whether pressure and shear of these bodies are to be found together.
+    /// Whether pressure and traction of these bodies are to be found together.
     pub(crate) fn is_joint(self, pair: &ElasticPair) -> bool {
         self == Self::Full && pair.is_coupled()
     }

@@ -27,16 +27,16 @@ pub(crate) struct ElasticSolver<S: Admissible<N>, const N: usize> {
     report: Report,
 }
 
-/// What an engine is asked: a compliance that cells have of their own, if any do, the linear term, the number that each of its components is measured from, the sets of the
-/// cells, and the totals; and what is known of its start.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Posed<'a, K, const N: usize> {
-    pub(crate) diagonal: &'a [f64],
-    pub(crate) linear: [&'a [f64]; N],
-    pub(crate) datum: [f64; N],
-    pub(crate) constraint: K,
-    pub(crate) totals: [Total; N],
-    pub(crate) known: Known<N>,
+/// What such an engine is asked.
+pub(crate) type ElasticProblem<'a, K, const N: usize> =
+    Problem<'a, Arc<Convolution<N>>, K, Arc<CirculantInverse<N>>, N>;
+
+/// The multipliers of totals that are known from before: zero where nothing is prescribed.
+pub(crate) fn multipliers<const N: usize>(totals: [Total; N], known: [f64; N]) -> [f64; N] {
+    std::array::from_fn(|n| match totals[n] {
+        Total::Free => 0.0,
+        _ => known[n],
+    })
 }
 
 type ElasticWorkspace<S, const N: usize> =
@@ -59,24 +59,28 @@ impl<S: Admissible<N>, const N: usize> ElasticSolver<S, N> {
         })
     }
 
-    /// Minimises from `x` into `x`; the rest is in the accessors, converged or not.
+    /// A problem of its operator and preconditioner, with this linear term and these sets.
+    pub(crate) fn problem<'a, K: Constraint<N>>(
+        &self,
+        linear: [&'a [f64]; N],
+        constraint: K,
+    ) -> ElasticProblem<'a, K, N> {
+        let Compliance { operator, inverse } = &self.compliance;
+        Problem::new(Arc::clone(operator), linear, constraint)
+            .layout(&self.layout)
+            .preconditioner(Arc::clone(inverse))
+    }
+
+    /// Minimises from `x`, of which something may be known, into `x`; the rest is in the accessors, converged or not.
     pub(crate) fn minimise(
         &mut self,
-        posed: Posed<'_, impl Constraint<N, Set = S>, N>,
-        x: [&mut [f64]; N],
+        problem: &ElasticProblem<'_, impl Constraint<N, Set = S>, N>,
+        (x, known): ([&mut [f64]; N], Known<N>),
         settings: &Settings,
         observer: Observer<'_>,
     ) -> Result<()> {
-        let Compliance { operator, inverse } = &self.compliance;
-        let problem = Problem::new(Arc::clone(operator), posed.linear, posed.constraint)
-            .datum(posed.datum)
-            .diagonal(posed.diagonal)
-            .layout(&self.layout)
-            .preconditioner(Arc::clone(inverse))
-            .totals(posed.totals);
         let workspace = self.workspace.take(|| problem.try_workspace())?;
-        let known = posed.known;
-        let outcome = cgm::minimise_from(&problem, settings, x, known, workspace, observer);
+        let outcome = cgm::minimise_from(problem, settings, x, known, workspace, observer);
         if matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
             self.multiplier = workspace.multiplier();
             self.report.clone_from(workspace.report());

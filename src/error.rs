@@ -86,9 +86,9 @@ pub enum Error {
     /// A sum over images that does not converge.
     #[error("{0} does not converge on a grid that repeats along both axes")]
     Repeats(&'static str),
-    /// The materials couple pressure and shear, and what was asked for does not model how shear changes the pressure.
+    /// The materials couple pressure and traction, and what was asked for does not model how shear changes the pressure.
     #[error(
-        "the pair couples pressure and shear (Dundurs beta = {beta:e}): a coupled problem or a history finds both together; elsewhere choose one-way or neglected coupling, and its error"
+        "the pair couples pressure and traction (Dundurs beta = {beta:e}): a coupled problem or a history finds both together; elsewhere choose one-way or neglected coupling, and its error"
     )]
     CoupledMaterials {
         /// Dundurs' second parameter of the pair.

@@ -9,6 +9,7 @@ use crate::error::{Result, all_finite, finite, length};
 use crate::grid::Grid;
 use crate::layout::Layout;
 use crate::parallel;
+use crate::per_cell::PerCell;
 use crate::shown::shown;
 
 /// One number per cell of a [`Grid`], row-major with x fastest.
@@ -88,6 +89,28 @@ impl TryFrom<Unchecked> for Field {
 impl From<&Field> for Arc<Field> {
     fn from(field: &Field) -> Self {
         Self::new(field.clone())
+    }
+}
+
+/// Replaces a shared field, of which others may hold the old samples; allocates only if they do.
+///
+/// # Errors
+/// [`Error::Memory`](crate::Error::Memory); the field is then as it was.
+pub(crate) fn replace(shared: &mut Arc<Field>, field: &Field) -> Result<()> {
+    match Arc::get_mut(shared) {
+        Some(own) => own.try_clone_from(field)?,
+        None => *shared = Arc::new(field.try_clone()?),
+    }
+    Ok(())
+}
+
+impl PerCell<Field> {
+    /// `Ok` if the samples fit the grid, named so in the error.
+    pub(crate) fn check(&self, quantity: &'static str, grid: Grid) -> Result<()> {
+        match self {
+            Self::Cells(field) => grid.expect(quantity, field.grid()),
+            Self::Uniform(_) => Ok(()),
+        }
     }
 }
 

@@ -40,13 +40,13 @@
 //!
 //! // A tangential force of 20 N, with a friction limit of 50 N: Cattaneo and Mindlin.
 //! let (friction, load) = (Friction::coulomb(0.5)?, TangentialLoad::force([20.0, 0.0]));
-//! let shear = TangentialProblem::builder(&bodies, &normal, friction, load)
+//! let tangential = TangentialProblem::builder(&bodies, &normal, friction, load)
 //!     .build()?
 //!     .solve()?;
 //! let exact = analytical::CattaneoMindlin::new(hertz, 0.5, 20.0)?;
-//! assert!((shear.stick_ratio() - exact.stick_ratio()).abs() < 0.01);
-//! assert!((shear.shift()[0] / exact.shift() - 1.0).abs() < 1e-3);
-//! assert!(shear.report().energy_error_bound() < 1e-8);
+//! assert!((tangential.stick_ratio() - exact.stick_ratio()).abs() < 0.01);
+//! assert!((tangential.shift()[0] / exact.shift() - 1.0).abs() < 1e-3);
+//! assert!(tangential.report().energy_error_bound() < 1e-8);
 //! # Ok::<(), stickslip::Error>(())
 //! ```
 //!
@@ -87,14 +87,14 @@
 //!
 //! # Combinations
 //!
-//! | | pressure alone | and shear along an axis | in the plane | [one-way](Coupling::OneWay) | [found together](Coupling::Full) |
+//! | | pressure alone | and traction along an axis | in the plane | [one-way](Coupling::OneWay) | [found together](Coupling::Full) |
 //! |---|---|---|---|---|---|
 //! | [problems](NormalProblem), [histories](History), wear, cycles | yes | yes | yes | yes | yes |
 //! | grids that repeat along one axis or both, [lines](Grid::line) | yes | yes | yes | yes | yes |
 //! | [cells that enter](guide::growing_contacts) the contact in a step | - | yes | yes | yes | yes |
-//! | [hardness](normal::Hardness), permanent set | yes | yes | yes | yes | histories |
+//! | [hardness](normal::Hardness), permanent set of histories | yes | yes | yes | yes | yes |
 //! | [stiffness](History::stiffness) of histories | yes | yes | yes | yes | yes, without a bound |
-//! | stiffness of problems | yes, elastic ones | yes | yes | yes, but for pressing | by a step of a history |
+//! | stiffness of problems | yes, elastic ones | yes | yes | yes, but for pressing | yes, elastic ones |
 //! | [`ranks`] | yes | yes | yes | yes | yes |
 //! | twist | - | - | yes | yes | yes |
 //!
@@ -206,7 +206,7 @@
 //! history of load along one axis or in the plane, including twist. Along an axis the traction across the load is
 //! neglected, as in the paper; on the sphere of Poisson's ratio 0.29 this changes the force by less than 0.1 %. The
 //! vector model ([`TangentialModel::Vector`]) finds both components, in about three times the time. Where the materials
-//! couple pressure and shear (Dundurs' beta not zero), [`CoupledProblem`] and [`History`] find both together, to the
+//! couple pressure and traction (Dundurs' beta not zero), [`CoupledProblem`] and [`History`] find both together, to the
 //! answers of CONTACT; a [`TangentialProblem`], whose pressure is given, finds the tractions that belong to it.
 //! [`Coupling`] chooses less. The vector model reproduces the histories of CONTACT's test bench, among them 21 steps of a
 //! moving sphere, to 1e-9 of the largest pressure (`tests/it/another_code_agrees_through_histories.rs`).
@@ -234,10 +234,10 @@
 pub mod analytical;
 mod boundary;
 mod buffer;
-mod cascade;
 mod cell_value;
 pub mod cgm;
 mod clock;
+mod contact;
 mod contact_map;
 pub mod coupled;
 mod coupling;
@@ -266,7 +266,6 @@ mod neighbours;
 pub mod normal;
 mod operator;
 mod parallel;
-mod passes;
 mod per_cell;
 mod pool;
 pub mod ranks;

@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Result, finite, positive};
 
-/// Dundurs' beta at or below which pressure and shear count as uncoupled.
+/// Dundurs' beta at or below which pressure and traction count as uncoupled.
 const UNCOUPLED: f64 = 1e-12;
 
 /// A linear elastic, isotropic, homogeneous half-space.
@@ -304,7 +304,7 @@ impl ElasticPair {
         self.compliances.lateral * self.equivalent_shear_modulus()
     }
 
-    /// Dundurs' second parameter `beta`, the strength of the coupling between pressure and shear.
+    /// Dundurs' second parameter `beta`, the strength of the coupling between pressure and traction.
     ///
     /// `beta = ((1-2 nu_1)/G_1 - (1-2 nu_2)/G_2) / (2 ((1-nu_1)/G_1 + (1-nu_2)/G_2))`. It vanishes
     /// for identical bodies, for two incompressible bodies, and for an incompressible body on a rigid one. Its size is at

@@ -3,7 +3,8 @@
 use crate::error::Result;
 use crate::layout::Layout;
 
-/// A symmetric linear map from tractions to displacements, `u = C x`, with `N` components per cell.
+/// A linear map from tractions to displacements, `u = C x`, with `N` components per cell; symmetric unless it says
+/// [otherwise](Self::is_symmetric).
 ///
 /// A vector is handed over as `N` slices, one per component, each with an entry per cell. The
 /// operator is immutable and shared; what a product writes to lives in a workspace that the caller
@@ -80,6 +81,13 @@ pub trait Operator<const N: usize = 1>: Sync {
     fn lower_bound(&self) -> f64 {
         0.0
     }
+
+    /// Whether `x' C y = y' C x` (the default). The engine solves for others too, of which `x' C x > 0` holds: what it
+    /// finds is then no minimum, but satisfies the same conditions (a variational inequality), by GMRES in place of
+    /// conjugate gradients, and with the same certificate.
+    fn is_symmetric(&self) -> bool {
+        true
+    }
 }
 
 /// A pointer to an operator is one.
@@ -114,6 +122,10 @@ macro_rules! operator_behind {
 
             fn lower_bound(&self) -> f64 {
                 (**self).lower_bound()
+            }
+
+            fn is_symmetric(&self) -> bool {
+                (**self).is_symmetric()
             }
         }
     };

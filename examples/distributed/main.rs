@@ -120,13 +120,13 @@ fn solve(arguments: &Arguments, ranks: &Arc<dyn Ranks>) -> Outcome<()> {
     let normal = NormalProblem::builder(&bodies, heights.map(|z| -z), load)
         .build()?
         .solve()?;
-    let shear = if arguments.is_pressed_alone {
+    let tangential = if arguments.is_pressed_alone {
         None
     } else {
         Some(sheared(&bodies, &normal)?)
     };
     let mut fields = vec![normal.pressure()];
-    fields.extend(shear.iter().flat_map(TangentialSolution::traction));
+    fields.extend(tangential.iter().flat_map(TangentialSolution::traction));
     let hash = hash_of_all(&**ranks, &fields)?;
     if ranks.rank() == 0 {
         let traffic = bodies.traffic();
@@ -143,10 +143,10 @@ fn solve(arguments: &Arguments, ranks: &Arc<dyn Ranks>) -> Outcome<()> {
             normal.contact_area() / grid.area()
         );
         print_report("pressure", normal.report());
-        if let Some(shear) = &shear {
-            let stick = shear.stick_ratio();
+        if let Some(tangential) = &tangential {
+            let stick = tangential.stick_ratio();
             println!("  stick             {stick:.4} of the contact");
-            print_report("traction", shear.report());
+            print_report("traction", tangential.report());
         }
         println!(
             "  sent by rank 0    {} blocks, {:.1} MB; {} partial results gathered",

@@ -53,7 +53,7 @@ impl CattaneoMindlin {
     /// the tangential force `force` on body 1 along x (a force, of either sign).
     ///
     /// A force equal to $`\mu W`$ to within rounding is the onset of gross sliding: the stick radius is
-    /// zero. It is also zero without friction. The coupling between pressure and shear of dissimilar
+    /// zero. It is also zero without friction. The coupling between pressure and traction of dissimilar
     /// bodies is neglected.
     ///
     /// # Errors
@@ -257,7 +257,7 @@ impl CattaneoMindlinEllipse {
     /// the tangential force `force` on body 1 along x (a force, of either sign).
     ///
     /// A force equal to $`\mu W`$ to within rounding is the onset of gross sliding: the stick ellipse
-    /// vanishes. It also vanishes without friction. The coupling between pressure and shear of dissimilar
+    /// vanishes. It also vanishes without friction. The coupling between pressure and traction of dissimilar
     /// bodies is neglected.
     ///
     /// # Errors

@@ -191,7 +191,7 @@ impl ConePartialSlip {
     /// `force` on body 1 along x (a force, of either sign).
     ///
     /// A force equal to $`\mu W`$ to within rounding is the onset of gross sliding: the stick radius is
-    /// zero. It is also zero without friction. The coupling between pressure and shear of dissimilar
+    /// zero. It is also zero without friction. The coupling between pressure and traction of dissimilar
     /// bodies is neglected.
     ///
     /// # Errors

@@ -43,7 +43,7 @@ pub struct MindlinFullStick {
 
 impl MindlinFullStick {
     /// The contact circle of radius `contact_radius` (a length) under the tangential force `force`
-    /// on body 1 along x (a force, of either sign). The coupling between pressure and shear of
+    /// on body 1 along x (a force, of either sign). The coupling between pressure and traction of
     /// dissimilar bodies is neglected.
     ///
     /// # Errors

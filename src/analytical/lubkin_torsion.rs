@@ -53,7 +53,7 @@ pub struct LubkinTorsion {
 impl LubkinTorsion {
     /// The contact `hertz`, with the coefficient of friction `friction`, twisted by the angle `twist`
     /// (radians, of either sign): the rotation of body 2 relative to body 1 about the normal, far from
-    /// the contact, positive from x to y. The coupling between pressure and shear of dissimilar bodies is
+    /// the contact, positive from x to y. The coupling between pressure and traction of dissimilar bodies is
     /// neglected.
     ///
     /// # Errors

@@ -59,7 +59,7 @@ impl MindlinDeresiewicz {
     ///
     /// Between two values the force changes monotonically; the rate and the number of steps do not
     /// matter. A force equal to $`\mu W`$ to within rounding is the onset of gross sliding. The
-    /// coupling between pressure and shear of dissimilar bodies is neglected.
+    /// coupling between pressure and traction of dissimilar bodies is neglected.
     ///
     /// # Errors
     /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for

@@ -11,7 +11,7 @@ const LENGTH: f64 = 20.0;
 
 /// A flat-ended round punch pressed without any slip, as by friction without limit.
 ///
-/// Where pressure and shear are coupled, sticking makes the contact stiffer:
+/// Where pressure and traction are coupled, sticking makes the contact stiffer:
 ///
 /// ```math
 /// \delta = \frac{W}{2aE^* f}, \qquad f = \frac{\operatorname{artanh}\beta}{\beta}

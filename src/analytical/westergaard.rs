@@ -241,7 +241,7 @@ impl WestergaardPartialSlip {
     /// `mean_traction` on body 1 along x: a tangential force over the nominal area, of either sign.
     ///
     /// A mean traction equal to $`\mu\bar p`$ to within rounding is the onset of gross sliding: the stick
-    /// strips vanish. They also vanish without friction. The coupling between pressure and shear of
+    /// strips vanish. They also vanish without friction. The coupling between pressure and traction of
     /// dissimilar bodies is neglected.
     ///
     /// # Errors

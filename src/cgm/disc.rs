@@ -14,6 +14,7 @@
 
 use crate::cgm::interval::EDGE;
 use crate::cgm::motion::{Linearised, Motion, Reach};
+use crate::cgm::newton::newton;
 use crate::cgm::run::Run;
 use crate::cgm::small::Small;
 use crate::cgm::turn::{SINGLE, Turn};
@@ -57,6 +58,25 @@ impl Admissible<2> for Disc {
             q
         }
     }
+}
+
+impl Linearised<2> for Disc {
+    type Motion = Turn;
+    const HAS_SINGLE_LOOP: bool = false;
+
+    fn check(self, _: usize) -> Result<()> {
+        non_negative("radius of a disc", self.radius).map(|_| ())
+    }
+
+    #[inline]
+    fn can_move(self) -> bool {
+        self.radius > 0.0
+    }
+
+    #[inline]
+    fn is_inside(self, q: [f64; 2]) -> bool {
+        !self.is_at_limit(q)
+    }
 
     #[inline]
     fn forbidden(self, q: [f64; 2], g: [f64; 2]) -> [f64; 2] {
@@ -81,25 +101,6 @@ impl Admissible<2> for Disc {
             slip * size + along
         };
         slip * (self.radius - size).max(0.0) + turned
-    }
-}
-
-impl Linearised<2> for Disc {
-    type Motion = Turn;
-    const HAS_SINGLE_LOOP: bool = false;
-
-    fn check(self, _: usize) -> Result<()> {
-        non_negative("radius of a disc", self.radius).map(|_| ())
-    }
-
-    #[inline]
-    fn can_move(self) -> bool {
-        self.radius > 0.0
-    }
-
-    #[inline]
-    fn is_inside(self, q: [f64; 2]) -> bool {
-        !self.is_at_limit(q)
     }
 
     fn excess(self, q: [f64; 2]) -> f64 {
@@ -215,7 +216,7 @@ impl Linearised<2> for Disc {
     fn single_loop<C: Operator<2>, K: Constraint<2, Set = Self>, P: Operator<2>>(
         run: &mut Run<'_, '_, C, K, P, 2>,
     ) -> Option<Status> {
-        run.newton()
+        newton(run)
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::cgm::motion::Linearised;
 use crate::cgm::run::Run;
 use crate::cgm::vector::{at, dot, minus, norm, slices, slices_mut, update_cells};
-use crate::cgm::{Admissible, Constraint, reduce};
+use crate::cgm::{Constraint, reduce};
 use crate::error::{Error, Result};
 use crate::operator::Operator;
 
@@ -46,16 +46,16 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         let x = slices(&self.x);
         let (problem, w) = (self.problem, &mut *self.workspace);
         let gradient = slices(&w.gradient);
-        update_cells(&mut w.direction, |i, _| {
+        update_cells(&mut w.linear.direction, |i, _| {
             if problem.constraint.of(i).can_move() {
                 v(i, at(&x, i), at(&gradient, i))
             } else {
                 [0.0; N]
             }
         });
-        let (direction, image) = (slices(&w.direction), slices_mut(&mut w.image));
-        (problem.preconditioner).apply(direction, image, &mut w.preconditioner);
-        let image = slices(&w.image);
+        let (direction, image) = (slices(&w.linear.direction), slices_mut(&mut w.linear.image));
+        (problem.preconditioner).apply(direction, image, &mut w.linear.preconditioner);
+        let image = slices(&w.linear.image);
         let [square, product] = reduce::sum(&problem.layout, |i| {
             let v = at(&direction, i);
             [dot(v, v), dot(v, at(&image, i))]

@@ -1,6 +1,6 @@
 //! Intervals: one unknown a cell between two bounds.
 
-use crate::cgm::motion::{Linearised, Motion, Reach};
+use crate::cgm::motion::{Linearised, Motion, Reach, Row};
 use crate::cgm::run::Run;
 use crate::cgm::vector::update_cells;
 use crate::cgm::{Admissible, Constraint, reduce};
@@ -35,7 +35,7 @@ pub enum Side {
     Fixed,
 }
 
-impl Motion<1> for Side {
+impl Row<1> for Side {
     const IS_CURVED: bool = false;
     const IS_STEADY: bool = false;
     const FREE: Self = Self::Free;
@@ -51,8 +51,13 @@ impl Motion<1> for Side {
     }
 
     #[inline]
-    fn project(self, v: [f64; 1]) -> [f64; 1] {
+    fn extend(self, v: [f64; 1]) -> [f64; 1] {
         v
+    }
+
+    #[inline]
+    fn restrict(self, w: [f64; 1]) -> [f64; 1] {
+        w
     }
 
     #[inline]
@@ -69,7 +74,9 @@ impl Motion<1> for Side {
     fn preconditioned(self, answer: [f64; 1], _: [f64; 1]) -> [f64; 1] {
         answer
     }
+}
 
+impl Motion<1> for Side {
     fn weighed(self, _: f64, _: f64) -> Self {
         self
     }
@@ -87,33 +94,6 @@ impl Admissible<1> for Interval {
     #[inline]
     fn project(self, [x]: [f64; 1]) -> [f64; 1] {
         [x.max(self.lower).min(self.upper)]
-    }
-
-    #[inline]
-    fn forbidden(self, [x]: [f64; 1], [g]: [f64; 1]) -> [f64; 1] {
-        // The minimum or maximum of NaN and a number is the number: NaN is passed on.
-        [if g.is_nan() {
-            g
-        } else if self.lower >= self.upper {
-            0.0
-        } else if x <= self.lower {
-            g.min(0.0)
-        } else if x >= self.upper {
-            g.max(0.0)
-        } else {
-            g
-        }]
-    }
-
-    fn duality_gap(self, [x]: [f64; 1], [g]: [f64; 1]) -> f64 {
-        let least = if g > 0.0 {
-            self.lower * g
-        } else if g < 0.0 {
-            self.upper * g
-        } else {
-            0.0
-        };
-        g * x - least
     }
 }
 
@@ -141,6 +121,33 @@ impl Linearised<1> for Interval {
     #[inline]
     fn is_inside(self, [x]: [f64; 1]) -> bool {
         x > self.lower && x < self.upper
+    }
+
+    #[inline]
+    fn forbidden(self, [x]: [f64; 1], [g]: [f64; 1]) -> [f64; 1] {
+        // The minimum or maximum of NaN and a number is the number: NaN is passed on.
+        [if g.is_nan() {
+            g
+        } else if self.lower >= self.upper {
+            0.0
+        } else if x <= self.lower {
+            g.min(0.0)
+        } else if x >= self.upper {
+            g.max(0.0)
+        } else {
+            g
+        }]
+    }
+
+    fn duality_gap(self, [x]: [f64; 1], [g]: [f64; 1]) -> f64 {
+        let least = if g > 0.0 {
+            self.lower * g
+        } else if g < 0.0 {
+            self.upper * g
+        } else {
+            0.0
+        };
+        g * x - least
     }
 
     fn excess(self, x: [f64; 1]) -> f64 {

@@ -38,13 +38,13 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         self.refresh();
         self.start = Start::LookedAt;
         self.workspace.multiplier = multiplier;
-        let findings = self.examine();
+        let findings = self.certificate();
         let merit = self.merit(&findings);
         if merit > self.monitor.tolerance() || merit.is_nan() {
             return None;
         }
-        let status = self.judge(merit, findings.free).break_value()?;
-        let report = &mut self.workspace.report;
+        let status = self.judge(merit).break_value()?;
+        let report = &mut self.workspace.linear.report;
         Some(self.monitor.finish(status, merit, report))
     }
 

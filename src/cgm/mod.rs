@@ -6,7 +6,8 @@
 //! \quad\text{optionally}\quad \textstyle\sum_i x_i = S .
 //! ```
 //!
-//! Each cell `i` has `N` unknowns. `C` is an [`Operator`](crate::Operator), symmetric and positive definite; `K_i` is
+//! Each cell `i` has `N` unknowns. `C` is an [`Operator`](crate::Operator), positive definite, and symmetric but where it
+//! [says otherwise](crate::Operator::is_symmetric); `K_i` is
 //! the set that a [`Constraint`] gives the cell, an [`Interval`] for one unknown or a [`Disc`] for two. A [`Total`]
 //! prescribes the sum of a component, or ties it to a spring; its multiplier is returned. For a normal contact `x` is
 //! the pressure, `b` the gap, `S` the load over the cell area and the multiplier the approach; for a tangential one `x`
@@ -18,7 +19,8 @@
 //! solve the linear problem of the cells that move, bordered by the totals, and then the sets are decided again. For
 //! intervals that is an active-set method; for discs the linear problem contains the curvature of the circles. If the
 //! sets cycle, projected gradients lead past that place; if they still do, better conditioned problems lead to the
-//! minimum.
+//! minimum. Without symmetry there is no minimum, but the conditions are the same: GMRES takes the place of conjugate
+//! gradients.
 //!
 //! [`Method`] selects the iteration. Whatever the method and the outcome, the iterate returned is feasible and the
 //! [`Report`] is recomputed from a product with it; its duality gap bounds the error in the energy norm (see
@@ -99,8 +101,8 @@ mod certificate;
 pub(crate) mod cone;
 mod disc;
 mod flaw;
-mod inner;
 mod interval;
+mod linear;
 mod look;
 mod monitor;
 mod motion;
@@ -125,8 +127,9 @@ pub(crate) use crate::reduce;
 pub(crate) use certificate::{Certificate, Iterate, examine};
 pub use disc::Disc;
 pub use interval::Interval;
+pub(crate) use linear::{Held, LinearWorkspace};
 pub(crate) use look::Known;
-pub(crate) use motion::Linearised;
+pub(crate) use motion::{Linearised, Motion, Row};
 pub(crate) use problem::minimise_from;
 pub use problem::{Minimum, Problem, minimise, minimise_with};
 #[cfg(feature = "dense")]
@@ -136,7 +139,6 @@ pub(crate) use set::{Carried, UNLIMITED};
 pub use settings::{Method, Settings};
 pub(crate) use settings::{settings_methods, solver_settings};
 pub use totals::Total;
-pub(crate) use turn::Weight;
 pub use workspace::Workspace;
 
 pub use crate::report::{Iteration, Report, Status};

@@ -4,8 +4,10 @@ use std::ops::ControlFlow;
 
 use crate::cgm::Settings;
 use crate::clock::Instant;
+use crate::error::{Error, Result};
 use crate::layout::Layout;
 use crate::report::{Iteration, Report, Status};
+use crate::watch::Observer;
 
 /// A residual at which sets change by round-off alone.
 const ROUND_OFF: f64 = 1e-12;
@@ -14,7 +16,7 @@ const ROUND_OFF: f64 = 1e-12;
 pub(super) struct Monitor<'a> {
     pub(super) settings: &'a Settings,
     layout: &'a Layout,
-    observer: &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
+    observer: Observer<'a>,
     start: Instant,
     /// Conjugate-gradient steps so far.
     steps: usize,
@@ -22,6 +24,10 @@ pub(super) struct Monitor<'a> {
     pub(super) best: f64,
     /// Residual at which a stage ends that is solved on the way; none is under way else.
     stage: Option<f64>,
+    /// Free cells, as last examined.
+    pub(super) free: usize,
+    /// The memory that could not be had on the way, if any: what the solve ends with then.
+    pub(super) lack: Option<Error>,
 }
 
 impl<'a> Monitor<'a> {
@@ -29,7 +35,7 @@ impl<'a> Monitor<'a> {
     pub(super) fn new(
         settings: &'a Settings,
         layout: &'a Layout,
-        observer: &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
+        observer: Observer<'a>,
         report: &mut Report,
     ) -> Self {
         report.iterations = 0;
@@ -45,6 +51,8 @@ impl<'a> Monitor<'a> {
             steps: 0,
             best: f64::INFINITY,
             stage: None,
+            free: 0,
+            lack: None,
         }
     }
 
@@ -65,14 +73,9 @@ impl<'a> Monitor<'a> {
     }
 
     /// Records an examined step, and says if it is the last: converged or stopped.
-    pub(super) fn judge(
-        &mut self,
-        merit: f64,
-        free: usize,
-        report: &mut Report,
-    ) -> ControlFlow<Status> {
+    pub(super) fn judge(&mut self, merit: f64, report: &mut Report) -> ControlFlow<Status> {
         if self.stage.is_none() {
-            let entry = self.entry(free, report);
+            let entry = self.entry(report);
             report.history.push(entry);
         }
         if merit.is_nan() {
@@ -82,7 +85,7 @@ impl<'a> Monitor<'a> {
         if merit <= self.tolerance() {
             return ControlFlow::Break(Status::Converged);
         }
-        self.proceed(free, report)
+        self.proceed(report)
     }
 
     /// What to do when the residual no longer falls: stop if it is round-off, else `None`.
@@ -97,8 +100,8 @@ impl<'a> Monitor<'a> {
     }
 
     /// Asks observer, clock and limit whether to take another step.
-    pub(super) fn proceed(&mut self, free: usize, report: &Report) -> ControlFlow<Status> {
-        self.ask(free, report)?;
+    pub(super) fn proceed(&mut self, report: &Report) -> ControlFlow<Status> {
+        self.ask(report)?;
         if self.steps >= self.settings.max_iterations {
             return ControlFlow::Break(Status::IterationLimit);
         }
@@ -107,8 +110,8 @@ impl<'a> Monitor<'a> {
 
     /// Asks observer and clock whether to go on. So, or by [`Self::proceed`], they are asked before every product
     /// that moves the iterate or a step; one that only shows what the iterate is worth is due anyway.
-    pub(super) fn ask(&mut self, free: usize, report: &Report) -> ControlFlow<Status> {
-        let entry = self.entry(free, report);
+    pub(super) fn ask(&mut self, report: &Report) -> ControlFlow<Status> {
+        let entry = self.entry(report);
         let limit = self.settings.time_limit;
         let own = if (self.observer)(&entry).is_break() {
             ControlFlow::Break(Status::Cancelled)
@@ -118,6 +121,17 @@ impl<'a> Monitor<'a> {
             ControlFlow::Continue(())
         };
         self.layout.decided(own)
+    }
+
+    /// Ends where memory could not be had.
+    pub(super) fn unless_lacking(&mut self, room: Result<()>) -> ControlFlow<Status> {
+        match room {
+            Ok(()) => ControlFlow::Continue(()),
+            Err(lack) => {
+                self.lack = Some(lack);
+                ControlFlow::Break(Status::Stalled)
+            }
+        }
     }
 
     /// The last word: what the examined iterate shows, whatever the iteration thought of it.
@@ -132,13 +146,13 @@ impl<'a> Monitor<'a> {
         report.status
     }
 
-    fn entry(&self, free: usize, report: &Report) -> Iteration {
+    fn entry(&self, report: &Report) -> Iteration {
         Iteration {
             iteration: self.steps,
             double_precision_products: report.double_precision_products,
             single_precision_products: report.single_precision_products,
             residual: report.residual,
-            free,
+            free: self.free,
         }
     }
 }

@@ -10,16 +10,22 @@ use crate::layout::Layout;
 use crate::operator::Operator;
 use crate::report::Status;
 
-/// How one cell may move, in the linear system of an outer step.
+/// How the unknowns of one cell enter the linear problem of an outer step.
+///
+/// A change `v` of the unknowns changes the tractions by [`extend`](Self::extend), and of the displacements `w` that
+/// follow the cell has the equations [`restrict`](Self::restrict). Where the problem is the condition of a minimum one is
+/// the transpose of the other.
 #[expect(
     unnameable_types,
     reason = "it appears in the sealed traits of the sets alone"
 )]
-pub trait Motion<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static {
+pub trait Row<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static {
     /// Whether a cell that can move may move in less than all directions.
     const IS_CURVED: bool;
     /// Whether the same cells move from start to end: those whose set has more than a point.
     const IS_STEADY: bool;
+    /// Whether a cell may displace itself.
+    const HAS_LAG: bool = false;
     /// In any direction.
     const FREE: Self;
     /// Not at all.
@@ -31,18 +37,33 @@ pub trait Motion<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static
     /// Whether the cell moves in any direction.
     fn is_free(self) -> bool;
 
-    /// The part of a vector along which the cell can move.
-    fn project(self, v: [f64; N]) -> [f64; N];
+    /// The change of the tractions that a change of the unknowns makes.
+    fn extend(self, v: [f64; N]) -> [f64; N];
 
-    /// What the curvature of the bound adds to the product of the operator with a direction `d` of the motion.
-    fn bend(self, d: [f64; N]) -> [f64; N];
+    /// The equations of the cell, from displacements.
+    fn restrict(self, w: [f64; N]) -> [f64; N];
 
-    /// What of a residual goes to the inverse operator.
+    /// What the curvature of a bound adds to the equations at a change of the unknowns.
+    fn bend(self, v: [f64; N]) -> [f64; N];
+
+    /// How far the cell is displaced, beside what the operator displaces it, by a change `d` of its tractions.
+    fn lag(self, _d: [f64; N]) -> [f64; N] {
+        [0.0; N]
+    }
+
+    /// The tractions that go to the inverse operator for a residual.
     fn weighted(self, r: [f64; N]) -> [f64; N];
 
     /// The preconditioned residual, with the `answer` of the inverse operator.
     fn preconditioned(self, answer: [f64; N], r: [f64; N]) -> [f64; N];
+}
 
+/// How one cell of a set may move.
+#[expect(
+    unnameable_types,
+    reason = "it appears in the sealed traits of the sets alone"
+)]
+pub trait Motion<const N: usize>: Row<N> {
     /// With the stiffness in force known to the preconditioner, beside an operator of this least eigenvalue and what the
     /// cell has of its own.
     #[must_use]
@@ -86,6 +107,14 @@ pub trait Linearised<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'st
     /// Whether a point is inside its bounds, where the whole gradient must vanish.
     fn is_inside(self, x: [f64; N]) -> bool;
 
+    /// The part of a gradient `g` at a point `x` of the set that is not the inward normal of a bound: what
+    /// must vanish at the minimum. NaN if `g` is.
+    #[must_use]
+    fn forbidden(self, x: [f64; N], g: [f64; N]) -> [f64; N];
+
+    /// `g.x` less the least `g.y` over the points `y` of the set; infinite if there is no least.
+    #[must_use]
+    fn duality_gap(self, x: [f64; N], g: [f64; N]) -> f64;
     /// How far a point lies outside, by more than round-off.
     fn excess(self, x: [f64; N]) -> f64;
 

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::buffer;
-use crate::cgm::motion::Motion;
+use crate::cgm::motion::Row;
 use crate::cgm::reduce::Tally;
 use crate::error::Result;
 use crate::layout::Layout;
@@ -14,7 +14,7 @@ use crate::parallel::{Blocks, Ragged, Split};
 /// A compressed vector holds their values in order; chunk `t` of the grid owns the range
 /// `starts[t]..starts[t + 1]` of it.
 #[derive(Debug, Clone)]
-pub(super) struct MovingCells {
+pub(in crate::cgm) struct MovingCells {
     layout: Layout,
     /// How far from the chunk's first cell they lie; the list of a chunk lies where its cells do.
     offsets: Vec<u16>,
@@ -27,23 +27,23 @@ pub(super) struct MovingCells {
 }
 
 /// The cells that move of one chunk.
-pub(super) struct Entries<'a> {
+pub(in crate::cgm) struct Entries<'a> {
     /// Where they stand in a compressed vector.
-    pub(super) range: Range<usize>,
+    pub(in crate::cgm) range: Range<usize>,
     /// The chunk's cells in a full vector.
-    pub(super) chunk: Range<usize>,
+    pub(in crate::cgm) chunk: Range<usize>,
     offsets: &'a [u16],
 }
 
 impl Entries<'_> {
     /// Their places in the chunk of a full vector.
-    pub(super) fn places(&self) -> impl Iterator<Item = usize> {
+    pub(in crate::cgm) fn places(&self) -> impl Iterator<Item = usize> {
         self.offsets.iter().map(|&offset| usize::from(offset))
     }
 
     /// Visits the cells whose motion is kept, all or those that move, with the place of the motion in its chunk and of
     /// the cell in its.
-    pub(super) fn visit<M: Motion<N>, const N: usize>(&self, mut f: impl FnMut(usize, usize)) {
+    pub(in crate::cgm) fn visit<M: Row<N>, const N: usize>(&self, mut f: impl FnMut(usize, usize)) {
         if M::IS_STEADY {
             self.places().enumerate().for_each(|(k, place)| f(k, place));
         } else {
@@ -53,25 +53,25 @@ impl Entries<'_> {
 
     /// How a listed cell moves: the one at place `k` of the list and `place` of the chunk.
     #[inline]
-    pub(super) fn motion<M: Motion<N>, const N: usize>(
+    pub(in crate::cgm) fn row<R: Row<N>, const N: usize>(
         &self,
-        motions: &[M],
+        rows: &[R],
         k: usize,
         place: usize,
-    ) -> M {
-        if M::IS_STEADY {
-            motions[self.range.start + k]
-        } else if M::IS_CURVED {
-            motions[self.chunk.start + place]
+    ) -> R {
+        if R::IS_STEADY {
+            rows[self.range.start + k]
+        } else if R::IS_CURVED {
+            rows[self.chunk.start + place]
         } else {
-            M::FREE
+            R::FREE
         }
     }
 
     /// Sums of `f(place in the compressed part, place in the chunk)`, in lanes so that additions
     /// overlap.
     #[inline]
-    pub(super) fn sums<T: Tally>(&self, mut f: impl FnMut(usize, usize) -> T) -> T {
+    pub(in crate::cgm) fn sums<T: Tally>(&self, mut f: impl FnMut(usize, usize) -> T) -> T {
         let mut lanes = [T::ZERO; 4];
         let groups = self.offsets.chunks_exact(lanes.len());
         let rest = groups.remainder();
@@ -92,7 +92,7 @@ impl Entries<'_> {
 
 impl MovingCells {
     /// Of cells that lie so; none moves.
-    pub(super) fn new(layout: Layout) -> Result<Self> {
+    pub(in crate::cgm) fn new(layout: Layout) -> Result<Self> {
         let (cells, chunks) = (layout.cells(), layout.tasks());
         let first = |chunk: usize| (chunk * layout.chunk()).min(cells);
         Ok(Self {
@@ -106,7 +106,7 @@ impl MovingCells {
     }
 
     /// Lists the cells that move.
-    pub(super) fn update(&mut self, moves: impl Fn(usize) -> bool + Sync) {
+    pub(in crate::cgm) fn update(&mut self, moves: impl Fn(usize) -> bool + Sync) {
         let layout = &self.layout;
         let data = (
             layout.blocks(&mut self.offsets),
@@ -134,22 +134,22 @@ impl MovingCells {
     }
 
     /// Cells that move and are held here.
-    pub(super) fn len(&self) -> usize {
+    pub(in crate::cgm) fn len(&self) -> usize {
         self.starts[self.counts.len()]
     }
 
     /// Cells that move on all ranks together.
-    pub(super) fn of_all_ranks(&self) -> usize {
+    pub(in crate::cgm) fn of_all_ranks(&self) -> usize {
         self.all
     }
 
     /// Whether cells have no motion that is kept.
-    pub(super) fn leaves_any<M: Motion<N>, const N: usize>(&self) -> bool {
+    pub(in crate::cgm) fn leaves_any<M: Row<N>, const N: usize>(&self) -> bool {
         M::IS_STEADY && self.all < self.layout.of_all_ranks()
     }
 
     /// Whether a condition holds for any of the motions that are kept.
-    pub(super) fn any<M: Motion<N>, const N: usize>(
+    pub(in crate::cgm) fn any<M: Row<N>, const N: usize>(
         &self,
         motions: &[M],
         holds: impl Fn(M) -> bool + Sync,
@@ -164,13 +164,31 @@ impl MovingCells {
         self.layout.sweep((), work, |a, b| a || b)
     }
 
+    /// How many cells move in any direction.
+    pub(in crate::cgm) fn free<R: Row<N>, const N: usize>(&self, rows: &[R]) -> usize {
+        self.sweep((), |entries, ()| {
+            entries.sums(|k, place| usize::from(entries.row(rows, k, place).is_free()))
+        })
+    }
+
+    /// Visits the cells that move, with their place in a compressed vector.
+    pub(in crate::cgm) fn places(&self, f: &mut impl FnMut(usize, usize)) {
+        for task in 0..self.counts.len() {
+            let (start, first) = (self.starts[task], self.firsts[task]);
+            let offsets = &self.offsets[first..][..self.counts[task]];
+            for (k, &offset) in offsets.iter().enumerate() {
+                f(start + k, first + usize::from(offset));
+            }
+        }
+    }
+
     /// Sums over the parts of a compressed vector.
-    pub(super) fn sum<T: Tally>(&self, leaf: impl Fn(Range<usize>) -> T + Sync) -> T {
+    pub(in crate::cgm) fn sum<T: Tally>(&self, leaf: impl Fn(Range<usize>) -> T + Sync) -> T {
         self.sweep((), |entries, ()| leaf(entries.range))
     }
 
     /// A compressed vector, of which each chunk owns its part.
-    pub(super) fn compressed<'a, T>(&'a self, items: &'a mut [T]) -> Ragged<'a, T> {
+    pub(in crate::cgm) fn compressed<'a, T>(&'a self, items: &'a mut [T]) -> Ragged<'a, T> {
         Ragged {
             items: &mut items[..self.len()],
             starts: &self.starts,
@@ -178,7 +196,7 @@ impl MovingCells {
     }
 
     /// How the cells move, as they are kept, of which each chunk owns its part.
-    pub(super) fn motions<'a, M: Motion<N>, const N: usize>(
+    pub(in crate::cgm) fn motions<'a, M: Row<N>, const N: usize>(
         &'a self,
         motions: &'a mut [M],
     ) -> Ragged<'a, M> {
@@ -193,7 +211,7 @@ impl MovingCells {
     }
 
     /// Runs `work(entries, its part of data)` for every chunk and sums what it returns.
-    pub(super) fn sweep<D: Split, T: Tally>(
+    pub(in crate::cgm) fn sweep<D: Split, T: Tally>(
         &self,
         data: D,
         work: impl Fn(Entries<'_>, D) -> T + Sync,

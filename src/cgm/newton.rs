@@ -8,11 +8,12 @@
 
 use std::ops::ControlFlow;
 
-use crate::cgm::motion::{Linearised, Motion};
+use crate::cgm::linear::BASES;
+use crate::cgm::motion::{Linearised, Motion, Row};
 use crate::cgm::progress::Progress;
 use crate::cgm::run::{Run, Start};
 use crate::cgm::standing::Standing;
-use crate::cgm::totals::{Total, TotalsSystem};
+use crate::cgm::totals::Total;
 use crate::cgm::vector::{at, chunks, held, minus, put, slices, within};
 use crate::cgm::{Constraint, MotionOf, reduce};
 use crate::operator::Operator;
@@ -26,79 +27,159 @@ const CYCLE_CURVED: usize = 5;
 /// Residual of an extrapolated start whose gradient tells the sets.
 const NEAR: f64 = 0.1;
 
-impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '_, C, K, P, N> {
-    /// Ends with the status of the run; `None` if the sets cycle.
-    pub(super) fn newton(&mut self) -> Option<Status> {
-        match self.newton_steps() {
-            ControlFlow::Break(status) => Some(status),
-            ControlFlow::Continue(()) => self.monitor.stuck(),
+/// A problem as Newton's method sees it.
+pub(super) trait NewtonSteps {
+    /// Brings the start within its sets.
+    fn begin(&mut self) -> ControlFlow<Status>;
+
+    /// Measures what the iterate leaves of its conditions; ends where that is little enough.
+    fn examine(&mut self) -> ControlFlow<Status, f64>;
+
+    /// Whether the steps lead nowhere: the sets cycle.
+    fn is_stuck_at(&mut self, merit: f64) -> bool;
+
+    /// Sets up the linear problem of the cells as they may move now; says whether it has a solution.
+    fn linearise(&mut self, merit: f64) -> ControlFlow<Status, bool>;
+
+    /// Solves it, letting the cells leave their sets.
+    fn solve_linear(&mut self, merit: f64) -> ControlFlow<Status>;
+
+    /// Decides at the equilibrated state, for all cells at once, how they move next, and puts them into their sets.
+    fn decide(&mut self) -> ControlFlow<Status>;
+
+    /// How a problem ends whose sets cycle: where what is left is round-off; else not yet.
+    fn stuck(&self) -> Option<Status>;
+}
+
+/// Newton's method on the law of every cell: ends with a status, or `None` where the sets cycle.
+pub(super) fn newton(problem: &mut impl NewtonSteps) -> Option<Status> {
+    match newton_steps(problem) {
+        ControlFlow::Break(status) => Some(status),
+        ControlFlow::Continue(()) => problem.stuck(),
+    }
+}
+
+fn newton_steps(problem: &mut impl NewtonSteps) -> ControlFlow<Status> {
+    problem.begin()?;
+    loop {
+        let merit = problem.examine()?;
+        if problem.is_stuck_at(merit) || !problem.linearise(merit)? {
+            return ControlFlow::Continue(());
+        }
+        problem.solve_linear(merit)?;
+        problem.decide()?;
+    }
+}
+
+impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> NewtonSteps
+    for Run<'_, '_, C, K, P, N>
+{
+    fn begin(&mut self) -> ControlFlow<Status> {
+        let cycle = if MotionOf::<K, N>::IS_CURVED {
+            CYCLE_CURVED
+        } else {
+            CYCLE
+        };
+        self.progress = Progress::new(cycle, self.inner_reduction);
+        self.is_extrapolated = self.start == Start::Extrapolated;
+        self.mark_and_measure()
+    }
+
+    fn examine(&mut self) -> ControlFlow<Status, f64> {
+        if self.totals.is_sound() {
+            self.set_multiplier();
+        }
+        let findings = self.certificate();
+        self.displacement = findings.displacement;
+        let mut merit = self.merit(&findings);
+        let mut keeps_sets = true;
+        if merit <= self.monitor.tolerance() {
+            // Judge what will be returned.
+            keeps_sets = self.make_feasible();
+            let feasible = self.certificate();
+            merit = self.merit(&feasible);
+            self.shown = self.monitor.is_last().then_some(merit);
+        }
+        self.judge(merit)?;
+        self.shown = None;
+        if !keeps_sets {
+            // Cells were far beyond their bounds, and have pushed others off theirs.
+            self.mark_and_measure()?;
+        }
+        ControlFlow::Continue(merit)
+    }
+
+    fn is_stuck_at(&mut self, merit: f64) -> bool {
+        let is_stuck = self.progress.is_stuck_at(merit);
+        if is_stuck {
+            self.inner_reduction = self.progress.inner_reduction;
+        }
+        is_stuck
+    }
+
+    fn linearise(&mut self, merit: f64) -> ControlFlow<Status, bool> {
+        let tells_sets = std::mem::take(&mut self.is_extrapolated) && merit < NEAR;
+        if tells_sets && self.reclassify().0 > 0 {
+            self.list_and_spread();
+            self.set_multiplier();
+        }
+        self.measure(false);
+        ControlFlow::Continue(self.totals.is_sound())
+    }
+
+    fn solve_linear(&mut self, merit: f64) -> ControlFlow<Status> {
+        let reduction = self.progress.reduction(merit, self.monitor.tolerance());
+        if self.problem.operator.is_symmetric() {
+            self.conjugate_gradients(reduction)
+        } else {
+            self.gmres(reduction)
         }
     }
 
-    /// Breaks with a status; continues where the method is stuck.
-    fn newton_steps(&mut self) -> ControlFlow<Status> {
-        let is_curved = MotionOf::<K, N>::IS_CURVED;
-        let mut progress = Progress::new(
-            if is_curved { CYCLE_CURVED } else { CYCLE },
-            self.inner_reduction,
-        );
-        let mut is_extrapolated = self.start == Start::Extrapolated;
-        let mut totals = self.newton_start()?;
-        loop {
-            if !totals.is_sound() {
-                return ControlFlow::Continue(());
-            }
-            self.set_multiplier(&totals);
-            let findings = self.examine();
-            let mut merit = self.merit(&findings);
-            let mut keeps_sets = true;
-            if merit <= self.monitor.tolerance() {
-                // Judge what will be returned.
-                keeps_sets = self.make_feasible();
-                let feasible = self.examine();
-                merit = self.merit(&feasible);
-                self.shown = self.monitor.is_last().then_some(merit);
-            }
-            self.judge(merit, findings.free)?;
-            self.shown = None;
-            if !keeps_sets {
-                // Cells were far beyond their bounds, and have pushed others off theirs.
-                totals = self.newton_start()?;
-            }
-            if progress.is_stuck_at(merit) {
-                self.inner_reduction = progress.inner_reduction;
-                return ControlFlow::Continue(());
-            }
-            let tells_sets = std::mem::take(&mut is_extrapolated) && merit < NEAR;
-            if tells_sets && self.reclassify(findings.displacement).0 > 0 {
-                totals = self.linearise();
-                self.set_multiplier(&totals);
-            }
-            let reduction = progress.reduction(merit, self.monitor.tolerance());
-            self.measure(false);
-            self.solve_linear(&totals, reduction)?;
-            let (changes, sums) = self.reclassify(findings.displacement);
-            progress.changes = changes;
-            if is_curved || changes > 0 {
-                totals = self.linearise();
-            }
-            self.spread_missing(&totals, sums);
-            self.ask()?;
-            if !self.is_fresh {
-                if progress.is_early() {
-                    self.refresh_f32();
-                } else {
-                    self.refresh();
-                }
+    fn decide(&mut self) -> ControlFlow<Status> {
+        let (changes, sums) = self.reclassify();
+        self.progress.changes = changes;
+        if MotionOf::<K, N>::IS_CURVED || changes > 0 {
+            self.list_and_spread();
+        }
+        self.spread_missing(sums);
+        self.ask()?;
+        if !self.is_fresh {
+            if self.progress.is_early() {
+                self.refresh_f32();
+            } else {
+                self.refresh();
             }
         }
+        ControlFlow::Continue(())
+    }
+
+    fn stuck(&self) -> Option<Status> {
+        self.monitor.stuck()
+    }
+}
+
+impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '_, C, K, P, N> {
+    /// Solves the linear problem of the cells that move: unknowns, gradient and multipliers follow.
+    fn gmres(&mut self, reduction: f64) -> ControlFlow<Status> {
+        self.is_fresh = false;
+        let border = self.totals.border;
+        let (mut linear, mut moved) = self.parts();
+        let w = &mut *linear.workspace;
+        let (cells, moving) = (w.rows.len(), w.moving.len());
+        linear.monitor.unless_lacking(w.make_room(moving))?;
+        let limits = (BASES, reduction);
+        let solved = linear.solve(&border, [0.0; N], limits, &mut moved);
+        let room = linear.workspace.make_room(cells);
+        linear.monitor.unless_lacking(room)?;
+        solved.map_continue(|_| ())
     }
 
     /// Brings the start within its sets and near its totals, with a first gradient.
     ///
     /// Curved bounds are measured before anything is spread: tiny cells at the rim, not stiff yet, would turn right
     /// round.
-    fn newton_start(&mut self) -> ControlFlow<Status, TotalsSystem<N>> {
+    fn mark_and_measure(&mut self) -> ControlFlow<Status> {
         self.mark_start();
         if MotionOf::<K, N>::IS_CURVED {
             if !self.is_fresh {
@@ -110,34 +191,35 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             self.set_mean_multiplier();
             self.hold_springs();
             self.measure(true);
-            return ControlFlow::Continue(self.totals_system());
+            self.set_totals();
+            return ControlFlow::Continue(());
         }
         self.hold_springs();
         self.list_moving();
-        let totals = self.totals_system();
+        self.set_totals();
         if !self.is_fresh {
             let sums = std::array::from_fn(|c| reduce::total(self.layout(), self.x[c]));
-            self.spread_missing(&totals, sums);
+            self.spread_missing(sums);
             self.ask()?;
             self.refresh_f32();
         }
-        ControlFlow::Continue(totals)
+        ControlFlow::Continue(())
     }
 
-    /// The linear problem of the cells as they move now.
-    fn linearise(&mut self) -> TotalsSystem<N> {
+    /// Lists the cells that move, and finds how the totals spread over them.
+    fn list_and_spread(&mut self) {
         if !MotionOf::<K, N>::IS_STEADY {
             self.list_moving();
         }
-        self.totals_system()
+        self.set_totals();
     }
 
     /// Lists the cells that move; with none nothing could change, and some are released, unless they all rest.
     fn list_moving(&mut self) {
         let w = &mut *self.workspace;
         if !MotionOf::<K, N>::IS_STEADY {
-            w.moving.update(|i| w.motions[i].moves());
-            if w.moving.of_all_ranks() == 0 {
+            w.linear.moving.update(|i| w.linear.rows[i].moves());
+            if w.linear.moving.of_all_ranks() == 0 {
                 match self.stand_at_bounds([1.0; N]) {
                     Some(Standing::Rests) => {}
                     // All at once, those that can only lead away would come back in the next step.
@@ -150,16 +232,16 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
                     }
                 }
                 let w = &mut *self.workspace;
-                w.moving.update(|i| w.motions[i].moves());
+                w.linear.moving.update(|i| w.linear.rows[i].moves());
             }
         }
         let w = &mut *self.workspace;
         // The inner iteration writes these on the cells that move only; what has no total spreads nothing.
-        for part in &mut w.direction {
+        for part in &mut w.linear.direction {
             part.fill(0.0);
         }
         if N > 1 {
-            w.spread.fill([[0.0; N]; N]);
+            w.linear.spread.fill([[0.0; N]; N]);
         }
     }
 
@@ -167,7 +249,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     fn release(&mut self, push: impl Fn([f64; N], [f64; N]) -> [f64; N] + Sync) {
         let w = &mut *self.workspace;
         let (gradient, multiplier) = (slices(&w.gradient), w.multiplier);
-        parallel::update(&mut w.motions, |first, chunk| {
+        parallel::update(&mut w.linear.rows, |first, chunk| {
             for (i, motion) in (first..).zip(chunk) {
                 *motion = motion.released(push(at(&gradient, i), multiplier));
             }
@@ -177,12 +259,12 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     /// The mean of the gradient where cells are free, or of all that move if none is, for the totals; zero elsewhere.
     fn set_mean_multiplier(&mut self) {
         let w = &mut *self.workspace;
-        let (motions, gradient) = (&w.motions, slices(&w.gradient));
-        let means: [([f64; N], f64); 2] = w.moving.sweep((), |entries, ()| {
+        let (motions, gradient) = (&w.linear.rows, slices(&w.gradient));
+        let means: [([f64; N], f64); 2] = w.linear.moving.sweep((), |entries, ()| {
             let gradient = within(&gradient, &entries.chunk);
             entries.sums(|k, place| {
                 let (g, nothing) = ((at(&gradient, place), 1.0), ([0.0; N], 0.0));
-                if entries.motion(motions, k, place).is_free() {
+                if entries.row(motions, k, place).is_free() {
                     [g, nothing]
                 } else {
                     [nothing, g]
@@ -206,8 +288,8 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         let (problem, lower_bound) = (self.problem, self.lower_bound);
         let w = &mut *self.workspace;
         let (gradient, multiplier) = (slices(&w.gradient), w.multiplier);
-        let data = w.moving.motions(&mut w.motions);
-        w.moving.sweep(data, |entries, motions| {
+        let data = w.linear.moving.motions(&mut w.linear.rows);
+        w.linear.moving.sweep(data, |entries, motions| {
             entries.visit::<MotionOf<K, N>, N>(|kept, place| {
                 let cell = entries.chunk.start + place;
                 let g = minus(at(&gradient, cell), multiplier);
@@ -224,19 +306,19 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
 
     /// Decides at the equilibrated state how every cell moves next, all at once, and puts it into its set. Returns
     /// how many changed, and the sums of all unknowns.
-    fn reclassify(&mut self, largest: f64) -> (usize, [f64; N]) {
+    fn reclassify(&mut self) -> (usize, [f64; N]) {
         let problem = self.problem;
         // Below this a wrong sign is noise of the inner solution, and would come and go.
-        let noise = (0.01 * self.monitor.tolerance()).max(f64::EPSILON) * largest;
+        let noise = (0.01 * self.monitor.tolerance()).max(f64::EPSILON) * self.displacement;
         let lower_bound = self.lower_bound;
         self.is_fresh = false;
         let w = &mut *self.workspace;
         let (gradient, multiplier) = (slices(&w.gradient), w.multiplier);
         let data = (
             chunks(&problem.layout, &mut self.x),
-            w.moving.motions(&mut w.motions),
+            w.linear.moving.motions(&mut w.linear.rows),
         );
-        w.moving.sweep(data, |entries, (mut x, motions)| {
+        w.linear.moving.sweep(data, |entries, (mut x, motions)| {
             let mut changed = 0_usize;
             entries.visit::<MotionOf<K, N>, N>(|kept, place| {
                 let cell = entries.chunk.start + place;

@@ -44,13 +44,14 @@ impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, 
                 since_refresh = 0;
             }
             let free = self.set_mean_of_free();
-            let findings = self.examine();
+            let findings = self.certificate();
             let merit = self.merit(&findings);
             if merit <= self.monitor.tolerance() && !self.is_fresh {
                 since_refresh = REFRESH;
                 continue;
             }
-            if let ControlFlow::Break(status) = self.judge(merit, free) {
+            self.monitor.free = free;
+            if let ControlFlow::Break(status) = self.judge(merit) {
                 return Some(status);
             }
             if merit < 0.5 * best {
@@ -67,7 +68,7 @@ impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, 
             let conjugation = if conjugate { squares / previous } else { 0.0 };
             previous = squares;
             self.set_direction_of_free(conjugation, free);
-            self.apply_to_direction(Precision::Double);
+            self.linear().apply(Precision::Double);
             self.count_step();
             let length = self.length_of_free();
             let moves = self.step_and_clip(length);
@@ -85,7 +86,7 @@ impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, 
     /// `r_i`, the gradient less the multiplier (eq 19), on a free entry; zero on others.
     fn residual_if_free(&self) -> impl Fn(usize) -> f64 + Sync {
         let w = &*self.workspace;
-        let (state, [gradient], [multiplier]) = (&w.motions, &w.gradient, w.multiplier);
+        let (state, [gradient], [multiplier]) = (&w.linear.rows, &w.gradient, w.multiplier);
         move |i| {
             if state[i] == Side::Free {
                 gradient[i] - multiplier
@@ -101,7 +102,7 @@ impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, 
         let w = &mut *self.workspace;
         let [gradient] = &w.gradient;
         let (count, sum) = reduce::over_chunks(&self.problem.layout, |range| {
-            let free = range.filter(|&i| w.motions[i] == Side::Free);
+            let free = range.filter(|&i| w.linear.rows[i] == Side::Free);
             free.fold((0_usize, 0.0), |(count, sum), i| {
                 (count + 1, sum + gradient[i])
             })
@@ -121,8 +122,8 @@ impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, 
     fn set_direction_of_free(&mut self, conjugation: f64, free: usize) {
         let has_total = self.sums() != [None];
         let w = &mut *self.workspace;
-        let (state, [gradient], [multiplier]) = (&w.motions, &w.gradient, w.multiplier);
-        update_cells(&mut w.direction, |i, [d]| {
+        let (state, [gradient], [multiplier]) = (&w.linear.rows, &w.gradient, w.multiplier);
+        update_cells(&mut w.linear.direction, |i, [d]| {
             [if state[i] == Side::Free {
                 gradient[i] - multiplier + conjugation * d
             } else {
@@ -130,9 +131,9 @@ impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, 
             }]
         });
         if has_total && free > 0 {
-            let [direction] = &w.direction;
+            let [direction] = &w.linear.direction;
             let mean = reduce::sum(&self.problem.layout, |i| direction[i]) / free as f64;
-            update_cells(&mut w.direction, |i, [d]| {
+            update_cells(&mut w.linear.direction, |i, [d]| {
                 [if state[i] == Side::Free { d - mean } else { d }]
             });
         }
@@ -141,7 +142,11 @@ impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, 
     /// The length of a step along the direction, `tau = r'd / d'Cd` (eq 21).
     fn length_of_free(&self) -> f64 {
         let w = &*self.workspace;
-        let ([direction], [image], r) = (&w.direction, &w.image, self.residual_if_free());
+        let ([direction], [image], r) = (
+            &w.linear.direction,
+            &w.linear.image,
+            self.residual_if_free(),
+        );
         let [along, curvature, square] = reduce::sum(self.layout(), |i| {
             let d = direction[i];
             [r(i) * d, d * image[i], d * d]
@@ -159,7 +164,8 @@ impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, 
     fn step_and_clip(&mut self, length: f64) -> Moves {
         let (constraint, layout) = (&self.problem.constraint, &self.problem.layout);
         let w = &mut *self.workspace;
-        let ([gradient], [direction], [multiplier]) = (&w.gradient, &w.direction, w.multiplier);
+        let ([gradient], [direction], [multiplier]) =
+            (&w.gradient, &w.linear.direction, w.multiplier);
         let work = |task: usize, (x, state): (Blocks<'_, f64>, Blocks<'_, Side>)| {
             let mut moves = Moves {
                 clipped: 0,
@@ -192,7 +198,7 @@ impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, 
             [moves.clipped, moves.entered]
         };
         let [x] = &mut self.x;
-        let data = (layout.blocks(x), layout.blocks(&mut w.motions));
+        let data = (layout.blocks(x), layout.blocks(&mut w.linear.rows));
         self.is_fresh = false;
         let [clipped, entered] = layout.sweep(data, work, Tally::plus);
         Moves { clipped, entered }
@@ -201,7 +207,7 @@ impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, 
     /// The product after a step that clipped nothing, without a new one.
     fn follow(&mut self, length: f64) {
         let w = &mut *self.workspace;
-        let image = slices(&w.image);
+        let image = slices(&w.linear.image);
         for vector in [&mut w.product, &mut w.gradient] {
             update_cells(vector, |i, u| plus(u, -length, at(&image, i)));
         }
@@ -213,7 +219,7 @@ impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, 
         let [Some(total)] = self.sums() else {
             return;
         };
-        let (state, constraint) = (&self.workspace.motions, &self.problem.constraint);
+        let (state, constraint) = (&self.workspace.linear.rows, &self.problem.constraint);
         let layout = &self.problem.layout;
         let [x] = &mut self.x;
         if !shift_to_total(layout, x, constraint, |i| state[i] == Side::Free, total) {

@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use crate::buffer::or_abort;
 use crate::cgm::certificate::Iterate;
 use crate::cgm::motion::{Linearised, Reach};
+use crate::cgm::newton::newton;
 use crate::cgm::projected_gradient::Objective;
 use crate::cgm::run::Run;
 use crate::cgm::totals::Total;
@@ -15,6 +16,7 @@ use crate::layout::Layout;
 use crate::operator::{Identity, Operator};
 use crate::parallel;
 use crate::report::{Iteration, Report, Status};
+use crate::watch::Observer;
 
 /// What to minimise: `1/2 x'(C + D)x + b'x` over `x_i` in `K_i`, optionally with totals of the components.
 #[derive(Debug, Clone)]
@@ -23,7 +25,7 @@ pub struct Problem<'a, C, K, P = Identity, const N: usize = 1> {
     pub(super) preconditioner: P,
     pub(super) layout: Layout,
     /// Empty where there is none.
-    diagonal: &'a [f64],
+    pub(super) diagonal: &'a [f64],
     linear: [&'a [f64]; N],
     datum: [f64; N],
     pub(super) constraint: K,
@@ -184,19 +186,21 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
         set::check(&self.constraint, cells)
     }
 
-    /// The single loop solves problems of intervals without springs.
+    /// The single loop solves symmetric problems of intervals without springs.
     fn check_single_loop(&self) -> Result<()> {
         let has_spring = self.totals.iter().any(|total| total.is_spring());
-        if K::Set::HAS_SINGLE_LOOP && !has_spring {
+        let quantity = if has_spring {
+            "springs"
+        } else if !K::Set::HAS_SINGLE_LOOP {
+            "several components a cell"
+        } else if !self.operator.is_symmetric() {
+            "operators that are not symmetric"
+        } else {
             return Ok(());
-        }
+        };
         Err(Error::Method {
             method: "PolonskyKeer",
-            quantity: if has_spring {
-                "springs"
-            } else {
-                "several components a cell"
-            },
+            quantity,
         })
     }
 }
@@ -244,7 +248,7 @@ pub fn minimise<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize
     })?;
     Ok(Minimum {
         multiplier: workspace.multiplier,
-        report: workspace.report,
+        report: workspace.linear.report,
     })
 }
 
@@ -271,11 +275,11 @@ pub(crate) fn minimise_from<C: Operator<N>, K: Constraint<N>, P: Operator<N>, co
     x: [&mut [f64]; N],
     known: Known<N>,
     workspace: &mut Workspace<C, P, MotionOf<K, N>, N>,
-    observer: &mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
+    observer: Observer<'_>,
 ) -> Result<()> {
     let cells = x[0].len();
     let checked = problem.check(settings, &x);
-    let checked = checked.and_then(|()| length("workspace", cells, workspace.motions.len()));
+    let checked = checked.and_then(|()| length("workspace", cells, workspace.linear.rows.len()));
     problem.layout.agreed(checked)?;
     let solve = || -> Result<Status> {
         let sums = problem.totals.map(Total::sum);
@@ -295,7 +299,7 @@ pub(crate) fn minimise_from<C: Operator<N>, K: Constraint<N>, P: Operator<N>, co
         let status = run.finish(status);
         // The product that is kept is that of the operator alone.
         run.add_diagonal(-1.0);
-        if let Some(lack) = run.lack.take() {
+        if let Some(lack) = run.monitor.lack.take() {
             return Err(lack);
         }
         let has_failed = matches!(status, Status::Stalled | Status::IterationLimit);
@@ -309,7 +313,9 @@ pub(crate) fn minimise_from<C: Operator<N>, K: Constraint<N>, P: Operator<N>, co
     if status == Status::Converged {
         Ok(())
     } else {
-        Err(Error::NotConverged(Box::new(workspace.report.clone())))
+        Err(Error::NotConverged(Box::new(
+            workspace.linear.report.clone(),
+        )))
     }
 }
 
@@ -321,10 +327,12 @@ fn iterate<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
     run: &mut Run<'_, '_, C, K, P, N>,
 ) -> Status {
     let once = |run: &mut Run<'_, '_, C, K, P, N>| match run.monitor.settings.method {
-        Method::ActiveSet => run.newton(),
+        Method::ActiveSet => newton(run),
         Method::PolonskyKeer => K::Set::single_loop(run),
     };
-    for steps in GRADIENTS {
+    // Without symmetry there is no objective that could fall.
+    let is_symmetric = run.problem.operator.is_symmetric();
+    for steps in GRADIENTS.into_iter().filter(|_| is_symmetric) {
         if let Some(status) = once(run) {
             return status;
         }

@@ -41,7 +41,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
                 return ControlFlow::Continue(Objective::Stands);
             }
             self.proceed()?;
-            self.apply_to_direction(Precision::Double);
+            self.linear().apply(Precision::Double);
             self.count_step();
             let curvature = self.curvature_of_all();
             if curvature.is_nan() || curvature <= 0.0 {
@@ -56,11 +56,11 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     /// A step length of the right size: that of the steepest descent without bounds.
     fn length_without_bounds(&mut self) -> Option<f64> {
         let w = &mut *self.workspace;
-        for (direction, gradient) in w.direction.iter_mut().zip(&w.gradient) {
+        for (direction, gradient) in w.linear.direction.iter_mut().zip(&w.gradient) {
             direction.copy_from_slice(gradient);
         }
-        self.apply_to_direction(Precision::Double);
-        let direction = slices(&self.workspace.direction);
+        self.linear().apply(Precision::Double);
+        let direction = slices(&self.workspace.linear.direction);
         let square = reduce::sum(self.layout(), |i| dot(at(&direction, i), at(&direction, i)));
         let curvature = self.curvature_of_all();
         (curvature > 0.0).then(|| square / curvature)
@@ -93,20 +93,22 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         let w = &mut *self.workspace;
         let (x, gradient, multiplier) = (slices(&self.x), slices(&w.gradient), w.multiplier);
         let slope = |i: usize| minus(at(&gradient, i), multiplier);
-        update_cells(&mut w.direction, |i, _| plus(at(&x, i), -length, slope(i)));
+        update_cells(&mut w.linear.direction, |i, _| {
+            plus(at(&x, i), -length, slope(i))
+        });
         if sums != [None; N] {
             K::Set::restore(
                 &self.problem.layout,
-                slices_mut(&mut w.direction),
+                slices_mut(&mut w.linear.direction),
                 constraint,
                 |_| true,
                 sums,
             );
         }
-        update_cells(&mut w.direction, |i, d| {
+        update_cells(&mut w.linear.direction, |i, d| {
             minus(constraint.of(i).project(d), at(&x, i))
         });
-        let direction = slices(&w.direction);
+        let direction = slices(&w.linear.direction);
         reduce::sum(&self.problem.layout, |i| {
             let d = at(&direction, i);
             [dot(slope(i), d), dot(d, d)]
@@ -116,7 +118,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     /// `d' C d` of the direction, and what the springs add to it.
     fn curvature_of_all(&self) -> f64 {
         let w = &*self.workspace;
-        let (direction, image) = (slices(&w.direction), slices(&w.image));
+        let (direction, image) = (slices(&w.linear.direction), slices(&w.linear.image));
         let (bodies, sums): (f64, [f64; N]) = reduce::sum(self.layout(), |i| {
             let d = at(&direction, i);
             (dot(d, at(&image, i)), d)
@@ -132,7 +134,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     fn go_along(&mut self, part: f64) {
         let constraint = &self.problem.constraint;
         let w = &mut *self.workspace;
-        let (direction, image) = (slices(&w.direction), slices(&w.image));
+        let (direction, image) = (slices(&w.linear.direction), slices(&w.linear.image));
         update_cells(&mut self.x, |i, x| {
             constraint
                 .of(i)

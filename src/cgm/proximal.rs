@@ -15,6 +15,7 @@
 use std::ops::ControlFlow;
 
 use crate::buffer;
+use crate::cgm::newton::newton;
 use crate::cgm::run::{Precision, Run};
 use crate::cgm::vector::{at, dot, slices, update_cells};
 use crate::cgm::{Constraint, reduce};
@@ -60,7 +61,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             let is_last = stiffness < least;
             self.restrain(if is_last { 0.0 } else { stiffness });
             self.inner_reduction = REDUCTION;
-            match self.newton() {
+            match newton(self) {
                 Some(Status::Converged) if !is_last => {
                     self.set_centre()?;
                     ratio = (ratio * ratio).min(RATIO);
@@ -89,15 +90,15 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     /// By the power method, from the gradient.
     fn largest_eigenvalue(&mut self) -> ControlFlow<Status, f64> {
         let w = &mut *self.workspace;
-        for (direction, gradient) in w.direction.iter_mut().zip(&w.gradient) {
+        for (direction, gradient) in w.linear.direction.iter_mut().zip(&w.gradient) {
             direction.copy_from_slice(gradient);
         }
         let mut largest = 0.0;
         for _ in 0..POWERS {
             self.ask()?;
-            self.apply_to_direction(Precision::Single);
+            self.linear().apply(Precision::Single);
             let w = &mut *self.workspace;
-            let (direction, image) = (slices(&w.direction), slices(&w.image));
+            let (direction, image) = (slices(&w.linear.direction), slices(&w.linear.image));
             let [square, along] = reduce::sum(&self.problem.layout, |i| {
                 let d = at(&direction, i);
                 [dot(d, d), dot(d, at(&image, i))]
@@ -106,7 +107,9 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             if !(largest.is_finite() && largest > 0.0) {
                 return ControlFlow::Break(Status::Stalled);
             }
-            update_cells(&mut w.direction, |i, _| at(&image, i).map(|u| u / largest));
+            update_cells(&mut w.linear.direction, |i, _| {
+                at(&image, i).map(|u| u / largest)
+            });
         }
         ControlFlow::Continue(largest)
     }
@@ -114,10 +117,8 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     /// The centre of the stages to come is the present iterate.
     fn set_centre(&mut self) -> ControlFlow<Status> {
         for (centre, x) in self.workspace.centre.iter_mut().zip(&self.x) {
-            if let Err(lack) = buffer::resize(centre, x.len(), 0.0) {
-                self.lack = Some(lack);
-                return ControlFlow::Break(Status::Stalled);
-            }
+            let room = buffer::resize(centre, x.len(), 0.0);
+            self.monitor.unless_lacking(room)?;
             centre.copy_from_slice(x);
         }
         ControlFlow::Continue(())

@@ -3,16 +3,17 @@
 use std::ops::ControlFlow;
 
 use crate::cgm::certificate::{Certificate, examine};
+use crate::cgm::linear::{Linear, Moved};
 use crate::cgm::monitor::Monitor;
-use crate::cgm::motion::{Linearised, Motion};
-use crate::cgm::progress::INNER_REDUCTION;
-use crate::cgm::totals::{Total, sums_of};
+use crate::cgm::motion::{Linearised, Row};
+use crate::cgm::progress::{INNER_REDUCTION, Progress};
+use crate::cgm::totals::{Total, TotalsSystem, sums_of};
 use crate::cgm::vector::{at, dot, minus, norm, plus, slices, slices_mut, update_cells};
 use crate::cgm::{Admissible, Constraint, MotionOf, Problem, Settings, Workspace, reduce};
-use crate::error::Error;
 use crate::layout::Layout;
 use crate::operator::Operator;
-use crate::report::{Iteration, Report, Status};
+use crate::report::{Report, Status};
+use crate::watch::Observer;
 
 /// Part of the smallest eigenvalue below which a curvature is round-off of single precision.
 const FLAT: f64 = 1e-3;
@@ -85,10 +86,12 @@ pub struct Run<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N
     pub(super) stiff: f64,
     /// What the iterate was shown to be worth, if it is feasible and has not changed since.
     pub(super) shown: Option<f64>,
-    /// The memory that could not be had on the way, if any: what the solve ends with then.
-    pub(super) lack: Option<Error>,
-    /// Free cells, as last examined.
-    free: usize,
+    pub(super) progress: Progress,
+    pub(super) totals: TotalsSystem<N>,
+    /// Whether the gradient of the start tells where cells become free.
+    pub(super) is_extrapolated: bool,
+    /// The largest displacement, as last examined.
+    pub(super) displacement: f64,
     /// Whether the totals leave no choice: every cell stands at an extreme of its set.
     is_extreme: bool,
 }
@@ -101,11 +104,16 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         settings: &'a Settings,
         x: [&'a mut [f64]; N],
         workspace: &'a mut Workspace<C, P, MotionOf<K, N>, N>,
-        observer: &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
+        observer: Observer<'a>,
     ) -> Self {
         workspace.multiplier = [0.0; N];
         Self {
-            monitor: Monitor::new(settings, &problem.layout, observer, &mut workspace.report),
+            monitor: Monitor::new(
+                settings,
+                &problem.layout,
+                observer,
+                &mut workspace.linear.report,
+            ),
             // A bound that is not a number, or negative, says nothing.
             lower_bound: problem.operator.lower_bound().max(0.0),
             problem,
@@ -117,8 +125,10 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
             restraint: 0.0,
             stiff: f64::INFINITY,
             shown: None,
-            lack: None,
-            free: 0,
+            progress: Progress::new(0, INNER_REDUCTION),
+            totals: TotalsSystem::NONE,
+            is_extrapolated: false,
+            displacement: 0.0,
             is_extreme: false,
         }
     }
@@ -142,10 +152,10 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         }
         let (x, w) = (slices(&self.x), &mut *self.workspace);
         if MotionOf::<K, N>::IS_STEADY {
-            w.moving.update(|i| constraint.of(i).can_move());
+            w.linear.moving.update(|i| constraint.of(i).can_move());
         }
-        let data = w.moving.motions(&mut w.motions);
-        w.moving.sweep(data, |entries, motions| {
+        let data = w.linear.moving.motions(&mut w.linear.rows);
+        w.linear.moving.sweep(data, |entries, motions| {
             entries.visit::<MotionOf<K, N>, N>(|kept, place| {
                 let cell = entries.chunk.start + place;
                 motions.items[kept] = constraint.of(cell).motion(at(&x, cell));
@@ -156,7 +166,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
     /// Moves the cells to their sums: those that move, or are inside their bounds, if they suffice, or `all` alike. Says
     /// whether the cells keep the way they move.
     pub(super) fn restore_totals(&mut self, all: bool) -> bool {
-        let motions = &self.workspace.motions;
+        let motions = &self.workspace.linear.rows;
         let is_steady = MotionOf::<K, N>::IS_STEADY;
         let preferred = |i: usize| all || !is_steady && motions[i].moves();
         let (constraint, sums) = (
@@ -168,18 +178,32 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         K::Set::restore(layout, slices_mut(&mut self.x), constraint, preferred, sums)
     }
 
-    /// `image = (C + D) direction`.
-    pub(super) fn apply_to_direction(&mut self, precision: Precision) {
+    /// The linear problem of the cells as they may move now.
+    pub(super) fn linear(&mut self) -> Linear<'_, 'a, C, P, MotionOf<K, N>, N> {
+        self.parts().0
+    }
+
+    /// The same, and the iterate that its solution moves.
+    pub(super) fn parts(&mut self) -> (Linear<'_, 'a, C, P, MotionOf<K, N>, N>, Moved<'_, 'a, N>) {
         let w = &mut *self.workspace;
-        let (direction, image) = (slices(&w.direction), slices_mut(&mut w.image));
-        let (operator, report) = (&self.problem.operator, &mut w.report);
-        precision.apply(operator, direction, image, &mut w.operator, report);
-        let (restraint, problem) = (self.restraint, self.problem);
-        if restraint > 0.0 || problem.has_diagonal() {
-            update_cells(&mut w.image, |i, u| {
-                plus(u, restraint + problem.diagonal_of(i), at(&direction, i))
-            });
-        }
+        let linear = Linear {
+            operator: &self.problem.operator,
+            preconditioner: &self.problem.preconditioner,
+            layout: &self.problem.layout,
+            diagonal: self.problem.diagonal,
+            lower_bound: self.lower_bound,
+            restraint: self.restraint,
+            stiff: self.stiff,
+            monitor: &mut self.monitor,
+            workspace: &mut w.linear,
+        };
+        let moved = Moved {
+            x: &mut self.x,
+            displacement: &mut w.gradient,
+            gap: [&[]; N],
+            multiplier: &mut w.multiplier,
+        };
+        (linear, moved)
     }
 
     /// `product = (C + D) x`, `gradient = (C + D) x + b`.
@@ -197,8 +221,8 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
     fn refresh_in(&mut self, precision: Precision) {
         let w = &mut *self.workspace;
         let (x, product) = (slices(&self.x), slices_mut(&mut w.product));
-        let (operator, report) = (&self.problem.operator, &mut w.report);
-        precision.apply(operator, x, product, &mut w.operator, report);
+        let (operator, report) = (&self.problem.operator, &mut w.linear.report);
+        precision.apply(operator, x, product, &mut w.linear.operator, report);
         let restraint = self.restraint;
         if restraint > 0.0 {
             let centre = slices(&w.centre);
@@ -235,7 +259,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         let stiffness = self.lower_bound * square;
         let is_flat = self.problem.totals.contains(&Total::Free)
             && (curvature < FLAT * stiffness || curvature == 0.0);
-        let (moving, motions) = (&self.workspace.moving, &self.workspace.motions);
+        let (moving, motions) = (&self.workspace.linear.moving, &self.workspace.linear.rows);
         let slides = || {
             !moving.leaves_any::<MotionOf<K, N>, N>()
                 && !moving.any(motions, |motion| !motion.is_free())
@@ -250,13 +274,13 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
 
     /// Examines the iterate by the product at hand, and writes the findings to the report. They are certain only if
     /// that product is [fresh](Self::is_fresh).
-    pub(super) fn examine(&mut self) -> Certificate {
+    pub(super) fn certificate(&mut self) -> Certificate {
         let w = &*self.workspace;
         let (x, product) = (slices(&self.x), slices(&w.product));
         let iterate = self.problem.iterate(x, product, w.multiplier);
         let findings = examine(&iterate, &self.problem.constraint, self.lower_bound);
-        findings.write_to(&mut self.workspace.report);
-        self.free = findings.free;
+        findings.write_to(&mut self.workspace.linear.report);
+        self.monitor.free = findings.free;
         findings
     }
 
@@ -266,23 +290,23 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
     }
 
     /// Records an examined step, and says if it is the last: converged or stopped.
-    pub(super) fn judge(&mut self, merit: f64, free: usize) -> ControlFlow<Status> {
-        self.monitor.judge(merit, free, &mut self.workspace.report)
+    pub(super) fn judge(&mut self, merit: f64) -> ControlFlow<Status> {
+        self.monitor.judge(merit, &mut self.workspace.linear.report)
     }
 
     /// Counts a step.
     pub(super) fn count_step(&mut self) {
-        self.monitor.count_step(&mut self.workspace.report);
+        self.monitor.count_step(&mut self.workspace.linear.report);
     }
 
     /// Asks observer, clock and limit whether to take another step.
     pub(super) fn proceed(&mut self) -> ControlFlow<Status> {
-        self.monitor.proceed(self.free, &self.workspace.report)
+        self.monitor.proceed(&self.workspace.linear.report)
     }
 
     /// Asks observer and clock alone whether to go on.
     pub(super) fn ask(&mut self) -> ControlFlow<Status> {
-        self.monitor.ask(self.free, &self.workspace.report)
+        self.monitor.ask(&self.workspace.linear.report)
     }
 
     /// The multiplier at which nothing drives the unknowns from an allowed zero, if there is one. An
@@ -394,20 +418,20 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
     /// Leaves a feasible iterate, and a report computed from it: what that shows is the last word.
     pub(super) fn finish(&mut self, status: Status) -> Status {
         if let Some(merit) = self.shown {
-            let report = &mut self.workspace.report;
+            let report = &mut self.workspace.linear.report;
             return self.monitor.finish(status, merit, report);
         }
         self.make_feasible();
-        let findings = self.examine();
+        let findings = self.certificate();
         let mut merit = self.merit(&findings);
         if self.is_extreme && !merit.is_nan() {
             // No other unknowns have these sums: nothing is left to be wrong but the sums. Slip is along
             // all of them only in the limit of a large motion.
             merit = findings.load_error;
-            let report = &mut self.workspace.report;
+            let report = &mut self.workspace.linear.report;
             (report.residual, report.duality_gap) = (0.0, 0.0);
         }
         self.monitor
-            .finish(status, merit, &mut self.workspace.report)
+            .finish(status, merit, &mut self.workspace.linear.report)
     }
 }

@@ -50,15 +50,6 @@ pub trait Admissible<const N: usize>: crate::cgm::motion::Linearised<N> {
     /// The nearest point of the set.
     #[must_use]
     fn project(self, x: [f64; N]) -> [f64; N];
-
-    /// The part of a gradient `g` at a point `x` of the set that is not the inward normal of a bound: what
-    /// must vanish at the minimum. NaN if `g` is.
-    #[must_use]
-    fn forbidden(self, x: [f64; N], g: [f64; N]) -> [f64; N];
-
-    /// `g.x` less the least `g.y` over the points `y` of the set; infinite if there is no least.
-    #[must_use]
-    fn duality_gap(self, x: [f64; N], g: [f64; N]) -> f64;
 }
 
 /// `Ok` if a constraint fits this many cells and leaves each a point.
@@ -120,8 +111,6 @@ pub(crate) const UNLIMITED: PerCell<&[f64]> = PerCell::Uniform(f64::INFINITY);
 /// use stickslip::cgm::{Admissible, Bounds, Constraint};
 /// let bounds = Bounds { lower: &[0.0, -1.0], upper: &[f64::INFINITY, 1.0] };
 /// assert_eq!(bounds.of(1).project([3.0]), [1.0]);
-/// // At 1 the product with the gradient 2 could fall from 2 to -2.
-/// assert_eq!(bounds.of(1).duality_gap([1.0], [2.0]), 4.0);
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bounds<'a> {

@@ -7,6 +7,11 @@ use crate::cgm::vector::{dot, norm};
 pub(crate) struct Small<const N: usize>(pub(crate) [[f64; N]; N]);
 
 impl<const N: usize> Small<N> {
+    /// Rows for columns.
+    pub(crate) fn transposed(&self) -> Self {
+        Self(std::array::from_fn(|a| self.0.map(|row| row[a])))
+    }
+
     /// Solves for the active unknowns, the others being zero, by elimination.
     pub(crate) fn solve(&self, right: [f64; N], active: [bool; N]) -> [f64; N] {
         let (mut rows, mut x) = (self.0, right);

@@ -2,7 +2,7 @@
 
 use crate::cgm::interval::EDGE;
 use crate::cgm::look::ROUND_OFF;
-use crate::cgm::motion::{Linearised, Motion};
+use crate::cgm::motion::{Linearised, Row};
 use crate::cgm::reduce;
 use crate::cgm::run::Run;
 use crate::cgm::totals::{TotalsSystem, sums_of};
@@ -64,12 +64,12 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         let x = slices(&self.x);
         let w = &mut *self.workspace;
         let gradient = slices(&w.gradient);
-        let data = w.moving.motions(&mut w.motions);
-        w.moving.sweep(data, |entries, motions| {
+        let data = w.linear.moving.motions(&mut w.linear.rows);
+        w.linear.moving.sweep(data, |entries, motions| {
             entries.visit::<MotionOf<K, N>, N>(|kept, place| {
                 let (motion, i) = (&mut motions.items[kept], entries.chunk.start + place);
                 if motion.moves() && is_selected(at(&x, i), at(&gradient, i)) {
-                    *motion = Motion::FREE;
+                    *motion = Row::FREE;
                 }
             });
         });

@@ -22,7 +22,8 @@
 //! (A constraint preconditioner: Keller, Gould & Wathen, SIAM J. Matrix Anal. Appl. 21 (2000) 1300,
 //! <https://doi.org/10.1137/S0895479899351805>.)
 
-use crate::cgm::motion::Motion;
+use crate::cgm::linear::Border;
+use crate::cgm::motion::Row;
 use crate::cgm::reduce;
 use crate::cgm::run::Run;
 use crate::cgm::small::Small;
@@ -96,6 +97,18 @@ impl Total {
         }
     }
 
+    /// What is missing of the sum at this multiplier.
+    pub(super) fn missing(self, sum: f64, multiplier: f64) -> f64 {
+        match self {
+            Self::Free => 0.0,
+            Self::Sum(total) => total - sum,
+            Self::Spring {
+                far_end,
+                compliance,
+            } => (far_end - multiplier) / compliance - sum,
+        }
+    }
+
     pub(super) fn is_spring(self) -> bool {
         matches!(self, Self::Spring { .. })
     }
@@ -132,18 +145,26 @@ pub(super) fn sums_of<const N: usize>(layout: &Layout, x: &[&[f64]; N]) -> [[f64
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TotalsSystem<const N: usize> {
     totals: [Total; N],
-    /// `e_b' w_a`.
+    /// `e_b' w_a` in row a.
     patterns: Small<N>,
-    /// The same with one over the compliance of a spring on the diagonal.
-    matrix: Small<N>,
+    /// Of all components that are prescribed or held by a spring.
+    pub(super) border: Border<N>,
     /// How a uniform motion is followed: the sum of what cells can do of it.
     pub(super) mobility: Small<N>,
 }
 
 impl<const N: usize> TotalsSystem<N> {
+    /// Before the cells are known that move.
+    pub(super) const NONE: Self = Self {
+        totals: [Total::Free; N],
+        patterns: Small([[0.0; N]; N]),
+        border: Border::NONE,
+        mobility: Small([[0.0; N]; N]),
+    };
+
     /// Components whose sum is prescribed or held by a spring.
     fn prescribed(&self) -> [bool; N] {
-        std::array::from_fn(|a| self.totals[a] != Total::Free)
+        self.border.active
     }
 
     /// Components whose sum is prescribed: their multipliers are unknowns of their own.
@@ -158,13 +179,13 @@ impl<const N: usize> TotalsSystem<N> {
 
     /// The change of all multipliers that makes up for what a preconditioned residual adds to the sums.
     pub(super) fn balance(&self, added: [f64; N]) -> [f64; N] {
-        self.matrix.solve(added.map(|sum| -sum), self.prescribed())
+        self.border.balance([0.0; N], added)
     }
 
     /// The change of the multipliers of the sums that leaves no mean residual, weighted as they spread.
     pub(super) fn without_mean(&self, products: [f64; N]) -> [f64; N] {
-        self.matrix
-            .solve(products.map(|product| -product), self.has_sum())
+        let matrix = &self.border.matrix;
+        matrix.solve(products.map(|product| -product), self.has_sum())
     }
 
     /// The square of what all cells can do of a uniform motion.
@@ -186,7 +207,8 @@ impl<const N: usize> TotalsSystem<N> {
     pub(super) fn is_sound(&self) -> bool {
         let prescribed = self.prescribed();
         let moves = (0..N).any(|a| self.mobility.0[a][a] > 0.0);
-        let is_sound = |a: usize| self.matrix.0[a][a] > 0.0 && self.matrix.0[a][a].is_finite();
+        let entry = |a: usize| self.border.matrix.0[a][a];
+        let is_sound = |a: usize| entry(a) > 0.0 && entry(a).is_finite();
         !moves || (0..N).all(|a| !prescribed[a] || is_sound(a))
     }
 
@@ -205,15 +227,19 @@ const LEAST_TURN: f64 = 1e-13;
 
 impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '_, C, K, P, N> {
     /// Finds how changes of the multipliers spread over the cells that move.
-    pub(super) fn totals_system(&mut self) -> TotalsSystem<N> {
+    pub(super) fn set_totals(&mut self) {
         let mut system = TotalsSystem {
             totals: self.problem.totals,
             patterns: Small([[0.0; N]; N]),
-            matrix: Small([[0.0; N]; N]),
+            border: Border {
+                active: self.problem.totals.map(|total| total != Total::Free),
+                ..Border::NONE
+            },
             mobility: self.mobility(),
         };
         if system.prescribed() == [false; N] {
-            return system;
+            self.totals = system;
+            return;
         }
         if MotionOf::<K, N>::IS_CURVED && !self.has_free_cell() {
             if let Some(normal) = system.locked() {
@@ -222,18 +248,26 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         }
         let prescribed = system.prescribed();
         for a in (0..N).filter(|&a| prescribed[a]) {
-            system.patterns.0[a] = self.spread(a);
-            system.matrix.0[a] = system.patterns.0[a];
-            if let Total::Spring { compliance, .. } = system.totals[a] {
-                system.matrix.0[a][a] += 1.0 / compliance;
+            system.patterns.0[a] = self.linear().spread(a);
+        }
+        let matrix = &mut system.border.matrix;
+        // The columns of a symmetric problem are its rows but for rounding.
+        *matrix = if self.problem.operator.is_symmetric() {
+            system.patterns
+        } else {
+            system.patterns.transposed()
+        };
+        for (a, total) in system.totals.iter().enumerate() {
+            if let Total::Spring { compliance, .. } = total {
+                matrix.0[a][a] += 1.0 / compliance;
             }
         }
-        system
+        self.totals = system;
     }
 
     fn has_free_cell(&self) -> bool {
         let w = &*self.workspace;
-        w.moving.any(&w.motions, Motion::is_free)
+        w.linear.moving.any(&w.linear.rows, Row::is_free)
     }
 
     /// The sum of what cells can do of a uniform motion along each component.
@@ -241,69 +275,34 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         let w = &*self.workspace;
         let unit = |a: usize| std::array::from_fn(|c| if a == c { 1.0 } else { 0.0 });
         if !MotionOf::<K, N>::IS_CURVED {
-            let count = w.moving.of_all_ranks() as f64;
+            let count = w.linear.moving.of_all_ranks() as f64;
             return Small(std::array::from_fn(|a| unit(a).map(|one: f64| one * count)));
         }
-        let motions = &w.motions;
-        Small(w.moving.sweep((), |entries, ()| {
+        let motions = &w.linear.rows;
+        Small(w.linear.moving.sweep((), |entries, ()| {
             entries.sums(|k, place| {
-                let motion = entries.motion(motions, k, place);
-                std::array::from_fn(|a| motion.project(unit(a)))
+                let motion = entries.row(motions, k, place);
+                std::array::from_fn(|a| motion.restrict(unit(a)))
             })
         }))
     }
 
-    /// Finds how a change of one multiplier spreads over the cells, and what it changes of all sums.
-    fn spread(&mut self, a: usize) -> [f64; N] {
-        let mut unit = [0.0; N];
-        unit[a] = 1.0;
-        let w = &mut *self.workspace;
-        let motions = &w.motions;
-        w.moving.sweep(
-            chunks(&self.problem.layout, &mut w.direction),
-            |entries, mut full| {
-                for (k, place) in entries.places().enumerate() {
-                    let motion = entries.motion(motions, k, place);
-                    put(&mut full, place, motion.weighted(motion.project(unit)));
-                }
-            },
-        );
-        self.precondition();
-        let w = &mut *self.workspace;
-        let (motions, image) = (&w.motions, slices(&w.image));
-        let data = w.moving.compressed(&mut w.spread);
-        w.moving.sweep(data, |entries, spread| {
-            let image = within(&image, &entries.chunk);
-            entries.sums(|k, place| {
-                let motion = entries.motion(motions, k, place);
-                let w = motion.preconditioned(at(&image, place), motion.project(unit));
-                spread.items[k][a] = w;
-                w
-            })
-        })
-    }
-
     /// Spreads what is missing of the totals, with the present sums of the components.
-    pub(super) fn spread_missing(&mut self, system: &TotalsSystem<N>, sums: [f64; N]) {
+    pub(super) fn spread_missing(&mut self, sums: [f64; N]) {
+        let system = self.totals;
         let prescribed = system.prescribed();
         if prescribed == [false; N] {
             return;
         }
         let w = &mut *self.workspace;
-        let missing = std::array::from_fn(|a| match system.totals[a] {
-            Total::Free => 0.0,
-            Total::Sum(total) => total - sums[a],
-            Total::Spring {
-                far_end,
-                compliance,
-            } => (far_end - w.multiplier[a]) / compliance - sums[a],
-        });
-        let change = system.matrix.solve(missing, prescribed);
+        let missing = |a: usize| system.totals[a].missing(sums[a], w.multiplier[a]);
+        let missing = std::array::from_fn(missing);
+        let change = system.border.balance(missing, [0.0; N]);
         if norm(change) == 0.0 || !system.is_sound() {
             return;
         }
-        let spread = &w.spread;
-        w.moving.sweep(
+        let spread = &w.linear.spread;
+        w.linear.moving.sweep(
             chunks(&self.problem.layout, &mut self.x),
             |entries, mut x| {
                 for (place, w) in entries.places().zip(&spread[entries.range.clone()]) {
@@ -320,19 +319,20 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
 
     /// The multipliers that leave no mean residual, weighted as the totals spread; those of springs within the
     /// round-off of what the springs make of the sums.
-    pub(super) fn set_multiplier(&mut self, system: &TotalsSystem<N>) {
+    pub(super) fn set_multiplier(&mut self) {
+        let system = self.totals;
         let prescribed = system.prescribed();
         if prescribed == [false; N] {
             return;
         }
         let w = &mut *self.workspace;
-        if w.moving.of_all_ranks() == 0 {
+        if w.linear.moving.of_all_ranks() == 0 {
             // All stand at their bounds: the multiplier is that of `stand_at_bounds`.
             return;
         }
         let gradient = slices(&w.gradient);
-        let products: [f64; N] = w.moving.sweep((), |entries, ()| {
-            let spread = &w.spread[entries.range.clone()];
+        let products: [f64; N] = w.linear.moving.sweep((), |entries, ()| {
+            let spread = &w.linear.spread[entries.range.clone()];
             let gradient = within(&gradient, &entries.chunk);
             entries.sums(|k, place| spread[k].map(|w| dot(w, at(&gradient, place))))
         });

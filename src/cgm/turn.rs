@@ -1,6 +1,6 @@
 //! How a cell of a disc moves: freely while it sticks, along the circle while it slips.
 
-use crate::cgm::motion::Motion;
+use crate::cgm::motion::{Motion, Row};
 use crate::cgm::vector::{dot, norm};
 
 /// How a cell of a disc may move.
@@ -104,7 +104,7 @@ impl Turn {
     }
 }
 
-impl Motion<2> for Turn {
+impl Row<2> for Turn {
     const IS_CURVED: bool = true;
     const IS_STEADY: bool = true;
     const FREE: Self = Self::Free;
@@ -118,11 +118,17 @@ impl Motion<2> for Turn {
         self == Self::Free
     }
 
+    /// The unknowns are a vector along the tangent.
     #[inline]
-    fn project(self, v: [f64; 2]) -> [f64; 2] {
+    fn extend(self, v: [f64; 2]) -> [f64; 2] {
+        v
+    }
+
+    #[inline]
+    fn restrict(self, w: [f64; 2]) -> [f64; 2] {
         match self {
-            Self::Free => v,
-            Self::Along { tangent, .. } => tangent.map(|t| t * dot(tangent, v)),
+            Self::Free => w,
+            Self::Along { tangent, .. } => tangent.map(|t| t * dot(tangent, w)),
             Self::Fixed => [0.0; 2],
         }
     }
@@ -156,7 +162,9 @@ impl Motion<2> for Turn {
             Self::Fixed => [0.0; 2],
         }
     }
+}
 
+impl Motion<2> for Turn {
     fn weighed(mut self, lower_bound: f64, diagonal: f64) -> Self {
         if let Self::Along {
             stiffness, weight, ..

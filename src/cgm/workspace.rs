@@ -1,8 +1,8 @@
 //! What an iteration writes to.
 
 use crate::buffer;
-use crate::cgm::motion::Motion;
-use crate::cgm::moving::MovingCells;
+use crate::cgm::linear::LinearWorkspace;
+use crate::cgm::motion::Row;
 use crate::error::Result;
 use crate::operator::Operator;
 use crate::report::Report;
@@ -12,34 +12,23 @@ use crate::report::Report;
 /// `M` is how cells of the constraint move: [`Problem::workspace`](crate::cgm::Problem::workspace) names it.
 #[derive(Debug, Clone)]
 pub struct Workspace<C: Operator<N>, P: Operator<N>, M, const N: usize = 1> {
-    pub(super) operator: C::Workspace,
-    pub(super) preconditioner: P::Workspace,
+    pub(super) linear: LinearWorkspace<C::Workspace, P::Workspace, M, N>,
     pub(super) product: [Vec<f64>; N],
     pub(super) gradient: [Vec<f64>; N],
-    pub(super) direction: [Vec<f64>; N],
-    pub(super) image: [Vec<f64>; N],
     /// What a stage is restrained about; empty until sets cycle.
     pub(super) centre: [Vec<f64>; N],
-    pub(super) inner: Inner<N>,
-    /// How a change of each multiplier spreads, `w_a = M e_a`, on the cells that move.
-    pub(super) spread: Vec<[[f64; N]; N]>,
-    /// How each cell moves; of [steady](Motion::IS_STEADY) ones only those that move, in the order of their list.
-    pub(super) motions: Vec<M>,
-    pub(super) moving: MovingCells,
-    pub(super) report: Report,
+    pub(super) conjugate: Conjugate<N>,
     pub(super) multiplier: [f64; N],
 }
 
-/// Vectors of the inner iteration, compressed to the cells that move.
+/// What conjugate gradients remember, of the cells that move.
 #[derive(Debug, Clone)]
-pub(super) struct Inner<const N: usize> {
-    pub(super) residual: Vec<[f64; N]>,
+pub(super) struct Conjugate<const N: usize> {
     pub(super) last_residual: Vec<[f64; N]>,
-    pub(super) correction: Vec<[f64; N]>,
     pub(super) direction: Vec<[f64; N]>,
 }
 
-impl<C: Operator<N>, P: Operator<N>, M: Motion<N>, const N: usize> Workspace<C, P, M, N> {
+impl<C: Operator<N>, P: Operator<N>, M: Row<N>, const N: usize> Workspace<C, P, M, N> {
     /// Buffers for an operator and its preconditioner: `8 N + N^2` numbers and a motion per cell besides their own.
     ///
     /// # Errors
@@ -47,24 +36,17 @@ impl<C: Operator<N>, P: Operator<N>, M: Motion<N>, const N: usize> Workspace<C, 
     pub(crate) fn new(operator: &C, preconditioner: &P) -> Result<Self> {
         let cells = operator.cells();
         let vectors = || buffer::filled([0.0; N], cells);
+        let mut linear = LinearWorkspace::new(operator, preconditioner)?;
+        linear.make_room(cells)?;
         Ok(Self {
-            operator: operator.try_workspace()?,
-            preconditioner: preconditioner.try_workspace()?,
+            linear,
             product: buffer::vector(cells)?,
             gradient: buffer::vector(cells)?,
-            direction: buffer::vector(cells)?,
-            image: buffer::vector(cells)?,
             centre: std::array::from_fn(|_| Vec::new()),
-            inner: Inner {
-                residual: vectors()?,
+            conjugate: Conjugate {
                 last_residual: vectors()?,
-                correction: vectors()?,
                 direction: vectors()?,
             },
-            spread: buffer::filled([[0.0; N]; N], cells)?,
-            motions: buffer::filled(M::FIXED, cells)?,
-            moving: MovingCells::new(operator.layout())?,
-            report: Report::with_room(),
             multiplier: [0.0; N],
         })
     }
@@ -82,7 +64,7 @@ impl<C: Operator<N>, P: Operator<N>, M: Motion<N>, const N: usize> Workspace<C, 
 
     /// The buffers of a product, for one beside the solves.
     pub(crate) fn operator_mut(&mut self) -> &mut C::Workspace {
-        &mut self.operator
+        &mut self.linear.operator
     }
 
     /// Measures the product of the last solve in another unit.
@@ -95,7 +77,7 @@ impl<C: Operator<N>, P: Operator<N>, M: Motion<N>, const N: usize> Workspace<C, 
     /// The report of the last solve, converged or not.
     #[must_use]
     pub fn report(&self) -> &Report {
-        &self.report
+        &self.linear.report
     }
 
     /// The multipliers of the last solve, converged or not.

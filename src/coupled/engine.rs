@@ -4,26 +4,24 @@ use std::sync::Arc;
 
 use crate::boundary::Boundary;
 use crate::buffer;
-use crate::cascade::Conditions;
 use crate::cgm::cone::{self, Cone, ConeFindings, ConeProblem, ConeWorkspace, Opening};
 use crate::cgm::vector::{slices, slices_mut};
 use crate::cgm::{Carried, Disc, Interval, Known, Magnitude, Settings, Total, UNLIMITED, reduce};
-use crate::coupled::CoupledReport;
+use crate::contact::{Conditions, OnWindow, ended_from_outside, with_counts_of};
 use crate::coupled::contraction::Contraction;
-use crate::coupled::task::{N, Start, Task};
-use crate::elastic::{ElasticSolver, Observer, Posed};
+use crate::coupled::increment::CoupledDemand;
+use crate::coupled::{CoupledReport, N};
+use crate::elastic::{ElasticSolver, Observer};
 use crate::error::Result;
 use crate::fft::{CirculantInverse, Convolution, ConvolutionWorkspace};
 use crate::half_space::{Compliance, HalfSpace, Region};
 use crate::influence::Direction;
 use crate::layout::Layout;
-use crate::left_behind::OfSize;
 use crate::normal::Hardness;
 use crate::operator::Operator;
-use crate::passes::{ended_from_outside, with_counts_of, with_time_left};
 use crate::per_cell::PerCell;
 use crate::report::{Report, Status};
-use crate::tangential::FrictionWithin;
+use crate::tangential::{FrictionWithin, own_compliance};
 use crate::window::Window;
 
 /// Relative accuracy of the halves that a solve starts from.
@@ -34,6 +32,46 @@ const POOR: f64 = 0.1;
 const ROUNDS: usize = 12;
 /// Part of the tangential force that friction holds at most in a half, whose pressure is not final.
 const HELD: f64 = 0.999;
+
+/// How a solve begins.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Start {
+    /// From a sweep of halves.
+    Halves,
+    /// From the present tractions, interpolated from coarser cells.
+    Coarse,
+    /// From the present tractions, unless they are far from the answer.
+    Present,
+}
+
+/// What is asked of a solve.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Task<'a> {
+    pub(super) demand: CoupledDemand<'a>,
+    /// What the gap is measured from.
+    pub(super) datum: f64,
+    /// What is prescribed of the sums.
+    pub(super) totals: [Total; N],
+    /// Approach and shift beyond what is prescribed, as far as they are known before.
+    pub(super) multiplier: [f64; N],
+    /// The largest coefficient of the whole grid.
+    pub(super) largest_coefficient: f64,
+    /// Whether a force that friction does not hold at the pressure found so far ends the solve as stalled at once.
+    pub(super) is_doubtful: bool,
+}
+
+impl Task<'_> {
+    /// Whether no tangential force or spring moves the bodies.
+    fn is_driven_by_shift(&self) -> bool {
+        self.totals[1..].iter().all(|total| *total == Total::Free)
+    }
+
+    /// The size of the prescribed sum of the tractions.
+    fn force(&self) -> f64 {
+        let [x, y] = [1, 2].map(|c| self.totals[c].sum().unwrap_or(0.0));
+        x.hypot(y)
+    }
+}
 
 /// Pressure and tractions of a window, and what finds them.
 #[derive(Debug, Clone)]
@@ -78,15 +116,8 @@ struct Whole {
     workspace: ConvolutionWorkspace<N>,
 }
 
-impl OfSize for Engine {
-    fn size(&self) -> [usize; 2] {
-        self.window().size
-    }
-}
-
-impl Engine {
-    /// On a window, as [`HalfSpace::place`] has it.
-    pub(super) fn new(bodies: &HalfSpace, window: Window) -> Result<Self> {
+impl OnWindow for Engine {
+    fn new(bodies: &HalfSpace, window: Window) -> Result<Self> {
         let (window, whole) = (bodies.place(window), Window::whole(bodies.grid()));
         let (size, region) = (window.size, Region::new(bodies, window));
         let [x, y, z] = [Direction::X, Direction::Y, Direction::Z];
@@ -134,18 +165,18 @@ impl Engine {
         })
     }
 
-    /// Where it works.
-    pub(super) fn window(&self) -> Window {
+    fn window(&self) -> Window {
         self.region.window()
     }
 
-    /// Moves to another place of the same size.
-    pub(super) fn move_to(&mut self, bodies: &HalfSpace, window: Window) {
+    fn move_to(&mut self, bodies: &HalfSpace, window: Window) {
         if window != self.window() {
             self.region = Region::new(bodies, window);
         }
     }
+}
 
+impl Engine {
     /// Takes tractions of the whole grid as the start.
     pub(super) fn take(&mut self, tractions: &[Vec<f64>; N]) {
         for (x, whole) in self.x.iter_mut().zip(tractions) {
@@ -199,13 +230,13 @@ impl Engine {
             buffer::resize(&mut self.closing, self.region.cells(), 0.0)?;
             self.region.gather(closing, &mut self.closing);
         }
-        let limits = task.hardness.map_or(UNLIMITED, Hardness::limits);
+        let limits = task.demand.hardness.map_or(UNLIMITED, Hardness::limits);
         self.hardness = limits.map(|_| ());
         if let PerCell::Cells(cells) = limits {
             buffer::resize(&mut self.hardness_of_cells, self.region.cells(), 0.0)?;
             self.region.gather(cells, &mut self.hardness_of_cells);
         }
-        let friction = &task.friction.within(&self.region);
+        let friction = &task.demand.friction.within(&self.region);
         let (mut sweeps, mut opening) = match start {
             Start::Halves => (1, Opening::Sound),
             Start::Coarse => (0, Opening::Coarse),
@@ -284,7 +315,7 @@ impl Engine {
             lower_bounds: self.lower_bounds,
             coupling: self.contraction.beta,
         };
-        let settings = left(conditions, &report.work);
+        let settings = conditions.left(&report.work);
         let mut observer = with_counts_of(&report.work, &mut *conditions.observer);
         let x = slices_mut(&mut self.x);
         let ended = cone::solve(
@@ -311,18 +342,18 @@ impl Engine {
         report: &mut CoupledReport,
     ) -> Result<Option<Status>> {
         let mut multiplier = [0.0; N];
-        let ended = self.press(task, tolerance, conditions, report)?;
+        let ended = self.solve_normal_half(task, tolerance, conditions, report)?;
         [multiplier[0]] = self.normal.multiplier();
         if ended.is_some() {
             return Ok(ended);
         }
-        let ended = self.shear(task, friction, tolerance, conditions, report)?;
+        let ended = self.solve_tangential_half(task, friction, tolerance, conditions, report)?;
         [multiplier[1], multiplier[2]] = self.plane.multiplier();
         self.workspace.set_multiplier(multiplier);
         Ok(ended)
     }
 
-    fn press(
+    fn solve_normal_half(
         &mut self,
         task: Task<'_>,
         tolerance: f64,
@@ -330,17 +361,12 @@ impl Engine {
         report: &mut CoupledReport,
     ) -> Result<Option<Status>> {
         self.add_displacements_of(&[1, 2]);
-        let posed = Posed {
-            diagonal: &[],
-            linear: [&self.linear[0]],
-            datum: [0.0],
-            constraint: Carried(self.hardness.map(|()| &*self.hardness_of_cells)),
-            totals: [task.totals[0]],
-            known: Known::Nothing,
-        };
+        let limits = self.hardness.map(|()| &*self.hardness_of_cells);
+        let problem = self.normal.problem([&self.linear[0]], Carried(limits));
+        let problem = problem.totals([task.totals[0]]);
         let (normal, x) = (&mut self.normal, &mut self.x[0]);
         let solve = |settings: &Settings, observer: Observer<'_>| {
-            normal.minimise(posed, [x], settings, observer)
+            normal.minimise(&problem, ([x], Known::Nothing), settings, observer)
         };
         let ended = half(tolerance, conditions, &report.work, solve);
         self.normal.rest();
@@ -348,7 +374,7 @@ impl Engine {
         ended
     }
 
-    fn shear(
+    fn solve_tangential_half(
         &mut self,
         task: Task<'_>,
         friction: &FrictionWithin<'_>,
@@ -371,17 +397,14 @@ impl Engine {
         }
         self.set_own()?;
         let ([_, x, y], [_, asked_x, asked_y]) = (&mut self.x, &self.linear);
-        let posed = Posed {
-            diagonal: &self.own,
-            linear: [asked_x.as_slice(), asked_y],
-            datum: [0.0; 2],
-            constraint: Magnitude(&self.limits),
-            totals,
-            known: Known::Nothing,
-        };
+        let problem = self
+            .plane
+            .problem([asked_x.as_slice(), asked_y], Magnitude(&self.limits))
+            .diagonal(&self.own)
+            .totals(totals);
         let plane = &mut self.plane;
         let solve = |settings: &Settings, observer: Observer<'_>| {
-            plane.minimise(posed, [x, y], settings, observer)
+            plane.minimise(&problem, ([x, y], Known::Nothing), settings, observer)
         };
         let ended = half(tolerance, conditions, &report.work, solve);
         self.plane.rest();
@@ -396,9 +419,7 @@ impl Engine {
             buffer::resize(&mut self.own, self.closing.len(), 0.0)?;
             let cells = self.closing.iter().zip(&self.x[0]);
             for (own, (closing, pressure)) in self.own.iter_mut().zip(cells) {
-                if *pressure > 0.0 {
-                    *own = (closing / pressure).min(f64::MAX);
-                }
+                *own = own_compliance(*closing, *pressure);
             }
         }
         Ok(())
@@ -432,13 +453,6 @@ impl Engine {
     }
 }
 
-/// The settings with what is left of their limits.
-fn left(conditions: &Conditions<'_, '_>, report: &Report) -> Settings {
-    let Settings { max_iterations, .. } = *conditions.settings;
-    let left = max_iterations.saturating_sub(report.iterations).max(1);
-    with_time_left(conditions.settings, conditions.start).max_iterations(left)
-}
-
 /// Solves a half; returns the status of one that observer or clock ended. An unfinished half serves too.
 fn half(
     tolerance: f64,
@@ -446,7 +460,7 @@ fn half(
     done: &Report,
     solve: impl FnOnce(&Settings, Observer<'_>) -> Result<()>,
 ) -> Result<Option<Status>> {
-    let settings = left(conditions, done).tolerance(tolerance);
+    let settings = conditions.left(done).tolerance(tolerance);
     let mut observer = with_counts_of(done, &mut *conditions.observer);
     ended_from_outside(solve(&settings, &mut observer))
 }

@@ -1,14 +1,13 @@
 //! One step of a coupled contact, of a problem from rest or of a history.
 
 use crate::buffer;
-use crate::cascade::Conditions;
 use crate::cgm::vector::slices;
 use crate::cgm::{Total, reduce};
-use crate::coupled::CoupledReport;
-use crate::coupled::engine::Engine;
-use crate::coupled::engines::Engines;
-use crate::coupled::task::{N, Start, Task};
-use crate::error::{Error, Result, finite};
+use crate::contact::{self, Conditions, OnWindow, Seen, Windows};
+use crate::coupled::engine::{Engine, Start, Task};
+use crate::coupled::{CoupledReport, N};
+use crate::elastic::multipliers;
+use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::influence::Direction;
@@ -16,14 +15,12 @@ use crate::normal::{Hardness, NormalControl, NormalSolution};
 use crate::parallel;
 use crate::report::Report;
 use crate::tangential::{
-    Answer, Axis, Demand, Friction, Motion, PlaneVector, Pressed, TangentialControl, centre, zeros,
+    Answer, Axis, Demand, Friction, Motion, PlaneVector, Pressed, centre, zeros,
 };
 use crate::window::Window;
 
 /// Cells by which a contact may grow in a step without a second look.
 const GROWTH: usize = 2;
-/// Overlap beyond the window, of the largest displacement, that is round-off.
-const ROUND_OFF: f64 = 1e-13;
 
 /// Pressure and traction on the grid, what the cells remember, and the engine that solves a step.
 ///
@@ -33,7 +30,7 @@ const ROUND_OFF: f64 = 1e-13;
 #[derive(Debug, Clone)]
 pub(crate) struct CoupledIncrement {
     pub(super) bodies: HalfSpace,
-    engines: Engines,
+    windows: Windows<Engine>,
     /// Pressure and tractions of the whole grid: the start of the next step, and the answer of the last.
     pub(super) tractions: [Vec<f64>; N],
     displacement: [Vec<f64>; N],
@@ -81,7 +78,7 @@ impl CoupledIncrement {
         bodies.compliance([Direction::Z, Direction::X, Direction::Y], size)?;
         let zeros_of_all = || buffer::vector(grid.cells());
         Ok(Self {
-            engines: Engines::default(),
+            windows: Windows::default(),
             tractions: zeros_of_all()?,
             displacement: zeros_of_all()?,
             pressed: Pressed::new(bodies, Window::whole(grid))?,
@@ -118,12 +115,12 @@ impl CoupledIncrement {
 
     /// Where the engine works; `None` before the first contact.
     pub(crate) fn window(&self) -> Option<Window> {
-        self.engines.present.as_ref().map(Engine::window)
+        self.windows.window()
     }
 
     /// Goes on as after a step that ended with this window.
     pub(crate) fn resume(&mut self, window: Option<Window>) -> Result<()> {
-        self.engines.resume(&self.bodies, window)
+        self.windows.resume(&self.bodies, window)
     }
 
     /// Takes pressure and tractions as the start of the next step, with the approach and the shift they belong to.
@@ -161,8 +158,13 @@ impl CoupledIncrement {
         Answer::new(&self.pressed, Axis::BOTH, found, self.motion)
     }
 
-    /// Writes the normal half of the last step.
-    pub(crate) fn write(&self, initial: &Field, normal: &mut NormalSolution) {
+    /// Writes the normal half of the last step, of this gap before loading and this hardness.
+    pub(crate) fn write(
+        &self,
+        initial: &Field,
+        hardness: Option<&Hardness>,
+        normal: &mut NormalSolution,
+    ) {
         parallel::copy(&self.tractions[0], normal.pressure_mut());
         normal.fill(
             &self.bodies,
@@ -172,6 +174,8 @@ impl CoupledIncrement {
             self.report(),
         );
         normal.set_coupled(self.bodies.pair().is_coupled());
+        let reached = |of: &Hardness| of.reached_cells(&self.bodies, &self.tractions[0]);
+        normal.set_yielded_cells(hardness.map_or(0, reached));
     }
 
     /// Starts the next step from nothing.
@@ -194,24 +198,11 @@ impl CoupledIncrement {
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<()> {
         self.report.clear();
-        self.engines.age();
-        parallel::enter_with(self.bodies.grid().cells(), || {
-            self.find(demand, before, conditions)
-        })
-    }
-
-    fn find(
-        &mut self,
-        demand: CoupledDemand<'_>,
-        before: Motion,
-        conditions: &mut Conditions<'_, '_>,
-    ) -> Result<()> {
-        // Without a datum far from the contact the sums keep their last digits.
-        let least = self.bodies.least(demand.gap);
-        let (datum, is_apart) = match demand.normal {
-            NormalControl::Approach(approach) => (approach, approach <= least),
-            NormalControl::Force(force) => (least, force <= 0.0),
-            NormalControl::Hold => return Err(Error::NothingToHold),
+        self.windows.age();
+        let (datum, pressure) = demand.normal.posed(&self.bodies, demand.gap)?;
+        let is_apart = match demand.normal {
+            NormalControl::Force(force) => force <= 0.0,
+            _ => datum <= self.bodies.least(demand.gap),
         };
         if is_apart {
             self.motion = demand.tangential.without_contact(Axis::BOTH, before)?;
@@ -228,7 +219,8 @@ impl CoupledIncrement {
             ..before
         };
         let largest_coefficient = demand.friction.largest_coefficient(&self.bodies);
-        let totals = self.prescribe(&demand, largest_coefficient)?;
+        let [x, y] = self.prescribe(&demand, largest_coefficient)?;
+        let totals = [pressure, x, y];
         let start = if self.contact().is_some() {
             Start::Present
         } else if self.start_from_coarser(demand, before, conditions)? {
@@ -237,22 +229,25 @@ impl CoupledIncrement {
             Start::Halves
         };
         self.set_linear(demand.gap, datum);
+        let Motion { shift: [x, y], .. } = self.motion;
+        let [last_x, last_y] = self.last_shift;
+        let known = [self.approach - datum, last_x - x, last_y - y];
         let task = Task {
+            demand,
+            datum,
             totals,
-            multiplier: self.expected(&totals, datum),
-            friction: demand.friction,
-            hardness: demand.hardness,
+            multiplier: multipliers(totals, known),
             largest_coefficient,
             is_doubtful: demand.is_doubtful(),
         };
         let outcome = if task.is_doubtful {
-            self.solve_or_slide(task, demand, datum, start, conditions)
+            self.solve_or_slide(task, start, conditions)
         } else {
             self.solve_on_window(task, start, conditions)
         };
         self.report.work.time = conditions.start.elapsed();
         let [approach, x, y] = self
-            .engines
+            .windows
             .present
             .as_ref()
             .map_or([0.0; N], Engine::multiplier);
@@ -261,23 +256,6 @@ impl CoupledIncrement {
         self.pressed.set(&self.tractions[0], demand.friction);
         self.lag_behind();
         outcome
-    }
-
-    /// Approach and shift beyond what is prescribed, as they were.
-    fn expected(&self, totals: &[Total; N], datum: f64) -> [f64; N] {
-        let Motion { shift: [x, y], .. } = self.motion;
-        let known = [
-            self.approach - datum,
-            self.last_shift[0] - x,
-            self.last_shift[1] - y,
-        ];
-        std::array::from_fn(|c| {
-            if totals[c] == Total::Free {
-                0.0
-            } else {
-                known[c]
-            }
-        })
     }
 
     /// The window of the pressure.
@@ -299,7 +277,7 @@ impl CoupledIncrement {
         let grown = contact.with_margins(grid, [GROWTH; 2]);
         let (bodies, total) = (&self.bodies, task.totals[0]);
         let holds = |window: Window| {
-            let hardness = task.hardness;
+            let hardness = task.demand.hardness;
             hardness.is_none_or(|hardness| hardness.holds(bodies, window, total))
         };
         let fits = |window: Window| window.covers(grown) && holds(window);
@@ -308,70 +286,38 @@ impl CoupledIncrement {
             while !holds(window) {
                 window = window.widened(grid);
             }
-            self.engines.work_on(bodies, window)?;
+            self.windows.work_on(bodies, window)?;
         }
-        loop {
-            let Some(engine) = &mut self.engines.present else {
-                return Err(Error::EmptyContact);
-            };
-            engine.take(&self.tractions);
-            let closing = self.enters.then_some(&*self.closing);
-            let asked = (slices(&self.linear), closing);
-            let outcome = engine.solve(asked, task, start, conditions, &mut self.report);
-            engine.write(&mut self.tractions, &mut self.displacement);
-            task.multiplier = engine.multiplier();
-            let (window, [delta, ..]) = (engine.window(), task.multiplier);
-            let ([displacement, ..], [gap, ..]) = (&self.displacement, &self.linear);
-            let largest = reduce::max(&self.bodies.grid_layout(), |i| displacement[i].abs());
-            let (first, round_off) = (self.bodies.first_cell(), ROUND_OFF * largest);
-            let missed = self.bodies.around(|i| {
-                displacement[i] + gap[i] - delta < -round_off && !window.contains(first + i)
-            });
-            match missed {
-                Some(missed) if outcome.is_ok() => {
-                    let wider = window.union(missed).widened(grid);
-                    self.engines.work_on(&self.bodies, wider)?;
-                    start = Start::Present;
-                }
-                _ => return outcome,
-            }
-        }
+        let (linear, tractions) = (&self.linear, &mut self.tractions);
+        let (displacement, report) = (&mut self.displacement, &mut self.report);
+        let asked = (slices(linear), self.enters.then_some(&*self.closing));
+        self.windows.solve(bodies, |engine, _| {
+            engine.take(tractions);
+            let outcome = engine.solve(asked, task, start, conditions, report);
+            engine.write(tractions, displacement);
+            outcome?;
+            (start, task.multiplier) = (Start::Present, engine.multiplier());
+            let ([lift, ..], [gap, ..], [delta, ..]) = (&*displacement, linear, task.multiplier);
+            let largest = reduce::max(&bodies.grid_layout(), |i| lift[i].abs());
+            let overlaps = |i: usize| lift[i] + gap[i] - delta;
+            let missed = contact::missed(bodies, engine.window(), largest, overlaps);
+            Ok(missed.map_or(Seen::Answer, Seen::Missed))
+        })
     }
 
-    /// What is prescribed of the sums; the motion becomes the one they are measured from.
+    /// What is prescribed of the sums of the tractions; the motion becomes the one they are measured from.
     fn prescribe(
         &mut self,
         demand: &CoupledDemand<'_>,
         largest_coefficient: f64,
-    ) -> Result<[Total; N]> {
-        let cell_area = self.bodies.grid().cell_area();
-        let mut totals = [Total::Free; N];
+    ) -> Result<[Total; 2]> {
         if let NormalControl::Force(force) = demand.normal {
-            totals[0] = Total::Sum(force / cell_area);
             check_force(demand, largest_coefficient * force)?;
         }
-        for &axis in Axis::BOTH {
-            let (shift, total) = (
-                &mut self.motion.shift[axis.index()],
-                &mut totals[1 + axis.index()],
-            );
-            match demand.tangential.control(axis) {
-                TangentialControl::Shift(prescribed) => *shift = prescribed,
-                TangentialControl::Hold => {}
-                TangentialControl::Force(force) => *total = Total::Sum(force / cell_area),
-                TangentialControl::Spring {
-                    position,
-                    stiffness,
-                } => {
-                    let quantity = "cell area over the stiffness of the spring";
-                    *total = Total::Spring {
-                        far_end: position - *shift,
-                        compliance: finite(quantity, cell_area / stiffness)?,
-                    };
-                }
-            }
-        }
-        Ok(totals)
+        let cell_area = self.bodies.grid().cell_area();
+        let sums = demand.tangential.force().map(|force| force / cell_area);
+        let (tangential, measured) = (demand.tangential, (self.motion.shift, cell_area));
+        tangential.prescribe(Axis::BOTH, Some(sums), measured, &mut self.motion)
     }
 
     /// Asks every cell to close its gap and to follow the motion, from its offset.

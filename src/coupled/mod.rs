@@ -1,4 +1,4 @@
-//! Bodies of different materials: pressure and shear found together.
+//! Bodies of different materials: pressure and traction found together.
 //!
 //! Where Dundurs' constant $`\beta`$ is not zero, pressure moves the surfaces tangentially and shear moves them
 //! normally (K and the signs as in [`influence`](crate::influence)):
@@ -53,7 +53,6 @@
 
 mod contraction;
 mod engine;
-mod engines;
 mod increment;
 mod nested;
 mod offset;
@@ -62,10 +61,12 @@ mod report;
 mod sliding;
 mod solution;
 mod solver;
-mod task;
 
 pub(crate) use increment::{CoupledDemand, CoupledIncrement};
 pub use problem::{CoupledProblem, CoupledProblemBuilder};
 pub use report::{CoupledReport, ErrorEstimate};
 pub use solution::CoupledSolution;
 pub use solver::CoupledSolver;
+
+/// Components of a vector: along z, x and y.
+const N: usize = 3;

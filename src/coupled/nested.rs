@@ -1,14 +1,12 @@
 //! Starts from coarser cells.
 
 use crate::buffer::try_each;
-use crate::cascade::{Conditions, is_worth_coarsening};
-use crate::cgm::{Admissible, Disc, UNLIMITED};
+use crate::cgm::UNLIMITED;
+use crate::contact::{Conditions, ended_from_outside, is_worth_coarsening};
 use crate::coupled::increment::{CoupledDemand, CoupledIncrement};
 use crate::error::Result;
-use crate::field::Field;
 use crate::normal::Hardness;
-use crate::passes::ended_from_outside;
-use crate::tangential::Motion;
+use crate::tangential::{Motion, handed_down};
 
 impl CoupledIncrement {
     /// Takes the answer on cells twice as large, itself found so, as the start; says whether there is one.
@@ -24,7 +22,7 @@ impl CoupledIncrement {
         }
         let bodies = self.bodies.coarser()?.clone();
         let coarsened = |field: &[f64]| self.bodies.coarsened(&bodies, size, field);
-        let gap = Field::from_vec(bodies.grid(), coarsened(demand.gap.as_slice())?)?;
+        let gap = self.bodies.coarsened_field(&bodies, demand.gap)?;
         let friction = demand.friction.coarsened(&self.bodies, &bodies)?;
         let hardness = demand.hardness;
         let hardness = hardness.map(|hardness| hardness.coarsened(&self.bodies, &bodies));
@@ -34,18 +32,15 @@ impl CoupledIncrement {
         if self.enters {
             (coarse.closing, coarse.enters) = (coarsened(&self.closing)?, true);
         }
-        let mut rough = Conditions {
-            settings: &conditions.rough_settings(),
-            start: conditions.start,
-            observer: &mut *conditions.observer,
-        };
+        let rough = conditions.rough();
         let coarse_demand = CoupledDemand {
             gap: &gap,
             friction: &friction,
             hardness: hardness.as_ref(),
             ..demand
         };
-        if ended_from_outside(coarse.solve(coarse_demand, before, &mut rough))?.is_some() {
+        let outcome = coarse.solve(coarse_demand, before, &mut conditions.under(&rough));
+        if ended_from_outside(outcome)?.is_some() {
             return Ok(false);
         }
         self.refine(&coarse, size, demand)?;
@@ -64,16 +59,9 @@ impl CoupledIncrement {
         let limits = demand.hardness.map_or(UNLIMITED, Hardness::limits);
         for (cell, pressure) in p.iter().enumerate() {
             let pressure = pressure.min(limits.of(cell));
-            let disc = Disc {
-                radius: demand.friction.limit(cell, pressure),
-            };
-            let q = [x[cell], y[cell]];
-            let q = if slips[cell] && q[0].hypot(q[1]) > 0.0 {
-                disc.rim_along(q)
-            } else {
-                disc.project(q)
-            };
-            self.set_cell(cell, [pressure, q[0], q[1]]);
+            let (limit, q) = (demand.friction.limit(cell, pressure), [x[cell], y[cell]]);
+            let [x, y] = handed_down(q, limit, slips[cell], [0.0; 2]);
+            self.set_cell(cell, [pressure, x, y]);
         }
         Ok(())
     }

@@ -3,7 +3,7 @@
 use crate::buffer;
 use crate::coupled::CoupledIncrement;
 use crate::error::Result;
-use crate::tangential::{PlaneVector, ratio_of_compliances};
+use crate::tangential::{PlaneVector, own_compliance, ratio_of_compliances};
 
 impl CoupledIncrement {
     pub(super) fn offset(&self) -> [&[f64]; 2] {
@@ -43,14 +43,7 @@ impl CoupledIncrement {
         entered.clear();
         if self.enters {
             let cells = self.closing.iter().zip(&self.tractions[0]);
-            let own = |(closing, pressure): (&f64, &f64)| {
-                if *pressure > 0.0 {
-                    (closing / pressure).min(f64::MAX)
-                } else {
-                    0.0
-                }
-            };
-            entered.extend(cells.map(own));
+            entered.extend(cells.map(|(closing, pressure)| own_compliance(*closing, *pressure)));
         }
     }
 

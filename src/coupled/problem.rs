@@ -1,15 +1,17 @@
 //! The scene of a coupled contact, checked once.
 
+use std::sync::Arc;
+
 use crate::buffer::{TryClone, try_clone};
 use crate::cgm::{Settings, settings_methods};
 use crate::coupled::{CoupledSolution, CoupledSolver};
 use crate::error::Result;
 use crate::field::Field;
 use crate::half_space::HalfSpace;
-use crate::normal::NormalControl;
+use crate::normal::{Hardness, NormalControl};
 use crate::tangential::{Axis, Friction, RelativeDisplacement, TangentialLoad, TangentialModel};
 
-/// Bodies, gap, friction and load of a contact whose pressure and shear are found together, in one step from rest.
+/// Bodies, gap, friction and loads of a contact whose pressure and tractions are found together, in one step from rest.
 ///
 /// One step is what pressing gradually leads to where the contact has its size from the first load on (a flat punch), where
 /// the bodies have no coupling, and without friction. Where the contact of dissimilar bodies grows, cells that come into
@@ -39,49 +41,52 @@ use crate::tangential::{Axis, Friction, RelativeDisplacement, TangentialLoad, Ta
 #[derive(Debug, Clone)]
 pub struct CoupledProblem {
     pub(super) bodies: HalfSpace,
-    pub(super) gap: Field,
+    pub(super) gap: Arc<Field>,
     pub(super) friction: Friction,
+    pub(super) hardness: Option<Hardness>,
     pub(super) normal: NormalControl,
-    pub(super) load: TangentialLoad,
+    pub(super) tangential: TangentialLoad,
     pub(super) relative: Option<RelativeDisplacement>,
     pub(super) settings: Settings,
 }
 
-try_clone!(CoupledProblem { gap, friction, relative } { bodies, normal, load, settings });
+try_clone!(CoupledProblem { friction, hardness, relative } { bodies, gap, normal, tangential, settings });
 
 /// Options of a [`CoupledProblem`]; each has a default.
 #[derive(Debug, Clone)]
 #[must_use = "a builder does nothing until build() is called"]
 pub struct CoupledProblemBuilder<'a> {
     bodies: &'a HalfSpace,
-    gap: &'a Field,
+    gap: Arc<Field>,
     friction: Friction,
+    hardness: Option<Hardness>,
     normal: NormalControl,
-    load: TangentialLoad,
+    tangential: TangentialLoad,
     relative: Option<RelativeDisplacement>,
     settings: Settings,
 }
 
 impl CoupledProblem {
     /// Starts from what is required: bodies, initial gap (lengths, on the grid of the bodies), friction, normal and
-    /// tangential load.
+    /// tangential load. The gap is copied from a reference; given by value, or in an [`Arc`], it is not.
     ///
     /// A tangential load of no force and one of no shift differ: the tractions of pressing alone add up to zero by
     /// symmetry only.
     #[doc(alias = "dissimilar")]
-    pub fn builder<'a>(
-        bodies: &'a HalfSpace,
-        gap: &'a Field,
+    pub fn builder(
+        bodies: &HalfSpace,
+        gap: impl Into<Arc<Field>>,
         friction: Friction,
         normal: NormalControl,
-        load: TangentialLoad,
-    ) -> CoupledProblemBuilder<'a> {
+        tangential: TangentialLoad,
+    ) -> CoupledProblemBuilder<'_> {
         CoupledProblemBuilder {
             bodies,
-            gap,
+            gap: gap.into(),
             friction,
+            hardness: None,
             normal,
-            load,
+            tangential,
             relative: None,
             settings: Settings::default(),
         }
@@ -118,31 +123,56 @@ impl CoupledProblemBuilder<'_> {
         self
     }
 
-    /// Checks everything and copies the gap.
+    /// The largest pressure the cells carry (default: no limit). A force beyond what all cells carry together is refused;
+    /// an approach may bring them all to their limit.
+    ///
+    /// ```
+    /// use stickslip::{*, normal::Hardness};
+    /// let grid = Grid::square(32, 3.0)?;
+    /// let bodies = HalfSpace::new(grid, ElasticPair::new(Material::new(1.0, 0.0)?, Material::rigid())?)?;
+    /// let (ball, friction) = (surface::sphere(grid, 10.0)?, Friction::coulomb(0.3)?);
+    /// let (press, drag) = (NormalControl::Force(0.1), TangentialLoad::force([0.01, 0.0]));
+    /// let soft = CoupledProblem::builder(&bodies, ball, friction, press, drag).hardness(Hardness::uniform(0.05)?);
+    /// let contact = soft.build()?.solve()?;
+    /// assert!(contact.normal().pressure().max() == 0.05 && contact.normal().yielded_cells() > 0);
+    /// // What yields carries traction up to the friction of its pressure.
+    /// assert!(contact.tangential().traction()[0].max() <= 0.3 * 0.05 * (1.0 + 1e-12));
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn hardness(mut self, hardness: Hardness) -> Self {
+        self.hardness = Some(hardness);
+        self
+    }
+
+    /// Checks everything.
     ///
     /// # Errors
-    /// [`GridMismatch`](crate::Error::GridMismatch) if gap, friction or relative displacement live on another grid, [`Sample`](crate::Error::Sample) if the gap is not finite, or for a bulk strain along an axis on which the grid repeats;
+    /// [`GridMismatch`](crate::Error::GridMismatch) if gap, friction, hardness or relative displacement live on another grid, [`Sample`](crate::Error::Sample) if the gap is not finite, or for a bulk strain along an axis on which the grid repeats;
     /// [`Negative`](crate::Error::Negative), [`NotFinite`](crate::Error::NotFinite), [`NotPositive`](crate::Error::NotPositive), [`NothingToHold`](crate::Error::NothingToHold) or
-    /// [`NotModelled`](crate::Error::NotModelled) for the loads; [`ApproachBeyondMeanGap`](crate::Error::ApproachBeyondMeanGap) on a periodic grid; [`Method`](crate::Error::Method) for
+    /// [`NotModelled`](crate::Error::NotModelled) for the loads; [`ApproachBeyondMeanGap`](crate::Error::ApproachBeyondMeanGap) on a periodic grid;
+    /// [`BeyondHardness`](crate::Error::BeyondHardness); [`Method`](crate::Error::Method) for
     /// [`Method::PolonskyKeer`](crate::cgm::Method::PolonskyKeer); [`Tolerance`](crate::Error::Tolerance), [`IterationLimit`](crate::Error::IterationLimit); [`Ranks`](crate::Error::Ranks).
     pub fn build(self) -> Result<CoupledProblem> {
         self.bodies.agreed_alike(
             self.check(),
             &[
                 ("normal load", &self.normal),
-                ("tangential load", &self.load),
+                ("tangential load", &self.tangential),
                 ("friction", &self.friction.common()),
+                ("hardness", &self.hardness.as_ref().map(Hardness::common)),
                 ("relative displacement", &self.relative.is_some()),
                 ("settings", &self.settings.common()),
             ],
         )?;
-        self.normal.check(self.bodies, self.gap)?;
+        self.normal
+            .check(self.bodies, &self.gap, self.hardness.as_ref())?;
         Ok(CoupledProblem {
             bodies: self.bodies.clone(),
-            gap: self.gap.try_clone()?,
+            gap: self.gap,
             friction: self.friction,
+            hardness: self.hardness,
             normal: self.normal,
-            load: self.load,
+            tangential: self.tangential,
             relative: self.relative,
             settings: self.settings,
         })
@@ -153,7 +183,10 @@ impl CoupledProblemBuilder<'_> {
         let grid = self.bodies.grid();
         self.gap.check("gap", grid)?;
         self.friction.check(grid)?;
-        self.load
+        if let Some(hardness) = &self.hardness {
+            hardness.check(grid)?;
+        }
+        self.tangential
             .demand()
             .check(Axis::BOTH, self.bodies.boundary())?;
         if let Some(relative) = &self.relative {

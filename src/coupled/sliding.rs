@@ -1,10 +1,10 @@
 //! Forces that slide the bodies, where what friction holds is known only with the pressure.
 
 use crate::buffer::TryClone;
-use crate::cascade::Conditions;
 use crate::cgm::{Total, reduce};
-use crate::coupled::increment::{CoupledDemand, CoupledIncrement};
-use crate::coupled::task::{Start, Task};
+use crate::contact::Conditions;
+use crate::coupled::engine::{Start, Task};
+use crate::coupled::increment::CoupledIncrement;
 use crate::error::{Error, Result};
 use crate::report::Status;
 
@@ -23,11 +23,10 @@ impl CoupledIncrement {
     pub(super) fn solve_or_slide(
         &mut self,
         task: Task<'_>,
-        demand: CoupledDemand<'_>,
-        datum: f64,
         start: Start,
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<()> {
+        let (demand, datum) = (task.demand, task.datum);
         let outcome = self.solve_on_window(task, start, conditions);
         if !is_stalled(&outcome) {
             return outcome;
@@ -79,12 +78,8 @@ impl CoupledIncrement {
             ..task
         };
         let settings = conditions.settings;
-        let mut loosened = Conditions {
-            settings: &settings.tolerance(settings.tolerance.max(LEAST_TOLERANCE)),
-            start: conditions.start,
-            observer: &mut *conditions.observer,
-        };
-        self.solve_on_window(sliding, Start::Halves, &mut loosened)
+        let loosened = settings.tolerance(settings.tolerance.max(LEAST_TOLERANCE));
+        self.solve_on_window(sliding, Start::Halves, &mut conditions.under(&loosened))
     }
 }
 

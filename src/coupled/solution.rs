@@ -2,9 +2,8 @@
 
 use crate::buffer::{or_abort, try_clone, try_each};
 use crate::cgm::reduce;
-use crate::coupled::CoupledReport;
 use crate::coupled::increment::CoupledIncrement;
-use crate::coupled::task::N;
+use crate::coupled::{CoupledProblem, CoupledReport, N};
 use crate::error::Result;
 use crate::field::Field;
 use crate::half_space::HalfSpace;
@@ -22,7 +21,7 @@ use crate::warning::Warning;
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct CoupledSolution {
     normal: NormalSolution,
-    shear: TangentialSolution,
+    tangential: TangentialSolution,
     displacement: [Field; N],
     report: CoupledReport,
     /// Whether friction has held a contact that came to its size in one step.
@@ -32,22 +31,22 @@ pub struct CoupledSolution {
     whole_energy: Option<f64>,
 }
 
-shown!(CoupledSolution: normal, shear, elastic_energy(), report());
+shown!(CoupledSolution: normal, tangential, elastic_energy(), report());
 
-try_clone!(CoupledSolution { normal, shear, displacement } { report, is_pressed_at_once, whole_energy });
+try_clone!(CoupledSolution { normal, tangential, displacement } { report, is_pressed_at_once, whole_energy });
 
 impl PartialEq for CoupledSolution {
     fn eq(&self, other: &Self) -> bool {
         let Self {
             normal,
-            shear,
+            tangential,
             displacement,
             report: _,
             is_pressed_at_once,
             whole_energy,
         } = self;
         *normal == other.normal
-            && *shear == other.shear
+            && *tangential == other.tangential
             && *displacement == other.displacement
             && *is_pressed_at_once == other.is_pressed_at_once
             && *whole_energy == other.whole_energy
@@ -60,7 +59,7 @@ impl PartialEq for CoupledSolution {
 #[serde(remote = "CoupledSolution")]
 struct Unchecked {
     normal: NormalSolution,
-    shear: TangentialSolution,
+    tangential: TangentialSolution,
     displacement: [Field; N],
     report: CoupledReport,
     is_pressed_at_once: bool,
@@ -73,7 +72,7 @@ impl<'de> serde::Deserialize<'de> for CoupledSolution {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         checked(Unchecked::deserialize(deserializer)?, |read| {
             let grid = read.normal.grid();
-            grid.expect("tangential half", read.shear.grid())?;
+            grid.expect("tangential half", read.tangential.grid())?;
             let mut fields = read.displacement.iter();
             fields.try_for_each(|field| field.check("displacement", grid))
         })
@@ -86,7 +85,7 @@ impl CoupledSolution {
         let (grid, boundary) = (bodies.grid(), bodies.boundary());
         Ok(Self {
             normal: NormalSolution::empty(gap, boundary, bodies.pair())?,
-            shear: TangentialSolution::empty(grid, boundary)?,
+            tangential: TangentialSolution::empty(grid, boundary)?,
             displacement: try_each(|_| Field::try_zeros(grid))?,
             report: CoupledReport::unsolved(),
             is_pressed_at_once: false,
@@ -94,12 +93,13 @@ impl CoupledSolution {
         })
     }
 
-    pub(super) fn fill(&mut self, bodies: &HalfSpace, gap: &Field, increment: &CoupledIncrement) {
-        increment.write(gap, &mut self.normal);
-        self.shear
+    pub(super) fn fill(&mut self, of: &CoupledProblem, increment: &CoupledIncrement) {
+        let (bodies, gap) = (&of.bodies, &of.gap);
+        increment.write(gap, of.hardness.as_ref(), &mut self.normal);
+        self.tangential
             .fill(bodies, None, &increment.answer(), increment.report());
         let pair = bodies.pair();
-        self.shear
+        self.tangential
             .set_coupled(pair.is_coupled().then(|| pair.dundurs_beta()));
         for (field, values) in self.displacement.iter_mut().zip(increment.displacement()) {
             field.as_mut_slice().copy_from_slice(values);
@@ -114,7 +114,7 @@ impl CoupledSolution {
     /// gap before loading is the same all over the contact, all come at once anyway.
     fn has_grown(&self, layout: &Layout, gap: &Field) -> bool {
         let (pressure, gap) = (self.normal.pressure().as_slice(), gap.as_slice());
-        let [qx, qy] = self.shear.traction().map(Field::as_slice);
+        let [qx, qy] = self.tangential.traction().map(Field::as_slice);
         let is_held = reduce::any(layout, |i| qx[i] != 0.0 || qy[i] != 0.0);
         let first = reduce::least(layout, |i| (pressure[i] > 0.0).then_some((gap[i], i)));
         let is_later = |first: f64| reduce::any(layout, |i| pressure[i] > 0.0 && gap[i] > first);
@@ -129,8 +129,8 @@ impl CoupledSolution {
 
     /// The tangential half: tractions along both axes, slip, zones, shift. Its report is that of the whole.
     #[must_use]
-    pub fn shear(&self) -> &TangentialSolution {
-        &self.shear
+    pub fn tangential(&self) -> &TangentialSolution {
+        &self.tangential
     }
 
     /// Displacements of all cells along x, y and z by pressure and traction together, body 1 minus body 2 along x and y,
@@ -151,7 +151,7 @@ impl CoupledSolution {
     /// Of cells that lie so.
     fn energy_over(&self, layout: &Layout) -> f64 {
         let [z, x, y] = self.displacement.each_ref().map(Field::as_slice);
-        let [qx, qy] = self.shear.traction().map(Field::as_slice);
+        let [qx, qy] = self.tangential.traction().map(Field::as_slice);
         let p = self.normal.pressure().as_slice();
         let sum = reduce::sum(layout, |i| p[i] * z[i] + qx[i] * x[i] + qy[i] * y[i]);
         0.5 * self.normal.grid().cell_area() * sum
@@ -176,7 +176,7 @@ impl CoupledSolution {
     pub fn try_warnings(&self) -> Result<Vec<Warning>> {
         let at_once = self.is_pressed_at_once.then_some(Warning::PressedAtOnce);
         let mut warnings = self.normal.try_warnings()?;
-        warnings.extend(self.shear.zone_warnings().chain(at_once));
+        warnings.extend(self.tangential.zone_warnings().chain(at_once));
         Ok(warnings)
     }
 }

@@ -1,18 +1,14 @@
 //! The reusable solver of a coupled contact.
 
-use std::ops::ControlFlow;
-
-use crate::buffer::{TryClone, or_abort};
-use crate::cascade::Conditions;
-use crate::cgm::{Iteration, solver_settings};
-use crate::clock::Instant;
+use crate::buffer::TryClone;
+use crate::cgm::solver_settings;
+use crate::contact::{Conditions, solver_methods, with_memory};
 use crate::coupled::increment::{CoupledDemand, CoupledIncrement};
 use crate::coupled::{CoupledProblem, CoupledSolution};
 use crate::elastic::Observer;
 use crate::error::{Error, Result};
-use crate::field::Field;
+use crate::field::{self, Field};
 use crate::normal::NormalControl;
-use crate::passes::with_memory;
 use crate::shown::shown;
 use crate::tangential::{Axis, Friction, Motion, TangentialLoad, TangentialModel};
 
@@ -32,9 +28,9 @@ use crate::tangential::{Axis, Friction, Motion, TangentialLoad, TangentialModel}
 /// let mut contact = solver.new_solution();
 /// let mut shifts = Vec::new();
 /// for force in [0.0, 0.01, 0.02] {
-///     solver.set_load(TangentialLoad::force([force, 0.0]))?;
+///     solver.set_load(press, TangentialLoad::force([force, 0.0]))?;
 ///     solver.solve_into(&mut contact)?;
-///     shifts.push(contact.shear().shift()[0]);
+///     shifts.push(contact.tangential().shift()[0]);
 /// }
 /// assert!(shifts.is_sorted() && shifts[2] > 2.0 * shifts[1]);
 /// # Ok::<(), Error>(())
@@ -56,27 +52,23 @@ impl CoupledSolver {
         Ok(Self { problem, increment })
     }
 
-    /// Changes the normal load of the next solve.
+    /// Changes the normal and the tangential load of the next solve.
     ///
     /// # Errors
-    /// As [`CoupledProblemBuilder::build`](super::CoupledProblemBuilder::build) for the load, which is then as it was.
-    pub fn set_normal(&mut self, normal: NormalControl) -> Result<()> {
-        let bodies = &self.problem.bodies;
-        bodies.agreed_alike(Ok(()), &[("normal load", &normal)])?;
-        normal.check(bodies, &self.problem.gap)?;
-        self.problem.normal = normal;
-        Ok(())
-    }
-
-    /// Changes the tangential load of the next solve.
-    ///
-    /// # Errors
-    /// As [`CoupledProblemBuilder::build`](super::CoupledProblemBuilder::build) for the load, which is then as it was.
-    pub fn set_load(&mut self, load: TangentialLoad) -> Result<()> {
-        let bodies = &self.problem.bodies;
-        bodies.agreed_alike(Ok(()), &[("tangential load", &load)])?;
-        load.demand().check(Axis::BOTH, bodies.boundary())?;
-        self.problem.load = load;
+    /// As [`CoupledProblemBuilder::build`](super::CoupledProblemBuilder::build) for the loads, which are then as they were.
+    pub fn set_load(&mut self, normal: NormalControl, tangential: TangentialLoad) -> Result<()> {
+        let CoupledProblem {
+            bodies,
+            gap,
+            hardness,
+            ..
+        } = &self.problem;
+        bodies.agreed_alike(
+            tangential.demand().check(Axis::BOTH, bodies.boundary()),
+            &[("normal load", &normal), ("tangential load", &tangential)],
+        )?;
+        normal.check(bodies, gap, hardness.as_ref())?;
+        (self.problem.normal, self.problem.tangential) = (normal, tangential);
         Ok(())
     }
 
@@ -88,9 +80,8 @@ impl CoupledSolver {
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
         let bodies = &self.problem.bodies;
         bodies.agreed(gap.check("gap", bodies.grid()))?;
-        self.problem.normal.check(bodies, gap)?;
-        self.problem.gap.try_clone_from(gap)?;
-        Ok(())
+        self.problem.normal.check(bodies, gap, None)?;
+        field::replace(&mut self.problem.gap, gap)
     }
 
     /// Changes the friction of the next solve.
@@ -112,11 +103,7 @@ impl CoupledSolver {
         self.increment.forget();
     }
 
-    /// An empty solution of the right size for [`CoupledSolver::solve_into`].
-    #[must_use]
-    pub fn new_solution(&self) -> CoupledSolution {
-        or_abort(self.try_new_solution())
-    }
+    solver_methods!(CoupledSolution.normal(), problem.bodies);
 
     /// [`Self::new_solution`] where memory may run out.
     ///
@@ -126,31 +113,6 @@ impl CoupledSolver {
         CoupledSolution::empty(&self.problem.bodies, &self.problem.gap)
     }
 
-    /// Solves into `solution`, whose last content does not matter.
-    ///
-    /// # Errors
-    /// [`Error::GridMismatch`] or [`Error::BoundaryMismatch`] for a solution of others, nothing changed;
-    /// [`Error::NotConverged`] with the last iterate in `solution`; [`Error::BeyondFrictionCapacity`] for a force that
-    /// slides the contact; as [`HalfSpace::operator`](crate::HalfSpace::operator); [`Error::Ranks`].
-    pub fn solve_into(&mut self, solution: &mut CoupledSolution) -> Result<()> {
-        self.solve_observed(solution, |_| ControlFlow::Continue(()))
-    }
-
-    /// [`CoupledSolver::solve_into`] with an observer that sees every step and may cancel.
-    ///
-    /// # Errors
-    /// As [`CoupledSolver::solve_into`].
-    pub fn solve_observed(
-        &mut self,
-        solution: &mut CoupledSolution,
-        mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
-    ) -> Result<()> {
-        let bodies = self.problem.bodies.clone();
-        let (grid, boundary) = (solution.normal().grid(), solution.normal().boundary());
-        bodies.agreed(bodies.check_host("solution", grid, boundary))?;
-        bodies.joint(self.solve_checked(solution, &mut observer))
-    }
-
     fn solve_checked(
         &mut self,
         solution: &mut CoupledSolution,
@@ -158,23 +120,19 @@ impl CoupledSolver {
     ) -> Result<()> {
         let problem = &self.problem;
         let mut observer = with_memory(observer);
-        let mut conditions = Conditions {
-            settings: &problem.settings,
-            start: Instant::now(),
-            observer: &mut observer,
-        };
+        let mut conditions = Conditions::new(&problem.settings, &mut observer);
         let demand = CoupledDemand {
             gap: &problem.gap,
             friction: &problem.friction,
-            hardness: None,
+            hardness: problem.hardness.as_ref(),
             normal: problem.normal,
-            tangential: problem.load.demand(),
+            tangential: problem.tangential.demand(),
         };
         let outcome = self
             .increment
             .solve(demand, Motion::default(), &mut conditions);
         if matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
-            solution.fill(&problem.bodies, &problem.gap, &self.increment);
+            solution.fill(problem, &self.increment);
         }
         // Do not start from NaN, or from what lacked memory on the way.
         let is_broken = outcome.is_err() && !self.increment.report().residual.is_finite();

@@ -16,7 +16,8 @@ pub(super) struct Cache {
 #[derive(Debug, PartialEq, Eq, Hash)]
 struct Key {
     kind: TypeId,
-    components: Vec<Component>,
+    /// Of three directions by three at most; the rest are none.
+    components: [Option<Component>; 9],
     size: [usize; 2],
 }
 
@@ -63,7 +64,7 @@ impl Cache {
     ) -> Result<Arc<T>> {
         let key = Key {
             kind: TypeId::of::<T>(),
-            components: components.to_vec(),
+            components: std::array::from_fn(|n| components.get(n).copied()),
             size,
         };
         if let Some(found) = self.locked(|entries| find(entries, &key)) {

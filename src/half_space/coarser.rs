@@ -6,6 +6,7 @@ use std::sync::Arc;
 use crate::buffer;
 use crate::error::Result;
 use crate::fft::samples;
+use crate::field::Field;
 use crate::grid::Grid;
 use crate::half_space::kernels::Kernels;
 use crate::half_space::{HalfSpace, Shared};
@@ -58,7 +59,13 @@ impl HalfSpace {
         self.share([nx, ny]).filter(|_| nx * ny > ALONE)
     }
 
-    /// A field of `[nx, ny]` cells on the cells of [`Self::coarser`].
+    /// A field of the grid on the cells of [`Self::coarser`].
+    pub(crate) fn coarsened_field(&self, coarser: &Self, field: &Field) -> Result<Field> {
+        let samples = self.coarsened(coarser, self.size(), field.as_slice())?;
+        Field::from_vec(coarser.grid(), samples)
+    }
+
+    /// Samples of `[nx, ny]` cells on the cells of [`Self::coarser`].
     pub(crate) fn coarsened(
         &self,
         coarser: &Self,

@@ -1,8 +1,7 @@
 //! How a step is solved, before any of it enters the state.
 
 use crate::buffer::{self, TryClone};
-use crate::cascade::Conditions;
-use crate::clock::Instant;
+use crate::contact::Conditions;
 use crate::elastic::Observer;
 use crate::error::Result;
 use crate::field::Field;
@@ -68,14 +67,10 @@ impl History {
     /// Finds the pressure of the step, as the candidate.
     fn find_pressure(&mut self, control: NormalControl, observer: Observer<'_>) -> Result<()> {
         let state = &self.state;
-        control.check(&self.bodies, &state.gap)?;
-        if let Some(hardness) = &state.hardness {
-            hardness.check_load(&self.bodies, control)?;
-        }
+        control.check(&self.bodies, &state.gap, state.hardness.as_ref())?;
         let of = Pressing {
             bodies: &self.bodies,
             gap: &state.gap,
-            least_gap: self.bodies.least(&state.gap),
             hardness: state.hardness.as_ref(),
             control,
             settings: &state.settings,
@@ -126,11 +121,7 @@ impl History {
             None => increment.enter_nowhere(),
         }
         increment.set_traction(state.traction.each_ref().map(Field::as_slice));
-        let mut conditions = Conditions {
-            settings: &state.settings,
-            start: Instant::now(),
-            observer,
-        };
+        let mut conditions = Conditions::new(&state.settings, observer);
         let memory = state.contact.as_ref().filter(|_| !is_widened);
         let ahead = memory.and_then(|memory| Some((memory, memory.parts_ahead(state, &demand)?)));
         let start = match ahead {

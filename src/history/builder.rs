@@ -1,5 +1,7 @@
 //! What a history starts from, checked once.
 
+use std::sync::Arc;
+
 use crate::buffer::TryClone;
 use crate::cgm::{Settings, settings_methods};
 use crate::coupling::Coupling;
@@ -17,7 +19,7 @@ use crate::tangential::{Axis, Friction, RelativeDisplacement, TangentialModel};
 #[must_use = "a builder does nothing until build() is called"]
 pub struct HistoryBuilder<'a> {
     bodies: &'a HalfSpace,
-    gap: &'a Field,
+    gap: Arc<Field>,
     friction: Friction,
     axis: Axis,
     model: TangentialModel,
@@ -30,7 +32,7 @@ pub struct HistoryBuilder<'a> {
 }
 
 impl<'a> HistoryBuilder<'a> {
-    pub(super) fn new(bodies: &'a HalfSpace, gap: &'a Field, friction: Friction) -> Self {
+    pub(super) fn new(bodies: &'a HalfSpace, gap: Arc<Field>, friction: Friction) -> Self {
         Self {
             bodies,
             gap,
@@ -85,7 +87,7 @@ impl HistoryBuilder<'_> {
         self
     }
 
-    /// How much is modelled of the coupling between pressure and shear in bodies of different materials (default
+    /// How much is modelled of the coupling between pressure and traction in bodies of different materials (default
     /// [`Coupling::Full`]: they are found together, with both tractions whatever the model). One-way coupling in the scalar
     /// model is that along its axis.
     pub fn coupling(mut self, coupling: Coupling) -> Self {
@@ -165,7 +167,7 @@ impl HistoryBuilder<'_> {
         self
     }
 
-    /// Checks everything and copies the gap; nothing is solved yet.
+    /// Checks everything, and copies the gap if others hold it; nothing is solved yet.
     ///
     /// # Errors
     /// [`Error::GridMismatch`](crate::Error::GridMismatch) for gap, friction, hardness or relative displacement,
@@ -189,10 +191,8 @@ impl HistoryBuilder<'_> {
                 ("settings", &self.settings.common()),
             ],
         )?;
-        let (gap, surface) = (
-            self.gap.try_clone()?,
-            (bodies.boundary(), bodies.cell_value()),
-        );
+        let gap = Arc::try_unwrap(self.gap).or_else(|shared| shared.try_clone())?;
+        let surface = (bodies.boundary(), bodies.cell_value());
         let (pair, settings) = (bodies.pair(), self.settings);
         let rule = self.touch_rule;
         let state = State::new(gap, surface, pair, self.friction, axes, settings, rule)?;

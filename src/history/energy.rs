@@ -30,8 +30,8 @@ use crate::ranks::Words;
 /// body 2.
 ///
 /// Bodies alike, and a history that neglects the coupling or takes it one way: pressing is left out, all energies are those
-/// of shear. Dissimilar bodies whose pressure and shear are found together: work, `elastic_before` and `elastic_after` are
-/// those of pressure and shear together, with $`A \sum \bar p\,\Delta u_z`$ and $`\tfrac A2 \sum p\,u_z`$ in addition;
+/// of shear. Dissimilar bodies whose pressure and traction are found together: work, `elastic_before` and `elastic_after` are
+/// those of pressure and traction together, with $`A \sum \bar p\,\Delta u_z`$ and $`\tfrac A2 \sum p\,u_z`$ in addition;
 /// what is dissipated is that of slip in both.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -41,9 +41,9 @@ pub struct EnergyBalance {
     /// mean force times change of the shift, and mean moment times that of the twist; of
     /// cells that come into contact, by the part of the motion that they follow.
     pub work: f64,
-    /// Elastic energy of shear before the step; of dissimilar bodies that of pressure and shear.
+    /// Elastic energy of shear before the step; of dissimilar bodies that of pressure and traction.
     pub elastic_before: f64,
-    /// Elastic energy of shear after the step; of dissimilar bodies that of pressure and shear.
+    /// Elastic energy of shear after the step; of dissimilar bodies that of pressure and traction.
     pub elastic_after: f64,
     /// Energy dissipated, by the tractions at the end of the step: $`-A \sum q_{n+1} s \ge 0`$. Under an
     /// unchanged pressure and a load that does not turn within the step, slip happens at the friction

@@ -39,7 +39,7 @@ impl Cycle {
     /// The [`work`](crate::history::EnergyBalance::work) of the balance, which slip dissipates around a closed loop, is this
     /// as long as nothing else works: it has in addition the work of a changing
     /// [relative displacement](crate::tangential::RelativeDisplacement), such as that of bulk stress, that of the pressure
-    /// where pressure and shear are coupled, and, where the contact grows, less of the motion that new cells have not
+    /// where pressure and traction are coupled, and, where the contact grows, less of the motion that new cells have not
     /// followed.
     ///
     /// ```

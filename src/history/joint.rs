@@ -1,8 +1,7 @@
-//! The steps of bodies whose pressure and shear are found together.
+//! The steps of bodies whose pressure and traction are found together.
 
 use crate::buffer::TryClone;
-use crate::cascade::Conditions;
-use crate::clock::Instant;
+use crate::contact::Conditions;
 use crate::coupled::{CoupledDemand, CoupledIncrement};
 use crate::coupling::Coupling;
 use crate::elastic::Observer;
@@ -17,7 +16,7 @@ use crate::trend::Trend;
 use crate::window::Window;
 
 impl State {
-    /// With this much coupling. Where pressure and shear are found together, that is on all of the grid and along both
+    /// With this much coupling. Where pressure and traction are found together, that is on all of the grid and along both
     /// axes.
     pub(super) fn coupled(mut self, coupling: Coupling) -> Result<Self> {
         self.coupling = coupling;
@@ -30,7 +29,7 @@ impl State {
         Ok(self)
     }
 
-    /// Whether pressure and shear are found together.
+    /// Whether pressure and traction are found together.
     pub(super) fn is_joint(&self) -> bool {
         self.coupling.is_joint(self.pair())
     }
@@ -44,7 +43,7 @@ impl State {
 }
 
 impl History {
-    /// Solves a step whose pressure and shear are coupled without a trace in the state; returns the motion of body 2 at
+    /// Solves a step whose pressure and traction are coupled without a trace in the state; returns the motion of body 2 at
     /// its end, `None` if they are not.
     pub(super) fn find_jointly(
         &mut self,
@@ -58,11 +57,8 @@ impl History {
             NormalControl::Hold => NormalControl::Force(state.normal.force()),
             control => control,
         };
-        normal.check(&self.bodies, &state.gap)?;
         let hardness = state.hardness.as_ref();
-        if let Some(hardness) = hardness {
-            hardness.check_load(&self.bodies, normal)?;
-        }
+        normal.check(&self.bodies, &state.gap, hardness)?;
         if let Some(memory) = &state.contact {
             joint.set_offset(&memory.offset);
         }
@@ -72,11 +68,7 @@ impl History {
         joint.enter(state.closing(&self.bodies, normal))?;
         let (pressure, traction) = (state.pressure(), state.traction());
         joint.set_start(pressure, traction, state.approach(), state.shift());
-        let mut conditions = Conditions {
-            settings: &state.settings,
-            start: Instant::now(),
-            observer,
-        };
+        let mut conditions = Conditions::new(&state.settings, observer);
         let demand = CoupledDemand {
             gap: &state.gap,
             friction: &state.friction,
@@ -86,11 +78,7 @@ impl History {
         };
         joint.solve(demand, state.motion, &mut conditions)?;
         let candidate = self.candidate.take(|| state.normal.try_clone())?;
-        joint.write(&state.gap, candidate);
-        if let Some(hardness) = hardness {
-            let pressure = candidate.pressure().as_slice();
-            candidate.set_yielded_cells(hardness.reached_cells(&self.bodies, pressure));
-        }
+        joint.write(&state.gap, hardness, candidate);
         Ok(Some(joint.answer().motion))
     }
 }

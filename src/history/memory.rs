@@ -18,7 +18,7 @@ pub(super) struct Memory {
     /// What u less the motion is in a cell while it sticks: where its last slip has left it or, outside
     /// the contact, where it would touch now.
     pub(super) offset: PlaneVector,
-    /// How the tractions changed in the last step, and force and shift with them; nothing where pressure and shear are
+    /// How the tractions changed in the last step, and force and shift with them; nothing where pressure and traction are
     /// found together.
     pub(super) trend: Trend<2>,
 }

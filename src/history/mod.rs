@@ -41,7 +41,7 @@
 //! cell. Signs are those of the crate: traction on body 1, shift and twist of body 2 relative to body 1.
 //!
 //! # Bodies of different materials
-//! Where materials couple pressure and shear, each step finds both together ([`coupled`](crate::coupled)), with both
+//! Where materials couple pressure and traction, each step finds both together ([`coupled`](crate::coupled)), with both
 //! components of the traction whatever the model. $`u`$ is then the displacement by traction and pressure, and a change of
 //! the normal load is a step of the tangential contact too: pressing draws the surfaces inwards and makes them slip. A
 //! step that names no normal load holds the normal force, not the pressure. The [`TouchRule`] serves the slip that pressing

@@ -35,7 +35,7 @@ pub(super) fn narrow(
         let is_left = window.cells() as f64 >= waste * needed.cells() as f64;
         needed.intersection(window).filter(|_| is_left)
     };
-    // Pressure and shear found together remember all of the grid.
+    // Pressure and traction found together remember all of the grid.
     if let Some(memory) = state.contact.as_mut().filter(|_| !is_joint) {
         if let Some(window) = smaller(memory.window, WASTE) {
             memory.narrow(grid, window);

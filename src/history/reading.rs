@@ -10,7 +10,7 @@ use crate::grid::Grid;
 use crate::history::{History, StepResult};
 use crate::normal::NormalSolution;
 use crate::report::Iteration;
-use crate::stiffness::{ContactStiffness, Coupled, Pressed, Sheared};
+use crate::stiffness::{ContactStiffness, Coupled, Pressed, Sheared, StiffnessWorkspace};
 use crate::tangential::{self, Axis, Friction, Zone};
 use crate::watch::unwatched;
 
@@ -174,13 +174,25 @@ impl History {
     }
 
     /// [`stiffness`](Self::stiffness) with an observer that is asked before every product with an operator and may cancel;
-    /// the residual it sees is the root of the last bound, or the relative residual where pressure and shear are found
-    /// together; there the limits of the [settings](crate::cgm::Settings) hold too.
+    /// the residual it sees is that of the linear problem under way.
     ///
     /// # Errors
     /// As [`stiffness`](Self::stiffness).
     pub fn stiffness_observed(
         &self,
+        observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
+    ) -> Result<ContactStiffness> {
+        self.stiffness_with(&mut StiffnessWorkspace::new(), observer)
+    }
+
+    /// [`stiffness_observed`](Self::stiffness_observed) in buffers that are kept: after the first time without allocations,
+    /// to its tolerance, with a report.
+    ///
+    /// # Errors
+    /// As [`stiffness`](Self::stiffness).
+    pub fn stiffness_with(
+        &self,
+        workspace: &mut StiffnessWorkspace,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<ContactStiffness> {
         let pair = self.bodies.pair();
@@ -192,24 +204,26 @@ impl History {
                 entered: &self.entered,
                 friction: self.friction(),
                 hardness: self.state.hardness.as_ref(),
-                settings: &self.state.settings,
+                window: self.state.press_window,
             };
-            return coupled.stiffness(&self.bodies, &mut observer);
+            return coupled.stiffness(&self.bodies, workspace, &mut observer);
         }
         let sheared = Sheared {
             zones: self.zones(),
             traction: self.traction(),
             slip: self.last_step().slip(),
             entered: &self.entered,
+            window: self.state.contact.as_ref().map(|memory| memory.window),
         };
         let pressed = Pressed {
             normal: self.normal(),
+            window: self.state.press_window,
             friction: self.friction(),
             hardness: self.state.hardness.as_ref(),
             is_drawn: self.state.coupling.is_one_way(pair),
         };
         let (bodies, axis) = (&self.bodies, self.axis());
-        ContactStiffness::of(bodies, &pressed, &sheared, axis, &mut observer)
+        ContactStiffness::of(bodies, &pressed, &sheared, axis, workspace, &mut observer)
     }
 
     /// Moment about z, at the origin of the grid, that the tractions of body 2 exert on body 1.

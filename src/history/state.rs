@@ -307,7 +307,7 @@ impl State {
         self.touch_rule
     }
 
-    /// How much is modelled of the coupling between pressure and shear, if the bodies have any
+    /// How much is modelled of the coupling between pressure and traction, if the bodies have any
     /// ([`ElasticPair::is_coupled`]).
     #[must_use]
     pub fn coupling(&self) -> Coupling {

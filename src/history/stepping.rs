@@ -1,9 +1,11 @@
 //! A history: its state, and how it takes a step.
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use crate::buffer::TryClone;
 use crate::cgm::{Iteration, Settings, reduce};
+use crate::contact::with_memory;
 use crate::coupled::CoupledIncrement;
 use crate::elastic::Observer;
 use crate::error::{Error, Result};
@@ -20,7 +22,6 @@ use crate::history::yielding::{add_yielded, settle};
 use crate::history::{EnergyBalance, LoadStep, StepResult};
 use crate::normal::{NormalControl, NormalSolution, PressureSolver};
 use crate::parallel;
-use crate::passes::with_memory;
 use crate::pool::Lease;
 use crate::report::{Report, Status};
 use crate::shown::shown;
@@ -83,7 +84,7 @@ pub struct History {
     pub(super) increments: Increments,
     /// The tangential contact of the step under way.
     pub(super) increment: Option<Increment>,
-    /// Pressure and shear found together, instead of the above; none where they are not coupled.
+    /// Pressure and traction found together, instead of the above; none where they are not coupled.
     pub(super) joint: Option<Box<CoupledIncrement>>,
     pub(super) step: StepResult,
     /// Compliance of their own of the cells that entered the contact in the last step; of no cells where none did.
@@ -104,13 +105,14 @@ const _: () = {
 
 impl History {
     /// Starts from what is required: bodies, gap before loading (lengths, on the grid of the bodies) and
-    /// friction. Nothing touches and nothing is sheared before the first step.
-    pub fn builder<'a>(
-        bodies: &'a HalfSpace,
-        gap: &'a Field,
+    /// friction. The gap is copied from a reference, and from an [`Arc`] that others hold; given by value it is not. Nothing
+    /// touches and no traction acts before the first step.
+    pub fn builder(
+        bodies: &HalfSpace,
+        gap: impl Into<Arc<Field>>,
         friction: Friction,
-    ) -> HistoryBuilder<'a> {
-        HistoryBuilder::new(bodies, gap, friction)
+    ) -> HistoryBuilder<'_> {
+        HistoryBuilder::new(bodies, gap.into(), friction)
     }
 
     /// Starts from a state on the bodies it belongs to, to the same bits as the history that had it. Its
@@ -294,9 +296,9 @@ impl History {
         step.normal_force = state.normal.force();
         step.approach = state.approach();
         let (joint, increment) = (self.joint.as_ref(), self.increment.as_ref());
-        let sheared = joint.map(|joint| (joint.answer(), joint.report()));
-        let sheared = sheared.or_else(|| increment.map(|part| (part.answer(), part.report())));
-        let (answer, report) = sheared.unzip();
+        let solved = joint.map(|joint| (joint.answer(), joint.report()));
+        let solved = solved.or_else(|| increment.map(|part| (part.answer(), part.report())));
+        let (answer, report) = solved.unzip();
         step.tangential_report
             .clone_from(report.unwrap_or(&Report::unsolved()));
         commit(answer.as_ref(), motion, state, step, &mut self.written);

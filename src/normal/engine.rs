@@ -4,22 +4,19 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use crate::buffer::{self, TryClone};
-use crate::cgm::{self, Carried, Interval, Iterate, Known, Total};
-use crate::elastic::{ElasticSolver, Observer, Posed};
+use crate::cgm::{self, Interval, Iterate, Known};
+use crate::contact::{self, OnWindow};
+use crate::elastic::{ElasticSolver, Observer};
 use crate::error::{Error, Result};
 use crate::fft::{Convolution, ConvolutionWorkspace};
 use crate::half_space::{Compliance, HalfSpace, Region};
 use crate::influence::Direction;
-use crate::left_behind::OfSize;
+use crate::normal::nested::PressureScene;
 use crate::operator::Operator;
 use crate::parallel::{self, Blocks};
-use crate::per_cell::PerCell;
 use crate::pool::Lease;
 use crate::trend::{Ahead, Reached, Trend};
 use crate::window::Window;
-
-/// Change of a load, as part of it, below which it is round-off.
-const NO_CHANGE: f64 = 1e-12;
 
 /// The engine, set up where it works: around the contact, if that is much smaller than the grid.
 #[derive(Debug, Clone)]
@@ -69,54 +66,8 @@ impl Part {
     }
 }
 
-/// The surfaces as the engine takes them, on the whole grid: their gap, and the largest pressure they carry.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Surfaces<'a> {
-    pub(super) gap: &'a [f64],
-    pub(super) limits: PerCell<&'a [f64]>,
-}
-
-/// The load as the engine takes it.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Load {
-    /// What the gap is measured from: its least value, or the approach where that is prescribed.
-    pub(super) datum: f64,
-    /// The sum of the pressures, where the force is prescribed.
-    pub(super) total: Total,
-}
-
-impl Load {
-    /// The multiplier there is, if this is it.
-    pub(super) fn of(self, multiplier: f64) -> f64 {
-        match self.total {
-            Total::Free => 0.0,
-            _ => multiplier,
-        }
-    }
-
-    /// How far it lies ahead of what was reached: nowhere, if that is round-off.
-    pub(super) fn ahead(self, reached: Reached) -> Ahead {
-        let beyond = |wanted: f64, reached: f64| {
-            let ahead = wanted - reached;
-            (ahead.abs() > NO_CHANGE * wanted.abs()).then_some(ahead)
-        };
-        let ahead = match self.total {
-            Total::Sum(sum) => beyond(sum, reached[0]).map(Ahead::Total),
-            _ => beyond(self.datum, reached[1]).map(Ahead::Motion),
-        };
-        ahead.unwrap_or(Ahead::Nothing)
-    }
-}
-
-impl OfSize for Engine {
-    fn size(&self) -> [usize; 2] {
-        self.window().size
-    }
-}
-
-impl Engine {
-    /// On a window, as [`HalfSpace::place`] has it.
-    pub(super) fn new(bodies: &HalfSpace, window: Window) -> Result<Self> {
+impl OnWindow for Engine {
+    fn new(bodies: &HalfSpace, window: Window) -> Result<Self> {
         let (window, whole) = (bodies.place(window), Window::whole(bodies.grid()));
         let part = if window == whole {
             None
@@ -136,18 +87,27 @@ impl Engine {
         })
     }
 
-    /// Where it works.
-    pub(super) fn window(&self) -> Window {
+    fn window(&self) -> Window {
         self.region.window()
     }
 
-    /// Moves to another place of the same size, without a trend.
-    pub(super) fn move_to(&mut self, bodies: &HalfSpace, window: Window) {
+    /// Without a trend.
+    fn move_to(&mut self, bodies: &HalfSpace, window: Window) {
         self.region = Region::new(bodies, window);
         self.is_extrapolated = false;
         self.trend.forget();
     }
 
+    /// The displacement is then gone.
+    fn rest(&mut self) {
+        self.solver.rest();
+        if let Some(part) = &mut self.part {
+            part.fields.give_back();
+        }
+    }
+}
+
+impl Engine {
     /// Takes a trend of the cells held here.
     ///
     /// # Errors
@@ -185,14 +145,6 @@ impl Engine {
         self.trend.parts([ahead])
     }
 
-    /// Gives the buffers back; the displacement is then gone.
-    pub(super) fn rest(&mut self) {
-        self.solver.rest();
-        if let Some(part) = &mut self.part {
-            part.fields.give_back();
-        }
-    }
-
     /// The displacement of the whole grid, once it was solved on.
     pub(super) fn displacement(&self) -> &[f64] {
         match &self.part {
@@ -217,41 +169,33 @@ impl Engine {
     /// Solves on the window, from the pressure of the whole grid into it.
     pub(super) fn solve(
         &mut self,
-        surfaces: Surfaces<'_>,
-        load: Load,
+        scene: PressureScene<&[f64]>,
         (pressure, known): (&mut [f64], Known<1>),
         settings: &cgm::Settings,
         observer: Observer<'_>,
     ) -> Result<()> {
         let (region, solver) = (&self.region, &mut self.solver);
-        let mut minimise = |surfaces: Surfaces<'_>, pressure: &mut [f64]| {
-            let posed = Posed {
-                diagonal: &[],
-                linear: [surfaces.gap],
-                datum: [load.datum],
-                constraint: Carried(surfaces.limits),
-                totals: [load.total],
-                known,
-            };
-            solver.minimise(posed, [pressure], settings, &mut *observer)
-        };
         let Some(part) = &mut self.part else {
-            return minimise(surfaces, pressure);
+            let problem = scene.problem(solver);
+            return solver.minimise(&problem, ([pressure], known), settings, observer);
         };
         let cells = region.cells();
         let fields = part.fields(cells)?;
-        region.gather(surfaces.gap, &mut fields.gap);
+        region.gather(scene.gap, &mut fields.gap);
         region.gather(pressure, &mut fields.pressure);
         let own_limits = &mut fields.limits;
-        let inside = Surfaces {
-            gap: &fields.gap,
-            limits: surfaces.limits.try_map(|limits| {
+        let inside = PressureScene {
+            gap: &*fields.gap,
+            limits: scene.limits.try_map(|limits| {
                 buffer::resize(own_limits, cells, 0.0)?;
                 region.gather(limits, own_limits);
                 Ok(own_limits.as_slice())
             })?,
+            ..scene
         };
-        let outcome = minimise(inside, &mut fields.pressure);
+        let problem = inside.problem(solver);
+        let from = ([&mut *fields.pressure], known);
+        let outcome = solver.minimise(&problem, from, settings, observer);
         if matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
             pressure.fill(0.0);
             region.scatter(&fields.pressure, pressure);
@@ -262,8 +206,7 @@ impl Engine {
     /// Examines the pressure on the whole grid; `None` if the window is the grid.
     pub(super) fn examine(
         &mut self,
-        surfaces: Surfaces<'_>,
-        load: Load,
+        scene: PressureScene<&[f64]>,
         pressure: &[f64],
     ) -> Result<Option<cgm::Certificate>> {
         let multiplier = self.solver.multiplier();
@@ -281,29 +224,25 @@ impl Engine {
             layout: &operator.layout(),
             x: [pressure],
             product: [displacement],
-            linear: [surfaces.gap],
-            datum: [load.datum],
-            totals: [load.total],
+            linear: [scene.gap],
+            datum: [scene.datum],
+            totals: [scene.total],
             multiplier,
         };
-        let carried = Carried(surfaces.limits);
-        let findings = cgm::examine(&iterate, &carried, operator.lower_bound());
+        let findings = cgm::examine(&iterate, &scene.constraint(), operator.lower_bound());
         Ok(Some(findings))
     }
 
-    /// The cells beyond the window where bodies overlap by more than round-off.
+    /// Around the cells beyond the window where bodies overlap by more than round-off of the largest displacement.
     pub(super) fn missed(
         &self,
-        gap: &[f64],
-        load: Load,
-        round_off: f64,
+        scene: PressureScene<&[f64]>,
+        largest: f64,
         bodies: &HalfSpace,
     ) -> Option<Window> {
         let ([multiplier], displacement) = (self.solver.multiplier(), self.displacement());
-        let (first, window) = (bodies.first_cell(), self.window());
-        bodies.around(|i| {
-            let overlap = displacement[i] + (gap[i] - load.datum) - multiplier;
-            overlap < -round_off && !window.contains(first + i)
+        contact::missed(bodies, self.window(), largest, |i| {
+            displacement[i] + (scene.gap[i] - scene.datum) - multiplier
         })
     }
 

@@ -162,20 +162,14 @@ impl Hardness {
 
     /// On cells twice as large, each with the mean of those that lie in it.
     pub(crate) fn coarsened(&self, bodies: &HalfSpace, coarser: &HalfSpace) -> Result<Self> {
-        let limit = self.limit.try_map(|cells| {
-            let size = bodies.grid().whole().size();
-            let coarse = bodies.coarsened(coarser, size, cells.as_slice())?;
-            Field::from_vec(coarser.grid(), coarse)
-        })?;
+        let coarsened = |cells: &Field| bodies.coarsened_field(coarser, cells);
+        let limit = self.limit.try_map(coarsened)?;
         Ok(Self { limit })
     }
 
     /// `Ok` if the limits fit the grid.
     pub(crate) fn check(&self, grid: Grid) -> Result<()> {
-        match &self.limit {
-            PerCell::Cells(limits) => grid.expect("hardness", limits.grid()),
-            PerCell::Uniform(_) => Ok(()),
-        }
+        self.limit.check("hardness", grid)
     }
 
     /// Whether the cells of a window of the grid carry this total of the pressures, and some more, or are all there are.

@@ -1,51 +1,83 @@
-//! The normal problem on coarser cells.
+//! The scene of a pressure, and the same on coarser cells.
 
 use crate::buffer;
-use crate::cascade::{Levels, Scene};
-use crate::cgm::{Carried, Constraint, Interval, Total};
+use crate::cgm::{Carried, Interval, Total};
+use crate::contact::{Levels, Scene};
+use crate::elastic::{ElasticProblem, ElasticSolver};
 use crate::error::Result;
 use crate::half_space::{HalfSpace, Region};
 use crate::influence::Direction;
+use crate::layout::Layout;
 use crate::per_cell::PerCell;
+use crate::trend::{Ahead, Reached};
 
 /// How many times the cells of a coarse window a grid has at least: operators of the grid are kept, those of windows are
 /// made for one solve.
 const FEW: usize = 4;
 
-/// The gap from a datum, the largest pressures, and their sum: all a normal contact depends on.
-pub(super) struct PressureScene {
-    pub(super) linear: Vec<f64>,
-    pub(super) limits: PerCell<Vec<f64>>,
+/// Change of a load, as part of it, below which it is round-off.
+const NO_CHANGE: f64 = 1e-12;
+
+/// All that a pressure depends on.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct PressureScene<C> {
+    pub(super) gap: C,
+    /// What the gap is measured from: its least value, or the approach where that is prescribed.
+    pub(super) datum: f64,
+    /// The largest pressure that the cells carry.
+    pub(super) limits: PerCell<C>,
+    /// The sum of the pressures, where the force is prescribed.
     pub(super) total: Total,
-    /// Cells of all ranks together.
-    pub(super) cells: usize,
 }
 
-impl Scene<1> for PressureScene {
+impl<C: AsRef<[f64]>> PressureScene<C> {
+    pub(super) fn constraint(&self) -> Carried<'_> {
+        Carried(self.limits.map(C::as_ref))
+    }
+
+    /// What is to be minimised.
+    pub(super) fn problem(
+        &self,
+        solver: &ElasticSolver<Interval, 1>,
+    ) -> ElasticProblem<'_, Carried<'_>, 1> {
+        solver
+            .problem([self.gap.as_ref()], self.constraint())
+            .datum([self.datum])
+            .totals([self.total])
+    }
+
+    /// How far the load lies ahead of what was reached: nowhere, if that is round-off.
+    pub(super) fn ahead(&self, reached: Reached) -> Ahead {
+        let beyond = |wanted: f64, reached: f64| {
+            let ahead = wanted - reached;
+            (ahead.abs() > NO_CHANGE * wanted.abs()).then_some(ahead)
+        };
+        let ahead = match self.total {
+            Total::Sum(sum) => beyond(sum, reached[0]).map(Ahead::Total),
+            _ => beyond(self.datum, reached[1]).map(Ahead::Motion),
+        };
+        ahead.unwrap_or(Ahead::Nothing)
+    }
+}
+
+impl Scene<1> for PressureScene<Vec<f64>> {
     type Set = Interval;
+    type Constraint<'a> = Carried<'a>;
 
     fn directions(&self) -> [Direction; 1] {
         [Direction::Z]
     }
 
-    fn constraint(&self) -> impl Constraint<1, Set = Interval> {
-        Carried(self.limits.map(Vec::as_slice))
-    }
-
-    fn linear(&self) -> [&[f64]; 1] {
-        [&self.linear]
-    }
-
-    fn totals(&self) -> [Total; 1] {
-        [self.total]
+    fn problem(&self, solver: &ElasticSolver<Interval, 1>) -> ElasticProblem<'_, Carried<'_>, 1> {
+        self.problem(solver)
     }
 
     fn coarsened(&self, levels: Levels<'_>) -> Result<Self> {
         Ok(Self {
-            linear: levels.coarsened(&self.linear)?,
+            gap: levels.coarsened(&self.gap)?,
             limits: self.limits.try_map(|limits| levels.coarsened(limits))?,
-            cells: levels.coarse_layout().of_all_ranks(),
             total: self.total.scaled(0.25),
+            ..*self
         })
     }
 
@@ -69,18 +101,17 @@ impl Scene<1> for PressureScene {
             Ok(part)
         };
         let part = Self {
-            linear: inside(&self.linear)?,
+            gap: inside(&self.gap)?,
             limits: self.limits.try_map(inside)?,
-            total: self.total,
-            cells: window.cells(),
+            ..*self
         };
         Ok(Some((region, part)))
     }
 
     /// Uniform pressure under a force, zero under an approach.
-    fn plain_start(&self) -> Result<[Vec<f64>; 1]> {
-        let mean = self.total.sum().unwrap_or(0.0) / self.cells as f64;
-        Ok([buffer::filled(mean, self.linear.len())?])
+    fn plain_start(&self, layout: &Layout) -> Result<[Vec<f64>; 1]> {
+        let mean = self.total.sum().unwrap_or(0.0) / layout.of_all_ranks() as f64;
+        Ok([buffer::filled(mean, self.gap.len())?])
     }
 
     fn refined_start(

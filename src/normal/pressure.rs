@@ -3,30 +3,30 @@
 use std::ops::ControlFlow;
 
 use crate::buffer;
-use crate::cascade::{Conditions, Scene, nested_start};
-use crate::cgm::{Iteration, Known, Method, Settings, Total, UNLIMITED, reduce};
-use crate::clock::Instant;
-use crate::elastic::Observer;
+use crate::cgm::{Iteration, Known, Method, Settings, UNLIMITED, reduce};
+use crate::contact::{Conditions, OnWindow, Scene, Seen, Windows};
+use crate::contact::{nested_start, with_counts_of, with_memory};
+use crate::elastic::{Observer, multipliers};
 use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
-use crate::left_behind::LeftBehind;
-use crate::normal::engine::{Engine, Load, Surfaces};
+use crate::normal::engine::Engine;
 use crate::normal::nested::PressureScene;
 use crate::normal::{Hardness, NormalControl, NormalSolution};
 use crate::parallel;
-use crate::passes::{check_iterations_left, with_counts_of, with_limits_left, with_memory};
+use crate::per_cell::PerCell;
 use crate::report::{Report, Status};
 use crate::trend::{Ahead, Reached, Trend};
 use crate::window::Window;
+
+/// Part of the tolerance below which a window is not solved more strictly, that of the grid being out of reach.
+const STRICTEST: f64 = 0.1;
 
 /// What is pressed, and how.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Pressing<'a> {
     pub(crate) bodies: &'a HalfSpace,
     pub(crate) gap: &'a Field,
-    /// The least of its samples.
-    pub(crate) least_gap: f64,
     pub(crate) hardness: Option<&'a Hardness>,
     pub(crate) control: NormalControl,
     pub(crate) settings: &'a Settings,
@@ -45,29 +45,27 @@ impl<'a> Pressing<'a> {
             .is_some_and(|hardness| hardness.is_exceeded(self.bodies, pressure))
     }
 
-    fn surfaces(&self) -> Surfaces<'a> {
-        Surfaces {
+    /// As the engine takes it.
+    fn scene(&self) -> Result<PressureScene<&'a [f64]>> {
+        let (datum, total) = self.control.posed(self.bodies, self.gap)?;
+        Ok(PressureScene {
             gap: self.gap.as_slice(),
-            limits: self.hardness.map_or(UNLIMITED, Hardness::limits),
-        }
+            datum,
+            limits: self.limits(),
+            total,
+        })
     }
 
-    /// Without a hardness.
-    fn elastic_surfaces(&self) -> Surfaces<'a> {
-        Surfaces {
-            limits: UNLIMITED,
-            ..self.surfaces()
-        }
+    fn limits(&self) -> PerCell<&'a [f64]> {
+        self.hardness.map_or(UNLIMITED, Hardness::limits)
     }
 }
 
 /// What one solve leaves to the next, but for the pressure, which is its caller's: zero before the first solve.
 #[derive(Debug, Clone)]
 pub(crate) struct PressureSolver {
-    /// What the last solve worked with; `None` before the first.
-    engine: Option<Engine>,
-    /// Those of other windows.
-    left_behind: LeftBehind<Engine>,
+    /// What the last solve worked with, on its window.
+    windows: Windows<Engine>,
     /// Whether its answer is a start.
     is_start: bool,
     /// The approach that belongs to the pressure.
@@ -78,8 +76,7 @@ pub(crate) struct PressureSolver {
 impl PressureSolver {
     pub(crate) fn new() -> Self {
         Self {
-            engine: None,
-            left_behind: LeftBehind::default(),
+            windows: Windows::default(),
             is_start: false,
             approach: 0.0,
             report: Report::with_room(),
@@ -88,24 +85,24 @@ impl PressureSolver {
 
     /// Where the engine works; `None` before the first solve.
     pub(crate) fn window(&self) -> Option<Window> {
-        self.engine.as_ref().map(Engine::window)
+        self.windows.window()
     }
 
     /// Writes how the pressure changed with the load on that window, in the cells held here.
     pub(crate) fn write_trend(&self, trend: &mut Trend<1>) {
-        if let Some(engine) = &self.engine {
+        if let Some(engine) = &self.windows.present {
             engine.write_trend(trend);
         }
     }
 
     /// Cells of that trend held here.
     pub(crate) fn trend_cells(&self) -> usize {
-        self.engine.as_ref().map_or(0, Engine::trend_cells)
+        self.windows.present.as_ref().map_or(0, Engine::trend_cells)
     }
 
     /// Counts a step, whether or not it solves.
     pub(crate) fn age(&mut self) {
-        self.left_behind.age();
+        self.windows.age();
     }
 
     /// Goes on as after a solve that came to this approach, on the window it ended with; one that failed gives its buffers
@@ -117,46 +114,37 @@ impl PressureSolver {
         window: Option<Window>,
         trend: &Trend<1>,
     ) -> Result<()> {
-        self.approach = approach;
-        if let Some(engine) = &mut self.engine {
+        (self.approach, self.is_start) = (approach, true);
+        if let Some(engine) = &mut self.windows.present {
             engine.rest();
         }
-        if self.window() != window {
-            let present = &mut self.engine;
-            match window.map(|window| bodies.place(window)) {
-                Some(window) => {
-                    let make = || Engine::new(bodies, window);
-                    let engine = self.left_behind.provide(present, window.size, make)?;
-                    engine.move_to(bodies, window);
-                }
-                None => *present = None,
-            }
-        }
-        let Some(engine) = &mut self.engine else {
+        self.windows.resume(bodies, window)?;
+        let Some(engine) = &mut self.windows.present else {
             return Ok(());
         };
         let outcome = engine.set_trend(trend);
         if outcome.is_err() {
             // Without the trend it would not go on as it did.
-            self.engine = None;
+            self.windows.present = None;
         }
         outcome
     }
 
     /// Forgets the last answer: the next solve starts as the first did.
     pub(crate) fn reset(&mut self) {
-        self.engine = None;
+        self.windows.present = None;
     }
 
     /// Writes what was found to a solution that has the pressure, and rests.
     pub(crate) fn finish(&mut self, of: &Pressing<'_>, solution: &mut NormalSolution) {
-        let displacement = self.engine.as_ref().map_or(&[][..], Engine::displacement);
+        let engine = &mut self.windows.present;
+        let displacement = engine.as_ref().map_or(&[][..], Engine::displacement);
         let Pressing { bodies, gap, .. } = of;
         solution.fill(bodies, gap, displacement, self.approach, &self.report);
         let pressure = solution.pressure().as_slice();
         let yielded = of.yielded(pressure);
         solution.set_yielded_cells(yielded);
-        match &mut self.engine {
+        match engine {
             Some(engine) if self.is_start => engine.rest(),
             engine => *engine = None,
         }
@@ -169,7 +157,7 @@ impl PressureSolver {
         pressure: Vec<f64>,
     ) -> Result<NormalSolution> {
         let yielded = of.yielded(&pressure);
-        let displacement = self.engine.map(Engine::into_displacement);
+        let displacement = self.windows.present.map(Engine::into_displacement);
         let fields = [pressure, displacement.unwrap_or_default()];
         let mut solution =
             NormalSolution::of(of.bodies, of.gap, fields, self.approach, self.report)?;
@@ -189,68 +177,62 @@ impl PressureSolver {
         observer: Observer<'_>,
     ) -> Result<()> {
         let mut observer = with_memory(observer);
-        let mut conditions = Conditions {
-            settings: of.settings,
-            start: Instant::now(),
-            observer: &mut observer,
-        };
-        // Without a datum far from the contact the sums keep their last digits.
-        let load = match of.control {
-            NormalControl::Force(force) => Load {
-                datum: of.least_gap,
-                total: Total::Sum(force / of.bodies.grid().cell_area()),
-            },
-            NormalControl::Approach(approach) => Load {
-                datum: approach,
-                total: Total::Free,
-            },
-            NormalControl::Hold => return Err(Error::NothingToHold),
-        };
+        let mut conditions = Conditions::new(of.settings, &mut observer);
+        let outcome = self.find(of, pressure, &mut conditions);
+        if !matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
+            self.windows.present = None;
+        }
+        outcome
+    }
+
+    fn find(
+        &mut self,
+        of: &Pressing<'_>,
+        pressure: &mut [f64],
+        conditions: &mut Conditions<'_, '_>,
+    ) -> Result<()> {
+        let mut scene = of.scene()?;
         let layout = of.bodies.grid_layout();
         let from = [reduce::total(&layout, pressure), self.approach];
-        let holds = |engine: &Engine| {
-            let window = engine.window();
-            of.hardness
-                .is_none_or(|hardness| hardness.holds(of.bodies, window, load.total))
-        };
         // A window that cannot carry the load is no place to begin at.
-        let last = self.engine.take().filter(holds);
-        let is_cold = last.is_none();
+        let holds = |window: Window| {
+            of.hardness
+                .is_none_or(|hardness| hardness.holds(of.bodies, window, scene.total))
+        };
+        let has_start = std::mem::take(&mut self.is_start) && self.window().is_some_and(holds);
         // What nothing reaches is not to be seen in any iterate.
-        let is_elastic = is_cold || of.yielded(pressure) == 0;
-        let surfaces = if is_elastic {
-            of.elastic_surfaces()
-        } else {
-            of.surfaces()
+        if !has_start || of.yielded(pressure) == 0 {
+            scene.limits = UNLIMITED;
+        }
+        let known = match &mut self.windows.present {
+            Some(engine) if has_start => set_out(engine, scene, from, self.approach, pressure)?,
+            engine => {
+                *engine = None;
+                *engine = Some(start_cold(of.bodies, scene, pressure, conditions)?);
+                Known::Nothing
+            }
         };
-        let (mut engine, known) = if let Some(mut engine) = last {
-            let known = self.set_out(&mut engine, load, from, pressure)?;
-            (engine, known)
-        } else {
-            let engine = start_cold(of.bodies, surfaces, load, pressure, &mut conditions)?;
-            (engine, Known::Nothing)
-        };
-        self.report.clone_from(&Report::unsolved());
-        let what = (of.bodies, surfaces, load);
-        let from_here = (&mut *pressure, known);
-        let mut outcome = self.solve_on_window(&mut engine, what, from_here, &mut conditions);
+        self.report.clear();
+        let mut outcome = self.solve_on_window(of.bodies, scene, (pressure, known), conditions);
         if matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) && of.exceeds(pressure) {
-            outcome = self.bring_within_limits(&mut engine, of, load, pressure, &mut conditions);
+            scene.limits = of.limits();
+            outcome = self.bring_within_limits(of.bodies, scene, pressure, conditions);
         }
-        if !matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
+        let (Ok(()) | Err(Error::NotConverged(_)), Some(engine)) =
+            (&outcome, &mut self.windows.present)
+        else {
             return outcome;
-        }
+        };
         self.report.time = conditions.start.elapsed();
         let [multiplier] = engine.solver.multiplier();
-        self.approach = load.datum + multiplier;
+        self.approach = scene.datum + multiplier;
         if outcome.is_ok() && known == Known::Extrapolated {
             let to = [reduce::total(&layout, pressure), self.approach];
             engine.note(pressure, from, to)?;
         }
         // Do not warm-start from NaN; and a first solve without contact has not found where to work.
         let touches = reduce::any(&layout, |i| pressure[i] > 0.0);
-        self.is_start = self.report.duality_gap.is_finite() && (touches || !is_cold);
-        self.engine = Some(engine);
+        self.is_start = self.report.duality_gap.is_finite() && (touches || has_start);
         outcome.map_err(|_| Error::NotConverged(Box::new(self.report.clone())))
     }
 
@@ -258,143 +240,125 @@ impl PressureSolver {
     /// has come to its limits, or was cancelled, the pressure is brought within the hardness and no step is taken.
     fn bring_within_limits(
         &mut self,
-        engine: &mut Engine,
-        of: &Pressing<'_>,
-        load: Load,
+        bodies: &HalfSpace,
+        scene: PressureScene<&[f64]>,
         pressure: &mut [f64],
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<()> {
-        let what = (of.bodies, of.surfaces(), load);
         let may_go_on = matches!(self.report.status, Status::Converged | Status::Stalled)
-            && check_iterations_left(conditions.settings, &mut self.report).is_ok();
+            && conditions.check_iterations_left(&mut self.report).is_ok();
         if may_go_on {
-            *engine = start_cold(of.bodies, of.surfaces(), load, pressure, conditions)?;
-            return self.solve_on_window(engine, what, (pressure, Known::Nothing), conditions);
+            let engine = start_cold(bodies, scene, pressure, conditions)?;
+            self.windows.present = Some(engine);
+            let from = (pressure, Known::Nothing);
+            return self.solve_on_window(bodies, scene, from, conditions);
         }
-        *engine = Engine::new(of.bodies, Window::whole(of.bodies.grid()))?;
+        let engine = Engine::new(bodies, Window::whole(bodies.grid()))?;
+        self.windows.present = Some(engine);
         let status = self.report.status;
         let mut refuse = |_: &Iteration| ControlFlow::Break(());
+        let steps = self.report.iterations + 1;
         let mut no_step = Conditions {
-            settings: &conditions
-                .settings
-                .max_iterations(self.report.iterations + 1),
+            settings: &conditions.settings.max_iterations(steps),
             start: conditions.start,
             observer: &mut refuse,
         };
-        let outcome = self.solve_on_window(engine, what, (pressure, Known::Nothing), &mut no_step);
+        let from = (pressure, Known::Nothing);
+        let outcome = self.solve_on_window(bodies, scene, from, &mut no_step);
         if matches!(outcome, Err(Error::NotConverged(_))) {
             self.report.status = status;
         }
         outcome
     }
 
-    /// From the last answer: as it is under the same load, moved on where the load has changed.
-    fn set_out(
-        &self,
-        engine: &mut Engine,
-        load: Load,
-        from: Reached,
-        pressure: &mut [f64],
-    ) -> Result<Known<1>> {
-        Ok(match load.ahead(from) {
-            Ahead::Nothing => Known::Answer([load.of(self.approach - load.datum)]),
-            ahead => {
-                let parts = engine.parts(ahead).unwrap_or(0.0);
-                engine.extrapolate(parts, pressure)?;
-                Known::Extrapolated
-            }
-        })
-    }
-
-    /// Solves on the window and looks at the whole grid; where bodies overlap beyond the window it
-    /// was too small, and the work continues in a larger one.
+    /// Solves on the window of the contact, and on wider ones where it was too small.
     fn solve_on_window(
         &mut self,
-        engine: &mut Engine,
-        (bodies, surfaces, load): (&HalfSpace, Surfaces<'_>, Load),
+        bodies: &HalfSpace,
+        scene: PressureScene<&[f64]>,
         (pressure, mut known): (&mut [f64], Known<1>),
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<()> {
-        let Conditions {
-            settings,
-            start,
-            observer,
-        } = conditions;
-        let mut aim = settings.tolerance;
-        loop {
-            let left = with_limits_left(settings, *start, &self.report).tolerance(aim);
-            let mut observer = with_counts_of(&self.report, &mut **observer);
-            let from = (&mut *pressure, known);
-            let outcome = engine.solve(surfaces, load, from, &left, &mut observer);
+        let (windows, report) = (&mut self.windows, &mut self.report);
+        let tolerance = conditions.settings.tolerance;
+        windows.solve(bodies, |engine, part| {
+            let left = conditions.left(report).tolerance(part * tolerance);
+            let mut observer = with_counts_of(report, &mut *conditions.observer);
+            let outcome = engine.solve(scene, (pressure, known), &left, &mut observer);
             if !matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
-                return outcome;
+                return outcome.map(|()| Seen::Answer);
             }
             drop(observer);
-            self.report.add_pass(engine.solver.report());
-            let Some(findings) = engine.examine(surfaces, load, pressure)? else {
-                return outcome;
+            report.add_pass(engine.solver.report());
+            let Some(findings) = engine.examine(scene, pressure)? else {
+                return outcome.map(|()| Seen::Answer);
             };
-            self.report.double_precision_products += 1;
-            findings.write_to(&mut self.report);
+            report.double_precision_products += 1;
+            findings.write_to(report);
+            let missed = engine.missed(scene, findings.displacement, bodies);
             // What has stalled may have done so because the contact is elsewhere.
-            if !matches!(self.report.status, Status::Converged | Status::Stalled) {
-                return outcome;
-            }
-            let missed = engine.missed(
-                surfaces.gap,
-                load,
-                ROUND_OFF * findings.displacement,
-                bodies,
-            );
-            if missed.is_none() && (outcome.is_err() || self.report.is_within(settings.tolerance)) {
-                return outcome;
+            let may_go_on = matches!(report.status, Status::Converged | Status::Stalled);
+            let is_wide_enough = missed.is_none();
+            if !may_go_on || is_wide_enough && (outcome.is_err() || report.is_within(tolerance)) {
+                return outcome.map(|()| Seen::Answer);
             }
             known = Known::Answer(engine.solver.multiplier());
             // While the engine can still show what the iterate does.
-            check_iterations_left(settings, &mut self.report)?;
-            if let Some(missed) = missed {
-                let wider = engine.window().union(missed).widened(bodies.grid());
-                let wider = bodies.place(wider);
-                engine.rest();
-                let make = || Engine::new(bodies, wider);
-                self.left_behind.replace(engine, wider.size, make)?;
-                engine.move_to(bodies, wider);
-            } else if aim < 0.1 * settings.tolerance {
-                self.report.status = Status::Stalled;
-                return Err(Error::NotConverged(Box::new(self.report.clone())));
-            } else {
-                // The bound for the whole grid is a little wider than that for the window.
-                aim *= 0.5;
+            conditions.check_iterations_left(report)?;
+            match missed {
+                Some(missed) => Ok(Seen::Missed(missed)),
+                None if part < STRICTEST => {
+                    report.status = Status::Stalled;
+                    Err(Error::NotConverged(Box::new(report.clone())))
+                }
+                None => Ok(Seen::Loose),
             }
-        }
+        })
     }
+}
+
+/// From the last answer: as it is under the same load, moved on where the load has changed.
+fn set_out(
+    engine: &mut Engine,
+    scene: PressureScene<&[f64]>,
+    from: Reached,
+    approach: f64,
+    pressure: &mut [f64],
+) -> Result<Known<1>> {
+    Ok(match scene.ahead(from) {
+        Ahead::Nothing => Known::Answer(multipliers([scene.total], [approach - scene.datum])),
+        ahead => {
+            let parts = engine.parts(ahead).unwrap_or(0.0);
+            engine.extrapolate(parts, pressure)?;
+            Known::Extrapolated
+        }
+    })
 }
 
 /// From nothing: the answer on coarser cells, and the engine set up around its contact.
 fn start_cold(
     bodies: &HalfSpace,
-    Surfaces { gap, limits }: Surfaces<'_>,
-    load: Load,
+    scene: PressureScene<&[f64]>,
     pressure: &mut [f64],
     conditions: &mut Conditions<'_, '_>,
 ) -> Result<Engine> {
     let (grid, whole) = (bodies.grid(), Window::whole(bodies.grid()));
-    let mut scene = PressureScene {
-        linear: buffer::zeros(grid.cells())?,
-        limits: limits.try_map(|limits| buffer::copied(limits))?,
-        total: load.total,
-        cells: whole.cells(),
+    let mut own = PressureScene {
+        gap: buffer::zeros(grid.cells())?,
+        datum: 0.0,
+        limits: scene.limits.try_map(|limits| buffer::copied(limits))?,
+        total: scene.total,
     };
-    parallel::update(&mut scene.linear, |first, chunk| {
-        for (linear, gap) in chunk.iter_mut().zip(&gap[first..]) {
-            *linear = gap - load.datum;
+    parallel::update(&mut own.gap, |first, chunk| {
+        for (own, gap) in chunk.iter_mut().zip(&scene.gap[first..]) {
+            *own = gap - scene.datum;
         }
     });
     let is_plain = conditions.settings.method == Method::PolonskyKeer;
     let [start] = if is_plain {
-        scene.plain_start()?
+        own.plain_start(&bodies.grid_layout())?
     } else {
-        nested_start(bodies, whole.size, &scene, conditions)?
+        nested_start(bodies, whole.size, &own, conditions)?
     };
     parallel::copy(&start, pressure);
     match bodies.around(|i| pressure[i] > 0.0) {
@@ -402,6 +366,3 @@ fn start_cold(
         _ => Engine::new(bodies, whole),
     }
 }
-
-/// Overlap beyond the window, relative to the largest displacement, that a product may show by itself.
-const ROUND_OFF: f64 = 1e-13;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::boundary::Boundary;
 use crate::buffer::{TryClone, try_clone};
-use crate::cgm::{Settings, settings_methods};
+use crate::cgm::{Settings, Total, settings_methods};
 use crate::error::{Error, Result, finite, non_negative};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
@@ -31,8 +31,26 @@ pub enum NormalControl {
 }
 
 impl NormalControl {
-    /// `Ok` if the load can press the gap, which must have been checked.
-    pub(crate) fn check(self, bodies: &HalfSpace, gap: &Field) -> Result<()> {
+    /// The number that a gap is measured from, and what is prescribed of the sum of the pressures: without a datum far from
+    /// the contact the sums keep their last digits.
+    pub(crate) fn posed(self, bodies: &HalfSpace, gap: &Field) -> Result<(f64, Total)> {
+        match self {
+            Self::Force(force) => {
+                let sum = Total::Sum(force / bodies.grid().cell_area());
+                Ok((bodies.least(gap), sum))
+            }
+            Self::Approach(approach) => Ok((approach, Total::Free)),
+            Self::Hold => Err(Error::NothingToHold),
+        }
+    }
+
+    /// `Ok` if the load can press the gap, and the hardness carries it; both must have been checked.
+    pub(crate) fn check(
+        self,
+        bodies: &HalfSpace,
+        gap: &Field,
+        hardness: Option<&Hardness>,
+    ) -> Result<()> {
         match self {
             Self::Force(force) => {
                 non_negative("normal force", force)?;
@@ -49,7 +67,7 @@ impl NormalControl {
             }
             Self::Hold => return Err(Error::NothingToHold),
         }
-        Ok(())
+        hardness.map_or(Ok(()), |hardness| hardness.check_load(bodies, self))
     }
 }
 
@@ -110,11 +128,10 @@ impl NormalProblem {
     }
 
     /// What is to be solved.
-    pub(super) fn pressing(&self, least_gap: f64) -> Pressing<'_> {
+    pub(super) fn pressing(&self) -> Pressing<'_> {
         Pressing {
             bodies: &self.bodies,
             gap: &self.gap,
-            least_gap,
             hardness: self.hardness.as_ref(),
             control: self.load,
             settings: &self.settings,
@@ -166,10 +183,7 @@ impl NormalProblemBuilder<'_> {
                 ("settings", &self.settings.common()),
             ],
         )?;
-        self.load.check(self.bodies, &self.gap)?;
-        if let Some(hardness) = hardness {
-            hardness.check_load(self.bodies, self.load)?;
-        }
+        self.load.check(self.bodies, &self.gap, hardness)?;
         Ok(NormalProblem {
             bodies: self.bodies.clone(),
             gap: self.gap,

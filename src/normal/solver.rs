@@ -1,13 +1,13 @@
 //! The reusable solver of a normal contact.
 
 use std::ops::ControlFlow;
-use std::sync::Arc;
 
-use crate::buffer::{self, TryClone, or_abort};
-use crate::cgm::{Iteration, solver_settings};
+use crate::buffer;
+use crate::cgm::solver_settings;
+use crate::contact::solver_methods;
 use crate::elastic::Observer;
 use crate::error::{Error, Result};
-use crate::field::Field;
+use crate::field::{self, Field};
 use crate::influence::Direction;
 use crate::normal::pressure::PressureSolver;
 use crate::normal::problem::check_gap;
@@ -40,7 +40,6 @@ pub struct NormalSolver {
     press: PressureSolver,
     /// The last pressure on the whole grid, the start of the next solve.
     pressure: Vec<f64>,
-    least_gap: f64,
 }
 
 shown!(NormalSolver: problem);
@@ -53,7 +52,6 @@ impl NormalSolver {
             .bodies
             .compliance([Direction::Z], grid.whole().size())?;
         Ok(Self {
-            least_gap: problem.bodies.least(&problem.gap),
             problem,
             press: PressureSolver::new(),
             pressure: buffer::zeros(grid.cells())?,
@@ -73,10 +71,7 @@ impl NormalSolver {
             ..
         } = &self.problem;
         bodies.agreed_alike(Ok(()), &[("normal load", &load)])?;
-        load.check(bodies, gap)?;
-        if let Some(hardness) = hardness {
-            hardness.check_load(bodies, load)?;
-        }
+        load.check(bodies, gap, hardness.as_ref())?;
         self.problem.load = load;
         Ok(())
     }
@@ -89,13 +84,8 @@ impl NormalSolver {
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
         let bodies = &self.problem.bodies;
         bodies.agreed(check_gap(bodies, gap))?;
-        self.problem.load.check(&self.problem.bodies, gap)?;
-        match Arc::get_mut(&mut self.problem.gap) {
-            Some(own) => own.as_mut_slice().copy_from_slice(gap.as_slice()),
-            None => self.problem.gap = Arc::new(gap.try_clone()?),
-        }
-        self.least_gap = self.problem.bodies.least(gap);
-        Ok(())
+        self.problem.load.check(bodies, gap, None)?;
+        field::replace(&mut self.problem.gap, gap)
     }
 
     solver_settings!(problem.settings, problem.bodies, |_, _| Ok(()));
@@ -105,11 +95,7 @@ impl NormalSolver {
         self.press.reset();
     }
 
-    /// An empty solution of the right size for [`NormalSolver::solve_into`].
-    #[must_use]
-    pub fn new_solution(&self) -> NormalSolution {
-        or_abort(self.try_new_solution())
-    }
+    solver_methods!(NormalSolution, problem.bodies);
 
     /// [`Self::new_solution`] where memory may run out.
     ///
@@ -120,40 +106,12 @@ impl NormalSolver {
         NormalSolution::empty(&self.problem.gap, bodies.boundary(), bodies.pair())
     }
 
-    /// Solves into `solution`, whose last content does not matter.
-    ///
-    /// # Errors
-    /// [`Error::GridMismatch`] or [`Error::BoundaryMismatch`] if the solution is of another grid or boundary, nothing
-    /// changed; as [`HalfSpace::operator`](crate::HalfSpace::operator); [`Error::NotConverged`] with the last feasible
-    /// iterate in `solution`; [`Error::Ranks`].
-    pub fn solve_into(&mut self, solution: &mut NormalSolution) -> Result<()> {
-        self.solve_observed(solution, |_| ControlFlow::Continue(()))
-    }
-
-    /// [`NormalSolver::solve_into`] with an observer that sees every step and may cancel.
-    ///
-    /// # Errors
-    /// As [`NormalSolver::solve_into`].
-    pub fn solve_observed(
-        &mut self,
-        solution: &mut NormalSolution,
-        mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
-    ) -> Result<()> {
-        let bodies = &self.problem.bodies;
-        bodies.agreed(bodies.check_host("solution", solution.grid(), solution.boundary()))?;
-        let cells = bodies.grid().cells();
-        let bodies = bodies.clone();
-        bodies.joint(parallel::enter_with(cells, || {
-            self.solve_checked(solution, &mut observer)
-        }))
-    }
-
     fn solve_checked(
         &mut self,
         solution: &mut NormalSolution,
         observer: Observer<'_>,
     ) -> Result<()> {
-        let of = self.problem.pressing(self.least_gap);
+        let of = self.problem.pressing();
         let outcome = self.press.solve(&of, &mut self.pressure, observer);
         if matches!(outcome, Ok(()) | Err(Error::NotConverged(_))) {
             parallel::copy(&self.pressure, solution.pressure_mut());
@@ -166,7 +124,7 @@ impl NormalSolver {
     pub(super) fn into_solution(mut self) -> Result<NormalSolution> {
         let bodies = self.problem.bodies.clone();
         bodies.joint(parallel::enter_with(bodies.grid().cells(), || {
-            let of = self.problem.pressing(self.least_gap);
+            let of = self.problem.pressing();
             let unwatched = &mut |_: &_| ControlFlow::Continue(());
             self.press.solve(&of, &mut self.pressure, unwatched)?;
             self.press.into_solution(&of, self.pressure)

@@ -5,20 +5,25 @@ use std::ops::ControlFlow;
 use crate::boundary::Boundary;
 use crate::buffer;
 use crate::cgm::small::Small;
+use crate::cgm::vector::{dot, norm};
+use crate::cgm::{Ball, Linearised, Motion, Row, Within};
 use crate::error::{Result, positive};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
-use crate::influence::{Component, Direction};
 use crate::normal::{Hardness, NormalSolution};
-use crate::operator::Operator;
 use crate::parallel;
 use crate::report::Iteration;
+use crate::stiffness::course::Course;
 use crate::stiffness::motions::{Motions, kinds};
-use crate::stiffness::press::{pressed, stiffness_of};
-use crate::stiffness::system::{Freedom, Stiffness, System, Vector, times};
-use crate::tangential::{Axis, Friction, TangentialSolution, Zone};
-use crate::watch::{Observer, Watch, unwatched};
+use crate::stiffness::press::press;
+use crate::stiffness::system::{CellMotions, Stiffness, System, times};
+use crate::stiffness::workspace::{Buffers, StiffnessWorkspace, SystemOf};
+use crate::tangential::{Axis, Drawing, Friction, TangentialSolution, Zone, centre};
+use crate::watch::{Observer, unwatched};
 use crate::window::Window;
+
+/// The set of what friction holds of `N` tractions.
+type BallOf<const N: usize> = <Within as Ball<N>>::Set;
 
 /// The normal stiffness of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -132,10 +137,11 @@ impl NormalSolution {
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<NormalStiffness> {
         bodies.check_alone("a stiffness")?;
-        let press = parallel::enter_with(bodies.grid().cells(), || {
-            pressed(bodies, self, None, &mut Watch::new(&mut observer))
-        });
-        Ok(stiffness_of(press?.as_ref()))
+        let mut workspace = StiffnessWorkspace::new();
+        let (mut course, Buffers { normal, .. }) = workspace.begin(&mut observer);
+        parallel::enter_with(bodies.grid().cells(), || {
+            press((bodies, None), self, None, normal, &mut course, |_, _| {})
+        })
     }
 }
 
@@ -174,10 +180,12 @@ impl TangentialSolution {
             traction: self.traction(),
             slip: self.slip(),
             entered: &[],
+            window: None,
         };
+        let mut workspace = StiffnessWorkspace::new();
+        let (mut course, buffers) = workspace.begin(&mut observer);
         let found = parallel::enter_with(bodies.grid().cells(), || {
-            let watch = &mut Watch::new(&mut observer);
-            sheared.stiffness(bodies, self.axis(), None, watch)
+            sheared.stiffness(bodies, self.axis(), None, buffers, &mut course)
         });
         found.map(|found| found.0)
     }
@@ -217,10 +225,11 @@ impl ContactStiffness {
             traction: shear.traction(),
             slip: shear.slip(),
             entered: &[],
+            window: None,
         };
-        let axis = shear.axis();
+        let (axis, workspace) = (shear.axis(), &mut StiffnessWorkspace::new());
         let pressed = Pressed::new(normal, friction);
-        Self::of(bodies, &pressed, &sheared, axis, &mut observer)
+        Self::of(bodies, &pressed, &sheared, axis, workspace, &mut observer)
     }
 
     pub(crate) fn of(
@@ -228,49 +237,46 @@ impl ContactStiffness {
         pressed: &Pressed<'_>,
         sheared: &Sheared<'_>,
         axis: Option<Axis>,
+        workspace: &mut StiffnessWorkspace,
         observer: Observer<'_>,
     ) -> Result<Self> {
         pressed.friction.check(bodies.grid())?;
+        let (mut course, buffers) = workspace.begin(observer);
         parallel::enter_with(bodies.grid().cells(), || {
-            let watch = &mut Watch::new(observer);
-            Self::watched(bodies, pressed, sheared, axis, watch)
+            Self::found(bodies, pressed, sheared, axis, buffers, &mut course)
         })
     }
 
-    fn watched(
+    fn found(
         bodies: &HalfSpace,
         contact: &Pressed<'_>,
         sheared: &Sheared<'_>,
         axis: Option<Axis>,
-        watch: &mut Watch<'_>,
+        buffers: &mut Buffers,
+        course: &mut Course<'_>,
     ) -> Result<Self> {
         let Pressed {
             normal,
+            window,
             friction,
             hardness,
             is_drawn,
         } = *contact;
-        let press = pressed(bodies, normal, hardness, watch)?;
-        let zeros = || buffer::zeros(bodies.grid().cells());
-        let mut changes = ByApproach {
-            limits: zeros()?,
-            relative: zeros()?,
-            pressure: zeros()?,
-            is_drawn,
+        let mut changes = std::mem::take(&mut buffers.by_approach);
+        changes.clear(bodies.grid().cells(), is_drawn)?;
+        let pressure = normal.pressure().as_slice();
+        let grow = |i: usize, growth: f64| {
+            changes.limits[i] = friction.slope(i, pressure[i]) * growth;
+            changes.relative[i] = (growth / pressure[i]).clamp(-f64::MAX, f64::MAX);
+            changes.pressure[i] = growth;
         };
-        if let Some(press) = &press {
-            let pressure = normal.pressure().as_slice();
-            for (i, growth) in press.window.indices().zip(&press.growth) {
-                if pressure[i] > 0.0 {
-                    changes.limits[i] = friction.slope(i, pressure[i]) * growth;
-                    changes.relative[i] = (growth / pressure[i]).clamp(-f64::MAX, f64::MAX);
-                    changes.pressure[i] = *growth;
-                }
-            }
-        }
-        let (tangential, by_approach) = sheared.stiffness(bodies, axis, Some(&changes), watch)?;
+        let (on, slot) = ((bodies, window), &mut buffers.normal);
+        let normal = press(on, normal, hardness, slot, course, grow)?;
+        let found = sheared.stiffness(bodies, axis, Some(&changes), buffers, course);
+        buffers.by_approach = changes;
+        let (tangential, by_approach) = found?;
         Ok(Self {
-            normal: stiffness_of(press.as_ref()),
+            normal,
             normal_by_motion: by_approach.map(|load| load.map(|_| 0.0)),
             tangential,
             by_approach,
@@ -283,8 +289,8 @@ pub(super) fn without_contact(
     axis: Option<Axis>,
     boundary: Boundary,
 ) -> (TangentialStiffness, [Option<f64>; 3]) {
-    let kinds = kinds(axis.map_or(Axis::BOTH, Axis::alone), boundary);
-    let none = [0, 1, 2].map(|kind| kinds.contains(&kind).then_some(0.0));
+    let has = kinds(axis.map_or(Axis::BOTH, Axis::alone), boundary);
+    let none = has.map(|has| has.then_some(0.0));
     let matrix = none.map(|of_load| none.map(|of_motion| of_load.and(of_motion)));
     let stiffness = TangentialStiffness {
         loading: matrix,
@@ -298,6 +304,8 @@ pub(super) fn without_contact(
 #[derive(Clone, Copy)]
 pub(crate) struct Pressed<'a> {
     pub(crate) normal: &'a NormalSolution,
+    /// Where it was found, if that is known.
+    pub(crate) window: Option<Window>,
     pub(crate) friction: &'a Friction,
     pub(crate) hardness: Option<&'a Hardness>,
     /// Whether pressure moves the surfaces tangentially, and shear does not change it.
@@ -309,34 +317,12 @@ impl<'a> Pressed<'a> {
     fn new(normal: &'a NormalSolution, friction: &'a Friction) -> Self {
         Self {
             normal,
+            window: None,
             friction,
             hardness: None,
             is_drawn: false,
         }
     }
-}
-
-/// Adds the tangential displacement that pressures of the grid cause in the cells of a window.
-fn add_drawn<const N: usize>(
-    bodies: &HalfSpace,
-    axes: [Axis; N],
-    window: Window,
-    pressure: &[f64],
-    displacement: &mut Vector<N>,
-) -> Result<()> {
-    let mut inside = buffer::zeros(window.cells())?;
-    window.gather(pressure, &mut inside);
-    let mut drawn = buffer::zeros(window.cells())?;
-    for (part, axis) in displacement.iter_mut().zip(axes) {
-        let component = Component::of(axis.direction(), Direction::Z);
-        let operator = bodies.convolution([[component]], window.size)?;
-        let mut workspace = operator.try_workspace()?;
-        operator.apply([&inside], [&mut drawn], &mut workspace);
-        for (u, drawn) in part.iter_mut().zip(&drawn) {
-            *u += drawn;
-        }
-    }
-    Ok(())
 }
 
 /// What is known of a sheared contact.
@@ -347,10 +333,19 @@ pub(crate) struct Sheared<'a> {
     pub(crate) slip: [&'a Field; 2],
     /// Compliance of their own of the cells that entered the contact in the step; of no cells where none did.
     pub(crate) entered: &'a [f64],
+    /// Where it was found, if that is known.
+    pub(crate) window: Option<Window>,
+}
+
+/// The window in which a contact was found, whose operators are at hand, or the smallest around it.
+pub(super) fn window_of(bodies: &HalfSpace, found: Option<Window>, contact: Window) -> Window {
+    let found = found.filter(|window| window.covers(contact));
+    found.unwrap_or_else(|| bodies.confined(contact))
 }
 
 /// What the approach changes in the cells of the grid, for each unit.
-struct ByApproach {
+#[derive(Debug, Default)]
+pub(super) struct ByApproach {
     /// The friction limits.
     limits: Vec<f64>,
     /// The pressures, each over itself.
@@ -360,6 +355,18 @@ struct ByApproach {
     is_drawn: bool,
 }
 
+impl ByApproach {
+    /// Nothing, of so many cells.
+    fn clear(&mut self, cells: usize, is_drawn: bool) -> Result<()> {
+        self.is_drawn = is_drawn;
+        for part in [&mut self.limits, &mut self.relative, &mut self.pressure] {
+            part.clear();
+            buffer::resize(part, cells, 0.0)?;
+        }
+        Ok(())
+    }
+}
+
 impl Sheared<'_> {
     /// The stiffness; and the loads by the approach, if what that changes is given.
     fn stiffness(
@@ -367,91 +374,98 @@ impl Sheared<'_> {
         bodies: &HalfSpace,
         axis: Option<Axis>,
         changes: Option<&ByApproach>,
-        watch: &mut Watch<'_>,
+        buffers: &mut Buffers,
+        course: &mut Course<'_>,
     ) -> Result<(TangentialStiffness, [Option<f64>; 3])> {
         let grid = bodies.grid();
         let Some(window) = Window::around(grid, |i| self.zones[i] != Zone::Separated) else {
             return Ok(without_contact(axis, bodies.boundary()));
         };
-        let window = bodies.confined(window);
+        let on = (bodies, window_of(bodies, self.window, window));
         match axis {
-            Some(axis) => self.along(bodies, window, [axis], changes, watch),
-            None => self.along(bodies, window, [Axis::X, Axis::Y], changes, watch),
+            Some(axis) => self.along(on, [axis], changes, &mut buffers.along, course),
+            None => self.along(on, [Axis::X, Axis::Y], changes, &mut buffers.plane, course),
         }
     }
 
     fn along<const N: usize>(
         &self,
-        bodies: &HalfSpace,
-        window: Window,
+        (bodies, window): (&HalfSpace, Window),
         axes: [Axis; N],
         changes: Option<&ByApproach>,
-        watch: &mut Watch<'_>,
-    ) -> Result<(TangentialStiffness, [Option<f64>; 3])> {
-        let grid = bodies.grid();
+        slot: &mut Option<SystemOf<BallOf<N>, N>>,
+        course: &mut Course<'_>,
+    ) -> Result<(TangentialStiffness, [Option<f64>; 3])>
+    where
+        Within: Ball<N>,
+    {
+        let (grid, boundary) = (bodies.grid(), bodies.boundary());
         let compliance = bodies.compliance(axes.map(Axis::direction), window.size)?;
-        let sticking = |i: usize| match self.zones[i] {
-            Zone::Separated => Freedom::Fixed,
-            // What carries nothing at its limit never sticks.
-            Zone::Slip if self.traction.iter().all(|q| q.as_slice()[i] == 0.0) => Freedom::Fixed,
-            Zone::Stick | Zone::Slip => Freedom::Free,
-        };
-        let slipping = |i: usize| match self.zones[i] {
-            Zone::Slip => self.turning(axes, i),
-            _ => sticking(i),
-        };
+        let system = System::provide(slot, compliance)?;
         let touches = |i: usize| self.zones[i] != Zone::Separated;
-        let motions = Motions::new(grid, window, axes, bodies.boundary(), touches)?;
-        let area = grid.cell_area();
-        let boundary = bodies.boundary();
-        let freedoms = buffer::collected(window.cells(), window.indices().map(sticking))?;
-        let reversal = System::new(boundary, &compliance, freedoms, Vec::new())?;
-        let reversal = reversal.stiffness(&motions.cells, watch)?;
-        let freedoms = buffer::collected(window.cells(), window.indices().map(slipping))?;
-        let own = match self.entered {
-            [] => Vec::new(),
-            entered => buffer::collected(window.cells(), window.indices().map(|i| entered[i]))?,
+        let motions = Motions::new(grid, window, axes, boundary, touches);
+        let contact = window.indices().filter(|&i| touches(i));
+        let of_cells = CellMotions {
+            count: motions.count(),
+            of_cell: |motion: usize, cell: usize| {
+                motions.at(motion, centre(grid, window.index(cell)))
+            },
+            squares: motions.squares(contact.map(|i| centre(grid, i))),
         };
-        let loading = System::new(boundary, &compliance, freedoms, own)?;
-        let found = loading.stiffness(&motions.cells, watch)?;
+        let sticking = |cell: usize| self.sticking(window.index(cell));
+        let mut reversal = None;
+        if course.has_reversal {
+            system.hold(boundary, sticking, None::<fn(usize) -> f64>)?;
+            reversal = Some(system.stiffness(&of_cells, course)?);
+        }
+        let entered = |cell: usize| self.entered[window.index(cell)];
+        let has_own = !self.entered.is_empty();
+        let lower_bound = system.lower_bound();
+        let slipping = |cell: usize| {
+            let i = window.index(cell);
+            match self.zones[i] {
+                Zone::Slip => {
+                    let own = if has_own { self.entered[i] } else { 0.0 };
+                    self.turning(axes, i).weighed(lower_bound, own)
+                }
+                _ => sticking(cell),
+            }
+        };
+        system.hold(boundary, slipping, has_own.then_some(entered))?;
+        let found = system.stiffness(&of_cells, course)?;
         let mut by_approach = [None; 3];
         if let Some(changes) = changes {
-            let forced = self.forced(axes, window, &changes.limits)?;
-            let mut displacement = loading.displacement(&forced, watch)?;
+            self.force(axes, window, changes, system);
+            system.displace(course)?;
             if changes.is_drawn {
-                add_drawn(bodies, axes, window, &changes.pressure, &mut displacement)?;
+                let make = || Drawing::new(bodies, &axes, window.size);
+                let pressures = window.indices().map(|i| changes.pressure[i]);
+                system.draw(make, pressures, course)?;
             }
-            // A compliance of its own falls as the pressure grows.
-            for (k, i) in window.indices().enumerate() {
-                let q = Self::at(self.traction, axes, i);
-                for ((u, forced), q) in displacement.iter_mut().zip(&forced).zip(q) {
-                    let own = loading.own(k);
-                    if own > 0.0 {
-                        u[k] += own * (forced[k] - q * changes.relative[i]);
-                    }
+            self.add_own(axes, window, changes, system);
+            let mut loads = system.reaction(&found);
+            for (motion, load) in loads.iter_mut().enumerate().take(of_cells.count) {
+                for (cell, i) in window.indices().enumerate() {
+                    let forced = system.forced.each_ref().map(|part| part[cell]);
+                    *load += dot(motions.at(motion, centre(grid, i)), forced);
                 }
             }
-            let own = motions
-                .cells
-                .iter()
-                .map(|motion| loading.product(motion, &forced));
-            let mut loads = loading.reaction(&found, &displacement);
-            for (load, own) in loads.iter_mut().zip(own) {
-                *load += own;
-            }
+            let area = grid.cell_area();
             by_approach = motions
                 .loads(loads)
                 .map(|load| load.map(|load| load * area));
         }
-        let whole = |stiffness: &Stiffness<N>| {
+        let whole = |stiffness: &Stiffness| {
+            let area = grid.cell_area();
             motions
                 .matrix(&stiffness.matrix)
                 .map(|row| row.map(|entry| entry.map(|entry| entry * area)))
         };
+        let bound_of = |stiffness: Stiffness| stiffness.bound;
         let stiffness = TangentialStiffness {
             loading: whole(&found),
-            reversal: whole(&reversal),
-            bound: found.bound.max(reversal.bound),
+            reversal: reversal.as_ref().map_or([[None; 3]; 3], whole),
+            bound: found.bound.max(reversal.map_or(0.0, bound_of)),
         };
         Ok((stiffness, by_approach))
     }
@@ -460,39 +474,69 @@ impl Sheared<'_> {
         axes.map(|axis| vector[axis.index()].as_slice()[index])
     }
 
-    /// What a cell that slips may do: nothing along one axis, turn in the plane.
-    fn turning<const N: usize>(&self, axes: [Axis; N], index: usize) -> Freedom<N> {
-        let [q, slip] = [self.traction, self.slip].map(|vector| Self::at(vector, axes, index));
-        let length = |v: [f64; N]| v.iter().fold(0.0_f64, |sum, v| sum.hypot(*v));
-        let limit = length(q);
-        if N == 1 || limit <= 0.0 {
-            return Freedom::Fixed;
-        }
-        let mut tangent = [0.0; N];
-        (tangent[0], tangent[N - 1]) = (-q[N - 1] / limit, q[0] / limit);
-        Freedom::Along {
-            tangent,
-            stiffness: length(slip) / limit,
+    /// How a cell of the contact moves while it sticks.
+    fn sticking<R: Row<N>, const N: usize>(&self, index: usize) -> R {
+        match self.zones[index] {
+            Zone::Separated => R::FIXED,
+            // What carries nothing at its limit never sticks.
+            Zone::Slip if self.traction.iter().all(|q| q.as_slice()[index] == 0.0) => R::FIXED,
+            Zone::Stick | Zone::Slip => R::FREE,
         }
     }
 
-    /// The tractions of cells that slip, when their limits grow so.
-    fn forced<const N: usize>(
+    /// How a cell moves that slips: not at all along one axis, in the plane it turns.
+    fn turning<const N: usize>(
+        &self,
+        axes: [Axis; N],
+        index: usize,
+    ) -> <BallOf<N> as Linearised<N>>::Motion
+    where
+        Within: Ball<N>,
+    {
+        let [q, slip] = [self.traction, self.slip].map(|vector| Self::at(vector, axes, index));
+        let limit = Within::of_radius(norm(q));
+        limit.measured(limit.motion(q), slip)
+    }
+
+    /// Forces upon cells that slip the tractions by which their limits grow.
+    fn force<R, const N: usize>(
         &self,
         axes: [Axis; N],
         window: Window,
-        limits: &[f64],
-    ) -> Result<Vector<N>> {
-        let mut forced: Vector<N> = buffer::vector(window.cells())?;
-        for (k, i) in window.indices().enumerate() {
+        changes: &ByApproach,
+        system: &mut System<R, N>,
+    ) {
+        for (cell, i) in window.indices().enumerate() {
             let q = Self::at(self.traction, axes, i);
-            let limit = q.iter().fold(0.0_f64, |sum, q| sum.hypot(*q));
-            if self.zones[i] == Zone::Slip && limit > 0.0 {
-                for (part, q) in forced.iter_mut().zip(q) {
-                    part[k] = limits[i] * q / limit;
+            let limit = norm(q);
+            let slips = self.zones[i] == Zone::Slip && limit > 0.0;
+            for (part, q) in system.forced.iter_mut().zip(q) {
+                part[cell] = if slips {
+                    changes.limits[i] * q / limit
+                } else {
+                    0.0
+                };
+            }
+        }
+    }
+
+    /// Adds what cells displace themselves: a compliance of its own falls as the pressure grows.
+    fn add_own<R: Row<N>, const N: usize>(
+        &self,
+        axes: [Axis; N],
+        window: Window,
+        changes: &ByApproach,
+        system: &mut System<R, N>,
+    ) {
+        for (cell, i) in window.indices().enumerate() {
+            let own = system.own(cell);
+            if own > 0.0 {
+                let q = Self::at(self.traction, axes, i);
+                for (c, q) in q.into_iter().enumerate() {
+                    let growth = system.forced[c][cell] - q * changes.relative[i];
+                    system.displacement[c][cell] += own * growth;
                 }
             }
         }
-        Ok(forced)
     }
 }

@@ -1,23 +1,33 @@
 //! The stiffness of a contact whose pressure and shear are found together.
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::boundary::Boundary;
-use crate::buffer::{self, try_each};
-use crate::cgm::cone::{ConeProblem, ConeWorkspace, Stand, responses};
-use crate::cgm::{Settings, Total, UNLIMITED};
-use crate::error::{Error, Result, finite};
+use crate::buffer;
+use crate::cgm::cone::{ConeProblem, ConeWorkspace, Stand};
+use crate::cgm::vector::slices;
+use crate::cgm::{Held, Total, UNLIMITED};
+use crate::coupled::CoupledSolution;
+use crate::error::{Result, finite};
+use crate::fft::{CirculantInverse, Convolution};
 use crate::field::Field;
 use crate::half_space::{Compliance, HalfSpace, Region};
 use crate::influence::Direction;
 use crate::normal::Hardness;
 use crate::operator::Operator;
 use crate::parallel;
-use crate::stiffness::contact::without_contact;
+use crate::per_cell::PerCell;
+use crate::report::Iteration;
+use crate::stiffness::contact::{window_of, without_contact};
+use crate::stiffness::course::Course;
 use crate::stiffness::motions::kinds;
-use crate::stiffness::{ContactStiffness, NormalStiffness, TangentialStiffness};
+use crate::stiffness::workspace::{Buffers, provide};
+use crate::stiffness::{
+    ContactStiffness, NormalStiffness, StiffnessWorkspace, TangentialStiffness,
+};
 use crate::tangential::{Axis, Friction, centre};
-use crate::watch::Observer;
+use crate::watch::{Observer, unwatched};
 use crate::window::Window;
 
 /// Components of a vector: along z, x and y.
@@ -36,11 +46,40 @@ pub(crate) struct Coupled<'a> {
     pub(crate) entered: &'a [f64],
     pub(crate) friction: &'a Friction,
     pub(crate) hardness: Option<&'a Hardness>,
-    pub(crate) settings: &'a Settings,
+    /// Where it was found, if that is known.
+    pub(crate) window: Option<Window>,
 }
 
 /// Normal force, tangential forces and moment by a motion.
 type Loads = [f64; 4];
+
+/// The buffers of coupled contacts on a window.
+#[derive(Debug)]
+pub(super) struct Joint {
+    compliance: Compliance<N>,
+    workspace: ConeWorkspace<Arc<Convolution<N>>, Arc<CirculantInverse<N>>>,
+    /// Pressure, tractions, slips, compliance of their own and hardness of the cells.
+    cells: [Vec<f64>; 7],
+    right: Vec<[f64; N]>,
+    unknowns: Vec<[f64; N]>,
+}
+
+impl Joint {
+    /// Those of a window, in the buffers there are if they are of it.
+    fn provide(slot: &mut Option<Self>, compliance: Compliance<N>) -> Result<&mut Self> {
+        let Compliance { operator, inverse } = compliance.clone();
+        let is_own = |own: &Self| Arc::ptr_eq(&own.compliance.operator, &operator);
+        provide(slot, is_own, || {
+            Ok(Self {
+                workspace: ConeWorkspace::new(&operator, &inverse)?,
+                cells: buffer::vector(operator.cells())?,
+                right: Vec::new(),
+                unknowns: Vec::new(),
+                compliance,
+            })
+        })
+    }
+}
 
 impl Coupled<'_> {
     /// By the approach, the shifts along x and y and the twist, while slip continues, and by the last three while all
@@ -48,15 +87,16 @@ impl Coupled<'_> {
     pub(crate) fn stiffness(
         &self,
         bodies: &HalfSpace,
+        workspace: &mut StiffnessWorkspace,
         observer: Observer<'_>,
     ) -> Result<ContactStiffness> {
         bodies.check_alone("a stiffness")?;
-        let grid = bodies.grid();
+        let (mut course, Buffers { joint, .. }) = workspace.begin(observer);
         let pressure = self.pressure.as_slice();
-        let Some(window) = Window::around(grid, |i| pressure[i] > 0.0) else {
+        let Some(window) = Window::around(bodies.grid(), |i| pressure[i] > 0.0) else {
             return Ok(ContactStiffness::without_contact(bodies.boundary()));
         };
-        let window = bodies.confined(window);
+        let window = window_of(bodies, self.window, window);
         let closed = window.indices().all(|i| pressure[i] > 0.0);
         if closed && bodies.boundary() == Boundary::Periodic {
             finite(
@@ -64,10 +104,17 @@ impl Coupled<'_> {
                 f64::INFINITY,
             )?;
         }
-        parallel::enter_with(grid.cells(), || {
-            let loading = self.loads(bodies, window, true, &mut *observer)?;
-            let reversal = self.loads(bodies, window, false, observer)?;
-            Ok(whole(bodies.boundary(), &loading, &reversal))
+        parallel::enter_with(bodies.grid().cells(), || {
+            let [x, y, z] = [Direction::X, Direction::Y, Direction::Z];
+            let compliance = bodies.compliance([z, x, y], window.size)?;
+            let joint = Joint::provide(joint, compliance)?;
+            let loading = self.loads(bodies, window, true, joint, &mut course)?;
+            let reversal = if course.has_reversal {
+                Some(self.loads(bodies, window, false, joint, &mut course)?)
+            } else {
+                None
+            };
+            Ok(whole(bodies.boundary(), &loading, reversal.as_ref()))
         })
     }
 
@@ -77,62 +124,78 @@ impl Coupled<'_> {
         bodies: &HalfSpace,
         window: Window,
         slips: bool,
-        observer: Observer<'_>,
+        joint: &mut Joint,
+        course: &mut Course<'_>,
     ) -> Result<[Loads; 4]> {
-        let (size, region) = (window.size, Region::new(bodies, window));
-        let [x, y, z] = [Direction::X, Direction::Y, Direction::Z];
-        let Compliance { operator, inverse } = bodies.compliance([z, x, y], size)?;
-        let normal = bodies.compliance([z], size)?.operator;
-        let plane = bodies.compliance([x, y], size)?.operator;
-        let friction = &self.friction.within(&region);
-        let gathered = |field: &[f64]| {
-            let mut part = buffer::zeros(window.cells())?;
-            region.gather(field, &mut part);
-            Ok::<Vec<f64>, Error>(part)
-        };
+        let (grid, region) = (bodies.grid(), Region::new(bodies, window));
+        let Joint {
+            compliance: Compliance { operator, inverse },
+            workspace,
+            cells,
+            right,
+            unknowns,
+        } = joint;
+        let plane = bodies.compliance([Direction::X, Direction::Y], window.size)?;
+        let [qx, qy] = self.traction.map(Field::as_slice);
+        let [sx, sy] = self.slip.map(Field::as_slice);
         let limits = self.hardness.map_or(UNLIMITED, Hardness::limits);
-        let limits = limits.try_map(|cells| gathered(cells))?;
+        let hardness = match limits {
+            PerCell::Uniform(_) => &[][..],
+            PerCell::Cells(cells) => cells,
+        };
+        let fields = [
+            self.pressure.as_slice(),
+            qx,
+            qy,
+            sx,
+            sy,
+            self.entered,
+            hardness,
+        ];
+        for (cells, field) in cells.iter_mut().zip(fields) {
+            if !field.is_empty() {
+                region.gather(field, cells);
+            }
+        }
+        let [p, qx, qy, sx, sy, entered, hardness] = slices(cells);
         let problem = ConeProblem {
-            operator: Arc::clone(&operator),
-            preconditioner: Arc::clone(&inverse),
+            operator: &*operator,
+            preconditioner: &*inverse,
             layout: region.layout(),
             linear: [&[]; N],
             closing: None,
-            hardness: limits.map(Vec::as_slice),
-            friction,
+            hardness: limits.map(|_| hardness),
+            friction: &self.friction.within(&region),
             totals: [Total::Free; N],
-            lower_bounds: [normal.lower_bound(), plane.lower_bound()],
+            lower_bounds: [0.0, plane.operator.lower_bound()],
             coupling: 0.0,
         };
-        let pressure = gathered(self.pressure.as_slice())?;
-        let [qx, qy, sx, sy] = try_each(|c| {
-            let [q, s] = [self.traction, self.slip];
-            gathered([q[0], q[1], s[0], s[1]][c].as_slice())
-        })?;
-        let has_entered = slips && !self.entered.is_empty();
-        let entered = has_entered.then(|| gathered(self.entered)).transpose()?;
+        let own = slips && !self.entered.is_empty();
         let stand = Stand {
-            x: [&pressure, &qx, &qy],
-            slip: [&sx, &sy],
-            own: entered.as_deref().unwrap_or(&[]),
+            x: [p, qx, qy],
+            slip: [sx, sy],
+            own: if own { entered } else { &[] },
             slips,
         };
-        let (grid, motions) = (bodies.grid(), motions(bodies, window)?);
-        let mut workspace = ConeWorkspace::new(&operator, &inverse)?;
-        let settings = self.settings;
-        let found = responses(
-            &problem,
-            settings,
-            stand,
-            &motions,
-            &mut workspace,
-            observer,
-        )?;
+        let held = Held {
+            operator: &*operator,
+            preconditioner: &*inverse,
+            layout: region.layout(),
+            own: &[],
+        };
+        let linear = workspace.hold(&problem, stand)?;
         let mut loads = [[0.0; 4]; 4];
-        for (loads, found) in loads.iter_mut().zip(&found) {
+        let count = if bodies.boundary().may_turn() { 4 } else { 3 };
+        for (motion, loads) in loads.iter_mut().enumerate().take(count) {
+            linear.restrict(
+                |cell| moved(motion, centre(grid, window.index(cell))),
+                right,
+            )?;
+            course.respond(&held, right, unknowns, linear)?;
+            let found = linear.tractions();
             for (k, i) in window.indices().enumerate() {
                 let [x, y] = centre(grid, i);
-                let [p, qx, qy] = [0, 1, 2].map(|c| grid.cell_area() * found[c][k]);
+                let [p, qx, qy] = found.map(|part| grid.cell_area() * part[k]);
                 let parts = [p, qx, qy, x * qy - y * qx];
                 *loads = [0, 1, 2, 3].map(|load| loads[load] + parts[load]);
             }
@@ -141,25 +204,75 @@ impl Coupled<'_> {
     }
 }
 
-/// Approach, shifts along x and y and, where the grid can turn, twist about its origin, as motions of the cells.
-fn motions(bodies: &HalfSpace, window: Window) -> Result<Vec<[Vec<f64>; N]>> {
-    let all: [fn([f64; 2]) -> [f64; N]; 4] = [
-        |_| [1.0, 0.0, 0.0],
-        |_| [0.0, 1.0, 0.0],
-        |_| [0.0, 0.0, 1.0],
-        |[x, y]| [0.0, -y, x],
-    ];
-    let kinds = if bodies.boundary().may_turn() { 4 } else { 3 };
-    let of_cells = |moved: &fn([f64; 2]) -> [f64; N]| {
-        let mut cells: [Vec<f64>; N] = buffer::vector(window.cells())?;
-        for (k, i) in window.indices().enumerate() {
-            for (part, value) in cells.iter_mut().zip(moved(centre(bodies.grid(), i))) {
-                part[k] = value;
-            }
-        }
-        Ok(cells)
-    };
-    all[..kinds].iter().map(of_cells).collect()
+impl CoupledSolution {
+    /// The stiffness of the contact: normal force, tangential forces and moment, each by the approach and by the motions,
+    /// with the friction it was solved for. Loading is the derivative of this solution by its load.
+    ///
+    /// ```
+    /// use stickslip::*;
+    /// let grid = Grid::square(32, 3.0)?;
+    /// let rubber = ElasticPair::new(Material::new(1.0, 0.3)?, Material::rigid())?;
+    /// let bodies = HalfSpace::new(grid, rubber)?;
+    /// let (ball, friction) = (surface::sphere(grid, 10.0)?, Friction::coulomb(0.4)?);
+    /// let at = |approach: f64, shift: f64| {
+    ///     let (normal, load) = (NormalControl::Approach(approach), TangentialLoad::shift([shift, 0.0]));
+    ///     let problem = CoupledProblem::builder(&bodies, &ball, friction.clone(), normal, load);
+    ///     problem.tolerance(1e-10).build()?.solve()
+    /// };
+    /// let stiffness = at(0.1, 0.01)?.stiffness(&bodies, &friction)?;
+    /// // Shearing changes the normal force.
+    /// let force = |shift: f64| at(0.1, shift).map(|contact| contact.normal().force());
+    /// let slope = (force(0.010_001)? - force(0.009_999)?) / 2e-6;
+    /// let expected = stiffness.normal_by_motion[0].unwrap_or(0.0);
+    /// assert!((slope - expected).abs() < 1e-4 * stiffness.normal.value);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) or
+    /// [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) for bodies or friction that the solution is not of;
+    /// [`Error::NotFinite`](crate::Error::NotFinite) where a periodic contact is closed everywhere;
+    /// [`Error::NotConverged`](crate::Error::NotConverged); as [`HalfSpace::operator`]; those of a contact that has yielded
+    /// as [`NormalSolution::stiffness`](crate::NormalSolution::stiffness); [`Error::Ranks`](crate::Error::Ranks).
+    pub fn stiffness(&self, bodies: &HalfSpace, friction: &Friction) -> Result<ContactStiffness> {
+        self.stiffness_observed(bodies, friction, unwatched)
+    }
+
+    /// [`stiffness`](Self::stiffness) with an observer that is asked before every product with the operator and may cancel.
+    ///
+    /// # Errors
+    /// As [`stiffness`](Self::stiffness).
+    pub fn stiffness_observed(
+        &self,
+        bodies: &HalfSpace,
+        friction: &Friction,
+        mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
+    ) -> Result<ContactStiffness> {
+        let (normal, tangential) = (self.normal(), self.tangential());
+        normal.check_bodies(bodies)?;
+        normal.check_elastic("the stiffness")?;
+        friction.check(bodies.grid())?;
+        let contact = Coupled {
+            pressure: normal.pressure(),
+            traction: tangential.traction(),
+            slip: tangential.slip(),
+            entered: &[],
+            friction,
+            hardness: None,
+            window: None,
+        };
+        contact.stiffness(bodies, &mut StiffnessWorkspace::new(), &mut observer)
+    }
+}
+
+/// How approach, shifts along x and y and the twist about the origin move a point.
+fn moved(motion: usize, [x, y]: [f64; 2]) -> [f64; N] {
+    match motion {
+        0 => [1.0, 0.0, 0.0],
+        1 => [0.0, 1.0, 0.0],
+        2 => [0.0, 0.0, 1.0],
+        _ => [0.0, -y, x],
+    }
 }
 
 impl ContactStiffness {
@@ -179,14 +292,16 @@ impl ContactStiffness {
 }
 
 /// The stiffness by the loads of each motion.
-fn whole(boundary: Boundary, loading: &[Loads; 4], reversal: &[Loads; 4]) -> ContactStiffness {
+fn whole(
+    boundary: Boundary,
+    loading: &[Loads; 4],
+    reversal: Option<&[Loads; 4]>,
+) -> ContactStiffness {
     let has = kinds(Axis::BOTH, boundary);
-    let of = |kind: usize, value: f64| has.contains(&kind).then_some(value);
     let matrix = |loads: &[Loads; 4]| {
+        let entry = |load: usize, motion: usize| loads[1 + motion][1 + load];
         [0, 1, 2].map(|load| {
-            [0, 1, 2].map(|motion| {
-                of(load, loads[1 + motion][1 + load]).and_then(|value| of(motion, value))
-            })
+            [0, 1, 2].map(|motion| (has[load] && has[motion]).then(|| entry(load, motion)))
         })
     };
     ContactStiffness {
@@ -196,10 +311,10 @@ fn whole(boundary: Boundary, loading: &[Loads; 4], reversal: &[Loads; 4]) -> Con
         },
         tangential: TangentialStiffness {
             loading: matrix(loading),
-            reversal: matrix(reversal),
+            reversal: reversal.map_or([[None; 3]; 3], matrix),
             bound: UNKNOWN,
         },
-        by_approach: [0, 1, 2].map(|load| of(load, loading[0][1 + load])),
-        normal_by_motion: [0, 1, 2].map(|motion| of(motion, loading[1 + motion][0])),
+        by_approach: [0, 1, 2].map(|load| has[load].then(|| loading[0][1 + load])),
+        normal_by_motion: [0, 1, 2].map(|motion| has[motion].then(|| loading[1 + motion][0])),
     }
 }

@@ -25,8 +25,14 @@
 //!   force has a [slope by the shift](ContactStiffness::normal_by_motion). That system is not symmetric, and its
 //!   stiffness has no bound (an infinite one); its residual is 1e-11.
 //!
+//! Each is a solution of the [linear problem](crate::cgm) of the engine at its last sets, by bases whose products are of
+//! single precision, refined in double precision to a [tolerance](StiffnessWorkspace::tolerance). The bound is that of the
+//! linear problem, round-off of its double-precision products included: the pressure and the tractions of the solution
+//! have errors of their own, which change the sets and the slips that it is of.
+//!
 //! The halves of a solution of [`CoupledProblem`](crate::CoupledProblem) are refused with
-//! [`Error::CoupledMaterials`](crate::Error::CoupledMaterials): a step of a history has the stiffness of both.
+//! [`Error::CoupledMaterials`](crate::Error::CoupledMaterials): [the solution](crate::CoupledSolution::stiffness) has the
+//! stiffness of both.
 //!
 //! The motions are shift along x, shift along y and twist; the loads are the forces and the moment about the origin of
 //! the grid. What a model leaves out is `None`: in the scalar model the motion across its axis and the twist. The matrices
@@ -60,10 +66,13 @@
 
 mod contact;
 mod coupled;
+mod course;
 mod motions;
 mod press;
 mod system;
+mod workspace;
 
 pub use contact::{ContactStiffness, NormalStiffness, TangentialStiffness};
 pub(crate) use contact::{Pressed, Sheared};
 pub(crate) use coupled::Coupled;
+pub use workspace::StiffnessWorkspace;

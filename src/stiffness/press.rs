@@ -1,30 +1,26 @@
 //! How the pressure of a contact answers the approach.
 
-use crate::buffer;
+use crate::cgm::{Interval, Row};
 use crate::error::Result;
 use crate::half_space::HalfSpace;
 use crate::influence::Direction;
 use crate::normal::{Hardness, NormalSolution};
-use crate::stiffness::contact::NormalStiffness;
-use crate::stiffness::system::{Freedom, Stiffness, System};
-use crate::watch::Watch;
+use crate::stiffness::contact::{NormalStiffness, window_of};
+use crate::stiffness::course::Course;
+use crate::stiffness::system::{CellMotions, Stiffness, System};
+use crate::stiffness::workspace::SystemOf;
 use crate::window::Window;
 
-/// How the pressure answers the approach.
-pub(super) struct Press {
-    pub(super) window: Window,
-    pub(super) stiffness: NormalStiffness,
-    /// Growth of the pressure of the cells of the window, for each growth of the approach.
-    pub(super) growth: Vec<f64>,
-}
-
-/// `None` without contact. Cells at this hardness carry no more pressure.
-pub(super) fn pressed(
-    bodies: &HalfSpace,
+/// The stiffness, zero without contact, on the window where the contact was found, if that is known; cells at this hardness carry no more pressure. `grow` is told by how much the
+/// pressure of a cell of the grid grows for each growth of the approach.
+pub(super) fn press(
+    (bodies, found): (&HalfSpace, Option<Window>),
     normal: &NormalSolution,
     hardness: Option<&Hardness>,
-    watch: &mut Watch<'_>,
-) -> Result<Option<Press>> {
+    slot: &mut Option<SystemOf<Interval, 1>>,
+    course: &mut Course<'_>,
+    mut grow: impl FnMut(usize, f64),
+) -> Result<NormalStiffness> {
     normal.check_bodies(bodies)?;
     normal.check_uncoupled()?;
     if hardness.is_none() {
@@ -32,43 +28,32 @@ pub(super) fn pressed(
     }
     let pressure = normal.pressure().as_slice();
     let Some(window) = Window::around(bodies.grid(), |i| pressure[i] > 0.0) else {
-        return Ok(None);
+        return Ok(NormalStiffness {
+            value: 0.0,
+            bound: 0.0,
+        });
     };
-    let window = bodies.confined(window);
-    let freedom = |i: usize| {
+    let window = window_of(bodies, found, window);
+    let system = System::provide(slot, bodies.compliance([Direction::Z], window.size)?)?;
+    let follows = |cell: usize| {
+        let i = window.index(cell);
         let limits = hardness.map(Hardness::limits);
         let yields = limits.is_some_and(|limits| limits.are_reached(i, pressure[i]));
         if pressure[i] > 0.0 && !yields {
-            Freedom::Free
+            Row::FREE
         } else {
-            Freedom::Fixed
+            Row::FIXED
         }
     };
-    let compliance = bodies.compliance([Direction::Z], window.size)?;
-    let freedoms = buffer::collected(window.cells(), window.indices().map(freedom))?;
-    let system = System::new(bodies.boundary(), &compliance, freedoms, Vec::new())?;
-    let Stiffness {
-        matrix,
-        bound,
-        tractions,
-        ..
-    } = system.stiffness(&[[buffer::filled(1.0, window.cells())?]], watch)?;
-    let cell_area = bodies.grid().cell_area();
-    let per_area = matrix[0][0];
-    let value = per_area * cell_area;
-    let unit = tractions.into_iter().flatten().flatten();
-    Ok(Some(Press {
-        window,
-        stiffness: NormalStiffness { value, bound },
-        growth: buffer::collected(window.cells(), unit.map(|traction| traction * per_area))?,
-    }))
-}
-
-/// Zero without contact.
-pub(super) fn stiffness_of(press: Option<&Press>) -> NormalStiffness {
-    let none = NormalStiffness {
-        value: 0.0,
-        bound: 0.0,
+    system.hold(bodies.boundary(), follows, None::<fn(usize) -> f64>)?;
+    let approach = CellMotions {
+        count: 1,
+        of_cell: |_, _| [1.0],
+        squares: [window.cells() as f64, 0.0, 0.0],
     };
-    press.map_or(none, |press| press.stiffness)
+    let Stiffness { matrix, bound, .. } = system.stiffness(&approach, course)?;
+    let per_area = matrix[0][0];
+    system.unit(0, |cell, [unit]| grow(window.index(cell), unit * per_area));
+    let value = per_area * bodies.grid().cell_area();
+    Ok(NormalStiffness { value, bound })
 }

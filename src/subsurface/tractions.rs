@@ -31,7 +31,7 @@ use crate::tangential::TangentialSolution;
 /// let rubber = Material::new(1.0, 0.5)?;
 /// let bodies = HalfSpace::new(grid, ElasticPair::new(rubber, Material::rigid())?)?;
 /// let (p, q, none) = (Field::constant(grid, 2.0), Field::constant(grid, 1.0), Field::zeros(grid));
-/// let sliding = Tractions::new(&p).with_shear([&q, &none]);
+/// let sliding = Tractions::new(&p).with_traction([&q, &none]);
 /// // The surface under the load.
 /// let stress = at_points(&bodies, Body::One, sliding, &[[0.0, 0.0, 0.0]])?[0].stress;
 /// assert!((stress.zz + 2.0).abs() < 1e-14 && (stress.xz + 1.0).abs() < 1e-14);
@@ -40,7 +40,7 @@ use crate::tangential::TangentialSolution;
 #[derive(Debug, Clone, Copy)]
 pub struct Tractions<'a> {
     pressure: &'a Field,
-    shear: Option<[&'a Field; 2]>,
+    traction: Option<[&'a Field; 2]>,
     /// Of the body whose stress is asked for.
     uniform: Stress,
     /// Surroundings and bodies of the solution that they come from.
@@ -48,12 +48,12 @@ pub struct Tractions<'a> {
 }
 
 impl<'a> Tractions<'a> {
-    /// A pressure (positive in compression), without shear.
+    /// A pressure (positive in compression), without traction.
     #[must_use]
     pub fn new(pressure: &'a Field) -> Self {
         Self {
             pressure,
-            shear: None,
+            traction: None,
             uniform: Stress::default(),
             host: None,
         }
@@ -61,9 +61,9 @@ impl<'a> Tractions<'a> {
 
     /// With tractions along x and y (pressures) on body 1, in place of those it had.
     #[must_use]
-    pub fn with_shear(self, traction: [&'a Field; 2]) -> Self {
+    pub fn with_traction(self, traction: [&'a Field; 2]) -> Self {
         Self {
-            shear: Some(traction),
+            traction: Some(traction),
             ..self
         }
     }
@@ -117,8 +117,8 @@ impl<'a> Tractions<'a> {
         }
         self.pressure.check("pressure", grid)?;
         let mut fields = [Some(uniform(bodies, self.pressure)?), None, None];
-        if let Some(shear) = self.shear {
-            for (field, traction) in fields[1..].iter_mut().zip(shear) {
+        if let Some(traction) = self.traction {
+            for (field, traction) in fields[1..].iter_mut().zip(traction) {
                 traction.check("traction", grid)?;
                 *field = Some(uniform(bodies, traction)?);
             }
@@ -156,28 +156,28 @@ impl<'a> From<&'a NormalSolution> for Tractions<'a> {
 
 /// The pressure and the tractions of a contact that was solved one after the other.
 impl<'a> From<(&'a NormalSolution, &'a TangentialSolution)> for Tractions<'a> {
-    fn from((normal, shear): (&'a NormalSolution, &'a TangentialSolution)) -> Self {
-        Self::from(normal).with_shear(shear.traction())
+    fn from((normal, tangential): (&'a NormalSolution, &'a TangentialSolution)) -> Self {
+        Self::from(normal).with_traction(tangential.traction())
     }
 }
 
 /// Those of a contact of dissimilar bodies.
 impl<'a> From<&'a CoupledSolution> for Tractions<'a> {
     fn from(solution: &'a CoupledSolution) -> Self {
-        Self::from((solution.normal(), solution.shear()))
+        Self::from((solution.normal(), solution.tangential()))
     }
 }
 
 /// Those of a state of a history.
 impl<'a> From<&'a State> for Tractions<'a> {
     fn from(state: &'a State) -> Self {
-        Self::from(state.normal()).with_shear(state.traction())
+        Self::from(state.normal()).with_traction(state.traction())
     }
 }
 
 /// Those of a history as it stands.
 impl<'a> From<&'a History> for Tractions<'a> {
     fn from(history: &'a History) -> Self {
-        Self::from(history.normal()).with_shear(history.traction())
+        Self::from(history.normal()).with_traction(history.traction())
     }
 }

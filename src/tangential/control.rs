@@ -1,6 +1,7 @@
 //! What moves the bodies tangentially, along each axis and about the normal.
 
 use crate::boundary::Boundary;
+use crate::cgm::Total;
 use crate::error::{Error, Result, finite, positive};
 use crate::tangential::{Axis, Motion, TangentialModel};
 use crate::trend::Ahead;
@@ -228,6 +229,45 @@ impl Demand {
             value,
             remedy,
         })
+    }
+
+    /// What is prescribed of the sums of the tractions along these axes; the motion becomes the one that they are measured
+    /// from, at `datum` where the shift follows. `sums` are those of the forces, none where nothing can be carried: the
+    /// shift then is free, and stays.
+    pub(crate) fn prescribe(
+        &self,
+        axes: &[Axis],
+        sums: Option<[f64; 2]>,
+        (datum, cell_area): ([f64; 2], f64),
+        motion: &mut Motion,
+    ) -> Result<[Total; 2]> {
+        let mut totals = [Total::Free; 2];
+        for &axis in axes {
+            let component = axis.index();
+            let (shift, total) = (&mut motion.shift[component], &mut totals[component]);
+            match (self.control(axis), sums) {
+                (TangentialControl::Shift(prescribed), _) => *shift = prescribed,
+                (TangentialControl::Force(_), Some(sums)) => {
+                    (*shift, *total) = (datum[component], Total::Sum(sums[component]));
+                }
+                (TangentialControl::Force(_), None) | (TangentialControl::Hold, _) => {}
+                (
+                    TangentialControl::Spring {
+                        position,
+                        stiffness,
+                    },
+                    _,
+                ) => {
+                    let quantity = "cell area over the stiffness of the spring";
+                    *shift = datum[component];
+                    *total = Total::Spring {
+                        far_end: position - datum[component],
+                        compliance: finite(quantity, cell_area / stiffness)?,
+                    };
+                }
+            }
+        }
+        Ok(totals)
     }
 
     /// The motion of body 2 before anything has touched: no force can act, and a spring is slack.

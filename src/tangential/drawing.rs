@@ -13,7 +13,7 @@ use crate::tangential::engine::PlaneVector;
 
 /// How pressures on a window draw its surfaces along the axes of a model.
 #[derive(Debug, Clone)]
-pub(super) struct Drawing {
+pub(crate) struct Drawing {
     parts: Vec<Part>,
     pressure: Vec<f64>,
     displacement: Vec<f64>,
@@ -28,7 +28,7 @@ struct Part {
 }
 
 impl Drawing {
-    pub(super) fn new(bodies: &HalfSpace, axes: &[Axis], size: [usize; 2]) -> Result<Self> {
+    pub(crate) fn new(bodies: &HalfSpace, axes: &[Axis], size: [usize; 2]) -> Result<Self> {
         let part = |&axis: &Axis| {
             let component = Component::of(axis.direction(), Direction::Z);
             let operator = bodies.convolution([[component]], size)?;
@@ -53,16 +53,26 @@ impl Drawing {
         pressures: impl Iterator<Item = f64>,
         field: &mut PlaneVector,
     ) {
+        self.displace(pressures, |axis, displacement| {
+            for (value, displacement) in field[axis.index()].iter_mut().zip(displacement) {
+                *value -= displacement;
+            }
+        });
+    }
+
+    /// Shows what these pressures displace along each axis.
+    pub(crate) fn displace(
+        &mut self,
+        pressures: impl Iterator<Item = f64>,
+        mut show: impl FnMut(Axis, &[f64]),
+    ) {
         for (own, pressure) in self.pressure.iter_mut().zip(pressures) {
             *own = pressure;
         }
         for part in &mut self.parts {
             let (pressure, out) = ([&self.pressure[..]], [&mut self.displacement[..]]);
             part.operator.apply(pressure, out, &mut part.workspace);
-            let field = &mut field[part.axis.index()];
-            for (value, displacement) in field.iter_mut().zip(&self.displacement) {
-                *value -= displacement;
-            }
+            show(part.axis, &self.displacement);
         }
     }
 }

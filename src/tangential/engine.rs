@@ -4,9 +4,9 @@ use std::borrow::Cow;
 use std::fmt::Debug;
 
 use crate::buffer::{self, try_each};
-use crate::cascade::{Conditions, Scene, nested_start};
-use crate::cgm::{Ball, Known, Magnitude, Method, Settings, Total, Within};
-use crate::elastic::{ElasticSolver, Observer, Posed};
+use crate::cgm::{Ball, Known, Method, Settings, Total, Within};
+use crate::contact::{Conditions, Scene, nested_start};
+use crate::elastic::{ElasticSolver, Observer};
 use crate::error::Result;
 use crate::field::Field;
 use crate::half_space::HalfSpace;
@@ -47,7 +47,7 @@ pub(super) struct Task<'a> {
 }
 
 /// An engine, whatever the number of tractions.
-pub(super) trait ShearEngine: Debug + Send + Sync {
+pub(super) trait TangentialEngine: Debug + Send + Sync {
     /// Minimises from the tractions into them.
     fn minimise(
         &mut self,
@@ -88,10 +88,10 @@ pub(super) trait ShearEngine: Debug + Send + Sync {
     /// Gives the buffers back, and the displacements of the answer with them.
     fn rest(&mut self);
 
-    fn boxed(&self) -> Box<dyn ShearEngine>;
+    fn boxed(&self) -> Box<dyn TangentialEngine>;
 }
 
-impl Clone for Box<dyn ShearEngine> {
+impl Clone for Box<dyn TangentialEngine> {
     fn clone(&self) -> Self {
         self.boxed()
     }
@@ -102,7 +102,7 @@ pub(super) fn engine_along(
     bodies: &HalfSpace,
     axes: &[Axis],
     size: [usize; 2],
-) -> Result<Box<dyn ShearEngine>> {
+) -> Result<Box<dyn TangentialEngine>> {
     Ok(match axes {
         [axis] => Box::new(Engine::new(bodies, [*axis], size)?),
         _ => Box::new(Engine::new(bodies, [Axis::X, Axis::Y], size)?),
@@ -154,11 +154,6 @@ where
         Ok(Self { axes, solver })
     }
 
-    /// The components that the model has.
-    fn of<'a>(&self, both: &'a PlaneVector) -> [&'a [f64]; N] {
-        self.axes.map(|axis| both[axis.index()].as_slice())
-    }
-
     /// `[x, y]` of these components, nothing where the model has none.
     fn both<T: Default>(&self, values: [T; N]) -> [T; 2] {
         let mut both = <[T; 2]>::default();
@@ -169,6 +164,22 @@ where
     }
 }
 
+/// The components along these axes.
+fn of<const N: usize>(axes: [Axis; N], both: &PlaneVector) -> [&[f64]; N] {
+    axes.map(|axis| both[axis.index()].as_slice())
+}
+
+/// What is asked for along these axes.
+fn scene<const N: usize>(axes: [Axis; N], task: Task<'_>) -> FrictionScene<'_, N> {
+    FrictionScene {
+        directions: axes.map(Axis::direction),
+        limits: task.limits.into(),
+        diagonal: task.diagonal,
+        linear: of(axes, task.linear).map(Cow::from),
+        totals: axes.map(|axis| task.totals[axis.index()]),
+    }
+}
+
 /// The components along these axes, to write to.
 fn of_mut<const N: usize>(axes: [Axis; N], both: &mut PlaneVector) -> [&mut [f64]; N] {
     let mut parts = both.each_mut().map(Some);
@@ -176,7 +187,7 @@ fn of_mut<const N: usize>(axes: [Axis; N], both: &mut PlaneVector) -> [&mut [f64
     axes.map(|axis| parts[axis.index()].take().map_or(&mut [][..], |part| part))
 }
 
-impl<const N: usize> ShearEngine for Engine<N>
+impl<const N: usize> TangentialEngine for Engine<N>
 where
     Within: Ball<N>,
 {
@@ -187,18 +198,13 @@ where
         settings: &Settings,
         observer: Observer<'_>,
     ) -> Result<()> {
-        let posed = Posed {
-            diagonal: task.diagonal,
-            linear: self.of(task.linear),
-            datum: [0.0; N],
-            constraint: Magnitude(task.limits),
-            totals: self.axes.map(|axis| task.totals[axis.index()]),
-            known: task.known.map_or(Known::Nothing, |multiplier| {
-                Known::Answer(self.axes.map(|axis| multiplier[axis.index()]))
-            }),
-        };
-        let traction = of_mut(self.axes, traction);
-        self.solver.minimise(posed, traction, settings, observer)
+        let known = task.known.map_or(Known::Nothing, |multiplier| {
+            Known::Answer(self.axes.map(|axis| multiplier[axis.index()]))
+        });
+        let from = (of_mut(self.axes, traction), known);
+        let scene = scene(self.axes, task);
+        let problem = scene.problem(&self.solver);
+        self.solver.minimise(&problem, from, settings, observer)
     }
 
     fn start(
@@ -209,15 +215,9 @@ where
         is_sliding: bool,
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<PlaneVector> {
-        let scene = FrictionScene {
-            layout: bodies.layout(size),
-            directions: self.axes.map(Axis::direction),
-            limits: task.limits.into(),
-            linear: self.of(task.linear).map(Cow::from),
-            totals: self.axes.map(|axis| task.totals[axis.index()]),
-        };
+        let scene = scene(self.axes, task);
         let found = if is_sliding || conditions.settings.method == Method::PolonskyKeer {
-            scene.plain_start()?
+            scene.plain_start(&bodies.layout(size))?
         } else {
             nested_start(bodies, size, &scene, conditions)?
         };
@@ -225,7 +225,7 @@ where
     }
 
     fn apply(&mut self, traction: &PlaneVector, displacement: &mut PlaneVector) -> Result<()> {
-        let traction = self.of(traction);
+        let traction = of(self.axes, traction);
         self.solver.apply(traction, of_mut(self.axes, displacement))
     }
 
@@ -249,7 +249,7 @@ where
         self.solver.rest();
     }
 
-    fn boxed(&self) -> Box<dyn ShearEngine> {
+    fn boxed(&self) -> Box<dyn TangentialEngine> {
         Box::new(self.clone())
     }
 }

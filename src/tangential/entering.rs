@@ -14,6 +14,15 @@ pub(crate) fn ratio_of_compliances(pair: &ElasticPair) -> f64 {
     1.0 + 0.5 * compliances.lateral / compliances.normal
 }
 
+/// The compliance $`B = \kappa\,g/p`$ of its own of a cell that enters the contact, by its $`\kappa g`$; zero without pressure.
+pub(crate) fn own_compliance(closing: f64, pressure: f64) -> f64 {
+    if pressure > 0.0 {
+        (closing / pressure).min(f64::MAX)
+    } else {
+        0.0
+    }
+}
+
 impl Increment {
     /// Gives the cells that enter the contact the compliance $`B = \kappa\,g/p`$ of their own in this step, by the gap
     /// that each cell of the grid had at its beginning, zero where there was contact.
@@ -26,7 +35,7 @@ impl Increment {
         parallel::update(diagonal, |first, chunk| {
             for (k, value) in (first..).zip(chunk) {
                 *value = if limits[k] > 0.0 {
-                    (kappa * *value / pressure[k]).min(f64::MAX)
+                    own_compliance(kappa * *value, pressure[k])
                 } else {
                     0.0
                 };

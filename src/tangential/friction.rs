@@ -152,16 +152,9 @@ impl Friction {
 
     /// The friction of the cells of `coarser`, twice as large as those of the bodies that this is on.
     pub(crate) fn coarsened(&self, bodies: &HalfSpace, coarser: &HalfSpace) -> Result<Self> {
-        let coefficient = match &self.coefficient {
-            PerCell::Uniform(coefficient) => PerCell::Uniform(*coefficient),
-            PerCell::Cells(field) => {
-                let size = bodies.grid().whole().size();
-                let coarse = bodies.coarsened(coarser, size, field.as_slice())?;
-                PerCell::Cells(Field::from_vec(coarser.grid(), coarse)?)
-            }
-        };
+        let coarsened = |cells: &Field| bodies.coarsened_field(coarser, cells);
         Ok(Self {
-            coefficient,
+            coefficient: self.coefficient.try_map(coarsened)?,
             max_shear_stress: self.max_shear_stress,
         })
     }
@@ -215,10 +208,7 @@ impl Friction {
 
     /// `Ok` if the coefficients fit the grid.
     pub(crate) fn check(&self, grid: Grid) -> Result<()> {
-        match &self.coefficient {
-            PerCell::Cells(field) => grid.expect("coefficient of friction", field.grid()),
-            PerCell::Uniform(_) => Ok(()),
-        }
+        self.coefficient.check("coefficient of friction", grid)
     }
 }
 

@@ -3,21 +3,21 @@
 use std::borrow::Cow;
 
 use crate::buffer;
-use crate::cascade::Conditions;
 use crate::cgm::vector::slices;
 use crate::cgm::{Total, reduce};
+use crate::contact::Conditions;
 use crate::coupling::Coupling;
-use crate::error::{Result, finite};
+use crate::elastic::multipliers;
+use crate::error::Result;
 use crate::half_space::HalfSpace;
 use crate::parallel;
-use crate::passes::with_time_left;
 use crate::report::Report;
 use crate::tangential::answer::Answer;
 use crate::tangential::control::Demand;
 use crate::tangential::drawing::Drawing;
-use crate::tangential::engine::{PlaneVector, ShearEngine, Task, at, engine_along, zeros};
+use crate::tangential::engine::{PlaneVector, TangentialEngine, Task, at, engine_along, zeros};
 use crate::tangential::motion::{Motion, centre};
-use crate::tangential::{Axis, Pressed, TangentialControl};
+use crate::tangential::{Axis, Pressed};
 use crate::trend::Trend;
 
 /// The tangential contact on a window: pressure, limits and tractions of its cells, and the engine that solves a step.
@@ -30,7 +30,7 @@ pub(crate) struct Increment {
     pub(super) bodies: HalfSpace,
     pub(super) axes: &'static [Axis],
     pub(crate) pressed: Pressed,
-    pub(super) engine: Box<dyn ShearEngine>,
+    pub(super) engine: Box<dyn TangentialEngine>,
     /// The start of the next step, and the answer of the last.
     pub(super) traction: PlaneVector,
     /// Offset of every cell in this step.
@@ -202,10 +202,8 @@ impl Increment {
         match start {
             Start::Near => {}
             Start::Present(shift) => {
-                task.known = Some([0, 1].map(|axis| match totals[axis] {
-                    Total::Free => 0.0,
-                    _ => (shift[axis] - self.motion.shift[axis]) / unit,
-                }));
+                let beyond = |axis: usize| (shift[axis] - self.motion.shift[axis]) / unit;
+                task.known = Some(multipliers(totals, [0, 1].map(beyond)));
             }
             Start::Nested => {
                 let is_at_rest = self.motion == Motion::default();
@@ -228,7 +226,7 @@ impl Increment {
                 };
             }
         }
-        let settings = with_time_left(conditions.settings, conditions.start);
+        let settings = conditions.in_time();
         let observer = &mut *conditions.observer;
         self.engine
             .minimise(task, &mut self.traction, &settings, observer)
@@ -245,37 +243,12 @@ impl Increment {
 
     /// What is prescribed of the sums of the tractions; the motion becomes the one they are measured from.
     fn prescribe(&mut self, demand: &Demand) -> Result<[Total; 2]> {
-        let cell_area = self.bodies.grid().cell_area();
+        let (cell_area, force) = (self.bodies.grid().cell_area(), demand.force());
         let limits = &self.pressed.limits;
-        limits.check(demand.force(), cell_area)?;
-        let sums = limits.sums(demand.force(), cell_area);
-        let can_carry = limits.sum > 0.0;
-        let datum = self.datum();
-        let mut totals = [Total::Free; 2];
-        for &axis in self.axes {
-            let component = axis.index();
-            let (shift, total) = (&mut self.motion.shift[component], &mut totals[component]);
-            match demand.control(axis) {
-                TangentialControl::Shift(prescribed) => *shift = prescribed,
-                // Where nothing can be carried the shift is free, and stays.
-                TangentialControl::Force(_) if can_carry => {
-                    (*shift, *total) = (datum[component], Total::Sum(sums[component]));
-                }
-                TangentialControl::Force(_) | TangentialControl::Hold => {}
-                TangentialControl::Spring {
-                    position,
-                    stiffness,
-                } => {
-                    let quantity = "cell area over the stiffness of the spring";
-                    *shift = datum[component];
-                    *total = Total::Spring {
-                        far_end: position - datum[component],
-                        compliance: finite(quantity, cell_area / stiffness)?,
-                    };
-                }
-            }
-        }
-        Ok(totals)
+        limits.check(force, cell_area)?;
+        let sums = (limits.sum > 0.0).then(|| limits.sums(force, cell_area));
+        let measured = (self.datum(), cell_area);
+        demand.prescribe(self.axes, sums, measured, &mut self.motion)
     }
 
     /// The shift that, with a twist, would leave the cell of the largest limit without traction: measured from

@@ -20,11 +20,11 @@ use crate::window::Window;
 /// let hertz = HertzSphere::new(bodies.pair(), 3.5e-3, 100.0)?;
 /// let pressure = Field::from_fn(grid, |x, y| hertz.pressure(x.hypot(y)));
 /// let load = TangentialLoad::force([20.0, 0.0]);
-/// let shear = TangentialProblem::builder(&bodies, &pressure, Friction::coulomb(0.5)?, load)
+/// let tangential = TangentialProblem::builder(&bodies, &pressure, Friction::coulomb(0.5)?, load)
 ///     .build()?
 ///     .solve()?;
 /// let exact = CattaneoMindlin::new(hertz, 0.5, 20.0)?;
-/// assert!((shear.shift()[0] / exact.shift() - 1.0).abs() < 1e-3);
+/// assert!((tangential.shift()[0] / exact.shift() - 1.0).abs() < 1e-3);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy)]

@@ -8,8 +8,8 @@ use crate::half_space::HalfSpace;
 use crate::shown::shown;
 use crate::tangential::pressure::contact_window;
 use crate::tangential::{
-    Friction, Pressed, PressureSource, RelativeDisplacement, TangentialLoad, TangentialModel,
-    TangentialSolution, TangentialSolver,
+    Axis, Friction, Increment, Pressed, PressureSource, RelativeDisplacement, TangentialLoad,
+    TangentialModel, TangentialSolution, TangentialSolver,
 };
 
 /// Bodies, pressure, friction and tangential load.
@@ -29,12 +29,12 @@ use crate::tangential::{
 ///
 /// let friction = Friction::coulomb(0.5)?;
 /// let load = TangentialLoad::force([20.0, 0.0]);
-/// let shear = TangentialProblem::builder(&bodies, &normal, friction, load).build()?.solve()?;
+/// let tangential = TangentialProblem::builder(&bodies, &normal, friction, load).build()?.solve()?;
 ///
 /// let hertz = HertzSphere::new(bodies.pair(), 3.5e-3, 100.0)?;
 /// let exact = CattaneoMindlin::new(hertz, 0.5, 20.0)?;
-/// assert!((shear.stick_ratio() - exact.stick_ratio()).abs() < 0.02);
-/// assert!((shear.shift()[0] / exact.shift() - 1.0).abs() < 1e-3);
+/// assert!((tangential.stick_ratio() - exact.stick_ratio()).abs() < 0.02);
+/// assert!((tangential.shift()[0] / exact.shift() - 1.0).abs() < 1e-3);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Clone)]
@@ -110,6 +110,13 @@ impl TangentialProblem {
         TangentialSolver::new(self)
     }
 
+    /// Its step from rest, along these axes, under this pressure.
+    pub(super) fn increment(&self, axes: &'static [Axis], pressed: Pressed) -> Result<Increment> {
+        let mut increment = Increment::new(&self.bodies, axes, pressed, self.coupling)?;
+        increment.draw(self.relative.as_ref());
+        Ok(increment)
+    }
+
     /// Largest tangential force friction holds: the integral of the friction limit.
     #[must_use]
     pub fn friction_capacity(&self) -> f64 {
@@ -144,9 +151,9 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
     ///     Friction::coulomb(0.1)?,
     ///     TangentialLoad::force([0.0, 0.0]),
     /// );
-    /// let shear = at_rest.model(TangentialModel::Vector).build()?.solve()?;
+    /// let tangential = at_rest.model(TangentialModel::Vector).build()?.solve()?;
     /// // Pressing alone draws the surface of aluminium inwards over that of steel, and makes the rim slip.
-    /// assert!(shear.slip_area() > 0.0 && shear.stick_area() > 0.0);
+    /// assert!(tangential.slip_area() > 0.0 && tangential.stick_area() > 0.0);
     /// # Ok::<(), Error>(())
     /// ```
     pub fn coupling(mut self, coupling: Coupling) -> Self {

@@ -1,24 +1,17 @@
 //! The reusable solver of a tangential contact.
 
-use std::ops::ControlFlow;
-
-use crate::buffer::{TryClone, or_abort};
-use crate::cascade::Conditions;
-use crate::cgm::{Iteration, Settings, solver_settings};
-use crate::clock::Instant;
-use crate::coupling::Coupling;
+use crate::buffer::TryClone;
+use crate::cgm::solver_settings;
+use crate::contact::{Conditions, solver_methods, with_memory};
 use crate::elastic::Observer;
 use crate::error::{Error, Result};
-use crate::half_space::HalfSpace;
-use crate::parallel;
-use crate::passes::with_memory;
 use crate::report::Report;
 use crate::shown::shown;
 use crate::tangential::increment::{Increment, Start};
 use crate::tangential::motion::Motion;
 use crate::tangential::pressure::contact_window;
 use crate::tangential::{
-    Axis, Friction, Pressed, PressureSource, RelativeDisplacement, TangentialLoad, TangentialModel,
+    Axis, Friction, Pressed, PressureSource, RelativeDisplacement, TangentialLoad,
     TangentialProblem, TangentialSolution,
 };
 
@@ -40,62 +33,37 @@ use crate::tangential::{
 ///     TangentialProblem::builder(&bodies, &normal, friction, TangentialLoad::force([0.0, 0.0]))
 ///         .build()?
 ///         .into_solver()?;
-/// let mut shear = solver.new_solution();
+/// let mut tangential = solver.new_solution();
 /// let mut stick = Vec::new();
 /// for force in [0.0, 0.05, 0.10, 0.149] {
 ///     solver.set_load(TangentialLoad::force([0.0, force]))?;
-///     solver.solve_into(&mut shear)?;
-///     stick.push(shear.stick_ratio());
+///     solver.solve_into(&mut tangential)?;
+///     stick.push(tangential.stick_ratio());
 /// }
 /// assert!(stick[0] == 1.0 && stick.is_sorted_by(|a, b| a > b));
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone)]
 pub struct TangentialSolver {
-    bodies: HalfSpace,
-    friction: Friction,
-    load: TangentialLoad,
-    model: TangentialModel,
-    coupling: Coupling,
-    relative: Option<RelativeDisplacement>,
-    settings: Settings,
+    /// Its pressure and limits are those under examination, not yet in force.
+    problem: TangentialProblem,
     /// The step on the contact's bounding box, with the last traction, the start of the next.
     increment: Increment,
     is_warm: bool,
     report: Report,
-    /// Pressure and limits under examination, not yet in force.
-    candidate: Pressed,
 }
 
-shown!(TangentialSolver: bodies, friction, load, model, coupling, relative, settings);
+shown!(TangentialSolver: problem);
 
 impl TangentialSolver {
     pub(super) fn new(problem: TangentialProblem) -> Result<Self> {
-        let TangentialProblem {
-            bodies,
-            pressed,
-            friction,
-            load,
-            model,
-            coupling,
-            relative,
-            settings,
-        } = problem;
-        let candidate = pressed.try_clone()?;
-        let mut increment = Increment::new(&bodies, load.axes(model)?, pressed, coupling)?;
-        increment.draw(relative.as_ref());
+        let axes = problem.load.axes(problem.model)?;
+        let pressed = problem.pressed.try_clone()?;
         Ok(Self {
-            candidate,
-            increment,
+            increment: problem.increment(axes, pressed)?,
             is_warm: false,
             report: Report::with_room(),
-            bodies,
-            friction,
-            load,
-            model,
-            coupling,
-            relative,
-            settings,
+            problem,
         })
     }
 
@@ -107,30 +75,28 @@ impl TangentialSolver {
     /// [`Error::BeyondFrictionCapacity`]; for one along the other axis as
     /// [`HalfSpace::operator`](crate::HalfSpace::operator); [`Error::Ranks`]; the load is then as it was.
     pub fn set_load(&mut self, load: TangentialLoad) -> Result<()> {
-        self.bodies
-            .agreed_alike(Ok(()), &[("tangential load", &load)])?;
-        let demand = load.demand();
-        let mut axes = load.axes(self.model)?;
+        let TangentialProblem {
+            bodies, relative, ..
+        } = &self.problem;
+        bodies.agreed_alike(Ok(()), &[("tangential load", &load)])?;
+        let (demand, boundary) = (load.demand(), bodies.boundary());
+        let mut axes = load.axes(self.problem.model)?;
         // A solver at rest keeps its axis.
-        if demand
-            .check(self.increment.axes(), self.bodies.boundary())
-            .is_ok()
-        {
+        if demand.check(self.increment.axes(), boundary).is_ok() {
             axes = self.increment.axes();
         }
-        demand.check(axes, self.bodies.boundary())?;
+        demand.check(axes, boundary)?;
         let limits = &self.increment.pressed.limits;
-        limits.check(demand.force(), self.bodies.grid().cell_area())?;
+        limits.check(demand.force(), bodies.grid().cell_area())?;
         if axes != self.increment.axes() {
-            if let Some(relative) = &self.relative {
-                self.bodies.agreed(relative.check(&self.bodies, axes))?;
+            if let Some(relative) = relative {
+                bodies.agreed(relative.check(bodies, axes))?;
             }
             let pressed = self.increment.pressed.try_clone()?;
-            self.increment = Increment::new(&self.bodies, axes, pressed, self.coupling)?;
-            self.increment.draw(self.relative.as_ref());
+            self.increment = self.problem.increment(axes, pressed)?;
             self.is_warm = false;
         }
-        self.load = load;
+        self.problem.load = load;
         Ok(())
     }
 
@@ -140,20 +106,13 @@ impl TangentialSolver {
     /// [`Error::GridMismatch`], [`Error::NotFinite`] if the limits overflow, or [`Error::BeyondFrictionCapacity`] if
     /// the present load is more than the new friction holds; [`Error::Ranks`]; the friction is then as it was.
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
-        friction.check_on(&self.bodies)?;
+        friction.check_on(&self.problem.bodies)?;
         let pressure = &self.increment.pressed.pressure;
-        self.candidate.pressure.copy_from_slice(pressure);
-        self.candidate.set_friction(friction);
-        let copy = if self.friction.has_room_for(friction) {
-            None
-        } else {
-            Some(friction.try_clone()?)
-        };
-        self.take_candidate()?;
-        match copy {
-            Some(copy) => self.friction = copy,
-            None => self.friction.clone_from(friction),
-        }
+        self.problem.pressed.pressure.copy_from_slice(pressure);
+        self.problem.pressed.set_friction(friction);
+        self.check_load(&self.problem.pressed)?;
+        self.problem.friction.try_clone_from(friction)?;
+        self.take_candidate();
         Ok(())
     }
 
@@ -167,24 +126,25 @@ impl TangentialSolver {
     /// [`HalfSpace::operator`](crate::HalfSpace::operator) where the contact has left its box; [`Error::Ranks`]; the
     /// pressure is then as it was.
     pub fn set_pressure<'a>(&mut self, pressure: impl Into<PressureSource<'a>>) -> Result<()> {
-        let samples = self.bodies.agreed(pressure.into().checked(&self.bodies))?;
-        let contact = contact_window(&self.bodies, samples)?;
+        let bodies = &self.problem.bodies;
+        let samples = bodies.agreed(pressure.into().checked(bodies))?;
+        let contact = contact_window(bodies, samples)?;
         if self.increment.pressed.window().covers(contact) {
-            self.candidate.set(samples, &self.friction);
-            self.take_candidate()?;
-            self.increment.draw(self.relative.as_ref());
+            self.problem.pressed.set(samples, &self.problem.friction);
+            self.check_load(&self.problem.pressed)?;
+            self.take_candidate();
+            self.increment.draw(self.problem.relative.as_ref());
             return Ok(());
         }
         // A little wider than the contact, so that it may grow some more.
-        let mut pressed = Pressed::new(&self.bodies, contact.widened(self.bodies.grid()))?;
-        pressed.set(samples, &self.friction);
+        let mut pressed = Pressed::new(bodies, contact.widened(bodies.grid()))?;
+        pressed.set(samples, &self.problem.friction);
         self.check_load(&pressed)?;
         let candidate = pressed.try_clone()?;
         let axes = self.increment.axes();
-        let mut wider = Increment::new(&self.bodies, axes, pressed, self.coupling)?;
-        wider.draw(self.relative.as_ref());
+        let mut wider = self.problem.increment(axes, pressed)?;
         self.increment.hand_over(&mut wider)?;
-        (self.increment, self.candidate) = (wider, candidate);
+        (self.increment, self.problem.pressed) = (wider, candidate);
         Ok(())
     }
 
@@ -196,82 +156,52 @@ impl TangentialSolver {
     /// [`Error::Sample`] for a bulk strain along an axis on which the grid repeats; [`Error::Ranks`]; the displacement is
     /// then as it was.
     pub fn set_relative_displacement(&mut self, relative: &RelativeDisplacement) -> Result<()> {
-        let checked = relative.check(&self.bodies, self.increment.axes());
-        self.bodies.agreed(checked)?;
-        match &mut self.relative {
+        let bodies = &self.problem.bodies;
+        bodies.agreed(relative.check(bodies, self.increment.axes()))?;
+        match &mut self.problem.relative {
             Some(own) => own.try_clone_from(relative)?,
             none => *none = Some(relative.try_clone()?),
         }
-        self.increment.draw(self.relative.as_ref());
+        self.increment.draw(self.problem.relative.as_ref());
         Ok(())
     }
 
-    /// Puts pressure and limits under examination in force, if they hold the load.
-    fn take_candidate(&mut self) -> Result<()> {
-        self.check_load(&self.candidate)?;
-        std::mem::swap(&mut self.candidate, &mut self.increment.pressed);
-        Ok(())
+    /// Puts pressure and limits under examination in force.
+    fn take_candidate(&mut self) {
+        std::mem::swap(&mut self.problem.pressed, &mut self.increment.pressed);
     }
 
     fn check_load(&self, pressed: &Pressed) -> Result<()> {
-        let cell_area = self.bodies.grid().cell_area();
-        pressed.limits.check(self.load.demand().force(), cell_area)
+        let cell_area = self.problem.bodies.grid().cell_area();
+        pressed
+            .limits
+            .check(self.problem.load.demand().force(), cell_area)
     }
 
     /// Largest tangential force friction holds: the integral of the friction limit.
     #[must_use]
     pub fn friction_capacity(&self) -> f64 {
-        self.increment.pressed.limits.sum * self.bodies.grid().cell_area()
+        self.increment.pressed.limits.sum * self.problem.bodies.grid().cell_area()
     }
 
-    solver_settings!(settings, bodies, |solver, settings| solver
-        .model
-        .check(settings));
+    solver_settings!(problem.settings, problem.bodies, |solver, settings| {
+        solver.problem.model.check(settings)
+    });
 
     /// Forgets the last answer: the next solve starts as the first did.
     pub fn reset(&mut self) {
         self.is_warm = false;
     }
 
-    /// An empty solution of the right size for [`TangentialSolver::solve_into`].
-    #[must_use]
-    pub fn new_solution(&self) -> TangentialSolution {
-        or_abort(self.try_new_solution())
-    }
+    solver_methods!(TangentialSolution, problem.bodies);
 
     /// [`Self::new_solution`] where memory may run out.
     ///
     /// # Errors
     /// [`Error::Memory`].
     pub fn try_new_solution(&self) -> Result<TangentialSolution> {
-        TangentialSolution::empty(self.bodies.grid(), self.bodies.boundary())
-    }
-
-    /// Solves into `solution`, whose last content does not matter.
-    ///
-    /// # Errors
-    /// [`Error::GridMismatch`] or [`Error::BoundaryMismatch`] if the solution is of another grid or boundary, nothing
-    /// changed; as [`HalfSpace::operator`](crate::HalfSpace::operator); [`Error::NotConverged`] with the last feasible
-    /// iterate in `solution`; [`Error::Ranks`].
-    pub fn solve_into(&mut self, solution: &mut TangentialSolution) -> Result<()> {
-        self.solve_observed(solution, |_| ControlFlow::Continue(()))
-    }
-
-    /// [`TangentialSolver::solve_into`] with an observer that sees every step and may cancel.
-    ///
-    /// # Errors
-    /// As [`TangentialSolver::solve_into`].
-    pub fn solve_observed(
-        &mut self,
-        solution: &mut TangentialSolution,
-        mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
-    ) -> Result<()> {
-        let (grid, boundary) = (solution.grid(), solution.boundary());
-        let bodies = self.bodies.clone();
-        bodies.agreed(bodies.check_host("solution", grid, boundary))?;
-        bodies.joint(parallel::enter_with(grid.cells(), || {
-            self.solve_checked(solution, &mut observer)
-        }))
+        let bodies = &self.problem.bodies;
+        TangentialSolution::empty(bodies.grid(), bodies.boundary())
     }
 
     fn solve_checked(
@@ -280,17 +210,13 @@ impl TangentialSolver {
         observer: Observer<'_>,
     ) -> Result<()> {
         let mut observer = with_memory(observer);
-        let mut conditions = Conditions {
-            settings: &self.settings,
-            start: Instant::now(),
-            observer: &mut observer,
-        };
+        let mut conditions = Conditions::new(&self.problem.settings, &mut observer);
         let start = if self.is_warm {
             Start::Present(self.increment.motion().shift)
         } else {
             Start::Nested
         };
-        let demand = self.load.demand();
+        let demand = self.problem.load.demand();
         let outcome = self
             .increment
             .solve(&demand, Motion::default(), start, &mut conditions);
@@ -303,7 +229,8 @@ impl TangentialSolver {
         self.report.clone_from(self.increment.report());
         self.report.time = conditions.start.elapsed();
         let axis = Axis::only(self.increment.axes());
-        solution.fill(&self.bodies, axis, &self.increment.answer(), &self.report);
+        let answer = self.increment.answer();
+        solution.fill(&self.problem.bodies, axis, &answer, &self.report);
         self.increment.rest();
         outcome.map_err(|_| Error::NotConverged(Box::new(self.report.clone())))
     }

@@ -36,7 +36,7 @@ shown!(JaegerSuperposition: traction, shift, force);
 impl JaegerSuperposition {
     /// From the contact `full` under the load W, the contact `stick` under the load
     /// `W - F/mu` (a prescribed force, zero at sliding), the pair and the coefficient of friction.
-    /// The coupling between pressure and shear of dissimilar bodies is neglected.
+    /// The coupling between pressure and traction of dissimilar bodies is neglected.
     ///
     /// # Errors
     /// [`Error::Negative`] for the coefficient or if `stick` carries more load than `full`, [`Error::GridMismatch`]

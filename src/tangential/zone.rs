@@ -57,12 +57,13 @@ impl Axis {
 /// Which tractions are found under a tangential load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub enum TangentialModel {
     /// The traction along the load alone, as in the paper (default); the traction across it is neglected.
     #[default]
     Scalar,
     /// Both components, within `hypot(q_x, q_y) <= m`: slip opposes traction in direction, and loads may have any.
-    /// It takes about three times the time. The coupling of pressure and shear that dissimilar bodies have is another
+    /// It takes about three times the time. The coupling of pressure and traction that dissimilar bodies have is another
     /// matter, see [`coupled`](crate::coupled).
     Vector,
 }

@@ -100,7 +100,7 @@ fn on_a_sphere_and_on_a_rough_surface() {
     }
 }
 
-/// Pressure and shear found together, with loads, gap and friction that change.
+/// Pressure and traction found together, with loads, gap and friction that change.
 #[test]
 fn of_coupled_contacts() {
     let grid = Grid::new(40, 36, 0.1, 0.1).unwrap();
@@ -114,10 +114,8 @@ fn of_coupled_contacts() {
     let mut contact = solver.new_solution();
     let mut cycle = || {
         for (force, friction) in [0.1, 0.09].into_iter().zip(&frictions) {
-            solver.set_normal(NormalControl::Force(force)).unwrap();
-            solver
-                .set_load(TangentialLoad::force([0.1 * force, 0.0]))
-                .unwrap();
+            let drag = TangentialLoad::force([0.1 * force, 0.0]);
+            solver.set_load(NormalControl::Force(force), drag).unwrap();
             solver.set_friction(friction).unwrap();
             solver.set_gap(&gap).unwrap();
             solver.solve_into(&mut contact).unwrap();

@@ -1,8 +1,12 @@
 //! After the first cycle, a step of a history within its window allocates nothing: no buffer, no plan, no
-//! spectrum; nor does a change of gap or friction, nor a law of wear, nor what adds a cycle up.
+//! spectrum; nor does a stiffness in its own buffers, a change of gap or friction, a law of wear, nor what adds a cycle
+//! up.
+
+use std::ops::ControlFlow;
 
 use kit::{rough, unit_bodies};
 use stickslip::history::{Cycle, FrettingLoop, LoadPath, wear};
+use stickslip::stiffness::StiffnessWorkspace;
 use stickslip::{
     Axis, Coupling, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
     NormalControl, TangentialControl, TangentialModel, surface,
@@ -32,7 +36,7 @@ fn check(gap: &Field, load: f64, lateral: TangentialModel) {
     // What only one model has.
     let last = match lateral {
         TangentialModel::Scalar => dragged,
-        TangentialModel::Vector => dragged
+        _ => dragged
             .tangential(Axis::Y, TangentialControl::Force(-0.2 * load))
             .twist(1e-3),
     };
@@ -40,6 +44,7 @@ fn check(gap: &Field, load: f64, lateral: TangentialModel) {
     let mut total = Cycle::new(&history);
     let path = LoadPath::triangle([0.3 * load, 0.0], 8).unwrap();
     let fretting = FrettingLoop::new(path, LoadStep::force);
+    let mut stiffness = StiffnessWorkspace::new();
     let mut cycle = || {
         let along = |tangential| LoadStep::hold().tangential(Axis::X, tangential);
         for (part, step) in [
@@ -53,6 +58,8 @@ fn check(gap: &Field, load: f64, lateral: TangentialModel) {
             history
                 .step(&step.normal(NormalControl::Force(part * load)))
                 .unwrap();
+            let slope = history.stiffness_with(&mut stiffness, |_| ControlFlow::Continue(()));
+            assert!(slope.unwrap().normal.value > 0.0);
             history.set_friction(&friction[1]).unwrap();
             history.step(&step).unwrap();
             let slip = history.last_step().slip_distance();
@@ -83,7 +90,7 @@ fn on_a_sphere_and_on_a_rough_surface() {
     }
 }
 
-/// Bodies of different materials, with pressure and shear found together or one after the other.
+/// Bodies of different materials, with pressure and traction found together or one after the other.
 #[test]
 fn of_dissimilar_bodies() {
     for coupling in [Coupling::Full, Coupling::OneWay] {
@@ -99,6 +106,7 @@ fn dissimilar_bodies_allocate_nothing(coupling: Coupling) {
     let builder = History::builder(&bodies, &gap, Friction::coulomb(0.4).unwrap());
     let mut history = builder.coupling(coupling).tolerance(1e-6).build().unwrap();
     let mut worn = gap.clone();
+    let mut stiffness = StiffnessWorkspace::new();
     let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
     let mut cycle = || {
         for (force, shear) in [(0.1, 0.0), (0.1, 0.02), (0.1, -0.02), (0.08, 0.01)] {
@@ -106,6 +114,8 @@ fn dissimilar_bodies_allocate_nothing(coupling: Coupling) {
             history
                 .step(&press(force).tangential(Axis::X, drag))
                 .unwrap();
+            let slope = history.stiffness_with(&mut stiffness, |_| ControlFlow::Continue(()));
+            assert!(slope.unwrap().normal.value > 0.0);
             let slip = history.last_step().slip_distance();
             wear::archard(1e-5, history.pressure(), slip, &mut worn).unwrap();
             history.set_gap(&worn).unwrap();

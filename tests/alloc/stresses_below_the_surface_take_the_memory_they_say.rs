@@ -33,7 +33,7 @@ fn a_plane_that_is_there_is_solved_without_allocation() {
     ] {
         let (bodies, pressure) = bodies(96, boundary);
         let shear = pressure.scaled(0.1);
-        let tractions = Tractions::new(&pressure).with_shear([&shear, &shear]);
+        let tractions = Tractions::new(&pressure).with_traction([&shear, &shear]);
         let mut planes = Planes::new(&bodies, &[0.1, 0.2])
             .unwrap()
             .with_displacements();

@@ -35,7 +35,7 @@ fn every_step_agrees(text: &str, steps: usize) {
     assert_eq!(case.steps.len(), steps);
     let bodies = HalfSpace::new(case.grid, case.pair).unwrap();
     let friction = Friction::coulomb(case.friction).unwrap();
-    let mut history = History::builder(&bodies, &case.gap(&case.steps[0]), friction)
+    let mut history = History::builder(&bodies, case.gap(&case.steps[0]), friction)
         .model(TangentialModel::Vector)
         .touch_rule(TouchRule::WholeStep)
         .tolerance(TOLERANCE)

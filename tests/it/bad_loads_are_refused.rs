@@ -504,7 +504,7 @@ fn a_method_that_the_model_does_not_have() {
 fn loads_of_another_number_than_the_histories() {
     let bodies = bodies();
     let friction = Friction::coulomb(0.3).unwrap();
-    let history = History::builder(&bodies, &ball(&bodies), friction).build();
+    let history = History::builder(&bodies, ball(&bodies), friction).build();
     let mut histories = [history.unwrap()];
     let before = histories[0].to_bytes();
     let two = [LoadStep::hold().normal(NormalControl::Force(1.0)); 2];

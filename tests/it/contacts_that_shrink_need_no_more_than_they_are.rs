@@ -63,7 +63,7 @@ fn rows() -> History {
 /// The windows are what makes the states of a grid longer or shorter.
 #[test]
 fn what_was_large_is_remembered_as_what_is_small() {
-    // Pressure and shear found together remember all of the grid.
+    // Pressure and traction found together remember all of the grid.
     let is_joint = |history: &History| {
         let state = history.state();
         state.pair().is_coupled() && state.coupling() == Coupling::Full

@@ -42,10 +42,10 @@ impl<const N: usize> Tensor<N> {
         });
         // A mean on a periodic grid moves nothing: raise its eigenvalue beyond all others.
         let raised = match bodies.boundary() {
-            Boundary::NonPeriodic | Boundary::PeriodicAlongY { .. } => 0.0,
             Boundary::Periodic => (0..N)
                 .map(|n| parts[n][n].get(0, 0).unwrap())
                 .fold(0.0, f64::max),
+            _ => 0.0,
         };
         let entry = |row: usize, column: usize| {
             let (u, t) = (row / cells, column / cells);

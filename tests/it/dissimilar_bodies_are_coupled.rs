@@ -1,4 +1,4 @@
-//! Pressure and shear of dissimilar bodies are found together: closed forms, another code, and bounds of the error.
+//! Pressure and traction of dissimilar bodies are found together: closed forms, another code, and bounds of the error.
 
 use kit::contact::{Case, Normal};
 use kit::{Random, l2_difference, max_difference, rough, unit_bodies};
@@ -74,7 +74,7 @@ fn punches_stick_as_spence_says() {
         for (radius, coefficient) in STICK_RADII.into_iter().zip(coefficients) {
             let force = NormalControl::Force(1.0);
             let contact = solve(&bodies, &punch(grid), coefficient, force, still(), 1e-8);
-            let error = (contact.shear().stick_ratio().sqrt() - radius) / cell;
+            let error = (contact.tangential().stick_ratio().sqrt() - radius) / cell;
             let allowed = if radius < 0.2 { 0.8 } else { 0.3 };
             assert!(error.abs() < allowed, "{beta} {radius}: {error} cells");
         }
@@ -91,7 +91,7 @@ fn stick_radii_converge() {
         let errors = errors.map(|(radius, coefficient)| {
             let force = NormalControl::Force(1.0);
             let contact = solve(&bodies, &punch(grid), coefficient, force, still(), 1e-6);
-            (contact.shear().stick_ratio().sqrt() - radius).abs()
+            (contact.tangential().stick_ratio().sqrt() - radius).abs()
         });
         errors.sum::<f64>() / 5.0
     };
@@ -153,14 +153,14 @@ fn another_code_agrees() {
     for axis in 0..2 {
         let expected = case.field(step, |cell| cell.traction[axis]);
         let error = max_difference(
-            found.shear().traction()[axis].as_slice(),
+            found.tangential().traction()[axis].as_slice(),
             expected.as_slice(),
         );
         assert!(error < 5e-9 * largest, "{axis}: {:e}", error / largest);
     }
     for cell in &step.cells {
         let expected = if cell.sticks { Zone::Stick } else { Zone::Slip };
-        assert_eq!(found.shear().zones()[cell.ix], expected, "{cell:?}");
+        assert_eq!(found.tangential().zones()[cell.ix], expected, "{cell:?}");
     }
     assert!((found.normal().approach() / step.approach - 1.0).abs() < 1e-9);
     let energy = step.elastic_energy.unwrap();
@@ -208,11 +208,11 @@ fn uncoupled_bodies_are_solved_one_after_the_other() {
         );
         for axis in 0..2 {
             let [a, b] =
-                [found.shear().traction()[axis], shear.traction()[axis]].map(Field::as_slice);
+                [found.tangential().traction()[axis], shear.traction()[axis]].map(Field::as_slice);
             assert!(max_difference(a, b) < 1e-8 * normal.pressure().max());
         }
-        assert_eq!(found.shear().zones(), shear.zones());
-        assert!((found.shear().shift()[0] / shear.shift()[0] - 1.0).abs() < 1e-8);
+        assert_eq!(found.tangential().zones(), shear.zones());
+        assert!((found.tangential().shift()[0] / shear.shift()[0] - 1.0).abs() < 1e-8);
         assert!((found.normal().approach() / normal.approach() - 1.0).abs() < 1e-9);
     }
 }
@@ -225,7 +225,7 @@ fn controls_invert_one_another() {
     let gap = surface::ellipsoid(grid, 8.0, 5.0).unwrap();
     let load = TangentialLoad::force([0.02, -0.01]).twist(0.01);
     let found = solve(&bodies, &gap, 0.5, NormalControl::Force(0.1), load, 1e-12);
-    let (stiffness, [x, y]) = (0.4, found.shear().shift());
+    let (stiffness, [x, y]) = (0.4, found.tangential().shift());
     let spring = |shift: f64, force: f64| TangentialControl::Spring {
         position: shift + force / stiffness,
         stiffness,
@@ -244,13 +244,13 @@ fn controls_invert_one_another() {
         let again = solve(&bodies, &gap, 0.5, normal, load, 1e-12);
         assert!((again.normal().force() / 0.1 - 1.0).abs() < 1e-10);
         assert!(
-            (again.shear().force()[0] - 0.02).abs() < 1e-11
-                && (again.shear().force()[1] + 0.01).abs() < 1e-11
+            (again.tangential().force()[0] - 0.02).abs() < 1e-11
+                && (again.tangential().force()[1] + 0.01).abs() < 1e-11
         );
-        assert!((again.shear().shift()[0] / x - 1.0).abs() < 1e-9);
+        assert!((again.tangential().shift()[0] / x - 1.0).abs() < 1e-9);
         let error = l2_difference(
-            again.shear().traction()[0].as_slice(),
-            found.shear().traction()[0].as_slice(),
+            again.tangential().traction()[0].as_slice(),
+            found.tangential().traction()[0].as_slice(),
         );
         assert!(error < 1e-9, "{error:e}");
     }
@@ -277,7 +277,7 @@ fn halves_lie_within_their_bounds() {
             tensor.apply(x, slices, &mut tensor.workspace());
             out
         };
-        let (p, [x, y]) = (found.normal().pressure(), found.shear().traction());
+        let (p, [x, y]) = (found.normal().pressure(), found.tangential().traction());
         let zeros = vec![0.0; grid.cells()];
         let (p, x, y) = (p.as_slice(), x.as_slice(), y.as_slice());
         let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
@@ -334,7 +334,7 @@ fn errors(bodies: &HalfSpace, loose: &CoupledSolution, exact: &CoupledSolution) 
         products.sum::<f64>().sqrt()
     };
     let [loose, exact] = [loose, exact].map(|contact| {
-        let [x, y] = contact.shear().traction();
+        let [x, y] = contact.tangential().traction();
         [contact.normal().pressure(), x, y].map(Field::as_slice)
     });
     let change =
@@ -471,7 +471,7 @@ fn little_pressure_and_no_friction_are_met() {
     let bodies = HalfSpace::new(grid, on_rigid(0.5)).unwrap();
     let gap = surface::sphere(grid, 5.0).unwrap();
     let empty = solve(&bodies, &gap, 0.3, NormalControl::Force(0.0), still(), 1e-8);
-    assert!(empty.normal().pressure().max() == 0.0 && empty.shear().stick_ratio() == 0.0);
+    assert!(empty.normal().pressure().max() == 0.0 && empty.tangential().stick_ratio() == 0.0);
 
     let press = NormalControl::Force(0.05);
     let smooth = solve(&bodies, &gap, 0.0, press, still(), 1e-10);
@@ -485,7 +485,7 @@ fn little_pressure_and_no_friction_are_met() {
     );
     assert!(
         smooth
-            .shear()
+            .tangential()
             .traction()
             .iter()
             .all(|q| q.max() == 0.0 && q.min() == 0.0)
@@ -534,7 +534,7 @@ fn tolerances_are_met_however_coarse() {
         let mut solver = problem.into_solver().unwrap();
         let mut contact = solver.new_solution();
         for force in [0.01, 0.2, 0.02, 0.3] {
-            solver.set_normal(NormalControl::Force(force)).unwrap();
+            solver.set_load(NormalControl::Force(force), load).unwrap();
             solver.solve_into(&mut contact).unwrap();
             let report = contact.report();
             assert!(report.work.residual <= tolerance && report.work.load_error <= tolerance);

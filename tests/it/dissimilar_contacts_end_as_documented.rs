@@ -29,7 +29,7 @@ fn coulomb() -> Friction {
 
 fn assert_feasible(contact: &CoupledSolution) {
     let pressure = contact.normal().pressure().as_slice();
-    let [x, y] = contact.shear().traction().map(Field::as_slice);
+    let [x, y] = contact.tangential().traction().map(Field::as_slice);
     for (cell, p) in pressure.iter().enumerate() {
         let traction = x[cell].hypot(y[cell]);
         assert!(*p >= 0.0 && traction <= FRICTION * p * (1.0 + 1e-12));
@@ -44,8 +44,7 @@ fn solver_on_its_way(cells: usize, load: TangentialLoad) -> (CoupledSolver, Coup
     let mut solver = problem.build().unwrap().into_solver().unwrap();
     let mut contact = solver.new_solution();
     solver.solve_into(&mut contact).unwrap();
-    solver.set_normal(NormalControl::Force(0.15)).unwrap();
-    solver.set_load(load).unwrap();
+    solver.set_load(NormalControl::Force(0.15), load).unwrap();
     (solver, contact)
 }
 
@@ -112,7 +111,7 @@ fn flat_bodies_that_repeat_touch_everywhere() {
                     TangentialControl::Force(force) => force / grid.area(),
                     _ => 0.0,
                 };
-                let [x, _] = contact.shear().traction();
+                let [x, _] = contact.tangential().traction();
                 assert!((x.max() - asked).abs() <= part + 1e-7);
                 assert!((x.min() - asked).abs() <= part + 1e-7);
             }
@@ -155,8 +154,8 @@ fn forces_are_answered_up_to_the_last_digits_before_sliding() {
             // The force is to be met to a tenth of what is missing.
             let problem = problem.tolerance(1e-9).build().unwrap();
             let contact = problem.solve().unwrap();
-            assert!(contact.shear().is_gross_slip());
-            let [x, y] = contact.shear().shift();
+            assert!(contact.tangential().is_gross_slip());
+            let [x, y] = contact.tangential().shift();
             shifts.push(x.hypot(y));
         }
         for pair in shifts.windows(2) {
@@ -190,7 +189,7 @@ fn forces_that_slide_the_bodies_are_refused() {
             problem.build().unwrap().solve()
         };
         let slid = solve(TangentialLoad::shift([1e4, 0.0])).unwrap();
-        let sliding = slid.shear().traction()[0].integral();
+        let sliding = slid.tangential().traction()[0].integral();
         for part in [1.02, 1.1, 1.25] {
             let along_both = TangentialLoad::force([part * sliding, 0.0]);
             let across_held = along_both.along(Axis::Y, TangentialControl::Shift(0.0));
@@ -202,6 +201,6 @@ fn forces_that_slide_the_bodies_are_refused() {
             }
         }
         let held = solve(TangentialLoad::force([0.98 * sliding, 0.0])).unwrap();
-        assert!((held.shear().traction()[0].integral() / sliding - 0.98).abs() < 1e-8);
+        assert!((held.tangential().traction()[0].integral() / sliding - 0.98).abs() < 1e-8);
     }
 }

@@ -20,7 +20,7 @@ fn every_step_agrees(text: &str, steps: usize, examinations: usize) {
     assert_eq!(case.steps.len(), steps);
     let bodies = HalfSpace::new(case.grid, case.pair).unwrap();
     let friction = Friction::coulomb(case.friction).unwrap();
-    let mut history = History::builder(&bodies, &case.gap(&case.steps[0]), friction)
+    let mut history = History::builder(&bodies, case.gap(&case.steps[0]), friction)
         .touch_rule(TouchRule::WholeStep)
         .build()
         .unwrap();

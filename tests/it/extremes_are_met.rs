@@ -114,7 +114,7 @@ fn long_cells_that_repeat_converge() {
         for model in MODELS {
             let oblique = match model {
                 TangentialModel::Vector => angle,
-                TangentialModel::Scalar => 0.0,
+                _ => 0.0,
             };
             let load = TangentialLoad::force([size * oblique.cos(), size * oblique.sin()]);
             let problem = TangentialProblem::builder(&bodies, &pressed, friction.clone(), load);
@@ -262,7 +262,7 @@ fn next_to_sliding_nothing_is_gained() {
             // Closer to sliding the vector model may stall, as its page tells.
             let missing = match model {
                 TangentialModel::Scalar => [1e-6, 1e-9, 1e-11],
-                TangentialModel::Vector => [1e-3, 1e-5, 1e-6],
+                _ => [1e-3, 1e-5, 1e-6],
             };
             for missing in missing {
                 let force = 0.4 * normal.force() * (1.0 - missing);

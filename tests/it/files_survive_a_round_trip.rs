@@ -337,7 +337,7 @@ fn a_volume_of_stress_holds_the_planes_of_its_slab() {
         yy: 2.0,
         ..Stress::default()
     };
-    let alone = Tractions::new(&pressure).with_shear(shear);
+    let alone = Tractions::new(&pressure).with_traction(shear);
     let tractions = alone.with_uniform_stress(bulk);
     let depths = [0.1, 0.3, 0.5];
     let mut planes = Planes::new(&bodies, &depths).unwrap().with_displacements();

@@ -121,7 +121,7 @@ fn distance(a: &History, b: &History) -> f64 {
 fn turned(model: TangentialModel, legs: &[Leg]) -> Vec<Leg> {
     let turn = |&(press, [x, y]): &Leg| match model {
         TangentialModel::Vector => (press, [0.8 * x - 0.6 * y, 0.6 * x + 0.8 * y]),
-        TangentialModel::Scalar => (press, [x, 0.0]),
+        _ => (press, [x, 0.0]),
     };
     legs.iter().map(turn).collect()
 }

@@ -113,7 +113,7 @@ fn what_it_cannot_model_is_refused() {
     assert!(rubber.with_hardness(-1.0).is_err() && rubber.with_hardness(f64::NAN).is_err());
 }
 
-/// Pressure and shear found together: surfaces overlap where the pressure is at the hardness and nowhere else, and weak
+/// Pressure and traction found together: surfaces overlap where the pressure is at the hardness and nowhere else, and weak
 /// coupling comes to what one-way coupling does.
 #[test]
 fn coupled_contacts_yield() {

@@ -312,7 +312,7 @@ fn punch(cells: usize, beta: f64, coefficient: f64) -> [f64; 2] {
     let one_way = one_way.build().unwrap().solve().unwrap();
     let coupled = CoupledProblem::builder(&bodies, &gap, friction(), press, still);
     let coupled = coupled.tolerance(1e-8).build().unwrap().solve().unwrap();
-    [one_way.stick_ratio(), coupled.shear().stick_ratio()]
+    [one_way.stick_ratio(), coupled.tangential().stick_ratio()]
 }
 
 fn press_tightly(bodies: &HalfSpace, gap: &Field, press: NormalControl) -> NormalSolution {

@@ -119,18 +119,19 @@ fn tractions_belong_to_their_pressure() {
             .build()
             .unwrap();
         let found = found.solve().unwrap();
-        assert!(full.shear().stick_ratio() > 0.1 && full.shear().stick_ratio() < 0.95);
-        let largest = full.shear().traction()[0].max();
+        assert!(full.tangential().stick_ratio() > 0.1 && full.tangential().stick_ratio() < 0.95);
+        let largest = full.tangential().traction()[0].max();
         for axis in 0..2 {
-            let [a, b] = [full.shear().traction(), found.traction()].map(|q| q[axis].as_slice());
+            let [a, b] =
+                [full.tangential().traction(), found.traction()].map(|q| q[axis].as_slice());
             assert!(
                 max_difference(a, b) < 1e-9 * largest,
                 "{:e}",
                 max_difference(a, b) / largest
             );
-            let (a, b) = (full.shear().shift()[axis], found.shift()[axis]);
+            let (a, b) = (full.tangential().shift()[axis], found.shift()[axis]);
             assert!((a - b).abs() < 1e-9, "{a} {b}");
-            let [a, b] = [full.shear().slip(), found.slip()].map(|slip| slip[axis].as_slice());
+            let [a, b] = [full.tangential().slip(), found.slip()].map(|slip| slip[axis].as_slice());
             assert!(max_difference(a, b) < 1e-9, "{:e}", max_difference(a, b));
         }
         assert!(found.report().duality_gap < 1e-12);

@@ -26,7 +26,7 @@ fn scattered(grid: Grid, seed: usize) -> [Field; 3] {
 }
 
 fn of(fields: &[Field; 3]) -> Tractions<'_> {
-    Tractions::new(&fields[0]).with_shear([&fields[1], &fields[2]])
+    Tractions::new(&fields[0]).with_traction([&fields[1], &fields[2]])
 }
 
 /// All nine components, displacements first.
@@ -411,7 +411,7 @@ fn a_sliding_cylinder_tears_at_its_trailing_edge() {
         let bodies = HalfSpace::with_boundary(grid, pair(0.3, 0.3), boundary).unwrap();
         let pressure = Field::from_fn(grid, |x, _| (1.0 - x * x).max(0.0).sqrt());
         let (shear, none) = (pressure.scaled(0.5), Field::zeros(grid));
-        let tractions = Tractions::new(&pressure).with_shear([&shear, &none]);
+        let tractions = Tractions::new(&pressure).with_traction([&shear, &none]);
         let mut planes = Planes::new(&bodies, &[0.0]).unwrap();
         let surface = planes.solve(0, Body::One, tractions).unwrap();
         let along_x = surface.normal_stress()[0].as_slice();
@@ -530,7 +530,7 @@ fn a_sliding_ball_is_hamiltons() {
     let none = Field::zeros(pressure.grid());
     for (friction, known, [x, z, largest]) in SLIDING {
         let shear = pressure.scaled(friction);
-        let tractions = Tractions::new(&pressure).with_shear([&shear, &none]);
+        let tractions = Tractions::new(&pressure).with_traction([&shear, &none]);
         let at = |point| at_points(&bodies, Body::One, tractions, &[point]).unwrap()[0].stress;
         for (point, von_mises, components) in known {
             let found = at(point);
@@ -567,7 +567,7 @@ fn a_sliding_ball_tears_at_its_trailing_edge() {
         let (bodies, pressure) = ball(n, nu);
         let grid = pressure.grid();
         let (shear, none) = (pressure.scaled(friction), Field::zeros(grid));
-        let tractions = Tractions::new(&pressure).with_shear([&shear, &none]);
+        let tractions = Tractions::new(&pressure).with_traction([&shear, &none]);
         let touches = |ix: &usize| pressure.get(*ix, n / 2).unwrap() > 0.0;
         let behind = (0..n).find(touches).unwrap() - 1;
         let point = [grid.x(behind), grid.y(n / 2), 0.0];

@@ -310,7 +310,7 @@ fn ranks_find_the_bits_of_one_process() {
             );
             let both = problem.build().unwrap().solve().unwrap();
             let mut found = contact.pressure().as_slice().to_vec();
-            found.extend_from_slice(both.shear().traction()[0].as_slice());
+            found.extend_from_slice(both.tangential().traction()[0].as_slice());
             found
         };
         let alone = find(&with_values(grid, boundary, CellValue::Centre));

@@ -51,14 +51,14 @@ fn problem_is_step(
     let builder = History::builder(bodies, gap, friction).tolerance(TOLERANCE);
     let builder = match model {
         TangentialModel::Scalar => builder.axis(axis),
-        TangentialModel::Vector => builder.model(model),
+        _ => builder.model(model),
     };
     let mut history = builder.build().unwrap();
     let press = LoadStep::hold().normal(NormalControl::Force(LOAD));
     history.step(&press).unwrap();
     let step = match model {
         TangentialModel::Scalar => LoadStep::hold().tangential(axis, controls[axis as usize]),
-        TangentialModel::Vector => LoadStep::hold()
+        _ => LoadStep::hold()
             .tangential(Axis::X, controls[0])
             .tangential(Axis::Y, controls[1])
             .twist(twist),

@@ -1,4 +1,4 @@
-//! Contacts of dissimilar bodies, whose pressure and shear are found together, have the bits of one process on ranks.
+//! Contacts of dissimilar bodies, whose pressure and traction are found together, have the bits of one process on ranks.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -28,7 +28,7 @@ fn solver(
 
 /// Samples of the answer in every cell, and numbers that every rank knows.
 fn answer(contact: &CoupledSolution) -> Found {
-    let (normal, shear) = (contact.normal(), contact.shear());
+    let (normal, shear) = (contact.normal(), contact.tangential());
     let ([ux, uy, uz], [qx, qy]) = (contact.displacement(), shear.traction());
     let report = contact.report();
     let ([fx, fy], [dx, dy]) = (shear.force(), shear.shift());
@@ -59,16 +59,15 @@ fn solvers_continue_with_the_same_bits() {
     let grid = Grid::new(80, 130, 0.3, 0.2).unwrap();
     assert_shared(grid, Boundary::NonPeriodic, |bodies| {
         let (press, weak) = (NormalControl::Force(0.5), Friction::coulomb(0.01).unwrap());
-        let still = TangentialLoad::shift([0.0, 0.0]);
-        let mut solver = solver(bodies, BESIDE, weak, press, still);
+        let mut load = TangentialLoad::shift([0.0, 0.0]);
+        let mut solver = solver(bodies, BESIDE, weak, press, load);
         let mut contact = solver.new_solution();
         let mut bounds = 0;
         for force in [0.5, 0.52, 6.0, 0.5] {
-            solver.set_normal(NormalControl::Force(force)).unwrap();
+            solver.set_load(NormalControl::Force(force), load).unwrap();
             solver.solve_into(&mut contact).unwrap();
             bounds += usize::from(contact.report().error_bounds.is_some());
-            let load = TangentialLoad::shift([0.01 * force, 0.0]);
-            solver.set_load(load).unwrap();
+            load = TangentialLoad::shift([0.01 * force, 0.0]);
         }
         solver.set_friction(&friction(bodies)).unwrap();
         solver.solve_into(&mut contact).unwrap();

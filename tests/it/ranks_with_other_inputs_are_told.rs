@@ -253,11 +253,13 @@ fn of_coupled_problems() {
     }
     assert_told("normal load", |ranks, is_odd| {
         let mut solver = build(ranks, "")?.into_solver()?;
-        solver.set_normal(NormalControl::Force(one_of(is_odd, 2.1, 2.0)))
+        let still = TangentialLoad::shift([0.0, 0.0]);
+        solver.set_load(NormalControl::Force(one_of(is_odd, 2.1, 2.0)), still)
     });
     assert_told("tangential load", |ranks, is_odd| {
         let mut solver = build(ranks, "")?.into_solver()?;
-        solver.set_load(TangentialLoad::shift([one_of(is_odd, 0.1, 0.0), 0.0]))
+        let moved = TangentialLoad::shift([one_of(is_odd, 0.1, 0.0), 0.0]);
+        solver.set_load(NormalControl::Force(2.0), moved)
     });
 }
 

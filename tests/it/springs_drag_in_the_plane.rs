@@ -140,7 +140,7 @@ fn flat_surfaces_that_repeat_yield_by_their_springs() {
                 let pull = spring(part * LIMIT / stiffness, stiffness);
                 let load = match lateral {
                     TangentialModel::Scalar => LoadStep::hold().tangential(Axis::X, pull),
-                    TangentialModel::Vector => both(pull, spring(0.1 * LIMIT, 1.0)),
+                    _ => both(pull, spring(0.1 * LIMIT, 1.0)),
                 };
                 history.step(&load).unwrap();
                 let error = history.tangential_force()[0] / (part * LIMIT) - 1.0;

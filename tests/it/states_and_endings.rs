@@ -433,7 +433,7 @@ fn an_observer_sees_nothing_of_the_last_solve() {
             let builder = builder.model(lateral);
             let builder = match lateral {
                 TangentialModel::Scalar => builder.method(method),
-                TangentialModel::Vector => builder,
+                _ => builder,
             };
             let mut shear = builder.build().unwrap().into_solver().unwrap();
             let mut solution = shear.new_solution();

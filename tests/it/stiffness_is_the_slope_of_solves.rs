@@ -1,13 +1,16 @@
 //! The stiffness of a contact is the slope of its solves, and that of the closed forms.
 
+use std::ops::ControlFlow;
+
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 use stickslip::history::HistoryBuilder;
 use stickslip::normal::Hardness;
-use stickslip::stiffness::ContactStiffness;
+use stickslip::stiffness::{ContactStiffness, StiffnessWorkspace};
 use stickslip::{
-    Axis, Boundary, CoupledProblem, Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace,
-    History, LoadStep, Material, NormalControl, NormalProblem, NormalSolution, TangentialControl,
-    TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution, surface,
+    Axis, Boundary, CoupledProblem, CoupledSolution, Coupling, ElasticPair, Error, Field, Friction,
+    Grid, HalfSpace, History, LoadStep, Material, NormalControl, NormalProblem, NormalSolution,
+    TangentialControl, TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution,
+    surface,
 };
 
 const FRICTION: f64 = 0.4;
@@ -406,7 +409,7 @@ fn halves_of_a_coupled_solution_are_refused() {
     };
     let unlike = ElasticPair::new(Material::new(1.0, 0.0).unwrap(), Material::rigid()).unwrap();
     let (bodies, contact) = solve(unlike);
-    let (normal, shear) = (contact.normal(), contact.shear());
+    let (normal, shear) = (contact.normal(), contact.tangential());
     let beta = unlike.dundurs_beta();
     let refused = Error::CoupledMaterials { beta };
     let both = ContactStiffness::new(&bodies, normal, &friction, shear);
@@ -421,8 +424,67 @@ fn halves_of_a_coupled_solution_are_refused() {
     assert_eq!(mixed, Err(refused));
     // Of bodies without coupling the halves are solutions of their own.
     let (bodies, contact) = solve(kit::unit_pair(0.3));
-    let both = ContactStiffness::new(&bodies, contact.normal(), &friction, contact.shear());
+    let both = ContactStiffness::new(&bodies, contact.normal(), &friction, contact.tangential());
     assert!(both.is_ok());
+}
+
+/// A coupled solution has the slopes of solves from rest, slipping or not.
+#[test]
+fn coupled_problems_have_the_stiffness_of_their_solves() {
+    let grid = Grid::square(24, 3.0).unwrap();
+    let gap = surface::sphere(grid, 10.0).unwrap();
+    let friction = Friction::coulomb(FRICTION).unwrap();
+    let body = Material::new(1.0, 0.2).unwrap();
+    let pair = ElasticPair::new(body, Material::rigid()).unwrap();
+    let bodies = HalfSpace::new(grid, pair).unwrap();
+    let solve = |approach: f64, shift: [f64; 2]| {
+        let (press, load) = (
+            NormalControl::Approach(approach),
+            TangentialLoad::shift(shift),
+        );
+        let problem = CoupledProblem::builder(&bodies, &gap, friction.clone(), press, load);
+        problem.tolerance(SOLVE).build().unwrap().solve().unwrap()
+    };
+    let loads = |contact: &CoupledSolution| {
+        let [x, y] = contact.tangential().force();
+        [contact.normal().force(), x, y]
+    };
+    for shift in [0.004, 0.015] {
+        let contact = solve(0.1, [shift, 0.5 * shift]);
+        let stiffness = contact.stiffness(&bodies, &friction).unwrap();
+        let loading = numbers(stiffness.tangential.loading);
+        let scale = stiffness.normal.value;
+        let step = 1e-7;
+        let slope = |more: CoupledSolution, less: CoupledSolution| {
+            let (more, less) = (loads(&more), loads(&less));
+            [0, 1, 2].map(|load| (more[load] - less[load]) / (2.0 * step))
+        };
+        let moved = |step: f64| solve(0.1, [shift + step, 0.5 * shift]);
+        let along = slope(moved(step), moved(-step));
+        let expected = [
+            stiffness.normal_by_motion[0].unwrap(),
+            loading[0][0],
+            loading[1][0],
+        ];
+        let pressed = |step: f64| solve(0.1 + step, [shift, 0.5 * shift]);
+        let press = slope(pressed(step), pressed(-step));
+        let by_press = [
+            scale,
+            stiffness.by_approach[0].unwrap(),
+            stiffness.by_approach[1].unwrap(),
+        ];
+        for (found, expected) in along
+            .into_iter()
+            .zip(expected)
+            .chain(press.into_iter().zip(by_press))
+        {
+            let error = (found - expected).abs() / scale;
+            assert!(
+                error < 1e-6,
+                "{shift}: {found:e} for {expected:e}, {error:e}"
+            );
+        }
+    }
 }
 
 /// A grid that repeats cannot turn: nothing stands in the row and the column of the twist.
@@ -515,7 +577,7 @@ fn contacts_that_pressure_draws_have_the_stiffness_of_steps() {
     assert_steps_have_their_stiffness(&scene, builder);
 }
 
-/// Pressure and shear found together: all loads by all motions, on a ball, a rough surface and one that repeats.
+/// Pressure and traction found together: all loads by all motions, on a ball, a rough surface and one that repeats.
 #[test]
 fn coupled_contacts_have_the_stiffness_of_steps() {
     for poisson_ratio in [0.45, 0.3, 0.0] {
@@ -586,4 +648,65 @@ fn assert_steps_have_their_stiffness(scene: &Scene, builder: HistoryBuilder<'_>)
             assert!((error / scale).abs() < 1e-6, "{part}: {errors:?}");
         }
     }
+}
+
+/// In buffers that are kept, of other contacts too, a stiffness has the same bits; without reversal it has the others.
+#[test]
+fn buffers_leave_no_trace() {
+    let go_on = |_: &_| ControlFlow::Continue(());
+    let mut workspace = StiffnessWorkspace::new();
+    let mut half = StiffnessWorkspace::new().reversal(false);
+    for (poisson_ratio, model) in [
+        (0.0, TangentialModel::Scalar),
+        (0.3, TangentialModel::Vector),
+        (0.3, TangentialModel::Scalar),
+    ] {
+        let scene = Scene::ball(32, poisson_ratio, model);
+        let mut history = History::builder(&scene.bodies, &scene.gap, scene.friction.clone())
+            .model(model)
+            .build()
+            .unwrap();
+        for approach in [0.2, 0.4, 0.3] {
+            let press = LoadStep::shift([0.02, 0.0]).normal(NormalControl::Approach(approach));
+            history.step(&press).unwrap();
+            let fresh = history.stiffness().unwrap();
+            assert_eq!(
+                history.stiffness_with(&mut workspace, go_on).unwrap(),
+                fresh
+            );
+            let mut without = history.stiffness_with(&mut half, go_on).unwrap();
+            assert_eq!(without.tangential.reversal, [[None; 3]; 3]);
+            assert!(without.tangential.bound <= fresh.tangential.bound);
+            assert!(half.report().products() < workspace.report().products());
+            without.tangential.reversal = fresh.tangential.reversal;
+            without.tangential.bound = fresh.tangential.bound;
+            assert_eq!(without, fresh);
+        }
+    }
+}
+
+/// The error is of second order in the residual.
+#[test]
+fn a_wider_tolerance_costs_less() {
+    let scene = Scene::ball(48, 0.3, TangentialModel::Vector);
+    let mut history = History::builder(&scene.bodies, &scene.gap, scene.friction.clone())
+        .model(scene.model)
+        .build()
+        .unwrap();
+    let load = LoadStep::shift([0.02, 0.01]).normal(NormalControl::Approach(0.3));
+    history.step(&load).unwrap();
+    let found = |tolerance: f64| {
+        let mut workspace = StiffnessWorkspace::new().tolerance(tolerance).unwrap();
+        let stiffness = history.stiffness_with(&mut workspace, |_| ControlFlow::Continue(()));
+        (stiffness.unwrap(), workspace.report().products())
+    };
+    let ((fine, dear), (rough, cheap)) = (found(1e-11), found(1e-4));
+    assert!(cheap < dear);
+    assert!((rough.normal.value / fine.normal.value - 1.0).abs() <= rough.normal.bound);
+    assert!(rough.normal.bound < 1e-6);
+    let along = |stiffness: &ContactStiffness| stiffness.tangential.loading[0][0].unwrap();
+    let error = (along(&rough) / along(&fine) - 1.0).abs();
+    let bound = rough.tangential.bound;
+    assert!(error <= bound && bound < 1e-5, "{error:e} for {bound:e}");
+    assert!(StiffnessWorkspace::new().tolerance(0.0).is_err());
 }

@@ -87,7 +87,7 @@ fn one_rectangle_is_that_of_many_digits() {
             for (load, expected) in expected.chunks(9).enumerate() {
                 let of = |k| Field::constant(grid, if k == load { 1.0 } else { 0.0 });
                 let [p, qx, qy] = [0, 1, 2].map(of);
-                let tractions = Tractions::new(&p).with_shear([&qx, &qy]);
+                let tractions = Tractions::new(&p).with_traction([&qx, &qy]);
                 let found = at_points(&bodies, Body::One, tractions, &[[x, y, z]]).unwrap();
                 let error = error(&components(&found[0]), expected);
                 assert!(
@@ -120,7 +120,7 @@ fn case(tractions: &str) -> (HalfSpace, [Field; 3]) {
 fn contacts_of_another_code_to_their_digits() {
     for [tractions, points] in CASES {
         let (bodies, [p, qx, qy]) = case(tractions);
-        let tractions = Tractions::new(&p).with_shear([&qx, &qy]);
+        let tractions = Tractions::new(&p).with_traction([&qx, &qy]);
         for (body, number) in [(Body::One, 1.0), (Body::Two, 2.0)] {
             let rows: Vec<_> = rows(points).filter(|row| row[3] == number).collect();
             let places: Vec<_> = rows
@@ -140,7 +140,7 @@ fn contacts_of_another_code_to_their_digits() {
 #[test]
 fn both_bodies_have_the_signs_of_the_common_axes() {
     let (bodies, [p, qx, qy]) = case(CASES[1][0]);
-    let tractions = Tractions::new(&p).with_shear([&qx, &qy]);
+    let tractions = Tractions::new(&p).with_traction([&qx, &qy]);
     let surface = [[0.33, 0.21, 0.0], [-0.45, 0.27, 0.0]];
     for body in [Body::One, Body::Two] {
         for (found, [x, y, _]) in at_points(&bodies, body, tractions, &surface)
@@ -181,7 +181,7 @@ fn edges_between_equal_cells_leave_no_trace() {
                 at_points(
                     bodies,
                     Body::One,
-                    Tractions::new(p).with_shear([q, q]),
+                    Tractions::new(p).with_traction([q, q]),
                     &points,
                 )
                 .unwrap()
@@ -257,7 +257,7 @@ fn points_at_the_edge_of_numbers_are_finite_or_refused() {
         let bodies = HalfSpace::with_boundary(grid, pair, boundary).unwrap();
         let p = Field::from_fn(grid, |x, y| 1.0 + 0.1 * x + 0.2 * y);
         let q = Field::constant(grid, 0.3);
-        let tractions = || Tractions::new(&p).with_shear([&q, &q]);
+        let tractions = || Tractions::new(&p).with_traction([&q, &q]);
         let at = |point| at_points(&bodies, Body::One, tractions(), &[point]).map(|found| found[0]);
         let plane = |depth| {
             let mut planes = Planes::new(&bodies, &[depth])?.with_displacements();
@@ -328,8 +328,8 @@ fn solutions_are_sources_of_tractions() {
 
     let problem = CoupledProblem::builder(&bodies, &gap, friction.clone(), press, pull);
     let coupled = problem.build().unwrap().solve().unwrap();
-    let (normal, shear) = (coupled.normal(), coupled.shear());
-    let expected = at(Tractions::new(normal.pressure()).with_shear(shear.traction()));
+    let (normal, shear) = (coupled.normal(), coupled.tangential());
+    let expected = at(Tractions::new(normal.pressure()).with_traction(shear.traction()));
     assert_eq!(at(Tractions::from(&coupled)), expected);
     assert_eq!(at(Tractions::from((normal, shear))), expected);
 
@@ -339,7 +339,7 @@ fn solutions_are_sources_of_tractions() {
         .normal(press)
         .tangential(Axis::X, TangentialControl::Force(0.02));
     history.step(&step).unwrap();
-    let expected = at(Tractions::new(history.pressure()).with_shear(history.traction()));
+    let expected = at(Tractions::new(history.pressure()).with_traction(history.traction()));
     assert_eq!(at(Tractions::from(&history)), expected);
     assert_eq!(at(Tractions::from(history.state())), expected);
 

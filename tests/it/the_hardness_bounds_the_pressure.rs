@@ -7,8 +7,9 @@ use stickslip::dense::DenseOperator;
 use stickslip::influence::Component;
 use stickslip::normal::Hardness;
 use stickslip::{
-    ElasticPair, Error, Field, Grid, HalfSpace, Material, NormalControl, NormalProblem,
-    NormalSolution, Operator, analytical, surface,
+    Axis, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
+    Material, NormalControl, NormalProblem, NormalSolution, Operator, TangentialControl,
+    TangentialLoad, TangentialModel, analytical, history::TouchRule, surface,
 };
 
 /// Steel of this contact modulus on a rigid body: MPa.
@@ -307,4 +308,86 @@ fn all_cells_may_stand_at_their_bounds() {
         }
     }
     assert!(without_elastic_cells > 10, "{without_elastic_cells}");
+}
+
+/// A coupled problem is the first step of a history: with the same hardness the same answer, whose pressure it bounds, and
+/// whose tractions the friction of that pressure does.
+#[test]
+fn coupled_problems_yield_as_the_first_step_of_a_history() {
+    let grid = Grid::square(36, 3.0).unwrap();
+    let pair = ElasticPair::new(Material::new(1.0, 0.1).unwrap(), Material::rigid()).unwrap();
+    let bodies = HalfSpace::new(grid, pair).unwrap();
+    let ball = surface::sphere(grid, 10.0).unwrap();
+    let (friction, press) = (Friction::coulomb(0.4).unwrap(), NormalControl::Force(0.2));
+    let sloping = Field::from_fn(grid, |x, _| 0.06 + 0.01 * x);
+    for hardness in [Hardness::uniform(0.06), Hardness::per_cell(sloping)] {
+        let hardness = hardness.unwrap();
+        let load = TangentialLoad::force([0.03, 0.0]);
+        let problem = CoupledProblem::builder(&bodies, &ball, friction.clone(), press, load);
+        let problem = problem.hardness(hardness.clone()).tolerance(1e-11).build();
+        let mut solver = problem.unwrap().into_solver().unwrap();
+        let mut contact = solver.new_solution();
+        solver.solve_into(&mut contact).unwrap();
+
+        let history = History::builder(&bodies, &ball, friction.clone());
+        let history = history
+            .model(TangentialModel::Vector)
+            .touch_rule(TouchRule::WholeStep);
+        let mut history = history
+            .hardness(hardness.clone())
+            .tolerance(1e-11)
+            .build()
+            .unwrap();
+        let drag = |axis, force| LoadStep::hold().tangential(axis, TangentialControl::Force(force));
+        let step = drag(Axis::X, 0.03).tangential(Axis::Y, TangentialControl::Force(0.0));
+        history.step(&step.normal(press)).unwrap();
+
+        let (normal, tangential) = (contact.normal(), contact.tangential());
+        assert!(normal.yielded_cells() > 20 && normal.yielded_cells() < normal.contact_cells());
+        assert_eq!(normal.yielded_cells(), history.normal().yielded_cells());
+        let pressure = normal.pressure().as_slice();
+        assert!(max_difference(pressure, history.pressure().as_slice()) < 1e-9);
+        for (found, step) in tangential.traction().iter().zip(history.traction()) {
+            assert!(max_difference(found.as_slice(), step.as_slice()) < 1e-9);
+        }
+        let [x, y] = tangential.traction().map(Field::as_slice);
+        for (cell, p) in pressure.iter().enumerate() {
+            assert!(*p <= hardness.of_cell(cell));
+            assert!(x[cell].hypot(y[cell]) <= 0.4 * p * (1.0 + 1e-12));
+        }
+
+        // Under less load, from there, nothing is at the limit: the contact of elastic bodies.
+        let lighter = (
+            NormalControl::Force(0.02),
+            TangentialLoad::force([0.003, 0.0]),
+        );
+        solver.set_load(lighter.0, lighter.1).unwrap();
+        solver.solve_into(&mut contact).unwrap();
+        let elastic =
+            CoupledProblem::builder(&bodies, &ball, friction.clone(), lighter.0, lighter.1);
+        let elastic = elastic.tolerance(1e-11).build().unwrap().solve().unwrap();
+        assert_eq!(contact.normal().yielded_cells(), 0);
+        let [found, known] = [&contact, &elastic].map(|of| of.normal().pressure().as_slice());
+        assert!(max_difference(found, known) < 1e-9);
+
+        // What all cells together do not carry is refused, and the loads are as they were.
+        let beyond = NormalControl::Force(1.01 * hardness.capacity(grid));
+        let refused = solver.set_load(beyond, lighter.1);
+        assert!(matches!(refused, Err(Error::BeyondHardness { .. })));
+        solver.solve_into(&mut contact).unwrap();
+        assert!((contact.normal().force() / 0.02 - 1.0).abs() < 1e-10);
+    }
+    let elsewhere = Field::constant(Grid::square(35, 3.0).unwrap(), 1.0);
+    let problem = CoupledProblem::builder(
+        &bodies,
+        &ball,
+        friction,
+        press,
+        TangentialLoad::shift([0.0, 0.0]),
+    );
+    let hardness = Hardness::per_cell(elsewhere).unwrap();
+    assert!(matches!(
+        problem.hardness(hardness).build(),
+        Err(Error::GridMismatch { .. })
+    ));
 }

@@ -215,7 +215,7 @@ fn pressing_dissimilar_bodies_at_once_is_remarked() {
     }
     let at_once = solve(unlike, &ball, 0.3);
     let (few, many) = (
-        at_once.shear().stick_ratio(),
+        at_once.tangential().stick_ratio(),
         history.last_step().stick_ratio(),
     );
     assert!(few < 0.6 * many, "{few} {many}");

@@ -16,7 +16,6 @@ module stickslip_bindings
     public :: stickslip_history_step_all
     public :: stickslip_coupled_solver_new
     public :: stickslip_coupled_solver_free
-    public :: stickslip_coupled_solver_set_normal
     public :: stickslip_coupled_solver_set_load
     public :: stickslip_coupled_solver_set_gap
     public :: stickslip_coupled_solver_set_friction
@@ -246,7 +245,7 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_SCALAR = 0
     ! Both tractions, under loads of any direction.
     integer(c_int32_t), parameter, public :: STICKSLIP_VECTOR = 1
-    ! Pressure and shear are found together: coupled solvers and histories only.
+    ! Pressure and traction are found together: coupled solvers and histories only.
     integer(c_int32_t), parameter, public :: STICKSLIP_FULL = 0
     ! Shear does not change the pressure, but pressure moves the surfaces tangentially.
     integer(c_int32_t), parameter, public :: STICKSLIP_ONE_WAY = 1
@@ -310,7 +309,7 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_EMPTY_CONTACT = 4
     ! The approach (value) is not below the mean gap (limit) of a periodic contact.
     integer(c_int32_t), parameter, public :: STICKSLIP_APPROACH_BEYOND_MEAN_GAP = 5
-    ! The materials couple pressure and shear (value: Dundurs' beta), and what was asked for does not model that.
+    ! The materials couple pressure and traction (value: Dundurs' beta), and what was asked for does not model that.
     integer(c_int32_t), parameter, public :: STICKSLIP_COUPLED_MATERIALS = 6
     ! The model does not include this load (value).
     integer(c_int32_t), parameter, public :: STICKSLIP_NOT_MODELLED = 7
@@ -839,9 +838,9 @@ module stickslip_bindings
         real(c_double) :: contact_modulus = 0
         ! G* of Mindlin (a pressure): 1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2; a circle of radius a that sticks has 8 G* a.
         real(c_double) :: tangential_modulus = 0
-        ! Dundurs' second parameter; zero where pressure and shear are not coupled.
+        ! Dundurs' second parameter; zero where pressure and traction are not coupled.
         real(c_double) :: dundurs_beta = 0
-        ! Not zero if pressure and shear are coupled.
+        ! Not zero if pressure and traction are coupled.
         integer(c_int32_t) :: is_coupled = 0
         ! Room for members to come: zero.
         integer(c_int64_t) :: reserved(8) = 0
@@ -873,7 +872,7 @@ module stickslip_bindings
     type, bind(c), public :: stickslip_normal_stiffness
         ! A force over a length; zero without contact.
         real(c_double) :: value = 0
-        ! Bound of its relative error; infinite where pressure and shear are found together.
+        ! Bound of its relative error; infinite where pressure and traction are found together.
         real(c_double) :: bound = 0
         ! Room for members to come: zero.
         integer(c_int64_t) :: reserved(8) = 0
@@ -888,7 +887,7 @@ module stickslip_bindings
         ! If the motion reverses: all cells of the contact stick.
         real(c_double) :: reversal(3, 3) = 0
         ! Bound of the errors: none is larger than this times the root of the product of the two entries on the diagonal;
-        ! infinite where pressure and shear are found together.
+        ! infinite where pressure and traction are found together.
         real(c_double) :: bound = 0
         ! Room for members to come: zero.
         integer(c_int64_t) :: reserved(8) = 0
@@ -902,7 +901,7 @@ module stickslip_bindings
         type(stickslip_tangential_stiffness) :: tangential
         ! Tangential forces and moment by the approach while slip continues; NaN for those that the model does not have.
         real(c_double) :: by_approach(3) = 0
-        ! Normal force by shifts along x and y and the twist: zero but where pressure and shear are found together. NaN for
+        ! Normal force by shifts along x and y and the twist: zero but where pressure and traction are found together. NaN for
         ! motions that the model does not have.
         real(c_double) :: normal_by_motion(3) = 0
         ! Room for members to come: zero.
@@ -1128,7 +1127,7 @@ module stickslip_bindings
         end function stickslip_hertz_sphere
 
         ! Cattaneo and Mindlin's contact of a sphere under a normal force, with a coefficient of friction, under a tangential force
-        ! of either sign; STICKSLIP_BEYOND_FRICTION_CAPACITY if friction does not carry it. The coupling of pressure and shear of
+        ! of either sign; STICKSLIP_BEYOND_FRICTION_CAPACITY if friction does not carry it. The coupling of pressure and traction of
         ! dissimilar bodies is neglected.
         function stickslip_cattaneo_mindlin_sphere(half_space, radius, force, friction, tangential_force, &
             found) result(answer) bind(c)
@@ -1157,17 +1156,18 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_history_step_all
 
-        ! Makes a solver of a gap before loading (lengths, count entries, copied). relative (none) and settings (the defaults) may
-        ! be NULL.
-        function stickslip_coupled_solver_new(half_space, gap, count, friction, normal, load, relative, settings, &
-            solver) result(answer) bind(c)
+        ! Makes a solver of a gap before loading (lengths, count entries, copied). hardness (no limit), relative (none) and settings
+        ! (the defaults) may be NULL.
+        function stickslip_coupled_solver_new(half_space, gap, count, friction, normal, tangential, hardness, &
+            relative, settings, solver) result(answer) bind(c)
             import
             type(stickslip_half_space), value :: half_space
             real(c_double), intent(in) :: gap(*)
             integer(c_size_t), value :: count
             type(stickslip_friction), intent(in), optional :: friction
             type(stickslip_normal_load), intent(in), optional :: normal
-            type(stickslip_tangential_load), intent(in), optional :: load
+            type(stickslip_tangential_load), intent(in), optional :: tangential
+            type(stickslip_per_cell), intent(in), optional :: hardness
             type(stickslip_relative_displacement), intent(in), optional :: relative
             type(stickslip_settings), intent(in), optional :: settings
             type(stickslip_coupled_solver), intent(out) :: solver
@@ -1181,19 +1181,12 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_coupled_solver_free
 
-        ! Changes the normal load of the next solve.
-        function stickslip_coupled_solver_set_normal(solver, normal) result(answer) bind(c)
+        ! Changes the normal and the tangential load of the next solve.
+        function stickslip_coupled_solver_set_load(solver, normal, tangential) result(answer) bind(c)
             import
             type(stickslip_coupled_solver), value :: solver
             type(stickslip_normal_load), intent(in), optional :: normal
-            integer(c_int32_t) :: answer
-        end function stickslip_coupled_solver_set_normal
-
-        ! Changes the tangential load of the next solve.
-        function stickslip_coupled_solver_set_load(solver, load) result(answer) bind(c)
-            import
-            type(stickslip_coupled_solver), value :: solver
-            type(stickslip_tangential_load), intent(in), optional :: load
+            type(stickslip_tangential_load), intent(in), optional :: tangential
             integer(c_int32_t) :: answer
         end function stickslip_coupled_solver_set_load
 

@@ -1,4 +1,4 @@
-! Contacts of dissimilar bodies, pressure and shear found together.
+! Contacts of dissimilar bodies, pressure and traction found together.
 module stickslip_coupled
     use, intrinsic :: iso_c_binding
     use stickslip_bindings
@@ -14,7 +14,6 @@ module stickslip_coupled
         type(stickslip_grid) :: grid
     contains
         procedure :: new => coupled_solver_new
-        procedure :: set_normal => coupled_solver_set_normal
         procedure :: set_load => coupled_solver_set_load
         procedure :: set_gap => coupled_solver_set_gap
         procedure :: set_friction => coupled_solver_set_friction
@@ -44,36 +43,32 @@ module stickslip_coupled
 contains
 
     ! relative is a displacement of body 1 relative to body 2 that the contact does not cause, such as that of bulk strain.
-    subroutine coupled_solver_new(this, bodies, gap, friction, normal, load, settings, relative, status)
+    subroutine coupled_solver_new(this, bodies, gap, friction, normal, tangential, hardness, settings, relative, &
+            status)
         class(coupled_solver), intent(inout) :: this
         class(half_space), intent(in) :: bodies
         real(c_double), intent(in), contiguous :: gap(:, :)
         type(stickslip_friction), intent(in) :: friction
         type(stickslip_normal_load), intent(in) :: normal
-        type(stickslip_tangential_load), intent(in) :: load
+        type(stickslip_tangential_load), intent(in) :: tangential
+        type(stickslip_per_cell), intent(in), optional :: hardness
         type(stickslip_settings), intent(in), optional :: settings
         type(stickslip_relative_displacement), intent(in), optional :: relative
         integer(c_int32_t), intent(out), optional :: status
         type(stickslip_coupled_solver) :: made
         integer(c_int32_t) :: code
         if (.not. fits('gap', shape(gap), bodies%grid, status)) return
-        code = stickslip_coupled_solver_new(bodies%handle, gap, size(gap, kind=c_size_t), friction, normal, load, relative, &
-            settings, made)
+        code = stickslip_coupled_solver_new(bodies%handle, gap, size(gap, kind=c_size_t), friction, normal, &
+            tangential, hardness, relative, settings, made)
         call coupled_solver_take(this, made, bodies%grid, code, status)
     end subroutine coupled_solver_new
 
-    subroutine coupled_solver_set_normal(this, normal, status)
+    subroutine coupled_solver_set_load(this, normal, tangential, status)
         class(coupled_solver), intent(in) :: this
         type(stickslip_normal_load), intent(in) :: normal
+        type(stickslip_tangential_load), intent(in) :: tangential
         integer(c_int32_t), intent(out), optional :: status
-        call report_status(stickslip_coupled_solver_set_normal(this%handle, normal), status)
-    end subroutine coupled_solver_set_normal
-
-    subroutine coupled_solver_set_load(this, load, status)
-        class(coupled_solver), intent(in) :: this
-        type(stickslip_tangential_load), intent(in) :: load
-        integer(c_int32_t), intent(out), optional :: status
-        call report_status(stickslip_coupled_solver_set_load(this%handle, load), status)
+        call report_status(stickslip_coupled_solver_set_load(this%handle, normal, tangential), status)
     end subroutine coupled_solver_set_load
 
     subroutine coupled_solver_set_gap(this, gap, status)

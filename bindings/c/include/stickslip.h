@@ -202,7 +202,7 @@
 // Both tractions, under loads of any direction.
 #define STICKSLIP_VECTOR 1
 
-// Pressure and shear are found together: coupled solvers and histories only.
+// Pressure and traction are found together: coupled solvers and histories only.
 #define STICKSLIP_FULL 0
 
 // Shear does not change the pressure, but pressure moves the surfaces tangentially.
@@ -297,7 +297,7 @@
 // The approach (value) is not below the mean gap (limit) of a periodic contact.
 #define STICKSLIP_APPROACH_BEYOND_MEAN_GAP 5
 
-// The materials couple pressure and shear (value: Dundurs' beta), and what was asked for does not model that.
+// The materials couple pressure and traction (value: Dundurs' beta), and what was asked for does not model that.
 #define STICKSLIP_COUPLED_MATERIALS 6
 
 // The model does not include this load (value).
@@ -855,9 +855,9 @@ typedef struct {
     double contact_modulus;
     // G* of Mindlin (a pressure): 1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2; a circle of radius a that sticks has 8 G* a.
     double tangential_modulus;
-    // Dundurs' second parameter; zero where pressure and shear are not coupled.
+    // Dundurs' second parameter; zero where pressure and traction are not coupled.
     double dundurs_beta;
-    // Not zero if pressure and shear are coupled.
+    // Not zero if pressure and traction are coupled.
     int32_t is_coupled;
     // Room for members to come: zero.
     uint64_t reserved[8];
@@ -889,7 +889,7 @@ typedef struct {
 typedef struct {
     // A force over a length; zero without contact.
     double value;
-    // Bound of its relative error; infinite where pressure and shear are found together.
+    // Bound of its relative error; infinite where pressure and traction are found together.
     double bound;
     // Room for members to come: zero.
     uint64_t reserved[8];
@@ -904,7 +904,7 @@ typedef struct {
     // If the motion reverses: all cells of the contact stick.
     double reversal[3][3];
     // Bound of the errors: none is larger than this times the root of the product of the two entries on the diagonal;
-    // infinite where pressure and shear are found together.
+    // infinite where pressure and traction are found together.
     double bound;
     // Room for members to come: zero.
     uint64_t reserved[8];
@@ -918,7 +918,7 @@ typedef struct {
     stickslip_tangential_stiffness tangential;
     // Tangential forces and moment by the approach while slip continues; NaN for those that the model does not have.
     double by_approach[3];
-    // Normal force by shifts along x and y and the twist: zero but where pressure and shear are found together. NaN for
+    // Normal force by shifts along x and y and the twist: zero but where pressure and traction are found together. NaN for
     // motions that the model does not have.
     double normal_by_motion[3];
     // Room for members to come: zero.
@@ -1127,7 +1127,7 @@ stickslip_status stickslip_hertz_sphere(const stickslip_half_space *half_space,
                                         stickslip_hertz *hertz);
 
 // Cattaneo and Mindlin's contact of a sphere under a normal force, with a coefficient of friction, under a tangential force
-// of either sign; STICKSLIP_BEYOND_FRICTION_CAPACITY if friction does not carry it. The coupling of pressure and shear of
+// of either sign; STICKSLIP_BEYOND_FRICTION_CAPACITY if friction does not carry it. The coupling of pressure and traction of
 // dissimilar bodies is neglected.
 stickslip_status stickslip_cattaneo_mindlin_sphere(const stickslip_half_space *half_space,
                                                    double radius,
@@ -1147,14 +1147,15 @@ stickslip_status stickslip_history_step_all(stickslip_history *const *histories,
                                             size_t count,
                                             stickslip_status *codes);
 
-// Makes a solver of a gap before loading (lengths, count entries, copied). relative (none) and settings (the defaults) may
-// be NULL.
+// Makes a solver of a gap before loading (lengths, count entries, copied). hardness (no limit), relative (none) and settings
+// (the defaults) may be NULL.
 stickslip_status stickslip_coupled_solver_new(const stickslip_half_space *half_space,
                                               const double *gap,
                                               size_t count,
                                               const stickslip_friction *friction,
                                               const stickslip_normal_load *normal,
-                                              const stickslip_tangential_load *load,
+                                              const stickslip_tangential_load *tangential,
+                                              const stickslip_per_cell *hardness,
                                               const stickslip_relative_displacement *relative,
                                               const stickslip_settings *settings,
                                               stickslip_coupled_solver **solver);
@@ -1162,13 +1163,10 @@ stickslip_status stickslip_coupled_solver_new(const stickslip_half_space *half_s
 // Frees a solver; nothing for NULL.
 stickslip_status stickslip_coupled_solver_free(stickslip_coupled_solver *solver);
 
-// Changes the normal load of the next solve.
-stickslip_status stickslip_coupled_solver_set_normal(stickslip_coupled_solver *solver,
-                                                     const stickslip_normal_load *normal);
-
-// Changes the tangential load of the next solve.
+// Changes the normal and the tangential load of the next solve.
 stickslip_status stickslip_coupled_solver_set_load(stickslip_coupled_solver *solver,
-                                                   const stickslip_tangential_load *load);
+                                                   const stickslip_normal_load *normal,
+                                                   const stickslip_tangential_load *tangential);
 
 // Changes the gap before loading of the next solve (lengths, count entries, copied).
 stickslip_status stickslip_coupled_solver_set_gap(stickslip_coupled_solver *solver, const double *gap, size_t count);

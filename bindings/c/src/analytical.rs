@@ -67,7 +67,7 @@ pub struct stickslip_cattaneo_mindlin {
 }
 
 /// Cattaneo and Mindlin's contact of a sphere under a normal force, with a coefficient of friction, under a tangential force
-/// of either sign; STICKSLIP_BEYOND_FRICTION_CAPACITY if friction does not carry it. The coupling of pressure and shear of
+/// of either sign; STICKSLIP_BEYOND_FRICTION_CAPACITY if friction does not carry it. The coupling of pressure and traction of
 /// dissimilar bodies is neglected.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_cattaneo_mindlin_sphere(

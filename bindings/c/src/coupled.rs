@@ -1,13 +1,17 @@
-//! Pressure and shear of dissimilar bodies found together.
+//! Pressure and traction of dissimilar bodies found together.
 
 use stickslip_rs::coupled::CoupledReport;
-use stickslip_rs::{CoupledProblem, CoupledSolution, CoupledSolver, Field};
+use stickslip_rs::{
+    CoupledProblem, CoupledSolution, CoupledSolver, Field, NormalControl, TangentialLoad,
+};
 
 use crate::call::{Outcome, call, call_on};
 use crate::fields::*;
 use crate::half_space::stickslip_half_space;
-use crate::handle::{Handle, free, give, opaque, reading};
-use crate::inputs::{stickslip_friction, stickslip_relative_displacement, stickslip_settings};
+use crate::handle::{Handle, changing, free, give, opaque, reading};
+use crate::inputs::{
+    stickslip_friction, stickslip_per_cell, stickslip_relative_displacement, stickslip_settings,
+};
 use crate::loads::{stickslip_normal_load, stickslip_tangential_load};
 use crate::observer::stickslip_observer;
 use crate::pointer::{Place, field, input, optional};
@@ -61,8 +65,8 @@ impl From<&CoupledReport> for stickslip_coupled_report {
     }
 }
 
-/// Makes a solver of a gap before loading (lengths, count entries, copied). relative (none) and settings (the defaults) may
-/// be NULL.
+/// Makes a solver of a gap before loading (lengths, count entries, copied). hardness (no limit), relative (none) and settings
+/// (the defaults) may be NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_solver_new(
     half_space: *const stickslip_half_space,
@@ -70,7 +74,8 @@ pub unsafe extern "C" fn stickslip_coupled_solver_new(
     count: usize,
     friction: *const stickslip_friction,
     normal: *const stickslip_normal_load,
-    load: *const stickslip_tangential_load,
+    tangential: *const stickslip_tangential_load,
+    hardness: *const stickslip_per_cell,
     relative: *const stickslip_relative_displacement,
     settings: *const stickslip_settings,
     solver: *mut *mut stickslip_coupled_solver,
@@ -87,11 +92,13 @@ pub unsafe extern "C" fn stickslip_coupled_solver_new(
         };
         let grid = bodies.grid();
         // SAFETY: the rule for pointers.
-        let (normal, load) = unsafe { (input("normal", normal)?, input("load", load)?) };
-        let (normal, load) = (normal.checked()?, load.checked()?);
-        let mut problem = CoupledProblem::builder(&bodies, &gap, friction, normal, load);
+        let (normal, tangential) = unsafe { loads(normal, tangential)? };
+        let mut problem = CoupledProblem::builder(&bodies, gap, friction, normal, tangential);
         // SAFETY: the rule for pointers.
         unsafe {
+            if let Some(limit) = optional("hardness", hardness)? {
+                problem = problem.hardness(limit.hardness(grid)?);
+            }
             if let Some(relative) = optional("relative", relative)? {
                 problem = problem.relative_displacement(relative.checked(grid)?);
             }
@@ -115,30 +122,32 @@ pub unsafe extern "C" fn stickslip_coupled_solver_free(
     call(|| unsafe { free(solver) })
 }
 
-/// Changes the normal load of the next solve.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn stickslip_coupled_solver_set_normal(
-    solver: *mut stickslip_coupled_solver,
+/// Both loads, checked.
+///
+/// # Safety
+/// The rule for pointers.
+unsafe fn loads(
     normal: *const stickslip_normal_load,
-) -> stickslip_status {
-    // SAFETY: the rule for pointers.
-    unsafe {
-        let check = stickslip_normal_load::checked;
-        solver::change(solver, ("normal", normal), check, CoupledSolver::set_normal)
-    }
+    tangential: *const stickslip_tangential_load,
+) -> Outcome<(NormalControl, TangentialLoad)> {
+    // SAFETY: as of this function.
+    let (normal, tangential) =
+        unsafe { (input("normal", normal)?, input("tangential", tangential)?) };
+    Ok((normal.checked()?, tangential.checked()?))
 }
 
-/// Changes the tangential load of the next solve.
+/// Changes the normal and the tangential load of the next solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_solver_set_load(
     solver: *mut stickslip_coupled_solver,
-    load: *const stickslip_tangential_load,
+    normal: *const stickslip_normal_load,
+    tangential: *const stickslip_tangential_load,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    unsafe {
-        let check = stickslip_tangential_load::checked;
-        solver::change(solver, ("load", load), check, CoupledSolver::set_load)
-    }
+    call_on(solver, || unsafe {
+        let (normal, tangential) = loads(normal, tangential)?;
+        Ok(changing(solver)?.own.set_load(normal, tangential)?)
+    })
 }
 
 /// Changes the gap before loading of the next solve (lengths, count entries, copied).
@@ -229,7 +238,7 @@ fn own_field(solution: &CoupledSolution, which: i32) -> Outcome<&Field> {
         STICKSLIP_DISPLACEMENT_X => Ok(solution.displacement()[0]),
         STICKSLIP_DISPLACEMENT_Y => Ok(solution.displacement()[1]),
         STICKSLIP_DISPLACEMENT_Z => Ok(solution.displacement()[2]),
-        other => of_tangential(solution.shear(), other),
+        other => of_tangential(solution.tangential(), other),
     }
 }
 
@@ -240,7 +249,7 @@ pub unsafe extern "C" fn stickslip_coupled_solution_zones(
     count: *mut usize,
 ) -> *const u8 {
     // SAFETY: the rule for pointers.
-    unsafe { show(solution, count, |of| Ok(of.shear().zones())).cast() }
+    unsafe { show(solution, count, |of| Ok(of.tangential().zones())).cast() }
 }
 
 /// The numbers of both halves; either may be NULL.
@@ -259,7 +268,7 @@ pub unsafe extern "C" fn stickslip_coupled_solution_results(
             place.put(solution.normal().into());
         }
         if let Some(place) = tangential {
-            place.put(solution.shear().into());
+            place.put(solution.tangential().into());
         }
         Ok(())
     })

@@ -27,9 +27,9 @@ pub struct stickslip_pair {
     pub contact_modulus: f64,
     /// G* of Mindlin (a pressure): 1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2; a circle of radius a that sticks has 8 G* a.
     pub tangential_modulus: f64,
-    /// Dundurs' second parameter; zero where pressure and shear are not coupled.
+    /// Dundurs' second parameter; zero where pressure and traction are not coupled.
     pub dundurs_beta: f64,
-    /// Not zero if pressure and shear are coupled.
+    /// Not zero if pressure and traction are coupled.
     pub is_coupled: i32,
     /// Room for members to come: zero.
     pub reserved: [u64; 8],

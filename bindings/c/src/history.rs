@@ -99,7 +99,7 @@ pub unsafe extern "C" fn stickslip_history_new(
         let grid = bodies.grid();
         // SAFETY: the rule for pointers.
         let gap = unsafe { field("gap", grid, gap, count)? };
-        let mut builder = History::builder(&bodies, &gap, friction);
+        let mut builder = History::builder(&bodies, gap, friction);
         if let Some(options) = options {
             known("the options", &options.reserved)?;
             builder = builder

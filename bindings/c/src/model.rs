@@ -10,7 +10,7 @@ pub const STICKSLIP_SCALAR: i32 = 0;
 /// Both tractions, under loads of any direction.
 pub const STICKSLIP_VECTOR: i32 = 1;
 
-/// Pressure and shear are found together: coupled solvers and histories only.
+/// Pressure and traction are found together: coupled solvers and histories only.
 pub const STICKSLIP_FULL: i32 = 0;
 /// Shear does not change the pressure, but pressure moves the surfaces tangentially.
 pub const STICKSLIP_ONE_WAY: i32 = 1;

@@ -16,7 +16,7 @@ pub const STICKSLIP_BEYOND_HARDNESS: i32 = 3;
 pub const STICKSLIP_EMPTY_CONTACT: i32 = 4;
 /// The approach (value) is not below the mean gap (limit) of a periodic contact.
 pub const STICKSLIP_APPROACH_BEYOND_MEAN_GAP: i32 = 5;
-/// The materials couple pressure and shear (value: Dundurs' beta), and what was asked for does not model that.
+/// The materials couple pressure and traction (value: Dundurs' beta), and what was asked for does not model that.
 pub const STICKSLIP_COUPLED_MATERIALS: i32 = 6;
 /// The model does not include this load (value).
 pub const STICKSLIP_NOT_MODELLED: i32 = 7;

@@ -8,7 +8,7 @@ use stickslip_rs::stiffness::{ContactStiffness, NormalStiffness, TangentialStiff
 pub struct stickslip_normal_stiffness {
     /// A force over a length; zero without contact.
     pub value: f64,
-    /// Bound of its relative error; infinite where pressure and shear are found together.
+    /// Bound of its relative error; infinite where pressure and traction are found together.
     pub bound: f64,
     /// Room for members to come: zero.
     pub reserved: [u64; 8],
@@ -25,7 +25,7 @@ pub struct stickslip_tangential_stiffness {
     /// If the motion reverses: all cells of the contact stick.
     pub reversal: [[f64; 3]; 3],
     /// Bound of the errors: none is larger than this times the root of the product of the two entries on the diagonal;
-    /// infinite where pressure and shear are found together.
+    /// infinite where pressure and traction are found together.
     pub bound: f64,
     /// Room for members to come: zero.
     pub reserved: [u64; 8],
@@ -41,7 +41,7 @@ pub struct stickslip_stiffness {
     pub tangential: stickslip_tangential_stiffness,
     /// Tangential forces and moment by the approach while slip continues; NaN for those that the model does not have.
     pub by_approach: [f64; 3],
-    /// Normal force by shifts along x and y and the twist: zero but where pressure and shear are found together. NaN for
+    /// Normal force by shifts along x and y and the twist: zero but where pressure and traction are found together. NaN for
     /// motions that the model does not have.
     pub normal_by_motion: [f64; 3],
     /// Room for members to come: zero.

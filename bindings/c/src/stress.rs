@@ -66,7 +66,7 @@ impl stickslip_tractions {
         spare.with_copy(grid, pressure, |pressure| {
             spare.with_copy(grid, x, |x| {
                 spare.with_copy(grid, y, |y| {
-                    work(Tractions::new(pressure).with_shear([x, y]))
+                    work(Tractions::new(pressure).with_traction([x, y]))
                 })
             })
         })

@@ -131,7 +131,7 @@ static void solvers(const stickslip_half_space *bodies) {
 static void coupled(const stickslip_half_space *bodies) {
     stickslip_friction friction = stickslip_coulomb(0.5), cells = per_cell();
     stickslip_coupled_solver *solver = NULL;
-    OK(stickslip_coupled_solver_new(bodies, ball, CELLS, &friction, &PRESS, &DRAG, NULL, NULL, &solver));
+    OK(stickslip_coupled_solver_new(bodies, ball, CELLS, &friction, &PRESS, &DRAG, NULL, NULL, NULL, &solver));
     EXPECT(0, stickslip_coupled_solver_set_gap(solver, ball, CELLS));
     EXPECT(0, stickslip_coupled_solver_set_friction(solver, &cells));
     OK(stickslip_coupled_solver_free(solver));

@@ -262,7 +262,7 @@ static void dissimilar_bodies_are_coupled(void) {
     stickslip_tangential_load still = {{STICKSLIP_SHIFT, 0.0, 0.0}, {STICKSLIP_SHIFT, 0.0, 0.0}, 0.0};
     stickslip_coupled_solver *solver = NULL;
     stickslip_coupled_solution *solution = NULL;
-    OK(stickslip_coupled_solver_new(bodies, ball, CELLS, &friction, &load, &still, NULL, NULL, &solver));
+    OK(stickslip_coupled_solver_new(bodies, ball, CELLS, &friction, &load, &still, NULL, NULL, NULL, &solver));
     OK(stickslip_coupled_solution_new(solver, &solution));
     OK(stickslip_coupled_solver_solve(solver, solution, NULL));
     stickslip_normal_result normal;

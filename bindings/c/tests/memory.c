@@ -261,7 +261,7 @@ static stickslip_status press_and_shear_coupled(void) {
     stickslip_coupled_solution *solution = NULL;
     arm();
     stickslip_status status =
-        stickslip_coupled_solver_new(dissimilar, ball, cells, &friction, &PRESS, &DRAG, NULL, NULL, &solver);
+        stickslip_coupled_solver_new(dissimilar, ball, cells, &friction, &PRESS, &DRAG, NULL, NULL, NULL, &solver);
     if (status == STICKSLIP_OK) {
         status = stickslip_coupled_solution_new(solver, &solution);
     }

@@ -185,7 +185,7 @@ contains
         call check(status == STICKSLIP_NOTHING_TO_HOLD, 'nothing is held after reset')
     end subroutine contacts
 
-    ! Pressure and shear found together.
+    ! Pressure and traction found together.
     subroutine dissimilar()
         type(half_space) :: bodies
         type(coupled_solver) :: solver
@@ -220,7 +220,7 @@ contains
         call check(any(warnings%kind == STICKSLIP_WARNING_PRESSED_AT_ONCE), 'pressed at once')
 
         ! A field and the zones obey the law of Coulomb, and their sums are the forces.
-        call solver%set_load(drag)
+        call solver%set_load(press, drag)
         call solver%solve(solution)
         call solution%results(tangential=shear)
         pressure => solution%field(STICKSLIP_PRESSURE)
@@ -236,7 +236,7 @@ contains
         call check(all(pressure == 0 .or. abs(gap) < 1d-6 * maxval(lift)), 'no gap below the pressure')
 
         ! Setters.
-        call solver%set_normal(stickslip_normal_load(STICKSLIP_FORCE, 150))
+        call solver%set_load(stickslip_normal_load(STICKSLIP_FORCE, 150), drag)
         call solver%set_gap(2 * heights)
         call solver%set_friction(stickslip_coulomb(0.6d0))
         call solver%set_settings(stickslip_settings(tolerance=1d-9))
@@ -244,12 +244,12 @@ contains
         report = solution%report()
         call check(report%work%residual <= 1d-9, 'settings of a coupled solver')
         call solver%new(bodies, 2 * heights, stickslip_coulomb(0.6d0), stickslip_normal_load(STICKSLIP_FORCE, 150), drag, &
-            stickslip_settings(tolerance=1d-9))
+            settings=stickslip_settings(tolerance=1d-9))
         call solver%solve(other)
         alike => other%field(STICKSLIP_PRESSURE)
         call check(maxval(abs(alike - pressure)) < 1d-6 * maxval(alike), 'the same as a solver made so')
         call solver%reset()
-        call solver%set_normal(stickslip_normal_load(STICKSLIP_HOLD), status)
+        call solver%set_load(stickslip_normal_load(STICKSLIP_HOLD), drag, status)
         if (status == STICKSLIP_OK) call solver%solve(other, status=status)
         call check(status == STICKSLIP_NOTHING_TO_HOLD, 'nothing is held after reset')
 

@@ -1,4 +1,4 @@
-"""An aluminium ball on steel: pressing alone makes the rim slip, and pressure and shear are found together."""
+"""An aluminium ball on steel: pressing alone makes the rim slip, and pressure and traction are found together."""
 
 import stickslip as ss
 
@@ -22,7 +22,7 @@ for friction in (0.075, 0.1, 0.125):
     assert [remark.kind for remark in contact.warnings] == ["pressed_at_once"]
     print(
         f"{friction:8.3f}   {step.stick_ratio**0.5:39.3f}   {spence.stick_radius:6.3f}"
-        f"   {contact.shear.stick_ratio**0.5:7.3f}   {contact.report.error_estimate.pressure:31.1e}"
+        f"   {contact.tangential.stick_ratio**0.5:7.3f}   {contact.report.error_estimate.pressure:31.1e}"
     )
     assert abs(step.stick_ratio**0.5 - spence.stick_radius) < 0.03
 

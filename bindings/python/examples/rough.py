@@ -31,8 +31,8 @@ reports = [
 for report in reports:
     print(report)
 
-shear = ss.TangentialProblem(bodies, contact, 0.3, force_x=0.15 * contact.force).solve()
-print(f"at half the friction limit {100 * shear.stick_ratio:.0f} % of the contact sticks")
+tangential = ss.TangentialProblem(bodies, contact, 0.3, force_x=0.15 * contact.force).solve()
+print(f"at half the friction limit {100 * tangential.stick_ratio:.0f} % of the contact sticks")
 
 try:
     from stickslip import plot
@@ -43,7 +43,7 @@ else:
     # Lengths are those of the side of the grid, pressures those of Young's modulus: E = 1, L = 1.
     _, axes = pyplot.subplots(2, 2, figsize=(11, 8))
     plot.pressure_map(contact, axes[0, 0], length_unit="L", unit="E")
-    plot.stick_map(shear, axes[0, 1], length_unit="L")
+    plot.stick_map(tangential, axes[0, 1], length_unit="L")
     plot.spot_map(contact, axes[1, 0], by="area", length_unit="L", unit="L²")
     plot.work_precision(reports, axes[1, 1], scale=1e3, unit="ms")
     pyplot.savefig("rough.png")

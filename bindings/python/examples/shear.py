@@ -16,13 +16,13 @@ normal = ss.NormalProblem(bodies, ball, force=FORCE).solve()
 print("force, N   shift, um   exact, um   stick ratio   exact")
 solver = ss.TangentialProblem(bodies, normal, FRICTION, force_x=0.0).solver()
 for force in (10.0, 20.0, 30.0, 40.0):
-    shear = solver.solve(force_x=force)
+    tangential = solver.solve(force_x=force)
     exact = ss.analytical.CattaneoMindlin(hertz, FRICTION, force)
     print(
-        f"{force:8.0f}   {shear.shift[0] * 1e6:9.4f}   {exact.shift * 1e6:9.4f}"
-        f"   {shear.stick_ratio:11.3f}   {exact.stick_ratio:5.3f}"
+        f"{force:8.0f}   {tangential.shift[0] * 1e6:9.4f}   {exact.shift * 1e6:9.4f}"
+        f"   {tangential.stick_ratio:11.3f}   {exact.stick_ratio:5.3f}"
     )
-    assert abs(shear.shift[0] / exact.shift - 1.0) < 2e-3
+    assert abs(tangential.shift[0] / exact.shift - 1.0) < 2e-3
 
 try:
     solver.solve(force_x=60.0)
@@ -53,7 +53,7 @@ except ImportError:
     print("no matplotlib, no picture")
 else:
     _, (zones, traction, loop) = pyplot.subplots(1, 3, figsize=(15, 4))
-    plot.stick_map(shear, zones, scale=1e3, length_unit="mm")
-    plot.traction_map(shear, traction, scale=1e3, length_unit="mm", value_scale=1e-9, unit="GPa")
+    plot.stick_map(tangential, zones, scale=1e3, length_unit="mm")
+    plot.traction_map(tangential, traction, scale=1e3, length_unit="mm", value_scale=1e-9, unit="GPa")
     plot.hysteresis(cycle, loop, scale=1e6, length_unit="µm", unit="N")
     pyplot.savefig("shear.png")

@@ -11,14 +11,14 @@ grid = ss.Grid.square(64, 0.4)
 steel = ss.Material(210e3, 0.3)  # MPa, mm
 bodies = ss.HalfSpace(grid, (steel, steel))
 contact = ss.NormalProblem(bodies, ss.surface.sphere(grid, 5.0), force=100.0).solve()
-shear = ss.TangentialProblem(bodies, contact, 0.3, force_x=25.0).solve()
+tangential = ss.TangentialProblem(bodies, contact, 0.3, force_x=25.0).solve()
 hertz = ss.analytical.HertzSphere(bodies.pair, 5.0, 100.0)
 
 # From a side of a cell below the surface on: at the surface itself the stress at the edge of a sheared contact converges as
 # the root of the cells, of which a warning tells.
 depths = np.linspace(0.05, 1.5, 30) * hertz.contact_radius
 planes = ss.subsurface.Planes(bodies, depths)
-pressed, dragged = planes.solve_all("one", contact), planes.solve_all("one", (contact, shear))
+pressed, dragged = planes.solve_all("one", contact), planes.solve_all("one", (contact, tangential))
 print("depth / a   von Mises / p0, pressed   dragged")
 for still, moved in zip(pressed[::4], dragged[::4]):
     print(
@@ -36,7 +36,7 @@ assert abs(below.max_shear.max() / deepest.max_shear.max() - 1.0) < 0.01
 
 with tempfile.TemporaryDirectory() as folder:
     file = pathlib.Path(folder) / "stress.vti"
-    planes.write_vti(file, "one", (contact, shear))
+    planes.write_vti(file, "one", (contact, tangential))
     print(f"volume for ParaView: {file.stat().st_size} bytes")
 
 try:

@@ -42,6 +42,7 @@ impl Boundary {
             stickslip::Boundary::NonPeriodic => "non_periodic",
             stickslip::Boundary::Periodic => "periodic",
             stickslip::Boundary::PeriodicAlongY { .. } => "periodic_along_y",
+            _ => "unknown",
         }
     }
 
@@ -61,6 +62,7 @@ impl Boundary {
             stickslip::Boundary::PeriodicAlongY { datum } => {
                 format!("Boundary.periodic_along_y({})", short(datum))
             }
+            other => format!("{other:?}"),
         }
     }
 }

@@ -152,7 +152,7 @@ fn hash_of(bodies: &[stickslip::Material]) -> u64 {
 /// Parameters
 /// ----------
 /// body_1, body_2 : Material
-///     z points into body 1; pressure and shear act on it, and on body 2 with the other sign.
+///     z points into body 1; pressure and traction act on it, and on body 2 with the other sign.
 ///
 /// Raises
 /// ------
@@ -212,13 +212,13 @@ impl ElasticPair {
         self.0.equivalent_poisson_ratio()
     }
 
-    /// Dundurs' second parameter: whether and how strongly pressure and shear are coupled.
+    /// Dundurs' second parameter: whether and how strongly pressure and traction are coupled.
     #[getter]
     fn dundurs_beta(&self) -> f64 {
         self.0.dundurs_beta()
     }
 
-    /// Whether pressure and shear are coupled.
+    /// Whether pressure and traction are coupled.
     #[getter]
     fn is_coupled(&self) -> bool {
         self.0.is_coupled()

@@ -24,7 +24,7 @@ impl NormalStiffness {
         self.0.value
     }
 
-    /// Bound of its relative error; infinite where pressure and shear are found together.
+    /// Bound of its relative error; infinite where pressure and traction are found together.
     #[getter]
     fn bound(&self) -> f64 {
         self.0.bound
@@ -66,7 +66,7 @@ impl TangentialStiffness {
     }
 
     /// Bound of the errors, relative to the root of the product of the two entries on the diagonal; infinite where
-    /// pressure and shear are found together.
+    /// pressure and traction are found together.
     #[getter]
     fn bound(&self) -> f64 {
         self.0.bound
@@ -149,7 +149,7 @@ impl ContactStiffness {
         present(self.0.by_approach).into()
     }
 
-    /// By shifts along x and y and the twist, of the normal force: zero but where pressure and shear are found together.
+    /// By shifts along x and y and the twist, of the normal force: zero but where pressure and traction are found together.
     /// NaN for motions that the model does not have.
     #[getter]
     fn normal_by_motion(&self) -> (f64, f64, f64) {

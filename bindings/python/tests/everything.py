@@ -170,7 +170,7 @@ class Scene:
             "Convolution.apply": {"x": vector},
             "CoupledProblem": {"bodies": self.dissimilar, "normal_force": 100.0, "force_x": 20.0},
             "CoupledSolver.set_load": {"load": self.still},
-            "CoupledSolver.set_normal": {"force": 100.0},
+            "CoupledSolver.set_load": {"normal_force": 100.0},
             "CycleJump": {"closed_within": 0.9},
             "DenseOperator": {"rows": np.eye(3)},
             "DenseOperator.apply": {"x": np.ones(64)},

@@ -99,8 +99,8 @@ def test_dissimilar_bodies_slip_when_pressed():
     bodies = ss.HalfSpace(grid, pair)
     ball = ss.surface.sphere(grid, 3.5)
     contact = ss.CoupledProblem(bodies, ball, 0.1, normal_force=60.0, force_x=1.0).solve()
-    assert contact.normal.force == pytest.approx(60.0) and contact.shear.force[0] == pytest.approx(1.0)
-    assert contact.shear.slip_area > 0.0
+    assert contact.normal.force == pytest.approx(60.0) and contact.tangential.force[0] == pytest.approx(1.0)
+    assert contact.tangential.slip_area > 0.0
     solver = ss.CoupledProblem(bodies, ball, 0.1, normal_force=60.0).solver()
     solver.set_load(ss.TangentialLoad(force_x=1.0))
     assert solver.solve().normal.approach == pytest.approx(contact.normal.approach, rel=1e-6)

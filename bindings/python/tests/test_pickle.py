@@ -123,7 +123,7 @@ def test_coupled_solutions_come_back():
     bodies = ss.HalfSpace(grid, (ss.Material(70e3, 0.33), ss.Material(210e3, 0.3)))
     contact = ss.CoupledProblem(bodies, ss.surface.sphere(grid, 3.5), 0.1, normal_force=60.0).solve()
     back = same(contact)
-    assert back.normal == contact.normal and back.shear == contact.shear and back.report == contact.report
+    assert back.normal == contact.normal and back.tangential == contact.tangential and back.report == contact.report
     assert same(contact.normal) == contact.normal
 
 

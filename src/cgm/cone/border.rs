@@ -3,7 +3,8 @@
 use crate::cgm::cone::law::{Kind, Law};
 use crate::cgm::cone::workspace::gradient;
 use crate::cgm::cone::{Cone, ConeRun, N};
-use crate::cgm::small::Small;
+use crate::cgm::linear::Border;
+use crate::cgm::motion::Row;
 use crate::cgm::totals::sums_of;
 use crate::cgm::vector::{dot, norm, slices};
 use crate::cgm::{Total, reduce};
@@ -14,37 +15,6 @@ use crate::parallel;
 const LEAST_TURN: f64 = 1e-13;
 /// Times that all cells of a contact that cannot turn are made to stick.
 const TRIALS: usize = 2;
-
-/// The totals beside the cells as they may move at present.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Border {
-    /// The totals that the cells can change.
-    active: [bool; N],
-    /// The sum of each component that the spread of each multiplier adds, plus one over the compliance of a spring.
-    matrix: Small<N>,
-}
-
-impl Border {
-    /// Of motions that are prescribed.
-    pub(super) fn none() -> Self {
-        Self {
-            active: [false; N],
-            matrix: Small([[0.0; N]; N]),
-        }
-    }
-
-    /// Whether the cells can change the totals of which something is missing: not if none is in contact.
-    pub(super) fn carries(&self, missing: [f64; N]) -> bool {
-        let mut totals = self.active.iter().zip(missing);
-        totals.all(|(is_active, missing)| *is_active || missing == 0.0)
-    }
-
-    /// The changes of the multipliers that leave `missing` after `added`.
-    pub(super) fn balance(&self, missing: [f64; N], added: [f64; N]) -> [f64; N] {
-        let right = std::array::from_fn(|c| missing[c] - added[c]);
-        self.matrix.solve(right, self.active)
-    }
-}
 
 /// The cells that slip least of those that could carry more of what is missing.
 #[derive(Debug, Clone, Copy)]
@@ -69,67 +39,27 @@ fn slip_against(law: Law, [_, x, y]: [f64; N], missing: [f64; 2]) -> Option<f64>
 }
 
 impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
-    /// Finds how changes of the multipliers spread.
-    pub(super) fn border(&mut self) -> Border {
-        let totals = self.problem.totals;
-        let (mut active, mut matrix) = ([false; N], Small([[0.0; N]; N]));
+    /// Finds how changes of the multipliers spread; the totals that no cell can change have no part in it.
+    pub(super) fn border(&mut self) -> Border<N> {
+        let (totals, mut border) = (self.problem.totals, Border::NONE);
         for a in (0..N).filter(|&a| totals[a] != Total::Free) {
-            let mut unit = [0.0; N];
-            unit[a] = 1.0;
-            self.set_residual_of(unit);
-            self.precondition();
-            let added = self.added();
-            let w = &mut *self.workspace;
-            for (spread, z) in w.spread.iter_mut().zip(&w.correction) {
-                spread[a] = *z;
-            }
-            for (row, added) in matrix.0.iter_mut().zip(added) {
+            let added = self.linear().spread(a);
+            for (row, added) in border.matrix.0.iter_mut().zip(added) {
                 row[a] = added;
             }
             if let Total::Spring { compliance, .. } = totals[a] {
-                matrix.0[a][a] += 1.0 / compliance;
+                border.matrix.0[a][a] += 1.0 / compliance;
             }
-            active[a] = matrix.0[a][a] != 0.0;
+            border.active[a] = border.matrix.0[a][a] != 0.0;
         }
-        Border { active, matrix }
-    }
-
-    /// The equations that a uniform displacement makes, as the residual.
-    fn set_residual_of(&mut self, unit: [f64; N]) {
-        let w = &mut *self.workspace;
-        let laws = &w.laws;
-        w.contact.sweep(
-            w.contact.compressed(&mut w.residual),
-            |entries, residual| {
-                for (k, place) in entries.places().enumerate() {
-                    residual.items[k] = laws[entries.chunk.start + place].restrict(unit);
-                }
-            },
-        );
-    }
-
-    /// What the correction adds to the sums of all components.
-    pub(super) fn added(&self) -> [f64; N] {
-        let w = &*self.workspace;
-        let (laws, correction) = (&w.laws, &w.correction);
-        w.contact.sweep((), |entries, ()| {
-            let correction = &correction[entries.range.clone()];
-            entries.sums(|k, place| laws[entries.chunk.start + place].extend(correction[k]))
-        })
+        border
     }
 
     /// What is missing of the totals.
     pub(super) fn missing(&self) -> [f64; N] {
         let sums = sums_of(self.problem.layout, &slices(&self.x));
         let multiplier = self.workspace.multiplier;
-        std::array::from_fn(|c| match self.problem.totals[c] {
-            Total::Free => 0.0,
-            Total::Sum(sum) => sum - sums[c][0],
-            Total::Spring {
-                far_end,
-                compliance,
-            } => (far_end - multiplier[c]) / compliance - sums[c][0],
-        })
+        std::array::from_fn(|c| self.problem.totals[c].missing(sums[c][0], multiplier[c]))
     }
 
     /// The multipliers of springs follow what the tractions have become.
@@ -150,10 +80,10 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
             return;
         }
         let w = &mut *self.workspace;
-        let laws = &w.laws;
-        let moves = |place: usize| laws[place].touches() && !laws[place].is_held;
+        let laws = &w.linear.rows;
+        let moves = |place: usize| laws[place].moves() && !laws[place].is_held;
         if !reduce::any(self.problem.layout, moves) {
-            parallel::update(&mut w.laws, |_, laws| {
+            parallel::update(&mut w.linear.rows, |_, laws| {
                 for law in laws {
                     law.is_held = false;
                 }
@@ -166,8 +96,8 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     pub(super) fn let_stick(&mut self) {
         let totals = self.problem.totals;
         let w = &*self.workspace;
-        let laws = &w.laws;
-        let mobility: [[f64; 2]; 2] = w.contact.sweep((), |entries, ()| {
+        let laws = &w.linear.rows;
+        let mobility: [[f64; 2]; 2] = w.linear.moving.sweep((), |entries, ()| {
             entries.sums(|_, place| laws[entries.chunk.start + place].mobility())
         });
         let [[xx, xy], [_, yy]] = mobility;
@@ -186,7 +116,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         let nearest = self.nearest_to_stick();
         let w = &mut *self.workspace;
         let gradient = gradient(&w.product, self.problem.linear, w.multiplier);
-        parallel::update(&mut w.laws, |first, laws| {
+        parallel::update(&mut w.linear.rows, |first, laws| {
             for (i, law) in (first..).zip(laws) {
                 if nearest.is_none_or(|nearest| nearest.include(*law, gradient(i))) {
                     *law = law.stuck();
@@ -203,7 +133,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         }
         let ([_, x, y], w) = (self.missing(), &*self.workspace);
         let gradient = gradient(&w.product, self.problem.linear, w.multiplier);
-        let laws = &w.laws;
+        let laws = &w.linear.rows;
         let slip = |i: usize| slip_against(laws[i], gradient(i), [x, y]);
         let least = reduce::least(self.problem.layout, |i| slip(i).map(|s| (s, ())));
         let (least, ()) = least?;
@@ -211,23 +141,5 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
             missing: [x, y],
             most: least * (1.0 + 1e-9),
         })
-    }
-
-    /// Adds the spread of changes of the multipliers to the correction.
-    pub(super) fn add_spread(&mut self, change: [f64; N]) {
-        if norm(change) == 0.0 {
-            return;
-        }
-        let w = &mut *self.workspace;
-        let spread = &w.spread;
-        parallel::update(&mut w.correction, |first, chunk| {
-            for (z, spread) in chunk.iter_mut().zip(&spread[first..]) {
-                for (change, part) in change.iter().zip(spread) {
-                    for (z, part) in z.iter_mut().zip(part) {
-                        *z += change * part;
-                    }
-                }
-            }
-        });
     }
 }

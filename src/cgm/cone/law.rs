@@ -1,18 +1,38 @@
 //! How a cell of the cone moves: apart, without friction, sticking or slipping.
 
 use crate::cgm::cone::{Cone, N};
+use crate::cgm::motion::Row;
 use crate::cgm::turn::Weight;
-use crate::cgm::vector::{dot, norm};
+use crate::cgm::vector::{dot, norm, plus};
 
 /// How a cell may move, in the linear system of a step.
 ///
 /// Its unknowns are the changes of the pressure and of the traction: of both components where it sticks, along the
 /// circle of its limit where it slips, where the limit follows the pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Law {
+pub(crate) struct Law {
     pub(super) kind: Kind,
     /// Whether the cell is at its hardness: its pressure stays.
     pub(super) is_held: bool,
+    /// What the preconditioner makes of its tangential residual.
+    weight: Weight,
+    pub(super) lag: Lag,
+}
+
+/// How a cell that enters the contact lags behind its motion: by $`\kappa g\,q/p`$ from a gap g.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Lag {
+    /// $`\kappa g/p`$; zero where the cell does not enter.
+    pub(super) own: f64,
+    /// Traction over pressure, $`q/p`$.
+    pub(super) ratio: [f64; 2],
+}
+
+impl Lag {
+    const NONE: Self = Self {
+        own: 0.0,
+        ratio: [0.0; 2],
+    };
 }
 
 /// How a cell of the cone stands.
@@ -38,7 +58,6 @@ pub(super) struct Slip {
     slope: f64,
     /// Slip over the limit: what the curvature of the circle adds to the stiffness.
     stiffness: f64,
-    weight: Weight,
 }
 
 impl Slip {
@@ -49,7 +68,6 @@ impl Slip {
             limit: 0.0,
             slope: 0.0,
             stiffness: 0.0,
-            weight: Weight::PATTERN,
         })
     }
 
@@ -81,10 +99,16 @@ fn along(v: [f64; 2], size: f64) -> [f64; 2] {
 }
 
 impl Law {
-    pub(super) const OPEN: Self = Self {
-        kind: Kind::Open,
-        is_held: false,
-    };
+    pub(super) const OPEN: Self = Self::new(Kind::Open, false);
+
+    const fn new(kind: Kind, is_held: bool) -> Self {
+        Self {
+            kind,
+            is_held,
+            weight: Weight::PATTERN,
+            lag: Lag::NONE,
+        }
+    }
 
     /// At the tractions of a start.
     pub(super) fn of([p, x, y]: [f64; N], limit: f64, hardness: f64) -> Self {
@@ -98,23 +122,12 @@ impl Law {
         } else {
             Kind::Stick
         };
-        Self {
-            kind,
-            is_held: p > 0.0 && p >= hardness,
-        }
-    }
-
-    pub(super) fn touches(self) -> bool {
-        self.kind != Kind::Open
-    }
-
-    pub(super) fn sticks(self) -> bool {
-        self.kind == Kind::Stick
+        Self::new(kind, p > 0.0 && p >= hardness)
     }
 
     /// Whether the cell moves as under another law.
     pub(super) fn is_like(self, other: Self) -> bool {
-        let [now, then] = [self, other].map(|law| (law.touches(), law.sticks(), law.is_held));
+        let [now, then] = [self, other].map(|law| (law.moves(), law.is_free(), law.is_held));
         now == then
     }
 
@@ -146,100 +159,27 @@ impl Law {
         }
     }
 
-    /// With limit, slope and stiffness at slip `s`; limits below `least` have the stiffness of that. The last are the least
-    /// eigenvalue of the operator and what the cell has of its own.
+    /// With limit, slope and stiffness at slip `s`; limits below `least` have the stiffness of that. The last is the least
+    /// eigenvalue of the operator.
     pub(super) fn measured(
-        self,
+        mut self,
         s: [f64; 2],
         [limit, slope]: [f64; 2],
         least: f64,
-        [lower_bound, own]: [f64; 2],
+        lower_bound: f64,
     ) -> Self {
-        let Kind::Slip(slip) = self.kind else {
-            return self;
+        let mut alone = self.lag.own;
+        if let Kind::Slip(slip) = &mut self.kind {
+            let stiffness = (-dot(s, slip.normal)).max(0.0) / limit.max(least);
+            (slip.limit, slip.slope, slip.stiffness) = (limit, slope, stiffness);
+            alone += stiffness;
+        }
+        self.weight = if alone > 0.0 {
+            Weight::new(alone, lower_bound)
+        } else {
+            Weight::PATTERN
         };
-        let stiffness = (-dot(s, slip.normal)).max(0.0) / limit.max(least);
-        Self {
-            kind: Kind::Slip(Slip {
-                limit,
-                slope,
-                stiffness,
-                weight: Weight::new(stiffness + own, lower_bound),
-                ..slip
-            }),
-            ..self
-        }
-    }
-
-    /// The change of the tractions that changes of the unknowns make.
-    pub(super) fn extend(self, v: [f64; N]) -> [f64; N] {
-        let p = self.pressed(v[0]);
-        match self.kind {
-            Kind::Open => [0.0; N],
-            Kind::Smooth => [p, 0.0, 0.0],
-            Kind::Stick => [p, v[1], v[2]],
-            Kind::Slip(slip) => {
-                let (n, t, grown) = (slip.normal, slip.tangent(), slip.slope * p);
-                [p, grown * n[0] + v[1] * t[0], grown * n[1] + v[1] * t[1]]
-            }
-        }
-    }
-
-    /// The equations of a cell, from displacements.
-    pub(super) fn restrict(self, w: [f64; N]) -> [f64; N] {
-        let gap = self.pressed(w[0]);
-        match self.kind {
-            Kind::Open => [0.0; N],
-            Kind::Smooth => [gap, 0.0, 0.0],
-            Kind::Stick => [gap, w[1], w[2]],
-            Kind::Slip(slip) => [gap, dot(slip.tangent(), [w[1], w[2]]), 0.0],
-        }
-    }
-
-    /// The negative equations of a cell at its tractions, with gap and slip `r`: what is left to solve.
-    pub(super) fn residual(self, x: [f64; N], r: [f64; N]) -> [f64; N] {
-        let moved = match self.kind {
-            Kind::Slip(slip) => [0.0, dot(slip.tangent(), [x[1], x[2]]), 0.0],
-            Kind::Open | Kind::Smooth | Kind::Stick => [0.0; N],
-        };
-        let (row, bend) = (self.restrict(r), self.bend(moved));
-        std::array::from_fn(|c| -row[c] - bend[c])
-    }
-
-    /// What the curvature of the circle adds to the equations at changes of the unknowns.
-    pub(super) fn bend(self, v: [f64; N]) -> [f64; N] {
-        match self.kind {
-            Kind::Slip(slip) => [0.0, slip.stiffness * v[1], 0.0],
-            Kind::Open | Kind::Smooth | Kind::Stick => [0.0; N],
-        }
-    }
-
-    /// The pattern of tractions that goes to the inverse operator for a residual, of a cell with this weight while it
-    /// sticks.
-    pub(super) fn weighted(self, r: [f64; N], weight: Weight) -> [f64; N] {
-        match self.kind {
-            Kind::Stick => [r[0], weight.weighted(r[1]), weight.weighted(r[2])],
-            Kind::Slip(slip) => {
-                let (t, along) = (slip.tangent(), slip.weight.weighted(r[1]));
-                [r[0], along * t[0], along * t[1]]
-            }
-            Kind::Open | Kind::Smooth => self.restrict(r),
-        }
-    }
-
-    /// The preconditioned residual, with the `answer` of the inverse operator.
-    pub(super) fn preconditioned(self, answer: [f64; N], r: [f64; N], weight: Weight) -> [f64; N] {
-        let mut z = self.restrict(answer);
-        match self.kind {
-            Kind::Open | Kind::Smooth => {}
-            Kind::Stick => {
-                for c in 1..N {
-                    z[c] = weight.preconditioned(z[c], r[c]);
-                }
-            }
-            Kind::Slip(slip) => z[1] = slip.weight.preconditioned(z[1], r[1]),
-        }
-        z
+        self
     }
 
     /// How a cell moves next, and where it stands, after the linear system has left it at the tractions `x` with gap
@@ -268,7 +208,7 @@ impl Law {
         };
         let p = x[0].min(noise.hardness);
         let limit = friction.limit(cell, p);
-        let carrying = |kind: Kind, q: [f64; 2]| (Self { kind, is_held }, [p, q[0], q[1]]);
+        let carrying = |kind: Kind, q: [f64; 2]| (Self::new(kind, is_held), [p, q[0], q[1]]);
         match self.kind {
             Kind::Open | Kind::Smooth => {
                 let has_friction = limit > 0.0;
@@ -297,6 +237,83 @@ impl Law {
                 carrying(Slip::along(normal), normal.map(|n| limit * n))
             }
         }
+    }
+}
+
+impl Row<N> for Law {
+    const IS_CURVED: bool = true;
+    const IS_STEADY: bool = false;
+    const HAS_LAG: bool = true;
+    const FREE: Self = Self::new(Kind::Stick, false);
+    const FIXED: Self = Self::OPEN;
+
+    fn moves(self) -> bool {
+        self.kind != Kind::Open
+    }
+
+    fn is_free(self) -> bool {
+        self.kind == Kind::Stick
+    }
+
+    fn extend(self, v: [f64; N]) -> [f64; N] {
+        let p = self.pressed(v[0]);
+        match self.kind {
+            Kind::Open => [0.0; N],
+            Kind::Smooth => [p, 0.0, 0.0],
+            Kind::Stick => [p, v[1], v[2]],
+            Kind::Slip(slip) => {
+                let (n, t, grown) = (slip.normal, slip.tangent(), slip.slope * p);
+                [p, grown * n[0] + v[1] * t[0], grown * n[1] + v[1] * t[1]]
+            }
+        }
+    }
+
+    fn restrict(self, w: [f64; N]) -> [f64; N] {
+        let gap = self.pressed(w[0]);
+        match self.kind {
+            Kind::Open => [0.0; N],
+            Kind::Smooth => [gap, 0.0, 0.0],
+            Kind::Stick => [gap, w[1], w[2]],
+            Kind::Slip(slip) => [gap, dot(slip.tangent(), [w[1], w[2]]), 0.0],
+        }
+    }
+
+    fn bend(self, v: [f64; N]) -> [f64; N] {
+        match self.kind {
+            Kind::Slip(slip) => [0.0, slip.stiffness * v[1], 0.0],
+            Kind::Open | Kind::Smooth | Kind::Stick => [0.0; N],
+        }
+    }
+
+    fn lag(self, [dp, dx, dy]: [f64; N]) -> [f64; N] {
+        let Lag { own, ratio } = self.lag;
+        let [x, y] = plus([dx, dy], -dp, ratio);
+        [0.0, own * x, own * y]
+    }
+
+    fn weighted(self, r: [f64; N]) -> [f64; N] {
+        let weight = self.weight;
+        match self.kind {
+            Kind::Stick => [r[0], weight.weighted(r[1]), weight.weighted(r[2])],
+            Kind::Slip(slip) => {
+                let (t, along) = (slip.tangent(), weight.weighted(r[1]));
+                [r[0], along * t[0], along * t[1]]
+            }
+            Kind::Open | Kind::Smooth => self.restrict(r),
+        }
+    }
+
+    fn preconditioned(self, answer: [f64; N], r: [f64; N]) -> [f64; N] {
+        let mut z = self.restrict(answer);
+        let tangential = match self.kind {
+            Kind::Open | Kind::Smooth => 1..1,
+            Kind::Slip(_) => 1..2,
+            Kind::Stick => 1..N,
+        };
+        for c in tangential {
+            z[c] = self.weight.preconditioned(z[c], r[c]);
+        }
+        z
     }
 }
 

@@ -20,25 +20,25 @@
 //! `|s| <= m' |g|`. Were it to stick, the method would circle at the edge of every contact that grows.
 
 mod border;
-mod gmres;
-mod krylov;
 mod lag;
 mod law;
 mod newton;
 mod response;
 mod workspace;
 
-use std::ops::ControlFlow;
-
+use crate::cgm::cone::newton::Course;
+use crate::cgm::linear::Border;
 use crate::cgm::monitor::Monitor;
+use crate::cgm::newton::newton;
 use crate::cgm::{Settings, Total, reduce};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::layout::Layout;
 use crate::operator::Operator;
 use crate::per_cell::PerCell;
-use crate::report::{Iteration, Status};
+use crate::report::Status;
+use crate::watch::Observer;
 
-pub(crate) use response::{Stand, responses};
+pub(crate) use response::Stand;
 pub(crate) use workspace::ConeWorkspace;
 
 /// Components of a vector: along z, x and y.
@@ -120,14 +120,13 @@ pub(crate) struct ConeRun<'a, 'b, C: Operator<N>, P: Operator<N>, F> {
     monitor: Monitor<'a>,
     x: [&'a mut [f64]; N],
     workspace: &'a mut ConeWorkspace<C, P>,
-    /// Cells that stick, as last examined.
-    free: usize,
     /// Whether the product is that of the tractions, in double precision.
     is_fresh: bool,
-    /// The memory that could not be had on the way, if any.
-    lack: Option<Error>,
     /// Times that all cells slipped the same way.
     times_held: usize,
+    opening: Opening,
+    course: Course,
+    border: Border<N>,
 }
 
 /// Solves from the tractions `x` into them, at multipliers that the workspace begins and ends with; `None` where the
@@ -142,29 +141,34 @@ pub(crate) fn solve<C: Operator<N>, P: Operator<N>, F: Cone>(
     opening: Opening,
     x: [&mut [f64]; N],
     workspace: &mut ConeWorkspace<C, P>,
-    observer: &mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
+    observer: Observer<'_>,
 ) -> Result<(Option<Status>, ConeFindings)> {
     let mut run = ConeRun {
         problem,
-        monitor: Monitor::new(settings, problem.layout, observer, &mut workspace.report),
+        monitor: Monitor::new(
+            settings,
+            problem.layout,
+            observer,
+            &mut workspace.linear.report,
+        ),
         x,
         workspace,
-        free: 0,
         is_fresh: false,
-        lack: None,
         times_held: 0,
+        opening,
+        course: Course::BEGIN,
+        border: Border::NONE,
     };
-    run.make_own(problem.closing.map_or(0, <[f64]>::len))?;
-    let status = run.newton(opening);
+    let status = newton(&mut run);
     if !run.is_fresh && status.is_some() {
         // It may have ended within a linear system, which lets cells leave their cones.
         run.set_laws();
     }
     run.refresh();
-    let findings = run.examine();
+    let findings = run.findings();
     run.add_lag(-1.0);
-    let report = &mut run.workspace.report;
+    let report = &mut run.workspace.linear.report;
     let ended = status.unwrap_or(Status::Stalled);
     run.monitor.finish(ended, findings.merit(), report);
-    run.lack.map_or(Ok((status, findings)), Err)
+    run.monitor.lack.map_or(Ok((status, findings)), Err)
 }

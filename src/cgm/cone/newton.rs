@@ -6,10 +6,12 @@ use crate::cgm::certificate::{Iterate, Shown, measure};
 use crate::cgm::cone::law::{Law, Noise};
 use crate::cgm::cone::workspace::gradient;
 use crate::cgm::cone::{Cone, ConeFindings, ConeRun, N, Opening};
+use crate::cgm::linear::{BASES, Linear, Moved};
+use crate::cgm::motion::Row;
+use crate::cgm::newton::NewtonSteps;
 use crate::cgm::run::Precision;
 use crate::cgm::vector::{chunks, held, norm, put, slices, slices_mut};
 use crate::cgm::{Admissible, Carried, Disc, Magnitude, reduce};
-use crate::error::Result;
 use crate::layout::Layout;
 use crate::operator::Operator;
 use crate::parallel;
@@ -30,77 +32,120 @@ const NOISE: f64 = 0.1;
 /// Part of the largest limit below which a limit is as good as none.
 pub(super) const NOTHING: f64 = 1e-9;
 
-impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
-    /// Ends with the status of the run; `None` if the start is refused, or the sets cycle.
-    pub(super) fn newton(&mut self, opening: Opening) -> Option<Status> {
-        match self.steps(opening) {
-            ControlFlow::Break(status) => Some(status),
-            ControlFlow::Continue(()) => self.monitor.stuck(),
-        }
-    }
+/// How the steps of a solve go on.
+#[derive(Debug)]
+pub(super) struct Course {
+    /// Least residual so far, and steps without halving it.
+    best: f64,
+    without: usize,
+    /// Least that was missing of the totals.
+    missing: f64,
+    /// Cells that the last step has put into other sets.
+    changes: usize,
+    residual: f64,
+    load_error: f64,
+}
 
-    fn steps(&mut self, opening: Opening) -> ControlFlow<Status> {
-        let tolerance = self.monitor.tolerance();
-        let (mut best, mut without, mut changes) = (f64::INFINITY, 0, usize::MAX);
-        let mut missing = f64::INFINITY;
+impl Course {
+    pub(super) const BEGIN: Self = Self {
+        best: f64::INFINITY,
+        without: 0,
+        missing: f64::INFINITY,
+        changes: usize::MAX,
+        residual: f64::INFINITY,
+        load_error: f64::INFINITY,
+    };
+}
+
+impl<C: Operator<N>, P: Operator<N>, F: Cone> NewtonSteps for ConeRun<'_, '_, C, P, F> {
+    fn begin(&mut self) -> ControlFlow<Status> {
         self.set_laws();
-        loop {
-            let is_early = best > EARLY && best.is_finite();
-            self.refresh_in(if is_early {
-                Precision::Single
-            } else {
-                Precision::Double
-            });
-            let mut findings = self.examine();
-            if is_early && findings.merit() <= tolerance {
-                // Only what is exact is an end.
-                self.refresh();
-                findings = self.examine();
-            }
-            let merit = findings.merit();
-            self.monitor
-                .judge(merit, self.free, &mut self.workspace.report)?;
-            // What is missing of the totals does no harm: the first step adds it.
-            if best.is_infinite() && opening.refuses(findings.residual) {
-                return ControlFlow::Continue(());
-            }
-            // Close to sliding the shift grows with each step and the cells turn into the direction of the force, at a
-            // residual that stays: the force comes nearer first.
-            let is_nearer = missing > ROUND_OFF && findings.load_error < 0.5 * missing;
-            missing = missing.min(findings.load_error);
-            if merit < 0.5 * best {
-                (best, without) = (merit, 0);
-            } else if is_nearer {
-                without = 0;
-            } else {
-                without += 1;
-                if without >= PATIENCE {
-                    return ControlFlow::Continue(());
-                }
-            }
-            self.linearise()?;
-            let border = self.border();
-            if !border.carries(self.missing()) {
-                return ControlFlow::Continue(());
-            }
-            let reduction = if changes == usize::MAX && opening == Opening::Coarse {
-                FIRST_REDUCTION
-            } else if changes > 0 {
-                INNER_REDUCTION
-            } else {
-                (0.3 * tolerance / merit).clamp(LEAST_REDUCTION, INNER_REDUCTION)
-            };
-            self.solve_linear(&border, reduction)?;
-            changes = self.reclassify(tolerance);
-            self.hold_springs();
-        }
+        ControlFlow::Continue(())
     }
 
+    fn examine(&mut self) -> ControlFlow<Status, f64> {
+        let is_early = self.course.best > EARLY && self.course.best.is_finite();
+        self.refresh_in(if is_early {
+            Precision::Single
+        } else {
+            Precision::Double
+        });
+        let mut findings = self.findings();
+        if is_early && findings.merit() <= self.monitor.tolerance() {
+            // Only what is exact is an end.
+            self.refresh();
+            findings = self.findings();
+        }
+        let merit = findings.merit();
+        let report = &mut self.workspace.linear.report;
+        self.monitor.judge(merit, report)?;
+        (self.course.residual, self.course.load_error) = (findings.residual, findings.load_error);
+        ControlFlow::Continue(merit)
+    }
+
+    fn is_stuck_at(&mut self, merit: f64) -> bool {
+        let course = &mut self.course;
+        // What is missing of the totals does no harm: the first step adds it.
+        if course.best.is_infinite() && self.opening.refuses(course.residual) {
+            return true;
+        }
+        // Close to sliding the shift grows with each step and the cells turn into the direction of the force, at a
+        // residual that stays: the force comes nearer first.
+        let is_nearer = course.missing > ROUND_OFF && course.load_error < 0.5 * course.missing;
+        course.missing = course.missing.min(course.load_error);
+        if merit < 0.5 * course.best {
+            (course.best, course.without) = (merit, 0);
+        } else if is_nearer {
+            course.without = 0;
+        } else {
+            course.without += 1;
+        }
+        course.without >= PATIENCE
+    }
+
+    fn linearise(&mut self, _: f64) -> ControlFlow<Status, bool> {
+        self.monitor.unless_lacking(self.workspace.list_contact())?;
+        self.let_press();
+        self.let_stick();
+        self.measure_slip();
+        self.border = self.border();
+        let missing = self.missing();
+        let is_carried = |c: usize| self.border.active[c] || missing[c] == 0.0;
+        ControlFlow::Continue((0..N).all(is_carried))
+    }
+
+    fn solve_linear(&mut self, merit: f64) -> ControlFlow<Status> {
+        let (border, missing) = (self.border, self.missing());
+        let reduction = if self.course.changes == usize::MAX && self.opening == Opening::Coarse {
+            FIRST_REDUCTION
+        } else if self.course.changes > 0 {
+            INNER_REDUCTION
+        } else {
+            (0.3 * self.monitor.tolerance() / merit).clamp(LEAST_REDUCTION, INNER_REDUCTION)
+        };
+        self.is_fresh = false;
+        let (mut linear, mut moved) = self.parts();
+        let solved = linear.solve(&border, missing, (BASES, reduction), &mut moved);
+        solved.map_continue(|_| ())
+    }
+
+    fn decide(&mut self) -> ControlFlow<Status> {
+        self.course.changes = self.reclassify(self.monitor.tolerance());
+        self.hold_springs();
+        ControlFlow::Continue(())
+    }
+
+    fn stuck(&self) -> Option<Status> {
+        self.monitor.stuck()
+    }
+}
+
+impl<'a, C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'a, '_, C, P, F> {
     /// Brings the tractions within their cones, and finds how the cells move there.
     pub(super) fn set_laws(&mut self) {
         self.is_fresh = false;
         let (friction, hardness) = (&self.problem.friction, self.problem.hardness);
-        let laws = &mut self.workspace.laws;
+        let laws = &mut self.workspace.linear.rows;
         move_cells(
             self.problem.layout,
             &mut self.x,
@@ -129,9 +174,15 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     fn refresh_in(&mut self, precision: Precision) {
         self.is_fresh = precision == Precision::Double;
         let w = &mut *self.workspace;
-        let (operator, report) = (&self.problem.operator, &mut w.report);
+        let (operator, report) = (&self.problem.operator, &mut w.linear.report);
         let product = slices_mut(&mut w.product);
-        precision.apply(operator, slices(&self.x), product, &mut w.operator, report);
+        precision.apply(
+            operator,
+            slices(&self.x),
+            product,
+            &mut w.linear.operator,
+            report,
+        );
         let (friction, pressure) = (&self.problem.friction, &*self.x[0]);
         parallel::update(&mut w.limits, |first, limits| {
             for (i, limit) in (first..).zip(limits) {
@@ -142,7 +193,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
     }
 
     /// Examines the iterate by the product at hand, and writes the findings to the report.
-    pub(super) fn examine(&mut self) -> ConeFindings {
+    pub(super) fn findings(&mut self) -> ConeFindings {
         let (problem, w) = (self.problem, &*self.workspace);
         let normal = Iterate {
             layout: problem.layout,
@@ -165,15 +216,15 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         let [least_normal, least_plane] = problem.lower_bounds;
         let normal = measure(&normal, &Carried(problem.hardness), least_normal);
         let plane = measure(&plane, &Magnitude(&w.limits), least_plane);
-        let findings = self.findings(&normal, &plane);
-        let report = &mut self.workspace.report;
+        let findings = self.found(&normal, &plane);
+        let report = &mut self.workspace.linear.report;
         report.residual = findings.residual;
         report.load_error = findings.load_error;
-        self.free = findings.free;
+        self.monitor.free = findings.free;
         findings
     }
 
-    fn findings(&self, normal: &Shown, plane: &Shown) -> ConeFindings {
+    fn found(&self, normal: &Shown, plane: &Shown) -> ConeFindings {
         let pressed = normal.measure();
         // A contact that sticks from rest does not move: what the pressure alone would do is the measure.
         let moved = reduce::larger(plane.measure(), self.problem.coupling * pressed);
@@ -191,34 +242,6 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         }
     }
 
-    /// The linear problem of the cells as they move now.
-    fn linearise(&mut self) -> ControlFlow<Status> {
-        let w = &mut *self.workspace;
-        let laws = &w.laws;
-        w.contact.update(|i| laws[i].touches());
-        let room = w.make_room();
-        self.unless_lacking(room)?;
-        let w = &mut *self.workspace;
-        for part in &mut w.direction {
-            part.fill(0.0);
-        }
-        self.let_press();
-        self.let_stick();
-        self.measure_slip();
-        ControlFlow::Continue(())
-    }
-
-    /// Ends the run where memory could not be had.
-    pub(super) fn unless_lacking(&mut self, room: Result<()>) -> ControlFlow<Status> {
-        match room {
-            Ok(()) => ControlFlow::Continue(()),
-            Err(lack) => {
-                self.lack = Some(lack);
-                ControlFlow::Break(Status::Stalled)
-            }
-        }
-    }
-
     /// The stiffness of every cell that slips, from the slip just measured.
     fn measure_slip(&mut self) {
         let (friction, [_, least_plane]) = (&self.problem.friction, self.problem.lower_bounds);
@@ -226,16 +249,43 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         let gradient = gradient(&w.product, self.problem.linear, w.multiplier);
         let (pressure, limits) = (&*self.x[0], &w.limits);
         let least = NOTHING * reduce::max(self.problem.layout, |i| limits[i]);
-        parallel::update(&mut w.laws, |first, laws| {
+        parallel::update(&mut w.linear.rows, |first, laws| {
             for (i, law) in (first..).zip(laws) {
-                if law.touches() {
+                if law.moves() {
                     let [_, x, y] = gradient(i);
                     let limit = [limits[i], friction.slope(i, pressure[i])];
-                    let own = w.own.get(i).copied().unwrap_or(0.0);
-                    *law = law.measured([x, y], limit, least, [least_plane, own]);
+                    *law = law.measured([x, y], limit, least, least_plane);
                 }
             }
         });
+    }
+
+    /// The linear problem of the cells as they may move now: what they have of their own is in their laws.
+    pub(super) fn linear(&mut self) -> Linear<'_, 'a, C, P, Law, N> {
+        self.parts().0
+    }
+
+    /// The same, and the iterate that its solution moves.
+    fn parts(&mut self) -> (Linear<'_, 'a, C, P, Law, N>, Moved<'_, 'a, N>) {
+        let (problem, w) = (self.problem, &mut *self.workspace);
+        let linear = Linear {
+            operator: &problem.operator,
+            preconditioner: &problem.preconditioner,
+            layout: problem.layout,
+            diagonal: &[],
+            lower_bound: 0.0,
+            restraint: 0.0,
+            stiff: f64::INFINITY,
+            monitor: &mut self.monitor,
+            workspace: &mut w.linear,
+        };
+        let moved = Moved {
+            x: &mut self.x,
+            displacement: &mut w.product,
+            gap: problem.linear,
+            multiplier: &mut w.multiplier,
+        };
+        (linear, moved)
     }
 
     /// Decides at the equilibrated state how every cell moves next, and puts it into its set. Returns how many changed.
@@ -256,7 +306,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
         move_cells(
             problem.layout,
             &mut self.x,
-            &mut w.laws,
+            &mut w.linear.rows,
             |cell, law, tractions| {
                 let noise = Noise {
                     lag: problem.closing_of(cell),
@@ -267,16 +317,6 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
                 (next, value, !next.is_like(law))
             },
         )
-    }
-
-    /// Counts a step.
-    pub(super) fn count_step(&mut self) {
-        self.monitor.count_step(&mut self.workspace.report);
-    }
-
-    /// Asks observer, clock and limit whether to take another step.
-    pub(super) fn proceed(&mut self) -> ControlFlow<Status> {
-        self.monitor.proceed(self.free, &self.workspace.report)
     }
 }
 

@@ -91,7 +91,7 @@ impl Scene {
             .build()
     }
 
-    /// Pressure and shear traction at the centres of the cells, where they have a closed form.
+    /// Pressure and traction traction at the centres of the cells, where they have a closed form.
     pub fn closed_form(&self) -> Option<[Field; 2]> {
         let exact = self.exact?;
         let pressure = |x: f64, y: f64| exact.hertz().pressure(x.hypot(y));

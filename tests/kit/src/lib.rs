@@ -88,7 +88,7 @@ fn add_wave(heights: &mut Field, [kx, ky]: [f64; 2], amplitude: f64, phase: f64)
     }
 }
 
-/// Two equal bodies of unit contact modulus: no coupling between pressure and shear.
+/// Two equal bodies of unit contact modulus: no coupling between pressure and traction.
 pub fn unit_pair(poisson_ratio: f64) -> ElasticPair {
     let each = Material::new(2.0 * (1.0 - poisson_ratio * poisson_ratio), poisson_ratio).unwrap();
     ElasticPair::new(each, each).unwrap()

@@ -1,4 +1,4 @@
-// Pressure and shear of dissimilar bodies found together.
+// Pressure and traction of dissimilar bodies found together.
 
 #ifndef STICKSLIP_COUPLED_HPP
 #define STICKSLIP_COUPLED_HPP
@@ -27,7 +27,7 @@ class CoupledSolution {
         return detail::asked<stickslip_normal_result>(
             [&](auto *out) { return stickslip_coupled_solution_results(get(), out, nullptr); });
     }
-    stickslip_tangential_result shear() const {
+    stickslip_tangential_result tangential() const {
         return detail::asked<stickslip_tangential_result>(
             [&](auto *out) { return stickslip_coupled_solution_results(get(), nullptr, out); });
     }
@@ -49,19 +49,21 @@ class CoupledSolution {
     Own own_;
 };
 
-/// Solves contacts of dissimilar bodies, pressure and shear together.
+/// Solves contacts of dissimilar bodies, pressure and traction together.
 class CoupledSolver {
   public:
     CoupledSolver(const HalfSpace &bodies, Field gap, const stickslip_friction &friction, stickslip_normal_load normal,
-                  const stickslip_tangential_load &load, const Settings *settings = nullptr,
-                  const stickslip_relative_displacement *relative = nullptr)
+                  const stickslip_tangential_load &tangential, const Settings *settings = nullptr,
+                  const stickslip_relative_displacement *relative = nullptr,
+                  const stickslip_per_cell *hardness = nullptr)
         : own_(detail::made<Own>([&](auto **out) {
-              return stickslip_coupled_solver_new(bodies.get(), gap.data(), gap.size(), &friction, &normal, &load,
-                                                  relative, settings, out);
+              return stickslip_coupled_solver_new(bodies.get(), gap.data(), gap.size(), &friction, &normal,
+                                                  &tangential, hardness, relative, settings, out);
           })) {}
 
-    void set_normal(stickslip_normal_load normal) { check(stickslip_coupled_solver_set_normal(get(), &normal)); }
-    void set_load(const stickslip_tangential_load &load) { check(stickslip_coupled_solver_set_load(get(), &load)); }
+    void set_load(stickslip_normal_load normal, const stickslip_tangential_load &tangential) {
+        check(stickslip_coupled_solver_set_load(get(), &normal, &tangential));
+    }
     void set_gap(Field gap) { check(stickslip_coupled_solver_set_gap(get(), gap.data(), gap.size())); }
     void set_friction(const stickslip_friction &friction) {
         check(stickslip_coupled_solver_set_friction(get(), &friction));

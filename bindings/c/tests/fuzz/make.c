@@ -74,8 +74,8 @@ void make(struct run *run) {
     }
     case 4:
         SEEN(stickslip_coupled_solver_new(on, maybe(run, gap), count, maybe(run, &law), maybe(run, &press),
-                                          maybe(run, &drag), below(run, 6) == 0 ? &relative : NULL,
-                                          below(run, 2) == 0 ? &set : NULL, maybe_out(run, &made)));
+                                          maybe(run, &drag), below(run, 4) == 0 ? &hardness : NULL,
+                                          below(run, 6) == 0 ? &relative : NULL, below(run, 2) == 0 ? &set : NULL, maybe_out(run, &made)));
         put(run, COUPLED, made, cells);
         break;
     case 5: {

@@ -9,8 +9,8 @@ then the shear traction, the stick zone and the slip zone under Coulomb friction
 >>> bodies = ss.HalfSpace(grid, (steel, steel))
 >>> ball = ss.surface.sphere(grid, 3.5e-3)              # the gap before loading
 >>> normal = ss.NormalProblem(bodies, ball, force=100.0).solve()
->>> shear = ss.TangentialProblem(bodies, normal, 0.5, force_x=20.0).solve()
->>> round(shear.stick_ratio, 2), normal.pressure.shape
+>>> tangential = ss.TangentialProblem(bodies, normal, 0.5, force_x=20.0).solve()
+>>> round(tangential.stick_ratio, 2), normal.pressure.shape
 (0.71, (128, 128))
 
 Any consistent system of units. z points into body 1; pressure is positive in compression; traction and tangential force

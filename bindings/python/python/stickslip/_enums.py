@@ -18,7 +18,7 @@ class Axis(_Name):
 class TangentialModel(_Name):
     """Which tractions are found: along the axis of the load ("scalar"), or along x and y in every cell ("vector").
 
-    Where pressure and shear are found together, both are, whatever the model.
+    Where pressure and traction are found together, both are, whatever the model.
     """
 
     SCALAR = "scalar"
@@ -26,7 +26,7 @@ class TangentialModel(_Name):
 
 
 class Coupling(_Name):
-    """How much is modelled of the coupling between pressure and shear in bodies of different materials.
+    """How much is modelled of the coupling between pressure and traction in bodies of different materials.
 
     "full": both are found together. "one_way": pressure moves the surfaces tangentially, shear does not change the
     pressure (Goodman). "neglected": neither moves the other. Of bodies that are not coupled, such as equal materials, all

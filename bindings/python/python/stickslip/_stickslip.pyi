@@ -252,7 +252,7 @@ class CattaneoMindlin:
 
     With f = |F| / (mu W) a disc of radius c = a (1 - f)^(1/3) sticks. The ring around it slips, opposite to the
     traction. This is the solution of the scalar model, with traction along x only; with traction along y allowed it is
-    exact for nu = 0. The coupling between pressure and shear of dissimilar bodies is neglected. Cattaneo (1938);
+    exact for nu = 0. The coupling between pressure and traction of dissimilar bodies is neglected. Cattaneo (1938);
     Mindlin (1949); Johnson (1985), 7.41-7.44.
 
     Parameters
@@ -338,7 +338,7 @@ class CattaneoMindlinEllipse:
     monotonically.
 
     The stick ellipse is the contact ellipse scaled by s = (1 - f)^(1/3), f = |F| / (mu W). This is the solution of the
-    scalar model, with traction along x only. The coupling between pressure and shear of dissimilar bodies is neglected.
+    scalar model, with traction along x only. The coupling between pressure and traction of dissimilar bodies is neglected.
     Mindlin (1949); Vermeulen and Johnson (1964).
 
     Parameters
@@ -599,7 +599,7 @@ class ConePartialSlip:
 
     The traction is mu times the difference between the pressure under W and that under the reduced load (1 - f) W,
     f = |F| / (mu W), whose contact circle is the stick disc. This is the solution of the scalar model, with traction
-    along x only. The coupling between pressure and shear of dissimilar bodies is neglected. Ciavarella (1998); Jaeger
+    along x only. The coupling between pressure and traction of dissimilar bodies is neglected. Ciavarella (1998); Jaeger
     (1998).
 
     Parameters
@@ -724,7 +724,7 @@ class ContactStiffness:
     @property
     def normal_by_motion(self, /) -> tuple[float, float, float]:
         """
-        By shifts along x and y and the twist, of the normal force: zero but where pressure and shear are found together.
+        By shifts along x and y and the twist, of the normal force: zero but where pressure and traction are found together.
         NaN for motions that the model does not have.
         """
     @property
@@ -754,14 +754,14 @@ class Convolution(LinearOperator):
 @final
 class CoupledProblem:
     """
-    Bodies, gap, friction and loads of a contact whose pressure and shear are found together: from rest, in one step.
+    Bodies, gap, friction and loads of a contact whose pressure and tractions are found together: from rest, in one step.
 
     Parameters
     ----------
     bodies : HalfSpace
         The two bodies and the grid.
     gap : Field or array_like of shape (ny, nx)
-        The gap before loading (lengths); copied.
+        The gap before loading (lengths). An array is copied, a Field is shared.
     friction : Friction, float or array_like of shape (ny, nx)
         Coulomb friction; a number or an array is the coefficient of friction (dimensionless, not negative).
     load : TangentialLoad, optional
@@ -774,6 +774,8 @@ class CoupledProblem:
     relative_displacement : RelativeDisplacement, optional
         A displacement of body 1 relative to body 2 that the contact does not cause, reached in proportion to the load; none
         by default.
+    hardness : Hardness, float or array_like of shape (ny, nx), optional
+        The largest pressure that the cells carry; no limit by default.
     settings : Settings, optional
         Method, tolerance and limits; those of ``Settings()`` by default.
     tolerance, method, max_iterations, time_limit : optional
@@ -781,8 +783,8 @@ class CoupledProblem:
 
     Raises
     ------
-    GridMismatch, Shape, Sample, Negative, NotFinite, NotPositive, NotModelled, ApproachBeyondMeanGap, Method, Tolerance,
-    IterationLimit
+    GridMismatch, Shape, Sample, Negative, NotFinite, NotPositive, NotModelled, ApproachBeyondMeanGap,
+    BeyondHardness, Method, Tolerance, IterationLimit
 
     Examples
     --------
@@ -792,11 +794,11 @@ class CoupledProblem:
     >>> bodies = stickslip.HalfSpace(grid, pair)
     >>> ball = stickslip.surface.sphere(grid, 3.5)
     >>> contact = stickslip.CoupledProblem(bodies, ball, 0.1, normal_force=60.0).solve()
-    >>> contact.shear.slip_area > 0.0  # pressing alone makes the rim slip
+    >>> contact.tangential.slip_area > 0.0  # pressing alone makes the rim slip
     True
     """
     def __getnewargs_ex__(self, /) -> tuple[tuple[Any, ...], dict[str, Any]]: ...
-    def __new__(cls, /, bodies: HalfSpace, gap: Field | ArrayLike, friction: Friction | float | ArrayLike, load: TangentialLoad | None = None, *, normal_force: float | None = None, approach: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: tuple[Sequence[float], float] | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: tuple[float, float] | None = None, spring_y: tuple[float, float] | None = None, twist: float | None = None, relative_displacement: RelativeDisplacement | None = None, settings: Settings | None = None, tolerance: float | None = None, method: Method | str | None = None, max_iterations: int | None = None, time_limit: float | None = None) -> CoupledProblem: ...
+    def __new__(cls, /, bodies: HalfSpace, gap: Field | ArrayLike, friction: Friction | float | ArrayLike, load: TangentialLoad | None = None, *, normal_force: float | None = None, approach: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: tuple[Sequence[float], float] | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: tuple[float, float] | None = None, spring_y: tuple[float, float] | None = None, twist: float | None = None, relative_displacement: RelativeDisplacement | None = None, hardness: Hardness | float | ArrayLike | None = None, settings: Settings | None = None, tolerance: float | None = None, method: Method | str | None = None, max_iterations: int | None = None, time_limit: float | None = None) -> CoupledProblem: ...
     def __repr__(self, /) -> str: ...
     def solve(self, /, *, progress: Any | None = None, warn: bool = True) -> CoupledSolution:
         """
@@ -894,7 +896,7 @@ class CoupledSolution:
         How the solve ended, what it cost, and what is certified.
         """
     @property
-    def shear(self, /) -> TangentialSolution:
+    def tangential(self, /) -> TangentialSolution:
         """
         The tangential half.
         """
@@ -922,13 +924,10 @@ class CoupledSolver:
         """
         Changes the gap of the next solve (lengths).
         """
-    def set_load(self, /, load: TangentialLoad) -> None:
+    def set_load(self, /, load: TangentialLoad, *, normal_force: float | None = None, approach: float | None = None) -> None:
         """
-        Changes the tangential load of the next solve.
-        """
-    def set_normal(self, /, *, force: float | None = None, approach: float | None = None) -> None:
-        """
-        Changes the normal load of the next solve: one of a force (not negative) and an approach (a length).
+        Changes the loads of the next solve: the tangential one, and one of a normal force (not negative) and an approach (a
+        length).
         """
     @property
     def settings(self, /) -> Settings:
@@ -1221,7 +1220,7 @@ class ElasticPair:
     Parameters
     ----------
     body_1, body_2 : Material
-        z points into body 1; pressure and shear act on it, and on body 2 with the other sign.
+        z points into body 1; pressure and traction act on it, and on body 2 with the other sign.
 
     Raises
     ------
@@ -1249,7 +1248,7 @@ class ElasticPair:
     @property
     def dundurs_beta(self, /) -> float:
         """
-        Dundurs' second parameter: whether and how strongly pressure and shear are coupled.
+        Dundurs' second parameter: whether and how strongly pressure and traction are coupled.
         """
     @property
     def equivalent_poisson_ratio(self, /) -> float:
@@ -1269,7 +1268,7 @@ class ElasticPair:
     @property
     def is_coupled(self, /) -> bool:
         """
-        Whether pressure and shear are coupled.
+        Whether pressure and traction are coupled.
         """
     @property
     def tangential_modulus(self, /) -> float:
@@ -2013,7 +2012,7 @@ class History:
     model : TangentialModel or str, default "scalar"
         "scalar" finds the traction along the axis; "vector" both components, and takes loads of any direction and twist.
     coupling : Coupling or str, default "full"
-        Of bodies of different materials: "full" finds pressure and shear together, "one_way" has the pressure move the
+        Of bodies of different materials: "full" finds pressure and traction together, "one_way" has the pressure move the
         surfaces tangentially, "neglected" neither.
     touch_rule : TouchRule or str, default "growth"
         How far a cell that comes into contact within a step follows its motion: "growth" from the moment it touches,
@@ -2317,7 +2316,7 @@ class JaegerSuperposition:
         The contact under its load W, and the same bodies under the load W - F / mu for a tangential force F: its contact
         is the stick zone.
     pair : ElasticPair
-        The bodies. The coupling between pressure and shear of different materials is neglected.
+        The bodies. The coupling between pressure and traction of different materials is neglected.
     friction : float
         Coefficient of friction mu (dimensionless), not negative.
 
@@ -2575,7 +2574,7 @@ class LubkinTorsion:
     A sphere in torsion: a constant normal load, then a twist about the normal that increases monotonically.
 
     A disc of radius c sticks and rotates rigidly; the ring around it slips. The traction is along circles about the
-    centre and equals mu p in the ring. The coupling between pressure and shear of dissimilar bodies is neglected. Lubkin
+    centre and equals mu p in the ring. The coupling between pressure and traction of dissimilar bodies is neglected. Lubkin
     (1951); Johnson (1985), section 7.2.
 
     Parameters
@@ -2719,7 +2718,7 @@ class MindlinDeresiewicz:
     From zero to the first reversal it is :class:`CattaneoMindlin`. Every reversal adds twice that solution for half the
     change of force since. When the force returns to an earlier reversal it closes a loop, and the contact continues
     as if that loop had not occurred. This is the solution of the scalar model, with traction along x only. The coupling
-    between pressure and shear of dissimilar bodies is neglected. Mindlin and Deresiewicz (1953); Jaeger (1998); Johnson
+    between pressure and traction of dissimilar bodies is neglected. Mindlin and Deresiewicz (1953); Jaeger (1998); Johnson
     (1985), 7.52-7.57.
 
     Parameters
@@ -2805,7 +2804,7 @@ class MindlinFullStick:
     A contact circle in full stick under a tangential force along x.
 
     For a sphere it is the limit of :class:`CattaneoMindlin` for large friction; under a :class:`FlatPunch` it holds up
-    to sliding. The circle moves along x only, whatever nu. The coupling between pressure and shear of dissimilar bodies
+    to sliding. The circle moves along x only, whatever nu. The coupling between pressure and traction of dissimilar bodies
     is neglected. Mindlin (1949); Johnson (1985), 3.82 and section 7.2.
 
     Parameters
@@ -2886,7 +2885,7 @@ class NoSlipPunch:
     """
     A flat-ended round punch pressed without any slip, as by friction without limit.
 
-    Where pressure and shear are coupled, by Dundurs' beta, sticking makes the contact stiffer by the factor
+    Where pressure and traction are coupled, by Dundurs' beta, sticking makes the contact stiffer by the factor
     artanh(beta) / beta. Mossakovskii (1954); Borodich & Keer, Proc. R. Soc. Lond. A 460 (2004) 507.
 
     Parameters
@@ -2928,7 +2927,7 @@ class NoSlipSphere:
     """
     A sphere pressed by a growing load without any slip: a point that has come into contact sticks.
 
-    Without coupling between pressure and shear it is Hertz's contact. Spence, Proc. R. Soc. Lond. A 305 (1968) 55.
+    Without coupling between pressure and traction it is Hertz's contact. Spence, Proc. R. Soc. Lond. A 305 (1968) 55.
 
     Parameters
     ----------
@@ -3248,7 +3247,7 @@ class NormalStiffness:
     @property
     def bound(self, /) -> float:
         """
-        Bound of its relative error; infinite where pressure and shear are found together.
+        Bound of its relative error; infinite where pressure and traction are found together.
         """
     @property
     def value(self, /) -> float:
@@ -4203,7 +4202,7 @@ class State:
     @property
     def coupling(self, /) -> Coupling:
         """
-        How much is modelled of the coupling between pressure and shear.
+        How much is modelled of the coupling between pressure and traction.
         """
     @property
     def dissipated_energy(self, /) -> NDArray[float64]:
@@ -4997,7 +4996,7 @@ class TangentialStiffness:
     def bound(self, /) -> float:
         """
         Bound of the errors, relative to the root of the product of the two entries on the diagonal; infinite where
-        pressure and shear are found together.
+        pressure and traction are found together.
         """
     @property
     def loading(self, /) -> list[list[float]]:
@@ -5219,7 +5218,7 @@ class WestergaardPartialSlip:
 
     The traction is mu times the difference between the pressure and that under 1 - f of the load, whose contact strips
     stick, f = |mean_traction| / (mu mean_pressure). A full contact sticks everywhere, under a uniform traction, until
-    1 - f of the load is that of full contact. Exact for every nu, but for the coupling between pressure and shear of
+    1 - f of the load is that of full contact. Exact for every nu, but for the coupling between pressure and traction of
     dissimilar bodies, which is neglected. Ciavarella (1998); Jaeger (1998).
 
     Parameters

@@ -121,7 +121,7 @@ class Repeats(StickslipError, ValueError):
 
 
 class CoupledMaterials(StickslipError, ValueError):
-    """The materials couple pressure and shear, and what was asked for does not model how shear changes the pressure."""
+    """The materials couple pressure and traction, and what was asked for does not model how shear changes the pressure."""
 
     beta: float
     """Dundurs' second parameter of the pair."""

@@ -11,7 +11,7 @@ use crate::real::Real;
 closed_form! {
     /// A flat-ended round punch pressed without any slip, as by friction without limit.
     ///
-    /// Where pressure and shear are coupled, by Dundurs' beta, sticking makes the contact stiffer by the factor
+    /// Where pressure and traction are coupled, by Dundurs' beta, sticking makes the contact stiffer by the factor
     /// artanh(beta) / beta. Mossakovskii (1954); Borodich & Keer, Proc. R. Soc. Lond. A 460 (2004) 507.
     ///
     /// Parameters
@@ -40,7 +40,7 @@ closed_form! {
 closed_form! {
     /// A sphere pressed by a growing load without any slip: a point that has come into contact sticks.
     ///
-    /// Without coupling between pressure and shear it is Hertz's contact. Spence, Proc. R. Soc. Lond. A 305 (1968) 55.
+    /// Without coupling between pressure and traction it is Hertz's contact. Spence, Proc. R. Soc. Lond. A 305 (1968) 55.
     ///
     /// Parameters
     /// ----------

@@ -14,7 +14,7 @@ closed_form! {
     ///
     /// With f = |F| / (mu W) a disc of radius c = a (1 - f)^(1/3) sticks. The ring around it slips, opposite to the
     /// traction. This is the solution of the scalar model, with traction along x only; with traction along y allowed it is
-    /// exact for nu = 0. The coupling between pressure and shear of dissimilar bodies is neglected. Cattaneo (1938);
+    /// exact for nu = 0. The coupling between pressure and traction of dissimilar bodies is neglected. Cattaneo (1938);
     /// Mindlin (1949); Johnson (1985), 7.41-7.44.
     ///
     /// Parameters
@@ -72,7 +72,7 @@ closed_form! {
     /// monotonically.
     ///
     /// The stick ellipse is the contact ellipse scaled by s = (1 - f)^(1/3), f = |F| / (mu W). This is the solution of the
-    /// scalar model, with traction along x only. The coupling between pressure and shear of dissimilar bodies is neglected.
+    /// scalar model, with traction along x only. The coupling between pressure and traction of dissimilar bodies is neglected.
     /// Mindlin (1949); Vermeulen and Johnson (1964).
     ///
     /// Parameters
@@ -217,7 +217,7 @@ closed_form! {
     ///
     /// The traction is mu times the difference between the pressure under W and that under the reduced load (1 - f) W,
     /// f = |F| / (mu W), whose contact circle is the stick disc. This is the solution of the scalar model, with traction
-    /// along x only. The coupling between pressure and shear of dissimilar bodies is neglected. Ciavarella (1998); Jaeger
+    /// along x only. The coupling between pressure and traction of dissimilar bodies is neglected. Ciavarella (1998); Jaeger
     /// (1998).
     ///
     /// Parameters

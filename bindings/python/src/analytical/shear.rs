@@ -8,7 +8,7 @@ closed_form! {
     /// A contact circle in full stick under a tangential force along x.
     ///
     /// For a sphere it is the limit of :class:`CattaneoMindlin` for large friction; under a :class:`FlatPunch` it holds up
-    /// to sliding. The circle moves along x only, whatever nu. The coupling between pressure and shear of dissimilar bodies
+    /// to sliding. The circle moves along x only, whatever nu. The coupling between pressure and traction of dissimilar bodies
     /// is neglected. Mindlin (1949); Johnson (1985), 3.82 and section 7.2.
     ///
     /// Parameters
@@ -55,7 +55,7 @@ closed_form! {
     /// From zero to the first reversal it is :class:`CattaneoMindlin`. Every reversal adds twice that solution for half the
     /// change of force since. When the force returns to an earlier reversal it closes a loop, and the contact continues
     /// as if that loop had not occurred. This is the solution of the scalar model, with traction along x only. The coupling
-    /// between pressure and shear of dissimilar bodies is neglected. Mindlin and Deresiewicz (1953); Jaeger (1998); Johnson
+    /// between pressure and traction of dissimilar bodies is neglected. Mindlin and Deresiewicz (1953); Jaeger (1998); Johnson
     /// (1985), 7.52-7.57.
     ///
     /// Parameters
@@ -113,7 +113,7 @@ closed_form! {
     /// A sphere in torsion: a constant normal load, then a twist about the normal that increases monotonically.
     ///
     /// A disc of radius c sticks and rotates rigidly; the ring around it slips. The traction is along circles about the
-    /// centre and equals mu p in the ring. The coupling between pressure and shear of dissimilar bodies is neglected. Lubkin
+    /// centre and equals mu p in the ring. The coupling between pressure and traction of dissimilar bodies is neglected. Lubkin
     /// (1951); Johnson (1985), section 7.2.
     ///
     /// Parameters

@@ -69,7 +69,7 @@ closed_form! {
     ///
     /// The traction is mu times the difference between the pressure and that under 1 - f of the load, whose contact strips
     /// stick, f = |mean_traction| / (mu mean_pressure). A full contact sticks everywhere, under a uniform traction, until
-    /// 1 - f of the load is that of full contact. Exact for every nu, but for the coupling between pressure and shear of
+    /// 1 - f of the load is that of full contact. Exact for every nu, but for the coupling between pressure and traction of
     /// dissimilar bodies, which is neglected. Ciavarella (1998); Jaeger (1998).
     ///
     /// Parameters

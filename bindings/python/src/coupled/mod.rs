@@ -1,4 +1,4 @@
-//! Pressure and shear found together, of bodies of different materials.
+//! Pressure and traction found together, of bodies of different materials.
 
 mod problem;
 mod report;

@@ -14,6 +14,7 @@ use crate::friction::{AnyFriction, Friction};
 use crate::grid::size;
 use crate::half_space::HalfSpace;
 use crate::load::{self, Keywords, TangentialLoad};
+use crate::normal::{AnyHardness, Hardness};
 use crate::pickle::Recipe;
 use crate::real::Real;
 use crate::settings::{Settings, chosen};
@@ -21,14 +22,14 @@ use crate::solver::solve_once;
 use crate::tangential::RelativeDisplacement;
 use crate::work::unobserved_on;
 
-/// Bodies, gap, friction and loads of a contact whose pressure and shear are found together: from rest, in one step.
+/// Bodies, gap, friction and loads of a contact whose pressure and tractions are found together: from rest, in one step.
 ///
 /// Parameters
 /// ----------
 /// bodies : HalfSpace
 ///     The two bodies and the grid.
 /// gap : Field or array_like of shape (ny, nx)
-///     The gap before loading (lengths); copied.
+///     The gap before loading (lengths). An array is copied, a Field is shared.
 /// friction : Friction, float or array_like of shape (ny, nx)
 ///     Coulomb friction; a number or an array is the coefficient of friction (dimensionless, not negative).
 /// load : TangentialLoad, optional
@@ -41,6 +42,8 @@ use crate::work::unobserved_on;
 /// relative_displacement : RelativeDisplacement, optional
 ///     A displacement of body 1 relative to body 2 that the contact does not cause, reached in proportion to the load; none
 ///     by default.
+/// hardness : Hardness, float or array_like of shape (ny, nx), optional
+///     The largest pressure that the cells carry; no limit by default.
 /// settings : Settings, optional
 ///     Method, tolerance and limits; those of ``Settings()`` by default.
 /// tolerance, method, max_iterations, time_limit : optional
@@ -48,8 +51,8 @@ use crate::work::unobserved_on;
 ///
 /// Raises
 /// ------
-/// GridMismatch, Shape, Sample, Negative, NotFinite, NotPositive, NotModelled, ApproachBeyondMeanGap, Method, Tolerance,
-/// IterationLimit
+/// GridMismatch, Shape, Sample, Negative, NotFinite, NotPositive, NotModelled, ApproachBeyondMeanGap,
+/// BeyondHardness, Method, Tolerance, IterationLimit
 ///
 /// Examples
 /// --------
@@ -59,7 +62,7 @@ use crate::work::unobserved_on;
 /// >>> bodies = stickslip.HalfSpace(grid, pair)
 /// >>> ball = stickslip.surface.sphere(grid, 3.5)
 /// >>> contact = stickslip.CoupledProblem(bodies, ball, 0.1, normal_force=60.0).solve()
-/// >>> contact.shear.slip_area > 0.0  # pressing alone makes the rim slip
+/// >>> contact.tangential.slip_area > 0.0  # pressing alone makes the rim slip
 /// True
 #[pyclass(frozen, module = "stickslip")]
 pub(crate) struct CoupledProblem(stickslip::CoupledProblem, stickslip::Grid, Recipe);
@@ -69,7 +72,8 @@ impl CoupledProblem {
     #[new]
     #[pyo3(signature = (bodies, gap, friction, load=None, *, normal_force=None, approach=None, force=None, shift=None,
         spring=None, force_x=None, force_y=None, shift_x=None, shift_y=None, spring_x=None, spring_y=None, twist=None,
-        relative_displacement=None, settings=None, tolerance=None, method=None, max_iterations=None, time_limit=None))]
+        relative_displacement=None, hardness=None, settings=None, tolerance=None, method=None, max_iterations=None,
+        time_limit=None))]
     fn new(
         py: Python<'_>,
         bodies: &HalfSpace,
@@ -89,6 +93,7 @@ impl CoupledProblem {
         spring_y: Option<due::Spring>,
         twist: Option<Real>,
         relative_displacement: Option<RelativeDisplacement>,
+        hardness: Option<AnyHardness<'_>>,
         settings: Option<Settings>,
         tolerance: Option<Real>,
         method: Option<Choice<cgm::Method>>,
@@ -110,6 +115,7 @@ impl CoupledProblem {
         let grid = bodies.0.grid();
         let gap = gap.on(py, "gap", grid)?;
         let friction = friction.on(py, grid)?;
+        let hardness = hardness.map(|hardness| hardness.on(py, grid)).transpose()?;
         let bodies_and_surfaces = (
             bodies.clone(),
             Field(Arc::clone(&gap)),
@@ -119,15 +125,19 @@ impl CoupledProblem {
         let recipe = Recipe::new(py, bodies_and_surfaces)?
             .with_normal(py, normal, "normal_force")?
             .with(py, "relative_displacement", relative_displacement.clone())?
+            .with(py, "hardness", hardness.clone().map(Hardness))?
             .with(py, "settings", Some(Settings(settings)))?;
         let built = unobserved_on(py, grid, || {
-            let builder =
-                stickslip::CoupledProblem::builder(&bodies.0, &gap, friction, normal, load);
-            let builder = builder.settings(settings);
-            match relative_displacement {
-                None => builder.build(),
-                Some(relative) => builder.relative_displacement(relative.0).build(),
+            let mut builder =
+                stickslip::CoupledProblem::builder(&bodies.0, gap, friction, normal, load)
+                    .settings(settings);
+            if let Some(relative) = relative_displacement {
+                builder = builder.relative_displacement(relative.0);
             }
+            if let Some(hardness) = hardness {
+                builder = builder.hardness(hardness);
+            }
+            builder.build()
         })?;
         Ok(Self(built, grid, recipe))
     }

@@ -36,7 +36,7 @@ impl CoupledSolution {
 
     /// The tangential half.
     #[getter]
-    fn shear(&self) -> TangentialSolution {
+    fn tangential(&self) -> TangentialSolution {
         TangentialSolution::of_coupled(&self.0)
     }
 
@@ -75,12 +75,12 @@ impl CoupledSolution {
     }
 
     fn __repr__(&self) -> String {
-        let (normal, shear) = (self.0.normal(), self.0.shear());
+        let (normal, tangential) = (self.0.normal(), self.0.tangential());
         format!(
             "CoupledSolution(normal_force={}, force={}, stick_ratio={}, {})",
             short(normal.force()),
-            tuple(&shear.force()),
-            short(shear.stick_ratio()),
+            tuple(&tangential.force()),
+            short(tangential.stick_ratio()),
             ending(&self.0.report().work, &self.0.warnings())
         )
     }

@@ -39,23 +39,20 @@ impl CoupledSolver {
         self.0.solve(py, |_| Ok(()), progress, warn)
     }
 
-    /// Changes the normal load of the next solve: one of a force (not negative) and an approach (a length).
-    #[pyo3(signature = (*, force=None, approach=None))]
-    fn set_normal(
+    /// Changes the loads of the next solve: the tangential one, and one of a normal force (not negative) and an approach (a
+    /// length).
+    #[pyo3(signature = (load, *, normal_force=None, approach=None))]
+    fn set_load(
         &self,
         py: Python<'_>,
-        force: Option<Real>,
+        load: TangentialLoad,
+        normal_force: Option<Real>,
         approach: Option<Real>,
     ) -> PyResult<()> {
-        let normal = load::needed(force, approach)?;
+        let normal = load::needed(normal_force, approach)?;
         self.0
-            .with(|solver| solver.set_normal(normal))?
+            .with(|solver| solver.set_load(normal, load.0))?
             .or_raise(py)
-    }
-
-    /// Changes the tangential load of the next solve.
-    fn set_load(&self, py: Python<'_>, load: TangentialLoad) -> PyResult<()> {
-        self.0.with(|solver| solver.set_load(load.0))?.or_raise(py)
     }
 
     /// Changes the gap of the next solve (lengths).

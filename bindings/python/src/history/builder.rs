@@ -36,7 +36,7 @@ use crate::work::unobserved_on;
 /// model : TangentialModel or str, default "scalar"
 ///     "scalar" finds the traction along the axis; "vector" both components, and takes loads of any direction and twist.
 /// coupling : Coupling or str, default "full"
-///     Of bodies of different materials: "full" finds pressure and shear together, "one_way" has the pressure move the
+///     Of bodies of different materials: "full" finds pressure and traction together, "one_way" has the pressure move the
 ///     surfaces tangentially, "neglected" neither.
 /// touch_rule : TouchRule or str, default "growth"
 ///     How far a cell that comes into contact within a step follows its motion: "growth" from the moment it touches,
@@ -168,7 +168,7 @@ impl History {
         let friction = friction.on(py, grid)?;
         let hardness = hardness.map(|hardness| hardness.on(py, grid)).transpose()?;
         let history = unobserved_on(py, grid, || {
-            let builder = stickslip::History::builder(&bodies.0, &gap, friction);
+            let builder = stickslip::History::builder(&bodies.0, gap, friction);
             let mut builder = builder.settings(settings).permanent_set(permanent_set);
             if let Some(axis) = axis {
                 builder = builder.axis(axis.0);

@@ -109,7 +109,7 @@ impl State {
         Choice(self.0.touch_rule())
     }
 
-    /// How much is modelled of the coupling between pressure and shear.
+    /// How much is modelled of the coupling between pressure and traction.
     #[getter]
     fn coupling(&self) -> Choice<stickslip::Coupling> {
         Choice(self.0.coupling())

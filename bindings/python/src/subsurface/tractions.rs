@@ -64,7 +64,7 @@ impl Held<'_> {
             Self::Coupled(solution) => Tractions::from(*solution),
             Self::State(state) => Tractions::from(&**state),
             Self::Fields(pressure, None) => Tractions::new(pressure),
-            Self::Fields(pressure, Some([x, y])) => Tractions::new(pressure).with_shear([x, y]),
+            Self::Fields(pressure, Some([x, y])) => Tractions::new(pressure).with_traction([x, y]),
         };
         match uniform {
             None => tractions,

@@ -41,7 +41,7 @@ impl TangentialSolution {
     pub(crate) fn get(&self) -> &stickslip::TangentialSolution {
         match &self.0 {
             Source::Own(solution) => solution,
-            Source::OfCoupled(solution) => solution.shear(),
+            Source::OfCoupled(solution) => solution.tangential(),
         }
     }
 }

@@ -17,7 +17,7 @@ use crate::real::Real;
 ///     The contact under its load W, and the same bodies under the load W - F / mu for a tangential force F: its contact
 ///     is the stick zone.
 /// pair : ElasticPair
-///     The bodies. The coupling between pressure and shear of different materials is neglected.
+///     The bodies. The coupling between pressure and traction of different materials is neglected.
 /// friction : float
 ///     Coefficient of friction mu (dimensionless), not negative.
 ///

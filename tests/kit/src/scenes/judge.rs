@@ -126,7 +126,7 @@ impl Judge {
     ) -> Result<Row> {
         let model = match shear.lateral {
             TangentialModel::Vector => "plane",
-            TangentialModel::Scalar => "shear",
+            _ => "shear",
         };
         let separator = if shear.name.is_empty() { "" } else { ", " };
         let half = format!("{model}{separator}{}", shear.name);

@@ -44,8 +44,8 @@ impl Shear {
     /// The method to solve it by: that asked for, where its model has it.
     pub(crate) fn method(&self, asked: Method) -> Method {
         match self.lateral {
-            TangentialModel::Scalar => asked,
             TangentialModel::Vector => Method::ActiveSet,
+            _ => asked,
         }
     }
 }

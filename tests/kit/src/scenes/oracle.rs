@@ -232,8 +232,8 @@ pub(crate) fn matrix(
     let whole = DenseOperator::of_half_space(bodies, component)?;
     let at = |i: usize, j: usize| whole.get(i, j).unwrap_or(f64::NAN);
     let constant = match bodies.boundary() {
-        Boundary::NonPeriodic | Boundary::PeriodicAlongY { .. } => 0.0,
         Boundary::Periodic => at(0, 0),
+        _ => 0.0,
     };
     let entries = cells
         .iter()

@@ -288,13 +288,13 @@ pub(crate) fn rows() -> Result<Vec<Row>> {
                 .iter()
                 .map(|&part| match lateral {
                     TangentialModel::Vector => Act::Force([0.8 * part, -0.6 * part]),
-                    TangentialModel::Scalar => Act::Force([part, 0.0]),
+                    _ => Act::Force([part, 0.0]),
                 })
                 .collect();
             acts.extend([Act::Shift([0.0, 0.0]), Act::Hold, Act::Shift([2.0, 0.3])]);
             let model = match lateral {
                 TangentialModel::Vector => "plane",
-                TangentialModel::Scalar => "shear",
+                _ => "shear",
             };
             let story = Story {
                 name: format!("{name}, {model}"),

@@ -135,7 +135,7 @@ fn plane(name: &'static str) -> Scene {
     }
 }
 
-/// Pressure and shear of dissimilar bodies together, with twist.
+/// Pressure and traction of dissimilar bodies together, with twist.
 fn coupled(name: &'static str) -> Scene {
     Scene {
         bodies: UNLIKE,
@@ -149,8 +149,8 @@ fn repeating(scene: &Scene, load: f64) -> Scene {
         around: Around::Everywhere,
         gap: waves,
         path: match scene.model {
-            TangentialModel::Scalar => to_and_fro(load),
             TangentialModel::Vector => around(load),
+            _ => to_and_fro(load),
         },
         ..*scene
     }

@@ -80,7 +80,7 @@ def to_xarray(solution: Any) -> xarray.Dataset:
             numbers["normal_force"] = solution.normal.force
         return _dataset(solution.grid, dict(_fields(solution)), numbers)
     if isinstance(solution, CoupledSolution):
-        return _halves(solution.normal, solution.shear, solution)
+        return _halves(solution.normal, solution.tangential, solution)
     if isinstance(solution, Sequence):
         kinds = [type(part) for part in solution]
         if kinds == [NormalSolution, TangentialSolution]:

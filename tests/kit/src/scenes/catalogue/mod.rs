@@ -62,6 +62,6 @@ pub(crate) fn suffix(boundary: Boundary) -> &'static str {
     match boundary {
         Boundary::Periodic => ", periodic",
         Boundary::PeriodicAlongY { .. } => ", periodic along y",
-        Boundary::NonPeriodic => "",
+        _ => "",
     }
 }

@@ -2,20 +2,15 @@
 //! cascade, Numer. Math. 75 (1996) 135, <https://doi.org/10.1007/s002110050234>).
 
 use crate::buffer;
-use crate::cgm::{Admissible, Constraint, Known, Settings, Total};
-use crate::clock::Instant;
-use crate::elastic::{ElasticSolver, Observer, Posed};
+use crate::cgm::{Admissible, Constraint, Known};
+use crate::contact::budget::{Conditions, ended_from_outside};
+use crate::elastic::{ElasticProblem, ElasticSolver};
 use crate::error::Result;
 use crate::half_space::{HalfSpace, Region};
 use crate::influence::Direction;
 use crate::layout::Layout;
 use crate::levels::halved;
-use crate::passes::{ended_from_outside, with_time_left};
 
-/// Relative accuracy of a coarse answer: its own discretisation error is not smaller.
-const COARSE_TOLERANCE: f64 = 1e-2;
-/// Steps a coarse answer may take: one that is hard to find is not worth more.
-const COARSE_STEPS: usize = 100;
 /// Cells at or below which a grid is solved from a plain start.
 const COARSEST: usize = 40 * 40;
 
@@ -23,15 +18,18 @@ const COARSEST: usize = 40 * 40;
 pub(crate) trait Scene<const N: usize>: Sized {
     /// What a cell may carry.
     type Set: Admissible<N>;
+    type Constraint<'a>: Constraint<N, Set = Self::Set>
+    where
+        Self: 'a;
 
     /// Directions of the unknowns.
     fn directions(&self) -> [Direction; N];
 
-    fn constraint(&self) -> impl Constraint<N, Set = Self::Set>;
-
-    fn linear(&self) -> [&[f64]; N];
-
-    fn totals(&self) -> [Total; N];
+    /// What is to be minimised.
+    fn problem(
+        &self,
+        solver: &ElasticSolver<Self::Set, N>,
+    ) -> ElasticProblem<'_, Self::Constraint<'_>, N>;
 
     /// The scene on cells twice as large.
     fn coarsened(&self, levels: Levels<'_>) -> Result<Self>;
@@ -47,7 +45,7 @@ pub(crate) trait Scene<const N: usize>: Sized {
     }
 
     /// A start without any other answer.
-    fn plain_start(&self) -> Result<[Vec<f64>; N]>;
+    fn plain_start(&self, layout: &Layout) -> Result<[Vec<f64>; N]>;
 
     /// A start from the coarser scene's answer.
     fn refined_start(
@@ -85,25 +83,14 @@ impl Levels<'_> {
         self.bodies.inherited(self.coarser, self.size, marks)
     }
 
+    /// How the finer cells lie.
+    pub(crate) fn layout(&self) -> Layout {
+        self.bodies.layout(self.size)
+    }
+
     /// How the coarser cells lie.
     pub(crate) fn coarse_layout(&self) -> Layout {
         self.coarser.layout(halved(self.size))
-    }
-}
-
-/// Settings, clock and observer of the solve that a start is for.
-pub(crate) struct Conditions<'a, 'b> {
-    pub(crate) settings: &'a Settings,
-    pub(crate) start: Instant,
-    pub(crate) observer: Observer<'b>,
-}
-
-impl Conditions<'_, '_> {
-    /// The settings of a coarse solve: a rough answer, within the time that is left.
-    pub(crate) fn rough_settings(&self) -> Settings {
-        with_time_left(self.settings, self.start)
-            .tolerance(self.settings.tolerance.max(COARSE_TOLERANCE))
-            .max_iterations(self.settings.max_iterations.min(COARSE_STEPS))
     }
 }
 
@@ -131,7 +118,7 @@ fn descend<S: Scene<N>, const N: usize>(
     conditions: &mut Conditions<'_, '_>,
 ) -> Result<([Vec<f64>; N], bool)> {
     if !is_worth_coarsening(bodies, size) {
-        return Ok((scene.plain_start()?, false));
+        return Ok((scene.plain_start(&bodies.layout(size))?, false));
     }
     let (coarser, coarse_size) = (bodies.coarser()?, halved(size));
     let levels = Levels {
@@ -155,7 +142,6 @@ fn solve<S: Scene<N>, const N: usize>(
     x: &mut [Vec<f64>; N],
     conditions: &mut Conditions<'_, '_>,
 ) -> Result<bool> {
-    let rough = conditions.rough_settings();
     let confined = scene.confined(bodies, x)?;
     let inside = confined.as_ref().map(|(region, _)| {
         let mut inside: [_; N] = buffer::vector(region.cells())?;
@@ -170,19 +156,13 @@ fn solve<S: Scene<N>, const N: usize>(
         None => (size, scene),
     };
     let mut solver = ElasticSolver::<S::Set, N>::new(bodies, scene.directions(), size)?;
-    let posed = Posed {
-        diagonal: &[],
-        linear: scene.linear(),
-        datum: [0.0; N],
-        constraint: scene.constraint(),
-        totals: scene.totals(),
-        known: Known::Nothing,
-    };
+    let problem = scene.problem(&solver);
     let unknowns = inside.as_mut().unwrap_or(x).each_mut();
-    let unknowns = unknowns.map(Vec::as_mut_slice);
-    let outcome = solver.minimise(posed, unknowns, &rough, &mut *conditions.observer);
-    if let Some(((region, _), inside)) = confined.zip(inside) {
-        for (x, inside) in x.iter_mut().zip(&inside) {
+    let from = (unknowns.map(Vec::as_mut_slice), Known::Nothing);
+    let rough = conditions.rough();
+    let outcome = solver.minimise(&problem, from, &rough, &mut *conditions.observer);
+    if let (Some((region, _)), Some(inside)) = (&confined, &inside) {
+        for (x, inside) in x.iter_mut().zip(inside) {
             region.scatter(inside, x);
         }
     }

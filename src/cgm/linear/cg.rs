@@ -3,13 +3,10 @@
 
 use std::ops::ControlFlow;
 
-use crate::cgm::motion::Motion;
+use crate::cgm::motion::Row;
 use crate::cgm::run::{Precision, Run};
 use crate::cgm::totals::TotalsSystem;
-use crate::cgm::turn::Weight;
-use crate::cgm::vector::{
-    at, chunks, dot, held, minus, norm, plus, put, slices, slices_mut, update_cells, within,
-};
+use crate::cgm::vector::{at, chunks, dot, held, minus, norm, plus, put, slices, within};
 use crate::cgm::{Constraint, MotionOf};
 use crate::operator::Operator;
 use crate::report::Status;
@@ -53,21 +50,18 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     ///
     /// The multipliers of sums are eliminated: each preconditioned residual carries the change that keeps the sums,
     /// at once. Those of springs are unknowns that move along the direction, as far as it goes.
-    pub(super) fn solve_linear(
-        &mut self,
-        totals: &TotalsSystem<N>,
-        reduction: f64,
-    ) -> ControlFlow<Status> {
-        let first = self.step_and_residual(totals, None);
+    pub(in crate::cgm) fn conjugate_gradients(&mut self, reduction: f64) -> ControlFlow<Status> {
+        let totals = self.totals;
+        let first = self.step_and_residual(&totals, None);
         let (mut products, mut last_products) = (first.products, [0.0; N]);
         let (mut previous, mut turning) = (0.0, [0.0; N]);
         for step in 0..INNER_LIMIT {
-            self.precondition();
+            self.linear().precondition();
             let Correction {
                 change,
                 product,
                 overlap,
-            } = self.correct(totals, products, last_products);
+            } = self.correct(&totals, products, last_products);
             let at_once = only(totals.has_sum(), change);
             self.add_to_multiplier(at_once);
             if product.is_nan() || product <= 0.0 {
@@ -81,7 +75,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             turning = plus(with_springs, conjugation.unwrap_or(0.0), turning);
 
             self.proceed()?;
-            self.apply_to_direction(Precision::Single);
+            self.linear().apply(Precision::Single);
             self.count_step();
             let (curvature, square) = self.curvature();
             let curvature = curvature + totals.curvature(turning);
@@ -95,7 +89,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             let moved = turning.map(|change| length * change);
             self.add_to_multiplier(moved);
             let change = plus(at_once, 1.0, moved);
-            let residual = self.step_and_residual(totals, Some(&Move { length, change }));
+            let residual = self.step_and_residual(&totals, Some(&Move { length, change }));
             (last_products, products) = (products, residual.products);
             if is_last || residual.square <= reduction * reduction * first.square {
                 self.add_to_multiplier(residual.change);
@@ -118,21 +112,25 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     ) -> Residual<N> {
         self.is_fresh &= step.is_none();
         let w = &mut *self.workspace;
-        std::mem::swap(&mut w.inner.residual, &mut w.inner.last_residual);
-        let (image, multiplier) = (slices(&w.image), w.multiplier);
-        let (directions, last, spread) = (&w.inner.direction, &w.inner.last_residual, &w.spread);
-        let motions = &w.motions;
+        std::mem::swap(&mut w.linear.residual, &mut w.conjugate.last_residual);
+        let (image, multiplier) = (slices(&w.linear.image), w.multiplier);
+        let (directions, last, spread) = (
+            &w.conjugate.direction,
+            &w.conjugate.last_residual,
+            &w.linear.spread,
+        );
+        let motions = &w.linear.rows;
         let data = (
             (
                 chunks(&self.problem.layout, &mut self.x),
                 chunks(&self.problem.layout, &mut w.gradient),
             ),
             (
-                chunks(&self.problem.layout, &mut w.direction),
-                w.moving.compressed(&mut w.inner.residual),
+                chunks(&self.problem.layout, &mut w.linear.direction),
+                w.linear.moving.compressed(&mut w.linear.residual),
             ),
         );
-        let (sum, square, products) = w.moving.sweep(
+        let (sum, square, products) = w.linear.moving.sweep(
             data,
             |entries, ((mut x, mut gradient), (mut full, residual))| {
                 let images = within(&image, &entries.chunk);
@@ -147,7 +145,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
                 let directions = &directions[entries.range.clone()];
                 let (spread, last) = (&spread[entries.range.clone()], &last[entries.range.clone()]);
                 entries.sums(|k, place| {
-                    let (motion, u) = (entries.motion(motions, k, place), at(&images, place));
+                    let (motion, u) = (entries.row(motions, k, place), at(&images, place));
                     if let Some(&Move { length, .. }) = step {
                         let moved = plus(held(&x, place), length, directions[k]);
                         put(&mut x, place, moved);
@@ -159,11 +157,11 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
                     let r = match step {
                         // The residual of a curved bound is not the gradient's: it is followed from step to step.
                         Some(&Move { length, change }) if MotionOf::<K, N>::IS_CURVED => {
-                            let moved = motion.project(plus(change, -length, u));
+                            let moved = motion.restrict(plus(change, -length, u));
                             let bend = motion.bend(directions[k]);
                             std::array::from_fn(|c| last[k][c] + moved[c] - length * bend[c])
                         }
-                        _ => motion.project(minus(multiplier, held(&gradient, place))),
+                        _ => motion.restrict(minus(multiplier, held(&gradient, place))),
                     };
                     residual.items[k] = r;
                     put(&mut full, place, motion.weighted(r));
@@ -179,55 +177,6 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         }
     }
 
-    /// `image = M direction`.
-    pub(super) fn precondition(&mut self) {
-        let w = &mut *self.workspace;
-        if self.restraint > self.stiff {
-            let direction = slices(&w.direction);
-            update_cells(&mut w.image, |i, _| {
-                at(&direction, i).map(|r| r / self.restraint)
-            });
-            return;
-        }
-        self.weigh_free(false);
-        let w = &mut *self.workspace;
-        let (direction, image) = (slices(&w.direction), slices_mut(&mut w.image));
-        let preconditioner = &self.problem.preconditioner;
-        preconditioner.apply_f32(direction, image, &mut w.preconditioner);
-        self.weigh_free(true);
-    }
-
-    /// Weighs what cells that move freely, and have a compliance of their own, give to the inverse operator, or its
-    /// answer there.
-    fn weigh_free(&mut self, is_answer: bool) {
-        let (problem, lower_bound) = (self.problem, self.lower_bound);
-        if !problem.has_diagonal() {
-            return;
-        }
-        let w = &mut *self.workspace;
-        let motions = &w.motions;
-        let data = (
-            chunks(&problem.layout, &mut w.direction),
-            chunks(&problem.layout, &mut w.image),
-        );
-        w.moving.sweep(data, |entries, (mut direction, mut image)| {
-            for (k, place) in entries.places().enumerate() {
-                if !entries.motion(motions, k, place).is_free() {
-                    continue;
-                }
-                let own = problem.diagonal_of(entries.chunk.start + place);
-                let (weight, d) = (Weight::new(own, lower_bound), held(&direction, place));
-                if is_answer {
-                    let answer = held(&image, place);
-                    let z = std::array::from_fn(|c| weight.preconditioned_from(answer[c], d[c]));
-                    put(&mut image, place, z);
-                } else {
-                    put(&mut direction, place, d.map(|r| weight.weighted(r)));
-                }
-            }
-        });
-    }
-
     /// Gathers `M r` from `image`, with the `w_a' r` and `w_a' r_last`.
     fn correct(
         &mut self,
@@ -236,19 +185,19 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         last_products: [f64; N],
     ) -> Correction<N> {
         let w = &mut *self.workspace;
-        let image = slices(&w.image);
-        let (residual, last) = (&w.inner.residual, &w.inner.last_residual);
-        let motions = &w.motions;
-        let data = w.moving.compressed(&mut w.inner.correction);
+        let image = slices(&w.linear.image);
+        let (residual, last) = (&w.linear.residual, &w.conjugate.last_residual);
+        let motions = &w.linear.rows;
+        let data = w.linear.moving.compressed(&mut w.linear.correction);
         let (sum, product, overlap): ([f64; N], f64, f64) =
-            w.moving.sweep(data, |entries, correction| {
+            w.linear.moving.sweep(data, |entries, correction| {
                 let image = within(&image, &entries.chunk);
                 let (residual, last) = (
                     &residual[entries.range.clone()],
                     &last[entries.range.clone()],
                 );
                 entries.sums(|k, place| {
-                    let motion = entries.motion(motions, k, place);
+                    let motion = entries.row(motions, k, place);
                     let z = motion.preconditioned(at(&image, place), residual[k]);
                     correction.items[k] = z;
                     (z, dot(z, residual[k]), dot(z, last[k]))
@@ -266,41 +215,51 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     /// The next direction `d = z + conjugation d`, compressed and full; returns `d' (r + at_once)`.
     fn turn(&mut self, change: [f64; N], at_once: [f64; N], conjugation: Option<f64>) -> f64 {
         let w = &mut *self.workspace;
-        let (residual, correction, spread) = (&w.inner.residual, &w.inner.correction, &w.spread);
+        let (residual, correction, spread) =
+            (&w.linear.residual, &w.linear.correction, &w.linear.spread);
         let has_change = norm(change) != 0.0;
-        let compressed = w.moving.compressed(&mut w.inner.direction);
-        let data = (chunks(&self.problem.layout, &mut w.direction), compressed);
-        w.moving.sweep(data, |entries, (mut full, compressed)| {
-            let residual = &residual[entries.range.clone()];
-            let correction = &correction[entries.range.clone()];
-            let spread = &spread[entries.range.clone()];
-            entries.sums(|k, place| {
-                let mut d = correction[k];
-                if has_change {
-                    for (change, w) in change.iter().zip(spread[k]) {
-                        d = plus(d, *change, w);
+        let compressed = w.linear.moving.compressed(&mut w.conjugate.direction);
+        let data = (
+            chunks(&self.problem.layout, &mut w.linear.direction),
+            compressed,
+        );
+        w.linear
+            .moving
+            .sweep(data, |entries, (mut full, compressed)| {
+                let residual = &residual[entries.range.clone()];
+                let correction = &correction[entries.range.clone()];
+                let spread = &spread[entries.range.clone()];
+                entries.sums(|k, place| {
+                    let mut d = correction[k];
+                    if has_change {
+                        for (change, w) in change.iter().zip(spread[k]) {
+                            d = plus(d, *change, w);
+                        }
                     }
-                }
-                if let Some(conjugation) = conjugation {
-                    d = plus(d, conjugation, compressed.items[k]);
-                }
-                compressed.items[k] = d;
-                put(&mut full, place, d);
-                dot(d, plus(residual[k], 1.0, at_once))
+                    if let Some(conjugation) = conjugation {
+                        d = plus(d, conjugation, compressed.items[k]);
+                    }
+                    compressed.items[k] = d;
+                    put(&mut full, place, d);
+                    dot(d, plus(residual[k], 1.0, at_once))
+                })
             })
-        })
     }
 
     /// `d' (C + K) d`, of the product in `image` and the stiffness `K` of curved bounds, and `d' d`.
     fn curvature(&self) -> (f64, f64) {
         let w = &*self.workspace;
-        let (motions, direction, image) = (&w.motions, &w.inner.direction, slices(&w.image));
-        w.moving.sweep((), |entries, ()| {
+        let (motions, direction, image) = (
+            &w.linear.rows,
+            &w.conjugate.direction,
+            slices(&w.linear.image),
+        );
+        w.linear.moving.sweep((), |entries, ()| {
             let directions = &direction[entries.range.clone()];
             let image = within(&image, &entries.chunk);
             entries.sums(|k, place| {
                 let d = directions[k];
-                let bend = entries.motion(motions, k, place).bend(d);
+                let bend = entries.row(motions, k, place).bend(d);
                 (dot(d, plus(at(&image, place), 1.0, bend)), dot(d, d))
             })
         })

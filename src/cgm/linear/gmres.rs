@@ -1,0 +1,257 @@
+//! Right-preconditioned GMRES, restarted, on the cells that move: for problems that are not symmetric.
+
+use std::ops::ControlFlow;
+
+use crate::buffer;
+use crate::cgm::linear::krylov::{Hessenberg, RESTART};
+use crate::cgm::linear::{Border, Linear};
+use crate::cgm::motion::Row;
+use crate::cgm::run::Precision;
+use crate::cgm::vector::{at, chunks, dot, norm, put, slices, within};
+use crate::operator::Operator;
+use crate::parallel;
+use crate::report::Status;
+
+/// The most that one basis, whose products are of single precision, is to reduce a residual to.
+const BASIS_REDUCTION: f64 = 1e-5;
+
+/// What the unknowns leave of their equations, and what takes their corrections.
+pub(in crate::cgm) trait Equations<C: Operator<N>, P: Operator<N>, R, const N: usize> {
+    /// Writes what is left to the residual.
+    fn set_residual(&mut self, linear: &mut Linear<'_, '_, C, P, R, N>) -> ControlFlow<Status>;
+
+    /// Takes the correction, with changes of the multipliers.
+    fn advance(
+        &mut self,
+        linear: &mut Linear<'_, '_, C, P, R, N>,
+        change: [f64; N],
+    ) -> ControlFlow<Status>;
+}
+
+impl<C: Operator<N>, P: Operator<N>, R: Row<N>, const N: usize> Linear<'_, '_, C, P, R, N> {
+    /// Adds what is missing of the totals and solves until the residual has fallen by this factor, by so many bases at most;
+    /// returns the part that is left.
+    pub(in crate::cgm) fn solve(
+        &mut self,
+        border: &Border<N>,
+        missing: [f64; N],
+        (bases, reduction): (usize, f64),
+        equations: &mut impl Equations<C, P, R, N>,
+    ) -> ControlFlow<Status, f64> {
+        if norm(missing) != 0.0 {
+            let change = border.balance(missing, [0.0; N]);
+            self.workspace.correction.fill([0.0; N]);
+            self.add_spread(change);
+            equations.advance(self, change)?;
+        }
+        equations.set_residual(self)?;
+        let start = self.residual_size();
+        let mut left = start;
+        for _ in 0..bases {
+            if left.is_nan() || left <= reduction * start {
+                break;
+            }
+            let aim = (reduction * start).max(BASIS_REDUCTION * left);
+            let parts = self.arnoldi(border, left, aim)?;
+            self.combine(&parts);
+            let change = self.invert(border);
+            equations.advance(self, change)?;
+            equations.set_residual(self)?;
+            left = self.residual_size();
+        }
+        ControlFlow::Continue(if left == 0.0 { 0.0 } else { left / start })
+    }
+
+    /// A basis of what the preconditioned system makes of the residual, of this size, until `aim` can be reached.
+    fn arnoldi(
+        &mut self,
+        border: &Border<N>,
+        size: f64,
+        aim: f64,
+    ) -> ControlFlow<Status, [f64; RESTART]> {
+        self.extend_basis(0)?;
+        let w = &mut *self.workspace;
+        for (first, r) in w.basis[0].iter_mut().zip(&w.residual) {
+            *first = r.map(|r| r / size);
+        }
+        let mut hessenberg = Hessenberg::new(size);
+        for j in 0..RESTART {
+            let w = &mut *self.workspace;
+            w.residual.copy_from_slice(&w.basis[j]);
+            let change = self.invert(border);
+            self.proceed()?;
+            self.apply_to_correction(Precision::Single);
+            self.count_step();
+            self.extend_basis(j + 1)?;
+            self.set_next(j + 1, change);
+            let (products, rest) = self.orthogonalise(j);
+            if !(hessenberg.push(&products, rest) > aim && rest > 0.0) {
+                break;
+            }
+        }
+        ControlFlow::Continue(hessenberg.solve())
+    }
+
+    /// `correction = M r` with the changes of the multipliers that keep the totals, which it returns.
+    fn invert(&mut self, border: &Border<N>) -> [f64; N] {
+        let added = self.correct();
+        let change = border.balance([0.0; N], added);
+        self.add_spread(change);
+        change
+    }
+
+    /// `correction = M r`; returns what it adds to the sums of all components.
+    fn correct(&mut self) -> [f64; N] {
+        let w = &mut *self.workspace;
+        let (rows, residual) = (&w.rows, &w.residual);
+        let direction = chunks(self.layout, &mut w.direction);
+        w.moving.sweep(direction, |entries, mut full| {
+            let residual = &residual[entries.range.clone()];
+            for (k, place) in entries.places().enumerate() {
+                let pattern = entries.row(rows, k, place).weighted(residual[k]);
+                put(&mut full, place, pattern);
+            }
+        });
+        self.precondition();
+        let w = &mut *self.workspace;
+        let (rows, residual, image) = (&w.rows, &w.residual, slices(&w.image));
+        let correction = w.moving.compressed(&mut w.correction);
+        w.moving.sweep(correction, |entries, correction| {
+            let residual = &residual[entries.range.clone()];
+            let image = within(&image, &entries.chunk);
+            entries.sums(|k, place| {
+                let row = entries.row(rows, k, place);
+                let z = row.preconditioned(at(&image, place), residual[k]);
+                correction.items[k] = z;
+                row.extend(z)
+            })
+        })
+    }
+
+    /// Adds the spread of changes of the multipliers to the correction.
+    fn add_spread(&mut self, change: [f64; N]) {
+        if norm(change) == 0.0 {
+            return;
+        }
+        let w = &mut *self.workspace;
+        let spread = &w.spread;
+        parallel::update(&mut w.correction, |first, chunk| {
+            for (z, spread) in chunk.iter_mut().zip(&spread[first..]) {
+                for (change, part) in change.iter().zip(spread) {
+                    for (z, part) in z.iter_mut().zip(part) {
+                        *z += change * part;
+                    }
+                }
+            }
+        });
+    }
+
+    /// `image = C` times the tractions that the correction makes, which are left in `direction`.
+    pub(super) fn apply_to_correction(&mut self, precision: Precision) {
+        let w = &mut *self.workspace;
+        let (rows, correction) = (&w.rows, &w.correction);
+        let direction = chunks(self.layout, &mut w.direction);
+        w.moving.sweep(direction, |entries, mut full| {
+            let correction = &correction[entries.range.clone()];
+            for (k, place) in entries.places().enumerate() {
+                put(
+                    &mut full,
+                    place,
+                    entries.row(rows, k, place).extend(correction[k]),
+                );
+            }
+        });
+        self.apply(precision);
+    }
+
+    /// The size of the residual.
+    pub(super) fn residual_size(&self) -> f64 {
+        let w = &*self.workspace;
+        let residual = &w.residual;
+        w.moving.sum(|range| squares(&residual[range])).sqrt()
+    }
+
+    /// Makes room for vector `j` of the basis.
+    fn extend_basis(&mut self, j: usize) -> ControlFlow<Status> {
+        let w = &mut *self.workspace;
+        let room = buffer::resize(&mut w.basis[j], w.residual.len(), [0.0; N]);
+        self.monitor.unless_lacking(room)
+    }
+
+    /// The system's product with the correction, at changes of the multipliers, as vector `j` of the basis.
+    fn set_next(&mut self, j: usize, change: [f64; N]) {
+        let w = &mut *self.workspace;
+        let (rows, correction, image) = (&w.rows, &w.correction, slices(&w.image));
+        let next = w.moving.compressed(&mut w.basis[j]);
+        w.moving.sweep(next, |entries, next| {
+            let correction = &correction[entries.range.clone()];
+            let image = within(&image, &entries.chunk);
+            for (k, place) in entries.places().enumerate() {
+                let row = entries.row(rows, k, place);
+                let moved = std::array::from_fn(|c| image[c][place] - change[c]);
+                let (moved, bend) = (row.restrict(moved), row.bend(correction[k]));
+                next.items[k] = std::array::from_fn(|c| moved[c] + bend[c]);
+            }
+        });
+    }
+
+    /// Makes vector `j + 1` of the basis orthogonal to those before, twice, and of length one; returns the products and
+    /// the length it had left.
+    fn orthogonalise(&mut self, j: usize) -> ([f64; RESTART], f64) {
+        let w = &mut *self.workspace;
+        let (moving, (done, rest)) = (&w.moving, w.basis.split_at_mut(j + 1));
+        let next = &mut rest[0];
+        let mut products = [0.0; RESTART];
+        for _ in 0..2 {
+            let parts: [f64; RESTART] = moving.sum(|range| {
+                let mut parts = [0.0; RESTART];
+                for (part, vector) in parts.iter_mut().zip(&*done) {
+                    *part = range
+                        .clone()
+                        .fold(0.0, |sum, k| sum + dot(next[k], vector[k]));
+                }
+                parts
+            });
+            parallel::update(next, |first, chunk| {
+                for (part, vector) in parts.iter().zip(&*done) {
+                    for (value, v) in chunk.iter_mut().zip(&vector[first..]) {
+                        *value = std::array::from_fn(|c| value[c] - part * v[c]);
+                    }
+                }
+            });
+            for (product, part) in products.iter_mut().zip(parts) {
+                *product += part;
+            }
+        }
+        let length = moving.sum(|range| squares(&next[range])).sqrt();
+        if length > 0.0 {
+            parallel::update(next, |_, chunk| {
+                for value in chunk {
+                    *value = value.map(|v| v / length);
+                }
+            });
+        }
+        (products, length)
+    }
+
+    /// The residual becomes this combination of the basis.
+    fn combine(&mut self, parts: &[f64; RESTART]) {
+        let w = &mut *self.workspace;
+        let basis = &w.basis;
+        parallel::update(&mut w.residual, |first, chunk| {
+            chunk.fill([0.0; N]);
+            for (part, vector) in parts.iter().zip(basis).filter(|(part, _)| **part != 0.0) {
+                for (value, v) in chunk.iter_mut().zip(&vector[first..]) {
+                    *value = std::array::from_fn(|c| value[c] + part * v[c]);
+                }
+            }
+        });
+    }
+}
+
+/// The sum of the squares of a piece of a vector.
+fn squares<const N: usize>(vector: &[[f64; N]]) -> f64 {
+    vector
+        .iter()
+        .fold(0.0, |sum, value| sum + dot(*value, *value))
+}

@@ -1,0 +1,257 @@
+//! The linear problem at fixed sets: what a Newton step solves, and the stiffness of a contact.
+//!
+//! Each cell that moves has unknowns and as many equations, which its [row](Row) ties to tractions and displacements:
+//! with $`E`$ what extends the unknowns, $`R`$ what restricts displacements, $`B`$ what the cells add alone, and the
+//! multipliers of the totals beside them,
+//!
+//! ```math
+//! \begin{pmatrix} R\,C E + B & -R\,e \\ e' E & D \end{pmatrix} \begin{pmatrix} v \\ \eta \end{pmatrix}
+//! = \begin{pmatrix} r \\ \varrho \end{pmatrix} .
+//! ```
+//!
+//! Conjugate gradients solve it where it is symmetric, GMRES where it is not. The preconditioner is the inverse of the
+//! operator between the same $`R`$ and $`E`$, with the [weights](crate::cgm::Weight) of cells that add much alone.
+
+mod cg;
+mod gmres;
+mod krylov;
+mod moved;
+mod response;
+
+use std::ops::ControlFlow;
+
+use crate::buffer;
+use crate::cgm::monitor::Monitor;
+use crate::cgm::motion::Row;
+use crate::cgm::moving::MovingCells;
+use crate::cgm::run::Precision;
+use crate::cgm::small::Small;
+use crate::cgm::turn::Weight;
+use crate::cgm::vector::{at, chunks, held, plus, put, slices, slices_mut, update_cells, within};
+use crate::error::Result;
+use crate::layout::Layout;
+use crate::operator::Operator;
+use crate::report::{Report, Status};
+
+use krylov::RESTART;
+pub(in crate::cgm) use moved::Moved;
+pub(crate) use response::Held;
+
+/// Bases of GMRES begun before the sets are looked at again.
+pub(in crate::cgm) const BASES: usize = 2;
+
+/// The buffers of the linear problem.
+#[derive(Debug, Clone)]
+pub(crate) struct LinearWorkspace<C, P, R, const N: usize> {
+    /// Of the operator, and of the preconditioner.
+    pub(in crate::cgm) operator: C,
+    pub(in crate::cgm) preconditioner: P,
+    pub(in crate::cgm) direction: [Vec<f64>; N],
+    pub(in crate::cgm) image: [Vec<f64>; N],
+    /// How each cell moves; of [steady](Row::IS_STEADY) ones only those that move, in the order of their list.
+    pub(in crate::cgm) rows: Vec<R>,
+    /// The cells that move; the vectors below hold these alone.
+    pub(in crate::cgm) moving: MovingCells,
+    pub(in crate::cgm) residual: Vec<[f64; N]>,
+    pub(in crate::cgm) correction: Vec<[f64; N]>,
+    /// How a change of each multiplier spreads over the unknowns, `w_a = M e_a`.
+    pub(in crate::cgm) spread: Vec<[[f64; N]; N]>,
+    /// The basis of GMRES; of no cells before it is needed.
+    basis: [Vec<[f64; N]>; RESTART + 1],
+    pub(in crate::cgm) report: Report,
+}
+
+impl<C, P, R: Row<N>, const N: usize> LinearWorkspace<C, P, R, N> {
+    /// For an operator and its preconditioner; the vectors of the cells that move have no cells yet.
+    pub(crate) fn new(
+        operator: &impl Operator<N, Workspace = C>,
+        preconditioner: &impl Operator<N, Workspace = P>,
+    ) -> Result<Self> {
+        let cells = operator.cells();
+        Ok(Self {
+            operator: operator.try_workspace()?,
+            preconditioner: preconditioner.try_workspace()?,
+            direction: buffer::vector(cells)?,
+            image: buffer::vector(cells)?,
+            rows: buffer::filled(R::FIXED, cells)?,
+            moving: MovingCells::new(operator.layout())?,
+            residual: Vec::new(),
+            correction: Vec::new(),
+            spread: Vec::new(),
+            basis: std::array::from_fn(|_| Vec::new()),
+            report: Report::with_room(),
+        })
+    }
+
+    /// Makes room for the unknowns of the cells that move, which alone the linear problem writes of its full vectors.
+    pub(in crate::cgm) fn list(&mut self) -> Result<()> {
+        for part in &mut self.direction {
+            part.fill(0.0);
+        }
+        self.make_room(self.moving.len())
+    }
+
+    /// Makes room for the unknowns of so many cells.
+    pub(in crate::cgm) fn make_room(&mut self, cells: usize) -> Result<()> {
+        buffer::resize(&mut self.residual, cells, [0.0; N])?;
+        buffer::resize(&mut self.correction, cells, [0.0; N])?;
+        buffer::resize(&mut self.spread, cells, [[0.0; N]; N])
+    }
+}
+
+/// The totals beside the cells as they may move at present.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::cgm) struct Border<const N: usize> {
+    /// The totals that the cells can change.
+    pub(in crate::cgm) active: [bool; N],
+    /// The sum of each component that the spread of each multiplier adds, plus one over the compliance of a spring.
+    pub(in crate::cgm) matrix: Small<N>,
+}
+
+impl<const N: usize> Border<N> {
+    /// Of motions that are prescribed.
+    pub(in crate::cgm) const NONE: Self = Self {
+        active: [false; N],
+        matrix: Small([[0.0; N]; N]),
+    };
+
+    /// The changes of the multipliers that leave `missing` after `added`.
+    pub(in crate::cgm) fn balance(&self, missing: [f64; N], added: [f64; N]) -> [f64; N] {
+        let right = std::array::from_fn(|c| missing[c] - added[c]);
+        self.matrix.solve(right, self.active)
+    }
+}
+
+/// The linear problem of the cells as they may move now.
+pub(crate) struct Linear<'a, 'm, C: Operator<N>, P: Operator<N>, R, const N: usize> {
+    pub(in crate::cgm) operator: &'a C,
+    pub(in crate::cgm) preconditioner: &'a P,
+    pub(in crate::cgm) layout: &'a Layout,
+    /// Compliance that cells have of their own beside the operator; of no cells where none has.
+    pub(in crate::cgm) diagonal: &'a [f64],
+    /// Of the eigenvalues; zero if none is known.
+    pub(in crate::cgm) lower_bound: f64,
+    /// Stiffness that is added to the operator; zero but in the way out of a cycle.
+    pub(in crate::cgm) restraint: f64,
+    /// Restraint beside which the inverse of the operator alone is of no use.
+    pub(in crate::cgm) stiff: f64,
+    pub(in crate::cgm) monitor: &'a mut Monitor<'m>,
+    pub(in crate::cgm) workspace: &'a mut LinearWorkspace<C::Workspace, P::Workspace, R, N>,
+}
+
+impl<C: Operator<N>, P: Operator<N>, R: Row<N>, const N: usize> Linear<'_, '_, C, P, R, N> {
+    /// Asks whether to take another step.
+    fn proceed(&mut self) -> ControlFlow<Status> {
+        self.monitor.proceed(&self.workspace.report)
+    }
+
+    fn count_step(&mut self) {
+        self.monitor.count_step(&mut self.workspace.report);
+    }
+
+    /// `image = C direction`, with what the cells add alone.
+    pub(in crate::cgm) fn apply(&mut self, precision: Precision) {
+        let w = &mut *self.workspace;
+        let (direction, image) = (slices(&w.direction), slices_mut(&mut w.image));
+        let report = &mut w.report;
+        precision.apply(self.operator, direction, image, &mut w.operator, report);
+        let (restraint, diagonal) = (self.restraint, self.diagonal);
+        if restraint > 0.0 || !diagonal.is_empty() {
+            let own = |i: usize| diagonal.get(i).copied().unwrap_or(0.0);
+            update_cells(&mut w.image, |i, u| {
+                plus(u, restraint + own(i), at(&direction, i))
+            });
+        }
+        if R::HAS_LAG {
+            let rows = &w.rows;
+            let image = chunks(self.layout, &mut w.image);
+            w.moving.sweep(image, |entries, mut image| {
+                let direction = within(&direction, &entries.chunk);
+                for (k, place) in entries.places().enumerate() {
+                    let lag = entries.row(rows, k, place).lag(at(&direction, place));
+                    let moved = plus(held(&image, place), 1.0, lag);
+                    put(&mut image, place, moved);
+                }
+            });
+        }
+    }
+
+    /// `image = M direction`.
+    pub(in crate::cgm) fn precondition(&mut self) {
+        let w = &mut *self.workspace;
+        if self.restraint > self.stiff {
+            let direction = slices(&w.direction);
+            update_cells(&mut w.image, |i, _| {
+                at(&direction, i).map(|r| r / self.restraint)
+            });
+            return;
+        }
+        self.weigh_free(|weight, r, answer| (r.map(|r| weight.weighted(r)), answer));
+        let w = &mut *self.workspace;
+        let (direction, image) = (slices(&w.direction), slices_mut(&mut w.image));
+        self.preconditioner
+            .apply_f32(direction, image, &mut w.preconditioner);
+        self.weigh_free(|weight, r, answer| {
+            let z = |c: usize| weight.preconditioned_from(answer[c], r[c]);
+            (r, std::array::from_fn(z))
+        });
+    }
+
+    /// Changes what cells that move freely, and have a compliance of their own, ask of the inverse operator and what it
+    /// answers.
+    fn weigh_free(
+        &mut self,
+        weigh: impl Fn(Weight, [f64; N], [f64; N]) -> ([f64; N], [f64; N]) + Sync,
+    ) {
+        let (diagonal, lower_bound) = (self.diagonal, self.lower_bound);
+        if diagonal.is_empty() {
+            return;
+        }
+        let w = &mut *self.workspace;
+        let rows = &w.rows;
+        let data = (
+            chunks(self.layout, &mut w.direction),
+            chunks(self.layout, &mut w.image),
+        );
+        w.moving.sweep(data, |entries, (mut direction, mut image)| {
+            for (k, place) in entries.places().enumerate() {
+                if !entries.row(rows, k, place).is_free() {
+                    continue;
+                }
+                let own = diagonal[entries.chunk.start + place];
+                let weight = Weight::new(own, lower_bound);
+                let (r, z) = weigh(weight, held(&direction, place), held(&image, place));
+                put(&mut direction, place, r);
+                put(&mut image, place, z);
+            }
+        });
+    }
+
+    /// Finds how a change of one multiplier spreads over the cells, and what it changes of all sums.
+    pub(in crate::cgm) fn spread(&mut self, a: usize) -> [f64; N] {
+        let mut unit = [0.0; N];
+        unit[a] = 1.0;
+        let w = &mut *self.workspace;
+        let rows = &w.rows;
+        let direction = chunks(self.layout, &mut w.direction);
+        w.moving.sweep(direction, |entries, mut full| {
+            for (k, place) in entries.places().enumerate() {
+                let row = entries.row(rows, k, place);
+                put(&mut full, place, row.weighted(row.restrict(unit)));
+            }
+        });
+        self.precondition();
+        let w = &mut *self.workspace;
+        let (rows, image) = (&w.rows, slices(&w.image));
+        let data = w.moving.compressed(&mut w.spread);
+        w.moving.sweep(data, |entries, spread| {
+            let image = within(&image, &entries.chunk);
+            entries.sums(|k, place| {
+                let row = entries.row(rows, k, place);
+                let z = row.preconditioned(at(&image, place), row.restrict(unit));
+                spread.items[k][a] = z;
+                row.extend(z)
+            })
+        })
+    }
+}

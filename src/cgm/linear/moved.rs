@@ -1,0 +1,68 @@
+//! The iterate of a Newton step as corrections of GMRES move it.
+
+use std::ops::ControlFlow;
+
+use crate::cgm::linear::Linear;
+use crate::cgm::linear::gmres::Equations;
+use crate::cgm::motion::Row;
+use crate::cgm::run::Precision;
+use crate::cgm::vector::{at, minus, plus, slices};
+use crate::operator::Operator;
+use crate::parallel;
+use crate::report::Status;
+
+/// Unknowns, displacements and multipliers of an iterate, and the gap that is added to its displacements; of no cells where
+/// they have it in them.
+pub(in crate::cgm) struct Moved<'a, 'x, const N: usize> {
+    pub(in crate::cgm) x: &'a mut [&'x mut [f64]; N],
+    pub(in crate::cgm) displacement: &'a mut [Vec<f64>; N],
+    pub(in crate::cgm) gap: [&'a [f64]; N],
+    pub(in crate::cgm) multiplier: &'a mut [f64; N],
+}
+
+impl<C: Operator<N>, P: Operator<N>, R: Row<N>, const N: usize> Equations<C, P, R, N>
+    for Moved<'_, '_, N>
+{
+    fn set_residual(&mut self, linear: &mut Linear<'_, '_, C, P, R, N>) -> ControlFlow<Status> {
+        let (x, u, gap) = (slices(self.x), slices(self.displacement), self.gap);
+        let multiplier = *self.multiplier;
+        let w = &mut *linear.workspace;
+        let rows = &w.rows;
+        let residual = w.moving.compressed(&mut w.residual);
+        w.moving.sweep(residual, |entries, residual| {
+            for (k, place) in entries.places().enumerate() {
+                let cell = entries.chunk.start + place;
+                let gap = gap.map(|gap| gap.get(cell).copied().unwrap_or(0.0));
+                let g = minus(plus(at(&u, cell), 1.0, gap), multiplier);
+                let row = entries.row(rows, k, place);
+                let (left, bend) = (row.restrict(g), row.bend(row.restrict(at(&x, cell))));
+                residual.items[k] = std::array::from_fn(|c| -left[c] - bend[c]);
+            }
+        });
+        ControlFlow::Continue(())
+    }
+
+    fn advance(
+        &mut self,
+        linear: &mut Linear<'_, '_, C, P, R, N>,
+        change: [f64; N],
+    ) -> ControlFlow<Status> {
+        linear.proceed()?;
+        linear.apply_to_correction(Precision::Single);
+        linear.count_step();
+        *self.multiplier = plus(*self.multiplier, 1.0, change);
+        let w = &*linear.workspace;
+        let add = |target: &mut [f64], source: &[f64]| {
+            parallel::update(target, |first, chunk| {
+                for (target, source) in chunk.iter_mut().zip(&source[first..]) {
+                    *target += source;
+                }
+            });
+        };
+        for c in 0..N {
+            add(&mut *self.x[c], &w.direction[c]);
+            add(&mut self.displacement[c], &w.image[c]);
+        }
+        ControlFlow::Continue(())
+    }
+}

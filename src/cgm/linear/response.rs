@@ -1,0 +1,213 @@
+//! How tractions answer motions of the bodies, while each cell goes on to move as it does.
+
+use std::ops::ControlFlow;
+
+use crate::buffer;
+use crate::cgm::Settings;
+use crate::cgm::linear::gmres::Equations;
+use crate::cgm::linear::{Border, Linear, LinearWorkspace};
+use crate::cgm::monitor::Monitor;
+use crate::cgm::motion::Row;
+use crate::cgm::run::Precision;
+use crate::cgm::vector::{at, dot, minus, plus, slices, within};
+use crate::error::{Error, Result};
+use crate::layout::Layout;
+use crate::operator::Operator;
+use crate::report::{Report, Status};
+use crate::watch::Observer;
+
+/// Bases after which a response counts as not found.
+const BASES: usize = 100;
+
+/// The right side of the equations, and the unknowns that answer it.
+struct Response<'a, const N: usize> {
+    right: &'a [[f64; N]],
+    unknowns: &'a mut [[f64; N]],
+    /// The size of the right side.
+    first: Option<f64>,
+}
+
+impl<C: Operator<N>, P: Operator<N>, R: Row<N>, const N: usize> Equations<C, P, R, N>
+    for Response<'_, N>
+{
+    fn set_residual(&mut self, linear: &mut Linear<'_, '_, C, P, R, N>) -> ControlFlow<Status> {
+        linear.proceed()?;
+        linear.workspace.correction.copy_from_slice(self.unknowns);
+        linear.apply_to_correction(Precision::Double);
+        let w = &mut *linear.workspace;
+        let (rows, correction, image) = (&w.rows, &w.correction, slices(&w.image));
+        let residual = w.moving.compressed(&mut w.residual);
+        w.moving.sweep(residual, |entries, residual| {
+            let image = within(&image, &entries.chunk);
+            let right = &self.right[entries.range.clone()];
+            let correction = &correction[entries.range.clone()];
+            for (k, place) in entries.places().enumerate() {
+                let row = entries.row(rows, k, place);
+                let (moved, bend) = (row.restrict(at(&image, place)), row.bend(correction[k]));
+                residual.items[k] = minus(right[k], plus(moved, 1.0, bend));
+            }
+        });
+        let size = linear.residual_size();
+        let first = *self.first.get_or_insert(size);
+        let residual = if first > 0.0 { size / first } else { 0.0 };
+        linear.workspace.report.residual = residual;
+        ControlFlow::Continue(())
+    }
+
+    fn advance(
+        &mut self,
+        linear: &mut Linear<'_, '_, C, P, R, N>,
+        _: [f64; N],
+    ) -> ControlFlow<Status> {
+        for (whole, part) in self.unknowns.iter_mut().zip(&linear.workspace.correction) {
+            *whole = std::array::from_fn(|c| whole[c] + part[c]);
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+/// Operator and preconditioner of cells that go on to move as they do.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Held<'a, C, P> {
+    pub(crate) operator: &'a C,
+    pub(crate) preconditioner: &'a P,
+    pub(crate) layout: &'a Layout,
+    /// Compliance that cells have of their own beside the operator; of no cells where none has.
+    pub(crate) own: &'a [f64],
+}
+
+impl<C, P> Held<'_, C, P> {
+    /// Finds the unknowns that answer a right side, in double precision, to a relative residual; what they leave stays in
+    /// the [residual](LinearWorkspace::left), their tractions are the [directions](LinearWorkspace::tractions).
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`]; [`Error::Memory`].
+    pub(crate) fn respond<R: Row<N>, const N: usize>(
+        &self,
+        right: &[[f64; N]],
+        unknowns: &mut Vec<[f64; N]>,
+        workspace: &mut LinearWorkspace<C::Workspace, P::Workspace, R, N>,
+        tolerance: f64,
+        observer: Observer<'_>,
+    ) -> Result<()>
+    where
+        C: Operator<N>,
+        P: Operator<N>,
+    {
+        unknowns.clear();
+        buffer::resize(unknowns, right.len(), [0.0; N])?;
+        let settings = Settings::default().max_iterations(usize::MAX);
+        let report = &mut workspace.report;
+        let mut monitor = Monitor::new(&settings, self.layout, observer, report);
+        monitor.free = workspace.moving.free(&workspace.rows);
+        let mut linear = Linear {
+            operator: self.operator,
+            preconditioner: self.preconditioner,
+            layout: self.layout,
+            diagonal: self.own,
+            lower_bound: self.operator.lower_bound(),
+            restraint: 0.0,
+            stiff: f64::INFINITY,
+            monitor: &mut monitor,
+            workspace: &mut *workspace,
+        };
+        let mut response = Response {
+            right,
+            unknowns,
+            first: None,
+        };
+        let limits = (BASES, tolerance);
+        let found = linear.solve(&Border::NONE, [0.0; N], limits, &mut response);
+        if let Some(lack) = monitor.lack.take() {
+            return Err(lack);
+        }
+        let status = match found {
+            ControlFlow::Continue(left) if left <= tolerance => Status::Converged,
+            ControlFlow::Continue(_) => Status::Stalled,
+            ControlFlow::Break(status) => status,
+        };
+        let report = &mut workspace.report;
+        report.status = status;
+        if status == Status::Converged {
+            Ok(())
+        } else {
+            Err(Error::NotConverged(Box::new(report.clone())))
+        }
+    }
+}
+
+impl<C, P, R: Row<N>, const N: usize> LinearWorkspace<C, P, R, N> {
+    /// Takes how each cell goes on to move, and makes room for the unknowns of those that do.
+    ///
+    /// # Errors
+    /// [`Error::Memory`].
+    pub(crate) fn hold(&mut self, row: impl Fn(usize) -> R + Sync) -> Result<()> {
+        self.moving.update(|i| row(i).moves());
+        let rows = self.moving.motions(&mut self.rows);
+        self.moving.sweep(rows, |entries, rows| {
+            entries.visit::<R, N>(|kept, place| {
+                rows.items[kept] = row(entries.chunk.start + place);
+            });
+        });
+        self.list()
+    }
+
+    /// The equations of displacements of the cells.
+    ///
+    /// # Errors
+    /// [`Error::Memory`].
+    pub(crate) fn restrict(
+        &self,
+        displacement: impl Fn(usize) -> [f64; N] + Sync,
+        right: &mut Vec<[f64; N]>,
+    ) -> Result<()> {
+        buffer::resize(right, self.moving.len(), [0.0; N])?;
+        let rows = &self.rows;
+        self.moving
+            .sweep(self.moving.compressed(right), |entries, right| {
+                for (k, place) in entries.places().enumerate() {
+                    let row = entries.row(rows, k, place);
+                    right.items[k] = row.restrict(displacement(entries.chunk.start + place));
+                }
+            });
+        Ok(())
+    }
+
+    /// The product of two vectors of the unknowns.
+    pub(crate) fn product(&self, a: &[[f64; N]], b: &[[f64; N]]) -> f64 {
+        let products = |k: usize| dot(a[k], b[k]);
+        self.moving
+            .sum(|range| range.fold(0.0, |sum, k| sum + products(k)))
+    }
+
+    /// Visits the cells that move, with their place among the unknowns.
+    pub(crate) fn places(&self, mut f: impl FnMut(usize, usize)) {
+        self.moving.places(&mut f);
+    }
+
+    /// `C x` of any tractions.
+    pub(crate) fn displace(
+        &mut self,
+        operator: &impl Operator<N, Workspace = C>,
+        x: [&[f64]; N],
+        out: [&mut [f64]; N],
+    ) {
+        operator.apply(x, out, &mut self.operator);
+        self.report.double_precision_products += 1;
+    }
+
+    /// How the last response was found.
+    pub(crate) fn report(&self) -> &Report {
+        &self.report
+    }
+
+    /// What the last response leaves of its equations.
+    pub(crate) fn left(&self) -> &[[f64; N]] {
+        &self.residual
+    }
+
+    /// The tractions of the last response.
+    pub(crate) fn tractions(&self) -> [&[f64]; N] {
+        slices(&self.direction)
+    }
+}

@@ -1,0 +1,111 @@
+//! What the passes of one solve have in common: settings, clock and observer, and limits and counts that hold for all of
+//! them together.
+
+use std::ops::ControlFlow;
+
+use crate::cgm::{Iteration, Settings};
+use crate::clock::Instant;
+use crate::elastic::Observer;
+use crate::error::{Error, Result};
+use crate::report::{Report, Status};
+
+/// Relative accuracy of a coarse answer: its own discretisation error is not smaller.
+const COARSE_TOLERANCE: f64 = 1e-2;
+/// Steps a coarse answer may take: one that is hard to find is not worth more.
+const COARSE_STEPS: usize = 100;
+
+/// Settings, clock and observer of a solve.
+pub(crate) struct Conditions<'a, 'b> {
+    pub(crate) settings: &'a Settings,
+    pub(crate) start: Instant,
+    pub(crate) observer: Observer<'b>,
+}
+
+impl<'a, 'b> Conditions<'a, 'b> {
+    /// From now on.
+    pub(crate) fn new(settings: &'a Settings, observer: Observer<'b>) -> Self {
+        Self {
+            settings,
+            start: Instant::now(),
+            observer,
+        }
+    }
+
+    /// The same clock and observer under other settings.
+    pub(crate) fn under<'c>(&'c mut self, settings: &'c Settings) -> Conditions<'c, 'c> {
+        Conditions {
+            settings,
+            start: self.start,
+            observer: &mut *self.observer,
+        }
+    }
+
+    /// The settings with what is left of their time limit.
+    pub(crate) fn in_time(&self) -> Settings {
+        Settings {
+            time_limit: self
+                .settings
+                .time_limit
+                .map(|limit| limit.saturating_sub(self.start.elapsed())),
+            ..*self.settings
+        }
+    }
+
+    /// The settings with what earlier passes have left of their limits, one step at least.
+    pub(crate) fn left(&self, earlier: &Report) -> Settings {
+        let steps = self.settings.max_iterations;
+        let left = steps.saturating_sub(earlier.iterations).max(1);
+        self.in_time().max_iterations(left)
+    }
+
+    /// `Ok` if the limit of iterations leaves some for a further pass, else the report of the solve, which it ends.
+    pub(crate) fn check_iterations_left(&self, report: &mut Report) -> Result<()> {
+        if report.iterations < self.settings.max_iterations {
+            return Ok(());
+        }
+        report.status = Status::IterationLimit;
+        Err(Error::NotConverged(Box::new(report.clone())))
+    }
+
+    /// The settings of a coarse solve: a rough answer, within the time that is left.
+    pub(crate) fn rough(&self) -> Settings {
+        self.in_time()
+            .tolerance(self.settings.tolerance.max(COARSE_TOLERANCE))
+            .max_iterations(self.settings.max_iterations.min(COARSE_STEPS))
+    }
+}
+
+/// An observer that refuses from its first refusal on.
+pub(crate) fn with_memory(
+    observer: Observer<'_>,
+) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send {
+    let mut cancelled = false;
+    move |iteration| {
+        if cancelled || observer(iteration).is_break() {
+            cancelled = true;
+            return ControlFlow::Break(());
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+/// An observer of a further pass, which counts those before it too.
+pub(crate) fn with_counts_of(
+    earlier: &Report,
+    observer: Observer<'_>,
+) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send {
+    let before = earlier.counts();
+    move |step| observer(&step.after(before))
+}
+
+/// The status of a pass that observer or clock ended. Any other pass serves what follows it, finished or not.
+pub(crate) fn ended_from_outside(outcome: Result<()>) -> Result<Option<Status>> {
+    match outcome {
+        Ok(()) => Ok(None),
+        Err(Error::NotConverged(report)) => {
+            let is_outside = matches!(report.status, Status::Cancelled | Status::TimeLimit);
+            Ok(is_outside.then_some(report.status))
+        }
+        Err(error) => Err(error),
+    }
+}

@@ -1,0 +1,127 @@
+//! The loop of a contact that is found on a window of the grid: solve there, look at the whole grid, go on where the window
+//! was too small.
+
+use crate::error::{Error, Result};
+use crate::half_space::HalfSpace;
+use crate::left_behind::{LeftBehind, OfSize};
+use crate::window::Window;
+
+/// Overlap beyond the window, relative to the largest displacement, that a product may show by itself.
+const ROUND_OFF: f64 = 1e-13;
+
+/// What solves on a window.
+pub(crate) trait OnWindow: Sized {
+    /// On a window, as [`HalfSpace::place`] has it.
+    fn new(bodies: &HalfSpace, window: Window) -> Result<Self>;
+
+    fn window(&self) -> Window;
+
+    /// Moves to another place of the same size.
+    fn move_to(&mut self, bodies: &HalfSpace, window: Window);
+
+    /// Gives the buffers back that it borrows.
+    fn rest(&mut self) {}
+}
+
+impl<E: OnWindow> OfSize for E {
+    fn size(&self) -> [usize; 2] {
+        self.window().size
+    }
+}
+
+/// What a pass on a window has come to.
+pub(crate) enum Seen {
+    /// The answer.
+    Answer,
+    /// On the grid the bound is wider than on the window, and wider than was asked for.
+    Loose,
+    /// Bodies overlap there, beyond the window.
+    Missed(Window),
+}
+
+/// What solves on the window that a contact has, and on those it has left.
+#[derive(Debug, Clone)]
+pub(crate) struct Windows<E> {
+    /// `None` before the first contact.
+    pub(crate) present: Option<E>,
+    left_behind: LeftBehind<E>,
+}
+
+impl<E> Default for Windows<E> {
+    fn default() -> Self {
+        Self {
+            present: None,
+            left_behind: LeftBehind::default(),
+        }
+    }
+}
+
+impl<E: OnWindow> Windows<E> {
+    /// The window of the contact; `None` before the first.
+    pub(crate) fn window(&self) -> Option<Window> {
+        self.present.as_ref().map(E::window)
+    }
+
+    /// Counts a solve, or a step without one.
+    pub(crate) fn age(&mut self) {
+        self.left_behind.age();
+    }
+
+    /// Changes to a window.
+    pub(crate) fn work_on(&mut self, bodies: &HalfSpace, window: Window) -> Result<()> {
+        let window = bodies.place(window);
+        let make = || E::new(bodies, window);
+        let engine = self
+            .left_behind
+            .provide(&mut self.present, window.size, make)?;
+        engine.move_to(bodies, window);
+        Ok(())
+    }
+
+    /// Goes on as after a solve that ended with this window.
+    pub(crate) fn resume(&mut self, bodies: &HalfSpace, window: Option<Window>) -> Result<()> {
+        match window {
+            _ if window == self.window() => {}
+            Some(window) => self.work_on(bodies, window)?,
+            None => self.present = None,
+        }
+        Ok(())
+    }
+
+    /// Makes passes, each on the present window and with a look at the whole grid, to a part of the tolerance. Where bodies
+    /// overlap beyond the window the next has a wider one; where the bound is too wide the next is stricter.
+    ///
+    /// # Errors
+    /// Those of the passes, which also end it.
+    pub(crate) fn solve(
+        &mut self,
+        bodies: &HalfSpace,
+        mut pass: impl FnMut(&mut E, f64) -> Result<Seen>,
+    ) -> Result<()> {
+        let mut part = 1.0;
+        loop {
+            let engine = self.present.as_mut().ok_or(Error::EmptyContact)?;
+            match pass(engine, part)? {
+                Seen::Answer => return Ok(()),
+                Seen::Loose => part *= 0.5,
+                Seen::Missed(missed) => {
+                    let wider = engine.window().union(missed).widened(bodies.grid());
+                    engine.rest();
+                    self.work_on(bodies, wider)?;
+                }
+            }
+        }
+    }
+}
+
+/// Around the cells beyond a window where bodies overlap by more than round-off of the largest displacement; `gap` is that
+/// under load, of a cell held here.
+pub(crate) fn missed(
+    bodies: &HalfSpace,
+    window: Window,
+    largest: f64,
+    gap: impl Fn(usize) -> f64 + Sync,
+) -> Option<Window> {
+    let (first, round_off) = (bodies.first_cell(), ROUND_OFF * largest);
+    bodies.around(|i| gap(i) < -round_off && !window.contains(first + i))
+}

@@ -1,0 +1,55 @@
+//! Who watches the solves behind a stiffness, and what they have cost together.
+
+use crate::cgm::{Held, LinearWorkspace, Row};
+use crate::contact::with_counts_of;
+use crate::error::{Error, Result};
+use crate::operator::Operator;
+use crate::report::{Iteration, Report, Status};
+use crate::watch::Observer;
+
+/// What is asked of the solves, and their report.
+pub(super) struct Course<'a> {
+    pub(super) tolerance: f64,
+    /// Whether the stiffness at reversal is asked for too.
+    pub(super) has_reversal: bool,
+    pub(super) report: &'a mut Report,
+    pub(super) observer: Observer<'a>,
+}
+
+impl Course<'_> {
+    /// Finds the unknowns that answer a right side.
+    pub(super) fn respond<C: Operator<N>, P: Operator<N>, R: Row<N>, const N: usize>(
+        &mut self,
+        held: &Held<'_, C, P>,
+        right: &[[f64; N]],
+        unknowns: &mut Vec<[f64; N]>,
+        workspace: &mut LinearWorkspace<C::Workspace, P::Workspace, R, N>,
+    ) -> Result<()> {
+        let mut observer = with_counts_of(self.report, &mut *self.observer);
+        let outcome = held.respond(right, unknowns, workspace, self.tolerance, &mut observer);
+        drop(observer);
+        self.report.add_pass(workspace.report());
+        outcome.map_err(|error| match error {
+            Error::NotConverged(_) => Error::NotConverged(Box::new(self.report.clone())),
+            other => other,
+        })
+    }
+
+    /// Asks the observer before a product beside the solves, and counts it.
+    pub(super) fn ask(&mut self) -> Result<()> {
+        let report = &mut *self.report;
+        let shown = Iteration {
+            iteration: report.iterations,
+            double_precision_products: report.double_precision_products,
+            single_precision_products: report.single_precision_products,
+            residual: report.residual,
+            free: 0,
+        };
+        if (self.observer)(&shown).is_break() {
+            report.status = Status::Cancelled;
+            return Err(Error::NotConverged(Box::new(report.clone())));
+        }
+        report.double_precision_products += 1;
+        Ok(())
+    }
+}

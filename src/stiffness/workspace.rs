@@ -1,0 +1,122 @@
+//! What a stiffness is found in, again and again.
+
+use crate::cgm::{Disc, Interval, Linearised};
+use crate::error::{Result, positive};
+use crate::report::Report;
+use crate::stiffness::contact::ByApproach;
+use crate::stiffness::coupled::Joint;
+use crate::stiffness::course::Course;
+use crate::stiffness::system::System;
+use crate::watch::Observer;
+
+/// The system of a kind of set.
+pub(super) type SystemOf<S, const N: usize> = System<<S as Linearised<N>>::Motion, N>;
+
+/// Buffers, tolerance and report of stiffnesses that are found one after the other.
+///
+/// The first stiffness allocates; further ones of contacts on the same bodies whose bounding box has the same size do not,
+/// and their operators are made once. A Newton iteration around a [`History`](crate::History) holds one.
+///
+/// ```
+/// use stickslip::stiffness::StiffnessWorkspace;
+/// use stickslip::*;
+/// let grid = Grid::square(48, 12.0)?;
+/// let steel = Material::new(1.0, 0.3)?;
+/// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
+/// let ball = surface::sphere(grid, 20.0)?;
+/// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.4)?).build()?;
+/// history.step(&LoadStep::hold().normal(NormalControl::Approach(0.5)))?;
+/// // What a step that presses on needs: without the second set of cells.
+/// let mut workspace = StiffnessWorkspace::new().reversal(false);
+/// let slope = history.stiffness_with(&mut workspace, |_| std::ops::ControlFlow::Continue(()))?;
+/// assert_eq!(slope.tangential.reversal[0][0], None);
+/// assert!(workspace.report().is_converged() && workspace.report().products() > 0);
+/// let force = history.normal().force();
+/// history.step(&LoadStep::hold().normal(NormalControl::Approach(0.501)))?;
+/// let expected = 0.001 * slope.normal.value;
+/// assert!(((history.normal().force() - force) / expected - 1.0).abs() < 0.01);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Debug)]
+pub struct StiffnessWorkspace {
+    tolerance: f64,
+    has_reversal: bool,
+    report: Report,
+    buffers: Buffers,
+}
+
+/// The buffers of each kind of contact, from its first stiffness on.
+#[derive(Debug, Default)]
+pub(super) struct Buffers {
+    pub(super) normal: Option<SystemOf<Interval, 1>>,
+    pub(super) along: Option<SystemOf<Interval, 1>>,
+    pub(super) plane: Option<SystemOf<Disc, 2>>,
+    pub(super) joint: Option<Joint>,
+    pub(super) by_approach: ByApproach,
+}
+
+impl Default for StiffnessWorkspace {
+    fn default() -> Self {
+        Self {
+            tolerance: 1e-11,
+            has_reversal: true,
+            report: Report::unsolved(),
+            buffers: Buffers::default(),
+        }
+    }
+}
+
+impl StiffnessWorkspace {
+    /// Without buffers yet.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// With a relative residual at which the linear problems count as solved (default: 1e-11). The error of a stiffness is
+    /// of the order of its square.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`](crate::Error::NotPositive).
+    pub fn tolerance(mut self, tolerance: f64) -> Result<Self> {
+        self.tolerance = positive("tolerance", tolerance)?;
+        Ok(self)
+    }
+
+    /// With or without the stiffness at reversal, which is half of the cost (default: with); without it its entries are
+    /// `None`.
+    #[must_use]
+    pub fn reversal(mut self, has_reversal: bool) -> Self {
+        self.has_reversal = has_reversal;
+        self
+    }
+
+    /// How the last stiffness was found: steps and products of all linear problems together, residual and status of the
+    /// last.
+    #[must_use]
+    pub fn report(&self) -> &Report {
+        &self.report
+    }
+
+    /// Begins another stiffness.
+    pub(super) fn begin<'a>(&'a mut self, observer: Observer<'a>) -> (Course<'a>, &'a mut Buffers) {
+        self.report.clear();
+        let course = Course {
+            tolerance: self.tolerance,
+            has_reversal: self.has_reversal,
+            report: &mut self.report,
+            observer,
+        };
+        (course, &mut self.buffers)
+    }
+}
+
+/// What is in a slot, if it is the one that is asked for, else what `make` makes.
+pub(super) fn provide<T>(
+    slot: &mut Option<T>,
+    is_own: impl Fn(&T) -> bool,
+    make: impl FnOnce() -> Result<T>,
+) -> Result<&mut T> {
+    let own = slot.take().filter(is_own).map_or_else(make, Ok)?;
+    Ok(slot.insert(own))
+}
