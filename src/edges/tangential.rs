@@ -92,7 +92,8 @@ impl TangentialSolution {
     /// ```
     /// use stickslip::*;
     /// let grid = Grid::square(64, 3.0)?;
-    /// let pair = ElasticPair::new(Material::new(1.0, 0.0)?, Material::rigid())?;
+    /// let body = Material::new(2.0, 0.0)?;
+    /// let pair = ElasticPair::new(body, body)?;
     /// let bodies = HalfSpace::new(grid, pair)?.with_cell_value(CellValue::Centre)?;
     /// let hertz = analytical::HertzSphere::new(&pair, 1.0, 4.0 / 3.0)?;
     /// let exact = analytical::CattaneoMindlin::new(hertz, 0.5, 0.4 * 0.5 * 4.0 / 3.0)?;
@@ -102,8 +103,8 @@ impl TangentialSolution {
     /// let builder = TangentialProblem::builder(&bodies, &contact, friction.clone(), load);
     /// let shear = builder.build()?.solve()?;
     /// let edges = shear.edges(&contact, &friction)?;
-    /// assert!((edges.stick_ratio() - exact.stick_ratio()).abs() < 5e-4 * exact.stick_ratio());
-    /// assert!((shear.stick_ratio() - exact.stick_ratio()).abs() > 1e-3 * exact.stick_ratio()); // counted
+    /// assert!((edges.stick_ratio() - exact.stick_ratio()).abs() < 2e-3 * exact.stick_ratio());
+    /// assert!((shear.stick_ratio() - exact.stick_ratio()).abs() > 5e-3 * exact.stick_ratio()); // counted
     /// # Ok::<(), Error>(())
     /// ```
     ///

@@ -39,6 +39,8 @@ module stickslip_bindings
     public :: stickslip_last_error
     public :: stickslip_last_error_report
     public :: stickslip_half_space_new
+    public :: stickslip_half_space_set_cell_value
+    public :: stickslip_half_space_cell_value
     public :: stickslip_half_space_free
     public :: stickslip_half_space_grid
     public :: stickslip_half_space_pair
@@ -221,6 +223,10 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_PERIODIC = 1
     ! The grid repeats along y alone.
     integer(c_int32_t), parameter, public :: STICKSLIP_PERIODIC_ALONG_Y = 2
+    ! The traction of a cell is uniform over it.
+    integer(c_int32_t), parameter, public :: STICKSLIP_UNIFORM = 0
+    ! The traction of a cell is that at its centre, and smooth between the centres.
+    integer(c_int32_t), parameter, public :: STICKSLIP_CENTRE = 1
     ! Active sets, the default.
     integer(c_int32_t), parameter, public :: STICKSLIP_ACTIVE_SET = 0
     ! The loop of Polonsky and Keer, for pressure or for one traction.
@@ -279,6 +285,9 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_NARROW_SLIP = 10
     ! A coupled problem was pressed in one step.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_PRESSED_AT_ONCE = 11
+    ! The cells leave an error of more than 5 % in the pressure or the traction, by an estimate; 1 % needs so many (cells) on the
+    ! radius of a contact spot.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_DISCRETISATION_ERROR = 12
     ! Any other: the message says which.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_OTHER = 127
     ! Bytes of the message of a warning.
@@ -377,6 +386,8 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_EMPTY_BAND = 86
     ! No heights of this skewness (value) and kurtosis (limit) were found.
     integer(c_int32_t), parameter, public :: STICKSLIP_HEIGHTS_NOT_REACHED = 87
+    ! Two objects belong to bodies whose cells have values of another meaning.
+    integer(c_int32_t), parameter, public :: STICKSLIP_CELL_VALUE_MISMATCH = 88
     ! Any other refusal: the message says which.
     integer(c_int32_t), parameter, public :: STICKSLIP_REFUSED = 127
     ! Body 1, into which z points.
@@ -1360,6 +1371,23 @@ module stickslip_bindings
             type(stickslip_half_space), intent(out) :: half_space
             integer(c_int32_t) :: answer
         end function stickslip_half_space_new
+
+        ! Chooses the meaning of the pressure and the traction of a cell, STICKSLIP_UNIFORM (at first) or STICKSLIP_CENTRE, for what is
+        ! made of the bodies from now on. On a grid with STICKSLIP_PERIODIC values are those at the centres in any case.
+        function stickslip_half_space_set_cell_value(half_space, value) result(answer) bind(c)
+            import
+            type(stickslip_half_space), value :: half_space
+            integer(c_int32_t), value :: value
+            integer(c_int32_t) :: answer
+        end function stickslip_half_space_set_cell_value
+
+        ! The meaning of the pressure and the traction of a cell: STICKSLIP_UNIFORM or STICKSLIP_CENTRE.
+        function stickslip_half_space_cell_value(half_space, value) result(answer) bind(c)
+            import
+            type(stickslip_half_space), value :: half_space
+            integer(c_int32_t), intent(out), optional :: value
+            integer(c_int32_t) :: answer
+        end function stickslip_half_space_cell_value
 
         ! Frees the bodies; nothing for NULL.
         function stickslip_half_space_free(half_space) result(answer) bind(c)

@@ -27,6 +27,7 @@ module stickslip_objects
         type(stickslip_grid) :: grid
     contains
         procedure :: new => half_space_new
+        procedure :: set_cell_value => half_space_set_cell_value
         procedure :: pair => half_space_pair
         procedure :: address => half_space_address
         procedure :: free => half_space_free
@@ -184,6 +185,14 @@ contains
         end if
         call report_status(code, status)
     end subroutine half_space_new
+
+    ! STICKSLIP_UNIFORM (at first) or STICKSLIP_CENTRE, for what is made of the bodies from now on.
+    subroutine half_space_set_cell_value(this, value, status)
+        class(half_space), intent(inout) :: this
+        integer(c_int32_t), intent(in) :: value
+        integer(c_int32_t), intent(out), optional :: status
+        call report_status(stickslip_half_space_set_cell_value(this%handle, value), status)
+    end subroutine half_space_set_cell_value
 
     function half_space_pair(this, status) result(pair)
         class(half_space), intent(in) :: this

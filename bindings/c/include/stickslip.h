@@ -169,6 +169,12 @@
 // The grid repeats along y alone.
 #define STICKSLIP_PERIODIC_ALONG_Y 2
 
+// The traction of a cell is uniform over it.
+#define STICKSLIP_UNIFORM 0
+
+// The traction of a cell is that at its centre, and smooth between the centres.
+#define STICKSLIP_CENTRE 1
+
 // Active sets, the default.
 #define STICKSLIP_ACTIVE_SET 0
 
@@ -255,6 +261,10 @@
 
 // A coupled problem was pressed in one step.
 #define STICKSLIP_WARNING_PRESSED_AT_ONCE 11
+
+// The cells leave an error of more than 5 % in the pressure or the traction, by an estimate; 1 % needs so many (cells) on the
+// radius of a contact spot.
+#define STICKSLIP_WARNING_DISCRETISATION_ERROR 12
 
 // Any other: the message says which.
 #define STICKSLIP_WARNING_OTHER 127
@@ -401,6 +411,9 @@
 
 // No heights of this skewness (value) and kurtosis (limit) were found.
 #define STICKSLIP_HEIGHTS_NOT_REACHED 87
+
+// Two objects belong to bodies whose cells have values of another meaning.
+#define STICKSLIP_CELL_VALUE_MISMATCH 88
 
 // Any other refusal: the message says which.
 #define STICKSLIP_REFUSED 127
@@ -1240,6 +1253,13 @@ stickslip_status stickslip_half_space_new(const stickslip_grid *grid,
                                           const stickslip_material *body_2,
                                           const stickslip_boundary *boundary,
                                           stickslip_half_space **half_space);
+
+// Chooses the meaning of the pressure and the traction of a cell, STICKSLIP_UNIFORM (at first) or STICKSLIP_CENTRE, for what is
+// made of the bodies from now on. On a grid with STICKSLIP_PERIODIC values are those at the centres in any case.
+stickslip_status stickslip_half_space_set_cell_value(stickslip_half_space *half_space, int32_t value);
+
+// The meaning of the pressure and the traction of a cell: STICKSLIP_UNIFORM or STICKSLIP_CENTRE.
+stickslip_status stickslip_half_space_cell_value(const stickslip_half_space *half_space, int32_t *value);
 
 // Frees the bodies; nothing for NULL.
 stickslip_status stickslip_half_space_free(stickslip_half_space *half_space);

@@ -150,6 +150,7 @@ fn code_of(error: &Error) -> stickslip_status {
         Error::Length { .. } => STICKSLIP_LENGTH,
         Error::GridMismatch { .. } => STICKSLIP_GRID_MISMATCH,
         Error::BoundaryMismatch { .. } => STICKSLIP_BOUNDARY_MISMATCH,
+        Error::CellValueMismatch { .. } => STICKSLIP_CELL_VALUE_MISMATCH,
         Error::MaterialMismatch { .. } => STICKSLIP_MATERIAL_MISMATCH,
         Error::Tolerance(_) => STICKSLIP_TOLERANCE,
         Error::IterationLimit => STICKSLIP_ITERATION_LIMIT,

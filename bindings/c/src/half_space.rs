@@ -1,10 +1,13 @@
 //! The two bodies on their grid.
 
-use stickslip_rs::{Boundary, ElasticPair, HalfSpace};
+use stickslip_rs::{Boundary, CellValue, ElasticPair, HalfSpace};
 
 use crate::call::call;
-use crate::handle::{Handle, free, give, opaque};
-use crate::inputs::{stickslip_boundary, stickslip_grid, stickslip_material};
+use crate::handle::{Handle, changing, free, give, opaque};
+use crate::inputs::{
+    STICKSLIP_CENTRE, STICKSLIP_UNIFORM, cell_value, stickslip_boundary, stickslip_grid,
+    stickslip_material,
+};
 use crate::pointer::{Place, input, optional};
 use crate::reading::tell;
 use crate::status::stickslip_status;
@@ -61,6 +64,40 @@ pub unsafe extern "C" fn stickslip_half_space_new(
         give(place, bodies, grid.cells());
         Ok(())
     })
+}
+
+/// Chooses the meaning of the pressure and the traction of a cell, STICKSLIP_UNIFORM (at first) or STICKSLIP_CENTRE, for what is
+/// made of the bodies from now on. On a grid with STICKSLIP_PERIODIC values are those at the centres in any case.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_half_space_set_cell_value(
+    half_space: *mut stickslip_half_space,
+    value: i32,
+) -> stickslip_status {
+    call(|| {
+        // SAFETY: the rule for pointers.
+        let mut bodies = unsafe { changing(half_space.cast_const())? };
+        let chosen = cell_value(value)?;
+        let changed = bodies.clone().with_cell_value(chosen)?;
+        *bodies = changed;
+        Ok(())
+    })
+}
+
+/// The meaning of the pressure and the traction of a cell: STICKSLIP_UNIFORM or STICKSLIP_CENTRE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_half_space_cell_value(
+    half_space: *const stickslip_half_space,
+    value: *mut i32,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    unsafe {
+        tell(half_space, ("value", value), |of| {
+            Ok(match of.cell_value() {
+                CellValue::Uniform => STICKSLIP_UNIFORM,
+                CellValue::Centre => STICKSLIP_CENTRE,
+            })
+        })
+    }
 }
 
 /// Frees the bodies; nothing for NULL.

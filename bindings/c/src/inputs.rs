@@ -5,7 +5,7 @@ use std::time::Duration;
 use stickslip_rs::cgm::{Method, Settings};
 use stickslip_rs::normal::Hardness;
 use stickslip_rs::tangential::RelativeDisplacement;
-use stickslip_rs::{Boundary, Field, Friction, Grid, Material};
+use stickslip_rs::{Boundary, CellValue, Field, Friction, Grid, Material};
 
 use crate::call::Outcome;
 use crate::error::Failure;
@@ -96,6 +96,20 @@ impl stickslip_boundary {
             STICKSLIP_PERIODIC_ALONG_Y => Ok(Boundary::PeriodicAlongY { datum: self.datum }),
             other => Err(Failure::option("boundary", other)),
         }
+    }
+}
+
+/// The traction of a cell is uniform over it.
+pub const STICKSLIP_UNIFORM: i32 = 0;
+/// The traction of a cell is that at its centre, and smooth between the centres.
+pub const STICKSLIP_CENTRE: i32 = 1;
+
+/// The meaning of the value of a cell.
+pub(crate) fn cell_value(chosen: i32) -> Outcome<CellValue> {
+    match chosen {
+        STICKSLIP_UNIFORM => Ok(CellValue::Uniform),
+        STICKSLIP_CENTRE => Ok(CellValue::Centre),
+        other => Err(Failure::option("cell_value", other)),
     }
 }
 

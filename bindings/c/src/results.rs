@@ -110,6 +110,9 @@ pub const STICKSLIP_WARNING_COARSE_STICK: i32 = 9;
 pub const STICKSLIP_WARNING_NARROW_SLIP: i32 = 10;
 /// A coupled problem was pressed in one step.
 pub const STICKSLIP_WARNING_PRESSED_AT_ONCE: i32 = 11;
+/// The cells leave an error of more than 5 % in the pressure or the traction, by an estimate; 1 % needs so many (cells) on the
+/// radius of a contact spot.
+pub const STICKSLIP_WARNING_DISCRETISATION_ERROR: i32 = 12;
 /// Any other: the message says which.
 pub const STICKSLIP_WARNING_OTHER: i32 = 127;
 
@@ -148,6 +151,9 @@ impl From<&Warning> for stickslip_warning {
             Warning::CoarseStick { cells } => (STICKSLIP_WARNING_COARSE_STICK, cells, 0),
             Warning::NarrowSlip { .. } => (STICKSLIP_WARNING_NARROW_SLIP, 0, 0),
             Warning::PressedAtOnce => (STICKSLIP_WARNING_PRESSED_AT_ONCE, 0, 0),
+            Warning::DiscretisationError {
+                cells_per_radius, ..
+            } => (STICKSLIP_WARNING_DISCRETISATION_ERROR, cells_per_radius, 0),
             _ => (STICKSLIP_WARNING_OTHER, 0, 0),
         };
         let mut message: [c_char; STICKSLIP_WARNING_LENGTH] = [0; STICKSLIP_WARNING_LENGTH];

@@ -95,5 +95,7 @@ pub const STICKSLIP_HURST: i32 = 85;
 pub const STICKSLIP_EMPTY_BAND: i32 = 86;
 /// No heights of this skewness (value) and kurtosis (limit) were found.
 pub const STICKSLIP_HEIGHTS_NOT_REACHED: i32 = 87;
+/// Two objects belong to bodies whose cells have values of another meaning.
+pub const STICKSLIP_CELL_VALUE_MISMATCH: i32 = 88;
 /// Any other refusal: the message says which.
 pub const STICKSLIP_REFUSED: i32 = 127;

@@ -59,6 +59,12 @@ static void bad_input_is_refused(void) {
     CHECK(stickslip_half_space_new(&GRID, &rigid, &rigid, NULL, &none) == STICKSLIP_BOTH_RIGID);
     stickslip_boundary boundary = {7, 0.0};
     CHECK(stickslip_half_space_new(&GRID, &STEEL, &STEEL, &boundary, &none) == STICKSLIP_NO_SUCH_OPTION);
+    int32_t value = -1;
+    CHECK(stickslip_half_space_set_cell_value(bodies, 7) == STICKSLIP_NO_SUCH_OPTION);
+    OK(stickslip_half_space_set_cell_value(bodies, STICKSLIP_CENTRE));
+    OK(stickslip_half_space_cell_value(bodies, &value));
+    CHECK(value == STICKSLIP_CENTRE);
+    OK(stickslip_half_space_set_cell_value(bodies, STICKSLIP_UNIFORM));
 
     stickslip_normal_load load = {STICKSLIP_FORCE, 10.0}, nan_load = {STICKSLIP_FORCE, NAN};
     stickslip_normal_solver *solver = NULL;

@@ -14,7 +14,7 @@ use crate::grid::Grid;
 /// At a distance s from a smooth edge the pressure rises as the root of s and the gap opens as its power 3/2. A quadratic is
 /// fitted to the square of the one and the power 2/3 of the other in 7 x 7 cells about each cell at the edge; where it does
 /// not fit, the cell keeps its own pressure and has a mean correction of its area.
-#[pyclass(frozen, eq, module = "stickslip")]
+#[pyclass(frozen, eq, module = "stickslip.edges")]
 #[derive(Clone, PartialEq)]
 pub(crate) struct Edges(pub(crate) stickslip::edges::Edges);
 
@@ -89,7 +89,7 @@ impl Edges {
 }
 
 /// The edges of a contact in partial slip: of the contact and of its stick zone.
-#[pyclass(frozen, eq, module = "stickslip")]
+#[pyclass(frozen, eq, module = "stickslip.edges")]
 #[derive(Clone, PartialEq)]
 pub(crate) struct TangentialEdges(pub(crate) stickslip::edges::TangentialEdges);
 

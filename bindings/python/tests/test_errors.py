@@ -227,8 +227,9 @@ def test_warnings_are_objects_and_are_warned_of_by_default(scene):
         contact = tiny.solve(warn=False)
         with pytest.raises(ss.ContactWarning):
             tiny.solve()
-    [remark] = contact.warnings
-    assert repr(contact).endswith("converged, 1 warning)")
+    remark, coarse = contact.warnings
+    assert repr(contact).endswith("converged, 2 warnings)")
+    assert coarse.kind == "discretisation_error" and "1 %" in coarse.message
     assert remark.kind == "unresolved_spots" and "refine the grid" in repr(remark)
     with pytest.warns(ss.ContactWarning, match="refine the grid") as caught:
         tiny.solve()

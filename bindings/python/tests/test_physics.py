@@ -366,3 +366,21 @@ def test_a_plane_near_the_surface_warns_of_the_edge_of_a_sheared_contact(scene):
         planes.solve(0, "one", contact)
         with pytest.raises(ss.ContactWarning):
             planes.solve(0, "one", (contact, shear))
+
+
+def test_edges_are_found_inside_the_cells():
+    grid, body = ss.Grid.square(64, 3.0), ss.Material(2.0, 0.0)
+    bodies = ss.HalfSpace(grid, (body, body), cell_value="centre")
+    assert bodies.cell_value == ss.HalfSpace(*bodies.__reduce__()[1]).cell_value == "centre"
+    hertz = ss.analytical.HertzSphere(bodies.pair, 1.0, 4 / 3)
+    exact = ss.analytical.CattaneoMindlin(hertz, 0.5, 0.2)
+    contact = ss.NormalProblem(bodies, ss.surface.sphere(grid, 1.0), force=4 / 3).solve()
+    edges = contact.edges()
+    assert abs(edges.area / hertz.contact_area - 1) < 1e-3 < abs(contact.contact_area / hertz.contact_area - 1)
+    assert np.hypot(*np.moveaxis(edges.outline, 2, 0)).std() < 1e-3
+    assert edges.centres.shape == grid.shape and edges.covered.shape == edges.cells.shape == edges.is_fitted.shape
+    shear = ss.TangentialProblem(bodies, contact, 0.5, force_x=0.2).solve()
+    assert abs(shear.edges(contact, 0.5).stick_ratio - exact.stick_ratio) < 2e-3
+    assert 1e-3 < contact.discretisation_estimate < shear.discretisation_estimate < 0.05
+    with pytest.raises(ss.errors.CellValueMismatch):
+        contact.displacement(ss.HalfSpace(grid, (body, body)))

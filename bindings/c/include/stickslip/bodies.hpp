@@ -17,6 +17,11 @@ class HalfSpace {
         : own_(detail::made<Own>(
               [&](auto **out) { return stickslip_half_space_new(&grid, &body_1, &body_2, boundary, out); })) {}
 
+    /// STICKSLIP_UNIFORM (at first) or STICKSLIP_CENTRE, for what is made of the bodies from now on.
+    void set_cell_value(std::int32_t value) { check(stickslip_half_space_set_cell_value(get(), value)); }
+    std::int32_t cell_value() const {
+        return detail::asked<std::int32_t>([&](auto *out) { return stickslip_half_space_cell_value(get(), out); });
+    }
     Grid grid() const {
         return detail::asked<Grid>([&](Grid *out) { return stickslip_half_space_grid(get(), out); });
     }
