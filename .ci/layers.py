@@ -10,11 +10,7 @@ import sys
 # The modules of the crate by layer, lowest first, and the modules each may use: those named, of its own layer or of
 # a lower one.
 FOUNDATION = {
-<<<<<<< HEAD
-    "buffer", "clock", "error", "report", "boundary", "cell_value", "discretisation", "neighbours", "grid", "field", "material", "parallel", "per_cell", "pool", "left_behind", "serial", "warning",
-=======
-    "buffer", "clock", "error", "report", "boundary", "grid", "field", "material", "parallel", "per_cell", "pool", "serial", "warning",
->>>>>>> contact
+    "buffer", "clock", "error", "report", "boundary", "cell_value", "discretisation", "neighbours", "grid", "field", "material", "parallel", "per_cell", "pool", "serial", "warning",
     "gauss", "jacobi", "digest", "ranks", "share", "shown", "layout", "reduce", "watch",
 }
 ENGINE = FOUNDATION | {"operator", "influence", "fft", "half_space", "cgm", "levels", "window"}
