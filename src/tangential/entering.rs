@@ -41,23 +41,25 @@ impl Increment {
                 };
             }
         });
-        if !reduce::any(pressed.region.layout(), |k| diagonal[k] > 0.0) {
-            self.enter_nowhere();
+        self.has_entered = reduce::any(pressed.region.layout(), |k| diagonal[k] > 0.0);
+        if !self.has_entered {
+            self.diagonal.clear();
         }
         Ok(())
     }
 
     /// No cell enters the contact in this step.
     pub(crate) fn enter_nowhere(&mut self) {
+        self.has_entered = false;
         self.diagonal.clear();
     }
 
     /// Cells of the grid that [`Self::write_entered`] needs room for.
     pub(crate) fn entered_cells(&self) -> usize {
-        if self.diagonal.is_empty() {
-            0
-        } else {
+        if self.has_entered {
             self.bodies.grid().cells()
+        } else {
+            0
         }
     }
 
@@ -66,7 +68,7 @@ impl Increment {
     pub(crate) fn write_entered(&self, entered: &mut Vec<f64>) {
         entered.clear();
         entered.resize(self.entered_cells(), 0.0);
-        if !entered.is_empty() {
+        if self.has_entered {
             self.pressed.region.scatter(&self.diagonal, entered);
         }
     }

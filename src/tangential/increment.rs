@@ -37,6 +37,8 @@ pub(crate) struct Increment {
     pub(super) linear: PlaneVector,
     /// Compliance of their own of the cells that enter the contact in this step; empty where none does.
     pub(super) diagonal: Vec<f64>,
+    /// Whether a cell does, of any rank.
+    pub(super) has_entered: bool,
     /// How pressure moves the surfaces, if it is to.
     pub(super) drawing: Option<Drawing>,
     /// Motion of body 2 at the end of the last step.
@@ -74,6 +76,7 @@ impl Increment {
             offset: zeros(axes, cells)?,
             linear: zeros(axes, cells)?,
             diagonal: Vec::new(),
+            has_entered: false,
             motion: Motion::default(),
             pressed,
         })
