@@ -10,7 +10,7 @@ import sys
 # The modules of the crate by layer, lowest first, and the modules each may use: those named, of its own layer or of
 # a lower one.
 FOUNDATION = {
-    "buffer", "clock", "error", "report", "boundary", "grid", "field", "material", "parallel", "per_cell", "pool", "serial", "warning",
+    "buffer", "clock", "error", "report", "boundary", "cell_value", "discretisation", "neighbours", "grid", "field", "material", "parallel", "per_cell", "pool", "serial", "warning",
     "gauss", "jacobi", "digest", "ranks", "share", "shown", "layout", "reduce", "watch",
 }
 ENGINE = FOUNDATION | {"operator", "influence", "fft", "half_space", "cgm", "levels", "window"}
@@ -34,15 +34,18 @@ LAYERS = [
         "gauss": set(),
         "jacobi": set(),
         "boundary": set(),
+        "cell_value": set(),
+        "neighbours": set(),
+        "discretisation": {"boundary", "cell_value", "field", "neighbours", "reduce"},
         "grid": {"error", "layout"},
-        "warning": {"grid"},
+        "warning": {"error", "grid"},
         "field": {"buffer", "error", "grid", "layout", "parallel", "per_cell", "serial", "shown"},
         "material": {"error", "serial"},
         "coupling": {"material"},
     }),
     ("operators, kernels, transforms, closed forms, shapes; no physics of contact; and pages to read", {
         "operator": {"error", "layout"},
-        "contact_map": {"boundary", "buffer", "error", "grid", "warning"},
+        "contact_map": {"boundary", "buffer", "error", "grid", "neighbours", "warning"},
         "window": {"grid", "layout", "parallel", "ranks"},
         "levels": {"buffer", "error", "parallel"},
         "influence": FOUNDATION,
@@ -73,6 +76,7 @@ LAYERS = [
         | {"contact_map", "coupling", "contact", "normal", "tangential", "coupled", "stiffness", "io"},
     }),
     ("what is told of all of these", {
+        "edges": {"boundary", "buffer", "cell_value", "error", "field", "grid", "neighbours", "normal", "parallel", "shown", "tangential"},
         "spots": {"buffer", "contact_map", "error", "grid", "serial", "shown", "normal", "tangential", "history"},
         "subsurface": FOUNDATION | {"influence", "fft", "half_space", "io", "normal", "tangential", "coupled", "history"},
     }),

@@ -5,6 +5,7 @@ use std::array::from_fn;
 use crate::buffer;
 use crate::error::Result;
 use crate::grid::Grid;
+use crate::neighbours::neighbours;
 use crate::warning::{RESOLVED, Resolution, Warning};
 
 /// The cells of a whole grid that belong to a set, as every rank knows them.
@@ -115,6 +116,18 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
         Ok(warnings)
     }
 
+    /// Cells on the radius of a spot of mean size, of a line on half its width; zero without spots.
+    pub(crate) fn cells_per_radius(&self) -> Result<f64> {
+        let spots = self.survey_spots()?.len().max(1);
+        let cells = self.cells() as f64 / spots as f64;
+        let is_line = self.grid.size().contains(&1);
+        Ok(if is_line {
+            0.5 * cells
+        } else {
+            (cells / std::f64::consts::PI).sqrt()
+        })
+    }
+
     /// Size and place of each spot.
     fn survey_spots(&self) -> Result<Vec<Surveyed>> {
         let mut spots: Vec<Surveyed> = Vec::new();
@@ -217,25 +230,6 @@ fn span(taken: &[bool], repeats: bool) -> Option<usize> {
 /// A place in memory as a signed one: no slice is longer than `isize::MAX`.
 fn signed(place: usize) -> isize {
     isize::try_from(place).unwrap_or(isize::MAX)
-}
-
-/// The cells to the left, below, to the right and above one of `nx` by `ny`; beyond an edge none, or the periodic
-/// image.
-pub(crate) fn neighbours(i: usize, [nx, ny]: [usize; 2], repeats: [bool; 2]) -> [Option<usize>; 4] {
-    let (ix, last_row) = (i % nx, nx * (ny - 1));
-    let step = |axis: usize, is_inside: bool, next: usize, image: usize| {
-        if is_inside {
-            Some(next)
-        } else {
-            repeats[axis].then_some(image)
-        }
-    };
-    [
-        step(0, ix > 0, i.wrapping_sub(1), i + nx - 1),
-        step(1, i >= nx, i.wrapping_sub(nx), i + last_row),
-        step(0, ix + 1 < nx, i + 1, i - ix),
-        step(1, i < last_row, i + nx, ix),
-    ]
 }
 
 #[cfg(test)]

@@ -134,6 +134,12 @@ pub enum Error {
         /// The solution, in words.
         quantity: &'static str,
     },
+    /// A solution belongs to bodies whose cells have values of another meaning.
+    #[error("{quantity} belongs to bodies with another CellValue")]
+    CellValueMismatch {
+        /// The solution, in words.
+        quantity: &'static str,
+    },
     /// The tolerance lies outside `(0, 1)`, where it is meaningless.
     #[error("the tolerance must lie strictly between 0 and 1, got {0}")]
     Tolerance(f64),

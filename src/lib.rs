@@ -71,7 +71,8 @@
 //! | solve the same contact for thousands of surfaces and loads | the page on [studies](guide::studies) |
 //! | embed contacts in a simulator | the page on [embedding](guide::embedding) |
 //! | begin, with no experience of the crate | the page of [first steps](guide::first_steps) |
-//! | assess the accuracy of a solution | its [`Report`] and its [`Warning`]s |
+//! | assess the accuracy of a solution | its [`Report`], its [`discretisation_estimate`](NormalSolution::discretisation_estimate) and its [`Warning`]s |
+//! | get more accuracy from the same cells: areas, stick ratio, pressure at the edge | [`HalfSpace::with_cell_value`], [`NormalSolution::edges`], [`TangentialSolution::edges`]; [`edges`] |
 //! | find out why a number looks wrong | the page [why is my answer wrong](guide::why_is_my_answer_wrong) |
 //! | generate a rough surface or a smooth shape | [`surface::SelfAffine`]; [`surface::sphere`], [`cone`](surface::cone), [`sum`](surface::sum()) ... |
 //! | characterise a surface, prepare a measured one | [`surface::Statistics`], [`fill_missing`](surface::fill_missing), [`gap_from_heights`](surface::gap_from_heights) ... and the page on [rough surfaces](guide::rough_surfaces) |
@@ -138,7 +139,21 @@
 //! | stick ratio | -5.0e-5 |
 //!
 //! The discretisation error of the fields, summed over the cells, is 1e-4 in the pressure and 5e-4 in the shear
-//! traction of the same sphere, and far more where cells barely resolve the roughness. A tolerance a hundred times
+//! traction of the same sphere, and far more where cells barely resolve the roughness;
+//! [`discretisation_estimate`](NormalSolution::discretisation_estimate) tells how much. Values at the centres of the cells
+//! ([`CellValue::Centre`], which cost nothing) with the edges found inside the cells ([`edges`]) reach the same on a
+//! sixteenth of the cells, here on three contact radii anywhere between the cells (mean of 8 places):
+//!
+//! | sphere, 40 % of the sliding force | uniform cells, counted: 128 x 128 | 512 x 512 | at centres, with edges: 128 x 128 |
+//! |---|---|---|---|
+//! | pressure, sum over the cells | 9e-4 | 1.2e-4 | 1.1e-4 |
+//! | shear traction, likewise | 4e-3 | 5e-4 | 5e-4 |
+//! | contact area | 5e-3 | 1.4e-3 | 3e-5 |
+//! | stick area | 6e-3 | 1.6e-3 | 8e-5 |
+//! | largest shear traction | 7e-3 | 2e-3 | 2e-4 |
+//! | approach | 2e-5 | 1.4e-6 | 1.2e-6 |
+//!
+//! A tolerance a hundred times
 //! below this error brings no improvement, unless steps are subtracted from one another, as in wear and friction
 //! histories. The table lists the errors that each tolerance leaves, the largest over the sphere and the rough surface
 //! at 2, 10 and 40 % contact on 256 x 256 cells:
@@ -219,6 +234,7 @@
 pub mod analytical;
 mod boundary;
 mod buffer;
+mod cell_value;
 pub mod cgm;
 mod clock;
 mod contact;
@@ -228,6 +244,8 @@ mod coupling;
 #[cfg(feature = "dense")]
 pub mod dense;
 mod digest;
+mod discretisation;
+pub mod edges;
 mod error;
 pub mod fft;
 mod field;
@@ -242,6 +260,7 @@ mod jacobi;
 mod layout;
 mod levels;
 mod material;
+mod neighbours;
 pub mod normal;
 mod operator;
 mod parallel;
@@ -265,6 +284,7 @@ mod window;
 
 pub use boundary::Boundary;
 pub use buffer::TryClone;
+pub use cell_value::CellValue;
 pub use coupled::{CoupledProblem, CoupledSolution, CoupledSolver};
 pub use coupling::Coupling;
 pub use error::{Error, Result};

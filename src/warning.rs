@@ -1,5 +1,6 @@
 //! Remarks on a converged solution, and what is resolved.
 
+use crate::error::Result;
 use crate::grid::Grid;
 
 /// A diagnostic on a converged solution that may mislead.
@@ -68,6 +69,15 @@ pub enum Warning {
         /// which on a grid of rows and columns are counted as $`\pi/4`$ each.
         tenths: usize,
     },
+    /// The cells leave an error of more than 5 % in the pressure, or in the traction, by the estimate of
+    /// [`NormalSolution::discretisation_estimate`](crate::NormalSolution::discretisation_estimate) or that of the tangential
+    /// solution.
+    DiscretisationError {
+        /// The estimate, in tenths of a per cent.
+        per_mille: usize,
+        /// Cells on the radius of a contact spot of mean size that 1 % would need, where the error falls with the power 3/2.
+        cells_per_radius: usize,
+    },
     /// A [coupled problem](crate::CoupledProblem) of dissimilar bodies with friction was pressed in one step, in which the
     /// contact came to its size at once. Cells that come into contact one after the other, as under a load that grows,
     /// slip and stick elsewhere: press a [`History`](crate::History) in steps.
@@ -129,11 +139,46 @@ impl std::fmt::Display for Warning {
                 tenths / 10,
                 tenths % 10
             ),
+            Self::DiscretisationError {
+                per_mille,
+                cells_per_radius,
+            } => write!(
+                formatter,
+                "the cells leave an error of about {}.{} % in the fields, by an estimate: for 1 % take {cells_per_radius} cells to the radius of a contact spot",
+                per_mille / 10,
+                per_mille % 10
+            ),
             Self::PressedAtOnce => write!(
                 formatter,
                 "the bodies were pressed in one step: dissimilar bodies under a load that grows stick and slip elsewhere; press a history in steps"
             ),
         }
+    }
+}
+
+/// Discretisation errors that are remarked on, and that are aimed at.
+const LARGEST_ERROR: f64 = 0.05;
+const SMALL_ERROR: f64 = 0.01;
+
+impl Warning {
+    /// Of an estimate of the discretisation error, and of the cells on the radius of a contact spot.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "both are positive, and what is no number of cells saturates"
+    )]
+    pub(crate) fn of_discretisation(
+        estimate: Option<f64>,
+        radius: impl FnOnce() -> Result<f64>,
+    ) -> Result<Option<Self>> {
+        let Some(estimate) = estimate.filter(|estimate| *estimate > LARGEST_ERROR) else {
+            return Ok(None);
+        };
+        let finer = (estimate / SMALL_ERROR).cbrt().powi(2);
+        Ok(Some(Self::DiscretisationError {
+            per_mille: (1e3 * estimate).round() as usize,
+            cells_per_radius: (radius()? * finer).ceil() as usize,
+        }))
     }
 }
 

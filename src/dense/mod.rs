@@ -18,7 +18,7 @@ use crate::boundary::Boundary;
 use crate::error::{Error, Result, all_finite, length};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
-use crate::influence::{Component, Samples, Table};
+use crate::influence::{Component, Samples};
 use crate::operator::Operator;
 use crate::shown::shown;
 
@@ -81,11 +81,13 @@ impl DenseOperator {
         let [odd_x, odd_y] = component.is_odd();
         let coefficients = match bodies.boundary() {
             Boundary::NonPeriodic => {
-                let table = Table::sample(grid, bodies.pair(), component)?;
+                let samples = Samples::new(grid, grid.size())?.of(bodies.cell_value());
+                let table = samples.table(grid, bodies.pair(), component)?;
                 Field::from_indices(grid, |i, j| table.at(i, j))
             }
             Boundary::PeriodicAlongY { datum } => {
                 let samples = Samples::repeating_along_y(grid, grid.size(), datum)?;
+                let samples = samples.of(bodies.cell_value());
                 let table = samples.table(grid, bodies.pair(), component)?;
                 Field::from_indices(grid, |i, j| match grid.ny() - j {
                     back if back < j && odd_y => -table.at(i, back),

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::boundary::Boundary;
 use crate::buffer::or_abort;
+use crate::cell_value::CellValue;
 use crate::error::Result;
 use crate::fft::frame::Frame;
 use crate::fft::length::torus;
@@ -173,6 +174,7 @@ fn lower_bound<const N: usize>([low, high]: [f64; 2], kernels: [[&Kernel; N]; N]
 pub(crate) fn samples(
     grid: Grid,
     boundary: Boundary,
+    cell_value: CellValue,
     size: [usize; 2],
     team: Option<&Arc<Team>>,
 ) -> Result<Option<Samples>> {
@@ -183,7 +185,7 @@ pub(crate) fn samples(
         Boundary::Periodic => return Ok(None),
     };
     let share = team.map(|team| Arc::new(Share::new(team, reach)));
-    Ok(Some(samples.shared(share)))
+    Ok(Some(samples.of(cell_value).shared(share)))
 }
 
 /// Distances along each axis from nothing to half around the torus.

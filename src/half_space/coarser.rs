@@ -8,6 +8,7 @@ use crate::error::Result;
 use crate::fft::samples;
 use crate::field::Field;
 use crate::grid::Grid;
+use crate::half_space::kernels::Kernels;
 use crate::half_space::{HalfSpace, Shared};
 use crate::levels::{coarsened, halved, inherited, refined};
 use crate::parallel::get_or_make;
@@ -22,7 +23,6 @@ impl HalfSpace {
     pub(crate) fn coarser(&self) -> Result<&Self> {
         let Shared {
             grid,
-            pair,
             kernels,
             coarser,
             ..
@@ -30,19 +30,21 @@ impl HalfSpace {
         get_or_make(coarser, || {
             let [nx, ny] = halved(self.size());
             let grid = Grid::new(nx, ny, 2.0 * grid.dx(), 2.0 * grid.dy())?;
-            let (boundary, share) = (self.boundary(), self.share_of_coarser([nx, ny]));
+            let (boundary, cell_value) = (self.boundary(), self.cell_value());
+            let share = self.share_of_coarser([nx, ny]);
             let samples = match kernels.samples() {
                 _ if share.is_some() => None,
                 Some(samples) if self.keeps_kernels() && samples.have_no_scale() => {
                     Some(Arc::clone(samples))
                 }
                 _ => {
-                    let samples = samples(grid, boundary, grid.size(), None);
+                    let samples = samples(grid, boundary, cell_value, grid.size(), None);
                     self.agreed(samples)?.map(Arc::new)
                 }
             };
             let dealt = (self.team().cloned(), share);
-            Ok(Self::with_samples(grid, *pair, boundary, samples, dealt))
+            let kernels = Kernels::new(grid, *self.pair(), boundary, cell_value, samples);
+            Ok(Self::of_kernels(kernels, dealt))
         })
     }
 

@@ -4,10 +4,12 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::boundary::Boundary;
+use crate::cell_value::CellValue;
 use crate::contact_map::Bits;
 use crate::error::Result;
 use crate::field::Field;
 use crate::grid::Grid;
+use crate::half_space::kernels::Kernels;
 use crate::half_space::{HalfSpace, check};
 use crate::layout::Layout;
 use crate::material::ElasticPair;
@@ -44,7 +46,8 @@ impl HalfSpace {
             ],
         )?;
         let dealt = (Some(team), Some(share));
-        Ok(Self::with_samples(grid, pair, boundary, None, dealt))
+        let kernels = Kernels::new(grid, pair, boundary, CellValue::default(), None);
+        Ok(Self::of_kernels(kernels, dealt))
     }
 
     /// What this rank has sent to others, all solves together; nothing of bodies that are not

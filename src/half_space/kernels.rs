@@ -3,6 +3,7 @@
 use std::sync::{Arc, OnceLock};
 
 use crate::boundary::Boundary;
+use crate::cell_value::CellValue;
 use crate::error::Result;
 use crate::grid::Grid;
 use crate::influence::{Component, Kernel, Samples, Symbols};
@@ -15,6 +16,7 @@ pub(super) struct Kernels {
     grid: Grid,
     pair: ElasticPair,
     boundary: Boundary,
+    cell_value: CellValue,
     /// What they are made of; none where they repeat along both axes.
     samples: Option<Arc<Samples>>,
     made: [OnceLock<Kernel>; Component::ALL.len()],
@@ -25,15 +27,30 @@ impl Kernels {
         grid: Grid,
         pair: ElasticPair,
         boundary: Boundary,
+        cell_value: CellValue,
         samples: Option<Arc<Samples>>,
     ) -> Self {
         Self {
             grid,
             pair,
             boundary,
+            // The symbols of waves have values at the centres.
+            cell_value: match boundary {
+                Boundary::Periodic => CellValue::Centre,
+                _ => cell_value,
+            },
             samples,
             made: Default::default(),
         }
+    }
+
+    /// The whole one.
+    pub(super) fn grid(&self) -> Grid {
+        self.grid
+    }
+
+    pub(super) fn pair(&self) -> &ElasticPair {
+        &self.pair
     }
 
     pub(super) fn samples(&self) -> Option<&Arc<Samples>> {
@@ -42,6 +59,10 @@ impl Kernels {
 
     pub(super) fn boundary(&self) -> Boundary {
         self.boundary
+    }
+
+    pub(super) fn cell_value(&self) -> CellValue {
+        self.cell_value
     }
 
     /// Those of these components.

@@ -14,10 +14,11 @@ mod whole;
 use std::sync::{Arc, OnceLock};
 
 use crate::boundary::Boundary;
+use crate::cell_value::CellValue;
 use crate::error::{Error, Result, at_least, finite, memory};
 use crate::fft::samples;
 use crate::grid::Grid;
-use crate::influence::{Component, Direction, Kernel, Samples};
+use crate::influence::{Component, Direction, Kernel};
 use crate::material::ElasticPair;
 use crate::ranks::Team;
 use crate::share::Share;
@@ -56,12 +57,11 @@ pub struct HalfSpace {
     shared: Arc<Shared>,
 }
 
-shown!(HalfSpace: grid(), pair(), boundary());
+shown!(HalfSpace: grid(), pair(), boundary(), cell_value());
 
 #[derive(Debug)]
 struct Shared {
     grid: Grid,
-    pair: ElasticPair,
     /// Those that are kept, of small grids.
     kernels: Kernels,
     /// The ranks that share the grid, or that all have the whole of it and do the same.
@@ -117,18 +117,60 @@ impl HalfSpace {
     /// As [`HalfSpace::new`]; [`Error::Below`] if the [datum](Boundary::PeriodicAlongY) is nearer than the grid is long.
     pub fn with_boundary(grid: Grid, pair: ElasticPair, boundary: Boundary) -> Result<Self> {
         check(grid, boundary, grid.size())?;
-        let samples = samples(grid, boundary, grid.size(), None)?.map(Arc::new);
-        let alone = (None, None);
-        Ok(Self::with_samples(grid, pair, boundary, samples, alone))
+        let cell_value = CellValue::default();
+        let samples = samples(grid, boundary, cell_value, grid.size(), None)?.map(Arc::new);
+        let kernels = Kernels::new(grid, pair, boundary, cell_value, samples);
+        Ok(Self::of_kernels(kernels, (None, None)))
     }
 
-    fn with_samples(
-        grid: Grid,
-        pair: ElasticPair,
-        boundary: Boundary,
-        samples: Option<Arc<Samples>>,
+    /// The same bodies with this meaning of the value of a cell (default: [`CellValue::Uniform`]); nothing is computed yet.
+    /// Ranks call it alike. On a grid with [`Boundary::Periodic`] values are those at the centres in any case: its symbols
+    /// are those of waves, which no cell smooths.
+    ///
+    /// ```
+    /// use stickslip::*;
+    /// let grid = Grid::square(32, 3.0)?;
+    /// let pair = ElasticPair::new(Material::new(1.0, 0.5)?, Material::rigid())?;
+    /// let ball = surface::sphere(grid, 1.0)?;
+    /// let hertz = analytical::HertzSphere::with_approach(&pair, 1.0, 1.0)?;
+    /// let press = |cell_value| -> Result<f64> {
+    ///     let bodies = HalfSpace::new(grid, pair)?.with_cell_value(cell_value)?;
+    ///     let load = NormalControl::Approach(1.0);
+    ///     let contact = NormalProblem::builder(&bodies, &ball, load).build()?.solve()?;
+    ///     // The error of a cell away from the edge, relative to the largest pressure.
+    ///     let (x, y) = (grid.x(18), grid.y(17));
+    ///     Ok((contact.pressure().get(18, 17).unwrap_or(0.0) - hertz.pressure(x, y)).abs() / hertz.max_pressure())
+    /// };
+    /// assert!(press(CellValue::Uniform)? > 6e-4);
+    /// assert!(press(CellValue::Centre)? < 2e-4);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] and [`Error::Memory`] as [`HalfSpace::new`]; [`Error::Ranks`].
+    pub fn with_cell_value(self, cell_value: CellValue) -> Result<Self> {
+        self.agreed_alike(Ok(()), &[("cell value", &cell_value)])?;
+        let boundary = self.boundary();
+        if cell_value == self.cell_value() || boundary == Boundary::Periodic {
+            return Ok(self);
+        }
+        let Shared {
+            grid, team, share, ..
+        } = &*self.shared;
+        let grid = grid.whole();
+        let samples = match share {
+            Some(_) => None,
+            None => samples(grid, boundary, cell_value, grid.size(), None)?.map(Arc::new),
+        };
+        let kernels = Kernels::new(grid, *self.pair(), boundary, cell_value, samples);
+        Ok(Self::of_kernels(kernels, (team.clone(), share.clone())))
+    }
+
+    fn of_kernels(
+        kernels: Kernels,
         (team, share): (Option<Arc<Team>>, Option<Arc<Share>>),
     ) -> Self {
+        let grid = kernels.grid();
         let slab = share
             .as_ref()
             .map_or(grid, |share| grid.slab(share.own_rows()));
@@ -137,8 +179,7 @@ impl HalfSpace {
                 grid: slab,
                 team,
                 share,
-                pair,
-                kernels: Kernels::new(grid, pair, boundary, samples),
+                kernels,
                 made: Cache::default(),
                 coarser: OnceLock::new(),
             }),
@@ -154,13 +195,19 @@ impl HalfSpace {
     /// The two bodies.
     #[must_use]
     pub fn pair(&self) -> &ElasticPair {
-        &self.shared.pair
+        self.shared.kernels.pair()
     }
 
     /// What lies beyond the edge of the grid.
     #[must_use]
     pub fn boundary(&self) -> Boundary {
         self.shared.kernels.boundary()
+    }
+
+    /// The meaning of the value of a cell; on a grid with [`Boundary::Periodic`] always [`CellValue::Centre`].
+    #[must_use]
+    pub fn cell_value(&self) -> CellValue {
+        self.shared.kernels.cell_value()
     }
 
     /// The operator of one component on the whole grid, made at the first call.
@@ -255,22 +302,26 @@ impl HalfSpace {
         size: [usize; 2],
         make: impl FnOnce([[&Kernel; N]; N]) -> Result<T>,
     ) -> Result<T> {
-        let Shared {
-            grid,
-            pair,
-            kernels,
-            ..
-        } = &*self.shared;
-        let boundary = self.boundary();
+        let Shared { grid, kernels, .. } = &*self.shared;
+        let (boundary, cell_value) = (self.boundary(), self.cell_value());
         if self.keeps_kernels() || boundary == Boundary::Periodic {
             return make(kernels.of(components)?);
         }
         let grid = grid.whole();
         let sharing = self.sharing();
         let samples = self
-            .agreed(samples(grid, boundary, size, sharing))?
+            .agreed(samples(grid, boundary, cell_value, size, sharing))?
             .map(Arc::new);
-        make(Kernels::new(grid, *pair, boundary, samples).of(components)?)
+        make(Kernels::new(grid, *self.pair(), boundary, cell_value, samples).of(components)?)
+    }
+
+    /// `Ok` if what has a meaning of the values of cells has that of these.
+    pub(crate) fn check_values(&self, quantity: &'static str, cell_value: CellValue) -> Result<()> {
+        if cell_value == self.cell_value() {
+            Ok(())
+        } else {
+            Err(Error::CellValueMismatch { quantity })
+        }
     }
 
     /// `Ok` if what was made on a grid with a boundary was made for these.

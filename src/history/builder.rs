@@ -192,10 +192,10 @@ impl HistoryBuilder<'_> {
             ],
         )?;
         let gap = Arc::try_unwrap(self.gap).or_else(|shared| shared.try_clone())?;
-        let boundary = bodies.boundary();
+        let surface = (bodies.boundary(), bodies.cell_value());
         let (pair, settings) = (bodies.pair(), self.settings);
         let rule = self.touch_rule;
-        let state = State::new(gap, boundary, pair, self.friction, axes, settings, rule)?;
+        let state = State::new(gap, surface, pair, self.friction, axes, settings, rule)?;
         let mut state = state.limited(self.hardness, self.is_set_permanent)?;
         state.relative = self.relative.map(Relative::new).transpose()?;
         History::from_state(bodies, state.coupled(self.coupling)?)

@@ -2,6 +2,7 @@
 
 use crate::boundary::Boundary;
 use crate::buffer::{self, TryClone, try_clone};
+use crate::cell_value::CellValue;
 use crate::cgm::Settings;
 use crate::contact::Trend;
 use crate::coupling::Coupling;
@@ -142,7 +143,7 @@ impl State {
     /// Unsheared, nothing in contact.
     pub(super) fn new(
         gap: Field,
-        boundary: Boundary,
+        (boundary, cell_value): (Boundary, CellValue),
         pair: &ElasticPair,
         friction: Friction,
         axes: &'static [Axis],
@@ -151,11 +152,13 @@ impl State {
     ) -> Result<Self> {
         let grid = gap.grid();
         let zeros = || Field::try_zeros(grid);
+        let mut normal = NormalSolution::empty(&gap, boundary, pair)?;
+        normal.set_cell_value(cell_value);
         Ok(Self {
             axes,
             settings,
             friction,
-            normal: NormalSolution::empty(&gap, boundary, pair)?,
+            normal,
             pressed_gap: gap.try_clone()?,
             gap,
             hardness: None,
@@ -227,6 +230,7 @@ impl State {
         if self.boundary() != bodies.boundary() {
             return Err(Error::BoundaryMismatch { quantity: QUANTITY });
         }
+        bodies.check_values(QUANTITY, self.normal.cell_value())?;
         if self.pair() == bodies.pair() {
             Ok(())
         } else {

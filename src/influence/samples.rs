@@ -1,8 +1,10 @@
 //! The integrals sampled at every cell distance, once for all coefficients and all coarser grids.
 
+use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
 use crate::buffer;
+use crate::cell_value::CellValue;
 use crate::error::{Result, memory};
 use crate::grid::Grid;
 use crate::influence::images::Images;
@@ -22,8 +24,9 @@ pub(crate) struct Samples {
     size: [usize; 2],
     /// How the distances along y are dealt out to ranks, if they are: each samples its own.
     share: Option<Arc<Share>>,
-    /// Where the grid repeats along y.
-    images: Option<Images>,
+    /// Where the grid repeats along y, after so many cells.
+    images: Option<(Images, usize)>,
+    cell_value: CellValue,
     values: [OnceLock<Arc<Vec<f64>>>; Integral::COUNT],
 }
 
@@ -41,6 +44,7 @@ impl Samples {
             size,
             share: None,
             images: None,
+            cell_value: CellValue::default(),
             values: Default::default(),
         })
     }
@@ -54,7 +58,7 @@ impl Samples {
             datum: datum / unit,
         };
         Ok(Self {
-            images: Some(images),
+            images: Some((images, grid.ny())),
             ..samples
         })
     }
@@ -62,6 +66,11 @@ impl Samples {
     /// The same with the distances along y dealt out to ranks.
     pub(crate) fn shared(self, share: Option<Arc<Share>>) -> Self {
         Self { share, ..self }
+    }
+
+    /// The same for what the value of a cell means.
+    pub(crate) fn of(self, cell_value: CellValue) -> Self {
+        Self { cell_value, ..self }
     }
 
     /// Whether they are those of cells of any size.
@@ -98,15 +107,71 @@ impl Samples {
     fn sample(&self, integral: Integral) -> Result<Vec<f64>> {
         let [nx, ny] = self.size;
         let rows = self.share.as_ref().map_or(0..ny, |share| share.own_rows());
+        match self.cell_value {
+            CellValue::Uniform => {
+                let row = |row: usize| (rows.start + row, false);
+                self.integrals(integral, [nx, rows.len()], row)
+            }
+            CellValue::Centre => self.at_centres(integral, rows),
+        }
+    }
+
+    /// The integral at the distances of some columns from zero on, and of rows that are told by their numbers, each with
+    /// whether the sign is the other one.
+    fn integrals(
+        &self,
+        integral: Integral,
+        [columns, rows]: [usize; 2],
+        row: impl Fn(usize) -> (usize, bool) + Sync,
+    ) -> Result<Vec<f64>> {
         let Rectangle { cell, unit } = self.rectangle;
         let distance = |steps: usize, axis: usize| steps as f64 * self.sides[axis] / unit;
-        let xs = buffer::collected(nx, (0..nx).map(|i| distance(i, 0)))?;
-        let mut values = buffer::zeros(nx * rows.len())?;
-        parallel::rows(&mut values, nx, |row, out| {
-            let y = distance(rows.start + row, 1);
+        let xs = buffer::collected(columns, (0..columns).map(|i| distance(i, 0)))?;
+        let mut values = buffer::zeros(columns * rows)?;
+        parallel::rows(&mut values, columns, |index, out| {
+            let (row, is_negative) = row(index);
+            let y = distance(row, 1);
             match self.images {
                 None => cell.along_row(integral, &xs, y, out),
-                Some(images) => images.along_row(cell, integral, &xs, y, out),
+                Some((images, _)) => images.along_row(cell, integral, &xs, y, out),
+            }
+            if is_negative {
+                for value in out {
+                    *value = -*value;
+                }
+            }
+        });
+        Ok(values)
+    }
+
+    /// The integral less its second differences over 24, from samples that go one distance further on all sides.
+    fn at_centres(&self, integral: Integral, rows: Range<usize>) -> Result<Vec<f64>> {
+        let [nx, _] = self.size;
+        let (width, [odd_x, odd_y]) = (nx + 1, integral.is_odd());
+        let folded = |row: usize| {
+            // The rows before the first one and after the last one belong to those held here.
+            let (row, is_before) = match (rows.start + row).checked_sub(1) {
+                Some(row) => (row, false),
+                None => (1, true),
+            };
+            let beyond = self.images.map(|(_, period)| period);
+            match beyond.filter(|period| 2 * row > *period) {
+                Some(period) => (period - row, odd_y && !is_before),
+                None => (row, odd_y && is_before),
+            }
+        };
+        let wider = self.integrals(integral, [width, rows.len() + 2], folded)?;
+        let mut values = buffer::zeros(nx * rows.len())?;
+        parallel::rows(&mut values, nx, |row, out| {
+            let [below, own, above] = [0, 1, 2].map(|k| &wider[(row + k) * width..][..width]);
+            for (i, out) in out.iter_mut().enumerate() {
+                let before = match i.checked_sub(1) {
+                    Some(before) => own[before],
+                    None if odd_x => -own[1],
+                    None => own[1],
+                };
+                let neighbours = (before + own[i + 1]) + (below[i] + above[i]);
+                *out = own[i] - (neighbours - 4.0 * own[i]) / 24.0;
             }
         });
         Ok(values)

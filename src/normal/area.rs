@@ -75,6 +75,7 @@ impl NormalSolution {
         let beyond = (cells > 0).then_some(Warning::BeyondHardness { cells });
         let mut warnings = self.contact_map().warnings()?;
         warnings.extend(beyond);
+        warnings.extend(self.discretisation_warning()?);
         Ok(warnings)
     }
 

@@ -18,6 +18,7 @@
 
 mod area;
 mod engine;
+mod estimate;
 mod hardness;
 mod nested;
 mod pressure;

@@ -2,6 +2,7 @@
 
 use crate::boundary::Boundary;
 use crate::buffer::{TryClone, try_clone};
+use crate::cell_value::CellValue;
 use crate::cgm::reduce;
 use crate::error::{Error, Result};
 #[cfg(feature = "serde")]
@@ -25,6 +26,7 @@ pub struct NormalSolution {
     pub(super) pressure: Field,
     gap: Field,
     pub(super) boundary: Boundary,
+    cell_value: CellValue,
     pub(super) pair: ElasticPair,
     approach: f64,
     yielded_cells: usize,
@@ -42,6 +44,7 @@ clone_in_place!(NormalSolution {
     pressure,
     gap,
     boundary,
+    cell_value,
     pair,
     approach,
     yielded_cells,
@@ -50,7 +53,7 @@ clone_in_place!(NormalSolution {
     whole,
 });
 
-try_clone!(NormalSolution { pressure, gap } { boundary, pair, approach, yielded_cells, is_coupled, report, whole });
+try_clone!(NormalSolution { pressure, gap } { boundary, cell_value, pair, approach, yielded_cells, is_coupled, report, whole });
 
 impl PartialEq for NormalSolution {
     fn eq(&self, other: &Self) -> bool {
@@ -58,6 +61,7 @@ impl PartialEq for NormalSolution {
             pressure,
             gap,
             boundary,
+            cell_value,
             pair,
             approach,
             yielded_cells,
@@ -68,6 +72,7 @@ impl PartialEq for NormalSolution {
         *pressure == other.pressure
             && *gap == other.gap
             && *boundary == other.boundary
+            && *cell_value == other.cell_value
             && *pair == other.pair
             && *approach == other.approach
             && *yielded_cells == other.yielded_cells
@@ -84,6 +89,7 @@ struct Unchecked {
     pressure: Field,
     gap: Field,
     boundary: Boundary,
+    cell_value: CellValue,
     pair: ElasticPair,
     approach: f64,
     yielded_cells: usize,
@@ -117,6 +123,7 @@ impl NormalSolution {
             pressure: Field::try_zeros(gap.grid())?,
             gap: gap.try_clone()?,
             boundary,
+            cell_value: CellValue::default(),
             pair: *pair,
             approach: 0.0,
             yielded_cells: 0,
@@ -145,6 +152,7 @@ impl NormalSolution {
             pressure: Field::from_vec(initial.grid(), pressure)?,
             gap: Field::from_vec(initial.grid(), gap)?,
             boundary: bodies.boundary(),
+            cell_value: bodies.cell_value(),
             pair: *bodies.pair(),
             approach,
             yielded_cells: 0,
@@ -156,6 +164,11 @@ impl NormalSolution {
     /// With what all ranks have found, which is not among the fields of a slab.
     pub(crate) fn gather_whole(&mut self, bodies: &HalfSpace) {
         self.whole = Whole::of(bodies, self.pressure.as_slice());
+    }
+
+    /// As one of bodies whose cells have values of this meaning.
+    pub(crate) fn set_cell_value(&mut self, cell_value: CellValue) {
+        self.cell_value = cell_value;
     }
 
     /// As the half of a solution in which tractions have changed the pressure.
@@ -190,7 +203,7 @@ impl NormalSolution {
         approach: f64,
         report: &Report,
     ) {
-        self.pair = *bodies.pair();
+        (self.pair, self.cell_value) = (*bodies.pair(), bodies.cell_value());
         // Of another history, whose solution this has been.
         (self.yielded_cells, self.is_coupled) = (0, false);
         self.gather_whole(bodies);
@@ -226,7 +239,8 @@ impl NormalSolution {
         self.pressure.grid()
     }
 
-    /// Pressure p >= 0, positive pushing into the bodies; exactly zero outside the contact.
+    /// Pressure p >= 0, positive pushing into the bodies; exactly zero outside the contact. A cell has that of all of it or
+    /// of its centre: its [`cell_value`](Self::cell_value).
     #[must_use]
     pub fn pressure(&self) -> &Field {
         &self.pressure
@@ -249,7 +263,8 @@ impl NormalSolution {
         self.approach
     }
 
-    /// Normal force W, the integral of the pressure. The `force` of a tangential solution, a step or a history is the
+    /// Normal force W, the integral of the pressure: the sum of the cells times their area, whatever their
+    /// [`CellValue`]. The `force` of a tangential solution, a step or a history is the
     /// tangential one; a step has this as [`normal_force`](crate::history::StepResult::normal_force).
     #[must_use]
     pub fn force(&self) -> f64 {
@@ -292,8 +307,8 @@ impl NormalSolution {
     /// where the surfaces give way): one product with the operator of the bodies.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or [`Error::MaterialMismatch`] for bodies that the solution is
-    /// not of; as [`HalfSpace::operator`].
+    /// [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CellValueMismatch`] or
+    /// [`Error::MaterialMismatch`] for bodies that the solution is not of; as [`HalfSpace::operator`].
     pub fn displacement(&self, bodies: &HalfSpace) -> Result<Field> {
         bodies.agreed(self.check_bodies(bodies))?;
         let operator = bodies.operator(Component::ZZ)?;
@@ -306,7 +321,8 @@ impl NormalSolution {
         bodies.joint(Ok(displacement))
     }
 
-    /// Elastic energy of the normal contact, $`\tfrac A2 \sum p\,u_z`$ (force times length).
+    /// Elastic energy of the normal contact, $`\tfrac A2 \sum p\,u_z`$ (force times length), with the displacements at the
+    /// centres of the cells.
     ///
     /// # Errors
     /// As [`NormalSolution::displacement`].
@@ -321,6 +337,7 @@ impl NormalSolution {
     pub(crate) fn check_bodies(&self, bodies: &HalfSpace) -> Result<()> {
         let quantity = "normal contact";
         bodies.check_host(quantity, self.grid(), self.boundary)?;
+        bodies.check_values(quantity, self.cell_value)?;
         if self.pair == *bodies.pair() {
             Ok(())
         } else {
@@ -332,6 +349,12 @@ impl NormalSolution {
     #[must_use]
     pub fn boundary(&self) -> Boundary {
         self.boundary
+    }
+
+    /// The meaning of the value of a cell.
+    #[must_use]
+    pub fn cell_value(&self) -> CellValue {
+        self.cell_value
     }
 
     /// The two bodies.

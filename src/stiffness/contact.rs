@@ -173,7 +173,7 @@ impl TangentialSolution {
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<TangentialStiffness> {
         bodies.check_alone("a stiffness")?;
-        bodies.check_host("tangential contact", self.grid(), self.boundary())?;
+        self.check_bodies(bodies)?;
         self.check_uncoupled()?;
         let sheared = Sheared {
             zones: self.zones(),
@@ -218,7 +218,7 @@ impl ContactStiffness {
         shear: &TangentialSolution,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<Self> {
-        bodies.check_host("tangential contact", shear.grid(), shear.boundary())?;
+        shear.check_bodies(bodies)?;
         shear.check_uncoupled()?;
         let sheared = Sheared {
             zones: shear.zones(),

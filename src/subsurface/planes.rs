@@ -186,6 +186,7 @@ impl Planes {
         }
         self.bodies.grid().expect("plane", plane.grid())?;
         let fields = tractions.checked(&self.bodies)?;
+        let fields = fields.each_ref().map(Option::as_deref);
         let uniform = tractions.checked_uniform()?;
         let kernels = Arc::clone(&self.kernels);
         let spectra = parallel::get_or_make(&kernels[index], || self.spectra(index, watch))?;
@@ -227,6 +228,7 @@ impl Planes {
         let constants = body.constants(self.bodies.pair())?;
         let tractions = tractions.into();
         let fields = tractions.checked(&self.bodies)?;
+        let fields = fields.each_ref().map(Option::as_deref);
         let uniform = tractions.checked_uniform()?;
         let mut plane = self.plane(body)?;
         let kernels = Arc::clone(&self.kernels);

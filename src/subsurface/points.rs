@@ -111,6 +111,7 @@ pub fn at_points_observed<'a>(
     let constants = body.constants(bodies.pair())?;
     let tractions = tractions.into();
     let fields = tractions.checked(bodies)?;
+    let fields = fields.each_ref().map(Option::as_deref);
     let uniform = tractions.checked_uniform()?;
     if bodies.boundary() == Boundary::Periodic {
         return Err(Error::Repeats("the sum over loaded cells"));

@@ -1,18 +1,26 @@
 //! What acts on the surface of the bodies.
 
+use std::borrow::Cow;
+
 use crate::boundary::Boundary;
+use crate::buffer;
+use crate::cell_value::CellValue;
 use crate::coupled::CoupledSolution;
 use crate::error::{Error, Result, all_finite};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::{History, State};
 use crate::material::ElasticPair;
+use crate::neighbours::second_difference;
 use crate::normal::NormalSolution;
 use crate::subsurface::stress::Stress;
 use crate::tangential::TangentialSolution;
 
 /// Pressure and tractions on the surface (pressures), from fields or from a solution: those of a [`NormalSolution`], of a
 /// pair of one and a [`TangentialSolution`], of a [`CoupledSolution`], a [`History`] or a [`State`].
+///
+/// On bodies with [`CellValue::Centre`] the values are those at the centres, and the cells that are summed up carry
+/// $`p - \Delta_h p/24`$, which moves the surface alike.
 ///
 /// Signs as everywhere: a positive pressure is compression, the tractions are those on body 1 along x and y.
 ///
@@ -36,7 +44,7 @@ pub struct Tractions<'a> {
     /// Of the body whose stress is asked for.
     uniform: Stress,
     /// Surroundings and bodies of the solution that they come from.
-    host: Option<(Boundary, &'a ElasticPair)>,
+    host: Option<(Boundary, CellValue, &'a ElasticPair)>,
 }
 
 impl<'a> Tractions<'a> {
@@ -97,31 +105,48 @@ impl<'a> Tractions<'a> {
         Ok(self.uniform)
     }
 
-    /// Pressure and tractions along x and y, if any, once they are those of these bodies and finite.
-    pub(super) fn checked(&self, bodies: &HalfSpace) -> Result<[Option<&'a [f64]>; 3]> {
+    /// Pressure and tractions along x and y, if any, of uniform cells, once they are those of these bodies and finite.
+    pub(super) fn checked(&self, bodies: &HalfSpace) -> Result<[Option<Cow<'a, [f64]>>; 3]> {
         let (grid, quantity) = (bodies.grid(), "the contact whose stress is asked for");
-        if let Some((boundary, pair)) = self.host {
+        if let Some((boundary, cell_value, pair)) = self.host {
             bodies.check_host(quantity, self.pressure.grid(), boundary)?;
+            bodies.check_values(quantity, cell_value)?;
             if pair != bodies.pair() {
                 return Err(Error::MaterialMismatch { quantity });
             }
         }
         self.pressure.check("pressure", grid)?;
-        let mut fields = [Some(self.pressure.as_slice()), None, None];
+        let mut fields = [Some(uniform(bodies, self.pressure)?), None, None];
         if let Some(traction) = self.traction {
             for (field, traction) in fields[1..].iter_mut().zip(traction) {
                 traction.check("traction", grid)?;
-                *field = Some(traction.as_slice());
+                *field = Some(uniform(bodies, traction)?);
             }
         }
         Ok(fields)
     }
 }
 
+/// The tractions of uniform cells that move the surface as these do.
+fn uniform<'a>(bodies: &HalfSpace, traction: &'a Field) -> Result<Cow<'a, [f64]>> {
+    let values = traction.as_slice();
+    // A grid of waves has their own kernels below the surface too.
+    let is_of_waves = bodies.boundary() == Boundary::Periodic;
+    if is_of_waves || bodies.cell_value() == CellValue::Uniform {
+        return Ok(Cow::Borrowed(values));
+    }
+    let (size, repeats) = (bodies.grid().size(), bodies.boundary().repeats());
+    let less = |i: usize| values[i] - second_difference(values, i, size, repeats) / 24.0;
+    Ok(Cow::Owned(buffer::collected(
+        values.len(),
+        (0..values.len()).map(less),
+    )?))
+}
+
 /// The pressure of a contact.
 impl<'a> From<&'a NormalSolution> for Tractions<'a> {
     fn from(normal: &'a NormalSolution) -> Self {
-        let host = Some((normal.boundary(), normal.pair()));
+        let host = Some((normal.boundary(), normal.cell_value(), normal.pair()));
         Self {
             host,
             ..Self::new(normal.pressure())

@@ -39,6 +39,7 @@ mod control;
 mod drawing;
 mod engine;
 mod entering;
+mod estimate;
 mod friction;
 mod increment;
 mod limits;

@@ -55,6 +55,7 @@ impl<'a> PressureSource<'a> {
             Self::Solved(normal) => {
                 let quantity = "normal solution";
                 bodies.check_host(quantity, normal.grid(), normal.boundary())?;
+                bodies.check_values(quantity, normal.cell_value())?;
                 if normal.pair() != bodies.pair() {
                     return Err(Error::MaterialMismatch { quantity });
                 }

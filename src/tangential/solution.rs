@@ -2,6 +2,7 @@
 
 use crate::boundary::Boundary;
 use crate::buffer::{self, or_abort, try_clone, try_each};
+use crate::cell_value::CellValue;
 use crate::cgm::reduce;
 use crate::contact_map::ContactMap;
 use crate::error::{Error, Result};
@@ -30,6 +31,7 @@ pub struct TangentialSolution {
     slip: [Field; 2],
     zones: Vec<Zone>,
     boundary: Boundary,
+    cell_value: CellValue,
     axis: Option<Axis>,
     shift: [f64; 2],
     twist: f64,
@@ -43,7 +45,7 @@ pub struct TangentialSolution {
 
 shown!(TangentialSolution: grid(), force(), shift(), twist(), stick_ratio(), report);
 
-try_clone!(TangentialSolution { traction, slip, zones } { boundary, axis, shift, twist, coupled, report, whole });
+try_clone!(TangentialSolution { traction, slip, zones } { boundary, cell_value, axis, shift, twist, coupled, report, whole });
 
 impl PartialEq for TangentialSolution {
     fn eq(&self, other: &Self) -> bool {
@@ -52,6 +54,7 @@ impl PartialEq for TangentialSolution {
             slip,
             zones,
             boundary,
+            cell_value,
             axis,
             shift,
             twist,
@@ -63,6 +66,7 @@ impl PartialEq for TangentialSolution {
             && *slip == other.slip
             && *zones == other.zones
             && *boundary == other.boundary
+            && *cell_value == other.cell_value
             && *axis == other.axis
             && *shift == other.shift
             && *twist == other.twist
@@ -80,6 +84,7 @@ struct Unchecked {
     slip: [Field; 2],
     zones: Vec<Zone>,
     boundary: Boundary,
+    cell_value: CellValue,
     axis: Option<Axis>,
     shift: [f64; 2],
     twist: f64,
@@ -114,6 +119,7 @@ impl TangentialSolution {
             slip: zeros()?,
             zones: buffer::filled(Zone::Separated, grid.cells())?,
             boundary,
+            cell_value: CellValue::default(),
             axis: Some(Axis::X),
             shift: [0.0; 2],
             twist: 0.0,
@@ -134,7 +140,7 @@ impl TangentialSolution {
         for field in self.traction.iter_mut().chain(&mut self.slip) {
             field.as_mut_slice().fill(0.0);
         }
-        self.axis = axis;
+        (self.axis, self.cell_value) = (axis, bodies.cell_value());
         (self.shift, self.twist) = (answer.motion.shift, answer.motion.twist);
         self.report.clone_from(report);
         answer.with_held(|answer| self.enter(answer));
@@ -171,6 +177,13 @@ impl TangentialSolution {
         }
     }
 
+    /// `Ok` if the solution is one of bodies like these.
+    pub(crate) fn check_bodies(&self, bodies: &HalfSpace) -> Result<()> {
+        let quantity = "tangential contact";
+        bodies.check_host(quantity, self.grid(), self.boundary)?;
+        bodies.check_values(quantity, self.cell_value)
+    }
+
     /// The grid of all its fields.
     #[must_use]
     pub fn grid(&self) -> Grid {
@@ -196,6 +209,12 @@ impl TangentialSolution {
     #[must_use]
     pub fn boundary(&self) -> Boundary {
         self.boundary
+    }
+
+    /// The meaning of the value of a cell.
+    #[must_use]
+    pub fn cell_value(&self) -> CellValue {
+        self.cell_value
     }
 
     /// The zone of every cell, row-major with x fastest.
@@ -247,11 +266,11 @@ impl TangentialSolution {
     /// contact or not: one product with the operator of the bodies.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`] or
-    /// [`Error::BoundaryMismatch`] for bodies that the solution is not of; as
+    /// [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or
+    /// [`Error::CellValueMismatch`] for bodies that the solution is not of; as
     /// [`HalfSpace::operator`].
     pub fn displacement(&self, bodies: &HalfSpace) -> Result<[Field; 2]> {
-        bodies.agreed(bodies.check_host("tangential contact", self.grid(), self.boundary))?;
+        bodies.agreed(self.check_bodies(bodies))?;
         let axes = self.axis.map_or(Axis::BOTH, Axis::alone);
         displacement(bodies, axes, self.traction())
     }
@@ -326,6 +345,11 @@ impl TangentialSolution {
     pub fn try_warnings(&self) -> Result<Vec<Warning>> {
         let mut warnings = self.contact_map().warnings()?;
         warnings.extend(self.zone_warnings());
+        let radius = || self.contact_map().cells_per_radius();
+        warnings.extend(Warning::of_discretisation(
+            self.discretisation_estimate(),
+            radius,
+        )?);
         Ok(warnings)
     }
 

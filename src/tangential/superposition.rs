@@ -40,7 +40,7 @@ impl JaegerSuperposition {
     ///
     /// # Errors
     /// [`Error::Negative`] for the coefficient or if `stick` carries more load than `full`, [`Error::GridMismatch`]
-    /// or [`Error::BoundaryMismatch`] if the two contacts differ in grid or boundary, [`Error::MaterialMismatch`] if
+    /// [`Error::BoundaryMismatch`] or [`Error::CellValueMismatch`] if the two contacts differ in these, [`Error::MaterialMismatch`] if
     /// either is of another pair, [`Error::NotConverged`] if either is not, with its report,
     /// [`Error::EmptyContact`] if `full` carries no pressure.
     pub fn new(
@@ -55,6 +55,10 @@ impl JaegerSuperposition {
         if stick.boundary() != full.boundary() {
             let quantity = "lighter contact";
             return Err(Error::BoundaryMismatch { quantity });
+        }
+        if stick.cell_value() != full.cell_value() {
+            let quantity = "lighter contact";
+            return Err(Error::CellValueMismatch { quantity });
         }
         for (quantity, contact) in [("full contact", full), ("lighter contact", stick)] {
             if contact.pair() != pair {

@@ -40,6 +40,7 @@ mod dissimilar_bodies_are_coupled;
 mod dissimilar_contacts_end_as_documented;
 mod dissimilar_histories_remember;
 #[cfg(feature = "dense")]
+mod edges_are_found_inside_the_cells;
 mod engine_finds_the_exact_minimum;
 mod engine_serves_any_operator;
 mod every_scene_goes_on_to_the_same_bits;
@@ -80,6 +81,7 @@ mod one_way_coupling_is_goodmans;
 mod plain_types_survive_serialisation;
 mod planes_below_the_surface;
 mod pressing_in_steps_meets_closed_forms;
+mod pressures_at_centres;
 mod problems_take_every_load;
 #[cfg(feature = "dense")]
 mod random_scenes_are_right;
@@ -108,6 +110,7 @@ mod superposition_is_exact;
 mod surfaces_of_slabs_are_those_of_the_whole;
 mod the_certificate_is_its_formula;
 #[cfg(feature = "dense")]
+mod the_error_of_the_grid_is_estimated;
 mod the_hardness_bounds_the_pressure;
 mod too_large_is_refused;
 mod unchanged_problems_stop_at_once;

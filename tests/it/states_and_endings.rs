@@ -221,10 +221,13 @@ fn warnings_are_values() {
     let point = press(&surface::sphere(grid, 0.01).unwrap(), 1e-7);
     assert!(matches!(
         point.warnings()[..],
-        [Warning::UnresolvedSpots {
-            unresolved: 1,
-            spots: 1
-        }]
+        [
+            Warning::UnresolvedSpots {
+                unresolved: 1,
+                spots: 1
+            },
+            Warning::DiscretisationError { .. }
+        ]
     ));
     let load = TangentialLoad::force([1e-8, 0.0]);
     let shear = TangentialProblem::builder(&bodies, &point, Friction::coulomb(0.5).unwrap(), load)

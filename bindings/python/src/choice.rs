@@ -93,6 +93,7 @@ named! {
     "stickslip" "Axis": stickslip::Axis { "x" = X, "y" = Y }
     "stickslip" "TangentialModel": stickslip::TangentialModel { "scalar" = Scalar, "vector" = Vector }
     "stickslip" "Coupling": stickslip::Coupling { "full" = Full, "one_way" = OneWay, "neglected" = Neglected }
+    "stickslip" "CellValue": stickslip::CellValue { "uniform" = Uniform, "centre" = Centre }
     "stickslip.history" "TouchRule": stickslip::history::TouchRule { "growth" = Growth, "whole_step" = WholeStep }
     "stickslip" "Method": stickslip::cgm::Method { "active_set" = ActiveSet, "polonsky_keer" = PolonskyKeer }
     "stickslip" "Status": stickslip::Status {

@@ -130,6 +130,7 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         Length { quantity, expected, found }
         GridMismatch { quantity, expected_cells, expected_sides, found_cells, found_sides }
         BoundaryMismatch { quantity }
+        CellValueMismatch { quantity }
         Method { method, quantity }
         Bounds { index, lower, upper }
         Total { total, lower, upper }

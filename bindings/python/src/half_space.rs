@@ -3,13 +3,14 @@
 use pyo3::prelude::*;
 
 use crate::boundary::{Boundary, Surroundings};
+use crate::choice::Choice;
 use crate::digits::short;
 use crate::error::OrRaise;
 use crate::grid::{Grid, size};
 use crate::material::{Bodies, ElasticPair};
 
 /// A pair of half-spaces on a grid. What problems need of it is made when first needed, and shared. Two of equal grid,
-/// bodies and boundary are equal.
+/// bodies, boundary and meaning of the values are equal.
 ///
 /// Parameters
 /// ----------
@@ -19,6 +20,8 @@ use crate::material::{Bodies, ElasticPair};
 ///     The two bodies; z points into the first.
 /// boundary : Boundary or str, default "non_periodic"
 ///     What lies beyond the edge of the grid: "non_periodic", "periodic" or ("periodic_along_y", datum).
+/// cell_value : CellValue or str, default "uniform"
+///     The meaning of the pressure and the traction of a cell: "uniform" over it, or that at its "centre".
 ///
 /// Raises
 /// ------
@@ -38,15 +41,18 @@ pub(crate) struct HalfSpace(pub(crate) stickslip::HalfSpace);
 #[pymethods]
 impl HalfSpace {
     #[new]
-    #[pyo3(signature = (grid, pair, boundary=None))]
+    #[pyo3(signature = (grid, pair, boundary=None, cell_value=None))]
     fn new(
         py: Python<'_>,
         grid: &Grid,
         pair: Bodies,
         boundary: Option<Surroundings>,
+        cell_value: Option<Choice<stickslip::CellValue>>,
     ) -> PyResult<Self> {
         let boundary = boundary.map(|boundary| boundary.0).unwrap_or_default();
         let bodies = stickslip::HalfSpace::with_boundary(grid.0, pair.0, boundary);
+        let cell_value = cell_value.map(|chosen| chosen.0).unwrap_or_default();
+        let bodies = bodies.and_then(|bodies| bodies.with_cell_value(cell_value));
         bodies.or_raise(py).map(Self)
     }
 
@@ -68,11 +74,18 @@ impl HalfSpace {
         Boundary(self.0.boundary())
     }
 
+    /// The meaning of the pressure and the traction of a cell.
+    #[getter]
+    fn cell_value(&self) -> Choice<stickslip::CellValue> {
+        Choice(self.0.cell_value())
+    }
+
     fn __eq__(&self, other: &Self) -> bool {
         let (own, other) = (&self.0, &other.0);
         own.grid() == other.grid()
             && own.pair() == other.pair()
             && own.boundary() == other.boundary()
+            && own.cell_value() == other.cell_value()
     }
 
     /// Equal bodies have equal ones.
@@ -84,12 +97,17 @@ impl HalfSpace {
         slf: &Bound<'py, Self>,
     ) -> (
         Bound<'py, pyo3::types::PyType>,
-        (Grid, ElasticPair, Boundary),
+        (Grid, ElasticPair, Boundary, Choice<stickslip::CellValue>),
     ) {
         let bodies = slf.get();
         (
             slf.get_type(),
-            (bodies.grid(), bodies.pair(), bodies.boundary()),
+            (
+                bodies.grid(),
+                bodies.pair(),
+                bodies.boundary(),
+                bodies.cell_value(),
+            ),
         )
     }
 

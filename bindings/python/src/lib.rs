@@ -10,6 +10,7 @@ mod choice;
 mod coupled;
 mod digits;
 mod due;
+mod edges;
 mod error;
 mod field;
 mod friction;
@@ -74,6 +75,7 @@ mod _stickslip {
         boundary::Boundary,
         cgm::{Minimum, minimise},
         coupled::{CoupledProblem, CoupledReport, CoupledSolution, CoupledSolver, ErrorEstimate},
+        edges::{Edges, TangentialEdges},
         field::Field,
         friction::Friction,
         grid::Grid,

@@ -160,7 +160,7 @@ picklable!(Report: stickslip::Report);
 ///
 /// ``kind`` names it: ``no_contact``, ``contact_at_edge``, ``unresolved_spots``, ``line_of_cells``, ``contact_across``,
 /// ``beyond_hardness``, ``stale_pressure``, ``coarse_contact``, ``coarse_stick``, ``narrow_slip``,
-/// ``pressed_at_once`` or ``stress_at_edge``.
+/// ``pressed_at_once``, ``stress_at_edge`` or ``discretisation_error``.
 #[pyclass(frozen, eq, hash, module = "stickslip")]
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) struct Warning(pub(crate) stickslip::Warning);
@@ -190,6 +190,7 @@ impl Warning {
             W::NarrowSlip { .. } => "narrow_slip",
             W::PressedAtOnce => "pressed_at_once",
             W::StressAtEdge => "stress_at_edge",
+            W::DiscretisationError { .. } => "discretisation_error",
             _ => "other",
         }
     }

@@ -111,6 +111,8 @@ class Scene:
             "ContactStiffness": contact_stiffness,
             "NormalStiffness": contact_stiffness.normal,
             "TangentialStiffness": contact_stiffness.tangential,
+            "Edges": normal.edges(),
+            "TangentialEdges": shear.edges(normal, 0.5),
             "ContactSpots": normal.spots,
             "Spot": normal.spots[0],
             "Report": normal.report,

@@ -30,6 +30,7 @@ ELSEWHERE = {
     "enum io::Sides": "io.npy.read",  # cell= or size=
     "enum io::vti::Array": "io.vti.write",  # a field or a pair of fields
     "struct io::csv::Options": "io.csv.read",  # missing= and skip_rows=
+    "struct edges::EdgeCell": "edges.Edges",  # arrays: cells, covered, is_fitted
     "struct subsurface::Tractions": "subsurface.at_points",  # a solution or fields
     "enum cgm::Total": "cgm.minimise",  # total= and spring=
     "struct cgm::Problem": "cgm.minimise",
@@ -93,6 +94,7 @@ METHODS = {
         **dict.fromkeys(["integral_of", "max_of", "mean_of", "min_of"], "as ranks::Threads; those of Field"),
         **dict.fromkeys(["level", "power_spectrum", "statistics"], "as ranks::Threads; those of surface"),
         "with_boundary": "HalfSpace(boundary=)",
+        "with_cell_value": "HalfSpace(cell_value=)",
         "tensor_preconditioner": "of minima with several components a cell: engine generics",
     },
     "cgm::Problem": {"totals": "of minima with several components a cell: engine generics"},
@@ -191,7 +193,7 @@ def test_every_variant_of_the_error_has_a_class():
 def test_enumerations_have_the_names_that_the_module_takes():
     from stickslip import _enums
 
-    for name in ("Axis", "TangentialModel", "Coupling", "TouchRule", "Method", "Body", "Amplitudes", "Component"):
+    for name in ("Axis", "TangentialModel", "Coupling", "CellValue", "TouchRule", "Method", "Body", "Amplitudes", "Component"):
         assert all(str(member) == member.value for member in getattr(_enums, name))
     assert ss.Settings(method=ss.Method.POLONSKY_KEER) == ss.Settings(method="polonsky_keer")
 

@@ -10,6 +10,7 @@ use super::codec::{
 };
 use crate::boundary::Boundary;
 use crate::buffer;
+use crate::cell_value::CellValue;
 use crate::cgm::{Method, Settings};
 use crate::contact::Trend;
 use crate::coupling::Coupling;
@@ -43,6 +44,7 @@ pub(super) struct Host {
     rows: [usize; 2],
     sides: [f64; 2],
     boundary: Boundary,
+    cell_value: CellValue,
     /// Young's modulus, Poisson's ratio and hardness of each body.
     materials: [[f64; 3]; 2],
 }
@@ -57,6 +59,7 @@ impl Host {
             rows: [grid.rows().start, grid.ny()],
             sides: [grid.dx(), grid.dy()],
             boundary: state.boundary(),
+            cell_value: state.normal().cell_value(),
             materials: state.pair().bodies().map(constants),
         }
     }
@@ -72,6 +75,8 @@ impl Host {
             codec.number("cell side", side, POSITIVE)?;
         }
         visit_boundary(codec, &mut self.boundary)?;
+        let values = [CellValue::Uniform, CellValue::Centre];
+        codec.kind("meaning of the values", &mut self.cell_value, &values)?;
         for [modulus, ratio, hardness] in &mut self.materials {
             codec.number("Young's modulus", modulus, POSITIVE_OR_INFINITE)?;
             codec.number("Poisson's ratio", ratio, FINITE)?;
@@ -96,7 +101,7 @@ impl Host {
         let gap = Field::try_zeros(grid)?;
         State::new(
             gap,
-            self.boundary,
+            (self.boundary, self.cell_value),
             &pair,
             friction,
             Axis::X.alone(),

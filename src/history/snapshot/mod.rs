@@ -28,7 +28,7 @@ use layout::{Host, LEAST_PER_CELL};
 
 const FORMAT: Format = Format("saved history");
 const MAGIC: &[u8; 8] = b"\x93STKSLIP";
-const VERSION: u32 = 11;
+const VERSION: u32 = 12;
 /// Magic, version and length; and the sum at the end.
 const HEADER: usize = 20;
 const SUM: usize = 8;
@@ -114,7 +114,7 @@ impl TryFrom<Vec<u8>> for State {
 
 impl History {
     /// The bytes of the [state](History::state): all that the next step needs but the bodies, which are known again
-    /// by grid, boundary and elastic constants. See [`State::to_bytes`].
+    /// by grid, boundary, meaning of the values and elastic constants. See [`State::to_bytes`].
     #[doc(alias = "checkpoint")]
     #[must_use]
     pub fn to_bytes(&self) -> Vec<u8> {

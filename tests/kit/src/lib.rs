@@ -22,6 +22,7 @@ mod random;
 pub mod refusal;
 #[cfg(feature = "dense")]
 pub mod scenes;
+pub mod smooth;
 pub mod table;
 pub mod waves;
 

@@ -27,9 +27,9 @@ pressure found, :class:`CoupledProblem` does both at once for different material
 ``help`` of each has its parameters, units, defaults and exceptions.
 
 Submodules are those of the Rust crate: :mod:`~stickslip.analytical`, :mod:`~stickslip.cgm`, :mod:`~stickslip.coupled`,
-:mod:`~stickslip.dense`, :mod:`~stickslip.errors`, :mod:`~stickslip.fft`, :mod:`~stickslip.history`,
-:mod:`~stickslip.influence`, :mod:`~stickslip.io`, :mod:`~stickslip.normal`, :mod:`~stickslip.stiffness`,
-:mod:`~stickslip.subsurface`, :mod:`~stickslip.surface`, :mod:`~stickslip.tangential`, :mod:`~stickslip.wear`;
+:mod:`~stickslip.dense`, :mod:`~stickslip.edges`, :mod:`~stickslip.errors`, :mod:`~stickslip.fft`,
+:mod:`~stickslip.history`, :mod:`~stickslip.influence`, :mod:`~stickslip.io`, :mod:`~stickslip.normal`,
+:mod:`~stickslip.stiffness`, :mod:`~stickslip.subsurface`, :mod:`~stickslip.surface`, :mod:`~stickslip.tangential`, :mod:`~stickslip.wear`;
 :mod:`~stickslip.plot` draws with matplotlib.
 """
 
@@ -38,6 +38,7 @@ from . import (
     cgm,
     coupled,
     dense,
+    edges,
     errors,
     fft,
     history,
@@ -51,7 +52,7 @@ from . import (
     tangential,
     wear,
 )
-from ._enums import Axis, Coupling, Method, Status, TangentialModel, Zone
+from ._enums import Axis, CellValue, Coupling, Method, Status, TangentialModel, Zone
 from ._stickslip import (
     Boundary,
     ContactSpots,
@@ -96,6 +97,7 @@ __all__ = [
     "BeyondFrictionCapacity",
     "BeyondHardness",
     "Boundary",
+    "CellValue",
     "ContactSpots",
     "ContactWarning",
     "CoupledProblem",
@@ -133,6 +135,7 @@ __all__ = [
     "cgm",
     "coupled",
     "dense",
+    "edges",
     "errors",
     "fft",
     "history",

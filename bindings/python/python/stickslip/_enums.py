@@ -41,6 +41,18 @@ class Coupling(_Name):
     NEGLECTED = "neglected"
 
 
+class CellValue(_Name):
+    """The meaning of the pressure and the traction of a cell.
+
+    "uniform": uniform over the cell, as in the paper. "centre": the value at its centre, of a traction that is smooth between
+    the centres; the influence coefficients have the smoothing of uniform cells taken off, and pressures inside a contact are
+    right to a fraction of the error, at no cost. On a grid that repeats along x and y values are those at the centres.
+    """
+
+    UNIFORM = "uniform"
+    CENTRE = "centre"
+
+
 class TouchRule(_Name):
     """How far a cell that comes into contact within a step follows the motion of the step.
 

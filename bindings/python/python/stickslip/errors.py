@@ -169,6 +169,13 @@ class BoundaryMismatch(StickslipError, ValueError):
     """The solution, in words."""
 
 
+class CellValueMismatch(StickslipError, ValueError):
+    """A solution belongs to bodies whose cells have values of another meaning."""
+
+    quantity: str
+    """The solution, in words."""
+
+
 class Tolerance(StickslipError, ValueError):
     """The tolerance lies outside ``(0, 1)``, where it is meaningless."""
 

@@ -6,7 +6,9 @@ use pyo3::prelude::*;
 
 use crate::array::{Array, contact, copy, view};
 use crate::boundary::Boundary;
+use crate::choice::Choice;
 use crate::digits::short;
+use crate::edges::Edges;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::material::ElasticPair;
@@ -157,6 +159,25 @@ impl NormalSolution {
     #[getter]
     fn boundary(&self) -> Boundary {
         Boundary(self.get().boundary())
+    }
+
+    /// The meaning of the value of a cell.
+    #[getter]
+    fn cell_value(&self) -> Choice<stickslip::CellValue> {
+        Choice(self.get().cell_value())
+    }
+
+    /// An estimate of the discretisation error of the pressure: the sum over the cells of its differences from the exact means,
+    /// relative to the sum of the pressure; ``None`` without contact.
+    #[getter]
+    fn discretisation_estimate(&self) -> Option<f64> {
+        self.get().discretisation_estimate()
+    }
+
+    /// The edge of the contact inside the cells, and the pressure there.
+    fn edges(&self, py: Python<'_>) -> PyResult<Edges> {
+        let solution = self.get();
+        unobserved_on(py, solution.grid(), || solution.edges()).map(Edges)
     }
 
     /// The two bodies.

@@ -8,7 +8,9 @@ use crate::array::{Array, copy, view, zones};
 use crate::boundary::Boundary;
 use crate::choice::Choice;
 use crate::digits::{short, tuple};
+use crate::edges::TangentialEdges;
 use crate::error::OrRaise;
+use crate::friction::AnyFriction;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::normal::NormalSolution;
@@ -156,6 +158,32 @@ impl TangentialSolution {
     #[getter]
     fn boundary(&self) -> Boundary {
         Boundary(self.get().boundary())
+    }
+
+    /// The meaning of the value of a cell.
+    #[getter]
+    fn cell_value(&self) -> Choice<stickslip::CellValue> {
+        Choice(self.get().cell_value())
+    }
+
+    /// An estimate of the discretisation error of the tractions: the sum over the cells of the differences from the exact
+    /// means, relative to the sum of their magnitudes; ``None`` without traction.
+    #[getter]
+    fn discretisation_estimate(&self) -> Option<f64> {
+        self.get().discretisation_estimate()
+    }
+
+    /// The edges of the contact and of the stick zone inside the cells, under the pressure and the friction of the problem.
+    fn edges(
+        &self,
+        py: Python<'_>,
+        normal: &NormalSolution,
+        friction: AnyFriction<'_>,
+    ) -> PyResult<TangentialEdges> {
+        let (solution, normal) = (self.get(), normal.get());
+        let friction = friction.on(py, solution.grid())?;
+        let found = unobserved_on(py, solution.grid(), || solution.edges(normal, &friction));
+        found.map(TangentialEdges)
     }
 
     /// How the solve ended, what it cost, how large its error can be.

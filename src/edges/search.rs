@@ -1,0 +1,231 @@
+//! The cells at the edge of a set, each with its fit or without.
+
+use crate::buffer;
+use crate::edges::fit::{Fit, Values};
+use crate::edges::outline::{Corners, outline};
+use crate::edges::states::States;
+use crate::edges::stencil::{PLACES, Stencil};
+use crate::edges::{EdgeCell, Edges};
+use crate::error::Result;
+use crate::field::Field;
+use crate::grid::Grid;
+use crate::neighbours::{neighbours, second_difference};
+use crate::parallel::{self, Blocks};
+
+/// Largest root mean square by which a fit may miss the values, in cells.
+const LARGEST_MISS: f64 = 0.05;
+/// Fewest values of a fit.
+const FEWEST: usize = 10;
+/// Distances of a centre from the edge, in cells, that contradict the state of the cell, and from which on its own value is
+/// right.
+const LEAST_INSIDE: f64 = -0.45;
+const MOST_OUTSIDE: f64 = 0.15;
+const UNDISTURBED: f64 = 1.2;
+
+/// Cells that a task fits.
+const PER_TASK: usize = 64;
+
+/// A set of cells, those with a positive value inside, and what is known beside it.
+pub(super) struct Search<'a> {
+    pub(super) grid: Grid,
+    pub(super) repeats: [bool; 2],
+    /// The pressure, or the like.
+    pub(super) inside: &'a [f64],
+    /// The gap, or the like.
+    pub(super) outside: &'a [f64],
+    /// Whether a cell outside has one that obeys the law of the edge.
+    pub(super) is_outside_known: &'a (dyn Fn(usize) -> bool + Sync),
+    /// The modulus at a cell for a normal of the edge.
+    pub(super) modulus: &'a (dyn Fn(usize, [f64; 2]) -> f64 + Sync),
+    /// Part of a cell that a count takes too much for each side at the edge.
+    pub(super) excess: f64,
+}
+
+/// A cell at the edge, and the distances of its corners from it if it has been fitted.
+#[derive(Clone, Copy, Default)]
+struct Found {
+    cell: EdgeCell,
+    corners: Option<Corners>,
+}
+
+impl Search<'_> {
+    pub(super) fn edges(&self) -> Result<Edges> {
+        let largest = self.inside.iter().copied().fold(0.0, f64::max);
+        let states = States::new(self.grid, self.repeats, |i| self.contains(i))?;
+        let stencil = Stencil::new(self.grid, self.repeats);
+        let mut found = Vec::new();
+        for index in states.at_edge() {
+            let cell = EdgeCell {
+                index,
+                ..EdgeCell::default()
+            };
+            buffer::push(
+                &mut found,
+                Found {
+                    cell,
+                    corners: None,
+                },
+            )?;
+        }
+        let cells = self.inside.len();
+        let lifted = self.lifted(&stencil, &found, largest)?;
+        parallel::enter_with(cells, || {
+            let tasks = found.len().div_ceil(PER_TASK);
+            let data = Blocks {
+                items: &mut found,
+                width: PER_TASK,
+            };
+            let work = |_, block: Blocks<'_, Found>| {
+                for found in block.items {
+                    let values = self.values(&states, &stencil, found.cell.index, &lifted);
+                    *found = self.examine(&stencil, &values, found.cell.index, largest);
+                }
+            };
+            parallel::sweep(0..tasks, data, &work, &|(), ()| ());
+        });
+        self.gathered(&states, &found)
+    }
+
+    fn gathered(&self, states: &States, found: &[Found]) -> Result<Edges> {
+        let mut centres = Field::try_zeros(self.grid)?;
+        centres.as_mut_slice().copy_from_slice(self.inside);
+        let mut means = Field::try_zeros(self.grid)?;
+        parallel::rows(means.as_mut_slice(), self.grid.nx(), |row, out| {
+            let first = row * self.grid.nx();
+            for (mean, i) in out.iter_mut().zip(first..) {
+                if states.is_core(i) {
+                    *mean = self.raw_mean(i);
+                }
+            }
+        });
+        let mut covered = states.core_cells() as f64;
+        for Found { cell, .. } in found {
+            centres.as_mut_slice()[cell.index] = cell.centre;
+            means.as_mut_slice()[cell.index] = cell.mean;
+            covered += cell.covered;
+        }
+        let corners = found.iter().map(|found| (found.cell.index, found.corners));
+        let corners = buffer::collected(found.len(), corners)?;
+        Ok(Edges {
+            outline: outline(self.grid, self.repeats, &corners, |i| self.contains(i))?,
+            cells: buffer::collected(found.len(), found.iter().map(|found| found.cell))?,
+            centres,
+            means,
+            area: covered * self.grid.cell_area(),
+        })
+    }
+
+    fn contains(&self, cell: usize) -> bool {
+        self.inside[cell] > 0.0
+    }
+
+    /// Sides of a cell beyond which the set ends.
+    fn open_sides(&self, cell: usize) -> usize {
+        let is_open = |next: &Option<usize>| next.is_none_or(|next| !self.contains(next));
+        let neighbours = neighbours(cell, self.grid.size(), self.repeats);
+        neighbours.iter().filter(|next| is_open(next)).count()
+    }
+
+    fn examine(&self, stencil: &Stencil, values: &Values, index: usize, largest: f64) -> Found {
+        let fit = Fit::new(stencil, values, |normal| (self.modulus)(index, normal));
+        let fit = fit.filter(|fit| {
+            let centre = fit.distance([0.0; 2]);
+            let agrees = if self.contains(index) {
+                centre >= LEAST_INSIDE
+            } else {
+                centre <= MOST_OUTSIDE
+            };
+            agrees && fit.missed <= LARGEST_MISS && fit.count >= FEWEST
+        });
+        let Some(fit) = fit else {
+            return self.refused(index);
+        };
+        let [half_x, half_y] = stencil.sides.map(|side| 0.5 * side);
+        let [covered, mean] = fit.covered_and_mean(stencil.sides);
+        let is_undisturbed = self.contains(index) && fit.distance([0.0; 2]) > UNDISTURBED;
+        let corners = [
+            [-half_x, -half_y],
+            [half_x, -half_y],
+            [half_x, half_y],
+            [-half_x, half_y],
+        ];
+        Found {
+            cell: EdgeCell {
+                index,
+                covered,
+                centre: if is_undisturbed {
+                    self.inside[index]
+                } else {
+                    largest * fit.centre()
+                },
+                mean: largest * mean,
+                is_fitted: true,
+            },
+            corners: Some(corners.map(|place| fit.distance(place))),
+        }
+    }
+
+    /// The raw cell.
+    fn refused(&self, index: usize) -> Found {
+        let cell = if self.contains(index) {
+            EdgeCell {
+                index,
+                covered: 1.0 - self.excess * self.open_sides(index) as f64,
+                centre: self.inside[index],
+                mean: self.raw_mean(index),
+                is_fitted: false,
+            }
+        } else {
+            EdgeCell {
+                index,
+                ..EdgeCell::default()
+            }
+        };
+        Found {
+            cell,
+            corners: None,
+        }
+    }
+
+    /// The mean over a cell of a smooth pressure with these values at the centres.
+    fn raw_mean(&self, cell: usize) -> f64 {
+        let difference = second_difference(self.inside, cell, self.grid.size(), self.repeats);
+        (self.inside[cell] + difference / 24.0).max(0.0)
+    }
+
+    /// Of the cells about those found, what has a uniform slope at the edge: the square of the pressure inside, minus the gap to
+    /// the power 2/3 outside, as in [`Values`]; NaN of all others.
+    fn lifted(&self, stencil: &Stencil, found: &[Found], largest: f64) -> Result<Vec<f64>> {
+        let mut lifted = buffer::filled(f64::NAN, self.inside.len())?;
+        let scale = 0.75 / (largest * stencil.unit);
+        for found in found {
+            for cell in stencil.cells(found.cell.index).into_iter().flatten() {
+                if lifted[cell].is_nan() {
+                    lifted[cell] = if self.contains(cell) {
+                        (self.inside[cell] / largest).powi(2)
+                    } else {
+                        -(scale * self.outside[cell].max(0.0)).cbrt().powi(2)
+                    };
+                }
+            }
+        }
+        Ok(lifted)
+    }
+
+    fn values(&self, states: &States, stencil: &Stencil, index: usize, lifted: &[f64]) -> Values {
+        let mut values = Values {
+            lifted: [0.0; PLACES],
+            is_inside: [false; PLACES],
+            is_core: [false; PLACES],
+            is_known: [false; PLACES],
+        };
+        for (k, cell) in stencil.cells(index).into_iter().enumerate() {
+            let Some(cell) = cell else { continue };
+            values.lifted[k] = lifted[cell];
+            values.is_inside[k] = self.contains(cell);
+            values.is_core[k] = states.is_core(cell);
+            values.is_known[k] = values.is_inside[k] || (self.is_outside_known)(cell);
+        }
+        values
+    }
+}

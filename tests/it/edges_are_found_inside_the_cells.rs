@@ -1,0 +1,289 @@
+//! The edge of a contact, of its stick zone, and the values beside it are found to a small part of a cell; where they cannot be
+//! the cell keeps what it has.
+
+use std::sync::Arc;
+
+use kit::smooth::{Smooth, l1_difference};
+use kit::{unit_bodies, unit_pair};
+use stickslip::analytical::{CattaneoMindlin, HertzSphere};
+use stickslip::edges::Edges;
+use stickslip::ranks::Threads;
+use stickslip::*;
+
+use crate::ranks_share_a_contact::PATIENCE;
+
+const OFFSETS: [[f64; 2]; 3] = [[0.0, 0.0], [0.31, -0.17], [-0.42, 0.48]];
+
+fn bodies(grid: Grid, nu: f64, cell_value: CellValue) -> HalfSpace {
+    let bodies = unit_bodies(grid, nu);
+    bodies.with_cell_value(cell_value).unwrap()
+}
+
+fn press(bodies: &HalfSpace, gap: &Field, load: NormalControl) -> NormalSolution {
+    let problem = NormalProblem::builder(bodies, gap, load).tolerance(1e-7);
+    problem.build().unwrap().solve().unwrap()
+}
+
+/// Mean errors over the offsets, relative: raw and found pressure, raw and found area, force of the means.
+fn errors(shape: &Smooth, grid: Grid, cell_value: CellValue) -> [f64; 5] {
+    let bodies = bodies(grid, 0.0, cell_value);
+    let mut sums = [0.0; 5];
+    for offset in OFFSETS {
+        let contact = press(&bodies, &shape.gap(grid, offset), shape.load());
+        let (edges, exact) = (contact.edges().unwrap(), shape.pressure(grid, offset));
+        assert_eq!(edges.refused_share(), 0.0, "{}", shape.name);
+        let found = [
+            l1_difference(contact.pressure(), &exact, |_| true),
+            l1_difference(edges.centres(), &exact, |_| true),
+            (contact.contact_area() / shape.area - 1.0).abs(),
+            (edges.area() / shape.area - 1.0).abs(),
+            (edges.means().integral() / shape.force - 1.0).abs(),
+        ];
+        for (sum, error) in sums.iter_mut().zip(found) {
+            *sum += error / 3.0;
+        }
+    }
+    sums
+}
+
+/// On 64 cells over three contact radii, anywhere between the cells and at any angle.
+#[test]
+fn contacts_of_closed_form_have_their_area_and_their_pressure() {
+    let grid = Grid::square(64, 3.0).unwrap();
+    for shape in Smooth::all() {
+        let [raw, found, raw_area, area, force] = errors(&shape, grid, CellValue::Centre);
+        let all = [raw, found, raw_area, area, force];
+        assert!(
+            found < 1.1e-3 && found < raw / 2.5,
+            "{} {all:?}",
+            shape.name
+        );
+        assert!(
+            area < 1e-3 && area < raw_area / 20.0,
+            "{} {all:?}",
+            shape.name
+        );
+        assert!(force < 5e-4, "{} {all:?}", shape.name);
+        let [raw, found, raw_area, area, _] = errors(&shape, grid, CellValue::Uniform);
+        let all = [raw, found, raw_area, area];
+        assert!(
+            found < raw / 2.0 && area < raw_area / 10.0,
+            "{} {all:?}",
+            shape.name
+        );
+    }
+}
+
+/// Cells that are no squares.
+#[test]
+fn long_cells_have_edges_too() {
+    let grid = Grid::new(96, 56, 3.0 / 96.0, 3.0 / 56.0).unwrap();
+    let all = errors(&Smooth::sphere(), grid, CellValue::Centre);
+    let [raw, found, raw_area, area, _] = all;
+    assert!(found < raw / 4.0 && area < raw_area / 20.0, "{all:?}");
+}
+
+#[test]
+fn stick_zones_of_closed_form_have_their_area_and_their_traction() {
+    let grid = Grid::square(64, 3.0).unwrap();
+    let hertz = HertzSphere::new(&unit_pair(0.0), 1.0, 4.0 / 3.0).unwrap();
+    let exact = CattaneoMindlin::new(hertz, 0.5, 0.4 * 0.5 * 4.0 / 3.0).unwrap();
+    let (shape, friction) = (Smooth::sphere(), Friction::coulomb(0.5).unwrap());
+    let bodies = bodies(grid, 0.0, CellValue::Centre);
+    let [mut traction, mut stick, mut peak] = [0.0; 3];
+    for offset in OFFSETS {
+        let contact = press(&bodies, &shape.gap(grid, offset), shape.load());
+        let load = TangentialLoad::force([exact.force(), 0.0]);
+        let problem = TangentialProblem::builder(&bodies, &contact, friction.clone(), load);
+        let shear = problem.tolerance(1e-7).build().unwrap().solve().unwrap();
+        let edges = shear.edges(&contact, &friction).unwrap();
+        let at = |x: f64, y: f64| (x - offset[0] * grid.dx()).hypot(y - offset[1] * grid.dy());
+        let q = Field::from_fn(grid, |x, y| exact.traction(at(x, y)));
+        traction += l1_difference(edges.traction(), &q, |_| true) / 3.0;
+        stick += (edges.stick_ratio() / exact.stick_ratio() - 1.0).abs() / 3.0;
+        peak += (edges.peak_traction() / q.max() - 1.0).abs() / 3.0;
+        assert_eq!(edges.contact(), &contact.edges().unwrap());
+        assert!(edges.slip_area() > 0.0);
+        let force = edges.mean_traction().integral();
+        assert!((force / exact.force() - 1.0).abs() < 2e-3, "{force}");
+    }
+    assert!(traction < 2.5e-3, "{traction}");
+    assert!(stick < 1e-3, "{stick}");
+    assert!(peak < 2e-3, "{peak}");
+}
+
+/// The edge of a stick zone opens along the traction as that of a plane strain crack, across it as that of an antiplane one.
+#[test]
+fn stick_zones_know_the_direction_of_the_traction() {
+    let friction = Friction::coulomb(0.5).unwrap();
+    let stick_area = |cells: usize| {
+        let grid = Grid::square(cells, 3.0).unwrap();
+        let bodies = bodies(grid, 0.3, CellValue::Centre);
+        let contact = press(
+            &bodies,
+            &Smooth::sphere().gap(grid, [0.0; 2]),
+            Smooth::sphere().load(),
+        );
+        let load = TangentialLoad::force([0.0, 0.25]);
+        let problem = TangentialProblem::builder(&bodies, &contact, friction.clone(), load);
+        let shear = problem.tolerance(1e-6).build().unwrap().solve().unwrap();
+        let edges = shear.edges(&contact, &friction).unwrap();
+        assert_eq!(edges.stick().refused_share(), 0.0);
+        [shear.stick_area(), edges.stick_area()]
+    };
+    let ([raw, found], [_, fine]) = (stick_area(48), stick_area(144));
+    assert!((found / fine - 1.0).abs() < 2e-3, "{found} {fine}");
+    assert!((raw / fine - 1.0).abs() > 2e-3, "{raw} {fine}");
+}
+
+/// It is closed, lies on the circle and is as long.
+#[test]
+fn the_outline_of_a_sphere_is_a_circle() {
+    let grid = Grid::square(64, 3.0).unwrap();
+    let contact = press(
+        &bodies(grid, 0.0, CellValue::Centre),
+        &Smooth::sphere().gap(grid, OFFSETS[1]),
+        Smooth::sphere().load(),
+    );
+    let edges = contact.edges().unwrap();
+    let [x0, y0] = [0, 1].map(|axis| OFFSETS[1][axis] * grid.dx());
+    let mut ends = Vec::new();
+    let mut length = 0.0;
+    for [[x1, y1], [x2, y2]] in edges.outline() {
+        length += (x2 - x1).hypot(y2 - y1);
+        for (x, y) in [(x1, y1), (x2, y2)] {
+            let radius = (x - x0).hypot(y - y0);
+            assert!((radius - 1.0).abs() < 0.03 * grid.dx(), "{radius}");
+            ends.push([x, y].map(|place| (1e9 * place).round()));
+        }
+    }
+    assert!(
+        (length / std::f64::consts::TAU - 1.0).abs() < 1e-3,
+        "{length}"
+    );
+    // Every end is that of two pieces.
+    ends.sort_by(|a, b| a.partial_cmp(b).unwrap());
+    assert!(
+        ends.chunks(2)
+            .all(|pair| pair.len() == 2 && pair[0] == pair[1])
+    );
+}
+
+/// The pressure of a flat punch is infinite at its edge: cells are what they were.
+#[test]
+fn edges_of_another_kind_are_refused() {
+    let grid = Grid::square(48, 3.0).unwrap();
+    let punch = Field::from_fn(
+        grid,
+        |x, y| if (x - 0.01).hypot(y) < 1.0 { 0.0 } else { 1.0 },
+    );
+    for cell_value in [CellValue::Uniform, CellValue::Centre] {
+        let contact = press(
+            &bodies(grid, 0.0, cell_value),
+            &punch,
+            NormalControl::Force(1.0),
+        );
+        let edges = contact.edges().unwrap();
+        assert!(edges.refused_share() > 0.9, "{}", edges.refused_share());
+        for cell in edges.cells().iter().filter(|cell| !cell.is_fitted) {
+            assert_eq!(cell.centre, contact.pressure().as_slice()[cell.index]);
+        }
+        assert!((edges.area() / std::f64::consts::PI - 1.0).abs() < 0.04);
+    }
+}
+
+/// A periodic rough contact of waves that the cells barely resolve, against five times finer ones: counting reads high.
+#[test]
+fn areas_of_rough_contacts_are_right_where_most_fits_are_refused() {
+    let area = |cells: usize| -> (f64, f64, Edges) {
+        let grid = Grid::square(cells, 1.0).unwrap();
+        let bodies = HalfSpace::with_boundary(grid, unit_pair(0.0), Boundary::Periodic).unwrap();
+        // Waves down to a twelfth of the side: eight of the coarse cells.
+        let surface = Field::from_fn(grid, |x, y| {
+            let mut random = kit::Random(5);
+            let mut height = 0.0;
+            for kx in -8_i32..=8 {
+                for ky in 0..=8_i32 {
+                    let k = f64::from(kx).hypot(f64::from(ky));
+                    let phase = random.uniform(0.0, std::f64::consts::TAU);
+                    if k > 0.0 && k <= 8.0 {
+                        let along = f64::from(kx) * x + f64::from(ky) * y;
+                        let amplitude = k.max(3.0).powf(-1.8);
+                        height += amplitude * (std::f64::consts::TAU * along + phase).cos();
+                    }
+                }
+            }
+            0.01 * height
+        });
+        let problem = NormalProblem::builder(&bodies, &surface, NormalControl::Force(0.02));
+        let contact = problem.tolerance(1e-4).build().unwrap().solve().unwrap();
+        let edges = contact.edges().unwrap();
+        (contact.contact_area(), edges.area(), edges)
+    };
+    let ((raw, found, edges), (_, fine, _)) = (area(64), area(320));
+    assert!(edges.refused_share() > 0.3, "{}", edges.refused_share());
+    assert!((found / fine - 1.0).abs() < 0.02, "{found} {fine}");
+    assert!((raw / fine - 1.0).abs() > 0.04, "{raw} {fine}");
+}
+
+/// A line contact across the edge at which its grid repeats, and one that touches nowhere.
+#[test]
+fn any_grid_has_edges() {
+    let grid = Grid::line(64, 3.0 / 64.0).unwrap();
+    let boundary = Boundary::PeriodicAlongY { datum: 30.0 };
+    let bodies = HalfSpace::with_boundary(grid, unit_pair(0.0), boundary).unwrap();
+    let bodies = bodies.with_cell_value(CellValue::Centre).unwrap();
+    let roller = Field::from_fn(grid, |x, _| 0.5 * (x - 0.011).powi(2));
+    // Of half width one.
+    let load = NormalControl::Force(std::f64::consts::PI / 4.0 * grid.dy());
+    let contact = press(&bodies, &roller, load);
+    let edges = contact.edges().unwrap();
+    let [raw, found] = [contact.contact_area(), edges.area()].map(|area| area / (2.0 * grid.dy()));
+    assert!(
+        (found - 1.0).abs() < 2e-3 && (raw - 1.0).abs() > 5e-3,
+        "{raw} {found}"
+    );
+
+    let apart = press(
+        &unit_bodies(grid, 0.0),
+        &roller,
+        NormalControl::Approach(-1.0),
+    );
+    let edges = apart.edges().unwrap();
+    assert!(edges.cells().is_empty() && edges.outline().is_empty());
+    assert_eq!((edges.area(), edges.refused_share()), (0.0, 0.0));
+    assert_eq!(apart.discretisation_estimate(), None);
+}
+
+#[test]
+fn other_bodies_and_slabs_are_refused() {
+    let grid = Grid::square(24, 3.0).unwrap();
+    let gap = Smooth::sphere().gap(grid, [0.0; 2]);
+    let load = NormalControl::Force(0.5);
+    let friction = Friction::coulomb(0.5).unwrap();
+    let [uniform, centres] = [CellValue::Uniform, CellValue::Centre].map(|cell_value| {
+        let bodies = bodies(grid, 0.0, cell_value);
+        let contact = press(&bodies, &gap, load);
+        (bodies, contact)
+    });
+    let shear = TangentialLoad::force([0.1, 0.0]);
+    let problem = TangentialProblem::builder(&uniform.0, &uniform.1, friction.clone(), shear);
+    let shear = problem.build().unwrap().solve().unwrap();
+    let refused = shear.edges(&centres.1, &friction);
+    assert!(matches!(refused, Err(Error::CellValueMismatch { .. })));
+    let other = Grid::square(20, 3.0).unwrap();
+    let friction = Friction::per_cell(Field::constant(other, 0.5)).unwrap();
+    let refused = shear.edges(&uniform.1, &friction);
+    assert!(matches!(refused, Err(Error::GridMismatch { .. })));
+
+    let grid = Grid::new(64, 256, 0.05, 0.05).unwrap();
+    let outcomes = Threads::run(2, PATIENCE, |rank| {
+        let bodies =
+            HalfSpace::distributed(grid, unit_pair(0.0), Boundary::NonPeriodic, Arc::new(rank));
+        let bodies = bodies.unwrap();
+        let gap = Smooth::sphere().gap(bodies.grid(), [0.0; 2]);
+        let contact = press(&bodies, &gap, load);
+        (contact.edges().is_err(), contact.discretisation_estimate())
+    });
+    assert!(outcomes.iter().all(|outcome| *outcome == (true, None)));
+}

@@ -1,0 +1,112 @@
+//! The second differences of a solution tell how much the cells leave of its error, within two fifths.
+
+use kit::smooth::{Smooth, l1_difference};
+use kit::{unit_bodies, unit_pair};
+use stickslip::analytical::{CattaneoMindlin, HertzSphere};
+use stickslip::*;
+
+const OFFSET: [f64; 2] = [0.31, -0.17];
+
+fn bodies(grid: Grid, cell_value: CellValue) -> HalfSpace {
+    unit_bodies(grid, 0.0).with_cell_value(cell_value).unwrap()
+}
+
+fn press(bodies: &HalfSpace, gap: &Field, load: NormalControl) -> NormalSolution {
+    let problem = NormalProblem::builder(bodies, gap, load).tolerance(1e-6);
+    problem.build().unwrap().solve().unwrap()
+}
+
+#[test]
+fn estimates_of_pressures_are_near_the_error() {
+    for cells in [24, 72] {
+        let grid = Grid::square(cells, 3.0).unwrap();
+        for cell_value in [CellValue::Uniform, CellValue::Centre] {
+            let bodies = bodies(grid, cell_value);
+            for shape in Smooth::all() {
+                for offset in [[0.12, 0.43], [0.31, -0.17]] {
+                    let contact = press(&bodies, &shape.gap(grid, offset), shape.load());
+                    let exact = shape.mean_pressure(grid, offset);
+                    let error = l1_difference(contact.pressure(), &exact, |_| true);
+                    let ratio = contact.discretisation_estimate().unwrap() / error;
+                    assert!(
+                        (0.6..1.4).contains(&ratio),
+                        "{} {cells} {cell_value:?} {ratio}",
+                        shape.name
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn estimates_of_tractions_are_near_the_error() {
+    let hertz = HertzSphere::new(&unit_pair(0.0), 1.0, 4.0 / 3.0).unwrap();
+    let exact = CattaneoMindlin::new(hertz, 0.5, 0.4 * 0.5 * 4.0 / 3.0).unwrap();
+    let parts = 16;
+    let part = |k: i32| (f64::from(k) + 0.5) / f64::from(parts) - 0.5;
+    for cells in [32, 72] {
+        let grid = Grid::square(cells, 3.0).unwrap();
+        let means = Field::from_fn(grid, |x, y| {
+            let places = (0..parts).flat_map(|i| (0..parts).map(move |j| (i, j)));
+            let at = |(i, j)| {
+                let along = |place, part, offset, side| place + (part - offset) * side;
+                let x = along(x, part(i), OFFSET[0], grid.dx());
+                x.hypot(along(y, part(j), OFFSET[1], grid.dy()))
+            };
+            let sum: f64 = places.map(|place| exact.traction(at(place))).sum();
+            sum / f64::from(parts * parts)
+        });
+        for cell_value in [CellValue::Uniform, CellValue::Centre] {
+            let bodies = bodies(grid, cell_value);
+            let shape = Smooth::sphere();
+            let contact = press(&bodies, &shape.gap(grid, OFFSET), shape.load());
+            let load = TangentialLoad::force([exact.force(), 0.0]);
+            let friction = Friction::coulomb(0.5).unwrap();
+            let problem = TangentialProblem::builder(&bodies, &contact, friction, load);
+            let shear = problem.tolerance(1e-6).build().unwrap().solve().unwrap();
+            let error = l1_difference(shear.traction()[0], &means, |_| true);
+            let ratio = shear.discretisation_estimate().unwrap() / error;
+            assert!(
+                (0.6..1.4).contains(&ratio),
+                "{cells} {cell_value:?} {ratio}"
+            );
+        }
+    }
+}
+
+/// Below 5 % there is no remark; above, it names a grid that has about 1 %.
+#[test]
+fn large_errors_are_remarked_on_with_the_cells_that_a_small_one_needs() {
+    let remark = |cells: usize| {
+        let grid = Grid::square(cells, 3.0).unwrap();
+        let shape = Smooth::sphere();
+        let contact = press(
+            &bodies(grid, CellValue::Uniform),
+            &shape.gap(grid, [0.0; 2]),
+            shape.load(),
+        );
+        let estimate = contact.discretisation_estimate().unwrap();
+        let remark = contact
+            .warnings()
+            .into_iter()
+            .find_map(|warning| match warning {
+                Warning::DiscretisationError {
+                    per_mille,
+                    cells_per_radius,
+                } => Some((per_mille, cells_per_radius)),
+                _ => None,
+            });
+        (estimate, remark)
+    };
+    let (estimate, none) = remark(16);
+    assert!(estimate < 0.05 && none.is_none(), "{estimate}");
+    let (estimate, some) = remark(8);
+    let (per_mille, cells_per_radius) = some.unwrap();
+    assert!((per_mille as f64 - 1e3 * estimate).abs() <= 0.5);
+    let (needed, _) = remark(3 * cells_per_radius);
+    assert!(
+        (0.007..0.012).contains(&needed),
+        "{cells_per_radius} {needed}"
+    );
+}
