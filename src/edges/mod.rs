@@ -20,12 +20,14 @@
 //!
 //! # Where it holds
 //!
-//! A fit is refused if it misses the values by more than 0.05 cells (root mean square), contradicts the state of the cell or
-//! has fewer than ten values to go by. The cell then has its own pressure, and counts as covered but for a part c of its area
-//! for each side at the edge: 0.088 with [`CellValue::Uniform`], 0.129 with [`CellValue::Centre`], 0.102 on grids with
-//! [`Boundary::Periodic`], measured on circles and turned ellipses. So a sharp punch keeps its raw cells, and a rough contact
-//! whose shortest waves are less than sixteen cells long nearly all of them; the corrected area is still right to 1 to 2 %
-//! there, where counting reads 5 to 14 % high.
+//! A fit is refused if it misses the values by more than 0.05 cells (root mean square), contradicts the state of the cell,
+//! has fewer than ten values to go by, or no cell within reach that has all its neighbours in the set. The cell then has
+//! its own pressure, and counts as covered but for a part c of its area for each side at the edge: 0.088 with
+//! [`CellValue::Uniform`], 0.129 with [`CellValue::Centre`], 0.102 on grids with [`Boundary::Periodic`], measured on circles
+//! and turned ellipses. So a sharp punch keeps its raw cells, and a rough contact whose shortest waves are less than sixteen
+//! cells long nearly all of them; the corrected area is still right to 1 to 2 % there, where counting reads 4 to 14 % high.
+//! Of 600 ellipses of any shape, angle and place two had a worse pressure than that of the cells, three cells across and
+//! with 20 and 29 of them in all; the median ratio of the errors was 0.36.
 //!
 //! The means over cells other than those at the edge are $`p + \Delta_h p/24`$.
 //!

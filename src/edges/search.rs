@@ -135,7 +135,9 @@ impl Search<'_> {
             } else {
                 centre <= MOST_OUTSIDE
             };
-            agrees && fit.missed <= LARGEST_MISS && fit.count >= FEWEST
+            // A strip of two cells has two edges in one.
+            let is_wide = values.is_core.contains(&true);
+            agrees && is_wide && fit.missed <= LARGEST_MISS && fit.count >= FEWEST
         });
         let Some(fit) = fit else {
             return self.refused(index);
