@@ -152,7 +152,7 @@ pub trait Linearised<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'st
         Self: Admissible<N>;
 
     /// Moves the cells within their sets to the nearest points that have the sums: those of `preferred`, and where
-    /// all cells [move](Motion::IS_STEADY) those inside their bounds, alone if they suffice. Says whether the cells keep
+    /// all cells [move](Row::IS_STEADY) those inside their bounds, alone if they suffice. Says whether the cells keep
     /// the way they move.
     fn restore(
         layout: &Layout,

@@ -134,7 +134,7 @@ pub(crate) struct ConeRun<'a, 'b, C: Operator<N>, P: Operator<N>, F> {
 /// left in `x`.
 ///
 /// # Errors
-/// [`Error::Memory`].
+/// [`Error::Memory`](crate::Error::Memory).
 pub(crate) fn solve<C: Operator<N>, P: Operator<N>, F: Cone>(
     problem: &ConeProblem<'_, C, P, F>,
     settings: &Settings,

@@ -10,7 +10,7 @@
 //! ```
 //!
 //! Conjugate gradients solve it where it is symmetric, GMRES where it is not. The preconditioner is the inverse of the
-//! operator between the same $`R`$ and $`E`$, with the [weights](crate::cgm::Weight) of cells that add much alone.
+//! operator between the same $`R`$ and $`E`$, with the [weights](Weight) of cells that add much alone.
 
 mod cg;
 mod gmres;
