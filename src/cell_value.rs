@@ -16,7 +16,7 @@
 ///
 /// | of a pressure p of centre values | is |
 /// |---|---|
-/// | force, moments | the sums of cells times their area: those of $`p - \Delta_h p/24`$, the uniform cells that displace the surface as p does ($`\Delta_h`$ the sum of four neighbours less four times the cell, zero beyond a free edge) |
+/// | force, moments | the sums of cells times their area: those of $`p - \Delta_h p/24`$, the uniform cells that displace the surface as p does ($`\Delta_h`$ the sum of four neighbours less four times the cell, zero beyond a free edge), where the outermost cells of a free grid carry nothing |
 /// | elastic energy | $`\tfrac A2 \sum p\,u`$ with displacements at the centres, the form that is minimised |
 /// | stresses below the surface | those of the uniform cells $`p - \Delta_h p/24`$, in a ring around the contact too |
 /// | friction limit, slip, dissipated energy, wear | those at the centres |

@@ -121,7 +121,9 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> NewtonSte
         let tells_sets = std::mem::take(&mut self.is_extrapolated) && merit < NEAR;
         if tells_sets && self.reclassify().0 > 0 {
             self.list_and_spread();
-            self.set_multiplier();
+            if self.totals.is_sound() {
+                self.set_multiplier();
+            }
         }
         self.measure(false);
         ControlFlow::Continue(self.totals.is_sound())

@@ -84,8 +84,8 @@ impl CoupledSolution {
     pub(super) fn empty(bodies: &HalfSpace, gap: &Field) -> Result<Self> {
         let (grid, boundary) = (bodies.grid(), bodies.boundary());
         Ok(Self {
-            normal: NormalSolution::empty(gap, boundary, bodies.pair())?,
-            tangential: TangentialSolution::empty(grid, boundary)?,
+            normal: NormalSolution::empty(gap, (boundary, bodies.cell_value()), bodies.pair())?,
+            tangential: TangentialSolution::empty(bodies)?,
             displacement: try_each(|_| Field::try_zeros(grid))?,
             report: CoupledReport::unsolved(),
             is_pressed_at_once: false,

@@ -97,6 +97,10 @@ impl Fit {
         modulus: f64,
         has_edge: bool,
     ) -> Option<()> {
+        // Values next to nothing, or none, leave nothing to measure by.
+        if !(self.square > 0.0 && self.square.is_finite()) {
+            return None;
+        }
         let slope = (self.square * modulus).cbrt().powi(2);
         let inverse = 1.0 / self.square;
         let fitted = self.distances(stencil);
@@ -124,6 +128,9 @@ impl Fit {
             squares[k] = if is_inside { 0.0 } else { distance * distance };
         }
         let solution = least_squares(stencil, &weights, &distances, &squares)?;
+        if !solution.iter().all(|part| part.is_finite()) {
+            return None;
+        }
         self.count = trusted.iter().filter(|weight| **weight > 0.0).count();
         self.missed = missed(stencil, &solution, &trusted, [distances, squares]);
         for (coefficient, part) in self.coefficients.iter_mut().zip(solution) {

@@ -1,9 +1,9 @@
 //! The edge as straight pieces.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::HashMap;
 
 use crate::buffer;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::grid::Grid;
 use crate::neighbours::neighbours;
 
@@ -19,9 +19,9 @@ pub(super) fn outline(
     contains: impl Fn(usize) -> bool,
 ) -> Result<Vec<[[f64; 2]; 2]>> {
     let size = grid.size();
-    let means = Means::new(grid, repeats, cells);
+    let means = Means::new(grid, repeats, cells)?;
     let mut pieces = Vec::new();
-    let mut beside = BTreeSet::new();
+    let mut beside = Vec::new();
     for (cell, corners) in cells {
         if corners.is_some() {
             means.add_pieces(*cell, &contains, &mut pieces)?;
@@ -29,7 +29,9 @@ pub(super) fn outline(
             let is_new =
                 |next: &usize| cells.binary_search_by_key(next, |(cell, _)| *cell).is_err();
             let around = neighbours(*cell, size, repeats).into_iter().flatten();
-            beside.extend(around.filter(is_new));
+            for next in around.filter(is_new) {
+                buffer::push(&mut beside, next)?;
+            }
         } else if contains(*cell) {
             // Left, below, right and above.
             let sides = [[3, 0], [0, 1], [1, 2], [2, 3]];
@@ -41,6 +43,8 @@ pub(super) fn outline(
             }
         }
     }
+    beside.sort_unstable();
+    beside.dedup();
     for cell in beside {
         means.add_pieces(cell, &contains, &mut pieces)?;
     }
@@ -59,12 +63,22 @@ struct Means {
 const FAR: f64 = 2.0;
 
 impl Means {
-    fn new(grid: Grid, repeats: [bool; 2], cells: &[(usize, Option<Corners>)]) -> Self {
+    fn new(grid: Grid, repeats: [bool; 2], cells: &[(usize, Option<Corners>)]) -> Result<Self> {
         let mut means = Self {
             grid,
             repeats,
             sums: HashMap::new(),
         };
+        let corners = cells
+            .iter()
+            .filter(|(_, corners)| corners.is_some())
+            .count()
+            * 4;
+        let room = means.sums.try_reserve(corners);
+        room.map_err(|_| Error::Memory {
+            quantity: "a table of the corners at an edge",
+            bytes: corners as u128 * size_of::<(usize, [f64; 2])>() as u128,
+        })?;
         for (cell, corners) in cells {
             for (which, distance) in corners.iter().flatten().enumerate() {
                 let sum = means.sums.entry(means.corner(*cell, which)).or_default();
@@ -72,7 +86,7 @@ impl Means {
                 sum[1] += 1.0;
             }
         }
-        means
+        Ok(means)
     }
 
     /// The number of a corner of a cell, the same for all cells around it.

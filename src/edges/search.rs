@@ -174,7 +174,7 @@ impl Search<'_> {
                 index,
                 covered: 1.0 - self.excess * self.open_sides(index) as f64,
                 centre: self.inside[index],
-                mean: self.raw_mean(index),
+                mean: self.inside[index],
                 is_fitted: false,
             }
         } else {

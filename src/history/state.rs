@@ -152,8 +152,7 @@ impl State {
     ) -> Result<Self> {
         let grid = gap.grid();
         let zeros = || Field::try_zeros(grid);
-        let mut normal = NormalSolution::empty(&gap, boundary, pair)?;
-        normal.set_cell_value(cell_value);
+        let normal = NormalSolution::empty(&gap, (boundary, cell_value), pair)?;
         Ok(Self {
             axes,
             settings,

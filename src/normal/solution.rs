@@ -118,12 +118,16 @@ fn under_load(initial: f64, displacement: f64, approach: f64) -> f64 {
 
 impl NormalSolution {
     /// No contact yet.
-    pub(crate) fn empty(gap: &Field, boundary: Boundary, pair: &ElasticPair) -> Result<Self> {
+    pub(crate) fn empty(
+        gap: &Field,
+        (boundary, cell_value): (Boundary, CellValue),
+        pair: &ElasticPair,
+    ) -> Result<Self> {
         Ok(Self {
             pressure: Field::try_zeros(gap.grid())?,
             gap: gap.try_clone()?,
             boundary,
-            cell_value: CellValue::default(),
+            cell_value,
             pair: *pair,
             approach: 0.0,
             yielded_cells: 0,
@@ -164,11 +168,6 @@ impl NormalSolution {
     /// With what all ranks have found, which is not among the fields of a slab.
     pub(crate) fn gather_whole(&mut self, bodies: &HalfSpace) {
         self.whole = Whole::of(bodies, self.pressure.as_slice());
-    }
-
-    /// As one of bodies whose cells have values of this meaning.
-    pub(crate) fn set_cell_value(&mut self, cell_value: CellValue) {
-        self.cell_value = cell_value;
     }
 
     /// As the half of a solution in which tractions have changed the pressure.

@@ -75,7 +75,7 @@ impl NormalSolver {
         Ok(())
     }
 
-    /// Changes the gap of the next solve, as wear does; copies it without allocating.
+    /// Changes the gap of the next solve, as wear does; copies it without allocating, unless others hold the gap there was.
     ///
     /// # Errors
     /// As [`NormalProblemBuilder::build`](crate::normal::NormalProblemBuilder::build) for the gap, which is then as it was.
@@ -101,7 +101,8 @@ impl NormalSolver {
     /// [`Error::Memory`](crate::Error::Memory).
     pub fn try_new_solution(&self) -> Result<NormalSolution> {
         let bodies = &self.problem.bodies;
-        NormalSolution::empty(&self.problem.gap, bodies.boundary(), bodies.pair())
+        let surface = (bodies.boundary(), bodies.cell_value());
+        NormalSolution::empty(&self.problem.gap, surface, bodies.pair())
     }
 
     fn solve_checked(

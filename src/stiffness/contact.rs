@@ -34,7 +34,8 @@ pub struct NormalStiffness {
 ///
 /// Rows are loads, columns motions: forces over lengths in the upper left two by two, moments over radians in the last
 /// place, forces (over radians) between. `None` of loads and motions that the model does not have: in the scalar model
-/// what is across its axis and the twist, on grids that repeat the twist.
+/// what is across its axis and the twist, on grids that repeat the twist; and of a reversal that was
+/// [left out](crate::stiffness::StiffnessWorkspace::reversal).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -121,7 +122,7 @@ impl NormalSolution {
     }
 
     /// [`stiffness`](Self::stiffness) with an observer that is asked before every product with the operator and may
-    /// cancel; the residual it sees is the root of the last bound.
+    /// cancel; the residual it sees is that of the linear problem under way.
     ///
     /// # Errors
     /// As [`stiffness`](Self::stiffness).
@@ -157,7 +158,7 @@ impl TangentialSolution {
     }
 
     /// [`stiffness`](Self::stiffness) with an observer that is asked before every product with the operator and may
-    /// cancel; the residual it sees is the root of the last bound.
+    /// cancel; the residual it sees is that of the linear problem under way.
     ///
     /// # Errors
     /// As [`stiffness`](Self::stiffness).
@@ -202,7 +203,7 @@ impl ContactStiffness {
     }
 
     /// [`new`](Self::new) with an observer that is asked before every product with an operator and may cancel; the
-    /// residual it sees is the root of the last bound.
+    /// residual it sees is that of the linear problem under way.
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -238,6 +239,7 @@ impl ContactStiffness {
         observer: Observer<'_>,
     ) -> Result<Self> {
         bodies.agreed(pressed.friction.check(bodies.grid()))?;
+        workspace.check_alike(bodies)?;
         let (mut course, buffers) = workspace.begin(observer);
         bodies.joint(parallel::enter_with(bodies.grid().cells(), || {
             Self::found(bodies, pressed, sheared, axis, buffers, &mut course)
@@ -270,15 +272,21 @@ impl ContactStiffness {
 pub(super) fn without_contact(
     axis: Option<Axis>,
     boundary: Boundary,
+    course: &mut Course<'_>,
 ) -> (TangentialStiffness, [Option<f64>; 3]) {
     let has = kinds(axis.map_or(Axis::BOTH, Axis::alone), boundary);
     let none = has.map(|has| has.then_some(0.0));
     let matrix = none.map(|of_load| none.map(|of_motion| of_load.and(of_motion)));
     let stiffness = TangentialStiffness {
         loading: matrix,
-        reversal: matrix,
+        reversal: if course.has_reversal {
+            matrix
+        } else {
+            [[None; 3]; 3]
+        },
         bound: 0.0,
     };
+    course.finish_at_once();
     (stiffness, none)
 }
 

@@ -57,6 +57,8 @@ type Loads = [f64; 4];
 #[derive(Debug)]
 pub(super) struct Joint {
     compliance: Compliance<N>,
+    /// Of the eigenvalues of its tangential part.
+    lower_bound: f64,
     workspace: ConeWorkspace<Arc<Convolution<N>>, Arc<CirculantInverse<N>>>,
     /// Pressure, tractions, slips, compliance of their own and hardness of the cells.
     cells: [Vec<f64>; 7],
@@ -66,11 +68,19 @@ pub(super) struct Joint {
 
 impl Joint {
     /// Those of a window, in the buffers there are if they are of it.
-    fn provide(slot: &mut Option<Self>, compliance: Compliance<N>) -> Result<&mut Self> {
+    fn provide<'a>(
+        slot: &'a mut Option<Self>,
+        bodies: &HalfSpace,
+        compliance: Compliance<N>,
+    ) -> Result<&'a mut Self> {
         let Compliance { operator, inverse } = compliance.clone();
         let is_own = |own: &Self| Arc::ptr_eq(&own.compliance.operator, &operator);
         provide(slot, is_own, || {
+            let (x, y) = (Direction::X, Direction::Y);
+            // The bound of the grid holds for its windows.
+            let plane = bodies.compliance([x, y], bodies.grid().whole().size())?;
             Ok(Self {
+                lower_bound: plane.operator.lower_bound(),
                 workspace: ConeWorkspace::new(&operator, &inverse)?,
                 cells: buffer::vector(operator.cells())?,
                 right: Vec::new(),
@@ -90,10 +100,14 @@ impl Coupled<'_> {
         workspace: &mut StiffnessWorkspace,
         observer: Observer<'_>,
     ) -> Result<ContactStiffness> {
+        workspace.check_alike(bodies)?;
         let (mut course, Buffers { joint, .. }) = workspace.begin(observer);
         let pressure = self.pressure.as_slice();
         let Some(window) = bodies.around(|i| pressure[i] > 0.0) else {
-            return Ok(ContactStiffness::without_contact(bodies.boundary()));
+            return Ok(ContactStiffness::without_contact(
+                bodies.boundary(),
+                &mut course,
+            ));
         };
         let window = window_of(bodies, self.window, window);
         let is_open = || reduce::any(&bodies.grid_layout(), |i| pressure[i] <= 0.0);
@@ -106,7 +120,7 @@ impl Coupled<'_> {
         bodies.joint(parallel::enter_with(bodies.grid().cells(), || {
             let [x, y, z] = [Direction::X, Direction::Y, Direction::Z];
             let compliance = bodies.compliance([z, x, y], window.size)?;
-            let joint = Joint::provide(joint, compliance)?;
+            let joint = Joint::provide(joint, bodies, compliance)?;
             let loading = self.loads(bodies, window, true, joint, &mut course)?;
             let reversal = if course.has_reversal {
                 Some(self.loads(bodies, window, false, joint, &mut course)?)
@@ -131,34 +145,28 @@ impl Coupled<'_> {
         let place = |cell: usize| centre(grid.whole(), region.own().index(cell));
         let Joint {
             compliance: Compliance { operator, inverse },
+            lower_bound,
             workspace,
             cells,
             right,
             unknowns,
         } = joint;
-        let plane = bodies.compliance([Direction::X, Direction::Y], window.size)?;
         let [qx, qy] = self.traction.map(Field::as_slice);
         let [sx, sy] = self.slip.map(Field::as_slice);
         let limits = self.hardness.map_or(UNLIMITED, Hardness::limits);
-        let hardness = match limits {
-            PerCell::Uniform(_) => &[][..],
-            PerCell::Cells(cells) => cells,
-        };
-        let fields = [
-            self.pressure.as_slice(),
-            qx,
-            qy,
-            sx,
-            sy,
-            self.entered,
-            hardness,
-        ];
-        for (cells, field) in cells.iter_mut().zip(fields) {
-            if !field.is_empty() {
-                region.gather(field, cells);
-            }
+        let entered = |i: usize| self.entered.get(i).copied().unwrap_or(0.0);
+        let [known @ .., own, hardness] = &mut *cells;
+        for (cells, field) in known
+            .iter_mut()
+            .zip([self.pressure.as_slice(), qx, qy, sx, sy])
+        {
+            region.gather(field, cells);
         }
-        let [p, qx, qy, sx, sy, entered, hardness] = slices(cells);
+        region.collect(|i| if slips { entered(i) } else { 0.0 }, own);
+        if let PerCell::Cells(field) = limits {
+            region.gather(field, hardness);
+        }
+        let [p, qx, qy, sx, sy, own, hardness] = slices(cells);
         let problem = ConeProblem {
             operator: &*operator,
             preconditioner: &*inverse,
@@ -168,14 +176,13 @@ impl Coupled<'_> {
             hardness: limits.map(|_| hardness),
             friction: &self.friction.within(&region),
             totals: [Total::Free; N],
-            lower_bounds: [0.0, plane.operator.lower_bound()],
+            lower_bounds: [0.0, *lower_bound],
             coupling: 0.0,
         };
-        let own = slips && !self.entered.is_empty();
         let stand = Stand {
             x: [p, qx, qy],
             slip: [sx, sy],
-            own: if own { entered } else { &[] },
+            own,
             slips,
         };
         let held = Held {
@@ -190,6 +197,7 @@ impl Coupled<'_> {
         for (motion, loads) in loads.iter_mut().enumerate().take(count) {
             linear.restrict(|cell| moved(motion, place(cell)), right)?;
             course.respond(&held, right, unknowns, linear)?;
+            course.check_solved()?;
             let found = linear.tractions();
             *loads = reduce::sum(&layout, |cell| {
                 let [x, y] = place(cell);
@@ -246,9 +254,9 @@ impl CoupledSolution {
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<ContactStiffness> {
         let (normal, tangential) = (self.normal(), self.tangential());
-        normal.check_bodies(bodies)?;
-        normal.check_elastic("the stiffness")?;
-        friction.check(bodies.grid())?;
+        let checked = normal.check_bodies(bodies);
+        let checked = checked.and_then(|()| normal.check_elastic("the stiffness"));
+        bodies.agreed(checked.and_then(|()| friction.check(bodies.grid())))?;
         let contact = Coupled {
             pressure: normal.pressure(),
             traction: tangential.traction(),
@@ -274,8 +282,8 @@ fn moved(motion: usize, [x, y]: [f64; 2]) -> [f64; N] {
 
 impl ContactStiffness {
     /// Zero of what the model in the plane has.
-    fn without_contact(boundary: Boundary) -> Self {
-        let (tangential, none) = without_contact(None, boundary);
+    fn without_contact(boundary: Boundary, course: &mut Course<'_>) -> Self {
+        let (tangential, none) = without_contact(None, boundary, course);
         Self {
             normal: NormalStiffness {
                 value: 0.0,

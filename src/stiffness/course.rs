@@ -20,7 +20,7 @@ pub(super) struct Course<'a> {
 }
 
 impl Course<'_> {
-    /// Finds the unknowns that answer a right side.
+    /// Finds the unknowns that answer a right side, to the tolerance or to where round-off leaves them.
     pub(super) fn respond<C: Operator<N>, P: Operator<N>, R: Row<N>, const N: usize>(
         &mut self,
         held: &Held<'_, C, P>,
@@ -36,6 +36,21 @@ impl Course<'_> {
             Error::NotConverged(_) => Error::NotConverged(Box::new(self.report.clone())),
             other => other,
         })
+    }
+
+    /// `Ok` if the last solve has come to the tolerance, and not only to where round-off leaves it.
+    pub(super) fn check_solved(&self) -> Result<()> {
+        if self.report.is_converged() {
+            Ok(())
+        } else {
+            Err(Error::NotConverged(Box::new(self.report.clone())))
+        }
+    }
+
+    /// Nothing is to be solved.
+    pub(super) fn finish_at_once(&mut self) {
+        self.report.status = Status::Converged;
+        self.report.residual = 0.0;
     }
 
     /// Asks the observer, the same of all ranks, before a product beside the solves, and counts it.

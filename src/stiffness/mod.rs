@@ -23,7 +23,7 @@
 //! - where pressure moves the surfaces one way, pressing shears;
 //! - where pressure and shear are found together ([coupled](crate::coupled)), they answer each motion together: the normal
 //!   force has a [slope by the shift](ContactStiffness::normal_by_motion). That system is not symmetric, and its
-//!   stiffness has no bound (an infinite one); its residual is 1e-11.
+//!   stiffness has no bound (an infinite one), but the residual of the tolerance.
 //!
 //! Each is a solution of the [linear problem](crate::cgm) of the engine at its last sets, by bases whose products are of
 //! single precision, refined in double precision to a [tolerance](StiffnessWorkspace::tolerance). The bound is that of the

@@ -36,6 +36,7 @@ pub(super) fn press(
     buffer::resize(growth, bodies.grid().cells(), 0.0)?;
     let pressure = normal.pressure().as_slice();
     let Some(window) = bodies.around(|i| pressure[i] > 0.0) else {
+        course.finish_at_once();
         return Ok(NormalStiffness {
             value: 0.0,
             bound: 0.0,

@@ -253,7 +253,7 @@ impl Sheared<'_> {
         course: &mut Course<'_>,
     ) -> Result<Found> {
         let Some(window) = bodies.around(|i| self.zones[i] != Zone::Separated) else {
-            return Ok(without_contact(axis, bodies.boundary()));
+            return Ok(without_contact(axis, bodies.boundary(), course));
         };
         let region = Region::new(bodies, window_of(bodies, self.window, window));
         let Buffers {

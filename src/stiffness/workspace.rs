@@ -2,6 +2,7 @@
 
 use crate::cgm::{Disc, Interval, Linearised};
 use crate::error::{Result, positive};
+use crate::half_space::HalfSpace;
 use crate::report::Report;
 use crate::stiffness::coupled::Joint;
 use crate::stiffness::course::Course;
@@ -14,8 +15,8 @@ pub(super) type SystemOf<S, const N: usize> = System<<S as Linearised<N>>::Motio
 
 /// Buffers, tolerance and report of stiffnesses that are found one after the other.
 ///
-/// The first stiffness allocates; further ones of contacts on the same bodies whose bounding box has the same size do not,
-/// and their operators are made once. A Newton iteration around a [`History`](crate::History) holds one.
+/// The first stiffness allocates; further ones of contacts on the same bodies, found in a window of the same size, do not once
+/// one has had as many cells and steps, and their operators are made once. A Newton iteration around a [`History`](crate::History) holds one.
 ///
 /// ```
 /// use stickslip::stiffness::StiffnessWorkspace;
@@ -96,6 +97,12 @@ impl StiffnessWorkspace {
     #[must_use]
     pub fn report(&self) -> &Report {
         &self.report
+    }
+
+    /// `Ok` if all ranks ask for the same.
+    pub(super) fn check_alike(&self, bodies: &HalfSpace) -> Result<()> {
+        let settings = (self.tolerance, self.has_reversal);
+        bodies.agreed_alike(Ok(()), &[("settings of the stiffness", &settings)])
     }
 
     /// Begins another stiffness.

@@ -155,7 +155,8 @@ impl Planes {
         Ok(plane)
     }
 
-    /// The same into a plane that is there, without allocation once the kernels are made.
+    /// The same into a plane that is there, without allocation once the kernels are made but for fields of
+    /// [`CellValue::Centre`](crate::CellValue::Centre).
     ///
     /// # Errors
     /// As [`Planes::solve`]; [`Error::GridMismatch`](crate::Error::GridMismatch) for the plane too. The plane is then

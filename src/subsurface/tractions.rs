@@ -20,7 +20,7 @@ use crate::tangential::TangentialSolution;
 /// pair of one and a [`TangentialSolution`], of a [`CoupledSolution`], a [`History`] or a [`State`].
 ///
 /// On bodies with [`CellValue::Centre`] the values are those at the centres, and the cells that are summed up carry
-/// $`p - \Delta_h p/24`$, which moves the surface alike.
+/// $`p - \Delta_h p/24`$, which moves the surface alike where the outermost cells of a free grid carry nothing.
 ///
 /// Signs as everywhere: a positive pressure is compression, the tractions are those on body 1 along x and y.
 ///

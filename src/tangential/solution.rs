@@ -112,14 +112,15 @@ impl<'de> serde::Deserialize<'de> for TangentialSolution {
 
 impl TangentialSolution {
     /// No contact yet.
-    pub(crate) fn empty(grid: Grid, boundary: Boundary) -> Result<Self> {
+    pub(crate) fn empty(bodies: &HalfSpace) -> Result<Self> {
+        let grid = bodies.grid();
         let zeros = || try_each(|_| Field::try_zeros(grid));
         Ok(Self {
             traction: zeros()?,
             slip: zeros()?,
             zones: buffer::filled(Zone::Separated, grid.cells())?,
-            boundary,
-            cell_value: CellValue::default(),
+            boundary: bodies.boundary(),
+            cell_value: bodies.cell_value(),
             axis: Some(Axis::X),
             shift: [0.0; 2],
             twist: 0.0,

@@ -201,7 +201,7 @@ impl TangentialSolver {
     /// [`Error::Memory`].
     pub fn try_new_solution(&self) -> Result<TangentialSolution> {
         let bodies = &self.problem.bodies;
-        TangentialSolution::empty(bodies.grid(), bodies.boundary())
+        TangentialSolution::empty(bodies)
     }
 
     fn solve_checked(

@@ -39,7 +39,7 @@ impl JaegerSuperposition {
     /// The coupling between pressure and traction of dissimilar bodies is neglected.
     ///
     /// # Errors
-    /// [`Error::Negative`] for the coefficient or if `stick` carries more load than `full`, [`Error::GridMismatch`]
+    /// [`Error::Negative`] for the coefficient or if `stick` carries more load than `full`, [`Error::GridMismatch`],
     /// [`Error::BoundaryMismatch`] or [`Error::CellValueMismatch`] if the two contacts differ in these, [`Error::MaterialMismatch`] if
     /// either is of another pair, [`Error::NotConverged`] if either is not, with its report,
     /// [`Error::EmptyContact`] if `full` carries no pressure.

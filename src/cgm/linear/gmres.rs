@@ -1,4 +1,5 @@
-//! Right-preconditioned GMRES, restarted, on the cells that move: for problems that are not symmetric.
+//! Right-preconditioned GMRES, restarted, on the cells that move: for problems that are not symmetric, and where a residual
+//! is to fall by many digits.
 
 use std::ops::ControlFlow;
 

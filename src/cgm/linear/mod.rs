@@ -9,8 +9,8 @@
 //! = \begin{pmatrix} r \\ \varrho \end{pmatrix} .
 //! ```
 //!
-//! Conjugate gradients solve it where it is symmetric, GMRES where it is not. The preconditioner is the inverse of the
-//! operator between the same $`R`$ and $`E`$, with the [weights](Weight) of cells that add much alone.
+//! Conjugate gradients solve it in a symmetric problem, GMRES in others and for stiffnesses. The preconditioner is the inverse of the
+//! operator between $`R`$ and its transpose, with the [weights](Weight) of cells that add much alone.
 
 mod cg;
 mod gmres;

@@ -23,8 +23,9 @@ const BASES: usize = 100;
 struct Response<'a, const N: usize> {
     right: &'a [[f64; N]],
     unknowns: &'a mut [[f64; N]],
-    /// The size of the right side.
-    first: Option<f64>,
+    /// The size of the right side, and what was left of it before the last basis.
+    first: f64,
+    last: f64,
 }
 
 impl<C: Operator<N>, P: Operator<N>, R: Row<N>, const N: usize> Equations<C, P, R, N>
@@ -48,10 +49,21 @@ impl<C: Operator<N>, P: Operator<N>, R: Row<N>, const N: usize> Equations<C, P, 
             }
         });
         let size = linear.residual_size();
-        let first = *self.first.get_or_insert(size);
-        let residual = if first > 0.0 { size / first } else { 0.0 };
-        linear.workspace.report.residual = residual;
-        ControlFlow::Continue(())
+        if self.first.is_infinite() {
+            self.first = size;
+        }
+        let is_stalled = self.last.is_finite() && size > 0.5 * self.last;
+        let residual = if self.first > 0.0 {
+            size / self.first
+        } else {
+            0.0
+        };
+        (self.last, linear.workspace.report.residual) = (size, residual);
+        if is_stalled {
+            ControlFlow::Break(Status::Stalled)
+        } else {
+            ControlFlow::Continue(())
+        }
     }
 
     fn advance(
@@ -77,8 +89,8 @@ pub(crate) struct Held<'a, C, P> {
 }
 
 impl<C, P> Held<'_, C, P> {
-    /// Finds the unknowns that answer a right side, in double precision, to a relative residual; what they leave stays in
-    /// the [residual](LinearWorkspace::left), their tractions are the [directions](LinearWorkspace::tractions).
+    /// Finds the unknowns that answer a right side, in double precision, to a relative residual, or as the report then says
+    /// to where a basis does not halve it; what they leave stays in the [residual](LinearWorkspace::left), their tractions are the [directions](LinearWorkspace::tractions).
     ///
     /// # Errors
     /// [`Error::NotConverged`]; [`Error::Memory`].
@@ -114,7 +126,8 @@ impl<C, P> Held<'_, C, P> {
         let mut response = Response {
             right,
             unknowns,
-            first: None,
+            first: f64::INFINITY,
+            last: f64::INFINITY,
         };
         let limits = (BASES, tolerance);
         let found = linear.solve(&Border::NONE, [0.0; N], limits, &mut response);
@@ -128,7 +141,7 @@ impl<C, P> Held<'_, C, P> {
         };
         let report = &mut workspace.report;
         report.status = status;
-        if status == Status::Converged {
+        if matches!(status, Status::Converged | Status::Stalled) {
             Ok(())
         } else {
             Err(Error::NotConverged(Box::new(report.clone())))
@@ -193,7 +206,6 @@ impl<C, P, R: Row<N>, const N: usize> LinearWorkspace<C, P, R, N> {
         out: [&mut [f64]; N],
     ) {
         operator.apply(x, out, &mut self.operator);
-        self.report.double_precision_products += 1;
     }
 
     /// How the last response was found.
