@@ -29,6 +29,8 @@ module stickslip_bindings
     public :: stickslip_coupled_solution_results
     public :: stickslip_coupled_solution_report
     public :: stickslip_coupled_solution_warnings
+    public :: stickslip_coupled_solution_stiffness
+    public :: stickslip_coupled_solution_stiffness_observed
     public :: stickslip_cycle_new
     public :: stickslip_cycle_free
     public :: stickslip_cycle_begin
@@ -739,6 +741,46 @@ module stickslip_bindings
         integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_warning
 
+    ! Normal force by approach.
+    type, bind(c), public :: stickslip_normal_stiffness
+        ! A force over a length; zero without contact.
+        real(c_double) :: value = 0
+        ! Bound of its relative error; infinite where pressure and traction are found together.
+        real(c_double) :: bound = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
+    end type stickslip_normal_stiffness
+
+    ! Forces along x and y and the moment, by shifts along x and y and the twist: rows are loads, columns motions. In C
+    ! loading[row, column]. NaN for loads and motions that the model does not have: in the scalar model what is across its axis
+    ! and the twist, on grids that repeat the twist.
+    type, bind(c), public :: stickslip_tangential_stiffness
+        ! If the motion continues in its direction.
+        real(c_double) :: loading(3, 3) = 0
+        ! If the motion reverses: all cells of the contact stick.
+        real(c_double) :: reversal(3, 3) = 0
+        ! Bound of the errors: none is larger than this times the root of the product of the two entries on the diagonal;
+        ! infinite where pressure and traction are found together.
+        real(c_double) :: bound = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
+    end type stickslip_tangential_stiffness
+
+    ! The stiffness of a contact.
+    type, bind(c), public :: stickslip_stiffness
+        ! Normal force by approach.
+        type(stickslip_normal_stiffness) :: normal
+        ! Tangential forces and moment by shift and twist.
+        type(stickslip_tangential_stiffness) :: tangential
+        ! Tangential forces and moment by the approach while slip continues; NaN for those that the model does not have.
+        real(c_double) :: by_approach(3) = 0
+        ! Normal force by shifts along x and y and the twist: zero but where pressure and traction are found together. NaN for
+        ! motions that the model does not have.
+        real(c_double) :: normal_by_motion(3) = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(5) = 0
+    end type stickslip_stiffness
+
     ! Work, elastic energy and dissipation of a step or a cycle.
     type, bind(c), public :: stickslip_energy
         ! Work of the tangential load.
@@ -867,46 +909,6 @@ module stickslip_bindings
         ! Room for members to come: zero.
         integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_history_options
-
-    ! Normal force by approach.
-    type, bind(c), public :: stickslip_normal_stiffness
-        ! A force over a length; zero without contact.
-        real(c_double) :: value = 0
-        ! Bound of its relative error; infinite where pressure and traction are found together.
-        real(c_double) :: bound = 0
-        ! Room for members to come: zero.
-        integer(c_int64_t) :: reserved(8) = 0
-    end type stickslip_normal_stiffness
-
-    ! Forces along x and y and the moment, by shifts along x and y and the twist: rows are loads, columns motions. In C
-    ! loading[row, column]. NaN for loads and motions that the model does not have: in the scalar model what is across its axis
-    ! and the twist, on grids that repeat the twist.
-    type, bind(c), public :: stickslip_tangential_stiffness
-        ! If the motion continues in its direction.
-        real(c_double) :: loading(3, 3) = 0
-        ! If the motion reverses: all cells of the contact stick.
-        real(c_double) :: reversal(3, 3) = 0
-        ! Bound of the errors: none is larger than this times the root of the product of the two entries on the diagonal;
-        ! infinite where pressure and traction are found together.
-        real(c_double) :: bound = 0
-        ! Room for members to come: zero.
-        integer(c_int64_t) :: reserved(8) = 0
-    end type stickslip_tangential_stiffness
-
-    ! The stiffness of a contact.
-    type, bind(c), public :: stickslip_stiffness
-        ! Normal force by approach.
-        type(stickslip_normal_stiffness) :: normal
-        ! Tangential forces and moment by shift and twist.
-        type(stickslip_tangential_stiffness) :: tangential
-        ! Tangential forces and moment by the approach while slip continues; NaN for those that the model does not have.
-        real(c_double) :: by_approach(3) = 0
-        ! Normal force by shifts along x and y and the twist: zero but where pressure and traction are found together. NaN for
-        ! motions that the model does not have.
-        real(c_double) :: normal_by_motion(3) = 0
-        ! Room for members to come: zero.
-        integer(c_int64_t) :: reserved(5) = 0
-    end type stickslip_stiffness
 
     ! Numbers of a history after its last step.
     type, bind(c), public :: stickslip_step_result
@@ -1290,6 +1292,29 @@ module stickslip_bindings
             integer(c_size_t), intent(out), optional :: count
             integer(c_int32_t) :: answer
         end function stickslip_coupled_solution_warnings
+
+        ! The stiffness of a coupled contact on the bodies and with the friction it was solved for.
+        function stickslip_coupled_solution_stiffness(solution, half_space, friction, stiffness) result(answer) bind(c)
+            import
+            type(stickslip_coupled_solution), value :: solution
+            type(stickslip_half_space), value :: half_space
+            type(stickslip_friction), intent(in), optional :: friction
+            type(stickslip_stiffness), intent(out), optional :: stiffness
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_solution_stiffness
+
+        ! The same with an observer (may be NULL), which is called before every product with the operator and may end it:
+        ! STICKSLIP_NOT_CONVERGED, and stiffness is as it was.
+        function stickslip_coupled_solution_stiffness_observed(solution, half_space, friction, observer, &
+            stiffness) result(answer) bind(c)
+            import
+            type(stickslip_coupled_solution), value :: solution
+            type(stickslip_half_space), value :: half_space
+            type(stickslip_friction), intent(in), optional :: friction
+            type(stickslip_observer), intent(in), optional :: observer
+            type(stickslip_stiffness), intent(out), optional :: stiffness
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_solution_stiffness_observed
 
         ! Begins a cycle at the present state of a history.
         function stickslip_cycle_new(history, cycle) result(answer) bind(c)

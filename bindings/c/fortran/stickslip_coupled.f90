@@ -35,6 +35,7 @@ module stickslip_coupled
         procedure :: results => coupled_solution_results
         procedure :: report => coupled_solution_report
         procedure :: warnings => coupled_solution_warnings
+        procedure :: stiffness => coupled_solution_stiffness
         procedure :: address => coupled_solution_address
         procedure :: free => coupled_solution_free
         final :: coupled_solution_final
@@ -168,6 +169,18 @@ contains
         end if
         call report_status(code, status)
     end subroutine coupled_solution_warnings
+
+    ! With the friction it was solved for.
+    function coupled_solution_stiffness(this, bodies, friction, observer, status) result(stiffness)
+        class(coupled_solution), intent(in) :: this
+        class(half_space), intent(in) :: bodies
+        type(stickslip_friction), intent(in) :: friction
+        type(stickslip_observer), intent(in), optional :: observer
+        integer(c_int32_t), intent(out), optional :: status
+        type(stickslip_stiffness) :: stiffness
+        call report_status(stickslip_coupled_solution_stiffness_observed(this%handle, bodies%handle, friction, &
+            observer, stiffness), status)
+    end function coupled_solution_stiffness
 
     ! Puts what was made in the place of the one that was there, which stays if code is a failure or it is in use.
     subroutine coupled_solver_take(this, made, grid, made_with, status)

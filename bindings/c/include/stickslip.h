@@ -756,6 +756,46 @@ typedef struct {
     uint64_t reserved[8];
 } stickslip_warning;
 
+// Normal force by approach.
+typedef struct {
+    // A force over a length; zero without contact.
+    double value;
+    // Bound of its relative error; infinite where pressure and traction are found together.
+    double bound;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
+} stickslip_normal_stiffness;
+
+// Forces along x and y and the moment, by shifts along x and y and the twist: rows are loads, columns motions. In C
+// loading[row, column]. NaN for loads and motions that the model does not have: in the scalar model what is across its axis
+// and the twist, on grids that repeat the twist.
+typedef struct {
+    // If the motion continues in its direction.
+    double loading[3][3];
+    // If the motion reverses: all cells of the contact stick.
+    double reversal[3][3];
+    // Bound of the errors: none is larger than this times the root of the product of the two entries on the diagonal;
+    // infinite where pressure and traction are found together.
+    double bound;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
+} stickslip_tangential_stiffness;
+
+// The stiffness of a contact.
+typedef struct {
+    // Normal force by approach.
+    stickslip_normal_stiffness normal;
+    // Tangential forces and moment by shift and twist.
+    stickslip_tangential_stiffness tangential;
+    // Tangential forces and moment by the approach while slip continues; NaN for those that the model does not have.
+    double by_approach[3];
+    // Normal force by shifts along x and y and the twist: zero but where pressure and traction are found together. NaN for
+    // motions that the model does not have.
+    double normal_by_motion[3];
+    // Room for members to come: zero.
+    uint64_t reserved[5];
+} stickslip_stiffness;
+
 // Work, elastic energy and dissipation of a step or a cycle.
 typedef struct {
     // Work of the tangential load.
@@ -884,46 +924,6 @@ typedef struct {
     // Room for members to come: zero.
     uint64_t reserved[8];
 } stickslip_history_options;
-
-// Normal force by approach.
-typedef struct {
-    // A force over a length; zero without contact.
-    double value;
-    // Bound of its relative error; infinite where pressure and traction are found together.
-    double bound;
-    // Room for members to come: zero.
-    uint64_t reserved[8];
-} stickslip_normal_stiffness;
-
-// Forces along x and y and the moment, by shifts along x and y and the twist: rows are loads, columns motions. In C
-// loading[row, column]. NaN for loads and motions that the model does not have: in the scalar model what is across its axis
-// and the twist, on grids that repeat the twist.
-typedef struct {
-    // If the motion continues in its direction.
-    double loading[3][3];
-    // If the motion reverses: all cells of the contact stick.
-    double reversal[3][3];
-    // Bound of the errors: none is larger than this times the root of the product of the two entries on the diagonal;
-    // infinite where pressure and traction are found together.
-    double bound;
-    // Room for members to come: zero.
-    uint64_t reserved[8];
-} stickslip_tangential_stiffness;
-
-// The stiffness of a contact.
-typedef struct {
-    // Normal force by approach.
-    stickslip_normal_stiffness normal;
-    // Tangential forces and moment by shift and twist.
-    stickslip_tangential_stiffness tangential;
-    // Tangential forces and moment by the approach while slip continues; NaN for those that the model does not have.
-    double by_approach[3];
-    // Normal force by shifts along x and y and the twist: zero but where pressure and traction are found together. NaN for
-    // motions that the model does not have.
-    double normal_by_motion[3];
-    // Room for members to come: zero.
-    uint64_t reserved[5];
-} stickslip_stiffness;
 
 // Numbers of a history after its last step.
 typedef struct {
@@ -1218,6 +1218,20 @@ stickslip_status stickslip_coupled_solution_warnings(const stickslip_coupled_sol
                                                      size_t capacity,
                                                      size_t *count);
 
+// The stiffness of a coupled contact on the bodies and with the friction it was solved for.
+stickslip_status stickslip_coupled_solution_stiffness(const stickslip_coupled_solution *solution,
+                                                      const stickslip_half_space *half_space,
+                                                      const stickslip_friction *friction,
+                                                      stickslip_stiffness *stiffness);
+
+// The same with an observer (may be NULL), which is called before every product with the operator and may end it:
+// STICKSLIP_NOT_CONVERGED, and stiffness is as it was.
+stickslip_status stickslip_coupled_solution_stiffness_observed(const stickslip_coupled_solution *solution,
+                                                               const stickslip_half_space *half_space,
+                                                               const stickslip_friction *friction,
+                                                               const stickslip_observer *observer,
+                                                               stickslip_stiffness *stiffness);
+
 // Begins a cycle at the present state of a history.
 stickslip_status stickslip_cycle_new(const stickslip_history *history, stickslip_cycle **cycle);
 
@@ -1256,7 +1270,8 @@ stickslip_status stickslip_half_space_new(const stickslip_grid *grid,
 
 // Chooses the meaning of the pressure and the traction of a cell, STICKSLIP_UNIFORM (at first) or STICKSLIP_CENTRE, for what is
 // made of the bodies from now on. On a grid with STICKSLIP_PERIODIC values are those at the centres in any case.
-stickslip_status stickslip_half_space_set_cell_value(stickslip_half_space *half_space, int32_t value);
+stickslip_status stickslip_half_space_set_cell_value(stickslip_half_space *half_space,
+                                                     int32_t value);
 
 // The meaning of the pressure and the traction of a cell: STICKSLIP_UNIFORM or STICKSLIP_CENTRE.
 stickslip_status stickslip_half_space_cell_value(const stickslip_half_space *half_space, int32_t *value);

@@ -13,7 +13,7 @@ use crate::inputs::{
     stickslip_friction, stickslip_per_cell, stickslip_relative_displacement, stickslip_settings,
 };
 use crate::loads::{stickslip_normal_load, stickslip_tangential_load};
-use crate::observer::stickslip_observer;
+use crate::observer::{stickslip_observer, watch};
 use crate::pointer::{Place, field, input, optional};
 use crate::reading::{show, tell, warn};
 use crate::results::{
@@ -21,6 +21,7 @@ use crate::results::{
 };
 use crate::solver::{self, Solver};
 use crate::status::stickslip_status;
+use crate::stiffness::stickslip_stiffness;
 
 /// Solves coupled contacts again and again, each from rest in one step, beginning with the last answer.
 pub struct stickslip_coupled_solver(Handle<Solver<CoupledSolver>>);
@@ -299,5 +300,43 @@ pub unsafe extern "C" fn stickslip_coupled_solution_warnings(
             (buffer, capacity, count),
             CoupledSolution::try_warnings,
         )
+    }
+}
+
+/// The stiffness of a coupled contact on the bodies and with the friction it was solved for.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_solution_stiffness(
+    solution: *const stickslip_coupled_solution,
+    half_space: *const stickslip_half_space,
+    friction: *const stickslip_friction,
+    stiffness: *mut stickslip_stiffness,
+) -> stickslip_status {
+    let nobody = std::ptr::null();
+    // SAFETY: the rule for pointers.
+    unsafe {
+        stickslip_coupled_solution_stiffness_observed(
+            solution, half_space, friction, nobody, stiffness,
+        )
+    }
+}
+
+/// The same with an observer (may be NULL), which is called before every product with the operator and may end it:
+/// STICKSLIP_NOT_CONVERGED, and stiffness is as it was.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_solution_stiffness_observed(
+    solution: *const stickslip_coupled_solution,
+    half_space: *const stickslip_half_space,
+    friction: *const stickslip_friction,
+    observer: *const stickslip_observer,
+    stiffness: *mut stickslip_stiffness,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    unsafe {
+        tell(solution, ("stiffness", stiffness), |of| {
+            let bodies = reading(half_space)?;
+            let friction = input("friction", friction)?.checked(bodies.grid())?;
+            let observer = watch(optional("observer", observer)?);
+            Ok(of.stiffness_observed(&bodies, &friction, observer)?.into())
+        })
     }
 }

@@ -281,6 +281,28 @@ static void dissimilar_bodies_are_coupled(void) {
     for (size_t i = 0; i < count && i < 8; i++) {
         CHECK(strlen(warnings[i].message) > 10);
     }
+    /* The stiffness is the slope of the forces. */
+    stickslip_settings exact = stickslip_settings_default();
+    stickslip_normal_result pressed[2];
+    stickslip_stiffness slope;
+    exact.tolerance = 1e-10;
+    OK(stickslip_coupled_solver_set_settings(solver, &exact));
+    for (int i = 0; i < 3; i++) {
+        const double step = 1e-10;
+        load.value = 2e-6 + (i - 1) * step;
+        OK(stickslip_coupled_solver_set_load(solver, &load, &still));
+        OK(stickslip_coupled_solver_solve(solver, solution, NULL));
+        if (i == 1) {
+            OK(stickslip_coupled_solution_stiffness(solution, bodies, &friction, &slope));
+        } else {
+            OK(stickslip_coupled_solution_results(solution, &pressed[i / 2], NULL));
+        }
+    }
+    const double by_approach = (pressed[1].force - pressed[0].force) / (pressed[1].approach - pressed[0].approach);
+    CLOSE(slope.normal.value, by_approach, 1e-4);
+    stickslip_friction wrong = stickslip_coulomb(-1.0);
+    CHECK(stickslip_coupled_solution_stiffness(solution, bodies, &wrong, &slope) != STICKSLIP_OK);
+    CHECK(stickslip_coupled_solution_stiffness(solution, bodies, NULL, &slope) == STICKSLIP_BAD_POINTER);
     /* Any tolerance below 1 is one. */
     stickslip_settings settings = stickslip_settings_default();
     for (settings.tolerance = 0.9; settings.tolerance > 1e-3; settings.tolerance *= 0.3) {

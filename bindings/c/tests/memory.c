@@ -369,6 +369,32 @@ static stickslip_status stiffness(void) {
     return status;
 }
 
+static stickslip_status coupled_stiffness(void) {
+    stickslip_history *history = made(dissimilar, 1, 100.0, 10.0);
+    stickslip_stiffness found;
+    stickslip_status status = ARMED(stickslip_history_stiffness(history, &found));
+    OK(stickslip_history_free(history));
+    return status;
+}
+/* On bodies whose operators are to be made. */
+static stickslip_status coupled_solution_stiffness(void) {
+    stickslip_friction friction = stickslip_coulomb(0.5), per_cell = friction;
+    per_cell.coefficient.cells = halves, per_cell.coefficient.count = cells;
+    stickslip_coupled_solver *solver = NULL;
+    stickslip_coupled_solution *solution = NULL;
+    OK(stickslip_coupled_solver_new(dissimilar, ball, cells, &friction, &PRESS, &DRAG, NULL, NULL, NULL, &solver));
+    OK(stickslip_coupled_solution_new(solver, &solution));
+    OK(stickslip_coupled_solver_solve(solver, solution, NULL));
+    stickslip_half_space *bodies = NULL;
+    stickslip_stiffness found;
+    OK(stickslip_half_space_new(&grid, &STEEL, &RIGID, NULL, &bodies));
+    stickslip_status status = ARMED(stickslip_coupled_solution_stiffness(solution, bodies, &per_cell, &found));
+    OK(stickslip_half_space_free(bodies));
+    OK(stickslip_coupled_solver_free(solver));
+    OK(stickslip_coupled_solution_free(solution));
+    return status;
+}
+
 static stickslip_status wear(void) {
     stickslip_history *history = made(steel, 1, 100.0, 10.0);
     stickslip_per_cell uniform = {1e-14, NULL, 0};
@@ -517,6 +543,8 @@ static void scenes(size_t nx, size_t ny) {
     run("states", keep_states);
     run("bytes", save_and_load);
     run("stiffness", stiffness);
+    run("coupled stiffness", coupled_stiffness);
+    run("stiffness of a coupled solution", coupled_solution_stiffness);
     run("wear", wear);
     run("adaptive steps", adaptive_steps);
     run("cycle", cycle);

@@ -11,7 +11,7 @@
 #define POINTS 1000
 
 static const stickslip_grid GRID = {N, N, 0.3e-3 / N, 0.3e-3 / N};
-static const stickslip_material STEEL = {213e9, 0.29, 0.0};
+static const stickslip_material STEEL = {213e9, 0.29, 0.0}, RIGID = {INFINITY, 0.0, 0.0};
 static double ball[CELLS];
 
 /* How often an observer was asked, and how often it answers that the call is to go on. */
@@ -21,7 +21,7 @@ typedef struct {
 
 static int32_t observe(const stickslip_iteration *iteration, void *user) {
     patience *left = user;
-    if (iteration->double_precision_products != left->asked) {
+    if (iteration->double_precision_products + iteration->single_precision_products != left->asked) {
         failures++;
     }
     return left->asked++ < left->allowed;
@@ -32,6 +32,9 @@ typedef struct {
     stickslip_half_space *bodies;
     stickslip_normal_solution *pressed;
     stickslip_tangential_solution *sheared;
+    stickslip_half_space *dissimilar;
+    stickslip_coupled_solution *both;
+    stickslip_friction friction;
     stickslip_history *history;
     stickslip_planes *planes;
     stickslip_tractions tractions;
@@ -54,6 +57,10 @@ static stickslip_status normal(const objects *of, const stickslip_observer *obse
 
 static stickslip_status tangential(const objects *of, const stickslip_observer *observer, answers *to) {
     return stickslip_tangential_solution_stiffness_observed(of->sheared, of->bodies, observer, &to->tangential);
+}
+
+static stickslip_status coupled(const objects *of, const stickslip_observer *observer, answers *to) {
+    return stickslip_coupled_solution_stiffness_observed(of->both, of->dissimilar, &of->friction, observer, &to->all);
 }
 
 static stickslip_status history(const objects *of, const stickslip_observer *observer, answers *to) {
@@ -115,18 +122,24 @@ int main(void) {
     stickslip_normal_load load = {STICKSLIP_FORCE, 100.0};
     stickslip_tangential_load drag = {{STICKSLIP_FORCE, 20.0, 0.0}, {0}, 0.0};
     stickslip_load_step step = {{STICKSLIP_FORCE, 100.0}, {STICKSLIP_FORCE, 20.0, 0.0}, {0}, 0, 0.0, 0, 0.0};
-    stickslip_friction friction = stickslip_coulomb(0.5);
     stickslip_normal_solver *press = NULL;
     stickslip_tangential_solver *shear = NULL;
+    stickslip_coupled_solver *press_and_shear = NULL;
+    of.friction = stickslip_coulomb(0.5);
     OK(stickslip_surface_sphere(&GRID, 3.5e-3, ball, CELLS));
     OK(stickslip_half_space_new(&GRID, &STEEL, &STEEL, NULL, &of.bodies));
     OK(stickslip_normal_solver_new(of.bodies, ball, CELLS, &load, NULL, NULL, &press));
     OK(stickslip_normal_solution_new(press, &of.pressed));
     OK(stickslip_normal_solver_solve(press, of.pressed, NULL));
-    OK(stickslip_tangential_solver_new(of.bodies, of.pressed, &friction, &drag, NULL, &shear));
+    OK(stickslip_tangential_solver_new(of.bodies, of.pressed, &of.friction, &drag, NULL, &shear));
     OK(stickslip_tangential_solution_new(shear, &of.sheared));
     OK(stickslip_tangential_solver_solve(shear, of.sheared, NULL));
-    OK(stickslip_history_new(of.bodies, ball, CELLS, &friction, NULL, &of.history));
+    OK(stickslip_half_space_new(&GRID, &STEEL, &RIGID, NULL, &of.dissimilar));
+    OK(stickslip_coupled_solver_new(of.dissimilar, ball, CELLS, &of.friction, &load, &drag, NULL, NULL, NULL,
+                                    &press_and_shear));
+    OK(stickslip_coupled_solution_new(press_and_shear, &of.both));
+    OK(stickslip_coupled_solver_solve(press_and_shear, of.both, NULL));
+    OK(stickslip_history_new(of.bodies, ball, CELLS, &of.friction, NULL, &of.history));
     OK(stickslip_history_step(of.history, &step, NULL));
     of.tractions.pressure = stickslip_normal_solution_field(of.pressed, STICKSLIP_PRESSURE, &of.tractions.count);
     for (int i = 0; i < POINTS; i++) {
@@ -137,6 +150,7 @@ int main(void) {
 
     stops(normal, &of);
     stops(tangential, &of);
+    stops(coupled, &of);
     stops(history, &of);
     stops(points, &of);
     stops(rough, &of);
@@ -144,6 +158,9 @@ int main(void) {
 
     OK(stickslip_planes_free(of.planes));
     OK(stickslip_history_free(of.history));
+    OK(stickslip_coupled_solution_free(of.both));
+    OK(stickslip_coupled_solver_free(press_and_shear));
+    OK(stickslip_half_space_free(of.dissimilar));
     OK(stickslip_tangential_solution_free(of.sheared));
     OK(stickslip_tangential_solver_free(shear));
     OK(stickslip_normal_solution_free(of.pressed));

@@ -190,6 +190,8 @@ contains
         type(half_space) :: bodies
         type(coupled_solver) :: solver
         type(coupled_solution) :: solution, other
+        type(contact_history) :: history
+        type(stickslip_stiffness) :: slope, same
         type(stickslip_coupled_report) :: report
         type(stickslip_normal_result) :: normal
         type(stickslip_tangential_result) :: shear
@@ -234,6 +236,15 @@ contains
         call check(all(hypot(x, y) <= 0.3d0 * pressure * (1 + 1d-9)), 'the law of Coulomb')
         call check(all((zones == STICKSLIP_SEPARATED) .eqv. (pressure <= 0)), 'coupled zones')
         call check(all(pressure == 0 .or. abs(gap) < 1d-6 * maxval(lift)), 'no gap below the pressure')
+
+        ! A history of the same first step has the same stiffness.
+        call history%new(bodies, heights, stickslip_coulomb(0.3d0), &
+            stickslip_history_options(model=STICKSLIP_VECTOR, touch_rule=STICKSLIP_WHOLE_STEP))
+        call history%step(stickslip_load_step(press, drag%x, drag%y))
+        slope = solution%stiffness(bodies, stickslip_coulomb(0.3d0))
+        same = history%stiffness()
+        call check(abs(slope%normal%value / same%normal%value - 1) < 1d-6, 'a coupled stiffness')
+        call check(abs(slope%tangential%loading(1, 1) / same%tangential%loading(1, 1) - 1) < 1d-6, 'its part along x')
 
         ! Setters.
         call solver%set_load(stickslip_normal_load(STICKSLIP_FORCE, 150), drag)

@@ -83,6 +83,23 @@ int main() {
     limits.closed_within = 0.0;
     fails(STICKSLIP_CYCLE_NOT_CLOSED, [&] { cycle.jump(bodies, worn, limits); });
 
+    // A contact of dissimilar bodies is as stiff as a history after the same first step.
+    const ss::HalfSpace dissimilar(grid, steel, {INFINITY, 0.0, 0.0});
+    const stickslip_friction law = ss::coulomb(0.3);
+    const stickslip_normal_load press = ss::press_by_force(100.0);
+    const stickslip_control drag = ss::force(10.0);
+    ss::CoupledSolver solver(dissimilar, ss::sphere(grid, 5.0), law, press, ss::tangential(drag));
+    const ss::Stiffness found = solver.solve().stiffness(dissimilar, law);
+    stickslip_history_options whole = stickslip_history_options_default();
+    whole.model = STICKSLIP_VECTOR;
+    whole.touch_rule = STICKSLIP_WHOLE_STEP;
+    ss::History same(dissimilar, ss::sphere(grid, 5.0), law, whole);
+    same.step(ss::step(press, drag));
+    const ss::Stiffness expected = same.stiffness();
+    check(std::fabs(found.normal.value / expected.normal.value - 1.0) < 1e-6, "normal stiffness");
+    check(std::fabs(found.tangential.loading[0][0] / expected.tangential.loading[0][0] - 1.0) < 1e-6, "along x");
+    check(std::fabs(found.normal_by_motion[0] / expected.normal_by_motion[0] - 1.0) < 1e-4, "normal force by shift");
+
     ss::SelfAffine recipe = stickslip_self_affine_default();
     recipe.rms_height = 1e-3;
     check(std::fabs(ss::statistics(grid, ss::self_affine(grid, recipe)).rms_height / 1e-3 - 1.0) < 1e-12, "rms height");

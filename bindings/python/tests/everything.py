@@ -169,6 +169,7 @@ class Scene:
             "CattaneoMindlinLine.with_strain": {"strain": 1e-6},
             "Convolution.apply": {"x": vector},
             "CoupledProblem": {"bodies": self.dissimilar, "normal_force": 100.0, "force_x": 20.0},
+            "CoupledSolution.stiffness": {"bodies": self.dissimilar},
             "CoupledSolver.set_load": {"load": self.still, "normal_force": 100.0},
             "CycleJump": {"closed_within": 0.9},
             "DenseOperator": {"rows": np.eye(3)},

@@ -100,7 +100,7 @@ METHODS = {
     "cgm::Problem": {"totals": "of minima with several components a cell: engine generics"},
     "cgm::Settings": {"check": "the class"},
     "dense::DenseOperator": {"from_rows": "the class"},
-    "History": {"stiffness_with": "stiffness"},
+    "history::History": {"stiffness_with": "stiffness"},
     "history::LoadPath": {"table": "the class"},
     "history::LoadStep": {"hold": "LoadStep()", "normal": "normal_force= and approach=", "tangential": "force_x= and others"},
     "history::State": {"of_slabs": "as ranks::Threads"},

@@ -112,6 +112,27 @@ def test_dissimilar_bodies_slip_when_pressed():
     assert refused.value.beta == pytest.approx(bodies.pair.dundurs_beta)
 
 
+def test_stiffness_of_dissimilar_bodies_is_the_slope_of_both_forces():
+    grid = ss.Grid.square(32, 0.3)
+    bodies = ss.HalfSpace(grid, (ss.Material(70e3, 0.33), ss.Material(210e3, 0.3)))
+    solver = ss.CoupledProblem(bodies, ss.surface.sphere(grid, 3.5), 0.3, approach=5e-3, shift_x=5e-4, tolerance=1e-10).solver()
+
+    def forces(shift):
+        solver.set_load(ss.TangentialLoad(shift_x=shift), approach=5e-3)
+        contact = solver.solve()
+        return np.array([contact.normal.force, contact.tangential.force[0]])
+
+    step = 2e-8
+    normal, tangential = (forces(5e-4 + step) - forces(5e-4 - step)) / (2.0 * step)
+    solver.set_load(ss.TangentialLoad(shift_x=5e-4), approach=5e-3)
+    stiffness = solver.solve().stiffness(bodies, 0.3)
+    assert isinstance(stiffness, ss.stiffness.ContactStiffness)
+    assert stiffness.tangential.loading[0][0] == pytest.approx(tangential, rel=1e-4)
+    assert stiffness.normal_by_motion[0] == pytest.approx(normal, abs=1e-4 * stiffness.normal.value)
+    with pytest.raises(ss.errors.MaterialMismatch):
+        solver.solve().stiffness(ss.HalfSpace(grid, (ss.Material(70e3, 0.33), ss.Material.rigid())), 0.3)
+
+
 def test_stresses_below_a_ball(scene):
     contact = scene.normal()
     depth = 0.48 * scene.hertz.contact_radius

@@ -22,6 +22,7 @@ using Material = stickslip_material;
 using Boundary = stickslip_boundary;
 using Settings = stickslip_settings;
 using Report = stickslip_report;
+using Stiffness = stickslip_stiffness;
 using Iteration = stickslip_iteration;
 
 /// A view of samples, row by row with x fastest; of an array of the caller, or of what an object holds.

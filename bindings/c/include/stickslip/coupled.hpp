@@ -40,6 +40,12 @@ class CoupledSolution {
             return stickslip_coupled_solution_warnings(get(), to, capacity, count);
         });
     }
+    /// With the friction it was solved for.
+    Stiffness stiffness(const HalfSpace &bodies, const stickslip_friction &friction) const {
+        return detail::asked<Stiffness>([&](auto *out) {
+            return stickslip_coupled_solution_stiffness(get(), bodies.get(), &friction, out);
+        });
+    }
     stickslip_coupled_solution *get() const { return own_.get(); }
 
   private:

@@ -12,8 +12,6 @@
 
 namespace stickslip {
 
-using Stiffness = stickslip_stiffness;
-
 class History;
 
 /// A state that a history may return to.

@@ -76,7 +76,7 @@ void read_numbers(struct run *run) {
     stickslip_error error;
     double value;
     size_t count, capacity = below(run, 3);
-    switch (below(run, 25)) {
+    switch (below(run, 26)) {
     case 0:
         SEEN(stickslip_normal_solution_result(pressed, maybe_out(run, &normal)));
         break;
@@ -154,6 +154,11 @@ void read_numbers(struct run *run) {
         SEEN(stickslip_history_spots(history, maybe_out(run, spots), capacity, maybe_out(run, &count),
                                      maybe_out(run, labels), below(run, 101)));
         break;
+    case 24: {
+        stickslip_friction law = stickslip_coulomb(below(run, 4) == 0 ? number(run, 0.5) : 0.3);
+        SEEN(stickslip_coupled_solution_stiffness(both, bodies, maybe(run, &law), maybe_out(run, &stiffness)));
+        break;
+    }
     default:
         SEEN(stickslip_tangential_solver_friction_capacity(GET(stickslip_tangential_solver, pick(run, TANGENTIAL)),
                                                            maybe_out(run, &value)));

@@ -895,6 +895,10 @@ class CoupledSolution:
         """
         How the solve ended, what it cost, and what is certified.
         """
+    def stiffness(self, /, bodies: HalfSpace, friction: Friction | float | ArrayLike) -> ContactStiffness:
+        """
+        The stiffness: the slopes of the forces and the moment by approach, shift and twist, with the friction of the problem.
+        """
     @property
     def tangential(self, /) -> TangentialSolution:
         """

@@ -7,10 +7,14 @@ use pyo3::prelude::*;
 use crate::array::{Array, contact, view};
 use crate::coupled::CoupledReport;
 use crate::digits::{short, tuple};
+use crate::friction::AnyFriction;
+use crate::half_space::HalfSpace;
 use crate::normal::NormalSolution;
 use crate::pickle::picklable;
 use crate::report::{Warning, ending};
+use crate::stiffness::ContactStiffness;
 use crate::tangential::TangentialSolution;
+use crate::work::{observed_on, watch};
 
 /// Both halves of a coupled contact, with the displacements that they cause together. Halves and arrays share its memory.
 /// Two are equal if their answers are, however they were found.
@@ -72,6 +76,21 @@ impl CoupledSolution {
     #[getter]
     fn warnings(&self) -> Vec<Warning> {
         Warning::all(self.0.warnings())
+    }
+
+    /// The stiffness: the slopes of the forces and the moment by approach, shift and twist, with the friction of the problem.
+    fn stiffness(
+        &self,
+        py: Python<'_>,
+        bodies: &HalfSpace,
+        friction: AnyFriction<'_>,
+    ) -> PyResult<ContactStiffness> {
+        let (solution, bodies) = (&self.0, &bodies.0);
+        let friction = friction.on(py, bodies.grid())?;
+        let found = observed_on(py, bodies.grid(), |observer| {
+            solution.stiffness_observed(bodies, &friction, watch(observer))
+        });
+        found.map(ContactStiffness)
     }
 
     fn __repr__(&self) -> String {
