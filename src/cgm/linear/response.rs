@@ -134,8 +134,11 @@ impl<C, P> Held<'_, C, P> {
         if let Some(lack) = monitor.lack.take() {
             return Err(lack);
         }
+        let is_solved = workspace.report.residual <= tolerance;
         let status = match found {
-            ControlFlow::Continue(left) if left <= tolerance => Status::Converged,
+            ControlFlow::Continue(_) | ControlFlow::Break(Status::Stalled) if is_solved => {
+                Status::Converged
+            }
             ControlFlow::Continue(_) => Status::Stalled,
             ControlFlow::Break(status) => status,
         };
