@@ -31,6 +31,7 @@ pub(crate) fn of_bytes(bytes: &[u8]) -> u64 {
 /// parts of itself there these are not compared.
 pub(crate) fn of_shown(value: &dyn Debug) -> u64 {
     let mut digest = Digest::START;
+    // `Digest::write_str` returns no error, and derived `Debug` adds none.
     write!(digest, "{value:?}").expect("writing to a digest cannot fail");
     digest.0
 }

@@ -24,7 +24,7 @@ pub struct Problem<'a, C, K, P = Identity, const N: usize = 1> {
     pub(super) operator: C,
     pub(super) preconditioner: P,
     pub(super) layout: Layout,
-    /// Empty where there is none.
+    /// Compliance that cells have of their own; of no cells where none has.
     pub(super) diagonal: &'a [f64],
     linear: [&'a [f64]; N],
     datum: [f64; N],

@@ -16,7 +16,7 @@ pub enum Method {
     /// residual at every outer step, exact once it is small. The default: 2 to 5 times fewer products.
     #[default]
     ActiveSet,
-    /// For one unknown a cell only: a problem with several refuses it with
+    /// For symmetric operators and one unknown a cell: other problems refuse it with
     /// [`Error::Method`]. One loop that clips at every step: Polonsky & Keer, Wear 231 (1999) 206,
     /// <https://doi.org/10.1016/S0043-1648(99)00113-1>, and eqs 17-26 of Wang et al. (2021) with
     /// their signs mended. Two products a step unless nothing was clipped.

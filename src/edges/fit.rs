@@ -304,3 +304,24 @@ fn solved<const N: usize>(mut matrix: [[f64; N]; N], mut right: [f64; N]) -> Opt
     }
     Some(right)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::Grid;
+
+    /// Pressures whose squares underflow, everywhere about a cell, give nothing to fit.
+    #[test]
+    fn values_next_to_nothing_have_no_fit() {
+        let stencil = Stencil::new(Grid::square(8, 8.0).unwrap(), [false; 2]);
+        for lifted in [0.0, f64::INFINITY] {
+            let values = Values {
+                lifted: [lifted; PLACES],
+                is_inside: [true; PLACES],
+                is_core: [true; PLACES],
+                is_known: [true; PLACES],
+            };
+            assert!(Fit::new(&stencil, &values, |_| 1.0).is_none(), "{lifted}");
+        }
+    }
+}

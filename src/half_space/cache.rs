@@ -16,7 +16,7 @@ pub(super) struct Cache {
 #[derive(Debug, PartialEq, Eq, Hash)]
 struct Key {
     kind: TypeId,
-    /// Of three directions by three at most; the rest are none.
+    /// Of three directions by three at most; `None` beyond those asked for.
     components: [Option<Component>; 9],
     size: [usize; 2],
 }

@@ -26,7 +26,8 @@ use crate::window::Window;
 pub struct NormalStiffness {
     /// $`dW/d\delta_z`$ (a force over a length), zero without contact. Hertz: $`2 E^* a`$.
     pub value: f64,
-    /// Bound of its relative error; infinite where pressure and shear are found together.
+    /// Bound of its relative error as the answer of the linear problem at these sets; infinite where pressure and traction are
+    /// found together. The round-off of the products comes on top, and so does what the errors of the solution change.
     pub bound: f64,
 }
 
@@ -47,7 +48,8 @@ pub struct TangentialStiffness {
     /// [Mindlin](crate::analytical::MindlinFullStick): $`8 G^* a`$.
     pub reversal: [[Option<f64>; 3]; 3],
     /// Bound of the errors: none is larger than this times the root of the product of the two entries on the diagonal,
-    /// of the matrix for a twist about the centre of the contact. Infinite where pressure and shear are found together.
+    /// of the matrix for a twist about the centre of the contact. Infinite where pressure and traction are found together.
+    /// As with [`NormalStiffness::bound`] round-off and the errors of the solution come on top.
     pub bound: f64,
 }
 

@@ -27,8 +27,8 @@
 //!
 //! Each is a solution of the [linear problem](crate::cgm) of the engine at its last sets, by bases whose products are of
 //! single precision, refined in double precision to a [tolerance](StiffnessWorkspace::tolerance). The bound is that of the
-//! linear problem, round-off of its double-precision products included: the pressure and the tractions of the solution
-//! have errors of their own, which change the sets and the slips that it is of.
+//! linear problem. The round-off of its double-precision products comes on top, and so do the errors of pressure and
+//! tractions, which change the sets and the slips that it is of.
 //!
 //! The halves of a solution of [`CoupledProblem`](crate::CoupledProblem) are refused with
 //! [`Error::CoupledMaterials`](crate::Error::CoupledMaterials): [the solution](crate::CoupledSolution::stiffness) has the

@@ -16,7 +16,8 @@ pub(super) type SystemOf<S, const N: usize> = System<<S as Linearised<N>>::Motio
 /// Buffers, tolerance and report of stiffnesses that are found one after the other.
 ///
 /// The first stiffness allocates; further ones of contacts on the same bodies, found in a window of the same size, do not once
-/// one has had as many cells and steps, and their operators are made once. A Newton iteration around a [`History`](crate::History) holds one.
+/// one has had as many cells and steps, and their operators are made once. A Newton iteration around a
+/// [`History`](crate::History) holds one.
 ///
 /// ```
 /// use stickslip::stiffness::StiffnessWorkspace;
@@ -93,7 +94,7 @@ impl StiffnessWorkspace {
     }
 
     /// How the last stiffness was found: steps and products of all linear problems together, residual and status of the
-    /// last.
+    /// last; the time is not taken.
     #[must_use]
     pub fn report(&self) -> &Report {
         &self.report

@@ -5,7 +5,7 @@ use kit::refusal::assert_checked;
 use stickslip::cgm::{self, Bounds, Magnitude, Method, NonNegative, Problem, Settings, Total};
 use stickslip::influence::Rectangle;
 use stickslip::{
-    ElasticPair, Error, Field, Friction, Grid, HalfSpace, Identity, Material, surface,
+    ElasticPair, Error, Field, Friction, Grid, HalfSpace, Identity, Material, Operator, surface,
 };
 
 const NOT_POSITIVE: [f64; 5] = [0.0, -1.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
@@ -226,6 +226,27 @@ fn engine() {
     assert_eq!(x, [1.0, 2.0], "refused before any work");
 }
 
+/// `u = (x + y, y - x)` of two cells.
+struct Turning;
+
+impl Operator for Turning {
+    type Workspace = ();
+
+    fn cells(&self) -> usize {
+        2
+    }
+
+    fn workspace(&self) {}
+
+    fn apply(&self, [x]: [&[f64]; 1], [u]: [&mut [f64]; 1], (): &mut ()) {
+        (u[0], u[1]) = (x[0] + x[1], x[1] - x[0]);
+    }
+
+    fn is_symmetric(&self) -> bool {
+        false
+    }
+}
+
 #[test]
 fn what_the_single_loop_does_not_solve() {
     let settings = Settings::default().method(Method::PolonskyKeer);
@@ -241,6 +262,9 @@ fn what_the_single_loop_does_not_solve() {
     let discs = Problem::new(Identity::new(2), [&linear; 2], Magnitude(&[1.0, 2.0]));
     let outcome = cgm::minimise(&discs, &settings, [&mut x, &mut y]);
     assert!(refused(outcome.err(), "several components a cell"));
+    let turning = Problem::new(Turning, [&linear], NonNegative);
+    let outcome = cgm::minimise(&turning, &settings, [&mut x]);
+    assert!(refused(outcome.err(), "operators that are not symmetric"));
     assert_eq!(x, [1.0, 2.0], "refused before any work");
 }
 

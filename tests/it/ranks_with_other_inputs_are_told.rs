@@ -1,6 +1,7 @@
 //! Ranks that come with different inputs are told at once which of them differs: they never come to different answers.
 
 use std::fmt::Debug;
+use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -8,6 +9,7 @@ use stickslip::cgm::Settings;
 use stickslip::history::{AdaptiveSteps, TouchRule, wear};
 use stickslip::normal::Hardness;
 use stickslip::ranks::{RankFailure, Ranks, Threads};
+use stickslip::stiffness::StiffnessWorkspace;
 use stickslip::surface::{Form, SelfAffine};
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::*;
@@ -261,6 +263,27 @@ fn of_coupled_problems() {
         let moved = TangentialLoad::shift([one_of(is_odd, 0.1, 0.0), 0.0]);
         solver.set_load(NormalControl::Force(2.0), moved)
     });
+}
+
+/// A rank that leaves out half of the solves, or ends them elsewhere, would leave the others waiting.
+#[test]
+fn of_stiffnesses() {
+    for coupling in [Coupling::Neglected, Coupling::Full] {
+        for is_tolerance in [true, false] {
+            assert_told("settings of the stiffness", |ranks, is_odd| {
+                let bodies = bodies(ranks);
+                let gap = ball(&bodies);
+                let builder = History::builder(&bodies, &gap, coulomb(0.3)).coupling(coupling);
+                let mut history = builder.build()?;
+                history.step(&LoadStep::hold().normal(NormalControl::Force(2.0)))?;
+                let tolerance = one_of(is_odd && is_tolerance, 1e-9, 1e-11);
+                let workspace = StiffnessWorkspace::new().tolerance(tolerance)?;
+                let mut workspace = workspace.reversal(!is_odd || is_tolerance);
+                let found = history.stiffness_with(&mut workspace, |_| ControlFlow::Continue(()));
+                found.map(drop)
+            });
+        }
+    }
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! The laws of a contact that goes on to move as it does.
+//! The laws of the cells of a contact at its last state, as the linear problem of a stiffness has them.
 
 use crate::cgm::cone::law::{Lag, Law};
 use crate::cgm::cone::newton::NOTHING;
@@ -20,7 +20,7 @@ pub(crate) struct Stand<'a> {
 }
 
 impl<C: Operator<N>, P: Operator<N>> ConeWorkspace<C, P> {
-    /// The linear problem of cells that go on to move as they stand.
+    /// The linear problem of the cells at this state, whose laws are held.
     ///
     /// # Errors
     /// [`Error::Memory`](crate::Error::Memory).

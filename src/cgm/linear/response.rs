@@ -1,4 +1,4 @@
-//! How tractions answer motions of the bodies, while each cell goes on to move as it does.
+//! The tractions that motions of the bodies cause while the way each cell may move is held.
 
 use std::ops::ControlFlow;
 
@@ -78,7 +78,7 @@ impl<C: Operator<N>, P: Operator<N>, R: Row<N>, const N: usize> Equations<C, P, 
     }
 }
 
-/// Operator and preconditioner of cells that go on to move as they do.
+/// Operator and preconditioner of cells whose way to move is held.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Held<'a, C, P> {
     pub(crate) operator: &'a C,
@@ -89,8 +89,9 @@ pub(crate) struct Held<'a, C, P> {
 }
 
 impl<C, P> Held<'_, C, P> {
-    /// Finds the unknowns that answer a right side, in double precision, to a relative residual, or as the report then says
-    /// to where a basis does not halve it; what they leave stays in the [residual](LinearWorkspace::left), their tractions are the [directions](LinearWorkspace::tractions).
+    /// Finds the unknowns that answer a right side, in double precision, to a relative residual; where a basis does not halve
+    /// it they are left as they are, and the report says [`Status::Stalled`]. The residual is then in
+    /// [`LinearWorkspace::left`], the tractions are in [`LinearWorkspace::tractions`].
     ///
     /// # Errors
     /// [`Error::NotConverged`]; [`Error::Memory`].
@@ -153,7 +154,7 @@ impl<C, P> Held<'_, C, P> {
 }
 
 impl<C, P, R: Row<N>, const N: usize> LinearWorkspace<C, P, R, N> {
-    /// Takes how each cell goes on to move, and makes room for the unknowns of those that do.
+    /// Takes how each cell may move, and makes room for the unknowns of those that do.
     ///
     /// # Errors
     /// [`Error::Memory`].
