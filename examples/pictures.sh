@@ -12,7 +12,7 @@ for drawing in target/gallery/*.svg; do
     name=$(basename "$drawing" .svg)
     picture "$name" 960 64 >"examples/gallery/$name.png"
 done
-cp target/gallery/speed_against_error.svg examples/gallery/ 2>/dev/null || true
+cp target/gallery/{speed,grid}_against_error.svg examples/gallery/ 2>/dev/null || true
 
 # In the pages, a picture is part of the text: the packaged crate has no other files.
 embed() { # name, description

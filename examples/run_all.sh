@@ -13,7 +13,7 @@ for source in examples/*.rs examples/*/main.rs; do
     cargo run --quiet --release -p stickslip --example "$example"
 done
 # Those that judge and time the library; a campaign over random scenes lasts as long as one likes.
-for example in hard_cases speed_against_error; do
+for example in hard_cases speed_against_error grid_against_error; do
     printf '\n== %s\n' "$example"
     cargo run --quiet --release -p stickslip-kit --example "$example"
 done

@@ -25,9 +25,18 @@
 //! its own pressure, and counts as covered but for a part c of its area for each side at the edge: 0.088 with
 //! [`CellValue::Uniform`], 0.129 with [`CellValue::Centre`], 0.102 on grids with [`Boundary::Periodic`], measured on circles
 //! and turned ellipses. So a sharp punch keeps its raw cells, and a rough contact whose shortest waves are less than sixteen
-//! cells long nearly all of them; the corrected area is still right to 1 to 2 % there, where counting reads 4 to 14 % high.
+//! cells long nearly all of them; the corrected area is still right to 2.5 % there if hundreds of cells touch (mean over seeds: 1 %), where counting reads 4 to
+//! 16 % high; of fifty cells it may miss by 7 %.
 //! Of 600 ellipses of any shape, angle and place two had a worse pressure than that of the cells, three cells across and
 //! with 20 and 29 of them in all; the median ratio of the errors was 0.36.
+//!
+//! Of dissimilar bodies the edge of the contact holds as well, to 1e-3 of the area; that of the stick zone to 0.6 % up to
+//! Dundurs' beta 0.29, to 2 % up to 0.5, and beyond, where half of its fits and more are refused, only to 14 %.
+//!
+//! Of 200 random scenes on 60 x 60 cells, ellipses, quartics, rough spheres and rough planes, free and periodic, in 360
+//! solutions, seven had an area, a pressure at the centres or means with an error by more than a tenth above that of the cells:
+//! two quartics 9 cells across whose fits were refused in two thirds (pressure at the centres up to 15 % worse, each with both
+//! cell values), a periodic plane (likewise), and a free plane with 50 cells in contact (area, both).
 //!
 //! The means over cells other than those at the edge are $`p + \Delta_h p/24`$.
 //!

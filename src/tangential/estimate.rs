@@ -9,7 +9,8 @@ impl TangentialSolution {
     /// of the errors over that of the magnitudes of the tractions, both components together. `None` without traction, and on a
     /// slab of a grid that ranks share.
     ///
-    /// In partial slip on a sphere it is 1.0 times the error of the means. A traction that changes its sign from cell to cell,
+    /// In partial slip on a sphere, at 20 to 80 % of the sliding force, it is 0.9 to 1.05 times the error of the means on 48 to 192
+    /// cells over three contact radii, and 0.74 to 1.02 times on 24. A traction that changes its sign from cell to cell,
     /// as after many reversals, has more error at its many edges than one of the same sum.
     #[must_use]
     pub fn discretisation_estimate(&self) -> Option<f64> {

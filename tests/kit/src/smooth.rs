@@ -112,6 +112,16 @@ impl Smooth {
         })
     }
 
+    /// The gap about the origin.
+    pub fn height(&self, x: f64, y: f64) -> f64 {
+        (self.height)(x, y)
+    }
+
+    /// The pressure about the origin.
+    pub fn pressure_at(&self, x: f64, y: f64) -> f64 {
+        (self.pressure)(x, y)
+    }
+
     pub fn load(&self) -> NormalControl {
         NormalControl::Force(self.force)
     }
